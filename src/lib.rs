@@ -1,0 +1,5 @@
+//! Periodic response of flexible multibody systems by Fourier spectral collocation on SE(3).
+
+#![deny(unsafe_code)]
+
+pub mod error;
