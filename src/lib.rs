@@ -2,4 +2,7 @@
 
 #![deny(unsafe_code)]
 
+pub mod capi;
 pub mod error;
+pub mod fourier;
+pub mod motion;

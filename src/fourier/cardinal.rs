@@ -1,0 +1,125 @@
+//! Cardinal functions and their derivatives, eqs. (2) and (4).
+
+use super::grid::TimeGrid;
+use std::f64::consts::{PI, TAU};
+
+/// Values of `I_k`, `D_k` and `T_k` at one time: `f(t) = Σ I_k f_k`, `ḟ(t) = Σ D_k f_k`, `f̈(t) = Σ T_k f_k`.
+#[derive(Debug, Clone)]
+pub struct CardinalWeights {
+    grid: TimeGrid,
+    /// `I_k`.
+    pub value: Vec<f64>,
+    /// `D_k`, per unit of time.
+    pub first: Vec<f64>,
+    /// `T_k`, per unit of time squared.
+    pub second: Vec<f64>,
+}
+
+impl CardinalWeights {
+    /// Weights for `grid`, at time zero.
+    pub fn new(grid: TimeGrid) -> Self {
+        let n = grid.points();
+        let mut weights = CardinalWeights {
+            grid,
+            value: vec![0.0; n],
+            first: vec![0.0; n],
+            second: vec![0.0; n],
+        };
+        weights.move_to(0.0);
+        weights
+    }
+
+    /// Moves the weights to `time`, anywhere, also outside the first period.
+    pub fn move_to(&mut self, time: f64) {
+        let points = self.grid.points();
+        let (n, omega) = (points as f64, self.grid.frequency());
+        // Measured from the nearest grid point, the phase is small where it matters.
+        let turns = time / self.grid.period();
+        let steps = (turns - turns.floor()) * n;
+        let nearest = steps.round();
+        let offset = (steps - nearest) * PI / n;
+        let nearest = nearest as usize % points;
+        let (sin_y0, cos_y0) = (n * offset).sin_cos();
+        for k in 0..points {
+            let behind = (nearest + points - k) % points;
+            // x = (τ − τ_k)/2 within (−π/2, π/2], and y = N x.
+            let behind = if 2 * behind > points {
+                behind as f64 - n
+            } else {
+                behind as f64
+            };
+            let x = offset + behind * PI / n;
+            let (i, d, t) = if behind == 0.0 {
+                by_summation(points, 2.0 * x)
+            } else {
+                // sin(y0 + jπ) = (−1)^j sin y0
+                let sign = if behind % 2.0 == 0.0 { 1.0 } else { -1.0 };
+                in_closed_form(n, x, sign * sin_y0, sign * cos_y0)
+            };
+            self.value[k] = i;
+            self.first[k] = omega * d;
+            self.second[k] = omega * omega * t;
+        }
+    }
+}
+
+/// Eqs. (2) and (4), for `Ω = 1`.
+fn in_closed_form(n: f64, x: f64, sin_y: f64, cos_y: f64) -> (f64, f64, f64) {
+    let (sin_x, cos_x) = x.sin_cos();
+    let sin2 = sin_x * sin_x;
+    (
+        sin_y / (n * sin_x),
+        cos_y / (2.0 * sin_x) - sin_y * cos_x / (2.0 * n * sin2),
+        (1.0 + cos_x * cos_x) * sin_y / (4.0 * n * sin2 * sin_x)
+            - cos_y * cos_x / (2.0 * sin2)
+            - n * sin_y / (4.0 * sin_x),
+    )
+}
+
+/// The same by the sum of harmonics, which has no cancellation at the grid point itself.
+fn by_summation(points: usize, tau: f64) -> (f64, f64, f64) {
+    let (mut i, mut d, mut t) = (1.0, 0.0, 0.0);
+    for j in 1..=(points - 1) / 2 {
+        let h = j as f64;
+        let (sin, cos) = (h * tau % TAU).sin_cos();
+        i += 2.0 * cos;
+        d -= 2.0 * h * sin;
+        t -= 2.0 * h * h * cos;
+    }
+    let n = points as f64;
+    (i / n, d / n, t / n)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// All weights by the sum of harmonics: slow, but without cancellation anywhere.
+    fn reference(grid: TimeGrid, time: f64, k: usize) -> (f64, f64, f64) {
+        let omega = grid.frequency();
+        let (i, d, t) = by_summation(grid.points(), omega * (time - grid.time(k)));
+        (i, omega * d, omega * omega * t)
+    }
+
+    #[test]
+    fn weights_agree_with_the_sum_of_harmonics_everywhere() {
+        for points in [1, 3, 7, 21, 101] {
+            let grid = TimeGrid::new(points, 2.0).unwrap();
+            let mut weights = CardinalWeights::new(grid);
+            for time in [0.0, 1e-13, 1e-7, 0.01, 0.39999999, 0.4, 0.777, 1.0, 1.999999999, 5.3, -0.7] {
+                weights.move_to(time);
+                let n = points as f64;
+                for k in 0..points {
+                    let (i, d, t) = reference(grid, time, k);
+                    // Rounding of the phase, about 1e-16 N, times the largest slope of each.
+                    let phase = 1e-15 * n * (1.0 + time.abs());
+                    assert!((weights.value[k] - i).abs() < 1e-15 + phase);
+                    assert!((weights.first[k] - d).abs() < 4.0 * n * (1e-15 + phase));
+                    assert!((weights.second[k] - t).abs() < 10.0 * n * n * (1e-15 + phase));
+                }
+                // Partition of unity, eq. (6).
+                assert!((weights.value.iter().sum::<f64>() - 1.0).abs() < 1e-14);
+            }
+        }
+    }
+}

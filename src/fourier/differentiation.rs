@@ -1,0 +1,181 @@
+//! The circulant differentiation matrices `D` and `T`, eq. (5), applied densely or by FFT.
+
+use super::grid::TimeGrid;
+use realfft::num_complex::Complex;
+use realfft::{ComplexToReal, RealFftPlanner, RealToComplex};
+use std::f64::consts::PI;
+use std::fmt;
+use std::sync::Arc;
+
+/// Above this many grid points the FFT is used: where it was measured to overtake the dense product.
+const DENSE_LIMIT: usize = 64;
+
+/// First and second derivatives in time of grid functions.
+#[derive(Clone)]
+pub struct Differentiation {
+    grid: TimeGrid,
+    /// First column of `D`: `D_ℓk = first[(ℓ − k) mod N]`.
+    first: Vec<f64>,
+    /// First column of `T`.
+    second: Vec<f64>,
+    forward: Arc<dyn RealToComplex<f64>>,
+    backward: Arc<dyn ComplexToReal<f64>>,
+    spectrum: Vec<Complex<f64>>,
+    product: Vec<Complex<f64>>,
+    samples: Vec<f64>,
+    scratch: Vec<Complex<f64>>,
+}
+
+impl fmt::Debug for Differentiation {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("Differentiation").field("grid", &self.grid).finish_non_exhaustive()
+    }
+}
+
+impl Differentiation {
+    /// Operators for `grid`.
+    pub fn new(grid: TimeGrid) -> Self {
+        let n = grid.points();
+        let omega = grid.frequency();
+        let size = n as f64;
+        let mut first = vec![0.0; n];
+        let mut second = vec![omega * omega * (1.0 - size * size) / 12.0; n];
+        for m in 1..n {
+            let (sin, cos) = (PI * m as f64 / size).sin_cos();
+            let sign = if m % 2 == 0 { 1.0 } else { -1.0 };
+            first[m] = omega * sign / (2.0 * sin);
+            second[m] = -omega * omega * sign * cos / (2.0 * sin * sin);
+        }
+        let mut planner = RealFftPlanner::new();
+        let forward = planner.plan_fft_forward(n);
+        let backward = planner.plan_fft_inverse(n);
+        let spectrum = forward.make_output_vec();
+        let scratch_length = forward.get_scratch_len().max(backward.get_scratch_len());
+        Differentiation {
+            grid,
+            first,
+            second,
+            product: spectrum.clone(),
+            spectrum,
+            samples: vec![0.0; n],
+            scratch: vec![Complex::default(); scratch_length],
+            forward,
+            backward,
+        }
+    }
+
+    /// The grid.
+    pub fn grid(&self) -> TimeGrid {
+        self.grid
+    }
+
+    /// Entry `D_ℓk`.
+    #[inline]
+    pub fn first(&self, row: usize, column: usize) -> f64 {
+        self.first[self.shift(row, column)]
+    }
+
+    /// Entry `T_ℓk`.
+    #[inline]
+    pub fn second(&self, row: usize, column: usize) -> f64 {
+        self.second[self.shift(row, column)]
+    }
+
+    #[inline]
+    fn shift(&self, row: usize, column: usize) -> usize {
+        if row >= column {
+            row - column
+        } else {
+            row + self.grid.points() - column
+        }
+    }
+
+    /// Writes `D x` and `T x`; all three slices have one entry for each grid point.
+    pub fn apply(&mut self, x: &[f64], d_x: &mut [f64], t_x: &mut [f64]) {
+        if self.grid.points() <= DENSE_LIMIT {
+            self.apply_dense(x, d_x, t_x);
+        } else {
+            self.apply_fft(x, d_x, t_x);
+        }
+    }
+
+    fn apply_dense(&self, x: &[f64], d_x: &mut [f64], t_x: &mut [f64]) {
+        for row in 0..x.len() {
+            let (mut d, mut t) = (0.0, 0.0);
+            for (column, value) in x.iter().enumerate() {
+                let shift = self.shift(row, column);
+                d += self.first[shift] * value;
+                t += self.second[shift] * value;
+            }
+            d_x[row] = d;
+            t_x[row] = t;
+        }
+    }
+
+    fn apply_fft(&mut self, x: &[f64], d_x: &mut [f64], t_x: &mut [f64]) {
+        self.samples.copy_from_slice(x);
+        // The lengths are this object's own, so the transforms cannot fail.
+        let _ = self.forward.process_with_scratch(
+            &mut self.samples,
+            &mut self.spectrum,
+            &mut self.scratch,
+        );
+        let omega = self.grid.frequency();
+        let scale = 1.0 / x.len() as f64;
+        for (order, out) in [(1, d_x), (2, t_x)] {
+            for (j, (target, source)) in self.product.iter_mut().zip(&self.spectrum).enumerate() {
+                let rate = j as f64 * omega;
+                *target = match order {
+                    1 => Complex::new(-source.im, source.re) * (rate * scale),
+                    _ => -source * (rate * rate * scale),
+                };
+            }
+            let _ =
+                self.backward
+                    .process_with_scratch(&mut self.product, out, &mut self.scratch);
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn derivatives_of_resolved_harmonics_are_exact_densely_and_by_fft() {
+        for points in [3, 21, 65, 201] {
+            let grid = TimeGrid::new(points, 1.7).unwrap();
+            let mut operators = Differentiation::new(grid);
+            let omega = grid.frequency();
+            for j in [0, 1, grid.harmonics()] {
+                let rate = j as f64 * omega;
+                let x: Vec<f64> = grid.times().map(|t| (rate * t + 0.4).sin()).collect();
+                let mut buffers = [(); 4].map(|()| vec![0.0; points]);
+                let [d, t, d_fft, t_fft] = &mut buffers;
+                operators.apply_dense(&x, d, t);
+                operators.apply_fft(&x, d_fft, t_fft);
+                let largest = grid.harmonics().max(1) as f64 * omega;
+                for (k, time) in grid.times().enumerate() {
+                    let (sin, cos) = (rate * time + 0.4).sin_cos();
+                    let tolerance = 1e-14 * points as f64;
+                    assert!((d[k] - rate * cos).abs() < tolerance * largest);
+                    assert!((t[k] + rate * rate * sin).abs() < tolerance * largest * largest);
+                    assert!((d_fft[k] - rate * cos).abs() < tolerance * largest);
+                    assert!((t_fft[k] + rate * rate * sin).abs() < tolerance * largest * largest);
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn second_derivative_is_the_first_applied_twice() {
+        let operators = Differentiation::new(TimeGrid::new(9, 3.0).unwrap());
+        for row in 0..9 {
+            for column in 0..9 {
+                let product: f64 =
+                    (0..9).map(|m| operators.first(row, m) * operators.first(m, column)).sum();
+                assert!((product - operators.second(row, column)).abs() < 1e-12);
+            }
+        }
+    }
+}

@@ -1,0 +1,11 @@
+//! Fourier spectral interpolation and differentiation on an odd, equispaced grid (section 2).
+
+mod cardinal;
+mod differentiation;
+mod grid;
+mod series;
+
+pub use cardinal::CardinalWeights;
+pub use differentiation::Differentiation;
+pub use grid::TimeGrid;
+pub use series::PeriodicSeries;

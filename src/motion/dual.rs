@@ -1,0 +1,311 @@
+//! Dual numbers, vectors and 3×3 matrices, `a + ε a°` with `ε² = 0` (appendix A).
+//!
+//! A formula for rotations, evaluated in dual algebra, is the formula for motions.
+
+use super::rotation::{axial, skew};
+use nalgebra::{Matrix3, Matrix6, Vector3, Vector6};
+use std::ops::{Add, AddAssign, Mul, Neg, Sub};
+
+/// Dual number.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Dual {
+    /// Primal part.
+    pub primal: f64,
+    /// Dual part.
+    pub dual: f64,
+}
+
+/// Dual 3-vector.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct DualVector {
+    /// Primal part.
+    pub primal: Vector3<f64>,
+    /// Dual part.
+    pub dual: Vector3<f64>,
+}
+
+/// Dual 3×3 matrix.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct DualMatrix {
+    /// Primal part.
+    pub primal: Matrix3<f64>,
+    /// Dual part.
+    pub dual: Matrix3<f64>,
+}
+
+macro_rules! linear_operations {
+    ($type:ident) => {
+        impl Add for $type {
+            type Output = $type;
+            #[inline]
+            fn add(self, b: $type) -> $type {
+                $type {
+                    primal: self.primal + b.primal,
+                    dual: self.dual + b.dual,
+                }
+            }
+        }
+        impl AddAssign for $type {
+            #[inline]
+            fn add_assign(&mut self, b: $type) {
+                *self = *self + b;
+            }
+        }
+        impl Sub for $type {
+            type Output = $type;
+            #[inline]
+            fn sub(self, b: $type) -> $type {
+                $type {
+                    primal: self.primal - b.primal,
+                    dual: self.dual - b.dual,
+                }
+            }
+        }
+        impl Neg for $type {
+            type Output = $type;
+            #[inline]
+            fn neg(self) -> $type {
+                $type {
+                    primal: -self.primal,
+                    dual: -self.dual,
+                }
+            }
+        }
+        impl Mul<f64> for $type {
+            type Output = $type;
+            #[inline]
+            fn mul(self, b: f64) -> $type {
+                $type {
+                    primal: self.primal * b,
+                    dual: self.dual * b,
+                }
+            }
+        }
+    };
+}
+linear_operations!(Dual);
+linear_operations!(DualVector);
+linear_operations!(DualMatrix);
+
+macro_rules! product {
+    ($a:ident, $b:ident, $c:ident) => {
+        impl Mul<$b> for $a {
+            type Output = $c;
+            #[inline]
+            fn mul(self, b: $b) -> $c {
+                $c {
+                    primal: self.primal * b.primal,
+                    dual: self.primal * b.dual + self.dual * b.primal,
+                }
+            }
+        }
+    };
+}
+product!(DualMatrix, DualMatrix, DualMatrix);
+product!(DualMatrix, DualVector, DualVector);
+product!(DualVector, Dual, DualVector);
+product!(DualMatrix, Dual, DualMatrix);
+
+impl DualVector {
+    /// The zero vector.
+    #[inline]
+    pub fn zeros() -> Self {
+        DualVector {
+            primal: Vector3::zeros(),
+            dual: Vector3::zeros(),
+        }
+    }
+
+    /// From a twist or increment `[linear; angular]`: the angular part is primal.
+    #[inline]
+    pub fn from_twist(v: &Vector6<f64>) -> Self {
+        DualVector {
+            primal: Vector3::new(v[3], v[4], v[5]),
+            dual: Vector3::new(v[0], v[1], v[2]),
+        }
+    }
+
+    /// As a twist `[linear; angular]`.
+    #[inline]
+    pub fn to_twist(self) -> Vector6<f64> {
+        let (a, l) = (self.primal, self.dual);
+        Vector6::new(l.x, l.y, l.z, a.x, a.y, a.z)
+    }
+
+    /// From a wrench `[force; moment]`: the force is primal, so that the dual part of the product
+    /// of a wrench and a twist is their power.
+    #[inline]
+    pub fn from_wrench(w: &Vector6<f64>) -> Self {
+        DualVector {
+            primal: Vector3::new(w[0], w[1], w[2]),
+            dual: Vector3::new(w[3], w[4], w[5]),
+        }
+    }
+
+    /// As a wrench `[force; moment]`.
+    #[inline]
+    pub fn to_wrench(self) -> Vector6<f64> {
+        let (f, m) = (self.primal, self.dual);
+        Vector6::new(f.x, f.y, f.z, m.x, m.y, m.z)
+    }
+
+    /// Skew dual matrix `ã`.
+    #[inline]
+    pub fn skew(&self) -> DualMatrix {
+        DualMatrix {
+            primal: skew(&self.primal),
+            dual: skew(&self.dual),
+        }
+    }
+
+    /// Inner product `aᵀb`.
+    #[inline]
+    pub fn dot(&self, b: &DualVector) -> Dual {
+        Dual {
+            primal: self.primal.dot(&b.primal),
+            dual: self.primal.dot(&b.dual) + self.dual.dot(&b.primal),
+        }
+    }
+
+    /// Outer product `a bᵀ`.
+    #[inline]
+    pub fn outer(&self, b: &DualVector) -> DualMatrix {
+        DualMatrix {
+            primal: self.primal * b.primal.transpose(),
+            dual: self.primal * b.dual.transpose() + self.dual * b.primal.transpose(),
+        }
+    }
+}
+
+impl DualMatrix {
+    /// The zero matrix.
+    #[inline]
+    pub fn zeros() -> Self {
+        DualMatrix {
+            primal: Matrix3::zeros(),
+            dual: Matrix3::zeros(),
+        }
+    }
+
+    /// Transpose; the inverse of a dual rotation.
+    #[inline]
+    pub fn transpose(&self) -> Self {
+        DualMatrix {
+            primal: self.primal.transpose(),
+            dual: self.dual.transpose(),
+        }
+    }
+
+    /// Product `AᵀB`.
+    #[inline]
+    pub fn tr_mul(&self, b: &DualMatrix) -> Self {
+        DualMatrix {
+            primal: self.primal.tr_mul(&b.primal),
+            dual: self.primal.tr_mul(&b.dual) + self.dual.tr_mul(&b.primal),
+        }
+    }
+
+    /// Trace.
+    #[inline]
+    pub fn trace(&self) -> Dual {
+        Dual {
+            primal: self.primal.trace(),
+            dual: self.dual.trace(),
+        }
+    }
+
+    /// Axial vector.
+    #[inline]
+    pub fn axial(&self) -> DualVector {
+        DualVector {
+            primal: axial(&self.primal),
+            dual: axial(&self.dual),
+        }
+    }
+
+    /// `tr(A) I − A`: `axial(ã A) = ½ (tr(A) I − A) a`.
+    #[inline]
+    pub fn trace_minus(&self) -> Self {
+        let t = self.trace();
+        DualMatrix {
+            primal: Matrix3::from_diagonal_element(t.primal) - self.primal,
+            dual: Matrix3::from_diagonal_element(t.dual) - self.dual,
+        }
+    }
+
+    /// `tr(A) I − Aᵀ`: `axial(A ã) = ½ (tr(A) I − Aᵀ) a`.
+    #[inline]
+    pub fn trace_minus_transpose(&self) -> Self {
+        self.transpose().trace_minus()
+    }
+
+    /// 6×6 matrix acting on twists `[dual; primal]`, eq. (30b): `[A A°; 0 A]`.
+    #[inline]
+    pub fn to_twist_matrix(&self) -> Matrix6<f64> {
+        let mut m = Matrix6::zeros();
+        m.fixed_view_mut::<3, 3>(0, 0).copy_from(&self.primal);
+        m.fixed_view_mut::<3, 3>(0, 3).copy_from(&self.dual);
+        m.fixed_view_mut::<3, 3>(3, 3).copy_from(&self.primal);
+        m
+    }
+
+    /// 6×6 matrix that takes a twist `[dual; primal]` to a wrench `[primal; dual]`: `[0 A; A A°]`.
+    #[inline]
+    pub fn to_stiffness_matrix(&self) -> Matrix6<f64> {
+        let mut m = Matrix6::zeros();
+        m.fixed_view_mut::<3, 3>(0, 3).copy_from(&self.primal);
+        m.fixed_view_mut::<3, 3>(3, 0).copy_from(&self.primal);
+        m.fixed_view_mut::<3, 3>(3, 3).copy_from(&self.dual);
+        m
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn vector(seed: f64) -> DualVector {
+        DualVector {
+            primal: Vector3::new(seed.sin(), (2.0 * seed).cos(), (3.0 * seed).sin()),
+            dual: Vector3::new((5.0 * seed).cos(), (7.0 * seed).sin(), (11.0 * seed).cos()),
+        }
+    }
+
+    fn matrix(seed: f64) -> DualMatrix {
+        vector(seed).outer(&vector(seed + 0.3))
+            + vector(seed + 1.0).outer(&vector(seed + 1.3))
+            + vector(seed + 2.0).skew()
+    }
+
+    fn assert_equal(a: DualVector, b: DualVector) {
+        let d = a - b;
+        assert!(d.primal.amax() < 1e-14 && d.dual.amax() < 1e-14, "{d:?}");
+    }
+
+    #[test]
+    fn identities_of_appendix_b_hold_in_dual_algebra() {
+        let (a, b, m) = (vector(0.7), vector(1.9), matrix(0.4));
+        // (38a), (38b), (38c)
+        assert_equal((a.skew() * m).axial(), m.trace_minus() * a * 0.5);
+        assert_equal((m * a.skew()).axial(), m.trace_minus_transpose() * a * 0.5);
+        assert_equal(
+            (b.skew() * a.skew() * m).axial(),
+            (m.transpose() * b).skew() * a * 0.5 - m.axial() * b.dot(&a),
+        );
+        // (38e)
+        let trace = (a.skew() * m).trace() + a.dot(&m.axial()) * 2.0;
+        assert!(trace.primal.abs() < 1e-14 && trace.dual.abs() < 1e-14);
+    }
+
+    #[test]
+    fn six_by_six_forms_agree_with_dual_products() {
+        let (a, m) = (vector(0.2), matrix(1.1));
+        let twist = m.to_twist_matrix() * a.to_twist() - (m * a).to_twist();
+        assert!(twist.amax() < 1e-14);
+        let wrench = m.to_stiffness_matrix() * a.to_twist() - (m * a).to_wrench();
+        assert!(wrench.amax() < 1e-14);
+        // The transpose of the twist matrix acts on wrenches as the transposed dual matrix.
+        let dual = m.to_twist_matrix().transpose() * a.to_wrench() - (m.transpose() * a).to_wrench();
+        assert!(dual.amax() < 1e-14);
+    }
+}

@@ -1,0 +1,19 @@
+//! Rigid-body motions: dual algebra, SO(3), SE(3), polar decomposition and motion interpolation.
+//!
+//! 6-vectors are ordered `[linear; angular]` = `[dual; primal]` for twists and increments, and
+//! `[force; moment]` for wrenches, all resolved in the material frame unless said otherwise.
+
+mod dual;
+mod interpolation;
+mod polar;
+mod rigid;
+mod rotation;
+
+pub use dual::{Dual, DualMatrix, DualVector};
+pub use interpolation::DualPolar;
+pub use polar::{polar_rotation, spread_matrix, symmetric_factor_is_admissible};
+pub use rigid::Motion;
+pub use rotation::{
+    axial, frame_from_axis, is_rotation, quaternion_from_rotation, rotation_from_quaternion,
+    rotation_from_vector, skew,
+};

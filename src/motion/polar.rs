@@ -1,0 +1,101 @@
+//! Polar decomposition `G = R S` with `tr(S) I − S` positive definite (appendix C).
+
+use super::rotation::{axial, rotation_from_vector};
+use nalgebra::Matrix3;
+
+/// `tr(S) I − S`: its eigenvalues are the sums of pairs of eigenvalues of `S`.
+#[inline]
+pub fn spread_matrix(s: &Matrix3<f64>) -> Matrix3<f64> {
+    Matrix3::from_diagonal_element(s.trace()) - s
+}
+
+/// Rotation `R` of the polar decomposition `G = R S` that makes `tr(S) I − S` positive definite.
+///
+/// Also for `det G < 0`. The result is a rotation for any finite `G`; whether it is well defined is
+/// for the caller to ask of [`symmetric_factor_is_admissible`].
+pub fn polar_rotation(g: &Matrix3<f64>) -> Matrix3<f64> {
+    let size = g.norm();
+    // Well away from singular: Newton's iteration R ← ½ (R + R⁻ᵀ), quadratic.
+    if g.determinant() > 1e-2 * size * size * size {
+        let mut r = *g * (3f64.sqrt() / size);
+        for _ in 0..30 {
+            let Some(inverse) = r.try_inverse() else { break };
+            let next = 0.5 * (r + inverse.transpose());
+            let change = (next - r).amax();
+            r = next;
+            if change < 1e-9 {
+                return r;
+            }
+        }
+    }
+    let svd = g.svd(true, true);
+    let (Some(u), Some(v_t)) = (svd.u, svd.v_t) else {
+        return Matrix3::identity();
+    };
+    let mut r = u * v_t;
+    if r.determinant() < 0.0 {
+        // The smallest singular value is the one that changes sign.
+        let mut u = u;
+        let smallest = svd.singular_values.imin();
+        u.column_mut(smallest).neg_mut();
+        r = u * v_t;
+    }
+    // The decomposition's own rounding is polished by Newton on axial(RᵀG) = 0.
+    for _ in 0..2 {
+        let s = r.tr_mul(g);
+        match spread_matrix(&s).cholesky() {
+            Some(factor) => r *= rotation_from_vector(&factor.solve(&(2.0 * axial(&s)))),
+            None => break,
+        }
+    }
+    r
+}
+
+/// Whether `tr(S) I − S` is positive definite, and well enough so that `R` depends smoothly on `G`.
+pub fn symmetric_factor_is_admissible(s: &Matrix3<f64>) -> bool {
+    let a = spread_matrix(s);
+    let size = a.amax();
+    if !size.is_finite() || size <= 0.0 {
+        return false;
+    }
+    let symmetric = 0.5 * (a + a.transpose());
+    // 1e-6: below it an error of 1e-10 in G would turn R by 1e-4.
+    (symmetric - Matrix3::from_diagonal_element(1e-6 * size)).cholesky().is_some()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use nalgebra::Vector3;
+
+    fn rotation(seed: f64) -> Matrix3<f64> {
+        rotation_from_vector(&Vector3::new(seed.sin(), seed.cos(), 2.0 * seed.sin()))
+    }
+
+    #[test]
+    fn recovers_rotation_and_symmetric_factor() {
+        for (seed, stretches) in [
+            (0.3, [1.0, 1.0, 1.0]),
+            (1.3, [0.7, 1.2, 2.0]),
+            (2.1, [-0.4, 1.2, 2.0]),
+            (2.9, [1e-9, 1.2, 2.0]),
+            (3.4, [-0.3, 0.4, 0.5]),
+        ] {
+            let q = rotation(seed + 10.0);
+            let s = q * Matrix3::from_diagonal(&Vector3::from(stretches)) * q.transpose();
+            let r = rotation(seed);
+            let found = polar_rotation(&(r * s));
+            assert!((found - r).amax() < 4e-15 / (stretches[0] + stretches[1]).abs());
+            assert!(symmetric_factor_is_admissible(&s));
+        }
+    }
+
+    #[test]
+    fn refuses_factors_without_a_unique_rotation() {
+        let diagonal = |a, b, c| Matrix3::from_diagonal(&Vector3::new(a, b, c));
+        assert!(!symmetric_factor_is_admissible(&diagonal(0.0, 0.0, 0.0)));
+        assert!(!symmetric_factor_is_admissible(&diagonal(1.0, 0.0, 0.0)));
+        assert!(!symmetric_factor_is_admissible(&diagonal(-0.5, 0.5, 2.0)));
+        assert!(!symmetric_factor_is_admissible(&diagonal(f64::NAN, 1.0, 1.0)));
+    }
+}
