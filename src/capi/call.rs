@@ -1,0 +1,225 @@
+//! Reading what C gave, and writing what it gets. Every complaint names the argument.
+
+use super::handle::{self, Exclusive, Handle};
+use super::options::{self, Options};
+use crate::error::{Error, ErrorKind, Result, require_finite};
+use std::ffi::{CStr, c_char};
+use std::marker::PhantomData;
+use std::sync::Arc;
+
+/// One call from C. Nothing borrowed from the caller's memory outlives it.
+///
+/// Made by [`super::guard::guard`] alone. Its methods read pointers on the word of the C caller, who
+/// owes what the header says: each pointer is NULL or valid for the length given with it.
+pub(super) struct Call(());
+
+impl Call {
+    pub(super) fn new() -> Self {
+        Call(())
+    }
+
+    /// The object of a handle, for reading. The `Arc` may be kept beyond the call.
+    pub(super) fn shared<H: Handle>(&self, handle: *const H, name: &str) -> Result<Arc<H::Core>> {
+        handle::shared(handle, name)
+    }
+
+    /// The object of a handle, for changing it.
+    pub(super) fn exclusive<H: Handle>(
+        &self,
+        handle: *mut H,
+        name: &str,
+    ) -> Result<Exclusive<'_, H::Core>>
+    where
+        H::Core: Clone,
+    {
+        handle::exclusive(handle, name)
+    }
+
+    /// A finite number.
+    pub(super) fn number(&self, x: f64, name: &str) -> Result<f64> {
+        require_finite(name, &[x])?;
+        Ok(x)
+    }
+
+    /// Exactly `N` finite numbers.
+    pub(super) fn array<const N: usize>(&self, x: *const f64, name: &str) -> Result<[f64; N]> {
+        let x = *self.reference(x.cast::<[f64; N]>(), name)?;
+        require_finite(name, &x)?;
+        Ok(x)
+    }
+
+    /// As [`Call::array`], where NULL stands for "not given".
+    pub(super) fn array_optional<const N: usize>(
+        &self,
+        x: *const f64,
+        name: &str,
+    ) -> Result<Option<[f64; N]>> {
+        if x.is_null() {
+            return Ok(None);
+        }
+        self.array(x, name).map(Some)
+    }
+
+    /// `length` finite numbers; NULL is allowed if there are none.
+    pub(super) fn numbers(&self, x: *const f64, length: usize, name: &str) -> Result<&[f64]> {
+        let x = self.slice(x, length, name)?;
+        require_finite(name, x)?;
+        Ok(x)
+    }
+
+    /// `length` items of any plain type; NULL is allowed if there are none.
+    pub(super) fn slice<T: Copy>(&self, x: *const T, length: usize, name: &str) -> Result<&[T]> {
+        if length == 0 {
+            return Ok(&[]);
+        }
+        check_pointer(x, length, name)?;
+        // SAFETY: not NULL, aligned, of possible size; the caller vouches for the items.
+        Ok(unsafe { std::slice::from_raw_parts(x, length) })
+    }
+
+    /// A plain value behind a pointer.
+    pub(super) fn reference<T: Copy>(&self, x: *const T, name: &str) -> Result<&T> {
+        check_pointer(x, 1, name)?;
+        // SAFETY: not NULL and aligned; the caller vouches for the value.
+        Ok(unsafe { &*x })
+    }
+
+    /// Text ended by NUL, in UTF-8.
+    pub(super) fn text(&self, text: *const c_char, name: &str) -> Result<&str> {
+        if text.is_null() {
+            return Err(null(name));
+        }
+        // SAFETY: not NULL; the caller vouches for the NUL at the end.
+        let bytes = unsafe { CStr::from_ptr(text) };
+        bytes.to_str().map_err(|error| {
+            let got = format!("an invalid byte at position {}", error.valid_up_to());
+            Error::value(name, "text in UTF-8", got)
+        })
+    }
+
+    /// A callback that must be given.
+    pub(super) fn function<F>(&self, function: Option<F>, name: &str) -> Result<F> {
+        function.ok_or_else(|| null(name))
+    }
+
+    /// Options; NULL stands for the defaults.
+    pub(super) fn options<T: Options>(&self, options: *const T, name: &str) -> Result<T> {
+        options::read(options, name)
+    }
+
+    /// Where one value goes.
+    pub(super) fn out<T>(&self, out: *mut T, name: &str) -> Result<Out<'_, T>> {
+        check_pointer(out, 1, name)?;
+        Ok(Out {
+            pointer: out,
+            call: PhantomData,
+        })
+    }
+
+    /// As [`Call::out`], where NULL stands for "not wanted".
+    pub(super) fn out_optional<T>(&self, out: *mut T, name: &str) -> Result<Option<Out<'_, T>>> {
+        if out.is_null() {
+            return Ok(None);
+        }
+        self.out(out, name).map(Some)
+    }
+
+    /// Where exactly `N` numbers go.
+    pub(super) fn out_array<const N: usize>(
+        &self,
+        out: *mut f64,
+        name: &str,
+    ) -> Result<Out<'_, [f64; N]>> {
+        self.out(out.cast(), name)
+    }
+
+    /// Where `length` items go; the caller's `length` must be `expected`.
+    pub(super) fn out_slice<T: Copy>(
+        &self,
+        out: *mut T,
+        length: usize,
+        expected: usize,
+        name: &str,
+    ) -> Result<OutSlice<'_, T>> {
+        if length != expected {
+            return Err(Error::size(name, format!("length {expected}"), length));
+        }
+        if length > 0 {
+            check_pointer(out, length, name)?;
+        }
+        Ok(OutSlice {
+            pointer: out,
+            length,
+            call: PhantomData,
+        })
+    }
+}
+
+/// A place for one result, written at the end of a call that succeeds. May be uninitialised before.
+#[must_use = "an output that is not set leaves the caller with garbage"]
+pub(super) struct Out<'call, T> {
+    pointer: *mut T,
+    call: PhantomData<&'call mut T>,
+}
+
+impl<T> Out<'_, T> {
+    /// Writes the result.
+    pub(super) fn set(self, value: T) {
+        // SAFETY: not NULL and aligned; the caller vouches for the room. What was there is plain data.
+        unsafe { self.pointer.write(value) }
+    }
+}
+
+impl<H: Handle> Out<'_, *mut H> {
+    /// Makes a handle of `core` and gives it to the caller, who frees it.
+    pub(super) fn give(self, core: H::Core) {
+        self.set(handle::create(core));
+    }
+}
+
+/// A place for several results.
+#[must_use = "an output that is not set leaves the caller with garbage"]
+pub(super) struct OutSlice<'call, T> {
+    pointer: *mut T,
+    length: usize,
+    call: PhantomData<&'call mut T>,
+}
+
+impl<T: Copy> OutSlice<'_, T> {
+    /// Writes the results.
+    ///
+    /// # Panics
+    ///
+    /// If there are not as many as the place is long.
+    pub(super) fn set(self, values: &[T]) {
+        assert_eq!(values.len(), self.length, "results and place for them");
+        if self.length > 0 {
+            // SAFETY: not NULL, aligned, as long as `values`, which may overlap (memmove).
+            unsafe { std::ptr::copy(values.as_ptr(), self.pointer, self.length) }
+        }
+    }
+}
+
+/// Argument `name` is NULL and must not be.
+pub(super) fn null(name: &str) -> Error {
+    Error::new(
+        ErrorKind::Null,
+        format!("{name}: expected a pointer, got NULL"),
+    )
+}
+
+/// What can be checked of a pointer to `length` items.
+pub(super) fn check_pointer<T>(pointer: *const T, length: usize, name: &str) -> Result<()> {
+    if pointer.is_null() {
+        return Err(null(name));
+    }
+    if !pointer.is_aligned() {
+        let expected = format!("a pointer aligned to {} bytes", align_of::<T>());
+        return Err(Error::value(name, expected, format!("{pointer:p}")));
+    }
+    let limit = isize::MAX as usize / size_of::<T>().max(1);
+    if length > limit {
+        return Err(Error::size(name, format!("at most {limit}"), length));
+    }
+    Ok(())
+}

@@ -1,0 +1,113 @@
+//! Option structs that may grow: the first field tells how much of the struct the caller knows.
+//!
+//! ```ignore
+//! /// Options of ::pdn_solve. Set the defaults by `PDN_INIT(pdn_solve_options, &options)`.
+//! #[repr(C)]
+//! #[derive(Clone, Copy)]
+//! pub struct pdn_solve_options {
+//!     /// Set by the initialiser.
+//!     pub struct_size: usize,
+//!     /// Number of grid points, odd.
+//!     pub grid_points: usize,
+//!     /// Largest number of Newton steps.
+//!     pub max_iterations: i32,
+//!     /// Leave it zero.
+//!     pub reserved: i32,
+//! }
+//!
+//! // SAFETY: all fields are plain numbers, `struct_size` is the first, and there is no padding.
+//! unsafe impl Options for pdn_solve_options {
+//!     const SIZES: &'static [usize] = &[24]; // a release that adds a field adds its size
+//!     fn defaults() -> Self { … }
+//! }
+//!
+//! pub unsafe extern "C" fn pdn_solve_options_init(options: *mut pdn_solve_options, struct_size: usize) {
+//!     options::init(options, struct_size);
+//! }
+//! ```
+
+use super::call::check_pointer;
+use super::guard::guard;
+use crate::error::{Error, ErrorKind, Result};
+
+/// A `#[repr(C)]` struct of options, see the module.
+///
+/// # Safety
+///
+/// `#[repr(C)]`, first field `struct_size: usize`, all others numbers or pointers for which any bits
+/// are valid, no padding (fill holes with `reserved` fields).
+pub(crate) unsafe trait Options: Copy {
+    /// Size of the struct in each release that changed it, oldest first. Append only.
+    const SIZES: &'static [usize];
+
+    /// What NULL means, and what the initialiser writes; `struct_size` is set for it.
+    fn defaults() -> Self;
+}
+
+/// No struct of options is larger; what claims to be is not initialised.
+const LARGEST: usize = 4096;
+
+/// Reads what the caller knows of the struct, and the defaults for the rest. NULL: all defaults.
+pub(super) fn read<T: Options>(options: *const T, name: &str) -> Result<T> {
+    const {
+        assert!(T::SIZES[T::SIZES.len() - 1] == size_of::<T>());
+        assert!(T::SIZES[0] >= size_of::<usize>() && size_of::<T>() <= LARGEST);
+    }
+    let mut result = T::defaults();
+    if options.is_null() {
+        return Ok(result);
+    }
+    check_pointer(options, 1, name)?;
+    // SAFETY: the first field is there in every release.
+    let given = unsafe { options.cast::<usize>().read() };
+    let wrong = |expected: String| {
+        let message = format!(
+            "{name}: expected struct_size {expected}, got {given}; use the struct's initialiser"
+        );
+        Err(Error::new(ErrorKind::StructSize, message))
+    };
+    if given > LARGEST {
+        return wrong(format!("of at most {LARGEST}"));
+    }
+    let Some(known) = T::SIZES.iter().copied().rfind(|&size| size <= given) else {
+        return wrong(format!("of at least {}", T::SIZES[0]));
+    };
+    if known < given && known < size_of::<T>() {
+        return wrong(format!("to be one of {:?}", T::SIZES));
+    }
+    // SAFETY: the caller vouches for `given` readable bytes, of which `known` are fields of T; any
+    // bits are valid for them.
+    unsafe {
+        let bytes = options.cast::<u8>();
+        std::ptr::copy_nonoverlapping(bytes, (&raw mut result).cast(), known);
+        let tail = std::slice::from_raw_parts(bytes.add(known), given - known);
+        if tail.iter().any(|&byte| byte != 0) {
+            return Err(Error::new(
+                ErrorKind::StructSize,
+                format!("{name}: an option is set that this version of the library does not know"),
+            ));
+        }
+    }
+    Ok(result)
+}
+
+/// Body of an initialiser: writes the defaults, as much as fits, and zero to fields unknown here.
+pub(super) fn init<T: Options>(options: *mut T, struct_size: usize) {
+    guard(|_| {
+        check_pointer(options, 1, "options")?;
+        if !(size_of::<usize>()..=LARGEST).contains(&struct_size) {
+            let expected = format!("between {} and {LARGEST}", size_of::<usize>());
+            return Err(Error::size("struct_size", expected, struct_size));
+        }
+        let defaults = T::defaults();
+        let known = struct_size.min(size_of::<T>());
+        let bytes = options.cast::<u8>();
+        // SAFETY: the caller vouches for `struct_size` writable bytes.
+        unsafe {
+            std::ptr::copy_nonoverlapping((&raw const defaults).cast(), bytes, known);
+            bytes.add(known).write_bytes(0, struct_size - known);
+            options.cast::<usize>().write(struct_size);
+        }
+        Ok(())
+    });
+}
