@@ -3,6 +3,7 @@
 #![deny(unsafe_code)]
 
 pub mod capi;
+pub mod elements;
 pub mod error;
 pub mod fourier;
 pub mod motion;

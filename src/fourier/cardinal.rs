@@ -106,7 +106,19 @@ mod tests {
         for points in [1, 3, 7, 21, 101] {
             let grid = TimeGrid::new(points, 2.0).unwrap();
             let mut weights = CardinalWeights::new(grid);
-            for time in [0.0, 1e-13, 1e-7, 0.01, 0.39999999, 0.4, 0.777, 1.0, 1.999999999, 5.3, -0.7] {
+            for time in [
+                0.0,
+                1e-13,
+                1e-7,
+                0.01,
+                0.39999999,
+                0.4,
+                0.777,
+                1.0,
+                1.999999999,
+                5.3,
+                -0.7,
+            ] {
                 weights.move_to(time);
                 let n = points as f64;
                 for k in 0..points {

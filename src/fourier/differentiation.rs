@@ -28,7 +28,9 @@ pub struct Differentiation {
 
 impl fmt::Debug for Differentiation {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.debug_struct("Differentiation").field("grid", &self.grid).finish_non_exhaustive()
+        f.debug_struct("Differentiation")
+            .field("grid", &self.grid)
+            .finish_non_exhaustive()
     }
 }
 
@@ -130,9 +132,9 @@ impl Differentiation {
                     _ => -source * (rate * rate * scale),
                 };
             }
-            let _ =
-                self.backward
-                    .process_with_scratch(&mut self.product, out, &mut self.scratch);
+            let _ = self
+                .backward
+                .process_with_scratch(&mut self.product, out, &mut self.scratch);
         }
     }
 }
@@ -172,8 +174,9 @@ mod tests {
         let operators = Differentiation::new(TimeGrid::new(9, 3.0).unwrap());
         for row in 0..9 {
             for column in 0..9 {
-                let product: f64 =
-                    (0..9).map(|m| operators.first(row, m) * operators.first(m, column)).sum();
+                let product: f64 = (0..9)
+                    .map(|m| operators.first(row, m) * operators.first(m, column))
+                    .sum();
                 assert!((product - operators.second(row, column)).abs() < 1e-12);
             }
         }

@@ -32,7 +32,11 @@ impl PeriodicSeries {
 
     /// Interpolates values at the points of `grid`, after taking the secular part `rate·t` out.
     pub fn interpolate(grid: TimeGrid, values: &[f64], rate: f64) -> Self {
-        let periodic: Vec<f64> = values.iter().zip(grid.times()).map(|(x, t)| x - rate * t).collect();
+        let periodic: Vec<f64> = values
+            .iter()
+            .zip(grid.times())
+            .map(|(x, t)| x - rate * t)
+            .collect();
         Self::from_samples(grid.period(), &periodic, rate)
     }
 

@@ -305,7 +305,8 @@ mod tests {
         let wrench = m.to_stiffness_matrix() * a.to_twist() - (m * a).to_wrench();
         assert!(wrench.amax() < 1e-14);
         // The transpose of the twist matrix acts on wrenches as the transposed dual matrix.
-        let dual = m.to_twist_matrix().transpose() * a.to_wrench() - (m.transpose() * a).to_wrench();
+        let dual =
+            m.to_twist_matrix().transpose() * a.to_wrench() - (m.transpose() * a).to_wrench();
         assert!(dual.amax() < 1e-14);
     }
 }

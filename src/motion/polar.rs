@@ -19,7 +19,9 @@ pub fn polar_rotation(g: &Matrix3<f64>) -> Matrix3<f64> {
     if g.determinant() > 1e-2 * size * size * size {
         let mut r = *g * (3f64.sqrt() / size);
         for _ in 0..30 {
-            let Some(inverse) = r.try_inverse() else { break };
+            let Some(inverse) = r.try_inverse() else {
+                break;
+            };
             let next = 0.5 * (r + inverse.transpose());
             let change = (next - r).amax();
             r = next;
@@ -60,7 +62,9 @@ pub fn symmetric_factor_is_admissible(s: &Matrix3<f64>) -> bool {
     }
     let symmetric = 0.5 * (a + a.transpose());
     // 1e-6: below it an error of 1e-10 in G would turn R by 1e-4.
-    (symmetric - Matrix3::from_diagonal_element(1e-6 * size)).cholesky().is_some()
+    (symmetric - Matrix3::from_diagonal_element(1e-6 * size))
+        .cholesky()
+        .is_some()
 }
 
 #[cfg(test)]
@@ -96,6 +100,10 @@ mod tests {
         assert!(!symmetric_factor_is_admissible(&diagonal(0.0, 0.0, 0.0)));
         assert!(!symmetric_factor_is_admissible(&diagonal(1.0, 0.0, 0.0)));
         assert!(!symmetric_factor_is_admissible(&diagonal(-0.5, 0.5, 2.0)));
-        assert!(!symmetric_factor_is_admissible(&diagonal(f64::NAN, 1.0, 1.0)));
+        assert!(!symmetric_factor_is_admissible(&diagonal(
+            f64::NAN,
+            1.0,
+            1.0
+        )));
     }
 }

@@ -132,7 +132,9 @@ mod tests {
         let step = Vector6::new(0.3, -0.2, 0.5, 0.9, -0.4, 1.2);
         // a exp(step) a⁻¹ = exp(Ad_a step)
         let left = Motion::identity().increment(&(a.adjoint() * step));
-        let right = a.compose(&Motion::identity().increment(&step)).compose(&a.inverse());
+        let right = a
+            .compose(&Motion::identity().increment(&step))
+            .compose(&a.inverse());
         assert!((left.rotation - right.rotation).amax() < 1e-14);
         assert!((left.position - right.position).amax() < 1e-14);
         assert!((a.adjoint() * a.inverse().adjoint() - Matrix6::identity()).amax() < 1e-14);

@@ -1,0 +1,435 @@
+//! Geometrically exact beam of any order (section 5 of the formulation).
+//!
+//! Along the beam motions are interpolated exactly as in time: `G(ξ) = Σ N_a M_a`, polar
+//! decomposition `G = R S`, and the strain is the "velocity in ξ": `A e = 2 axial(Rᵀ Σ N'_a M_a)`.
+//! All of it is dual algebra; twists and wrenches enter as dual vectors.
+
+use super::inertia::Inertia;
+use super::shape::{gauss_legendre, lobatto_points, shape_functions};
+use super::{Contribution, Element, Instant};
+use crate::error::{Error, ErrorKind, Result};
+use crate::motion::{DualMatrix, DualPolar, DualVector, Motion};
+use nalgebra::{DMatrix, Matrix6, Vector6};
+
+/// Properties of a beam's cross-section, per unit of length, in the order
+/// `[axial, shear 2, shear 3, torsion, bending 2, bending 3]`; axis 1 is along the beam.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Section {
+    /// Stiffness: stress resultants `[force; moment]` for unit strains `[γ; κ]`.
+    pub stiffness: Matrix6<f64>,
+    /// Mass: momentum for unit section velocity.
+    pub mass: Matrix6<f64>,
+    /// Damping: stress resultants for unit strain rates.
+    pub damping: Matrix6<f64>,
+}
+
+/// One quadrature point, or any other station, of a beam element.
+#[derive(Debug, Clone)]
+struct Station {
+    /// Shape functions and their derivatives in ξ, one pair for each node.
+    shapes: Vec<(f64, f64)>,
+    /// Quadrature weight in ξ.
+    weight: f64,
+    /// Reference length for each unit of ξ.
+    stretch: f64,
+    /// "Velocity in ξ" of the reference configuration.
+    reference: Vector6<f64>,
+}
+
+/// Kinematics of a station: polar factors, and `G'` in the section's frame.
+struct StationMotion {
+    polar: DualPolar,
+    q: DualMatrix,
+    /// "Velocity in ξ".
+    e: DualVector,
+}
+
+/// What the tangent needs of one node at one station.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct NodeTerms {
+    shape: (f64, f64),
+    /// Motion of the node relative to the section, `X = RᵀM`.
+    x: DualMatrix,
+    x_axial: DualVector,
+    /// `C = tr(X) I − Xᵀ`.
+    c: DualMatrix,
+    /// Section's turn, strain, and the multipliers `μ`, `ν` for a unit increment of the node.
+    turn: DualMatrix,
+    strain: DualMatrix,
+    mu: DualMatrix,
+    nu: DualMatrix,
+    /// Strain rate, at constant nodal velocities, for a unit increment of the node.
+    rate: DualMatrix,
+}
+
+/// Elastic and damping forces of one beam element with nodes at the Gauss–Lobatto points.
+#[derive(Debug, Clone)]
+pub struct Beam {
+    nodes: Vec<usize>,
+    points: Vec<f64>,
+    reference: Vec<Motion>,
+    section: Section,
+    damped: bool,
+    stations: Vec<Station>,
+}
+
+impl Beam {
+    /// A beam over `nodes` (two or more, at the Gauss–Lobatto points along the beam), whose
+    /// reference shape interpolates the `reference` motions of its nodes.
+    ///
+    /// # Errors
+    /// If neighbouring nodes coincide, or the reference shape is too distorted to interpolate.
+    pub fn new(nodes: Vec<usize>, reference: Vec<Motion>, section: Section) -> Result<Self> {
+        let count = nodes.len();
+        if count < 2 || reference.len() != count {
+            return Err(Error::size("nodes", "at least 2 nodes for a beam", count));
+        }
+        let mut beam = Beam {
+            nodes,
+            points: lobatto_points(count),
+            reference,
+            section,
+            damped: section.damping != Matrix6::zeros(),
+            stations: Vec::new(),
+        };
+        // One point fewer than nodes: no shear locking, no spurious mode.
+        beam.stations = gauss_legendre(count - 1)
+            .into_iter()
+            .map(|(xi, weight)| beam.station(xi, weight))
+            .collect::<Result<_>>()?;
+        Ok(beam)
+    }
+
+    fn station(&self, xi: f64, weight: f64) -> Result<Station> {
+        let mut station = Station {
+            shapes: shape_functions(&self.points, xi),
+            weight,
+            stretch: 0.0,
+            reference: Vector6::zeros(),
+        };
+        let kinematics = station.motion(|a| self.reference[0].relative(&self.reference[a]))?;
+        station.reference = kinematics.e.to_twist();
+        station.stretch = station.reference.fixed_rows::<3>(0).norm();
+        let span = self
+            .reference
+            .iter()
+            .map(|m| (m.position - self.reference[0].position).norm())
+            .fold(0.0, f64::max);
+        if station.stretch <= 1e-9 * span {
+            return Err(Error::new(
+                ErrorKind::Value,
+                "nodes: a beam element needs nodes at distinct positions, in order along the beam",
+            ));
+        }
+        Ok(station)
+    }
+
+    /// The element's inertia, integrated by one quadrature point for each node.
+    ///
+    /// Nodal velocities are first carried to the section's reference frame, then interpolated, so
+    /// that the matrix is constant and a rigid motion has exact inertia.
+    pub fn inertia(&self) -> Result<Inertia> {
+        let count = self.nodes.len();
+        let mut mass = DMatrix::zeros(6 * count, 6 * count);
+        for (xi, weight) in gauss_legendre(count) {
+            let station = self.station(xi, weight)?;
+            let relative = station.motion(|a| self.reference[0].relative(&self.reference[a]))?;
+            let section = self.reference[0].compose(&relative.polar.motion());
+            let carry: Vec<Matrix6<f64>> = self
+                .reference
+                .iter()
+                .zip(&station.shapes)
+                .map(|(node, shape)| section.relative(node).adjoint() * shape.0)
+                .collect();
+            let length = weight * station.stretch;
+            for a in 0..count {
+                let left = carry[a].transpose() * self.section.mass * length;
+                for b in 0..count {
+                    let mut block = mass.fixed_view_mut::<6, 6>(6 * a, 6 * b);
+                    block += left * carry[b];
+                }
+            }
+        }
+        Ok(Inertia::consistent(self.nodes.clone(), mass))
+    }
+
+    /// Strains `[γ; κ]` per unit of reference length, and stress resultants `[force; moment]`, in the
+    /// section's frame at `xi` in `[−1, 1]`, for the element's nodes at `motions` with `twists`.
+    pub fn strain_and_stress(
+        &self,
+        xi: f64,
+        motions: &[Motion],
+        twists: &[Vector6<f64>],
+    ) -> Result<(Vector6<f64>, Vector6<f64>)> {
+        let station = self.station(xi, 0.0)?;
+        let kinematics = station.motion(|a| motions[0].relative(&motions[a]))?;
+        let strain = (kinematics.e.to_twist() - station.reference) / station.stretch;
+        let mut stress = self.section.stiffness * strain;
+        if self.damped {
+            let terms: Vec<NodeTerms> = station
+                .node_terms(&kinematics, |a| motions[0].relative(&motions[a]))
+                .collect();
+            let rate: Vector6<f64> = terms
+                .iter()
+                .zip(twists)
+                .map(|(n, v)| n.strain.to_twist_matrix() * v)
+                .sum();
+            stress += self.section.damping * rate / station.stretch;
+        }
+        Ok((strain, stress))
+    }
+
+    /// Reference length for each unit of ξ at `xi`.
+    pub fn stretch(&self, xi: f64) -> Result<f64> {
+        Ok(self.station(xi, 0.0)?.stretch)
+    }
+}
+
+impl Station {
+    /// Kinematics, for node motions given relative to some common frame.
+    fn motion(&self, relative: impl Fn(usize) -> Motion) -> Result<StationMotion> {
+        let mut g = DualMatrix::zeros();
+        let mut g_prime = DualMatrix::zeros();
+        for (a, shape) in self.shapes.iter().enumerate() {
+            let y = relative(a).to_dual();
+            g += y * shape.0;
+            g_prime += y * shape.1;
+        }
+        let polar = DualPolar::new(&g).ok_or_else(|| {
+            Error::new(
+                ErrorKind::Model,
+                "a beam element turns by more than its order can follow: use more or shorter elements",
+            )
+        })?;
+        let q = polar.rotation.tr_mul(&g_prime);
+        let e = polar.spread_inverse * (q.axial() * 2.0);
+        Ok(StationMotion { polar, q, e })
+    }
+
+    /// First variations: section turn `A Δρ = Σ N_a C_a Δu_a` and strain
+    /// `A Δe = Σ (N'_a C_a + N_a (2 e x_aᵀ − X_a ẽ)) Δu_a + ((S e)~ − tr(Q) I + Q) Δρ`.
+    fn node_terms<'a>(
+        &'a self,
+        at: &'a StationMotion,
+        relative: impl Fn(usize) -> Motion + 'a,
+    ) -> impl Iterator<Item = NodeTerms> + 'a {
+        let a_inverse = at.polar.spread_inverse;
+        let turn_to_strain = at.turn_to_strain();
+        let e_skew = at.e.skew();
+        self.shapes.iter().enumerate().map(move |(a, &shape)| {
+            let x = at.polar.rotation.tr_mul(&relative(a).to_dual());
+            let x_axial = x.axial();
+            let c = x.trace_minus_transpose();
+            let turn = a_inverse * c * shape.0;
+            let direct = c * shape.1 + (at.e.outer(&x_axial) * 2.0 - x * e_skew) * shape.0;
+            NodeTerms {
+                shape,
+                x,
+                x_axial,
+                c,
+                turn,
+                strain: a_inverse * (direct + turn_to_strain * turn),
+                mu: DualMatrix::zeros(),
+                nu: DualMatrix::zeros(),
+                rate: DualMatrix::zeros(),
+            }
+        })
+    }
+}
+
+impl StationMotion {
+    /// `P = (S e)~ − tr(Q) I + Q`.
+    fn turn_to_strain(&self) -> DualMatrix {
+        (self.polar.factor * self.e).skew() - self.q.trace_minus()
+    }
+}
+
+/// `2 w xᵀ − X w̃`: the part of `−ΔA w` that a node's own increment causes.
+fn spread_variation(node: &NodeTerms, w: &DualVector) -> DualMatrix {
+    w.outer(&node.x_axial) * 2.0 - node.x * w.skew()
+}
+
+/// Second variation of `σᵀ Δe` at constant `σ`: fills `mu` and `nu` of every node and returns `(μ, ν)`.
+///
+/// With `μ = A⁻¹ σ` and `ν = A⁻¹ Pᵀ μ`, a node's force is
+/// `N' Cᵀ μ + N (Cᵀ ν + 2 (μᵀe) x + ẽ Xᵀ μ)`; its variation needs those of `μ`, `ν`, `e` and `ρ`.
+fn adjoint_variations(
+    at: &StationMotion,
+    stress: &DualVector,
+    nodes: &mut [NodeTerms],
+) -> (DualVector, DualVector) {
+    let a_inverse = at.polar.spread_inverse;
+    let s = at.polar.factor;
+    let p_transposed = at.turn_to_strain().transpose();
+    let mu = a_inverse * *stress;
+    let nu = a_inverse * (p_transposed * mu);
+    let (mu_skew, e_skew) = (mu.skew(), at.e.skew());
+    let s_mu = (s * mu).skew();
+    // Part of A Δν that comes through the section's turn.
+    let nu_by_turn = mu_skew * (s * at.e).skew() + (s * nu).skew()
+        - mu.outer(&at.q.axial()) * 2.0
+        - at.q.transpose() * mu_skew;
+    let mu_s = mu_skew * s;
+    for node in nodes {
+        let (n, n_prime) = node.shape;
+        node.mu = a_inverse * (s_mu * node.turn + spread_variation(node, &mu) * n);
+        let x_mu = (node.x.transpose() * mu).skew();
+        let direct = (mu.outer(&node.x_axial) * 2.0 + x_mu) * n_prime
+            + (spread_variation(node, &nu) - mu_skew * (node.x * e_skew)) * n;
+        node.nu = a_inverse
+            * (nu_by_turn * node.turn + direct + mu_s * node.strain + p_transposed * node.mu);
+    }
+    (mu, nu)
+}
+
+/// Geometric stiffness: row of blocks for node `a`, passed to `add(b, block)`.
+fn geometric_row(
+    at: &StationMotion,
+    (mu, nu): (&DualVector, &DualVector),
+    nodes: &[NodeTerms],
+    a: usize,
+    mut add: impl FnMut(usize, DualMatrix),
+) {
+    let node = &nodes[a];
+    let (n, n_prime) = node.shape;
+    let e_skew = at.e.skew();
+    let c_transposed = node.c.transpose();
+    let x_transposed = node.x.transpose();
+    let x_mu = (x_transposed * *mu).skew();
+    let mu_e = mu.dot(&at.e);
+    let by_mu =
+        c_transposed * n_prime + (node.x_axial.outer(&at.e) * 2.0 + e_skew * x_transposed) * n;
+    let by_nu = c_transposed * n;
+    let by_strain = (node.x_axial.outer(mu) * 2.0 - x_mu) * n;
+    // ΔCᵀ w = (2 w xᵀ − (X w)~) Δρ − (2 w xᵀ − X w̃) Δu
+    let turned = |w: &DualVector| w.outer(&node.x_axial) * 2.0 - (node.x * *w).skew();
+    let by_turn = turned(mu) * n_prime
+        + (turned(nu) - node.x.trace_minus() * mu_e - e_skew * (x_transposed * mu.skew())) * n;
+    let own = (node.c * mu_e + e_skew * x_mu - spread_variation(node, nu)) * n
+        - spread_variation(node, mu) * n_prime;
+    for (b, other) in nodes.iter().enumerate() {
+        let mut block =
+            by_mu * other.mu + by_nu * other.nu + by_strain * other.strain + by_turn * other.turn;
+        if a == b {
+            block += own;
+        }
+        add(b, block);
+    }
+}
+
+/// Variation of the strain rate `ė = Σ B_a V_a` at constant nodal velocities: fills `rate`.
+fn rate_variations(
+    at: &StationMotion,
+    rate: &DualVector,
+    twists: impl Fn(usize) -> DualVector,
+    nodes: &mut [NodeTerms],
+) {
+    let a_inverse = at.polar.spread_inverse;
+    let (s, e) = (at.polar.factor, at.e);
+    let p = at.turn_to_strain();
+    let e_skew = e.skew();
+    let mut omega = DualVector::zeros();
+    for (a, node) in nodes.iter().enumerate() {
+        omega += node.turn * twists(a);
+    }
+    let omega_skew = omega.skew();
+
+    // Sums over the nodes of what multiplies Δρ and Δe.
+    let mut omega_by_turn = (s * omega).skew();
+    let mut rate_by_turn = (s * *rate).skew() + (at.q * omega).skew()
+        - omega.outer(&at.q.axial()) * 2.0
+        - omega_skew * (s * e).skew();
+    let mut rate_by_strain = -(omega_skew * s);
+    for (a, node) in nodes.iter().enumerate() {
+        let (n, n_prime) = node.shape;
+        let v = twists(a);
+        let c_by_turn = v.outer(&node.x_axial) * 2.0 + node.x.transpose() * v.skew();
+        omega_by_turn += c_by_turn * n;
+        let ev = e_skew * v;
+        let half = node.x.trace_minus().transpose() * v;
+        rate_by_turn += c_by_turn * n_prime - (e.outer(&half) + (node.x * ev).skew()) * n;
+        let xv = node.x_axial.dot(&v);
+        let mut double = DualMatrix::zeros();
+        double.primal.fill_diagonal(2.0 * xv.primal);
+        double.dual.fill_diagonal(2.0 * xv.dual);
+        rate_by_strain += (double + node.x * v.skew()) * n;
+    }
+    for (b, node) in nodes.iter_mut().enumerate() {
+        let (n, n_prime) = node.shape;
+        let v = twists(b);
+        let c_own = -(v.outer(&node.x_axial) * 2.0 + (node.x.transpose() * v).skew());
+        let omega_variation =
+            a_inverse * (omega_by_turn * node.turn + (spread_variation(node, &omega) + c_own) * n);
+        let own_rate = e.outer(&(node.c.transpose() * v)) + node.x * (e_skew * v).skew();
+        let direct = (c_own + spread_variation(node, &omega)) * n_prime
+            + (spread_variation(node, rate) + own_rate + omega_skew * node.x * e_skew) * n;
+        node.rate = a_inverse
+            * (direct
+                + rate_by_turn * node.turn
+                + rate_by_strain * node.strain
+                + p * omega_variation);
+    }
+}
+
+impl Element for Beam {
+    fn nodes(&self) -> &[usize] {
+        &self.nodes
+    }
+
+    fn has_damping(&self) -> bool {
+        self.damped
+    }
+
+    fn evaluate(&self, instant: &Instant, out: &mut Contribution) -> Result<()> {
+        let states = instant.nodes;
+        let mut terms = std::mem::take(&mut out.beam_terms);
+        for station in &self.stations {
+            let relative = |a: usize| states[0].motion.relative(&states[a].motion);
+            let twist = |a: usize| DualVector::from_twist(&states[a].twist);
+            let at = station.motion(relative)?;
+            terms.clear();
+            terms.extend(station.node_terms(&at, relative));
+
+            let length = station.stretch;
+            let strain = (at.e.to_twist() - station.reference) / length;
+            let mut stress = self.section.stiffness * strain;
+            let mut rate = DualVector::zeros();
+            if self.damped {
+                for (a, node) in terms.iter().enumerate() {
+                    rate += node.strain * twist(a);
+                }
+                stress += self.section.damping * (rate.to_twist() / length);
+            }
+            let stress = DualVector::from_wrench(&stress) * station.weight;
+            for (a, node) in terms.iter().enumerate() {
+                out.add_force(a, &(node.strain.transpose() * stress).to_wrench());
+            }
+            if !out.with_tangents {
+                continue;
+            }
+
+            let (mu, nu) = adjoint_variations(&at, &stress, &mut terms);
+            if self.damped {
+                rate_variations(&at, &rate, twist, &mut terms);
+            }
+            let stiffness = self.section.stiffness * (station.weight / length);
+            let damping = self.section.damping * (station.weight / length);
+            for a in 0..terms.len() {
+                let b_a = terms[a].strain.to_twist_matrix();
+                let elastic = b_a.tr_mul(&stiffness);
+                let viscous = b_a.tr_mul(&damping);
+                geometric_row(&at, (&mu, &nu), &terms, a, |b, block| {
+                    let strain = terms[b].strain.to_twist_matrix();
+                    let mut k = elastic * strain + block.to_stiffness_matrix();
+                    if self.damped {
+                        k += viscous * terms[b].rate.to_twist_matrix();
+                        out.add_damping(a, b, &(viscous * strain));
+                    }
+                    out.add_stiffness(a, b, &k);
+                });
+            }
+        }
+        out.beam_terms = terms;
+        Ok(())
+    }
+}

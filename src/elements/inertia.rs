@@ -1,0 +1,197 @@
+//! Inertia that is constant in the material frames of its nodes: rigid bodies and beams (section 4).
+
+use super::{Contribution, Element, Instant};
+use crate::error::Result;
+use crate::motion::{Motion, skew};
+use nalgebra::{DMatrix, DVector, Matrix3, Matrix6, Vector3, Vector6};
+
+/// Inertial and gravity forces `M V̇ − Ṽᵀ M V − M γ`, with `M` constant and `γ` the acceleration of
+/// gravity in each node's frame.
+#[derive(Debug, Clone)]
+pub struct Inertia {
+    nodes: Vec<usize>,
+    mass: DMatrix<f64>,
+}
+
+/// 6×6 inertia `[m I, −m c̃; m c̃, J − m c̃ c̃]` about a frame, for a mass `m` whose centre is at `c` and
+/// whose inertia about its centre is `J`, all in that frame.
+pub fn rigid_body_inertia(
+    mass: f64,
+    centre: &Vector3<f64>,
+    inertia: &Matrix3<f64>,
+) -> Matrix6<f64> {
+    let c = skew(centre);
+    let mut m = Matrix6::zeros();
+    m.fixed_view_mut::<3, 3>(0, 0).fill_diagonal(mass);
+    m.fixed_view_mut::<3, 3>(0, 3).copy_from(&(-mass * c));
+    m.fixed_view_mut::<3, 3>(3, 0).copy_from(&(mass * c));
+    m.fixed_view_mut::<3, 3>(3, 3)
+        .copy_from(&(inertia - mass * c * c));
+    m
+}
+
+impl Inertia {
+    /// Rigid body at `node`: `inertia` is about and resolved in a frame at `offset` from the node.
+    pub fn rigid_body(node: usize, offset: &Motion, inertia: &Matrix6<f64>) -> Self {
+        let carry = offset.inverse().adjoint();
+        let at_node = carry.transpose() * inertia * carry;
+        Inertia {
+            nodes: vec![node],
+            mass: DMatrix::from_iterator(6, 6, at_node.iter().copied()),
+        }
+    }
+
+    /// Inertia with the given `6 n × 6 n` mass matrix over `nodes`.
+    pub fn consistent(nodes: Vec<usize>, mass: DMatrix<f64>) -> Self {
+        debug_assert_eq!(mass.nrows(), 6 * nodes.len());
+        Inertia { nodes, mass }
+    }
+
+    /// The mass matrix, `6 n × 6 n`.
+    pub fn mass(&self) -> &DMatrix<f64> {
+        &self.mass
+    }
+}
+
+/// `−Ṽᵀ P = (ω × p_l, v × p_l + ω × p_a)`.
+fn gyroscopic(twist: &Vector6<f64>, momentum: &Vector6<f64>) -> Vector6<f64> {
+    let (v, w) = halves(twist);
+    let (pl, pa) = halves(momentum);
+    let linear = w.cross(&pl);
+    let angular = v.cross(&pl) + w.cross(&pa);
+    Vector6::new(
+        linear.x, linear.y, linear.z, angular.x, angular.y, angular.z,
+    )
+}
+
+fn halves(v: &Vector6<f64>) -> (Vector3<f64>, Vector3<f64>) {
+    (
+        Vector3::new(v[0], v[1], v[2]),
+        Vector3::new(v[3], v[4], v[5]),
+    )
+}
+
+/// `𝒫 = [0 p̃_l; p̃_l p̃_a]`.
+fn momentum_matrix(momentum: &Vector6<f64>) -> Matrix6<f64> {
+    let (pl, pa) = halves(momentum);
+    let mut m = Matrix6::zeros();
+    m.fixed_view_mut::<3, 3>(0, 3).copy_from(&skew(&pl));
+    m.fixed_view_mut::<3, 3>(3, 0).copy_from(&skew(&pl));
+    m.fixed_view_mut::<3, 3>(3, 3).copy_from(&skew(&pa));
+    m
+}
+
+/// `Ṽᵀ`, `Ṽ = [ω̃ ṽ; 0 ω̃]`.
+fn twist_skew_transposed(twist: &Vector6<f64>) -> Matrix6<f64> {
+    let (v, w) = halves(twist);
+    let mut m = Matrix6::zeros();
+    m.fixed_view_mut::<3, 3>(0, 0).copy_from(&-skew(&w));
+    m.fixed_view_mut::<3, 3>(3, 0).copy_from(&-skew(&v));
+    m.fixed_view_mut::<3, 3>(3, 3).copy_from(&-skew(&w));
+    m
+}
+
+impl Element for Inertia {
+    fn nodes(&self) -> &[usize] {
+        &self.nodes
+    }
+
+    fn has_mass(&self) -> bool {
+        true
+    }
+
+    fn has_damping(&self) -> bool {
+        true
+    }
+
+    fn evaluate(&self, instant: &Instant, out: &mut Contribution) -> Result<()> {
+        let factor = instant.inertia_factor;
+        let block = |a: usize, b: usize| self.mass.fixed_view::<6, 6>(6 * a, 6 * b);
+        for (a, node) in instant.nodes.iter().enumerate() {
+            let mut force = Vector6::zeros();
+            let mut momentum = Vector6::zeros();
+            for (b, other) in instant.nodes.iter().enumerate() {
+                let mut acceleration = other.twist_rate * factor;
+                let gravity = other.motion.rotation.tr_mul(&instant.gravity);
+                let mut linear = acceleration.fixed_rows_mut::<3>(0);
+                linear -= gravity;
+                force += block(a, b) * acceleration;
+                momentum += block(a, b) * other.twist;
+            }
+            force += gyroscopic(&node.twist, &momentum) * factor;
+            out.add_force(a, &force);
+            if !out.with_tangents {
+                continue;
+            }
+            let twist_skew = twist_skew_transposed(&node.twist);
+            for (b, other) in instant.nodes.iter().enumerate() {
+                let m: Matrix6<f64> = block(a, b).into_owned();
+                let mut mass = out.mass.fixed_view_mut::<6, 6>(6 * a, 6 * b);
+                mass += m * factor;
+                out.add_damping(a, b, &(twist_skew * m * -factor));
+                if instant.gravity != Vector3::zeros() {
+                    let turn = skew(&other.motion.rotation.tr_mul(&instant.gravity));
+                    let mut stiffness = out.stiffness.fixed_view_mut::<6, 3>(6 * a, 6 * b + 3);
+                    stiffness -= m.fixed_view::<6, 3>(0, 0) * turn;
+                }
+            }
+            out.add_damping(a, a, &(momentum_matrix(&momentum) * -factor));
+        }
+        Ok(())
+    }
+}
+
+/// Total mass and first moment of a `6 n × 6 n` mass matrix in nodes at the given motions.
+impl Inertia {
+    /// Mass and centre-of-mass moment `Σ m r`, in the inertial frame, of the nodes at `motions`.
+    pub fn mass_and_moment(&self, motions: &[Motion]) -> (f64, Vector3<f64>) {
+        // Momentum of a unit translation along each axis, and its moment.
+        let size = self.mass.nrows();
+        let mut mass = 0.0;
+        let mut moment = Vector3::zeros();
+        for axis in 0..3 {
+            let mut twist = DVector::zeros(size);
+            for (a, m) in motions.iter().enumerate() {
+                twist
+                    .fixed_rows_mut::<3>(6 * a)
+                    .copy_from(&m.rotation.row(axis).transpose());
+            }
+            let momentum = &self.mass * &twist;
+            mass += twist.dot(&momentum) / 3.0;
+            for (a, m) in motions.iter().enumerate() {
+                let force = m.rotation * momentum.fixed_rows::<3>(6 * a);
+                let couple = m.rotation * momentum.fixed_rows::<3>(6 * a + 3);
+                // Momentum m e_axis at r has the moment m r × e_axis.
+                let about_origin = m.position.cross(&force) + couple;
+                let (j, k) = ((axis + 1) % 3, (axis + 2) % 3);
+                moment[k] += 0.5 * about_origin[j];
+                moment[j] -= 0.5 * about_origin[k];
+            }
+        }
+        (mass, moment)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::motion::rotation_from_vector;
+
+    #[test]
+    fn mass_and_centre_of_a_body_at_an_offset() {
+        let inertia = rigid_body_inertia(
+            3.0,
+            &Vector3::new(0.1, -0.2, 0.3),
+            &Matrix3::from_diagonal(&Vector3::new(1.0, 2.0, 2.5)),
+        );
+        let turn = |x, y, z| rotation_from_vector(&Vector3::new(x, y, z));
+        let offset = Motion::new(turn(0.3, 0.1, -0.4), Vector3::new(1.0, 0.5, 0.0));
+        let node = Motion::new(turn(-1.0, 0.2, 0.7), Vector3::new(5.0, 6.0, -7.0));
+        let body = Inertia::rigid_body(0, &offset, &inertia);
+        let (mass, moment) = body.mass_and_moment(&[node]);
+        let frame = node.compose(&offset);
+        let centre = frame.position + frame.rotation * Vector3::new(0.1, -0.2, 0.3);
+        assert!((mass - 3.0).abs() < 1e-14);
+        assert!((moment / mass - centre).amax() < 1e-14);
+    }
+}

@@ -1,0 +1,275 @@
+//! Joints between two frames, and joint coordinates prescribed by a signal (section 6).
+
+use super::relative::{Coordinate, JointKind, RelativeMotion, ScalarFunction};
+use super::{Contribution, Element, Instant, NodeState};
+use crate::error::Result;
+use crate::motion::{DualVector, Motion};
+use nalgebra::{Matrix6, Vector6};
+use std::f64::consts::{PI, TAU};
+
+/// A joint frame fixed to a node or, without one, to the ground.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Attachment {
+    /// Index of the node; `None` for the ground.
+    pub node: Option<usize>,
+    /// Motion of the joint frame relative to the node, or to the inertial frame.
+    pub offset: Motion,
+}
+
+/// The two frames of a joint, and the relative kinematics that everything attached to it shares.
+#[derive(Debug, Clone)]
+pub(super) struct FramePair {
+    first: Attachment,
+    second: Attachment,
+    nodes: Vec<usize>,
+}
+
+/// Relative motion at one instant, and its derivatives.
+pub(super) struct RelativeState {
+    /// `Z = C_i⁻¹ C_j`.
+    pub z: RelativeMotion,
+    /// `ż`: twist of the second frame relative to the first, resolved in the second.
+    pub rate: Vector6<f64>,
+    /// `Ad(Z⁻¹) V_i`, the first frame's twist seen from the second.
+    carried: Vector6<f64>,
+    /// `δz = Σ J_a δu_a` over the element's nodes.
+    jacobians: [Option<Matrix6<f64>>; 2],
+    first_carry: Option<Matrix6<f64>>,
+}
+
+impl FramePair {
+    pub fn new(first: Attachment, second: Attachment) -> Self {
+        FramePair {
+            first,
+            second,
+            nodes: first.node.into_iter().chain(second.node).collect(),
+        }
+    }
+
+    pub fn nodes(&self) -> &[usize] {
+        &self.nodes
+    }
+
+    fn frames(&self, states: &[NodeState]) -> (Motion, Motion) {
+        let mut states = states.iter();
+        let mut frame = |attachment: &Attachment| match (attachment.node, states.next()) {
+            (Some(_), Some(state)) => state.motion.compose(&attachment.offset),
+            _ => attachment.offset,
+        };
+        // The ground takes no state: a grounded first frame must not consume the second's.
+        if self.first.node.is_none() {
+            return (self.first.offset, frame(&self.second));
+        }
+        let first = frame(&self.first);
+        (first, frame(&self.second))
+    }
+
+    pub fn relative_motion(&self, states: &[NodeState]) -> RelativeMotion {
+        let (first, second) = self.frames(states);
+        first.relative(&second)
+    }
+
+    pub fn second_frame(&self, states: &[NodeState]) -> Motion {
+        self.frames(states).1
+    }
+
+    pub fn state(&self, states: &[NodeState]) -> RelativeState {
+        let z = self.relative_motion(states);
+        let z_inverse = z.inverse().adjoint();
+        let mut local = 0;
+        let mut next = |attachment: &Attachment| {
+            attachment.node.map(|_| {
+                local += 1;
+                (
+                    attachment.offset.inverse().adjoint(),
+                    states[local - 1].twist,
+                )
+            })
+        };
+        let (first, second) = (next(&self.first), next(&self.second));
+        let carried = first.map_or(Vector6::zeros(), |(carry, v)| z_inverse * (carry * v));
+        let own = second.map_or(Vector6::zeros(), |(carry, v)| carry * v);
+        let jacobians = [
+            first.map(|(carry, _)| -(z_inverse * carry)),
+            second.map(|(carry, _)| carry),
+        ];
+        RelativeState {
+            z,
+            rate: own - carried,
+            carried,
+            jacobians,
+            first_carry: first.map(|(carry, _)| carry),
+        }
+    }
+}
+
+impl RelativeState {
+    /// Jacobians of the element's nodes, by local index.
+    fn local_jacobians(&self) -> impl Iterator<Item = (usize, &Matrix6<f64>)> {
+        self.jacobians.iter().flatten().enumerate()
+    }
+
+    /// Variation of `ż` with the relative motion: `Δż = −(Ad(Z⁻¹) V_i)~ Δz`.
+    pub fn rate_variation(&self) -> Matrix6<f64> {
+        -DualVector::from_twist(&self.carried)
+            .skew()
+            .to_twist_matrix()
+    }
+
+    /// Adds the nodal forces of a wrench conjugate to `δz`; with its variations `∂w/∂z` and
+    /// `∂w/∂ż` also their tangents.
+    pub fn add_wrench(
+        &self,
+        wrench: &Vector6<f64>,
+        variation: &Matrix6<f64>,
+        damping: Option<&Matrix6<f64>>,
+        out: &mut Contribution,
+    ) {
+        for (a, jacobian) in self.local_jacobians() {
+            out.add_force(a, &jacobian.tr_mul(wrench));
+        }
+        if !out.with_tangents {
+            return;
+        }
+        for (a, left) in self.local_jacobians() {
+            let mut rows = left.tr_mul(variation);
+            if let (0, Some(carry)) = (a, &self.first_carry) {
+                // The first frame's lever arm turns with Z: −Δ(Z w) = Z w̃ Δz.
+                let turn = self.z.to_dual() * DualVector::from_wrench(wrench).skew();
+                rows += carry.tr_mul(&turn.to_stiffness_matrix());
+            }
+            for (b, right) in self.local_jacobians() {
+                out.add_stiffness(a, b, &(rows * right));
+                if let Some(damping) = damping {
+                    out.add_damping(a, b, &(left.tr_mul(damping) * right));
+                }
+            }
+        }
+    }
+
+    /// Adds constraint `row`: violation, gradient, and the forces of its multiplier.
+    pub fn add_constraint(
+        &self,
+        row: usize,
+        function: &ScalarFunction,
+        multiplier: f64,
+        out: &mut Contribution,
+    ) {
+        out.constraint[row] += function.value;
+        if out.with_tangents {
+            for (a, jacobian) in self.local_jacobians() {
+                let mut columns = out.gradient.fixed_view_mut::<1, 6>(row, 6 * a);
+                columns += function.gradient.transpose() * jacobian;
+            }
+        }
+        let wrench = function.gradient * multiplier;
+        self.add_wrench(&wrench, &(function.hessian * multiplier), None, out);
+    }
+}
+
+/// A joint: its kind and two frames.
+#[derive(Debug, Clone)]
+pub struct Joint {
+    pub(super) pair: FramePair,
+    kind: JointKind,
+}
+
+impl Joint {
+    /// A joint of `kind` between two frames.
+    pub fn new(kind: JointKind, first: Attachment, second: Attachment) -> Self {
+        Joint {
+            pair: FramePair::new(first, second),
+            kind,
+        }
+    }
+
+    /// Kind of the joint.
+    pub fn kind(&self) -> JointKind {
+        self.kind
+    }
+
+    /// Motion of the second frame relative to the first, for the element's nodes at `states`.
+    pub fn relative_motion(&self, states: &[NodeState]) -> RelativeMotion {
+        self.pair.relative_motion(states)
+    }
+
+    /// Motion of the second joint frame.
+    pub fn second_frame(&self, states: &[NodeState]) -> Motion {
+        self.pair.second_frame(states)
+    }
+
+    /// Constraint wrench on the second body at its joint frame, resolved in that frame.
+    pub fn reaction(&self, states: &[NodeState], multipliers: &[f64]) -> Vector6<f64> {
+        let z = self.relative_motion(states);
+        multipliers
+            .iter()
+            .enumerate()
+            .map(|(row, multiplier)| self.kind.constraint(row, &z).gradient * -multiplier)
+            .sum()
+    }
+}
+
+impl Element for Joint {
+    fn nodes(&self) -> &[usize] {
+        self.pair.nodes()
+    }
+
+    fn multipliers(&self) -> usize {
+        self.kind.constraints()
+    }
+
+    fn evaluate(&self, instant: &Instant, out: &mut Contribution) -> Result<()> {
+        let state = self.pair.state(instant.nodes);
+        for (row, multiplier) in instant.multipliers.iter().enumerate() {
+            let function = self.kind.constraint(row, &state.z);
+            state.add_constraint(row, &function, *multiplier, out);
+        }
+        Ok(())
+    }
+}
+
+/// A joint coordinate that follows a signal; minus its multiplier is the driving effort.
+#[derive(Debug, Clone)]
+pub struct Prescribed {
+    pair: FramePair,
+    kind: JointKind,
+    coordinate: Coordinate,
+    signal: usize,
+}
+
+impl Prescribed {
+    /// Prescribes `coordinate` of `joint` by signal number `signal`.
+    pub fn new(joint: &Joint, coordinate: Coordinate, signal: usize) -> Self {
+        Prescribed {
+            pair: joint.pair.clone(),
+            kind: joint.kind,
+            coordinate,
+            signal,
+        }
+    }
+}
+
+/// The angle that differs from `angle` by whole turns and lies within half a turn of `near`.
+pub(crate) fn nearest_turn(angle: f64, near: f64) -> f64 {
+    angle + TAU * ((near - angle) / TAU).round()
+}
+
+impl Element for Prescribed {
+    fn nodes(&self) -> &[usize] {
+        self.pair.nodes()
+    }
+
+    fn multipliers(&self) -> usize {
+        1
+    }
+
+    fn evaluate(&self, instant: &Instant, out: &mut Contribution) -> Result<()> {
+        let state = self.pair.state(instant.nodes);
+        let mut function = self.kind.coordinate(self.coordinate, &state.z);
+        let target = instant.signals[self.signal];
+        function.value = nearest_turn(function.value, target) - target;
+        debug_assert!(function.value.abs() <= PI + 1e-9 || !function.value.is_finite());
+        state.add_constraint(0, &function, instant.multipliers[0], out);
+        Ok(())
+    }
+}

@@ -1,0 +1,63 @@
+//! Forces and moments on a node, each component a signal.
+
+use super::{Contribution, Element, Instant};
+use crate::error::Result;
+use crate::motion::skew;
+use nalgebra::{Vector3, Vector6};
+
+/// How a load's components are directed.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum LoadFrame {
+    /// Along the inertial axes.
+    Space,
+    /// Along the node's own axes: the load follows it.
+    Follower,
+}
+
+/// Force and moment at a node.
+#[derive(Debug, Clone)]
+pub struct NodalLoad {
+    nodes: [usize; 1],
+    frame: LoadFrame,
+    /// Signal numbers of `[force; moment]`; `None` is zero.
+    signals: [Option<usize>; 6],
+}
+
+impl NodalLoad {
+    /// Load on `node` with components along the axes of `frame`.
+    pub fn new(node: usize, frame: LoadFrame, signals: [Option<usize>; 6]) -> Self {
+        NodalLoad {
+            nodes: [node],
+            frame,
+            signals,
+        }
+    }
+}
+
+impl Element for NodalLoad {
+    fn nodes(&self) -> &[usize] {
+        &self.nodes
+    }
+
+    fn evaluate(&self, instant: &Instant, out: &mut Contribution) -> Result<()> {
+        let component = |i: usize| self.signals[i].map_or(0.0, |s| instant.signals[s]);
+        let force = Vector3::new(component(0), component(1), component(2));
+        let moment = Vector3::new(component(3), component(4), component(5));
+        let (force, moment) = match self.frame {
+            LoadFrame::Follower => (force, moment),
+            LoadFrame::Space => {
+                let r = &instant.nodes[0].motion.rotation;
+                (r.tr_mul(&force), r.tr_mul(&moment))
+            }
+        };
+        let applied = Vector6::new(force.x, force.y, force.z, moment.x, moment.y, moment.z);
+        out.add_force(0, &-applied);
+        if out.with_tangents && self.frame == LoadFrame::Space {
+            let mut rows = out.stiffness.fixed_view_mut::<3, 3>(0, 3);
+            rows -= skew(&force);
+            let mut rows = out.stiffness.fixed_view_mut::<3, 3>(3, 3);
+            rows -= skew(&moment);
+        }
+        Ok(())
+    }
+}

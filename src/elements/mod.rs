@@ -1,0 +1,160 @@
+//! Element kernels: forces, constraints and their exact tangents at one instant.
+//!
+//! An element knows nothing of the period or of other elements. Adding one takes a file here and
+//! an entry in the test that every element passes (`tangent_test`).
+
+mod beam;
+mod inertia;
+mod joint;
+mod load;
+mod relative;
+mod shape;
+mod spring;
+#[cfg(test)]
+mod tangent_test;
+
+pub use beam::{Beam, Section};
+pub use inertia::{Inertia, rigid_body_inertia};
+pub use joint::{Attachment, Joint, Prescribed};
+pub use load::{LoadFrame, NodalLoad};
+pub use relative::{Coordinate, JointKind, RelativeMotion, ScalarFunction};
+pub use shape::{gauss_legendre, lobatto_points, shape_functions};
+pub use spring::SpringDamper;
+
+use crate::error::Result;
+use crate::motion::Motion;
+use nalgebra::{DMatrix, DVector, Matrix6, Vector3, Vector6};
+
+/// State of one node at one instant.
+#[derive(Debug, Clone, Copy)]
+pub struct NodeState {
+    /// Motion from the inertial frame.
+    pub motion: Motion,
+    /// Material velocity `[linear; angular]`.
+    pub twist: Vector6<f64>,
+    /// Time derivative of the material velocity.
+    pub twist_rate: Vector6<f64>,
+}
+
+impl NodeState {
+    /// A node at rest.
+    pub fn at_rest(motion: Motion) -> Self {
+        NodeState {
+            motion,
+            twist: Vector6::zeros(),
+            twist_rate: Vector6::zeros(),
+        }
+    }
+}
+
+/// What an element sees of the system at one instant.
+#[derive(Debug, Clone, Copy)]
+pub struct Instant<'a> {
+    /// The element's nodes, in its own order.
+    pub nodes: &'a [NodeState],
+    /// The element's Lagrange multipliers.
+    pub multipliers: &'a [f64],
+    /// Values of all the model's signals at this time.
+    pub signals: &'a [f64],
+    /// Last known values of the tracked joint coordinates: they tell the turn an angle is in.
+    pub coordinates: &'a [f64],
+    /// Acceleration of gravity, in the inertial frame.
+    pub gravity: Vector3<f64>,
+    /// Factor of the inertial forces: 1, or less on the way to a solution.
+    pub inertia_factor: f64,
+}
+
+/// Forces of an element, and their tangents, with respect to material increments of its nodes.
+///
+/// The equations of the system are `Σ force = 0` and `constraint = 0`: forces are on the left-hand
+/// side, so that applied ones count negative.
+#[derive(Debug, Clone)]
+pub struct Contribution {
+    /// Whether tangents are wanted.
+    pub with_tangents: bool,
+    /// Force on each node, `[force; moment]` in the node's frame; length `6 n`.
+    pub force: DVector<f64>,
+    /// Constraint violations; length `m`.
+    pub constraint: DVector<f64>,
+    /// `∂force/∂u`, `6 n × 6 n`.
+    pub stiffness: DMatrix<f64>,
+    /// `∂force/∂V`, `6 n × 6 n`.
+    pub damping: DMatrix<f64>,
+    /// `∂force/∂V̇`, `6 n × 6 n`.
+    pub mass: DMatrix<f64>,
+    /// `∂constraint/∂u`, `m × 6 n`; its transpose is `∂force/∂λ`.
+    pub gradient: DMatrix<f64>,
+    /// Scratch of the beam kernel.
+    beam_terms: Vec<beam::NodeTerms>,
+}
+
+impl Contribution {
+    /// Zero contribution of an element with `nodes` nodes and `multipliers` multipliers.
+    pub fn new(nodes: usize, multipliers: usize, with_tangents: bool) -> Self {
+        let size = 6 * nodes;
+        Contribution {
+            with_tangents,
+            force: DVector::zeros(size),
+            constraint: DVector::zeros(multipliers),
+            stiffness: DMatrix::zeros(size, size),
+            damping: DMatrix::zeros(size, size),
+            mass: DMatrix::zeros(size, size),
+            gradient: DMatrix::zeros(multipliers, size),
+            beam_terms: Vec::new(),
+        }
+    }
+
+    /// Sets everything to zero.
+    pub fn clear(&mut self) {
+        self.force.fill(0.0);
+        self.constraint.fill(0.0);
+        if self.with_tangents {
+            self.stiffness.fill(0.0);
+            self.damping.fill(0.0);
+            self.mass.fill(0.0);
+            self.gradient.fill(0.0);
+        }
+    }
+
+    fn add_force(&mut self, node: usize, force: &Vector6<f64>) {
+        let mut rows = self.force.fixed_rows_mut::<6>(6 * node);
+        rows += force;
+    }
+
+    fn add_stiffness(&mut self, row: usize, column: usize, block: &Matrix6<f64>) {
+        let mut view = self.stiffness.fixed_view_mut::<6, 6>(6 * row, 6 * column);
+        view += block;
+    }
+
+    fn add_damping(&mut self, row: usize, column: usize, block: &Matrix6<f64>) {
+        let mut view = self.damping.fixed_view_mut::<6, 6>(6 * row, 6 * column);
+        view += block;
+    }
+}
+
+/// An element: forces, constraints and exact tangents at one instant.
+pub trait Element: Send + Sync + std::fmt::Debug {
+    /// Indices of the nodes, in the element's order; the ground is not among them.
+    fn nodes(&self) -> &[usize];
+
+    /// Number of Lagrange multipliers.
+    fn multipliers(&self) -> usize {
+        0
+    }
+
+    /// Adds the element's forces, constraints and, if wanted, tangents to `out`, which was cleared.
+    ///
+    /// # Errors
+    /// If the element is too distorted for its strains to be defined.
+    fn evaluate(&self, instant: &Instant, out: &mut Contribution) -> Result<()>;
+
+    /// Whether the forces depend on the acceleration.
+    fn has_mass(&self) -> bool {
+        false
+    }
+
+    /// Whether the forces depend on the velocity.
+    fn has_damping(&self) -> bool {
+        false
+    }
+}
