@@ -27,7 +27,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
-/* Functions come from a DLL on Windows, unless the program links the static library. */
+/** Marks the functions of the library: on Windows they come from a DLL, unless PDN_STATIC is set. */
 #if defined(_WIN32) && !defined(PDN_STATIC)
 #define PDN_API __declspec(dllimport)
 #else

@@ -1,0 +1,35 @@
+# Small C programs: examples and tests.
+
+set(pdn_warnings "")
+if(CMAKE_C_COMPILER_ID MATCHES "GNU|Clang")
+    set(pdn_warnings -Wall -Wextra -Wpedantic)
+    if(PDN_WERROR)
+        list(APPEND pdn_warnings -Werror)
+    endif()
+endif()
+
+find_program(PDN_VALGRIND valgrind)
+
+# A program NAME from NAME.c, in strict C99.
+function(pdn_add_c_program name)
+    add_executable(${name} ${name}.c)
+    target_compile_options(${name} PRIVATE ${pdn_warnings})
+    set_target_properties(${name} PROPERTIES
+        C_STANDARD 99 C_STANDARD_REQUIRED ON C_EXTENSIONS OFF)
+    target_link_libraries(${name} PRIVATE periodyn::periodyn)
+    if(UNIX)
+        target_link_libraries(${name} PRIVATE m)
+    endif()
+endfunction()
+
+# The test c.NAME: NAME.c must end with 0. And c.NAME.valgrind: so it must under valgrind, without
+# leak or invalid access. Arguments after the name go to the program.
+function(pdn_add_c_test name)
+    pdn_add_c_program(${name})
+    add_test(NAME c.${name} COMMAND ${name} ${ARGN})
+    if(PDN_VALGRIND)
+        add_test(NAME c.${name}.valgrind
+            COMMAND ${PDN_VALGRIND} --quiet --leak-check=full --error-exitcode=1
+                $<TARGET_FILE:${name}> ${ARGN})
+    endif()
+endfunction()

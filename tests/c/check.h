@@ -1,0 +1,47 @@
+/* Checks that hold in every build type, unlike assert. */
+#ifndef PDN_TEST_CHECK_H
+#define PDN_TEST_CHECK_H
+
+#include <periodyn.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* Ends the program unless the condition holds. */
+#define CHECK(condition)                                                                           \
+    do {                                                                                           \
+        if (!(condition)) {                                                                        \
+            fprintf(stderr, "%s:%d: not so: %s\n", __FILE__, __LINE__, #condition);                \
+            exit(1);                                                                               \
+        }                                                                                          \
+    } while (0)
+
+/* Ends the program unless the call returns the status; shows the library's message. */
+#define CHECK_STATUS(call, expected) check_status((call), (expected), #call, __FILE__, __LINE__)
+
+static inline void check_status(pdn_status status, pdn_status expected, const char *call,
+                                const char *file, int line)
+{
+    if (status != expected) {
+        char message[512];
+        pdn_last_error(message, sizeof message);
+        fprintf(stderr, "%s:%d: %s gave %s instead of %s (last error: %s)\n", file, line, call,
+                pdn_status_name(status), pdn_status_name(expected), message);
+        exit(1);
+    }
+}
+
+/* Ends the program unless the message of the last failure contains the text. */
+#define CHECK_MESSAGE(text) check_message((text), __FILE__, __LINE__)
+
+static inline void check_message(const char *text, const char *file, int line)
+{
+    char message[512];
+    pdn_last_error(message, sizeof message);
+    if (strstr(message, text) == NULL) {
+        fprintf(stderr, "%s:%d: \"%s\" is not in \"%s\"\n", file, line, text, message);
+        exit(1);
+    }
+}
+
+#endif
