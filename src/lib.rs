@@ -3,7 +3,11 @@
 #![deny(unsafe_code)]
 
 pub mod capi;
+pub mod collocation;
 pub mod elements;
 pub mod error;
 pub mod fourier;
+pub mod model;
 pub mod motion;
+pub mod solve;
+pub mod system;

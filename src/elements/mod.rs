@@ -15,6 +15,7 @@ mod tangent_test;
 
 pub use beam::{Beam, Section};
 pub use inertia::{Inertia, rigid_body_inertia};
+pub(crate) use joint::nearest_turn;
 pub use joint::{Attachment, Joint, Prescribed};
 pub use load::{LoadFrame, NodalLoad};
 pub use relative::{Coordinate, JointKind, RelativeMotion, ScalarFunction};

@@ -1,0 +1,196 @@
+//! Velocities and accelerations of a node at the grid points, and their exact linearisation
+//! (eqs. 24–29). Everything is dual algebra.
+
+use crate::fourier::Differentiation;
+use crate::motion::{DualMatrix, DualVector, Motion};
+use nalgebra::{Matrix3, Vector3};
+
+/// One node over the grid: `A_ℓ`, `B_ℓ`, `v_ℓ` and `v̇_ℓ`.
+#[derive(Debug, Clone, Default)]
+pub struct NodeKinematics {
+    /// `M_k`, with the mean position taken out: a translation of everything changes nothing.
+    motions: Vec<DualMatrix>,
+    /// `A_ℓ = M_ℓᵀ (D M)_ℓ`.
+    a: Vec<DualMatrix>,
+    /// `B_ℓ = M_ℓᵀ (T M)_ℓ`.
+    b: Vec<DualMatrix>,
+    /// `v_ℓ = axial(A_ℓ)`.
+    velocity: Vec<DualVector>,
+    /// `v̇_ℓ = axial(B_ℓ − 2 ṽ_ℓ A_ℓ)`.
+    acceleration: Vec<DualVector>,
+    samples: Vec<f64>,
+    d_samples: Vec<f64>,
+    t_samples: Vec<f64>,
+}
+
+impl NodeKinematics {
+    /// Evaluates everything for a node's `motions`, one at each grid point.
+    pub fn evaluate(&mut self, operators: &mut Differentiation, motions: &[Motion]) {
+        let n = motions.len();
+        let zero = DualMatrix::zeros();
+        for values in [&mut self.motions, &mut self.a, &mut self.b] {
+            values.resize(n, zero);
+        }
+        self.velocity.resize(n, DualVector::zeros());
+        self.acceleration.resize(n, DualVector::zeros());
+        for samples in [&mut self.samples, &mut self.d_samples, &mut self.t_samples] {
+            samples.resize(n, 0.0);
+        }
+
+        let mean = motions.iter().map(|m| m.position).sum::<Vector3<f64>>() / n as f64;
+        for (dual, motion) in self.motions.iter_mut().zip(motions) {
+            *dual = Motion::new(motion.rotation, motion.position - mean).to_dual();
+        }
+        // D M and T M, entry by entry; kept in a and b until both are complete.
+        for entry in 0..9 {
+            for part in [primal, dual] {
+                for (sample, m) in self.samples.iter_mut().zip(&mut self.motions) {
+                    *sample = part(m)[entry];
+                }
+                operators.apply(&self.samples, &mut self.d_samples, &mut self.t_samples);
+                for k in 0..n {
+                    part(&mut self.a[k])[entry] = self.d_samples[k];
+                    part(&mut self.b[k])[entry] = self.t_samples[k];
+                }
+            }
+        }
+        for l in 0..n {
+            self.a[l] = self.motions[l].tr_mul(&self.a[l]);
+            self.b[l] = self.motions[l].tr_mul(&self.b[l]);
+            let v = self.a[l].axial();
+            self.velocity[l] = v;
+            self.acceleration[l] = (self.b[l] - v.skew() * self.a[l] * 2.0).axial();
+        }
+    }
+
+    /// `v_ℓ`.
+    pub fn velocity(&self, l: usize) -> DualVector {
+        self.velocity[l]
+    }
+
+    /// `v̇_ℓ`.
+    pub fn acceleration(&self, l: usize) -> DualVector {
+        self.acceleration[l]
+    }
+
+    /// Blocks `(ℓ, k)` of `Γ_v` and `Γ_a`: `Δv_ℓ = Σ_k Γ_v Δu_k`, `Δv̇_ℓ = Σ_k Γ_a Δu_k`.
+    pub fn tangent(
+        &self,
+        operators: &Differentiation,
+        l: usize,
+        k: usize,
+    ) -> (DualMatrix, DualMatrix) {
+        let (d, t) = (operators.first(l, k), operators.second(l, k));
+        let s = self.motions[l].tr_mul(&self.motions[k]);
+        let (a, b, v) = (&self.a[l], &self.b[l], &self.velocity[l]);
+
+        // ½ D_ℓk (tr(S) I − Sᵀ), and with W = T_ℓk S − 2 D_ℓk ṽ S the same for the acceleration.
+        let mut gamma_v = s.trace_minus_transpose() * (0.5 * d);
+        let w = s * t - v.skew() * s * (2.0 * d);
+        let mut gamma_a = w.trace_minus_transpose() * 0.5;
+        let a_spread = a.trace_minus();
+        if l == k {
+            gamma_v = gamma_v - a_spread * 0.5;
+            gamma_a = gamma_a - b.trace_minus() * 0.5 + (a.transpose() * *v).skew()
+                - a.axial().outer(v) * 2.0;
+        }
+        gamma_a = gamma_a - a_spread * gamma_v;
+        (gamma_v, gamma_a)
+    }
+}
+
+fn primal(m: &mut DualMatrix) -> &mut Matrix3<f64> {
+    &mut m.primal
+}
+
+fn dual(m: &mut DualMatrix) -> &mut Matrix3<f64> {
+    &mut m.dual
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::fourier::TimeGrid;
+    use crate::motion::rotation_from_vector;
+    use nalgebra::Vector6;
+
+    fn motion(phase: f64) -> Motion {
+        let turn = rotation_from_vector(&Vector3::new(0.0, 0.0, phase))
+            * rotation_from_vector(&Vector3::new(
+                0.4 * phase.sin(),
+                0.3 * (2.0 * phase).cos(),
+                0.0,
+            ));
+        let position = Vector3::new(phase.cos(), 0.7 * (2.0 * phase).sin(), 3.0 + phase.sin());
+        Motion::new(turn, position)
+    }
+
+    fn over(grid: TimeGrid) -> Vec<Motion> {
+        grid.times().map(|t| motion(grid.frequency() * t)).collect()
+    }
+
+    #[test]
+    fn velocities_and_accelerations_are_those_of_the_motion() {
+        let grid = TimeGrid::new(41, 2.0).unwrap();
+        let mut operators = Differentiation::new(grid);
+        let mut node = NodeKinematics::default();
+        node.evaluate(&mut operators, &over(grid));
+        let omega = grid.frequency();
+        let h = 1e-4;
+        for l in [0, 7, 30] {
+            let t = grid.time(l);
+            let twist = |t: f64| {
+                // Fourth-order differences of the motion itself.
+                let here = motion(omega * t);
+                let step = 1e-3;
+                let relative = |s: f64| here.relative(&motion(omega * (t + s))).to_dual();
+                let slope = ((relative(step) - relative(-step)) * 8.0
+                    - (relative(2.0 * step) - relative(-2.0 * step)))
+                    * (1.0 / (12.0 * step));
+                slope.axial().to_twist()
+            };
+            assert!((node.velocity(l).to_twist() - twist(t)).amax() < 1e-8);
+            let rate = (twist(t + h) - twist(t - h)) / (2.0 * h);
+            assert!((node.acceleration(l).to_twist() - rate).amax() < 1e-4);
+        }
+    }
+
+    #[test]
+    fn tangents_are_exact() {
+        for points in [1, 3, 9] {
+            let grid = TimeGrid::new(points, 2.0).unwrap();
+            let mut operators = Differentiation::new(grid);
+            let motions = over(grid);
+            let mut node = NodeKinematics::default();
+            node.evaluate(&mut operators, &motions);
+            let h = 1e-3;
+            for k in 0..points {
+                for component in 0..6 {
+                    let mut at = |step: f64| {
+                        let mut moved = motions.clone();
+                        let mut increment = Vector6::zeros();
+                        increment[component] = step;
+                        moved[k] = moved[k].increment(&increment);
+                        let mut other = NodeKinematics::default();
+                        other.evaluate(&mut operators, &moved);
+                        other
+                    };
+                    let (a, b, c, d) = (at(h), at(-h), at(2.0 * h), at(-2.0 * h));
+                    for l in 0..points {
+                        let slope = |f: &dyn Fn(&NodeKinematics) -> Vector6<f64>| {
+                            ((f(&a) - f(&b)) * 8.0 - (f(&c) - f(&d))) / (12.0 * h)
+                        };
+                        let (gamma_v, gamma_a) = node.tangent(&operators, l, k);
+                        let dv = slope(&|n| n.velocity(l).to_twist());
+                        let da = slope(&|n| n.acceleration(l).to_twist());
+                        let exact_v = gamma_v.to_twist_matrix().column(component).into_owned();
+                        let exact_a = gamma_a.to_twist_matrix().column(component).into_owned();
+                        let omega = grid.frequency() * points as f64;
+                        assert!((exact_v - dv).amax() < 1e-10 * (1.0 + omega));
+                        assert!((exact_a - da).amax() < 1e-10 * (1.0 + omega * omega));
+                    }
+                }
+            }
+        }
+    }
+}

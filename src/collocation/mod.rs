@@ -1,0 +1,14 @@
+//! The whole period: grid state, residual and Jacobian of eq. (37).
+//!
+//! With a grid of one point, velocities and accelerations vanish and the same equations are those of
+//! static equilibrium at the grid's start time.
+
+mod kinematics;
+mod pattern;
+mod problem;
+mod state;
+
+pub use kinematics::NodeKinematics;
+pub use pattern::Pattern;
+pub use problem::{Collocation, TangentBlocks};
+pub use state::GridState;

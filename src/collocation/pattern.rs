@@ -1,0 +1,241 @@
+//! Sparsity of the Jacobian: dense in time within and between nodes coupled by inertia or damping,
+//! diagonal in time everywhere else.
+
+use crate::elements::Element;
+use crate::system::System;
+use std::collections::BTreeMap;
+
+/// Coupling of one node's rows with another node's columns.
+#[derive(Debug, Clone)]
+pub struct NodePair {
+    /// Node of the rows.
+    pub row: usize,
+    /// Whether all grid points couple (otherwise each only with itself).
+    pub dense: bool,
+    /// Place of the first row within a column.
+    pub offset: usize,
+}
+
+/// Node or multipliers a group of columns belongs to.
+#[derive(Debug, Clone)]
+struct ColumnGroup {
+    /// Position of the group's first value.
+    first_value: usize,
+    /// Number of values in each column.
+    length: usize,
+}
+
+/// Compressed-column structure of the Jacobian for a system and a number of grid points.
+#[derive(Debug, Clone)]
+pub struct Pattern {
+    points: usize,
+    nodes: Vec<ColumnGroup>,
+    /// Coupled nodes of each column node, in ascending order, numbered consecutively over all nodes.
+    pairs: Vec<Vec<NodePair>>,
+    first_pair: Vec<usize>,
+    multipliers: Vec<ColumnGroup>,
+    /// Place, within a column of `(element, local node)`, of the element's constraint rows.
+    constraint_offsets: Vec<Vec<usize>>,
+    /// Place, within a column of the element's multipliers, of each local node's rows.
+    force_offsets: Vec<Vec<usize>>,
+    column_pointers: Vec<usize>,
+    row_indices: Vec<usize>,
+}
+
+impl Pattern {
+    /// Structure for `points` grid points.
+    pub fn new(system: &System, points: usize) -> Self {
+        let node_count = system.nodes();
+        let mut coupled: Vec<BTreeMap<usize, bool>> = vec![BTreeMap::new(); node_count];
+        let mut constrained: Vec<Vec<(usize, usize)>> = vec![Vec::new(); node_count];
+        for (node, neighbours) in coupled.iter_mut().enumerate() {
+            neighbours.insert(node, false);
+        }
+        for (index, placed) in system.elements().iter().enumerate() {
+            let element = &placed.element;
+            let dense = points > 1 && (element.has_mass() || element.has_damping());
+            for (local, &b) in element.nodes().iter().enumerate() {
+                for &a in element.nodes() {
+                    *coupled[b].entry(a).or_insert(false) |= dense;
+                }
+                if element.multipliers() > 0 {
+                    constrained[b].push((index, local));
+                }
+            }
+        }
+
+        let mut pattern = Pattern {
+            points,
+            nodes: Vec::new(),
+            pairs: Vec::new(),
+            first_pair: Vec::new(),
+            multipliers: Vec::new(),
+            constraint_offsets: system
+                .elements()
+                .iter()
+                .map(|p| vec![0; p.element.nodes().len()])
+                .collect(),
+            force_offsets: Vec::new(),
+            column_pointers: vec![0],
+            row_indices: Vec::new(),
+        };
+        let first_multiplier_row = |index: usize, k: usize| {
+            let placed = &system.elements()[index];
+            6 * points * node_count
+                + placed.first_multiplier * points
+                + placed.element.multipliers() * k
+        };
+        let mut pair_count = 0;
+        for b in 0..node_count {
+            let mut pairs = Vec::new();
+            let mut length = 0;
+            for (&row, &dense) in &coupled[b] {
+                pairs.push(NodePair {
+                    row,
+                    dense,
+                    offset: length,
+                });
+                length += if dense { 6 * points } else { 6 };
+            }
+            for &(index, local) in &constrained[b] {
+                pattern.constraint_offsets[index][local] = length;
+                length += system.elements()[index].element.multipliers();
+            }
+            pattern.begin_group(length, true);
+            for k in 0..points {
+                for _ in 0..6 {
+                    for pair in &pairs {
+                        let first = 6 * points * pair.row;
+                        let rows = if pair.dense {
+                            first..first + 6 * points
+                        } else {
+                            first + 6 * k..first + 6 * (k + 1)
+                        };
+                        pattern.row_indices.extend(rows);
+                    }
+                    for &(index, _) in &constrained[b] {
+                        let first = first_multiplier_row(index, k);
+                        let count = system.elements()[index].element.multipliers();
+                        pattern.row_indices.extend(first..first + count);
+                    }
+                    pattern.column_pointers.push(pattern.row_indices.len());
+                }
+            }
+            pattern.first_pair.push(pair_count);
+            pair_count += pairs.len();
+            pattern.pairs.push(pairs);
+        }
+        for placed in system.elements() {
+            pattern.add_multiplier_columns(placed.element.as_ref());
+        }
+        pattern
+    }
+
+    fn begin_group(&mut self, length: usize, node: bool) {
+        let group = ColumnGroup {
+            first_value: self.row_indices.len(),
+            length,
+        };
+        if node {
+            self.nodes.push(group);
+        } else {
+            self.multipliers.push(group);
+        }
+    }
+
+    fn add_multiplier_columns(&mut self, element: &dyn Element) {
+        // Rows ascend with the node's index, whatever the element's own order.
+        let mut order: Vec<usize> = (0..element.nodes().len()).collect();
+        order.sort_by_key(|&local| element.nodes()[local]);
+        let mut offsets = vec![0; order.len()];
+        for (place, &local) in order.iter().enumerate() {
+            offsets[local] = 6 * place;
+        }
+        self.force_offsets.push(offsets);
+        self.begin_group(6 * order.len(), false);
+        for k in 0..self.points {
+            for _ in 0..element.multipliers() {
+                for &local in &order {
+                    let first = 6 * (self.points * element.nodes()[local] + k);
+                    self.row_indices.extend(first..first + 6);
+                }
+                self.column_pointers.push(self.row_indices.len());
+            }
+        }
+    }
+
+    /// Number of unknowns.
+    pub fn size(&self) -> usize {
+        self.column_pointers.len() - 1
+    }
+
+    /// Number of stored entries.
+    pub fn entries(&self) -> usize {
+        self.row_indices.len()
+    }
+
+    /// Column pointers, one more than columns.
+    pub fn column_pointers(&self) -> &[usize] {
+        &self.column_pointers
+    }
+
+    /// Row index of each stored entry, ascending within a column.
+    pub fn row_indices(&self) -> &[usize] {
+        &self.row_indices
+    }
+
+    /// Number of coupled pairs of nodes.
+    pub fn pair_count(&self) -> usize {
+        self.first_pair
+            .last()
+            .map_or(0, |f| f + self.pairs.last().map_or(0, Vec::len))
+    }
+
+    /// Pairs in the columns of node `column`, with their numbers.
+    pub fn pairs(&self, column: usize) -> impl Iterator<Item = (usize, &NodePair)> {
+        self.pairs[column]
+            .iter()
+            .enumerate()
+            .map(move |(i, p)| (self.first_pair[column] + i, p))
+    }
+
+    /// Number of the pair of nodes `(row, column)`, which must be coupled.
+    pub fn pair_number(&self, row: usize, column: usize) -> usize {
+        let place = self.pairs[column].partition_point(|p| p.row < row);
+        self.first_pair[column] + place
+    }
+
+    /// Position of the first value of `pair` in column `component` of node `column` at point `k`.
+    pub fn pair_value(&self, column: usize, pair: &NodePair, k: usize, component: usize) -> usize {
+        let group = &self.nodes[column];
+        group.first_value + (6 * k + component) * group.length + pair.offset
+    }
+
+    /// Position of an element's first constraint row in column `component` of its local node at `k`.
+    pub fn constraint_value(
+        &self,
+        element: usize,
+        local: usize,
+        node: usize,
+        k: usize,
+        component: usize,
+    ) -> usize {
+        let group = &self.nodes[node];
+        group.first_value
+            + (6 * k + component) * group.length
+            + self.constraint_offsets[element][local]
+    }
+
+    /// Position of a local node's first row in the column of an element's multiplier `row` of `count`.
+    pub fn force_value(
+        &self,
+        element: usize,
+        local: usize,
+        k: usize,
+        row: usize,
+        count: usize,
+    ) -> usize {
+        let group = &self.multipliers[element];
+        group.first_value + (count * k + row) * group.length + self.force_offsets[element][local]
+    }
+}

@@ -1,0 +1,337 @@
+//! Residual and Jacobian of the governing equations at all grid points, eq. (37).
+
+use super::kinematics::NodeKinematics;
+use super::pattern::Pattern;
+use super::state::GridState;
+use crate::elements::NodeState;
+use crate::error::Result;
+use crate::fourier::{Differentiation, TimeGrid};
+use crate::motion::DualMatrix;
+use crate::system::{Conditions, System, Workspace};
+use nalgebra::{Matrix3, Matrix6};
+use std::sync::Arc;
+
+/// The equations of a system on a grid, scaled so that they do not depend on units.
+///
+/// Rows of forces are divided by the characteristic force (moments also by the length), those of
+/// constrained lengths by the length. Unknown displacements are in units of the length, multipliers in
+/// units of the force, or the force times the length.
+#[derive(Debug, Clone)]
+pub struct Collocation {
+    system: Arc<System>,
+    grid: TimeGrid,
+    operators: Differentiation,
+    /// Signal `s` at grid point `k`, at `k × count + s`.
+    signals: Vec<f64>,
+    inertia_factor: f64,
+    kinematics: Vec<NodeKinematics>,
+    states: Vec<NodeState>,
+    forces_only: Workspace,
+    with_tangents: Workspace,
+    /// Scale of each row: residuals are multiplied by it.
+    row_scale: Vec<f64>,
+    /// Scale of each column: scaled unknowns times it are the unknowns.
+    column_scale: Vec<f64>,
+}
+
+/// Tangents summed over the elements, for each pair of nodes and grid point.
+#[derive(Debug, Clone, Default)]
+pub struct TangentBlocks {
+    stiffness: Vec<Matrix6<f64>>,
+    damping: Vec<Matrix6<f64>>,
+    mass: Vec<Matrix6<f64>>,
+    gammas: Vec<(DualMatrix, DualMatrix)>,
+}
+
+impl Collocation {
+    /// Equations of `system` on `grid`, whose first point is at time zero.
+    pub fn new(system: Arc<System>, grid: TimeGrid) -> Result<Self> {
+        let points = grid.points();
+        let scales = *system.scales();
+        let (length, force) = (scales.length, scales.force);
+        let mut row_scale = Vec::new();
+        let mut column_scale = Vec::new();
+        for _ in 0..system.nodes() * points {
+            row_scale.extend([1.0 / force; 3]);
+            row_scale.extend([1.0 / (force * length); 3]);
+            column_scale.extend([length; 3]);
+            column_scale.extend([1.0; 3]);
+        }
+        for placed in system.elements() {
+            let count = placed.element.multipliers();
+            for _ in 0..points {
+                for row in 0..count {
+                    let is_length = system.constrains_length(placed.first_multiplier + row);
+                    row_scale.push(if is_length { 1.0 / length } else { 1.0 });
+                    column_scale.push(if is_length { force } else { force * length });
+                }
+            }
+        }
+        let mut collocation = Collocation {
+            operators: Differentiation::new(grid),
+            signals: vec![0.0; system.signals() * points],
+            inertia_factor: 1.0,
+            kinematics: vec![NodeKinematics::default(); system.nodes()],
+            states: Vec::new(),
+            forces_only: system.workspace(false),
+            with_tangents: system.workspace(true),
+            row_scale,
+            column_scale,
+            system,
+            grid,
+        };
+        collocation.set_conditions(0.0, 1.0)?;
+        Ok(collocation)
+    }
+
+    /// The system.
+    pub fn system(&self) -> &Arc<System> {
+        &self.system
+    }
+
+    /// The grid.
+    pub fn grid(&self) -> TimeGrid {
+        self.grid
+    }
+
+    /// Number of unknowns.
+    pub fn size(&self) -> usize {
+        self.row_scale.len()
+    }
+
+    /// Scale of each unknown: scaled unknowns times it are the unknowns.
+    pub fn column_scale(&self) -> &[f64] {
+        &self.column_scale
+    }
+
+    /// Moves the grid's first point to time `start`, with the fraction `load_factor` of all loads and
+    /// prescribed motions.
+    pub fn set_conditions(&mut self, start: f64, load_factor: f64) -> Result<()> {
+        let count = self.system.signals();
+        for k in 0..self.grid.points() {
+            let values = &mut self.signals[k * count..][..count];
+            self.system
+                .signal_values(start + self.grid.time(k), load_factor, values)?;
+        }
+        Ok(())
+    }
+
+    /// Takes only this fraction of the inertial forces.
+    pub fn set_inertia_factor(&mut self, factor: f64) {
+        self.inertia_factor = factor;
+    }
+
+    fn update_kinematics(&mut self, state: &GridState) {
+        let points = self.grid.points();
+        self.states.clear();
+        for (node, kinematics) in self.kinematics.iter_mut().enumerate() {
+            let motions = state.node(node);
+            kinematics.evaluate(&mut self.operators, motions);
+            for k in 0..points {
+                self.states.push(NodeState {
+                    motion: motions[k],
+                    twist: kinematics.velocity(k).to_twist(),
+                    twist_rate: kinematics.acceleration(k).to_twist(),
+                });
+            }
+        }
+    }
+
+    /// Node states over the grid, node by node, as of the last evaluation.
+    pub fn node_states(&self) -> &[NodeState] {
+        &self.states
+    }
+
+    /// Writes the scaled residual.
+    pub fn residual(&mut self, state: &GridState, out: &mut [f64]) -> Result<()> {
+        self.update_kinematics(state);
+        let points = self.grid.points();
+        let signal_count = self.system.signals();
+        out.fill(0.0);
+        let first_constraint = 6 * points * self.system.nodes();
+        for placed in self.system.elements() {
+            let count = placed.element.multipliers();
+            for k in 0..points {
+                let contribution = self.system.evaluate(
+                    placed,
+                    |node| self.states[node * points + k],
+                    &Conditions {
+                        signals: &self.signals[k * signal_count..][..signal_count],
+                        coordinates: state.tracked(&self.system, k),
+                        inertia_factor: self.inertia_factor,
+                    },
+                    state.multipliers_of(placed, k),
+                    &mut self.forces_only,
+                )?;
+                for (local, &node) in placed.element.nodes().iter().enumerate() {
+                    let rows = &mut out[6 * (node * points + k)..][..6];
+                    for (row, force) in rows
+                        .iter_mut()
+                        .zip(contribution.force.rows(6 * local, 6).iter())
+                    {
+                        *row += force;
+                    }
+                }
+                let first = first_constraint + placed.first_multiplier * points + count * k;
+                out[first..first + count].copy_from_slice(contribution.constraint.as_slice());
+            }
+        }
+        for (value, scale) in out.iter_mut().zip(&self.row_scale) {
+            *value *= scale;
+        }
+        Ok(())
+    }
+
+    /// Writes the values of the scaled Jacobian at `state`, in the order of `pattern`.
+    pub fn jacobian(
+        &mut self,
+        state: &GridState,
+        pattern: &Pattern,
+        blocks: &mut TangentBlocks,
+        values: &mut [f64],
+    ) -> Result<()> {
+        self.update_kinematics(state);
+        values.fill(0.0);
+        self.sum_elements(state, pattern, blocks, values)?;
+        for node in 0..self.system.nodes() {
+            self.write_node_columns(node, pattern, blocks, values);
+        }
+        let scaled_columns = pattern.column_pointers().windows(2).zip(&self.column_scale);
+        for (range, column_scale) in scaled_columns {
+            for at in range[0]..range[1] {
+                values[at] *= column_scale * self.row_scale[pattern.row_indices()[at]];
+            }
+        }
+        Ok(())
+    }
+
+    /// Sums tangents over the elements; writes those of constraints straight into `values`.
+    fn sum_elements(
+        &mut self,
+        state: &GridState,
+        pattern: &Pattern,
+        blocks: &mut TangentBlocks,
+        values: &mut [f64],
+    ) -> Result<()> {
+        let points = self.grid.points();
+        let signal_count = self.system.signals();
+        let block_count = pattern.pair_count() * points;
+        for list in [&mut blocks.stiffness, &mut blocks.damping, &mut blocks.mass] {
+            list.clear();
+            list.resize(block_count, Matrix6::zeros());
+        }
+        for (index, placed) in self.system.elements().iter().enumerate() {
+            let nodes = placed.element.nodes();
+            let count = placed.element.multipliers();
+            let (has_mass, has_damping) = (placed.element.has_mass(), placed.element.has_damping());
+            for k in 0..points {
+                let contribution = self.system.evaluate(
+                    placed,
+                    |node| self.states[node * points + k],
+                    &Conditions {
+                        signals: &self.signals[k * signal_count..][..signal_count],
+                        coordinates: state.tracked(&self.system, k),
+                        inertia_factor: self.inertia_factor,
+                    },
+                    state.multipliers_of(placed, k),
+                    &mut self.with_tangents,
+                )?;
+                for (a, &row) in nodes.iter().enumerate() {
+                    for (b, &column) in nodes.iter().enumerate() {
+                        let at = pattern.pair_number(row, column) * points + k;
+                        let (i, j) = (6 * a, 6 * b);
+                        blocks.stiffness[at] += contribution.stiffness.fixed_view::<6, 6>(i, j);
+                        if has_damping {
+                            blocks.damping[at] += contribution.damping.fixed_view::<6, 6>(i, j);
+                        }
+                        if has_mass {
+                            blocks.mass[at] += contribution.mass.fixed_view::<6, 6>(i, j);
+                        }
+                    }
+                }
+                if count == 0 {
+                    continue;
+                }
+                for (local, &node) in nodes.iter().enumerate() {
+                    for component in 0..6 {
+                        let column = contribution.gradient.column(6 * local + component);
+                        let first = pattern.constraint_value(index, local, node, k, component);
+                        values[first..first + count].copy_from_slice(column.as_slice());
+                    }
+                    for row in 0..count {
+                        let first = pattern.force_value(index, local, k, row, count);
+                        for component in 0..6 {
+                            values[first + component] =
+                                contribution.gradient[(row, 6 * local + component)];
+                        }
+                    }
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// Writes the columns of one node: `M Γ_a + C Γ_v`, and `K` on the diagonal in time.
+    fn write_node_columns(
+        &self,
+        column: usize,
+        pattern: &Pattern,
+        blocks: &mut TangentBlocks,
+        values: &mut [f64],
+    ) {
+        let points = self.grid.points();
+        let kinematics = &self.kinematics[column];
+        let any_dense = pattern.pairs(column).any(|(_, pair)| pair.dense);
+        if any_dense {
+            blocks.gammas.clear();
+            for k in 0..points {
+                for l in 0..points {
+                    blocks
+                        .gammas
+                        .push(kinematics.tangent(&self.operators, l, k));
+                }
+            }
+        }
+        for (number, pair) in pattern.pairs(column) {
+            for k in 0..points {
+                let at = number * points;
+                if pair.dense {
+                    for l in 0..points {
+                        let (gamma_v, gamma_a) = &blocks.gammas[k * points + l];
+                        let mut block = times_twist_matrix(&blocks.mass[at + l], gamma_a);
+                        block += times_twist_matrix(&blocks.damping[at + l], gamma_v);
+                        if l == k {
+                            block += blocks.stiffness[at + l];
+                        }
+                        for component in 0..6 {
+                            let first = pattern.pair_value(column, pair, k, component) + 6 * l;
+                            values[first..first + 6]
+                                .copy_from_slice(block.column(component).as_slice());
+                        }
+                    }
+                } else {
+                    let block = &blocks.stiffness[at + k];
+                    for component in 0..6 {
+                        let first = pattern.pair_value(column, pair, k, component);
+                        values[first..first + 6]
+                            .copy_from_slice(block.column(component).as_slice());
+                    }
+                }
+            }
+        }
+    }
+}
+
+/// `m [P D; 0 P]`, sparing the zeros.
+#[inline]
+fn times_twist_matrix(m: &Matrix6<f64>, gamma: &DualMatrix) -> Matrix6<f64> {
+    let left = m.fixed_columns::<3>(0);
+    let right = m.fixed_columns::<3>(3);
+    let (p, d): (&Matrix3<f64>, &Matrix3<f64>) = (&gamma.primal, &gamma.dual);
+    let mut product = Matrix6::zeros();
+    product.fixed_columns_mut::<3>(0).copy_from(&(left * p));
+    product
+        .fixed_columns_mut::<3>(3)
+        .copy_from(&(left * d + right * p));
+    product
+}

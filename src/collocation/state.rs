@@ -1,0 +1,112 @@
+//! The unknowns at all grid points.
+
+use crate::elements::NodeState;
+use crate::fourier::TimeGrid;
+use crate::motion::Motion;
+use crate::system::{Placed, System};
+
+/// Motions of all nodes and multipliers of all joints over the grid.
+///
+/// For `n` nodes and `N` grid points the unknowns are, in order: for each node and grid point the six
+/// increments of its motion, then, for each element with `m` multipliers and each grid point, those.
+#[derive(Debug, Clone, PartialEq)]
+pub struct GridState {
+    points: usize,
+    /// Motion of node `a` at grid point `k`, at `a N + k`.
+    pub motions: Vec<Motion>,
+    /// Multipliers, in the order of the unknowns.
+    pub multipliers: Vec<f64>,
+    /// Tracked coordinate `c` at grid point `k`, at `k × count + c`.
+    pub coordinates: Vec<f64>,
+}
+
+impl GridState {
+    /// All nodes at rest in their reference motions.
+    pub fn reference(system: &System, grid: TimeGrid) -> Self {
+        let points = grid.points();
+        let mut state = GridState {
+            points,
+            motions: system
+                .reference()
+                .iter()
+                .flat_map(|m| std::iter::repeat_n(*m, points))
+                .collect(),
+            multipliers: vec![0.0; system.multipliers() * points],
+            coordinates: vec![0.0; system.tracked() * points],
+        };
+        state.track(system);
+        state
+    }
+
+    /// Number of grid points.
+    pub fn points(&self) -> usize {
+        self.points
+    }
+
+    /// Motions of one node over the grid.
+    pub fn node(&self, node: usize) -> &[Motion] {
+        &self.motions[node * self.points..][..self.points]
+    }
+
+    /// Tracked coordinates at grid point `k`.
+    pub fn tracked(&self, system: &System, k: usize) -> &[f64] {
+        let count = system.tracked();
+        &self.coordinates[k * count..][..count]
+    }
+
+    /// Multipliers of an element at grid point `k`.
+    pub fn multipliers_of(&self, placed: &Placed, k: usize) -> &[f64] {
+        &self.multipliers[self.first_multiplier(placed, k)..][..placed.element.multipliers()]
+    }
+
+    /// Multipliers of an element at grid point `k`, to be changed.
+    pub fn multipliers_of_mut(&mut self, placed: &Placed, k: usize) -> &mut [f64] {
+        let first = self.first_multiplier(placed, k);
+        &mut self.multipliers[first..][..placed.element.multipliers()]
+    }
+
+    fn first_multiplier(&self, placed: &Placed, k: usize) -> usize {
+        placed.first_multiplier * self.points + placed.element.multipliers() * k
+    }
+
+    /// Writes all unknowns of grid point `k` from another state's grid point `from`.
+    pub fn copy_point(&mut self, system: &System, k: usize, other: &GridState, from: usize) {
+        for node in 0..system.nodes() {
+            self.motions[node * self.points + k] = other.motions[node * other.points + from];
+        }
+        for placed in system.elements() {
+            self.multipliers_of_mut(placed, k)
+                .copy_from_slice(other.multipliers_of(placed, from));
+        }
+        let count = system.tracked();
+        self.coordinates[k * count..][..count].copy_from_slice(other.tracked(system, from));
+    }
+
+    /// Follows the tracked coordinates to the present motions.
+    pub fn track(&mut self, system: &System) {
+        let count = system.tracked();
+        for k in 0..self.points {
+            let motions = &self.motions;
+            let points = self.points;
+            system.track(
+                |node| NodeState::at_rest(motions[node * points + k]),
+                &mut self.coordinates[k * count..][..count],
+            );
+        }
+    }
+
+    /// The state after the fraction `step` of a Newton increment of all unknowns.
+    pub fn incremented(&self, system: &System, increment: &[f64], step: f64) -> Self {
+        let mut next = self.clone();
+        let (motions, multipliers) = increment.split_at(6 * self.motions.len());
+        for (motion, u) in next.motions.iter_mut().zip(motions.chunks_exact(6)) {
+            let u = nalgebra::Vector6::from_column_slice(u) * step;
+            *motion = motion.increment(&u).renormalised();
+        }
+        for (multiplier, change) in next.multipliers.iter_mut().zip(multipliers) {
+            *multiplier += step * change;
+        }
+        next.track(system);
+        next
+    }
+}

@@ -1,0 +1,403 @@
+//! Building a model: one validated call for each thing it has.
+
+use super::{JointCoordinate, LoadDefinition, Model, Signal, SpringDefinition};
+use crate::elements::{
+    Attachment, Beam, Coordinate, Inertia, Joint, JointKind, LoadFrame, Section, lobatto_points,
+};
+use crate::error::{Error, ErrorKind, Result, require_finite};
+use crate::motion::{Motion, is_rotation};
+use nalgebra::{Matrix3, Matrix6, Vector3};
+
+/// How far `RᵀR` may be from the identity: input written with 9 digits passes, and is then cleaned.
+const ROTATION_TOLERANCE: f64 = 1e-8;
+
+/// Cross-section matrices as the user gives them, to be checked.
+#[derive(Debug, Clone, Copy)]
+pub struct SectionInput {
+    /// Stiffness, symmetric and positive definite.
+    pub stiffness: Matrix6<f64>,
+    /// Mass, symmetric and positive semi-definite.
+    pub mass: Matrix6<f64>,
+    /// Damping, symmetric and positive semi-definite.
+    pub damping: Matrix6<f64>,
+}
+
+/// What a meshed beam consists of: its nodes and elements, in order and numbered consecutively.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct BeamIds {
+    /// Node at the start.
+    pub first_node: usize,
+    /// Node at the end.
+    pub last_node: usize,
+    /// First element.
+    pub first_element: usize,
+    /// Number of elements.
+    pub elements: usize,
+}
+
+fn require_symmetric(name: &str, m: &Matrix6<f64>) -> Result<()> {
+    require_finite(name, m.as_slice())?;
+    let asymmetry = (m - m.transpose()).amax();
+    if asymmetry > 1e-9 * m.amax() {
+        return Err(Error::value(
+            name,
+            "a symmetric 6×6 matrix",
+            format!("entries that differ from their mirror by up to {asymmetry:.3e}"),
+        ));
+    }
+    Ok(())
+}
+
+/// Smallest eigenvalue after scaling to a unit diagonal, so that it does not depend on units.
+fn smallest_scaled_eigenvalue(m: &Matrix6<f64>) -> f64 {
+    let scale = m
+        .diagonal()
+        .map(|d| if d > 0.0 { 1.0 / d.sqrt() } else { 1.0 });
+    let scale = Matrix6::from_diagonal(&scale);
+    // A zero or negative diagonal shows in the eigenvalues as it is.
+    (scale * m * scale).symmetric_eigenvalues().min()
+}
+
+fn require_positive(name: &str, m: &Matrix6<f64>, definite: bool) -> Result<Matrix6<f64>> {
+    require_symmetric(name, m)?;
+    let smallest = smallest_scaled_eigenvalue(m);
+    let (wrong, expected) = if definite {
+        (smallest <= 1e-14, "a positive-definite matrix")
+    } else {
+        (smallest < -1e-9, "a positive semi-definite matrix")
+    };
+    if wrong {
+        let got = format!("one with the scaled eigenvalue {smallest:.3e}");
+        return Err(Error::value(name, expected, got));
+    }
+    Ok(0.5 * (m + m.transpose()))
+}
+
+impl SectionInput {
+    fn validated(&self) -> Result<Section> {
+        Ok(Section {
+            stiffness: require_positive("section stiffness", &self.stiffness, true)?,
+            mass: require_positive("section mass", &self.mass, false)?,
+            damping: require_positive("section damping", &self.damping, false)?,
+        })
+    }
+}
+
+/// Checks a rotation matrix and removes the rounding of its input.
+fn require_rotation(name: &str, r: &Matrix3<f64>) -> Result<Matrix3<f64>> {
+    require_finite(name, r.as_slice())?;
+    if !is_rotation(r, ROTATION_TOLERANCE) {
+        let got = format!(
+            "RᵀR off the identity by {:.3e}, determinant {:.6}",
+            (r.transpose() * r - Matrix3::identity()).amax(),
+            r.determinant()
+        );
+        return Err(Error::value(name, "a rotation matrix", got));
+    }
+    Ok(crate::motion::polar_rotation(r))
+}
+
+/// Checks a motion and removes the rounding of its rotation.
+fn require_motion(name: &str, motion: &Motion) -> Result<Motion> {
+    require_finite(&format!("{name} position"), motion.position.as_slice())?;
+    let rotation = require_rotation(&format!("{name} rotation"), &motion.rotation)?;
+    Ok(Motion::new(rotation, motion.position))
+}
+
+impl Model {
+    pub(crate) fn require_node(&self, name: &str, node: usize) -> Result<()> {
+        if node < self.nodes.len() {
+            return Ok(());
+        }
+        let message = format!(
+            "{name}: expected a node id below {}, got {node}",
+            self.nodes.len()
+        );
+        Err(Error::new(ErrorKind::Identifier, message))
+    }
+
+    pub(crate) fn require_joint(&self, name: &str, joint: usize) -> Result<&Joint> {
+        self.joints.get(joint).ok_or_else(|| {
+            let count = self.joints.len();
+            let message = format!("{name}: expected a joint id below {count}, got {joint}");
+            Error::new(ErrorKind::Identifier, message)
+        })
+    }
+
+    fn require_coordinate(&self, at: &JointCoordinate) -> Result<()> {
+        let kind = self.require_joint("joint", at.joint)?.kind();
+        if kind.coordinates().contains(&at.coordinate) {
+            return Ok(());
+        }
+        let message = format!(
+            "coordinate: a {} joint has the coordinates {:?}, got {:?}",
+            kind.name(),
+            kind.coordinates(),
+            at.coordinate
+        );
+        Err(Error::new(ErrorKind::NotAvailable, message))
+    }
+
+    /// Adds a node at a reference motion; returns its id.
+    pub fn add_node(&mut self, reference: &Motion) -> Result<usize> {
+        let reference = require_motion("node", reference)?;
+        self.nodes.push(reference);
+        Ok(self.nodes.len() - 1)
+    }
+
+    /// Gives `node` the inertia of a rigid body: `inertia`, 6×6, is about and resolved in the frame at
+    /// `offset` from the node.
+    pub fn add_rigid_body(
+        &mut self,
+        node: usize,
+        offset: &Motion,
+        inertia: &Matrix6<f64>,
+    ) -> Result<()> {
+        self.require_node("node", node)?;
+        let offset = require_motion("offset", offset)?;
+        let inertia = require_positive("inertia", inertia, false)?;
+        self.inertias
+            .push(Inertia::rigid_body(node, &offset, &inertia));
+        Ok(())
+    }
+
+    /// Adds one beam element over existing nodes, given in order along the beam and placed at its
+    /// Gauss–Lobatto points; axis 1 of each node's frame is along the beam. Returns its id.
+    pub fn add_beam_element(&mut self, nodes: &[usize], section: &SectionInput) -> Result<usize> {
+        for (i, &node) in nodes.iter().enumerate() {
+            self.require_node("nodes", node)?;
+            if nodes[..i].contains(&node) {
+                return Err(Error::value(
+                    "nodes",
+                    "distinct nodes",
+                    format!("node {node} twice"),
+                ));
+            }
+        }
+        let section = section.validated()?;
+        let reference = nodes.iter().map(|&n| self.nodes[n]).collect();
+        let beam = Beam::new(nodes.to_vec(), reference, section)?;
+        if section.mass != Matrix6::zeros() {
+            self.inertias.push(beam.inertia()?);
+        }
+        self.beams.push(beam);
+        Ok(self.beams.len() - 1)
+    }
+
+    /// Meshes a straight beam from `start` to `end` with `elements` elements of polynomial degree
+    /// `degree` (nodes of an element, less one). Axis 2 of the section is along the part of `axis_2`
+    /// that is perpendicular to the beam.
+    pub fn add_straight_beam(
+        &mut self,
+        start: &Vector3<f64>,
+        end: &Vector3<f64>,
+        axis_2: &Vector3<f64>,
+        section: &SectionInput,
+        elements: usize,
+        degree: usize,
+    ) -> Result<BeamIds> {
+        require_finite("start", start.as_slice())?;
+        require_finite("end", end.as_slice())?;
+        require_finite("axis_2", axis_2.as_slice())?;
+        section.validated()?;
+        const MOST: usize = 1_000_000;
+        if !(1..=MOST).contains(&elements) {
+            return Err(Error::size("elements", format!("1 to {MOST}"), elements));
+        }
+        if !(1..=24).contains(&degree) {
+            return Err(Error::size("degree", "1 to 24", degree));
+        }
+        let span = end - start;
+        let size = start.amax().max(end.amax());
+        if span.norm() <= 1e-12 * size || span.norm() == 0.0 {
+            return Err(Error::value(
+                "end",
+                "a point away from start",
+                "the same point",
+            ));
+        }
+        let axis_1 = span.normalize();
+        let across = axis_2 - axis_1 * axis_1.dot(axis_2);
+        if across.norm() <= 1e-9 * axis_2.norm() {
+            return Err(Error::value(
+                "axis_2",
+                "a vector not along the beam",
+                axis_2.transpose(),
+            ));
+        }
+        let axis_2 = across.normalize();
+        let rotation = Matrix3::from_columns(&[axis_1, axis_2, axis_1.cross(&axis_2)]);
+
+        let before = (self.nodes.len(), self.beams.len(), self.inertias.len());
+        let mesh = |model: &mut Model| -> Result<BeamIds> {
+            let points = lobatto_points(degree + 1);
+            let first_node = model.add_node(&Motion::new(rotation, *start))?;
+            let mut previous = first_node;
+            for element in 0..elements {
+                let mut nodes = vec![previous];
+                for x in &points[1..] {
+                    let fraction = (element as f64 + 0.5 * (x + 1.0)) / elements as f64;
+                    nodes.push(model.add_node(&Motion::new(rotation, start + span * fraction))?);
+                }
+                model.add_beam_element(&nodes, section)?;
+                previous += degree;
+            }
+            Ok(BeamIds {
+                first_node,
+                last_node: previous,
+                first_element: before.1,
+                elements,
+            })
+        };
+        let ids = mesh(self);
+        if ids.is_err() {
+            self.nodes.truncate(before.0);
+            self.beams.truncate(before.1);
+            self.inertias.truncate(before.2);
+        }
+        ids
+    }
+
+    /// Adds a joint of `kind` between two frames, given by their reference motions in the inertial
+    /// frame and fixed to `first` and `second` (`None` is the ground). Returns its id.
+    pub fn add_joint(
+        &mut self,
+        kind: JointKind,
+        first: Option<usize>,
+        second: Option<usize>,
+        first_frame: &Motion,
+        second_frame: &Motion,
+    ) -> Result<usize> {
+        let mut attach = |name: &str, node: Option<usize>, frame: &Motion| -> Result<Attachment> {
+            let frame = require_motion(&format!("{name} frame"), frame)?;
+            let offset = match node {
+                None => frame,
+                Some(index) => {
+                    self.require_node(name, index)?;
+                    self.nodes[index].relative(&frame)
+                }
+            };
+            Ok(Attachment { node, offset })
+        };
+        let pair = (
+            attach("first", first, first_frame)?,
+            attach("second", second, second_frame)?,
+        );
+        if first == second {
+            let got = first.map_or("the ground twice".into(), |n| format!("node {n} twice"));
+            return Err(Error::value("first, second", "two different bodies", got));
+        }
+        self.joints.push(Joint::new(kind, pair.0, pair.1));
+        Ok(self.joints.len() - 1)
+    }
+
+    /// Adds a linear spring-damper on a joint coordinate.
+    pub fn add_spring_damper(&mut self, spring: SpringDefinition) -> Result<()> {
+        self.require_coordinate(&spring.at)?;
+        require_finite("stiffness", &[spring.stiffness])?;
+        require_finite("damping", &[spring.damping])?;
+        require_finite("rest", &[spring.rest])?;
+        self.springs.push(spring);
+        Ok(())
+    }
+
+    /// Makes a joint coordinate follow a signal.
+    pub fn prescribe(&mut self, at: JointCoordinate, signal: &Signal) -> Result<()> {
+        self.require_coordinate(&at)?;
+        if self.prescribed.iter().any(|(other, _)| *other == at) {
+            let got = format!("{:?} of joint {} again", at.coordinate, at.joint);
+            return Err(Error::value(
+                "coordinate",
+                "one that is not prescribed yet",
+                got,
+            ));
+        }
+        self.prescribed.push((at, signal.clone()));
+        Ok(())
+    }
+
+    /// Whether a joint coordinate is prescribed; its place among the prescribed ones.
+    pub(crate) fn prescribed_index(&self, at: &JointCoordinate) -> Option<usize> {
+        self.prescribed.iter().position(|(other, _)| other == at)
+    }
+
+    /// Adds a force and moment on a node.
+    pub fn add_load(
+        &mut self,
+        node: usize,
+        frame: LoadFrame,
+        components: [Option<Signal>; 6],
+    ) -> Result<()> {
+        self.require_node("node", node)?;
+        self.loads.push(LoadDefinition {
+            node,
+            frame,
+            components,
+        });
+        Ok(())
+    }
+
+    /// Sets the acceleration of gravity, in the inertial frame.
+    pub fn set_gravity(&mut self, acceleration: [Signal; 3]) {
+        self.gravity = Some(acceleration);
+    }
+
+    /// Frame of a joint at `point` with axis 3 along `axis`.
+    pub fn frame_at(name: &str, point: &Vector3<f64>, axis: &Vector3<f64>) -> Result<Motion> {
+        require_finite("point", point.as_slice())?;
+        require_finite(name, axis.as_slice())?;
+        if axis.norm() < f64::MIN_POSITIVE.sqrt() {
+            return Err(Error::value(
+                name,
+                "a vector that is not zero",
+                axis.transpose(),
+            ));
+        }
+        Ok(Motion::new(crate::motion::frame_from_axis(axis), *point))
+    }
+
+    /// Frame of a universal joint at `point`: axis 1 along the arm fixed to the first body, axis 2
+    /// along the arm fixed to the second.
+    pub fn cross_frame(
+        point: &Vector3<f64>,
+        first_arm: &Vector3<f64>,
+        second_arm: &Vector3<f64>,
+    ) -> Result<Motion> {
+        let e1 = Self::frame_at("first_arm", point, first_arm)?
+            .rotation
+            .column(2)
+            .into_owned();
+        let e2 = Self::frame_at("second_arm", point, second_arm)?
+            .rotation
+            .column(2)
+            .into_owned();
+        let cosine = e1.dot(&e2);
+        if cosine.abs() > 1e-8 {
+            return Err(Error::value(
+                "first_arm, second_arm",
+                "perpendicular arms",
+                format!("arms at {:.6} degrees", cosine.acos().to_degrees()),
+            ));
+        }
+        let e3 = e1.cross(&e2).normalize();
+        Ok(Motion::new(
+            Matrix3::from_columns(&[e1, e3.cross(&e1), e3]),
+            *point,
+        ))
+    }
+
+    /// Joint coordinate `which` of `joint` in the reference configuration.
+    pub(crate) fn reference_coordinate(&self, joint: usize, which: Coordinate) -> f64 {
+        use crate::elements::{Element, NodeState};
+        let joint = &self.joints[joint];
+        let states: Vec<NodeState> = joint
+            .nodes()
+            .iter()
+            .map(|&n| NodeState::at_rest(self.nodes[n]))
+            .collect();
+        joint
+            .kind()
+            .coordinate(which, &joint.relative_motion(&states))
+            .value
+    }
+}

@@ -1,0 +1,86 @@
+//! What the user describes: nodes, bodies, beams, joints, springs, loads and signals.
+//!
+//! Everything is described in its reference configuration, in the inertial frame. Each call
+//! validates its arguments and leaves the model as it was if they are refused.
+
+mod build;
+mod signal;
+
+pub use build::{BeamIds, SectionInput};
+pub use signal::{BoundSignal, Signal};
+
+use crate::elements::{Beam, Coordinate, Inertia, Joint, LoadFrame};
+use crate::motion::Motion;
+
+/// A joint coordinate of a model.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct JointCoordinate {
+    /// Index of the joint.
+    pub joint: usize,
+    /// Which of its coordinates.
+    pub coordinate: Coordinate,
+}
+
+/// Linear spring-damper on a joint coordinate.
+#[derive(Debug, Clone, Copy)]
+pub struct SpringDefinition {
+    /// Where it acts.
+    pub at: JointCoordinate,
+    /// Effort for a unit of the coordinate.
+    pub stiffness: f64,
+    /// Effort for a unit rate of the coordinate.
+    pub damping: f64,
+    /// Coordinate at which the spring is free of effort.
+    pub rest: f64,
+}
+
+/// Force and moment on a node.
+#[derive(Debug, Clone)]
+pub struct LoadDefinition {
+    /// Node.
+    pub node: usize,
+    /// How the components are directed.
+    pub frame: LoadFrame,
+    /// Components `[force; moment]`.
+    pub components: [Option<Signal>; 6],
+}
+
+/// A mechanism in its reference configuration.
+#[derive(Debug, Clone, Default)]
+pub struct Model {
+    pub(crate) nodes: Vec<Motion>,
+    pub(crate) beams: Vec<Beam>,
+    pub(crate) inertias: Vec<Inertia>,
+    pub(crate) joints: Vec<Joint>,
+    pub(crate) springs: Vec<SpringDefinition>,
+    pub(crate) prescribed: Vec<(JointCoordinate, Signal)>,
+    pub(crate) loads: Vec<LoadDefinition>,
+    pub(crate) gravity: Option<[Signal; 3]>,
+}
+
+impl Model {
+    /// An empty model.
+    pub fn new() -> Self {
+        Self::default()
+    }
+
+    /// Number of nodes.
+    pub fn node_count(&self) -> usize {
+        self.nodes.len()
+    }
+
+    /// Number of joints.
+    pub fn joint_count(&self) -> usize {
+        self.joints.len()
+    }
+
+    /// Number of beam elements.
+    pub fn beam_element_count(&self) -> usize {
+        self.beams.len()
+    }
+
+    /// Reference motion of a node.
+    pub fn node(&self, node: usize) -> Option<&Motion> {
+        self.nodes.get(node)
+    }
+}

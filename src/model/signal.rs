@@ -1,0 +1,159 @@
+//! Signals: scalar functions of time that drive loads and prescribed motions.
+
+use crate::error::{Error, ErrorKind, Result, require_finite};
+use crate::fourier::PeriodicSeries;
+use std::fmt;
+use std::sync::Arc;
+
+/// A user's function of time.
+pub type SignalFunction = Arc<dyn Fn(f64) -> Result<f64> + Send + Sync>;
+
+#[derive(Clone)]
+enum Shape {
+    Harmonics { cosines: Vec<f64>, sines: Vec<f64> },
+    Samples(Vec<f64>),
+    Function(SignalFunction),
+}
+
+/// A scalar function of time: mean, secular rate, and harmonics of the period, samples over the
+/// period, or a function.
+#[derive(Clone)]
+pub struct Signal {
+    mean: f64,
+    rate: f64,
+    shape: Shape,
+}
+
+impl fmt::Debug for Signal {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let shape = match &self.shape {
+            Shape::Harmonics { cosines, .. } => format!("{} harmonics", cosines.len()),
+            Shape::Samples(samples) => format!("{} samples", samples.len()),
+            Shape::Function(_) => "a function".into(),
+        };
+        write!(f, "Signal({} + {} t, {shape})", self.mean, self.rate)
+    }
+}
+
+impl Signal {
+    /// `mean + rate t + Σ_j (cosines[j−1] cos jΩt + sines[j−1] sin jΩt)`, with `Ω` of the solve's period.
+    pub fn harmonics(mean: f64, rate: f64, cosines: &[f64], sines: &[f64]) -> Result<Self> {
+        require_finite("mean", &[mean])?;
+        require_finite("rate", &[rate])?;
+        require_finite("cosines", cosines)?;
+        require_finite("sines", sines)?;
+        if cosines.len() != sines.len() {
+            let expected = format!("as many as cosines ({})", cosines.len());
+            return Err(Error::size("sines", expected, sines.len()));
+        }
+        let shape = Shape::Harmonics {
+            cosines: cosines.to_vec(),
+            sines: sines.to_vec(),
+        };
+        Ok(Signal { mean, rate, shape })
+    }
+
+    /// A constant.
+    pub fn constant(value: f64) -> Result<Self> {
+        Self::harmonics(value, 0.0, &[], &[])
+    }
+
+    /// `rate t` plus the trigonometric interpolation of `samples[k]` at `t = k T / n`.
+    pub fn samples(rate: f64, samples: &[f64]) -> Result<Self> {
+        require_finite("rate", &[rate])?;
+        require_finite("samples", samples)?;
+        if samples.is_empty() {
+            return Err(Error::size("samples", "at least one sample", 0));
+        }
+        Ok(Signal {
+            mean: 0.0,
+            rate,
+            shape: Shape::Samples(samples.to_vec()),
+        })
+    }
+
+    /// A function of time, called with times within one period.
+    pub fn function(function: SignalFunction) -> Self {
+        Signal {
+            mean: 0.0,
+            rate: 0.0,
+            shape: Shape::Function(function),
+        }
+    }
+
+    /// The signal over a given period.
+    pub fn bind(&self, period: f64) -> BoundSignal {
+        let series = |cosines: &[f64], sines: &[f64]| {
+            PeriodicSeries::new(
+                period,
+                self.mean,
+                self.rate,
+                cosines.to_vec(),
+                sines.to_vec(),
+            )
+        };
+        match &self.shape {
+            Shape::Harmonics { cosines, sines } => BoundSignal::Series(series(cosines, sines)),
+            Shape::Samples(samples) => {
+                BoundSignal::Series(PeriodicSeries::from_samples(period, samples, self.rate))
+            }
+            Shape::Function(function) => BoundSignal::Function {
+                function: function.clone(),
+                period,
+            },
+        }
+    }
+}
+
+/// A signal over a given period.
+#[derive(Clone)]
+pub enum BoundSignal {
+    /// Secular rate and harmonics.
+    Series(PeriodicSeries),
+    /// A user's function.
+    Function {
+        /// The function.
+        function: SignalFunction,
+        /// The period.
+        period: f64,
+    },
+}
+
+impl fmt::Debug for BoundSignal {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            BoundSignal::Series(series) => series.fmt(f),
+            BoundSignal::Function { .. } => f.write_str("a function"),
+        }
+    }
+}
+
+impl BoundSignal {
+    /// Value at `time`.
+    pub fn value(&self, time: f64) -> Result<f64> {
+        match self {
+            BoundSignal::Series(series) => Ok(series.value(time)),
+            BoundSignal::Function { function, .. } => {
+                let value = function(time)?;
+                if value.is_finite() {
+                    Ok(value)
+                } else {
+                    Err(Error::new(
+                        ErrorKind::Callback,
+                        format!(
+                            "signal callback: expected a finite number at t = {time}, got {value}"
+                        ),
+                    ))
+                }
+            }
+        }
+    }
+
+    /// Growth over one period.
+    pub fn growth(&self) -> Result<f64> {
+        match self {
+            BoundSignal::Series(series) => Ok(series.rate * series.period()),
+            BoundSignal::Function { period, .. } => Ok(self.value(*period)? - self.value(0.0)?),
+        }
+    }
+}

@@ -1,0 +1,145 @@
+//! Why a Jacobian is singular: what is free to move, and which constraints say the same thing twice.
+
+use super::direct::DirectSolver;
+use crate::collocation::{Collocation, GridState, Pattern};
+use crate::system::ElementRole;
+use nalgebra::Vector3;
+
+/// Explains the singularity of the Jacobian `values` at `state`, by a vector of its null space.
+///
+/// A null vector that moves nodes is a freedom that nothing resists; one of multipliers alone is a set
+/// of constraints that are redundant.
+pub(super) fn diagnose(
+    equations: &Collocation,
+    pattern: &Pattern,
+    values: &[f64],
+    state: &GridState,
+    solver: &mut DirectSolver,
+) -> String {
+    let Some(vector) = null_vector(equations, pattern, values, solver) else {
+        return "the Jacobian is singular: some node has no inertia, stiffness or constraint"
+            .into();
+    };
+    let system = equations.system();
+    let points = equations.grid().points();
+    let motions = 6 * points * system.nodes();
+    let largest = |part: &[f64]| part.iter().fold(0.0f64, |m, x| m.max(x.abs()));
+    let moving = largest(&vector[..motions]);
+    if moving > 1e-6 * largest(&vector) {
+        describe_freedom(&vector[..motions], moving, points, state)
+    } else {
+        describe_redundancy(equations, &vector[motions..])
+    }
+}
+
+/// A unit vector near the null space, by inverse iteration on a slightly disturbed matrix.
+fn null_vector(
+    equations: &Collocation,
+    pattern: &Pattern,
+    values: &[f64],
+    solver: &mut DirectSolver,
+) -> Option<Vec<f64>> {
+    let disturbance = |i: usize| 1e-12 * ((i as f64 * 0.754_877_666).fract() - 0.5);
+    // Absolute as well as relative, so that rows of zeros become regular too.
+    let disturbed: Vec<f64> = values
+        .iter()
+        .enumerate()
+        .map(|(i, v)| v * (1.0 + disturbance(i)) + 1e-3 * disturbance(7 * i + 3))
+        .collect();
+    if !solver.factor(pattern, &disturbed).ok()? {
+        return None;
+    }
+    let mut vector: Vec<f64> = (0..equations.size())
+        .map(|i| (i as f64 * 0.618_033_988_75).fract() - 0.3)
+        .collect();
+    for _ in 0..3 {
+        if !solver.solve(&mut vector) {
+            return None;
+        }
+        let size = vector.iter().fold(0.0f64, |m, x| m.max(x.abs()));
+        vector.iter_mut().for_each(|x| *x /= size);
+    }
+    Some(vector)
+}
+
+fn describe_freedom(motions: &[f64], largest: f64, points: usize, state: &GridState) -> String {
+    let nodes = motions.len() / (6 * points);
+    let part = |node: usize| &motions[6 * points * node..][..6 * points];
+    let size = |node: usize| part(node).iter().fold(0.0f64, |m, x| m.max(x.abs()));
+    let free: Vec<usize> = (0..nodes).filter(|&n| size(n) > 0.3 * largest).collect();
+    let worst = (0..nodes)
+        .max_by(|&a, &b| size(a).total_cmp(&size(b)))
+        .unwrap_or(0);
+    let k = (0..points)
+        .max_by(|&a, &b| {
+            let norm = |k: usize| part(worst)[6 * k..][..6].iter().map(|x| x * x).sum::<f64>();
+            norm(a).total_cmp(&norm(b))
+        })
+        .unwrap_or(0);
+    let u = &part(worst)[6 * k..][..6];
+    let rotation = state.node(worst)[k].rotation;
+    let linear = rotation * Vector3::new(u[0], u[1], u[2]);
+    let angular = rotation * Vector3::new(u[3], u[4], u[5]);
+    let how = if linear.amax() > angular.amax() {
+        format!("move along {}", direction(&linear))
+    } else {
+        format!("turn about {}", direction(&angular))
+    };
+    format!(
+        "{} free to move: nothing resists a motion in which node {worst} can {how}. \
+         Add a joint, a spring, a damper or inertia, or prescribe a coordinate",
+        list("node", "is", "are", &free)
+    )
+}
+
+fn describe_redundancy(equations: &Collocation, multipliers: &[f64]) -> String {
+    let system = equations.system();
+    let points = equations.grid().points();
+    let (mut joints, mut prescribed) = (Vec::new(), Vec::new());
+    for placed in system.elements() {
+        let count = placed.element.multipliers() * points;
+        let part = &multipliers[placed.first_multiplier * points..][..count];
+        if part.iter().any(|x| x.abs() > 0.05) {
+            match placed.role {
+                ElementRole::Joint(index) => joints.push(index),
+                ElementRole::Prescribed(index) => prescribed.push(index),
+                _ => {}
+            }
+        }
+    }
+    let mut what = Vec::new();
+    if !joints.is_empty() {
+        what.push(list("joint", "", "", &joints));
+    }
+    if !prescribed.is_empty() {
+        what.push(list("prescribed coordinate", "", "", &prescribed));
+    }
+    format!(
+        "over-constrained: the constraints of {} are redundant or locked. \
+         Use joints with fewer constraints, or make a member flexible",
+        what.join(" and ")
+    )
+}
+
+fn direction(v: &Vector3<f64>) -> String {
+    let v = v.normalize();
+    format!("({:.3}, {:.3}, {:.3})", v.x, v.y, v.z)
+}
+
+/// "node 3 is", or "nodes 3, 4, 5 and 2 more are".
+fn list(noun: &str, one: &str, many: &str, ids: &[usize]) -> String {
+    const MOST: usize = 6;
+    let names: Vec<String> = ids.iter().take(MOST).map(usize::to_string).collect();
+    let more = match ids.len().saturating_sub(MOST) {
+        0 => String::new(),
+        n => format!(" and {n} more"),
+    };
+    let (plural, verb) = if ids.len() == 1 {
+        ("", one)
+    } else {
+        ("s", many)
+    };
+    format!("{noun}{plural} {}{more} {verb}", names.join(", "))
+        .trim_end()
+        .to_string()
+}

@@ -1,0 +1,11 @@
+//! The periodic solve: initial guess, Newton with line search, direct linear solver, diagnostics.
+
+mod diagnosis;
+mod direct;
+mod guess;
+mod newton;
+mod periodic;
+
+pub use direct::DirectSolver;
+pub use newton::{Iteration, Newton, NewtonOptions, NewtonReport, Outcome, Timings};
+pub use periodic::{InitialGuess, PeriodicOptions, PeriodicSolve, Stage, solve_periodic};

@@ -1,0 +1,268 @@
+//! Newton's method with the exact tangent and a line search that does not depend on scaling.
+
+use super::diagnosis::diagnose;
+use super::direct::DirectSolver;
+use crate::collocation::{Collocation, GridState, Pattern, TangentBlocks};
+use crate::error::Result;
+use std::time::{Duration, Instant};
+
+/// How a solve ended. Only [`Outcome::Converged`] is a solution.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Outcome {
+    /// The last increment is below the tolerance.
+    Converged,
+    /// The iteration limit was reached.
+    IterationLimit,
+    /// No step along the Newton direction brings progress.
+    Stalled,
+    /// The Jacobian is singular: something is free to move, or over-constrained.
+    Singular,
+    /// The progress callback asked to stop.
+    Cancelled,
+    /// No initial guess could be found.
+    NoInitialGuess,
+}
+
+/// One iteration, as reported to the progress callback and kept in the history.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Iteration {
+    /// Number of the iteration, from 1.
+    pub number: usize,
+    /// Largest residual before the step: forces relative to the characteristic force, constraints
+    /// to the characteristic length.
+    pub residual: f64,
+    /// Largest increment of a motion: displacements relative to the characteristic length, turns in
+    /// radians.
+    pub increment: f64,
+    /// Fraction of the increment that was taken.
+    pub step: f64,
+}
+
+/// When to stop.
+#[derive(Debug, Clone, Copy)]
+pub struct NewtonOptions {
+    /// Largest increment of a converged solution.
+    pub tolerance: f64,
+    /// Most iterations.
+    pub iteration_limit: usize,
+}
+
+/// Time spent, by kind of work.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub struct Timings {
+    /// Elements and assembly: residuals and Jacobians.
+    pub assembly: Duration,
+    /// Symbolic analysis.
+    pub analysis: Duration,
+    /// Numeric factorisation.
+    pub factorisation: Duration,
+    /// Forward and backward substitution.
+    pub substitution: Duration,
+}
+
+/// Outcome and history of a Newton solve.
+#[derive(Debug, Clone)]
+pub struct NewtonReport {
+    /// How it ended.
+    pub outcome: Outcome,
+    /// All iterations.
+    pub iterations: Vec<Iteration>,
+    /// Why it ended so, where there is more to say.
+    pub explanation: String,
+}
+
+/// Shortest step of the line search.
+const SHORTEST_STEP: f64 = 1.0 / 256.0;
+/// Largest turn of a node in one step; beyond it the linearisation means little.
+const LARGEST_TURN: f64 = 1.0;
+/// Growth of the solution of a random right-hand side that means a singular matrix.
+const SINGULAR_GROWTH: f64 = 1e15;
+
+/// Newton solver for one system and grid; keeps everything that can be used again.
+#[derive(Debug)]
+pub struct Newton {
+    /// The equations.
+    pub equations: Collocation,
+    pattern: Pattern,
+    solver: DirectSolver,
+    blocks: TangentBlocks,
+    values: Vec<f64>,
+    /// Time spent since this object was made.
+    pub timings: Timings,
+}
+
+/// Adds the time of `work` to `total`.
+fn timed<T>(total: &mut Duration, work: impl FnOnce() -> T) -> T {
+    let start = Instant::now();
+    let result = work();
+    *total += start.elapsed();
+    result
+}
+
+impl Newton {
+    /// A solver for `equations`.
+    pub fn new(equations: Collocation) -> Result<Self> {
+        let mut timings = Timings::default();
+        let (pattern, solver) = timed(&mut timings.analysis, || {
+            let pattern = Pattern::new(equations.system(), equations.grid().points());
+            let solver = DirectSolver::new(&pattern);
+            (pattern, solver)
+        });
+        Ok(Newton {
+            values: vec![0.0; pattern.entries()],
+            solver: solver?,
+            blocks: TangentBlocks::default(),
+            pattern,
+            equations,
+            timings,
+        })
+    }
+
+    /// Largest motion increment in scaled unknowns.
+    fn motion_norm(&self, scaled: &[f64]) -> f64 {
+        let motions = 6 * self.equations.system().nodes() * self.equations.grid().points();
+        scaled[..motions]
+            .iter()
+            .fold(0.0, |m: f64, x| m.max(x.abs()))
+    }
+
+    fn largest_turn(&self, scaled: &[f64]) -> f64 {
+        let motions = 6 * self.equations.system().nodes() * self.equations.grid().points();
+        scaled[..motions]
+            .chunks_exact(6)
+            .flat_map(|u| &u[3..])
+            .fold(0.0, |m: f64, x| m.max(x.abs()))
+    }
+
+    /// Solves from `state`, which becomes the solution or the last iterate.
+    ///
+    /// `observe` sees each iteration and returns `false` to cancel.
+    ///
+    /// # Errors
+    /// If the equations cannot be evaluated at the start, or memory runs out.
+    pub fn solve(
+        &mut self,
+        state: &mut GridState,
+        options: &NewtonOptions,
+        observe: &mut dyn FnMut(&Iteration) -> bool,
+    ) -> Result<NewtonReport> {
+        let size = self.equations.size();
+        let mut residual = vec![0.0; size];
+        let mut trial_residual = vec![0.0; size];
+        let mut step_vector = vec![0.0; size];
+        let mut report = NewtonReport {
+            outcome: Outcome::IterationLimit,
+            iterations: Vec::new(),
+            explanation: String::new(),
+        };
+        timed(&mut self.timings.assembly, || {
+            self.equations.residual(state, &mut residual)
+        })?;
+        for number in 1..=options.iteration_limit {
+            timed(&mut self.timings.assembly, || {
+                self.equations
+                    .jacobian(state, &self.pattern, &mut self.blocks, &mut self.values)
+            })?;
+            let factored = timed(&mut self.timings.factorisation, || {
+                self.solver.factor(&self.pattern, &self.values)
+            })?;
+            step_vector
+                .iter_mut()
+                .zip(&residual)
+                .for_each(|(s, r)| *s = -r);
+            let solved = factored
+                && timed(&mut self.timings.substitution, || {
+                    self.solver.solve(&mut step_vector)
+                });
+            if !solved || (number == 1 && self.is_singular()) {
+                report.outcome = Outcome::Singular;
+                report.explanation = diagnose(
+                    &self.equations,
+                    &self.pattern,
+                    &self.values,
+                    state,
+                    &mut self.solver,
+                );
+                return Ok(report);
+            }
+            let increment = self.motion_norm(&step_vector);
+            let mut iteration = Iteration {
+                number,
+                residual: residual.iter().fold(0.0, |m, x| m.max(x.abs())),
+                increment,
+                step: 1.0,
+            };
+            let unscaled: Vec<f64> = step_vector
+                .iter()
+                .zip(self.equations.column_scale())
+                .map(|(x, s)| x * s)
+                .collect();
+            let system = self.equations.system().clone();
+            let converged = increment <= options.tolerance;
+
+            // Accept the longest step whose simplified Newton increment (same matrix, new residual)
+            // is shorter: natural monotonicity, blind to how the equations are scaled.
+            let turn = self.largest_turn(&step_vector);
+            let mut step = if turn > LARGEST_TURN {
+                LARGEST_TURN / turn
+            } else {
+                1.0
+            };
+            let accepted = loop {
+                let trial = state.incremented(&system, &unscaled, step);
+                let evaluated = timed(&mut self.timings.assembly, || {
+                    self.equations.residual(&trial, &mut trial_residual)
+                });
+                if evaluated.is_ok() && trial_residual.iter().all(|x| x.is_finite()) {
+                    if converged {
+                        break Some(trial);
+                    }
+                    step_vector.copy_from_slice(&trial_residual);
+                    let solved = timed(&mut self.timings.substitution, || {
+                        self.solver.solve(&mut step_vector)
+                    });
+                    let bound = ((1.0 - 0.25 * step) * increment).max(options.tolerance);
+                    if solved && self.motion_norm(&step_vector) <= bound {
+                        break Some(trial);
+                    }
+                }
+                step *= 0.5;
+                if step < SHORTEST_STEP {
+                    break None;
+                }
+            };
+            iteration.step = if accepted.is_some() { step } else { 0.0 };
+            report.iterations.push(iteration);
+            let keep_going = observe(&iteration);
+            let Some(trial) = accepted else {
+                report.outcome = Outcome::Stalled;
+                report.explanation = format!(
+                    "no step along the Newton direction brings progress; the last increment is {increment:.3e}"
+                );
+                return Ok(report);
+            };
+            *state = trial;
+            residual.copy_from_slice(&trial_residual);
+            if converged {
+                report.outcome = Outcome::Converged;
+                return Ok(report);
+            }
+            if !keep_going {
+                report.outcome = Outcome::Cancelled;
+                return Ok(report);
+            }
+        }
+        report.explanation = format!("not converged after {} iterations", options.iteration_limit);
+        Ok(report)
+    }
+
+    /// Whether the factored matrix is singular to working precision.
+    fn is_singular(&self) -> bool {
+        // Any vector without structure has a part along the null space.
+        let mut probe: Vec<f64> = (0..self.equations.size())
+            .map(|i| 0.5 + (i as f64 * 0.618_033_988_75).fract())
+            .collect();
+        !self.solver.solve(&mut probe)
+            || probe.iter().fold(0.0f64, |m, x| m.max(x.abs())) > SINGULAR_GROWTH
+    }
+}

@@ -1,0 +1,356 @@
+//! One instant of the whole mechanism: its elements, unknowns, signals and characteristic scales.
+
+mod scales;
+
+pub use scales::Scales;
+
+use crate::elements::{Contribution, Element, Instant, Joint, NodalLoad, NodeState, Prescribed};
+use crate::elements::{Coordinate, JointKind, SpringDamper};
+use crate::error::{Error, ErrorKind, Result};
+use crate::model::{BoundSignal, Model};
+use crate::motion::Motion;
+use nalgebra::Vector3;
+use std::f64::consts::TAU;
+use std::sync::Arc;
+
+/// What an element stands for, to name it in messages.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum ElementRole {
+    /// Inertia of a body or a beam element.
+    Inertia,
+    /// Beam element of this index.
+    Beam(usize),
+    /// Joint of this index.
+    Joint(usize),
+    /// Prescribed coordinate of this index.
+    Prescribed(usize),
+    /// Spring, damper or load.
+    Force,
+}
+
+/// An element with the place of its multipliers.
+#[derive(Debug, Clone)]
+pub struct Placed {
+    /// The element.
+    pub element: Arc<dyn Element>,
+    /// What it stands for.
+    pub role: ElementRole,
+    /// Index of its first multiplier among all multipliers of an instant.
+    pub first_multiplier: usize,
+    /// Its scratch among those of a [`Workspace`].
+    shape: usize,
+}
+
+/// A coordinate whose turns are followed, because a spring acts on it.
+#[derive(Debug, Clone)]
+struct Tracked {
+    joint: Joint,
+    coordinate: Coordinate,
+}
+
+/// A signal, and the value it grows from when loads are raised in steps.
+#[derive(Debug, Clone)]
+struct DrivenSignal {
+    signal: BoundSignal,
+    start: f64,
+}
+
+/// A model made ready for a given period.
+#[derive(Debug, Clone)]
+pub struct System {
+    /// Reference motions of the nodes.
+    reference: Vec<Motion>,
+    elements: Vec<Placed>,
+    /// `(nodes, multipliers)` of each kind of scratch.
+    shapes: Vec<(usize, usize)>,
+    multipliers: usize,
+    signals: Vec<DrivenSignal>,
+    gravity: Option<[usize; 3]>,
+    tracked: Vec<Tracked>,
+    /// For each multiplier, whether it belongs to a length (otherwise an angle).
+    length_constraints: Vec<bool>,
+    scales: Scales,
+    period: f64,
+}
+
+/// Scratch for evaluating elements: one contribution for each size of element.
+#[derive(Debug, Clone)]
+pub struct Workspace {
+    contributions: Vec<Contribution>,
+    states: Vec<NodeState>,
+}
+
+impl System {
+    /// Makes `model` ready for `period`.
+    ///
+    /// # Errors
+    /// If the model has no nodes, or a prescribed motion or load does not repeat after one period.
+    pub fn new(model: &Model, period: f64) -> Result<Self> {
+        if model.nodes.is_empty() {
+            let message = "model: expected at least one node, got none";
+            return Err(Error::new(ErrorKind::Model, message));
+        }
+        if !(period.is_finite() && period > 0.0) {
+            return Err(Error::value("period", "a positive, finite number", period));
+        }
+        let mut system = System {
+            reference: model.nodes.clone(),
+            elements: Vec::new(),
+            shapes: Vec::new(),
+            multipliers: 0,
+            signals: Vec::new(),
+            gravity: None,
+            tracked: Vec::new(),
+            length_constraints: Vec::new(),
+            scales: Scales::default(),
+            period,
+        };
+        for inertia in &model.inertias {
+            system.place(Arc::new(inertia.clone()), ElementRole::Inertia);
+        }
+        for (index, beam) in model.beams.iter().enumerate() {
+            system.place(Arc::new(beam.clone()), ElementRole::Beam(index));
+        }
+        for (index, joint) in model.joints.iter().enumerate() {
+            let kind = joint.kind();
+            for row in 0..kind.constraints() {
+                system
+                    .length_constraints
+                    .push(kind.constrains_displacement(row));
+            }
+            system.place(Arc::new(joint.clone()), ElementRole::Joint(index));
+        }
+        for (index, (at, signal)) in model.prescribed.iter().enumerate() {
+            let place = format!("prescribed {:?} of joint {}", at.coordinate, at.joint);
+            let start = model.reference_coordinate(at.joint, at.coordinate);
+            let bound = signal.bind(period);
+            // An angle may gain whole turns.
+            require_periodic(&bound, TAU).map_err(|e| e.within(&place))?;
+            let signal = system.add_signal(bound, start);
+            let joint = &model.joints[at.joint];
+            system.length_constraints.push(false);
+            let element = Prescribed::new(joint, at.coordinate, signal);
+            system.place(Arc::new(element), ElementRole::Prescribed(index));
+        }
+        for spring in &model.springs {
+            let joint = &model.joints[spring.at.joint];
+            let element = SpringDamper::new(
+                joint,
+                spring.at.coordinate,
+                system.tracked.len(),
+                spring.stiffness,
+                spring.damping,
+                spring.rest,
+            );
+            system.tracked.push(Tracked {
+                joint: joint.clone(),
+                coordinate: spring.at.coordinate,
+            });
+            system.place(Arc::new(element), ElementRole::Force);
+        }
+        for load in &model.loads {
+            let mut numbers = [None; 6];
+            for (number, component) in numbers.iter_mut().zip(&load.components) {
+                if let Some(signal) = component {
+                    let bound = signal.bind(period);
+                    let place = format!("load on node {}", load.node);
+                    require_periodic(&bound, 0.0).map_err(|e| e.within(place))?;
+                    *number = Some(system.add_signal(bound, 0.0));
+                }
+            }
+            let element = NodalLoad::new(load.node, load.frame, numbers);
+            system.place(Arc::new(element), ElementRole::Force);
+        }
+        if let Some(gravity) = &model.gravity {
+            let mut numbers = [0; 3];
+            for (number, signal) in numbers.iter_mut().zip(gravity) {
+                let bound = signal.bind(period);
+                require_periodic(&bound, 0.0).map_err(|e| e.within("gravity"))?;
+                *number = system.add_signal(bound, 0.0);
+            }
+            system.gravity = Some(numbers);
+        }
+        system.scales = Scales::of(&system)?;
+        Ok(system)
+    }
+
+    fn add_signal(&mut self, signal: BoundSignal, start: f64) -> usize {
+        self.signals.push(DrivenSignal { signal, start });
+        self.signals.len() - 1
+    }
+
+    fn place(&mut self, element: Arc<dyn Element>, role: ElementRole) {
+        let size = (element.nodes().len(), element.multipliers());
+        let shape = self
+            .shapes
+            .iter()
+            .position(|s| *s == size)
+            .unwrap_or_else(|| {
+                self.shapes.push(size);
+                self.shapes.len() - 1
+            });
+        self.elements.push(Placed {
+            element,
+            role,
+            first_multiplier: self.multipliers,
+            shape,
+        });
+        self.multipliers += size.1;
+    }
+
+    /// Number of nodes.
+    pub fn nodes(&self) -> usize {
+        self.reference.len()
+    }
+
+    /// Reference motions of the nodes.
+    pub fn reference(&self) -> &[Motion] {
+        &self.reference
+    }
+
+    /// Number of Lagrange multipliers of an instant.
+    pub fn multipliers(&self) -> usize {
+        self.multipliers
+    }
+
+    /// Number of signals.
+    pub fn signals(&self) -> usize {
+        self.signals.len()
+    }
+
+    /// Number of coordinates whose turns are followed.
+    pub fn tracked(&self) -> usize {
+        self.tracked.len()
+    }
+
+    /// The elements.
+    pub fn elements(&self) -> &[Placed] {
+        &self.elements
+    }
+
+    /// Whether multiplier `index` belongs to a constrained length (otherwise to an angle).
+    pub fn constrains_length(&self, index: usize) -> bool {
+        self.length_constraints[index]
+    }
+
+    /// Characteristic length, mass, time and force.
+    pub fn scales(&self) -> &Scales {
+        &self.scales
+    }
+
+    /// The period.
+    pub fn period(&self) -> f64 {
+        self.period
+    }
+
+    /// Scratch for [`System::evaluate`].
+    pub fn workspace(&self, with_tangents: bool) -> Workspace {
+        Workspace {
+            contributions: self
+                .shapes
+                .iter()
+                .map(|&(nodes, multipliers)| Contribution::new(nodes, multipliers, with_tangents))
+                .collect(),
+            states: Vec::new(),
+        }
+    }
+
+    /// Values of all signals at `time`, with loads and prescribed motions carried the fraction
+    /// `load_factor` of the way from the reference configuration.
+    pub fn signal_values(&self, time: f64, load_factor: f64, values: &mut [f64]) -> Result<()> {
+        for (value, driven) in values.iter_mut().zip(&self.signals) {
+            let full = driven.signal.value(time)?;
+            *value = if load_factor == 1.0 {
+                full
+            } else {
+                driven.start + load_factor * (full - driven.start)
+            };
+        }
+        Ok(())
+    }
+
+    /// Acceleration of gravity, given the values of all signals.
+    pub fn gravity(&self, signals: &[f64]) -> Vector3<f64> {
+        self.gravity.map_or(Vector3::zeros(), |[x, y, z]| {
+            Vector3::new(signals[x], signals[y], signals[z])
+        })
+    }
+
+    /// Evaluates one element for node states given by index, and returns its contribution.
+    pub fn evaluate<'w>(
+        &self,
+        placed: &Placed,
+        state: impl Fn(usize) -> NodeState,
+        conditions: &Conditions,
+        multipliers: &[f64],
+        workspace: &'w mut Workspace,
+    ) -> Result<&'w Contribution> {
+        workspace.states.clear();
+        workspace
+            .states
+            .extend(placed.element.nodes().iter().map(|&n| state(n)));
+        let out = &mut workspace.contributions[placed.shape];
+        out.clear();
+        let instant = Instant {
+            nodes: &workspace.states,
+            multipliers,
+            signals: conditions.signals,
+            coordinates: conditions.coordinates,
+            gravity: self.gravity(conditions.signals),
+            inertia_factor: conditions.inertia_factor,
+        };
+        placed
+            .element
+            .evaluate(&instant, out)
+            .map_err(|e| match placed.role {
+                ElementRole::Beam(index) => e.within(format!("beam element {index}")),
+                _ => e,
+            })?;
+        Ok(out)
+    }
+
+    /// Follows the tracked coordinates from their last values to those of the given states.
+    pub fn track(&self, state: impl Fn(usize) -> NodeState, coordinates: &mut [f64]) {
+        use crate::elements::nearest_turn;
+        for (tracked, last) in self.tracked.iter().zip(coordinates) {
+            let states: Vec<NodeState> = tracked.joint.nodes().iter().map(|&n| state(n)).collect();
+            let z = tracked.joint.relative_motion(&states);
+            let kind: JointKind = tracked.joint.kind();
+            *last = nearest_turn(kind.coordinate(tracked.coordinate, &z).value, *last);
+        }
+    }
+}
+
+/// What is the same for all elements at one instant.
+#[derive(Debug, Clone, Copy)]
+pub struct Conditions<'a> {
+    /// Values of all signals.
+    pub signals: &'a [f64],
+    /// Last values of the tracked coordinates.
+    pub coordinates: &'a [f64],
+    /// Factor of the inertial forces.
+    pub inertia_factor: f64,
+}
+
+/// Checks that a signal returns to itself, or gains whole multiples of `unit` (if not zero).
+fn require_periodic(signal: &BoundSignal, unit: f64) -> Result<()> {
+    let growth = signal.growth()?;
+    let rest = if unit > 0.0 {
+        growth - unit * (growth / unit).round()
+    } else {
+        growth
+    };
+    let size = signal.value(0.0)?.abs().max(growth.abs()).max(unit);
+    if rest.abs() <= 1e-9 * size {
+        return Ok(());
+    }
+    let expected = if unit > 0.0 {
+        "a whole number of turns"
+    } else {
+        "the value it started from"
+    };
+    Err(Error::new(
+        ErrorKind::NotPeriodic,
+        format!("the signal grows by {growth} in one period; expected {expected}"),
+    ))
+}

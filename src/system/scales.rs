@@ -1,0 +1,97 @@
+//! Characteristic scales, so that nothing in the solution depends on the user's units.
+
+use super::{Conditions, System};
+use crate::elements::NodeState;
+use crate::error::Result;
+use std::f64::consts::TAU;
+
+/// Characteristic length, mass and force of a system in its reference configuration.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Scales {
+    /// Diagonal of the box around all nodes or, for a single body, its radius of gyration.
+    pub length: f64,
+    /// Total mass.
+    pub mass: f64,
+    /// The largest force that a displacement of `length` or an acceleration of `length Ω²` can cause.
+    pub force: f64,
+}
+
+impl Default for Scales {
+    fn default() -> Self {
+        Scales {
+            length: 1.0,
+            mass: 1.0,
+            force: 1.0,
+        }
+    }
+}
+
+impl Scales {
+    /// Scales of `system`.
+    pub(super) fn of(system: &System) -> Result<Self> {
+        let signals = vec![0.0; system.signals()];
+        let coordinates = vec![0.0; system.tracked()];
+        let conditions = Conditions {
+            signals: &signals,
+            coordinates: &coordinates,
+            inertia_factor: 1.0,
+        };
+        let at_rest = |node: usize| NodeState::at_rest(system.reference[node]);
+        let mut workspace = system.workspace(true);
+        let (mut mass, mut gyration2) = (0.0, 0.0f64);
+        let (mut linear, mut angular) = (0.0f64, 0.0f64);
+        for placed in system.elements() {
+            let multipliers = vec![0.0; placed.element.multipliers()];
+            let out =
+                system.evaluate(placed, at_rest, &conditions, &multipliers, &mut workspace)?;
+            let nodes = placed.element.nodes().len();
+            for a in 0..nodes {
+                for k in 0..3 {
+                    linear = linear.max(out.stiffness[(6 * a + k, 6 * a + k)].abs());
+                    angular = angular.max(out.stiffness[(6 * a + 3 + k, 6 * a + 3 + k)].abs());
+                    let m = out.mass[(6 * a + k, 6 * a + k)];
+                    if m > 0.0 {
+                        gyration2 = gyration2.max(out.mass[(6 * a + 3 + k, 6 * a + 3 + k)] / m);
+                    }
+                    mass += (0..nodes)
+                        .map(|b| out.mass[(6 * a + k, 6 * b + k)])
+                        .sum::<f64>()
+                        / 3.0;
+                }
+            }
+        }
+        let mut length = system.extent();
+        if length <= 0.0 {
+            length = gyration2.sqrt();
+        }
+        if length <= 0.0 {
+            length = 1.0;
+        }
+        let rate = TAU / system.period();
+        let mut force = (linear * length)
+            .max(angular / length)
+            .max(mass * length * rate * rate);
+        if force <= 0.0 {
+            force = 1.0;
+        }
+        Ok(Scales {
+            length,
+            mass,
+            force,
+        })
+    }
+}
+
+impl System {
+    /// Diagonal of the box around all nodes.
+    fn extent(&self) -> f64 {
+        let first = self.reference[0].position;
+        let (low, high) = self
+            .reference
+            .iter()
+            .fold((first, first), |(low, high), m| {
+                (low.inf(&m.position), high.sup(&m.position))
+            });
+        (high - low).norm()
+    }
+}
