@@ -1,9 +1,10 @@
 //! Reading what C gave, and writing what it gets. Every complaint names the argument.
 
+use super::callback::Callback;
 use super::handle::{self, Exclusive, Handle};
 use super::options::{self, Options};
 use crate::error::{Error, ErrorKind, Result, require_finite};
-use std::ffi::{CStr, c_char};
+use std::ffi::{CStr, c_char, c_void};
 use std::marker::PhantomData;
 use std::sync::Arc;
 
@@ -97,9 +98,25 @@ impl Call {
         })
     }
 
-    /// A callback that must be given.
+    /// A callback that must be given, for the time of the call.
     pub(super) fn function<F>(&self, function: Option<F>, name: &str) -> Result<F> {
         function.ok_or_else(|| null(name))
+    }
+
+    /// A callback that the library keeps, with its `user_data`, which is disposed of by `destroy`
+    /// whatever becomes of the call. So read it before any other argument.
+    pub(super) fn callback<F>(
+        &self,
+        function: Option<F>,
+        user_data: *mut c_void,
+        destroy: Option<unsafe extern "C" fn(*mut c_void)>,
+        name: &str,
+    ) -> Result<Callback<F>> {
+        let Some(function) = function else {
+            drop(Callback::new((), user_data, destroy));
+            return Err(null(name));
+        };
+        Ok(Callback::new(function, user_data, destroy))
     }
 
     /// Options; NULL stands for the defaults.

@@ -42,11 +42,11 @@ pub extern "C" fn pdn_last_callback_code() -> i32 {
 
 /// A function of the caller with its `user_data`, and how to dispose of that.
 ///
-/// `F` is the type of the function pointer without `Option`: call it as
-/// `checked("force", |user_data| unsafe { (callback.function)(t, …, user_data) })`.
+/// `F` is the type of the function pointer without `Option`; call it by
+/// `callback.invoke("force", |f, user_data| unsafe { f(t, out, user_data) })`.
 pub(crate) struct Callback<F> {
     /// The function.
-    pub(super) function: F,
+    function: F,
     user_data: *mut c_void,
     destroy: Option<unsafe extern "C" fn(*mut c_void)>,
 }

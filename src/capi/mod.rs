@@ -52,7 +52,8 @@
 //!   all others `call.exclusive(…)`; a child keeps the `Arc` that `shared` gave it, so the order of
 //!   freeing does not matter.
 //! * Options: a `#[repr(C)]` struct implementing [`options::Options`].
-//! * Callbacks: [`callback::Callback`] keeps function, `user_data` and destructor together.
+//! * Callbacks used during a call: `call.function(…)`. Those that the library keeps:
+//!   `call.callback(…)`, first of all arguments; it keeps function, `user_data` and destructor together.
 //! * A function that returns no status uses [`guard::guard_or`]; a destructor [`handle::free`].
 //! * Integers are `i32` or `usize`, reals `f64`; never `bool` or a Rust enum, which C could give a
 //!   value that Rust takes for impossible.

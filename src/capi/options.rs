@@ -18,7 +18,9 @@
 //! // SAFETY: all fields are plain numbers, `struct_size` is the first, and there is no padding.
 //! unsafe impl Options for pdn_solve_options {
 //!     const SIZES: &'static [usize] = &[24]; // a release that adds a field adds its size
-//!     fn defaults() -> Self { … }
+//!     fn defaults() -> Self {
+//!         pdn_solve_options { struct_size: size_of::<Self>(), grid_points: 21, max_iterations: 20, reserved: 0 }
+//!     }
 //! }
 //!
 //! pub unsafe extern "C" fn pdn_solve_options_init(options: *mut pdn_solve_options, struct_size: usize) {

@@ -310,7 +310,7 @@ unsafe extern "C" fn reset(user_data: *mut c_void) {
 #[test]
 fn callbacks_report_failure_and_dispose_of_their_data() {
     let mut factor = 2.0_f64;
-    let callback = Callback::new(scale as scale_fn, (&raw mut factor).cast(), Some(reset));
+    let callback = Callback::<scale_fn>::new(scale, (&raw mut factor).cast(), Some(reset));
     let apply = |x| {
         let mut y = 0.0;
         callback.invoke("force", |function, user_data| {
@@ -330,6 +330,13 @@ fn callbacks_report_failure_and_dispose_of_their_data() {
     let status = unsafe { pdn_set_callback_error(null::<c_char>()) };
     assert_eq!(status, PDN_ERR_NULL);
     let missing: Option<scale_fn> = None;
+    factor = 2.0;
+    let user_data = (&raw mut factor).cast();
+    let (status, _) = failure(|call| {
+        call.callback(missing, user_data, Some(reset), "force")
+            .map(drop)
+    });
+    assert_eq!((status, factor), (PDN_ERR_NULL, 0.0));
     let (status, _) = failure(|call| call.function(missing, "force").map(drop));
     assert_eq!(status, PDN_ERR_NULL);
 }
