@@ -9,5 +9,6 @@ pub mod error;
 pub mod fourier;
 pub mod model;
 pub mod motion;
+pub mod output;
 pub mod solve;
 pub mod system;

@@ -3,11 +3,13 @@
 //! With a grid of one point, velocities and accelerations vanish and the same equations are those of
 //! static equilibrium at the grid's start time.
 
+mod between;
 mod kinematics;
 mod pattern;
 mod problem;
 mod state;
 
+pub use between::{NodeInterpolation, ResidualBetween, residual_between, too_coarse};
 pub use kinematics::NodeKinematics;
 pub use pattern::Pattern;
 pub use problem::{Collocation, TangentBlocks};

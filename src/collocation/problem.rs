@@ -121,7 +121,8 @@ impl Collocation {
         self.inertia_factor = factor;
     }
 
-    fn update_kinematics(&mut self, state: &GridState) {
+    /// Evaluates velocities and accelerations at the grid points.
+    pub fn update_kinematics(&mut self, state: &GridState) {
         let points = self.grid.points();
         self.states.clear();
         for (node, kinematics) in self.kinematics.iter_mut().enumerate() {
@@ -137,7 +138,7 @@ impl Collocation {
         }
     }
 
-    /// Node states over the grid, node by node, as of the last evaluation.
+    /// Node states over the grid, node by node, as of the last evaluation of anything.
     pub fn node_states(&self) -> &[NodeState] {
         &self.states
     }

@@ -1,6 +1,8 @@
 //! Linear fields over the period: secular growth plus harmonics.
 
 use super::grid::TimeGrid;
+use realfft::RealFftPlanner;
+use realfft::num_complex::Complex;
 use std::f64::consts::TAU;
 
 /// A scalar function `rate·t + mean + Σ_j (c_j cos jΩt + s_j sin jΩt)`.
@@ -45,23 +47,34 @@ impl PeriodicSeries {
     /// For an even number of samples the highest harmonic is a cosine.
     pub fn from_samples(period: f64, samples: &[f64], rate: f64) -> Self {
         let n = samples.len();
-        let harmonics = n / 2;
-        let mut cosines = vec![0.0; harmonics];
-        let mut sines = vec![0.0; harmonics];
-        for j in 1..=harmonics {
-            let (mut c, mut s) = (0.0, 0.0);
-            for (k, x) in samples.iter().enumerate() {
-                // Reduced in integers, so that the phase has no rounding to speak of.
-                let (sin, cos) = (TAU * ((j * k) % n) as f64 / n as f64).sin_cos();
-                c += x * cos;
-                s += x * sin;
-            }
-            let scale = if 2 * j == n { 1.0 } else { 2.0 } / n as f64;
-            cosines[j - 1] = scale * c;
-            sines[j - 1] = if 2 * j == n { 0.0 } else { scale * s };
-        }
-        let mean = samples.iter().sum::<f64>() / n.max(1) as f64;
+        let spectrum = spectrum(samples);
+        // Each harmonic stands for itself and its mirror image, but for the highest of an even number.
+        let scale = |j: usize| if 2 * j == n { 1.0 } else { 2.0 } / n as f64;
+        let harmonics = || spectrum.iter().enumerate().skip(1);
+        let cosines = harmonics().map(|(j, c)| scale(j) * c.re).collect();
+        let sines = harmonics()
+            .map(|(j, c)| if 2 * j == n { 0.0 } else { -scale(j) * c.im })
+            .collect();
+        let mean = spectrum.first().map_or(0.0, |c| c.re) / n.max(1) as f64;
         PeriodicSeries::new(period, mean, rate, cosines, sines)
+    }
+
+    /// The derivative in time, as a series.
+    pub fn differentiated(&self) -> Self {
+        let omega = TAU / self.period;
+        let times_rate = |(j, x): (usize, &f64)| (j + 1) as f64 * omega * x;
+        PeriodicSeries {
+            period: self.period,
+            mean: self.rate,
+            rate: 0.0,
+            cosines: self.sines.iter().enumerate().map(times_rate).collect(),
+            sines: self
+                .cosines
+                .iter()
+                .enumerate()
+                .map(|x| -times_rate(x))
+                .collect(),
+        }
     }
 
     /// Period of the harmonics.
@@ -100,6 +113,19 @@ impl PeriodicSeries {
     }
 }
 
+/// `Σ_k x_k exp(−2πi jk/n)` for `j = 0 … n/2`.
+fn spectrum(samples: &[f64]) -> Vec<Complex<f64>> {
+    let n = samples.len();
+    if n == 0 {
+        return Vec::new();
+    }
+    let plan = RealFftPlanner::new().plan_fft_forward(n);
+    let mut spectrum = plan.make_output_vec();
+    // The lengths are the plan's own, so the transform cannot fail.
+    let _ = plan.process(&mut samples.to_vec(), &mut spectrum);
+    spectrum
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -115,6 +141,8 @@ mod tests {
                 let error = found.derivative(time, order) - series.derivative(time, order);
                 assert!(error.abs() < tolerance, "{order}: {error}");
             }
+            let rates = found.differentiated().value(time) - series.derivative(time, 1);
+            assert!(rates.abs() < 1e-13);
             let h = 1e-5;
             let slope = (series.value(time + h) - series.value(time - h)) / (2.0 * h);
             assert!((slope - series.derivative(time, 1)).abs() < 1e-7);

@@ -1,0 +1,148 @@
+//! The equations between grid points: where aliasing shows, since collocation does not look there.
+
+use super::state::GridState;
+use crate::elements::NodeState;
+use crate::error::{Error, ErrorKind, Result};
+use crate::fourier::{CardinalWeights, TimeGrid};
+use crate::motion::{DualMatrix, DualPolar, Motion};
+use crate::system::{Conditions, System};
+use nalgebra::Vector3;
+
+/// A node's motions over the grid, ready to be interpolated (section 4).
+#[derive(Debug, Clone)]
+pub struct NodeInterpolation {
+    /// `M_k`, with the mean position taken out.
+    motions: Vec<DualMatrix>,
+    mean: Vector3<f64>,
+}
+
+impl NodeInterpolation {
+    /// Interpolation of `motions` at the grid points.
+    pub fn new(motions: &[Motion]) -> Self {
+        let mean = motions.iter().map(|m| m.position).sum::<Vector3<f64>>() / motions.len() as f64;
+        NodeInterpolation {
+            motions: motions
+                .iter()
+                .map(|m| Motion::new(m.rotation, m.position - mean).to_dual())
+                .collect(),
+            mean,
+        }
+    }
+
+    /// Motion, velocity and acceleration at the time of `weights`; `None` if the grid is too coarse.
+    pub fn at(&self, weights: &CardinalWeights) -> Option<NodeState> {
+        let mut sums = [DualMatrix::zeros(); 3];
+        for (k, m) in self.motions.iter().enumerate() {
+            sums[0] += *m * weights.value[k];
+            sums[1] += *m * weights.first[k];
+            sums[2] += *m * weights.second[k];
+        }
+        let polar = DualPolar::new(&sums[0])?;
+        let velocity = polar.velocity(&sums[1]);
+        let acceleration = polar.acceleration(&velocity, &sums[1], &sums[2]);
+        let mut motion = polar.motion();
+        motion.position += self.mean;
+        Some(NodeState {
+            motion,
+            twist: velocity.to_twist(),
+            twist_rate: acceleration.to_twist(),
+        })
+    }
+}
+
+/// The error of a grid too coarse for the motion of `node` at `time`.
+pub fn too_coarse(node: usize, time: f64, points: usize) -> Error {
+    Error::new(
+        ErrorKind::GridTooCoarse,
+        format!(
+            "the grid of {points} points is too coarse to interpolate the motion of node {node} at \
+             t = {time}; use more grid points"
+        ),
+    )
+}
+
+/// Largest residuals half-way between grid points.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ResidualBetween {
+    /// Of forces (moments divided by the characteristic length), relative to the largest force that
+    /// any element exerts on a node.
+    pub force: f64,
+    /// Of constraints: lengths relative to the characteristic length, angles in radians.
+    pub constraint: f64,
+}
+
+/// Evaluates the governing equations at the points that a twice finer grid adds.
+///
+/// # Errors
+/// [`ErrorKind::GridTooCoarse`] if a motion cannot be interpolated, or a failing callback.
+pub fn residual_between(
+    system: &System,
+    grid: TimeGrid,
+    state: &GridState,
+) -> Result<ResidualBetween> {
+    let points = grid.points();
+    let nodes: Vec<NodeInterpolation> = (0..system.nodes())
+        .map(|a| NodeInterpolation::new(state.node(a)))
+        .collect();
+    let mut weights = CardinalWeights::new(grid);
+    let mut workspace = system.workspace(false);
+    let mut signals = vec![0.0; system.signals()];
+    let mut multipliers = vec![0.0; system.multipliers()];
+    let mut states = Vec::with_capacity(nodes.len());
+    let mut sums = vec![nalgebra::Vector6::<f64>::zeros(); nodes.len()];
+    let length = system.scales().length;
+    // Force components, and moments over the characteristic length.
+    let size = |f: &nalgebra::Vector6<f64>| {
+        f.fixed_rows::<3>(0)
+            .amax()
+            .max(f.fixed_rows::<3>(3).amax() / length)
+    };
+    let (mut residual, mut level, mut constraint) = (0.0f64, 0.0f64, 0.0f64);
+    for k in 0..points {
+        let time = grid.time(k) + 0.5 * grid.period() / points as f64;
+        weights.move_to(time);
+        states.clear();
+        for (a, node) in nodes.iter().enumerate() {
+            states.push(
+                node.at(&weights)
+                    .ok_or_else(|| too_coarse(a, time, points))?,
+            );
+        }
+        system.signal_values(time, 1.0, &mut signals)?;
+        for placed in system.elements() {
+            for row in 0..placed.element.multipliers() {
+                multipliers[placed.first_multiplier + row] = (0..points)
+                    .map(|l| weights.value[l] * state.multipliers_of(placed, l)[row])
+                    .sum();
+            }
+        }
+        sums.fill(nalgebra::Vector6::zeros());
+        let conditions = Conditions {
+            signals: &signals,
+            coordinates: state.tracked(system, k),
+            inertia_factor: 1.0,
+        };
+        for placed in system.elements() {
+            let own = &multipliers[placed.first_multiplier..][..placed.element.multipliers()];
+            let out = system.evaluate(placed, |n| states[n], &conditions, own, &mut workspace)?;
+            for (local, &node) in placed.element.nodes().iter().enumerate() {
+                let force = out.force.fixed_rows::<6>(6 * local).into_owned();
+                level = level.max(size(&force));
+                sums[node] += force;
+            }
+            for (row, violation) in out.constraint.iter().enumerate() {
+                let scale = if system.constrains_length(placed.first_multiplier + row) {
+                    length
+                } else {
+                    1.0
+                };
+                constraint = constraint.max(violation.abs() / scale);
+            }
+        }
+        residual = sums.iter().fold(residual, |r, f| r.max(size(f)));
+    }
+    Ok(ResidualBetween {
+        force: if level > 0.0 { residual / level } else { 0.0 },
+        constraint,
+    })
+}

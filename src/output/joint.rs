@@ -1,0 +1,204 @@
+//! Joint coordinates, their rates, driving efforts and reactions.
+
+use super::solution::Solution;
+use crate::elements::{Coordinate, Element, Joint, NodeState, nearest_turn};
+use crate::error::{Error, ErrorKind, Result};
+use crate::fourier::PeriodicSeries;
+use crate::model::JointCoordinate;
+use crate::system::{ElementRole, Placed};
+use nalgebra::Vector3;
+use std::f64::consts::TAU;
+
+/// Axes that a reaction is resolved in.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum ResolvedIn {
+    /// Inertial axes.
+    Space,
+    /// Axes of the joint frame on the first body.
+    First,
+    /// Axes of the joint frame on the second body.
+    Second,
+}
+
+/// What can be asked of a joint.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum JointQuantity {
+    /// Relative angle, followed continuously through whole turns.
+    Coordinate(Coordinate),
+    /// Its first derivative in time.
+    Rate(Coordinate),
+    /// Its second derivative in time.
+    Acceleration(Coordinate),
+    /// Force or torque that drives a prescribed coordinate, positive towards its growth.
+    DrivingEffort(Coordinate),
+    /// Force and moment of the joint's constraints on the second body, about its joint frame.
+    Reaction(ResolvedIn),
+}
+
+impl JointQuantity {
+    /// Number of components.
+    pub fn components(self) -> usize {
+        match self {
+            JointQuantity::Reaction(_) => 6,
+            _ => 1,
+        }
+    }
+}
+
+/// Steps in which an angle is followed from one grid point to the next.
+const FOLLOWING_STEPS: usize = 4;
+
+impl Solution {
+    /// A quantity of a joint at `times`; components of each time together.
+    ///
+    /// # Errors
+    /// An unknown joint, or a quantity that it does not have.
+    pub fn joint(&self, joint: usize, quantity: JointQuantity, times: &[f64]) -> Result<Vec<f64>> {
+        let order = match quantity {
+            JointQuantity::Rate(_) => 1,
+            JointQuantity::Acceleration(_) => 2,
+            _ => 0,
+        };
+        let series = match quantity {
+            JointQuantity::Rate(c) | JointQuantity::Acceleration(c) => {
+                self.joint_series(joint, JointQuantity::Coordinate(c))?
+            }
+            _ => self.joint_series(joint, quantity)?,
+        };
+        Ok(sample(&series, times, order))
+    }
+
+    /// Fourier series of each component of a quantity of a joint.
+    ///
+    /// # Errors
+    /// An unknown joint, or a quantity that it does not have.
+    pub fn joint_series(
+        &self,
+        joint: usize,
+        quantity: JointQuantity,
+    ) -> Result<Vec<PeriodicSeries>> {
+        let definition = self.model.require_joint("joint", joint)?;
+        match quantity {
+            JointQuantity::Coordinate(which) => Ok(vec![self.coordinate(joint, which)?]),
+            JointQuantity::Rate(which) => Ok(vec![self.coordinate(joint, which)?.differentiated()]),
+            JointQuantity::Acceleration(which) => Ok(vec![
+                self.coordinate(joint, which)?
+                    .differentiated()
+                    .differentiated(),
+            ]),
+            JointQuantity::DrivingEffort(coordinate) => {
+                let at = JointCoordinate { joint, coordinate };
+                self.require_coordinate(definition, coordinate)?;
+                let index = self.model.prescribed_index(&at).ok_or_else(|| {
+                    let message = format!("{coordinate:?} of joint {joint} is not prescribed");
+                    Error::new(ErrorKind::NotAvailable, message)
+                })?;
+                let placed = self.placed(ElementRole::Prescribed(index))?;
+                // The multiplier is the effort on the left-hand side: that of the drive is opposite.
+                self.series_of(1, |k| {
+                    Ok(vec![-self.solve.state.multipliers_of(placed, k)[0]])
+                })
+            }
+            JointQuantity::Reaction(axes) => {
+                let placed = self.placed(ElementRole::Joint(joint))?;
+                self.series_of(6, |k| {
+                    let states = self.states_of(definition, k);
+                    let multipliers = self.solve.state.multipliers_of(placed, k);
+                    let wrench = definition.reaction(&states, multipliers);
+                    let turn = match axes {
+                        ResolvedIn::Second => nalgebra::Matrix3::identity(),
+                        ResolvedIn::First => definition.relative_motion(&states).rotation,
+                        ResolvedIn::Space => definition.second_frame(&states).rotation,
+                    };
+                    let force: Vector3<f64> = turn * wrench.fixed_rows::<3>(0);
+                    let moment: Vector3<f64> = turn * wrench.fixed_rows::<3>(3);
+                    Ok(force.iter().chain(moment.iter()).copied().collect())
+                })
+            }
+        }
+    }
+
+    fn placed(&self, role: ElementRole) -> Result<&Placed> {
+        self.solve
+            .system
+            .elements()
+            .iter()
+            .find(|p| p.role == role)
+            .ok_or_else(|| Error::new(ErrorKind::NotAvailable, "the solution has no such joint"))
+    }
+
+    fn require_coordinate(&self, joint: &Joint, which: Coordinate) -> Result<()> {
+        let kind = joint.kind();
+        if kind.coordinates().contains(&which) {
+            return Ok(());
+        }
+        Err(Error::new(
+            ErrorKind::NotAvailable,
+            format!(
+                "coordinate: a {} joint has the coordinates {:?}, got {which:?}",
+                kind.name(),
+                kind.coordinates()
+            ),
+        ))
+    }
+
+    /// A joint coordinate as a series: whole turns gained in a period are its rate.
+    pub(super) fn coordinate(&self, joint: usize, which: Coordinate) -> Result<PeriodicSeries> {
+        let definition = self.model.require_joint("joint", joint)?;
+        self.require_coordinate(definition, which)?;
+        let grid = self.grid();
+        let points = grid.points();
+        let kind = definition.kind();
+        let value = |states: &[NodeState]| {
+            kind.coordinate(which, &definition.relative_motion(states))
+                .value
+        };
+
+        let mut angle = nearest_turn(value(&self.states_of(definition, 0)), 0.0);
+        let mut values = vec![angle];
+        for k in 1..=points {
+            // In small steps where motions can be interpolated, so that no turn is missed.
+            for step in 1..FOLLOWING_STEPS {
+                let fraction = step as f64 / FOLLOWING_STEPS as f64;
+                let time = grid.period() * ((k - 1) as f64 + fraction) / points as f64;
+                let mut states = Vec::new();
+                let interpolated = definition.nodes().iter().all(|&n| {
+                    self.each_node_state(n, &[time], |s| states.push(*s))
+                        .is_ok()
+                });
+                if interpolated {
+                    angle = nearest_turn(value(&states), angle);
+                }
+            }
+            angle = nearest_turn(value(&self.states_of(definition, k % points)), angle);
+            if k < points {
+                values.push(angle);
+            }
+        }
+        let turns = ((angle - values[0]) / TAU).round();
+        let rate = TAU * turns / grid.period();
+        // Of the possible whole turns, a prescribed coordinate shows those of its signal.
+        let at = JointCoordinate {
+            joint,
+            coordinate: which,
+        };
+        let shift = match self.model.prescribed_index(&at) {
+            Some(index) => {
+                let (_, signal) = &self.model.prescribed[index];
+                let start = signal.bind(grid.period()).value(0.0)?;
+                nearest_turn(values[0], start) - values[0]
+            }
+            None => 0.0,
+        };
+        values.iter_mut().for_each(|v| *v += shift);
+        Ok(PeriodicSeries::interpolate(grid, &values, rate))
+    }
+}
+
+/// Derivatives of `order` of several series at `times`; components of each time together.
+pub(super) fn sample(series: &[PeriodicSeries], times: &[f64], order: u32) -> Vec<f64> {
+    times
+        .iter()
+        .flat_map(|&t| series.iter().map(move |s| s.derivative(t, order)))
+        .collect()
+}

@@ -1,0 +1,157 @@
+//! A periodic solution: the state at the grid points and what is needed to evaluate it anywhere.
+
+use super::diagnostics::Diagnostics;
+use crate::collocation::{Collocation, GridState};
+use crate::elements::{Element, NodeState};
+use crate::error::{Error, ErrorKind, Result};
+use crate::fourier::{PeriodicSeries, TimeGrid};
+use crate::model::Model;
+use crate::solve::{Iteration, Outcome, PeriodicOptions, PeriodicSolve, Stage, solve_periodic};
+
+/// Result of a periodic solve, converged or not; otherwise it holds the last iterate.
+#[derive(Debug, Clone)]
+pub struct Solution {
+    pub(super) model: Model,
+    pub(super) solve: PeriodicSolve,
+    /// Node states at the grid points, node by node.
+    pub(super) states: Vec<NodeState>,
+    diagnostics: Diagnostics,
+}
+
+impl Solution {
+    /// Finds the periodic response of `model`, see [`solve_periodic`].
+    pub fn solve(
+        model: &Model,
+        period: f64,
+        options: &PeriodicOptions,
+        observe: &mut dyn FnMut(Stage, &Iteration) -> bool,
+    ) -> Result<Self> {
+        let solve = solve_periodic(model, period, options, observe)?;
+        let mut equations = Collocation::new(solve.system.clone(), solve.grid)?;
+        equations.update_kinematics(&solve.state);
+        let states = equations.node_states().to_vec();
+        let diagnostics = Diagnostics::of(&solve)?;
+        let solution = Solution {
+            model: model.clone(),
+            solve,
+            states,
+            diagnostics,
+        };
+        solution.require_periodic_springs()?;
+        Ok(solution)
+    }
+
+    /// A spring on an angle that gains turns would pull ever harder.
+    fn require_periodic_springs(&self) -> Result<()> {
+        for spring in &self.model.springs {
+            if spring.stiffness == 0.0 || self.outcome() != Outcome::Converged {
+                continue;
+            }
+            let series = self.coordinate(spring.at.joint, spring.at.coordinate)?;
+            if series.rate != 0.0 {
+                let turns = series.rate * series.period() / std::f64::consts::TAU;
+                return Err(Error::new(
+                    ErrorKind::NotPeriodic,
+                    format!(
+                        "spring on joint {}: its angle gains {turns:.0} turns in one period, so that its \
+                         moment is not periodic; use stiffness 0 or another joint",
+                        spring.at.joint
+                    ),
+                ));
+            }
+        }
+        Ok(())
+    }
+
+    /// How the solve ended.
+    pub fn outcome(&self) -> Outcome {
+        self.solve.report.outcome
+    }
+
+    /// The solve: history, explanation, timings.
+    pub fn details(&self) -> &PeriodicSolve {
+        &self.solve
+    }
+
+    /// Error estimates.
+    pub fn diagnostics(&self) -> &Diagnostics {
+        &self.diagnostics
+    }
+
+    /// The grid.
+    pub fn grid(&self) -> TimeGrid {
+        self.solve.grid
+    }
+
+    /// The model as it was when it was solved.
+    pub fn model(&self) -> &Model {
+        &self.model
+    }
+
+    /// This solution at the points of another grid of the same period: where a solve may start.
+    ///
+    /// # Errors
+    /// [`ErrorKind::GridTooCoarse`] if a motion cannot be interpolated.
+    pub fn prolonged(&self, grid: TimeGrid) -> Result<GridState> {
+        let system = &self.solve.system;
+        let mut state = GridState::reference(system, grid);
+        let old = self.solve.grid;
+        let times: Vec<f64> = grid
+            .times()
+            .map(|t| t * (old.period() / grid.period()))
+            .collect();
+        for node in 0..system.nodes() {
+            let mut k = 0;
+            self.each_node_state(node, &times, |at| {
+                state.motions[node * grid.points() + k] = at.motion;
+                k += 1;
+            })?;
+        }
+        for placed in system.elements() {
+            for row in 0..placed.element.multipliers() {
+                let values: Vec<f64> = (0..old.points())
+                    .map(|k| self.solve.state.multipliers_of(placed, k)[row])
+                    .collect();
+                let series = PeriodicSeries::interpolate(old, &values, 0.0);
+                for (k, t) in times.iter().enumerate() {
+                    state.multipliers_of_mut(placed, k)[row] = series.value(*t);
+                }
+            }
+        }
+        // The turns of tracked angles are those of the old grid point before.
+        for k in 0..grid.points() {
+            let before = k * old.points() / grid.points();
+            let count = system.tracked();
+            state.coordinates[k * count..][..count]
+                .copy_from_slice(self.solve.state.tracked(system, before));
+        }
+        state.track(system);
+        Ok(state)
+    }
+
+    /// States of an element's nodes at grid point `k`.
+    pub(super) fn states_of(&self, element: &dyn Element, k: usize) -> Vec<NodeState> {
+        let points = self.solve.grid.points();
+        element
+            .nodes()
+            .iter()
+            .map(|&n| self.states[n * points + k])
+            .collect()
+    }
+
+    /// Interpolates `components` values, given at each grid point, by one series for each component.
+    pub(super) fn series_of(
+        &self,
+        components: usize,
+        values: impl Fn(usize) -> Result<Vec<f64>>,
+    ) -> Result<Vec<PeriodicSeries>> {
+        let points = self.solve.grid.points();
+        let rows: Vec<Vec<f64>> = (0..points).map(values).collect::<Result<_>>()?;
+        Ok((0..components)
+            .map(|i| {
+                let column: Vec<f64> = rows.iter().map(|row| row[i]).collect();
+                PeriodicSeries::interpolate(self.solve.grid, &column, 0.0)
+            })
+            .collect())
+    }
+}
