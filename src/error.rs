@@ -59,7 +59,11 @@ impl ErrorKind {
     /// Code, C name and one-line meaning: the table that everything else is read from.
     const fn row(self) -> (i32, &'static str, &'static str) {
         match self {
-            ErrorKind::Null => (-1, "PDN_ERR_NULL", "a pointer that must not be NULL is NULL"),
+            ErrorKind::Null => (
+                -1,
+                "PDN_ERR_NULL",
+                "a pointer that must not be NULL is NULL",
+            ),
             ErrorKind::NotFinite => (-2, "PDN_ERR_NOT_FINITE", "a number is NaN or infinite"),
             ErrorKind::Size => (-3, "PDN_ERR_SIZE", "a length or count is not allowed"),
             ErrorKind::Identifier => (-4, "PDN_ERR_ID", "an id names nothing in this model"),
@@ -74,7 +78,11 @@ impl ErrorKind {
                 "PDN_ERR_NOT_AVAILABLE",
                 "the quantity does not exist for this object",
             ),
-            ErrorKind::Model => (-100, "PDN_ERR_MODEL", "the model cannot be solved as it stands"),
+            ErrorKind::Model => (
+                -100,
+                "PDN_ERR_MODEL",
+                "the model cannot be solved as it stands",
+            ),
             ErrorKind::NotPeriodic => (
                 -101,
                 "PDN_ERR_NOT_PERIODIC",
@@ -91,7 +99,11 @@ impl ErrorKind {
                 "a callback failed or returned a number that is not finite",
             ),
             ErrorKind::OutOfMemory => (-900, "PDN_ERR_MEMORY", "out of memory"),
-            ErrorKind::Panic => (-901, "PDN_ERR_PANIC", "internal error, a defect of the library"),
+            ErrorKind::Panic => (
+                -901,
+                "PDN_ERR_PANIC",
+                "internal error, a defect of the library",
+            ),
             ErrorKind::Poisoned => (
                 -902,
                 "PDN_ERR_POISONED",
@@ -201,7 +213,10 @@ mod tests {
     #[test]
     fn the_first_number_that_is_not_finite_is_named() {
         let error = require_finite("axis", &[0.0, f64::NAN, 1.0]).unwrap_err();
-        assert_eq!(error.to_string(), "axis[1]: expected a finite number, got NaN");
+        assert_eq!(
+            error.to_string(),
+            "axis[1]: expected a finite number, got NaN"
+        );
         assert_eq!(error.kind(), ErrorKind::NotFinite);
     }
 }
