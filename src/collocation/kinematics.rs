@@ -5,6 +5,15 @@ use crate::fourier::Differentiation;
 use crate::motion::{DualMatrix, DualVector, Motion};
 use nalgebra::{Matrix3, Vector3};
 
+/// Weights of the present and the past motions in first and second derivatives.
+#[derive(Debug, Clone, Copy)]
+pub struct BackwardRule {
+    /// Of the first derivative, per unit of time.
+    pub first: [f64; 4],
+    /// Of the second derivative, per unit of time squared.
+    pub second: [f64; 4],
+}
+
 /// One node over the grid: `A_ℓ`, `B_ℓ`, `v_ℓ` and `v̇_ℓ`.
 #[derive(Debug, Clone, Default)]
 pub struct NodeKinematics {
@@ -57,6 +66,37 @@ impl NodeKinematics {
         for l in 0..n {
             self.a[l] = self.motions[l].tr_mul(&self.a[l]);
             self.b[l] = self.motions[l].tr_mul(&self.b[l]);
+        }
+        self.finish();
+    }
+
+    /// The same for one point in time, whose derivatives are backward differences with the weights
+    /// `rule` of the present motion and of those at past steps, latest first.
+    pub fn evaluate_backward<'p>(
+        &mut self,
+        rule: &BackwardRule,
+        present: &Motion,
+        past: impl Iterator<Item = &'p Motion>,
+    ) {
+        // Relative to the present motion, so that M is the identity and A, B are the sums themselves.
+        let identity = Motion::identity().to_dual();
+        let (mut a, mut b) = (identity * rule.first[0], identity * rule.second[0]);
+        for (step, motion) in past.enumerate().take(rule.first.len() - 1) {
+            let m = present.relative(motion).to_dual();
+            a += m * rule.first[step + 1];
+            b += m * rule.second[step + 1];
+        }
+        self.motions = vec![identity];
+        self.a = vec![a];
+        self.b = vec![b];
+        self.velocity.resize(1, DualVector::zeros());
+        self.acceleration.resize(1, DualVector::zeros());
+        self.finish();
+    }
+
+    /// `v_ℓ` and `v̇_ℓ` from `A_ℓ` and `B_ℓ`.
+    fn finish(&mut self) {
+        for l in 0..self.motions.len() {
             let v = self.a[l].axial();
             self.velocity[l] = v;
             self.acceleration[l] = (self.b[l] - v.skew() * self.a[l] * 2.0).axial();
@@ -74,13 +114,10 @@ impl NodeKinematics {
     }
 
     /// Blocks `(ℓ, k)` of `Γ_v` and `Γ_a`: `Δv_ℓ = Σ_k Γ_v Δu_k`, `Δv̇_ℓ = Σ_k Γ_a Δu_k`.
-    pub fn tangent(
-        &self,
-        operators: &Differentiation,
-        l: usize,
-        k: usize,
-    ) -> (DualMatrix, DualMatrix) {
-        let (d, t) = (operators.first(l, k), operators.second(l, k));
+    ///
+    /// `weights` are `D_ℓk` and `T_ℓk`.
+    pub fn tangent(&self, weights: (f64, f64), l: usize, k: usize) -> (DualMatrix, DualMatrix) {
+        let (d, t) = weights;
         let s = self.motions[l].tr_mul(&self.motions[k]);
         let (a, b, v) = (&self.a[l], &self.b[l], &self.velocity[l]);
 
@@ -180,7 +217,8 @@ mod tests {
                         let slope = |f: &dyn Fn(&NodeKinematics) -> Vector6<f64>| {
                             ((f(&a) - f(&b)) * 8.0 - (f(&c) - f(&d))) / (12.0 * h)
                         };
-                        let (gamma_v, gamma_a) = node.tangent(&operators, l, k);
+                        let weights = (operators.first(l, k), operators.second(l, k));
+                        let (gamma_v, gamma_a) = node.tangent(weights, l, k);
                         let dv = slope(&|n| n.velocity(l).to_twist());
                         let da = slope(&|n| n.acceleration(l).to_twist());
                         let exact_v = gamma_v.to_twist_matrix().column(component).into_owned();

@@ -10,7 +10,7 @@ mod problem;
 mod state;
 
 pub use between::{NodeInterpolation, ResidualBetween, residual_between, too_coarse};
-pub use kinematics::NodeKinematics;
+pub use kinematics::{BackwardRule, NodeKinematics};
 pub use pattern::Pattern;
 pub use problem::{Collocation, TangentBlocks};
 pub use state::GridState;

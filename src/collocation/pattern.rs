@@ -53,7 +53,7 @@ impl Pattern {
         }
         for (index, placed) in system.elements().iter().enumerate() {
             let element = &placed.element;
-            let dense = points > 1 && (element.has_mass() || element.has_damping());
+            let dense = element.has_mass() || element.has_damping();
             for (local, &b) in element.nodes().iter().enumerate() {
                 for &a in element.nodes() {
                     *coupled[b].entry(a).or_insert(false) |= dense;

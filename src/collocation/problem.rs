@@ -1,6 +1,6 @@
 //! Residual and Jacobian of the governing equations at all grid points, eq. (37).
 
-use super::kinematics::NodeKinematics;
+use super::kinematics::{BackwardRule, NodeKinematics};
 use super::pattern::Pattern;
 use super::state::GridState;
 use crate::elements::NodeState;
@@ -24,6 +24,8 @@ pub struct Collocation {
     /// Signal `s` at grid point `k`, at `k × count + s`.
     signals: Vec<f64>,
     inertia_factor: f64,
+    /// On a grid of one point: rule and past states of marching in time, latest first.
+    past: Option<(BackwardRule, Vec<GridState>)>,
     kinematics: Vec<NodeKinematics>,
     states: Vec<NodeState>,
     forces_only: Workspace,
@@ -71,6 +73,7 @@ impl Collocation {
             operators: Differentiation::new(grid),
             signals: vec![0.0; system.signals() * points],
             inertia_factor: 1.0,
+            past: None,
             kinematics: vec![NodeKinematics::default(); system.nodes()],
             states: Vec::new(),
             forces_only: system.workspace(false),
@@ -121,13 +124,33 @@ impl Collocation {
         self.inertia_factor = factor;
     }
 
+    /// Makes a grid of one point a step of marching in time: derivatives are backward differences.
+    pub fn set_past(&mut self, rule: BackwardRule, past: Vec<GridState>) {
+        debug_assert_eq!(self.grid.points(), 1);
+        self.past = Some((rule, past));
+    }
+
+    /// `D_ℓk` and `T_ℓk`.
+    fn weights(&self, l: usize, k: usize) -> (f64, f64) {
+        match &self.past {
+            Some((rule, _)) => (rule.first[0], rule.second[0]),
+            None => (self.operators.first(l, k), self.operators.second(l, k)),
+        }
+    }
+
     /// Evaluates velocities and accelerations at the grid points.
     pub fn update_kinematics(&mut self, state: &GridState) {
         let points = self.grid.points();
         self.states.clear();
         for (node, kinematics) in self.kinematics.iter_mut().enumerate() {
             let motions = state.node(node);
-            kinematics.evaluate(&mut self.operators, motions);
+            match &self.past {
+                Some((rule, past)) => {
+                    let past = past.iter().map(|state| &state.motions[node]);
+                    kinematics.evaluate_backward(rule, &motions[0], past);
+                }
+                None => kinematics.evaluate(&mut self.operators, motions),
+            }
             for k in 0..points {
                 self.states.push(NodeState {
                     motion: motions[k],
@@ -289,7 +312,7 @@ impl Collocation {
                 for l in 0..points {
                     blocks
                         .gammas
-                        .push(kinematics.tangent(&self.operators, l, k));
+                        .push(kinematics.tangent(self.weights(l, k), l, k));
                 }
             }
         }

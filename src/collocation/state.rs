@@ -82,6 +82,18 @@ impl GridState {
         self.coordinates[k * count..][..count].copy_from_slice(other.tracked(system, from));
     }
 
+    /// Largest difference of motions: positions relative to `length`, entries of rotation matrices.
+    pub fn distance(&self, other: &GridState, length: f64) -> f64 {
+        self.motions
+            .iter()
+            .zip(&other.motions)
+            .fold(0.0, |largest: f64, (a, b)| {
+                largest
+                    .max((a.position - b.position).amax() / length)
+                    .max((a.rotation - b.rotation).amax())
+            })
+    }
+
     /// Follows the tracked coordinates to the present motions.
     pub fn track(&mut self, system: &System) {
         let count = system.tracked();

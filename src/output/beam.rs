@@ -2,7 +2,7 @@
 
 use super::joint::sample;
 use super::solution::Solution;
-use crate::elements::{Beam, Element};
+use crate::elements::Beam;
 use crate::error::{Error, ErrorKind, Result, require_finite};
 use crate::fourier::PeriodicSeries;
 

@@ -4,6 +4,7 @@ mod beam;
 mod diagnostics;
 mod joint;
 mod node;
+mod report;
 mod solution;
 
 pub use beam::BeamQuantity;

@@ -88,6 +88,28 @@ impl Solution {
         &self.model
     }
 
+    /// Checks that `model` has the nodes and joints that this solution has.
+    pub fn require_same_shape(&self, model: &Model) -> Result<()> {
+        let shape = |m: &Model| {
+            let kinds: Vec<_> = m.joints.iter().map(|j| j.kind()).collect();
+            (m.nodes.len(), kinds, m.prescribed.len(), m.springs.len())
+        };
+        if shape(&self.model) == shape(model) {
+            return Ok(());
+        }
+        Err(Error::value(
+            "options.initial",
+            "a solution of a model with the same nodes, joints, springs and prescribed coordinates",
+            format!(
+                "one with {} nodes and {} joints, for a model with {} and {}",
+                self.model.nodes.len(),
+                self.model.joints.len(),
+                model.nodes.len(),
+                model.joints.len()
+            ),
+        ))
+    }
+
     /// This solution at the points of another grid of the same period: where a solve may start.
     ///
     /// # Errors

@@ -1,6 +1,6 @@
 //! The default initial guess: quasi-static equilibrium, followed once around the period (section 8).
 
-use super::newton::{Iteration, Newton, NewtonOptions, Outcome, Timings};
+use super::newton::{Iteration, Newton, NewtonOptions, Outcome};
 use crate::collocation::{Collocation, GridState};
 use crate::error::Result;
 use crate::fourier::TimeGrid;
@@ -26,10 +26,6 @@ pub(super) struct Guess {
     pub outcome: Outcome,
     /// Why not, otherwise.
     pub explanation: String,
-    /// Time spent.
-    pub timings: Timings,
-    /// Newton iterations spent.
-    pub iterations: usize,
 }
 
 /// Static equilibrium at one time, tracked from one set of conditions to the next.
@@ -37,7 +33,6 @@ struct Tracker<'a> {
     newton: Newton,
     state: GridState,
     observe: &'a mut dyn FnMut(&Iteration) -> bool,
-    iterations: usize,
     failure: Option<(Outcome, String)>,
 }
 
@@ -59,7 +54,6 @@ impl Tracker<'_> {
                 Ok(report) => (report.outcome, report.iterations.len(), report.explanation),
                 Err(error) => (Outcome::Stalled, ITERATION_LIMIT, error.to_string()),
             };
-            self.iterations += taken;
             match outcome {
                 Outcome::Converged => {
                     self.state = trial;
@@ -98,7 +92,6 @@ pub(super) fn quasi_static(
         newton: Newton::new(Collocation::new(system.clone(), instant)?)?,
         state: GridState::reference(system, instant),
         observe,
-        iterations: 0,
         failure: None,
     };
     let mut state = GridState::reference(system, grid);
@@ -126,7 +119,5 @@ pub(super) fn quasi_static(
         state,
         outcome,
         explanation,
-        timings: tracker.newton.timings,
-        iterations: tracker.iterations,
     })
 }

@@ -5,6 +5,7 @@ use super::newton::{Iteration, Newton, NewtonOptions, NewtonReport, Outcome, Tim
 use crate::collocation::{Collocation, GridState};
 use crate::error::{Error, Result};
 use crate::fourier::TimeGrid;
+use crate::march::march_to_periodic;
 use crate::model::Model;
 use crate::system::System;
 use std::sync::Arc;
@@ -49,7 +50,7 @@ pub struct PeriodicSolve {
     pub grid: TimeGrid,
     /// States at the grid points.
     pub state: GridState,
-    /// Outcome and history.
+    /// Outcome and history of the last Newton solve of the periodic problem.
     pub report: NewtonReport,
     /// Newton iterations spent on the initial guess, each at a single instant.
     pub guess_iterations: usize,
@@ -59,7 +60,25 @@ pub struct PeriodicSolve {
     pub timings: Timings,
 }
 
+/// Smallest step of the continuation in the inertia factor.
+const SMALLEST_INERTIA_STEP: f64 = 1.0 / 64.0;
+
+/// One solve on its way through the attempts.
+struct Attempts<'a> {
+    system: Arc<System>,
+    grid: TimeGrid,
+    options: NewtonOptions,
+    newton: Newton,
+    observe: &'a mut dyn FnMut(Stage, &Iteration) -> bool,
+    guess_iterations: usize,
+    guess_time: Duration,
+}
+
 /// Finds the periodic response of `model` with period `period`.
+///
+/// Without a given start, Newton begins at the quasi-static motion. Where that does not lead to a
+/// solution, it continues from there in a factor of the inertial forces, and then begins at the end of
+/// a march in time.
 ///
 /// `observe` sees each iteration and returns `false` to cancel.
 ///
@@ -84,47 +103,141 @@ pub fn solve_periodic(
     }
     let grid = TimeGrid::new(options.grid_points, period)?;
     let system = Arc::new(System::new(model, period)?);
-
-    let start = Instant::now();
-    let mut guess_iterations = 0;
-    let mut failure = None;
-    let mut state = match &options.guess {
-        InitialGuess::State(state) => state.clone(),
-        InitialGuess::Default => {
-            let mut observe = |iteration: &Iteration| observe(Stage::InitialGuess, iteration);
-            let guess = quasi_static(&system, grid, &mut observe)?;
-            guess_iterations = guess.iterations;
-            if guess.outcome != Outcome::Converged {
-                failure = Some((guess.outcome, guess.explanation));
-            }
-            guess.state
-        }
-    };
-    let guess_time = start.elapsed();
-    let solve = |state, report, timings| PeriodicSolve {
+    let mut attempts = Attempts {
+        newton: Newton::new(Collocation::new(system.clone(), grid)?)?,
         system: system.clone(),
+        grid,
+        options: options.newton,
+        observe,
+        guess_iterations: 0,
+        guess_time: Duration::ZERO,
+    };
+    let (state, report) = match &options.guess {
+        InitialGuess::State(state) => attempts.newton(state.clone())?,
+        InitialGuess::Default => attempts.from_default()?,
+    };
+    Ok(PeriodicSolve {
+        system,
         grid,
         state,
         report,
-        guess_iterations,
-        guess_time,
-        timings,
-    };
-    if let Some((outcome, explanation)) = failure {
-        let report = NewtonReport {
-            outcome: match outcome {
-                Outcome::Cancelled => Outcome::Cancelled,
-                Outcome::Singular => Outcome::Singular,
-                _ => Outcome::NoInitialGuess,
-            },
-            iterations: Vec::new(),
-            explanation,
-        };
-        return Ok(solve(state, report, Timings::default()));
+        guess_iterations: attempts.guess_iterations,
+        guess_time: attempts.guess_time,
+        timings: attempts.newton.timings,
+    })
+}
+
+/// Whether an outcome leaves no reason to try something else.
+fn is_final(outcome: Outcome) -> bool {
+    matches!(outcome, Outcome::Converged | Outcome::Cancelled)
+}
+
+impl Attempts<'_> {
+    fn newton(&mut self, mut state: GridState) -> Result<(GridState, NewtonReport)> {
+        let observe = &mut *self.observe;
+        let mut observe = |iteration: &Iteration| observe(Stage::Newton, iteration);
+        let report = self.newton.solve(&mut state, &self.options, &mut observe)?;
+        Ok((state, report))
     }
 
-    let mut newton = Newton::new(Collocation::new(system.clone(), grid)?)?;
-    let mut observe = |iteration: &Iteration| observe(Stage::Newton, iteration);
-    let report = newton.solve(&mut state, &options.newton, &mut observe)?;
-    Ok(solve(state, report, newton.timings))
+    fn from_default(&mut self) -> Result<(GridState, NewtonReport)> {
+        let start = Instant::now();
+        let observe = &mut *self.observe;
+        let mut count = 0;
+        let mut counted = |iteration: &Iteration| {
+            count += 1;
+            observe(Stage::InitialGuess, iteration)
+        };
+        let guess = quasi_static(&self.system, self.grid, &mut counted)?;
+        self.guess_iterations += count;
+        self.guess_time += start.elapsed();
+
+        let first = if guess.outcome == Outcome::Converged {
+            let first = self.newton(guess.state.clone())?;
+            if is_final(first.1.outcome) {
+                return Ok(first);
+            }
+            if let Some(solved) = self.through_inertia(guess.state)? {
+                return Ok(solved);
+            }
+            first
+        } else {
+            let outcome = match guess.outcome {
+                Outcome::Cancelled | Outcome::Singular => guess.outcome,
+                _ => Outcome::NoInitialGuess,
+            };
+            let report = NewtonReport {
+                outcome,
+                iterations: Vec::new(),
+                explanation: guess.explanation,
+            };
+            if outcome == Outcome::Cancelled {
+                return Ok((guess.state, report));
+            }
+            (guess.state, report)
+        };
+        Ok(self.through_march()?.unwrap_or(first))
+    }
+
+    /// Raises the inertial forces in steps, from a solution without them.
+    fn through_inertia(
+        &mut self,
+        mut state: GridState,
+    ) -> Result<Option<(GridState, NewtonReport)>> {
+        let (mut reached, mut step) = (0.0, 0.25f64);
+        let mut outcome = None;
+        while reached < 1.0 {
+            let next = (reached + step).min(1.0);
+            self.newton.equations.set_inertia_factor(next);
+            let (trial, report) = self.newton(state.clone())?;
+            match report.outcome {
+                Outcome::Converged => {
+                    state = trial;
+                    reached = next;
+                    step *= 1.5;
+                    outcome = Some((state.clone(), report));
+                }
+                Outcome::Cancelled => {
+                    outcome = Some((trial, report));
+                    break;
+                }
+                _ if step <= SMALLEST_INERTIA_STEP => {
+                    outcome = None;
+                    break;
+                }
+                _ => step *= 0.5,
+            }
+        }
+        self.newton.equations.set_inertia_factor(1.0);
+        Ok(outcome)
+    }
+
+    /// Starts from the end of a march in time. `None` if that leads nowhere either.
+    fn through_march(&mut self) -> Result<Option<(GridState, NewtonReport)>> {
+        let start = Instant::now();
+        let observe = &mut *self.observe;
+        let mut count = 0;
+        let mut counted = |iteration: &Iteration| {
+            count += 1;
+            observe(Stage::InitialGuess, iteration)
+        };
+        let march = march_to_periodic(&self.system, self.grid, &mut counted)?;
+        self.guess_iterations += count;
+        self.guess_time += start.elapsed();
+        match march {
+            Ok(state) => self.newton(state).map(Some),
+            Err((Outcome::Cancelled, explanation)) => {
+                let report = NewtonReport {
+                    outcome: Outcome::Cancelled,
+                    iterations: Vec::new(),
+                    explanation,
+                };
+                Ok(Some((
+                    GridState::reference(&self.system, self.grid),
+                    report,
+                )))
+            }
+            Err(_) => Ok(None),
+        }
+    }
 }

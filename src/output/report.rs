@@ -1,0 +1,76 @@
+//! The readable report of a solve.
+
+use super::solution::Solution;
+use crate::solve::Outcome;
+use std::fmt::Write;
+
+impl Outcome {
+    /// One line for people.
+    pub fn describe(self) -> &'static str {
+        match self {
+            Outcome::Converged => "converged",
+            Outcome::IterationLimit => "not converged: iteration limit reached",
+            Outcome::Stalled => "not converged: Newton's method stalled",
+            Outcome::Singular => "not converged: the Jacobian is singular",
+            Outcome::Cancelled => "cancelled",
+            Outcome::NoInitialGuess => "not started: no initial guess found",
+        }
+    }
+}
+
+impl Solution {
+    /// Outcome and why, iterations, error estimates and time spent, in readable lines.
+    pub fn report(&self) -> String {
+        let solve = self.details();
+        let mut text = String::new();
+        // Writing to a string cannot fail.
+        let mut line = |arguments: std::fmt::Arguments| {
+            let _ = writeln!(text, "{arguments}");
+        };
+        line(format_args!(
+            "Periodic solve: {}",
+            self.outcome().describe()
+        ));
+        if !solve.report.explanation.is_empty() {
+            line(format_args!("  {}", solve.report.explanation));
+        }
+        line(format_args!(
+            "  {} grid points over the period {}, {} nodes, {} unknowns",
+            solve.grid.points(),
+            solve.grid.period(),
+            solve.system.nodes(),
+            self.unknowns()
+        ));
+        if !solve.report.iterations.is_empty() {
+            line(format_args!("  iteration   residual  increment   step"));
+        }
+        for i in &solve.report.iterations {
+            line(format_args!(
+                "  {:9} {:10.2e} {:10.2e} {:6.3}",
+                i.number, i.residual, i.increment, i.step
+            ));
+        }
+        let diagnostics = self.diagnostics();
+        line(format_args!(
+            "  estimated error of the motions {:.1e}; between grid points: residual force {:.1e}, constraints {:.1e}",
+            diagnostics.error_estimate, diagnostics.between.force, diagnostics.between.constraint
+        ));
+        let t = solve.timings;
+        line(format_args!(
+            "  time: initial guess {:.4} s ({} iterations), assembly {:.4} s, analysis {:.4} s, factorisation {:.4} s, substitution {:.4} s",
+            solve.guess_time.as_secs_f64(),
+            solve.guess_iterations,
+            t.assembly.as_secs_f64(),
+            t.analysis.as_secs_f64(),
+            t.factorisation.as_secs_f64(),
+            t.substitution.as_secs_f64()
+        ));
+        text
+    }
+
+    /// Number of unknowns of the periodic problem.
+    pub fn unknowns(&self) -> usize {
+        let system = &self.solve.system;
+        (6 * system.nodes() + system.multipliers()) * self.grid().points()
+    }
+}
