@@ -129,11 +129,561 @@
 #define PDN_ERR_POISONED -902
 
 /**
+ * Kind of a signal: mean, rate and harmonics. Also what a constant is.
+ */
+#define PDN_SIGNAL_HARMONICS 0
+
+/**
+ * Kind of a signal: rate and samples over one period.
+ */
+#define PDN_SIGNAL_SAMPLES 1
+
+/**
+ * Kind of a signal: a function of the caller.
+ */
+#define PDN_SIGNAL_FUNCTION 2
+
+/**
+ * In place of a node's id: the ground, which does not move.
+ */
+#define PDN_GROUND -1
+
+/**
+ * Joint that allows no relative motion.
+ */
+#define PDN_JOINT_RIGID 0
+
+/**
+ * Joint that allows a rotation about axis 3 of its frames.
+ */
+#define PDN_JOINT_REVOLUTE 1
+
+/**
+ * Joint that allows a rotation about axis 1 of its first frame, then about axis 2 of its second.
+ */
+#define PDN_JOINT_UNIVERSAL 2
+
+/**
+ * Joint that allows all rotations.
+ */
+#define PDN_JOINT_SPHERICAL 3
+
+/**
+ * Joint coordinate: the angle of a revolute joint, the first angle of others.
+ */
+#define PDN_ROTATION 3
+
+/**
+ * Joint coordinate: second angle of a universal or spherical joint.
+ */
+#define PDN_ROTATION_2 4
+
+/**
+ * Joint coordinate: third angle of a spherical joint.
+ */
+#define PDN_ROTATION_3 5
+
+/**
+ * Directions of a load: the global axes.
+ */
+#define PDN_FRAME_SPACE 0
+
+/**
+ * Directions of a load: the axes of the node, which the load follows.
+ */
+#define PDN_FRAME_MATERIAL 1
+
+/**
+ * Component of a load: force along axis 1.
+ */
+#define PDN_FORCE_1 0
+
+/**
+ * Component of a load: force along axis 2.
+ */
+#define PDN_FORCE_2 1
+
+/**
+ * Component of a load: force along axis 3.
+ */
+#define PDN_FORCE_3 2
+
+/**
+ * Component of a load: moment about axis 1.
+ */
+#define PDN_MOMENT_1 3
+
+/**
+ * Component of a load: moment about axis 2.
+ */
+#define PDN_MOMENT_2 4
+
+/**
+ * Component of a load: moment about axis 3.
+ */
+#define PDN_MOMENT_3 5
+
+/**
+ * Outcome: converged; the only outcome that is a solution.
+ */
+#define PDN_CONVERGED 0
+
+/**
+ * Outcome: the iteration limit was reached.
+ */
+#define PDN_ITERATION_LIMIT 1
+
+/**
+ * Outcome: no step along the Newton direction brings progress.
+ */
+#define PDN_STALLED 2
+
+/**
+ * Outcome: the Jacobian is singular; something is free to move, or over-constrained.
+ */
+#define PDN_SINGULAR 3
+
+/**
+ * Outcome: the progress callback cancelled the solve.
+ */
+#define PDN_CANCELLED 4
+
+/**
+ * Outcome: no initial guess could be found.
+ */
+#define PDN_NO_INITIAL_GUESS 5
+
+/**
+ * Axes of a joint reaction: inertial.
+ */
+#define PDN_AXES_SPACE 0
+
+/**
+ * Axes of a joint reaction: the joint frame on the first body.
+ */
+#define PDN_AXES_FIRST 1
+
+/**
+ * Axes of a joint reaction: the joint frame on the second body.
+ */
+#define PDN_AXES_SECOND 2
+
+/**
+ * Quantity of a node: position, inertial frame; 3 components \[length\].
+ */
+#define PDN_NODE_POSITION 0
+
+/**
+ * Quantity of a node: rotation matrix, column by column; 9 components.
+ */
+#define PDN_NODE_ROTATION 1
+
+/**
+ * Quantity of a node: unit quaternion (w, x, y, z) of continuous sign; 4 components.
+ */
+#define PDN_NODE_QUATERNION 2
+
+/**
+ * Quantity of a node: velocity and angular velocity, inertial frame; 6 components.
+ */
+#define PDN_NODE_VELOCITY 3
+
+/**
+ * Quantity of a node: acceleration and angular acceleration, inertial frame; 6 components.
+ */
+#define PDN_NODE_ACCELERATION 4
+
+/**
+ * Quantity of a node: velocity and angular velocity along the node's axes; 6 components.
+ */
+#define PDN_NODE_MATERIAL_VELOCITY 5
+
+/**
+ * Quantity of a node: time derivative of PDN_NODE_MATERIAL_VELOCITY; 6 components.
+ */
+#define PDN_NODE_MATERIAL_ACCELERATION 6
+
+/**
+ * Quantity of a joint: coordinate, angles followed through whole turns; 1 component.
+ */
+#define PDN_JOINT_COORDINATE 0
+
+/**
+ * Quantity of a joint: rate of a coordinate; 1 component.
+ */
+#define PDN_JOINT_RATE 1
+
+/**
+ * Quantity of a joint: second derivative of a coordinate; 1 component.
+ */
+#define PDN_JOINT_ACCELERATION 2
+
+/**
+ * Quantity of a joint: force or torque that drives a prescribed coordinate; 1 component.
+ */
+#define PDN_JOINT_DRIVING_EFFORT 3
+
+/**
+ * Quantity of a joint: force and moment on the second body; 6 components.
+ */
+#define PDN_JOINT_REACTION 4
+
+/**
+ * Quantity of a beam: strains and curvatures; 6 components.
+ */
+#define PDN_BEAM_STRAIN 0
+
+/**
+ * Quantity of a beam: internal forces and moments; 6 components.
+ */
+#define PDN_BEAM_FORCE 1
+
+/**
+ * Stage of a solve: finding the initial guess, each iteration at a single instant.
+ */
+#define PDN_STAGE_INITIAL_GUESS 0
+
+/**
+ * Stage of a solve: Newton iterations of the periodic problem.
+ */
+#define PDN_STAGE_NEWTON 1
+
+/**
+ * A mechanism. Made by ::pdn_model_new, freed by ::pdn_model_free.
+ *
+ * It is described in its reference configuration: points, directions and frames are those of the
+ * undeformed, assembled mechanism, all in the global axes, which are fixed to the ground. Any
+ * consistent set of units will do (such as metre, newton, kilogram, second); angles are in radians.
+ *
+ * Nodes, joints and beam elements are named by ids, each counted from 0 in the order they are made.
+ * A call that fails leaves the model as it was.
+ */
+typedef struct pdn_model pdn_model;
+
+/**
+ * A periodic solution, converged or not. Made by ::pdn_solve_periodic, freed by ::pdn_solution_free.
+ */
+typedef struct pdn_solution pdn_solution;
+
+/**
  * What a call returns: PDN_OK, or the negative code of a failure.
  *
  * Whether a solve converged is not a status but a part of its result.
  */
 typedef int32_t pdn_status;
+
+/**
+ * Cross-section of a beam, per unit of length.
+ *
+ * The matrices are 6 x 6, column-major, symmetric, and resolved in the axes of the section: axis 1 is
+ * along the beam. Rows and columns are in the order force 1, 2, 3, moment 1, 2, 3, which is axial,
+ * shear 2, shear 3, torsion, bending about axis 2, bending about axis 3. Any consistent set of units.
+ *
+ * Start with `PDN_INIT(pdn_section, &section)`; then ::pdn_section_set_diagonal, or write the
+ * matrices yourself. A section without stiffness is refused where it is used.
+ */
+typedef struct pdn_section {
+    /**
+     * Set by the initialiser.
+     */
+    size_t struct_size;
+    /**
+     * Forces and moments for unit strains and curvatures; positive definite.
+     */
+    double stiffness[36];
+    /**
+     * Momenta for unit velocities; positive semi-definite.
+     */
+    double mass[36];
+    /**
+     * Forces and moments for unit rates of strain and curvature; positive semi-definite.
+     */
+    double damping[36];
+} pdn_section;
+
+/**
+ * A function of time, to be written by the caller.
+ *
+ * Called on the thread that solves, with times from 0 to the period T of the solve; if two threads
+ * solve at once, on both at once. It must give the same value for the same time, and must neither
+ * throw nor jump out, nor use the model it belongs to.
+ *
+ * @param time  in [0, T]
+ * @param value  where the value goes; not NULL, valid during the call only
+ * @param user_data  as given to ::pdn_signal_set_function
+ * @return 0 for success; anything else makes the solve fail with PDN_ERR_CALLBACK (see
+ *     ::pdn_set_callback_error and ::pdn_last_callback_code), as does a value that is not finite
+ */
+typedef int32_t (*pdn_signal_fn)(double time,
+                                 double *value,
+                                 void *user_data);
+
+/**
+ * A scalar function of time: a load's component or a prescribed coordinate.
+ *
+ * Start with `PDN_INIT(pdn_signal, &signal)`, which makes it zero; then one of the `pdn_signal_set_...`,
+ * each of which replaces all that was set before. Leave the fields to them.
+ *
+ * The signal only points to the caller's arrays: they must be there until the signal has been given
+ * to the model, which copies them. It can be given any number of times.
+ */
+typedef struct pdn_signal {
+    /**
+     * Set by the initialiser.
+     */
+    size_t struct_size;
+    /**
+     * PDN_SIGNAL_HARMONICS, PDN_SIGNAL_SAMPLES or PDN_SIGNAL_FUNCTION.
+     */
+    int32_t kind;
+    /**
+     * Leave it zero.
+     */
+    int32_t reserved;
+    /**
+     * Mean; with harmonics only.
+     */
+    double mean;
+    /**
+     * Growth for a unit of time; with harmonics or samples.
+     */
+    double rate;
+    /**
+     * Array of length [harmonics].
+     */
+    const double *cosines;
+    /**
+     * Array of length [harmonics].
+     */
+    const double *sines;
+    /**
+     * Number of harmonics.
+     */
+    size_t harmonics;
+    /**
+     * Array of length [sample_count].
+     */
+    const double *samples;
+    /**
+     * Number of samples.
+     */
+    size_t sample_count;
+    /**
+     * The function.
+     */
+    pdn_signal_fn function;
+    /**
+     * Handed to the function.
+     */
+    void *user_data;
+} pdn_signal;
+
+/**
+ * Position and axes of a frame. This struct will never change.
+ */
+typedef struct pdn_frame {
+    /**
+     * Its origin, in global coordinates [length].
+     */
+    double position[3];
+    /**
+     * Its axes, in global coordinates: a rotation matrix, 3 x 3, column by column, the columns being
+     * axes 1, 2, 3. Rounding up to 1e-8 is tolerated, and removed.
+     */
+    double rotation[9];
+} pdn_frame;
+
+/**
+ * What a beam was made of; written by the library. This struct will never change its size.
+ *
+ * The nodes along the beam are first, first + 1, ... last; the elements are first_element,
+ * ... first_element + elements - 1.
+ */
+typedef struct pdn_beam {
+    /**
+     * Id of the node at the start.
+     */
+    int32_t first;
+    /**
+     * Id of the node at the end.
+     */
+    int32_t last;
+    /**
+     * Id of the element at the start.
+     */
+    int32_t first_element;
+    /**
+     * Number of elements.
+     */
+    int32_t elements;
+    /**
+     * Zero.
+     */
+    int32_t reserved[4];
+} pdn_beam;
+
+/**
+ * Figures of a solve. Initialise with `PDN_INIT(pdn_diagnostics, &diagnostics)`.
+ */
+typedef struct pdn_diagnostics {
+    /**
+     * Set by the initialiser.
+     */
+    size_t struct_size;
+    /**
+     * Outcome, as ::pdn_solution_outcome.
+     */
+    int32_t outcome;
+    /**
+     * Newton iterations of the periodic problem.
+     */
+    int32_t iterations;
+    /**
+     * Newton iterations of the initial guess, each at a single instant.
+     */
+    int32_t guess_iterations;
+    /**
+     * Zero.
+     */
+    int32_t reserved;
+    /**
+     * Number of grid points.
+     */
+    size_t grid_points;
+    /**
+     * Number of unknowns of the periodic problem.
+     */
+    size_t unknowns;
+    /**
+     * Largest increment of the last iteration, as ::pdn_progress.
+     */
+    double last_increment;
+    /**
+     * Estimated error of the motions between grid points, from the decay of their harmonics: lengths
+     * relative to the size of the mechanism, angles in radians; infinite if it cannot be had.
+     */
+    double error_estimate;
+    /**
+     * Largest residual force half-way between grid points, relative to the largest force that any
+     * element exerts; infinite if the motion cannot be interpolated. Large values mean aliasing.
+     */
+    double force_residual_between;
+    /**
+     * Largest violation of a constraint half-way between grid points: lengths relative to the size of
+     * the mechanism, angles in radians; infinite if the motion cannot be interpolated.
+     */
+    double constraint_residual_between;
+    /**
+     * Seconds spent on the initial guess.
+     */
+    double guess_seconds;
+    /**
+     * Seconds spent on elements and assembly.
+     */
+    double assembly_seconds;
+    /**
+     * Seconds spent on symbolic analysis.
+     */
+    double analysis_seconds;
+    /**
+     * Seconds spent on numeric factorisation.
+     */
+    double factorisation_seconds;
+    /**
+     * Seconds spent on forward and backward substitution.
+     */
+    double substitution_seconds;
+} pdn_diagnostics;
+
+/**
+ * One Newton iteration, as told to a ::pdn_progress_fn.
+ */
+typedef struct pdn_progress {
+    /**
+     * Size of the struct in this library.
+     */
+    size_t struct_size;
+    /**
+     * PDN_STAGE_INITIAL_GUESS or PDN_STAGE_NEWTON.
+     */
+    int32_t stage;
+    /**
+     * Number of the iteration, from 1; starts again with each Newton solve.
+     */
+    int32_t iteration;
+    /**
+     * Largest residual before the step: forces relative to the characteristic force (the largest
+     * stiffness times the size of the mechanism), lengths relative to its size, angles in radians.
+     */
+    double residual;
+    /**
+     * Largest increment of a motion: displacements relative to the size of the mechanism, turns in
+     * radians.
+     */
+    double increment;
+    /**
+     * Fraction of the increment that was taken.
+     */
+    double step;
+} pdn_progress;
+
+/**
+ * Called after each Newton iteration, on the solving thread.
+ *
+ * `progress` is valid during the call only. It must not use the model that is being solved, nor
+ * throw or jump out. Return 0 to go on, anything else to cancel: the outcome is PDN_CANCELLED.
+ */
+typedef int32_t (*pdn_progress_fn)(const struct pdn_progress *progress,
+                                   void *user_data);
+
+/**
+ * Options of ::pdn_solve_periodic. Set the defaults by `PDN_INIT(pdn_periodic_options, &options)`.
+ */
+typedef struct pdn_periodic_options {
+    /**
+     * Set by the initialiser.
+     */
+    size_t struct_size;
+    /**
+     * Number N of grid points, odd; harmonics up to (N - 1) / 2 are resolved. Default 31.
+     */
+    size_t grid_points;
+    /**
+     * If not 0, the number of harmonics: grid_points is then 2 harmonics + 1. Default 0.
+     */
+    size_t harmonics;
+    /**
+     * Converged when the largest increment (lengths relative to the size of the mechanism, angles in
+     * radians) is below this. Newton is quadratic: the error left is about its square. Default 1e-9.
+     */
+    double tolerance;
+    /**
+     * Most Newton iterations. Default 30.
+     */
+    size_t iteration_limit;
+    /**
+     * Start from this solution of a model with the same nodes and joints, also on another grid or of
+     * another period; NULL to start otherwise. Default NULL.
+     */
+    const struct pdn_solution *initial;
+    /**
+     * Start from these positions, 3 x N x nodes: coordinates fastest, then grid points, then nodes;
+     * NULL to start otherwise. Needs guess_rotations. Default NULL.
+     */
+    const double *guess_positions;
+    /**
+     * Rotation matrices of the same start, 9 x N x nodes, each column by column. Default NULL.
+     */
+    const double *guess_rotations;
+    /**
+     * Told of each iteration; may cancel. Default NULL.
+     */
+    pdn_progress_fn progress;
+    /**
+     * Handed to progress.
+     */
+    void *progress_data;
+} pdn_periodic_options;
 
 #ifdef __cplusplus
 extern "C" {
@@ -256,6 +806,1210 @@ int32_t pdn_last_callback_code(void);
  */
 PDN_API
 void pdn_set_panic_printing(int32_t enabled);
+
+/**
+ * Makes a section with no stiffness, mass or damping. Use it as `PDN_INIT(pdn_section, &section)`.
+ *
+ * @param section  the section; not NULL
+ * @param struct_size  sizeof(pdn_section)
+ *
+ * Threads: any.
+ * @since 0.1
+ */
+PDN_API
+void pdn_section_init(struct pdn_section *section,
+                      size_t struct_size);
+
+/**
+ * Describes a section without couplings: centroid, shear centre and centre of mass lie on the beam's
+ * line, and axes 2 and 3 are principal.
+ *
+ * Sets stiffness and mass, and takes the damping away: give that afterwards.
+ *
+ * @param section  an initialised section; not NULL
+ * @param stiffness  array of length 6, all positive: axial EA, shear 2, shear 3 [force], torsion,
+ *     bending about axis 2, bending about axis 3 [force * length^2]
+ * @param mass  array of length 4, none negative: mass [mass / length], and moments of inertia m11
+ *     (about the beam's axis), m22, m33 [mass * length], all per unit of length
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_STRUCT_SIZE, PDN_ERR_NOT_FINITE, PDN_ERR_VALUE
+ *
+ * Threads: exclusive use of `section`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_section_set_diagonal(struct pdn_section *section,
+                                    const double *stiffness,
+                                    const double *mass);
+
+/**
+ * Gives a section damping in proportion to its stiffness, which must have been set.
+ *
+ * A vibration of circular frequency w then has the damping ratio seconds * w / 2.
+ *
+ * @param section  an initialised section with stiffness; not NULL
+ * @param seconds  damping = seconds * stiffness; zero or more [time]
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_STRUCT_SIZE, PDN_ERR_NOT_FINITE, PDN_ERR_VALUE
+ *
+ * Threads: exclusive use of `section`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_section_set_proportional_damping(struct pdn_section *section,
+                                                double seconds);
+
+/**
+ * Makes a signal that is zero. Use it as `PDN_INIT(pdn_signal, &signal)`.
+ *
+ * @param signal  the signal; not NULL
+ * @param struct_size  sizeof(pdn_signal)
+ *
+ * Threads: any.
+ * @since 0.1
+ */
+PDN_API
+void pdn_signal_init(struct pdn_signal *signal,
+                     size_t struct_size);
+
+/**
+ * Makes a signal constant.
+ *
+ * @param signal  an initialised signal; not NULL
+ * @param value  its value, in the unit of what it drives
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_STRUCT_SIZE, PDN_ERR_NOT_FINITE
+ *
+ * Threads: exclusive use of `signal`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_signal_set_constant(struct pdn_signal *signal,
+                                   double value);
+
+/**
+ * Makes a signal of harmonics, mean and rate.
+ *
+ * Its value is mean + rate t + the sum over j = 1 ... count of cosines[j-1] cos(j w t) + sines[j-1]
+ * sin(j w t), with w = 2 pi / T and the period T that is given to the solve. What drives a rotation may
+ * have a rate if it grows by whole turns in a period (rate * T a multiple of 2 pi); all else must have
+ * rate zero.
+ *
+ * @param signal  an initialised signal; not NULL
+ * @param mean  mean, in the unit of what the signal drives
+ * @param rate  growth for a unit of time
+ * @param cosines  array of length [count]; may be NULL if count is 0. Read by the call that takes
+ *     the signal: must be there until then
+ * @param sines  array of length [count]; likewise
+ * @param count  number of harmonics
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_STRUCT_SIZE, PDN_ERR_SIZE, PDN_ERR_NOT_FINITE
+ *
+ * Threads: exclusive use of `signal`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_signal_set_harmonics(struct pdn_signal *signal,
+                                    double mean,
+                                    double rate,
+                                    const double *cosines,
+                                    const double *sines,
+                                    size_t count);
+
+/**
+ * Makes a signal rate t plus the trigonometric interpolation of samples[k] at t = k T / count.
+ *
+ * The samples are equally spaced over one period T of the solve, the end of which is not repeated.
+ *
+ * @param signal  an initialised signal; not NULL
+ * @param rate  growth for a unit of time, as in ::pdn_signal_set_harmonics
+ * @param samples  array of length [count], without the growth, in the unit of what the signal drives;
+ *     not NULL. Read by the call that takes the signal: must be there until then
+ * @param count  number of samples, at least 1, odd or even
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_STRUCT_SIZE, PDN_ERR_SIZE, PDN_ERR_NOT_FINITE
+ *
+ * Threads: exclusive use of `signal`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_signal_set_samples(struct pdn_signal *signal,
+                                  double rate,
+                                  const double *samples,
+                                  size_t count);
+
+/**
+ * Makes a signal a function of the caller.
+ *
+ * Over a period it may grow by whole turns if it drives a rotation, and must not grow otherwise.
+ *
+ * @param signal  an initialised signal; not NULL
+ * @param function  the function, see ::pdn_signal_fn for when it is called; not NULL
+ * @param user_data  handed to the function; may be NULL. Must be valid until each model that was given
+ *     the signal, and each solution of it, has been freed
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_STRUCT_SIZE
+ *
+ * Threads: exclusive use of `signal`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_signal_set_function(struct pdn_signal *signal,
+                                   pdn_signal_fn function,
+                                   void *user_data);
+
+/**
+ * Makes an empty model.
+ *
+ * @param model  the model, to be freed by ::pdn_model_free; written on success only
+ * @return PDN_OK, PDN_ERR_NULL
+ *
+ * Threads: any.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_model_new(struct pdn_model **model);
+
+/**
+ * Frees a model. Solutions made of it stay valid.
+ *
+ * @param model  the model; NULL does nothing
+ *
+ * Threads: exclusive use of `model`.
+ * @since 0.1
+ */
+PDN_API
+void pdn_model_free(struct pdn_model *model);
+
+/**
+ * Number of nodes; their ids are 0 ... count - 1.
+ *
+ * @param model  the model; not NULL
+ * @param count  the number; written on success only
+ * @return PDN_OK, PDN_ERR_NULL
+ *
+ * Threads: `model` is `const`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_model_node_count(const struct pdn_model *model,
+                                int32_t *count);
+
+/**
+ * Number of joints; their ids are 0 ... count - 1.
+ *
+ * @param model  the model; not NULL
+ * @param count  the number; written on success only
+ * @return PDN_OK, PDN_ERR_NULL
+ *
+ * Threads: `model` is `const`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_model_joint_count(const struct pdn_model *model,
+                                 int32_t *count);
+
+/**
+ * Number of beam elements; their ids are 0 ... count - 1.
+ *
+ * @param model  the model; not NULL
+ * @param count  the number; written on success only
+ * @return PDN_OK, PDN_ERR_NULL
+ *
+ * Threads: `model` is `const`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_model_element_count(const struct pdn_model *model,
+                                   int32_t *count);
+
+/**
+ * Total mass and centre of mass in the reference configuration.
+ *
+ * @param model  the model; not NULL
+ * @param mass  total mass of bodies, masses and beams [mass]; written on success only
+ * @param centre  array of length 3: centre of mass, global coordinates [length]; may be NULL if it is
+ *     not wanted; written on success only
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_AVAILABLE (a centre is wanted, and the mass is zero)
+ *
+ * Threads: `model` is `const`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_model_mass(const struct pdn_model *model,
+                          double *mass,
+                          double *centre);
+
+/**
+ * Frame of a node in the reference configuration.
+ *
+ * @param model  the model; not NULL
+ * @param node  id of the node
+ * @param frame  its frame; written on success only
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_ID
+ *
+ * Threads: `model` is `const`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_model_node_frame(const struct pdn_model *model,
+                                int32_t node,
+                                struct pdn_frame *frame);
+
+/**
+ * Adds a node: a frame that moves.
+ *
+ * A node needs something that holds or moves it: mass, a beam or a joint.
+ *
+ * @param model  the model; not NULL
+ * @param position  array of length 3: its position, global coordinates [length]
+ * @param rotation  array of length 9: its axes, a rotation matrix column by column, the columns being
+ *     axes 1, 2, 3 in global coordinates; NULL for axes parallel to the global ones
+ * @param node  the node's id; written on success only
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_VALUE
+ *
+ * Threads: exclusive use of `model`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_model_add_node(struct pdn_model *model,
+                              const double *position,
+                              const double *rotation,
+                              int32_t *node);
+
+/**
+ * Adds a rigid body: a node at its centre of mass, with axes parallel to the global ones.
+ *
+ * @param model  the model; not NULL
+ * @param mass  mass, positive [mass]
+ * @param centre  array of length 3: centre of mass, global coordinates [length]
+ * @param inertia  array of length 9: moments of inertia about the centre of mass, in global axes, 3 x 3,
+ *     symmetric and positive semi-definite [mass * length^2]
+ * @param node  the node's id; written on success only
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_VALUE
+ *
+ * Threads: exclusive use of `model`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_model_add_rigid_body(struct pdn_model *model,
+                                    double mass,
+                                    const double *centre,
+                                    const double *inertia,
+                                    int32_t *node);
+
+/**
+ * Fixes a mass to a node, in addition to what the node has.
+ *
+ * @param model  the model; not NULL
+ * @param node  id of the node
+ * @param mass  mass, zero or more [mass]
+ * @param centre  array of length 3: its centre, global coordinates; need not be at the node [length]
+ * @param inertia  array of length 9: moments of inertia about the centre, in global axes, 3 x 3, symmetric
+ *     and positive semi-definite [mass * length^2]; NULL for a point mass
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_ID, PDN_ERR_VALUE
+ *
+ * Threads: exclusive use of `model`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_model_add_mass(struct pdn_model *model,
+                              int32_t node,
+                              double mass,
+                              const double *centre,
+                              const double *inertia);
+
+/**
+ * Fixes an inertia of any kind to a node, in addition to what the node has.
+ *
+ * A unit velocity of the frame (linear 1, 2, 3, angular 1, 2, 3) has the momentum (linear, angular) of
+ * the matrix's column. A rigid body of mass m, with centre c and moments of inertia J about the centre,
+ * both in the frame, has [m I, -m c~; m c~, J - m c~ c~], where c~ b = c * b.
+ *
+ * @param model  the model; not NULL
+ * @param node  id of the node
+ * @param frame  the frame that the matrix is about and resolved in; NULL for the node's own
+ * @param matrix  array of length 36: 6 x 6, symmetric and positive semi-definite [mass, mass * length,
+ *     mass * length^2]
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_ID, PDN_ERR_VALUE
+ *
+ * Threads: exclusive use of `model`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_model_add_inertia(struct pdn_model *model,
+                                 int32_t node,
+                                 const struct pdn_frame *frame,
+                                 const double *matrix);
+
+/**
+ * Adds a beam element over nodes that are there; it may be curved and twisted.
+ *
+ * The nodes stand, in order, at the Gauss-Lobatto points along the beam; two are its ends. Axis 1 of
+ * each node is along the beam (to within 60 degrees, for curved ones), axes 2 and 3 are those of the
+ * section. The element's reference shape interpolates them, and is free of stress.
+ *
+ * @param model  the model; not NULL
+ * @param nodes  array of length [count]: ids of the nodes, all different
+ * @param count  2 to 25
+ * @param section  cross-section, with positive-definite stiffness; not NULL
+ * @param element  the element's id; written on success only
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_SIZE, PDN_ERR_ID, PDN_ERR_STRUCT_SIZE, PDN_ERR_NOT_FINITE,
+ *     PDN_ERR_VALUE, PDN_ERR_MODEL (nodes that turn too much from one to the next)
+ *
+ * Threads: exclusive use of `model`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_model_add_beam_element(struct pdn_model *model,
+                                      const int32_t *nodes,
+                                      size_t count,
+                                      const struct pdn_section *section,
+                                      int32_t *element);
+
+/**
+ * Adds a straight beam: its nodes and elements.
+ *
+ * Axis 1 of every node is along the beam, from start to end; axis 2 is the part of axis_2 that is
+ * perpendicular to it; axis 3 = axis 1 * axis 2. Beams are joined by joints between their nodes, or by
+ * ::pdn_model_add_rigid_joint.
+ *
+ * @param model  the model; not NULL
+ * @param start  array of length 3: where the beam starts, global coordinates [length]
+ * @param end  array of length 3: where it ends, not at start
+ * @param axis_2  array of length 3: direction of axis 2 of the section, global coordinates, of any
+ *     nonzero length, not along the beam
+ * @param section  cross-section, with positive-definite stiffness; not NULL
+ * @param elements  number of elements, 1 to 1000000
+ * @param degree  polynomial degree of the elements, 1 to 24; an element has degree + 1 nodes
+ * @param beam  ids of what was made; written on success only
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_SIZE, PDN_ERR_STRUCT_SIZE, PDN_ERR_VALUE
+ *
+ * Threads: exclusive use of `model`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_model_add_straight_beam(struct pdn_model *model,
+                                       const double *start,
+                                       const double *end,
+                                       const double *axis_2,
+                                       const struct pdn_section *section,
+                                       size_t elements,
+                                       size_t degree,
+                                       struct pdn_beam *beam);
+
+/**
+ * Fixes two bodies to each other.
+ *
+ * Its frames are at the point, with axes parallel to the global ones in the reference configuration. It
+ * has no coordinates.
+ *
+ * @param model  the model; not NULL
+ * @param first  id of the first node, or PDN_GROUND
+ * @param second  id of the second node, or PDN_GROUND; not the same body
+ * @param point  array of length 3: where the reaction is reported, global coordinates [length]
+ * @param joint  the joint's id; written on success only
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_ID, PDN_ERR_VALUE
+ *
+ * Threads: exclusive use of `model`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_model_add_rigid_joint(struct pdn_model *model,
+                                     int32_t first,
+                                     int32_t second,
+                                     const double *point,
+                                     int32_t *joint);
+
+/**
+ * Joins two bodies by a hinge.
+ *
+ * Its frames are at the point, with axis 3 along the axis. Its coordinate PDN_ROTATION is the angle by
+ * which the second body has turned relative to the first, about the axis by the right-hand rule, since
+ * the reference configuration, where it is zero; it counts whole turns.
+ *
+ * @param model  the model; not NULL
+ * @param first  id of the first node, or PDN_GROUND
+ * @param second  id of the second node, or PDN_GROUND; not the same body
+ * @param point  array of length 3: a point of the axis, global coordinates [length]
+ * @param axis  array of length 3: direction of the axis, global coordinates, of any nonzero length
+ * @param joint  the joint's id; written on success only
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_ID, PDN_ERR_VALUE
+ *
+ * Threads: exclusive use of `model`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_model_add_revolute(struct pdn_model *model,
+                                  int32_t first,
+                                  int32_t second,
+                                  const double *point,
+                                  const double *axis,
+                                  int32_t *joint);
+
+/**
+ * Joins two bodies by a ball.
+ *
+ * Its frames are at the point, with axes parallel to the global ones in the reference configuration.
+ * Its coordinates PDN_ROTATION, PDN_ROTATION_2, PDN_ROTATION_3 are the angles by which the second frame
+ * comes from the first by turning about axis 1, then about its own axis 2, then about its own axis 3;
+ * zero in the reference configuration. The second must stay between -pi/2 and pi/2.
+ *
+ * @param model  the model; not NULL
+ * @param first  id of the first node, or PDN_GROUND
+ * @param second  id of the second node, or PDN_GROUND; not the same body
+ * @param point  array of length 3: centre of the ball, global coordinates [length]
+ * @param joint  the joint's id; written on success only
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_ID, PDN_ERR_VALUE
+ *
+ * Threads: exclusive use of `model`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_model_add_spherical(struct pdn_model *model,
+                                   int32_t first,
+                                   int32_t second,
+                                   const double *point,
+                                   int32_t *joint);
+
+/**
+ * Joins two bodies by a cross (Cardan, Hooke).
+ *
+ * One arm of the cross turns in the first body, the other in the second. Its frames are at the point,
+ * with axis 1 along the first arm, axis 2 along the second, in the reference configuration. Its
+ * coordinates are the angle of the cross relative to the first body about first_arm (PDN_ROTATION), and
+ * of the second body relative to the cross about second_arm (PDN_ROTATION_2), both by the right-hand
+ * rule and zero in the reference configuration.
+ *
+ * @param model  the model; not NULL
+ * @param first  id of the first node, or PDN_GROUND
+ * @param second  id of the second node, or PDN_GROUND; not the same body
+ * @param point  array of length 3: centre of the cross, global coordinates [length]
+ * @param first_arm  array of length 3: direction of the arm fixed to the first body, global coordinates,
+ *     of any nonzero length
+ * @param second_arm  array of length 3: that of the arm fixed to the second body, perpendicular
+ * @param joint  the joint's id; written on success only
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_ID, PDN_ERR_VALUE
+ *
+ * Threads: exclusive use of `model`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_model_add_universal(struct pdn_model *model,
+                                   int32_t first,
+                                   int32_t second,
+                                   const double *point,
+                                   const double *first_arm,
+                                   const double *second_arm,
+                                   int32_t *joint);
+
+/**
+ * Joins two bodies by a joint of any kind, between a frame fixed to each.
+ *
+ * The frames need not fit each other in the reference configuration: the solver closes the joint. With
+ * r and R the position and rotation of the second frame relative to the first, the closed joint has
+ * r = 0, and
+ *
+ * | kind | R | coordinates |
+ * |---|---|---|
+ * | PDN_JOINT_RIGID | I | none |
+ * | PDN_JOINT_REVOLUTE | R3(a) | a = PDN_ROTATION |
+ * | PDN_JOINT_UNIVERSAL | R1(a) R2(b) | a = PDN_ROTATION, b = PDN_ROTATION_2 |
+ * | PDN_JOINT_SPHERICAL | R1(a) R2(b) R3(c) | and c = PDN_ROTATION_3 |
+ *
+ * where Rk(x) turns by x about axis k, right-handed. Angles count whole turns.
+ *
+ * @param model  the model; not NULL
+ * @param kind  PDN_JOINT_RIGID, PDN_JOINT_REVOLUTE, PDN_JOINT_UNIVERSAL or PDN_JOINT_SPHERICAL
+ * @param first  id of the first node, or PDN_GROUND
+ * @param second  id of the second node, or PDN_GROUND; not the same body
+ * @param first_frame  frame fixed to the first body, where it is in the reference configuration; not NULL
+ * @param second_frame  frame fixed to the second body, likewise; not NULL
+ * @param joint  the joint's id; written on success only
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_ID, PDN_ERR_VALUE
+ *
+ * Threads: exclusive use of `model`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_model_add_joint(struct pdn_model *model,
+                               int32_t kind,
+                               int32_t first,
+                               int32_t second,
+                               const struct pdn_frame *first_frame,
+                               const struct pdn_frame *second_frame,
+                               int32_t *joint);
+
+/**
+ * Adds a linear spring with a damper on a joint coordinate, in addition to those that are there.
+ *
+ * It resists with stiffness * (coordinate - rest) + damping * its rate; whole turns count.
+ *
+ * @param model  the model; not NULL
+ * @param joint  id of the joint
+ * @param coordinate  PDN_ROTATION, PDN_ROTATION_2 or PDN_ROTATION_3; one that the joint has
+ * @param stiffness  moment for a unit of angle [force * length]; may be negative
+ * @param damping  moment for a unit rate of angle [force * length * time]; may be negative
+ * @param rest  angle at which the spring is free of moment [radian]
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_ID, PDN_ERR_VALUE, PDN_ERR_NOT_AVAILABLE
+ *
+ * Threads: exclusive use of `model`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_model_add_spring_damper(struct pdn_model *model,
+                                       int32_t joint,
+                                       int32_t coordinate,
+                                       double stiffness,
+                                       double damping,
+                                       double rest);
+
+/**
+ * Makes a joint coordinate follow a signal. Each coordinate can be prescribed once.
+ *
+ * The signal may grow by whole turns in a period.
+ *
+ * @param model  the model; not NULL
+ * @param joint  id of the joint
+ * @param coordinate  PDN_ROTATION, PDN_ROTATION_2 or PDN_ROTATION_3; one that the joint has
+ * @param signal  the coordinate in time [radian], copied; not NULL
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_SIZE, PDN_ERR_ID, PDN_ERR_VALUE,
+ *     PDN_ERR_STRUCT_SIZE, PDN_ERR_NOT_AVAILABLE
+ *
+ * Threads: exclusive use of `model`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_model_prescribe(struct pdn_model *model,
+                               int32_t joint,
+                               int32_t coordinate,
+                               const struct pdn_signal *signal);
+
+/**
+ * Adds one component of a force or moment on a node, in addition to those that are there.
+ *
+ * A force acts at the node's origin.
+ *
+ * @param model  the model; not NULL
+ * @param node  id of the node
+ * @param frame  PDN_FRAME_SPACE: directions of the global axes; PDN_FRAME_MATERIAL: of the node's axes,
+ *     which the load follows
+ * @param component  PDN_FORCE_1, PDN_FORCE_2, PDN_FORCE_3 [force], PDN_MOMENT_1, PDN_MOMENT_2 or
+ *     PDN_MOMENT_3 [force * length]
+ * @param signal  the component in time, copied; not NULL
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_SIZE, PDN_ERR_ID, PDN_ERR_VALUE,
+ *     PDN_ERR_STRUCT_SIZE
+ *
+ * Threads: exclusive use of `model`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_model_add_load(struct pdn_model *model,
+                              int32_t node,
+                              int32_t frame,
+                              int32_t component,
+                              const struct pdn_signal *signal);
+
+/**
+ * Sets the acceleration of gravity, in place of any set before. Without this call there is none.
+ *
+ * @param model  the model; not NULL
+ * @param acceleration  array of length 3: such as {0, 0, -9.81}, global axes [length / time^2]
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE
+ *
+ * Threads: exclusive use of `model`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_model_set_gravity(struct pdn_model *model,
+                                 const double *acceleration);
+
+/**
+ * Frees a solution; NULL does nothing.
+ *
+ * @param solution  the solution, not to be used any more
+ *
+ * Threads: exclusive use of `solution`.
+ * @since 0.1
+ */
+PDN_API
+void pdn_solution_free(struct pdn_solution *solution);
+
+/**
+ * How the solve ended.
+ *
+ * Unless it is PDN_CONVERGED the solution's quantities are those of the last iterate.
+ *
+ * @param solution  the solution; not NULL
+ * @return PDN_CONVERGED, PDN_ITERATION_LIMIT, PDN_STALLED, PDN_SINGULAR, PDN_CANCELLED or
+ *     PDN_NO_INITIAL_GUESS; negative, as a ::pdn_status, if the handle is not valid
+ *
+ * Threads: like `const`.
+ * @since 0.1
+ */
+PDN_API
+int32_t pdn_solution_outcome(const struct pdn_solution *solution);
+
+/**
+ * A readable report: outcome and why, iterations, error estimates, time spent.
+ *
+ * @param solution  the solution; not NULL
+ * @param buffer  array of length [capacity] for the text, UTF-8, always ended by NUL; may be NULL if
+ *     capacity is 0
+ * @param capacity  size of buffer in bytes
+ * @return length of the whole report without the NUL, as snprintf does; 0 if the handle is not valid
+ *
+ * Threads: like `const`.
+ * @since 0.1
+ */
+PDN_API
+size_t pdn_solution_report(const struct pdn_solution *solution,
+                           char *buffer,
+                           size_t capacity);
+
+/**
+ * Prepares a struct for ::pdn_solution_diagnostics; use `PDN_INIT(pdn_diagnostics, &diagnostics)`.
+ *
+ * @param diagnostics  the struct; not NULL
+ * @param struct_size  `sizeof *diagnostics`
+ *
+ * Threads: any.
+ * @since 0.1
+ */
+PDN_API
+void pdn_diagnostics_init(struct pdn_diagnostics *diagnostics,
+                          size_t struct_size);
+
+/**
+ * Figures of a solve: iterations, error estimates, residuals between grid points, time spent.
+ *
+ * @param solution  the solution; not NULL
+ * @param out  initialised by PDN_INIT; filled on success only
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_STRUCT_SIZE
+ *
+ * Threads: like `const`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_solution_diagnostics(const struct pdn_solution *solution,
+                                    struct pdn_diagnostics *out);
+
+/**
+ * History of the Newton iterations of the periodic problem.
+ *
+ * @param solution  the solution; not NULL
+ * @param residuals  array of length [count] for the largest residual before each iteration; may be NULL
+ * @param increments  array of length [count] for the largest increment of each; may be NULL
+ * @param steps  array of length [count] for the fraction of the increment taken; may be NULL
+ * @param count  number of iterations, as pdn_diagnostics.iterations tells
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_SIZE
+ *
+ * Threads: like `const`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_solution_history(const struct pdn_solution *solution,
+                                double *residuals,
+                                double *increments,
+                                double *steps,
+                                size_t count);
+
+/**
+ * Decay of the harmonics: largest amplitude of each over all nodes, of positions relative to the size of
+ * the mechanism and of entries of rotation matrices.
+ *
+ * @param solution  the solution; not NULL
+ * @param amplitudes  array of length [count], harmonics 0, 1, ..., (N - 1) / 2
+ * @param count  (N + 1) / 2, for N grid points
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_SIZE
+ *
+ * Threads: like `const`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_solution_decay(const struct pdn_solution *solution,
+                              double *amplitudes,
+                              size_t count);
+
+/**
+ * Grid times t_k = k T / N.
+ *
+ * @param solution  the solution; not NULL
+ * @param times  array of length [count]
+ * @param count  N, the number of grid points
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_SIZE
+ *
+ * Threads: like `const`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_solution_grid_times(const struct pdn_solution *solution,
+                                   double *times,
+                                   size_t count);
+
+/**
+ * Position of a node at any times.
+ *
+ * Interpolated over the whole period by dual polar decomposition: to rounding at the grid points.
+ *
+ * @param solution  the solution; not NULL
+ * @param node  id of the node
+ * @param times  array of length [count]: times, also outside the first period
+ * @param count  number of times
+ * @param out  array of shape 3 x [count], coordinates of each time together, inertial frame \[length\]
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_ID, PDN_ERR_GRID_TOO_COARSE
+ *
+ * Threads: like `const`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_solution_node_position(const struct pdn_solution *solution,
+                                      int32_t node,
+                                      const double *times,
+                                      size_t count,
+                                      double *out);
+
+/**
+ * Rotation matrix of a node at any times.
+ *
+ * @param solution  the solution; not NULL
+ * @param node  id of the node
+ * @param times  array of length [count]: times, also outside the first period
+ * @param count  number of times
+ * @param out  array of shape 9 x [count]: of each time the three columns, which are the node's axes in
+ *     the inertial frame
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_ID, PDN_ERR_GRID_TOO_COARSE
+ *
+ * Threads: like `const`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_solution_node_rotation(const struct pdn_solution *solution,
+                                      int32_t node,
+                                      const double *times,
+                                      size_t count,
+                                      double *out);
+
+/**
+ * Unit quaternion of a node at any times.
+ *
+ * @param solution  the solution; not NULL
+ * @param node  id of the node
+ * @param times  array of length [count]: times, also outside the first period
+ * @param count  number of times
+ * @param out  array of shape 4 x [count]: (w, x, y, z) of each time, from the inertial to the node's frame;
+ *     w is not negative at the first time, and the sign is continuous from one time to the next
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_ID, PDN_ERR_GRID_TOO_COARSE
+ *
+ * Threads: like `const`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_solution_node_quaternion(const struct pdn_solution *solution,
+                                        int32_t node,
+                                        const double *times,
+                                        size_t count,
+                                        double *out);
+
+/**
+ * Velocity of a node at any times.
+ *
+ * @param solution  the solution; not NULL
+ * @param node  id of the node
+ * @param frame  PDN_FRAME_SPACE: velocity of the node and angular velocity along the inertial axes;
+ *     PDN_FRAME_MATERIAL: along the node's own
+ * @param times  array of length [count]: times, also outside the first period
+ * @param count  number of times
+ * @param out  array of shape 6 x [count]: linear, then angular velocity of each time
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_ID, PDN_ERR_VALUE,
+ *     PDN_ERR_GRID_TOO_COARSE
+ *
+ * Threads: like `const`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_solution_node_velocity(const struct pdn_solution *solution,
+                                      int32_t node,
+                                      int32_t frame,
+                                      const double *times,
+                                      size_t count,
+                                      double *out);
+
+/**
+ * Acceleration of a node at any times.
+ *
+ * @param solution  the solution; not NULL
+ * @param node  id of the node
+ * @param frame  PDN_FRAME_SPACE: acceleration of the node and angular acceleration along the inertial
+ *     axes; PDN_FRAME_MATERIAL: time derivative of the velocity along the node's own axes
+ * @param times  array of length [count]: times, also outside the first period
+ * @param count  number of times
+ * @param out  array of shape 6 x [count]: linear, then angular acceleration of each time
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_ID, PDN_ERR_VALUE,
+ *     PDN_ERR_GRID_TOO_COARSE
+ *
+ * Threads: like `const`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_solution_node_acceleration(const struct pdn_solution *solution,
+                                          int32_t node,
+                                          int32_t frame,
+                                          const double *times,
+                                          size_t count,
+                                          double *out);
+
+/**
+ * Joint coordinate at any times: an angle, followed continuously through whole turns.
+ *
+ * @param solution  the solution; not NULL
+ * @param joint  id of the joint
+ * @param coordinate  PDN_ROTATION, PDN_ROTATION_2 or PDN_ROTATION_3; see the joint
+ * @param times  array of length [count]: times, also outside the first period
+ * @param count  number of times
+ * @param out  array of length [count] \[rad\]
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_ID, PDN_ERR_VALUE,
+ *     PDN_ERR_NOT_AVAILABLE (the joint has no such coordinate)
+ *
+ * Threads: like `const`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_solution_joint_coordinate(const struct pdn_solution *solution,
+                                         int32_t joint,
+                                         int32_t coordinate,
+                                         const double *times,
+                                         size_t count,
+                                         double *out);
+
+/**
+ * Rate of a joint coordinate at any times.
+ *
+ * @param solution  the solution; not NULL
+ * @param joint  id of the joint
+ * @param coordinate  PDN_ROTATION, PDN_ROTATION_2 or PDN_ROTATION_3; see the joint
+ * @param times  array of length [count]: times, also outside the first period
+ * @param count  number of times
+ * @param out  array of length [count] \[rad per unit of time\]
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_ID, PDN_ERR_VALUE,
+ *     PDN_ERR_NOT_AVAILABLE (the joint has no such coordinate)
+ *
+ * Threads: like `const`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_solution_joint_rate(const struct pdn_solution *solution,
+                                   int32_t joint,
+                                   int32_t coordinate,
+                                   const double *times,
+                                   size_t count,
+                                   double *out);
+
+/**
+ * Second derivative in time of a joint coordinate at any times.
+ *
+ * @param solution  the solution; not NULL
+ * @param joint  id of the joint
+ * @param coordinate  PDN_ROTATION, PDN_ROTATION_2 or PDN_ROTATION_3; see the joint
+ * @param times  array of length [count]: times, also outside the first period
+ * @param count  number of times
+ * @param out  array of length [count] \[rad per unit of time squared\]
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_ID, PDN_ERR_VALUE,
+ *     PDN_ERR_NOT_AVAILABLE (the joint has no such coordinate)
+ *
+ * Threads: like `const`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_solution_joint_acceleration(const struct pdn_solution *solution,
+                                           int32_t joint,
+                                           int32_t coordinate,
+                                           const double *times,
+                                           size_t count,
+                                           double *out);
+
+/**
+ * Torque that drives a prescribed coordinate, at any times.
+ *
+ * It acts on the second body, and its reaction on the first; positive where it does work on a growing
+ * coordinate. Interpolated from the multipliers at the grid points.
+ *
+ * @param solution  the solution; not NULL
+ * @param joint  id of the joint
+ * @param coordinate  the prescribed coordinate, as given to ::pdn_model_prescribe
+ * @param times  array of length [count]: times, also outside the first period
+ * @param count  number of times
+ * @param out  array of length [count] \[force x length\]
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_ID, PDN_ERR_VALUE,
+ *     PDN_ERR_NOT_AVAILABLE (no such coordinate, or it is not prescribed)
+ *
+ * Threads: like `const`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_solution_joint_driving_effort(const struct pdn_solution *solution,
+                                             int32_t joint,
+                                             int32_t coordinate,
+                                             const double *times,
+                                             size_t count,
+                                             double *out);
+
+/**
+ * Reaction of a joint at any times: what its constraints exert on the second body.
+ *
+ * Force, and moment about the origin of the joint frame on the second body. Springs, dampers and the
+ * drives of prescribed coordinates are not part of it.
+ *
+ * @param solution  the solution; not NULL
+ * @param joint  id of the joint
+ * @param axes  PDN_AXES_SPACE, PDN_AXES_FIRST or PDN_AXES_SECOND: axes of the components
+ * @param times  array of length [count]: times, also outside the first period
+ * @param count  number of times
+ * @param out  array of shape 6 x [count]: force, then moment of each time
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_ID, PDN_ERR_VALUE
+ *
+ * Threads: like `const`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_solution_joint_reaction(const struct pdn_solution *solution,
+                                       int32_t joint,
+                                       int32_t axes,
+                                       const double *times,
+                                       size_t count,
+                                       double *out);
+
+/**
+ * Strains of a beam element at a station and any times.
+ *
+ * Per unit of reference length, along the section's axes: axial and two shear strains, twist and two
+ * curvatures. Interpolated from their values at the grid points.
+ *
+ * @param solution  the solution; not NULL
+ * @param element  id of the beam element
+ * @param station  place along the element, from -1 at its first to 1 at its last node
+ * @param times  array of length [count]: times, also outside the first period
+ * @param count  number of times
+ * @param out  array of shape 6 x [count]
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_ID, PDN_ERR_VALUE
+ *
+ * Threads: like `const`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_solution_beam_strain(const struct pdn_solution *solution,
+                                    int32_t element,
+                                    double station,
+                                    const double *times,
+                                    size_t count,
+                                    double *out);
+
+/**
+ * Internal forces of a beam element at a station and any times.
+ *
+ * Along the section's axes: axial force and two shear forces, torque and two bending moments, exerted by
+ * the part beyond the station. They follow from the strains, and are most accurate at the element's
+ * Gauss points: for two nodes the middle, for three 1/sqrt(3) either side of it.
+ *
+ * @param solution  the solution; not NULL
+ * @param element  id of the beam element
+ * @param station  place along the element, from -1 at its first to 1 at its last node
+ * @param times  array of length [count]: times, also outside the first period
+ * @param count  number of times
+ * @param out  array of shape 6 x [count]
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_ID, PDN_ERR_VALUE
+ *
+ * Threads: like `const`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_solution_beam_force(const struct pdn_solution *solution,
+                                   int32_t element,
+                                   double station,
+                                   const double *times,
+                                   size_t count,
+                                   double *out);
+
+/**
+ * Fourier coefficients of a node's quantity: mean + sum of cosines[j] cos jwt + sines[j] sin jwt.
+ *
+ * Those of the trigonometric polynomial through the values at the grid points.
+ *
+ * @param solution  the solution; not NULL
+ * @param node  id of the node
+ * @param quantity  PDN_NODE_POSITION, ...; it has C components
+ * @param harmonics  number of harmonics wanted, at most (N - 1) / 2
+ * @param mean  array of length C; may be NULL
+ * @param cosines  array of shape C x [harmonics], components of each harmonic together; may be NULL
+ * @param sines  as cosines; may be NULL
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_SIZE, PDN_ERR_ID, PDN_ERR_VALUE,
+ *     PDN_ERR_NOT_AVAILABLE (the quaternion of a node that makes an odd number of turns)
+ *
+ * Threads: like `const`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_solution_node_harmonics(const struct pdn_solution *solution,
+                                       int32_t node,
+                                       int32_t quantity,
+                                       size_t harmonics,
+                                       double *mean,
+                                       double *cosines,
+                                       double *sines);
+
+/**
+ * Fourier coefficients of a joint's quantity: mean + rate t + sum of cosines[j] cos jwt + sines[j] sin jwt.
+ *
+ * @param solution  the solution; not NULL
+ * @param joint  id of the joint
+ * @param quantity  PDN_JOINT_COORDINATE, ...; it has C components
+ * @param detail  the coordinate (PDN_ROTATION, ...) or, for PDN_JOINT_REACTION, the axes (PDN_AXES_SPACE, ...)
+ * @param harmonics  number of harmonics wanted, at most (N - 1) / 2
+ * @param mean  array of length C; may be NULL
+ * @param rate  array of length C: growth per unit of time, of an angle that gains turns; may be NULL
+ * @param cosines  array of shape C x [harmonics], components of each harmonic together; may be NULL
+ * @param sines  as cosines; may be NULL
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_SIZE, PDN_ERR_ID, PDN_ERR_VALUE, PDN_ERR_NOT_AVAILABLE
+ *
+ * Threads: like `const`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_solution_joint_harmonics(const struct pdn_solution *solution,
+                                        int32_t joint,
+                                        int32_t quantity,
+                                        int32_t detail,
+                                        size_t harmonics,
+                                        double *mean,
+                                        double *rate,
+                                        double *cosines,
+                                        double *sines);
+
+/**
+ * Fourier coefficients of strains or internal forces of a beam element at a station.
+ *
+ * @param solution  the solution; not NULL
+ * @param element  id of the beam element
+ * @param station  place along the element, from -1 at its first to 1 at its last node
+ * @param quantity  PDN_BEAM_STRAIN or PDN_BEAM_FORCE
+ * @param harmonics  number of harmonics wanted, at most (N - 1) / 2
+ * @param mean  array of length 6; may be NULL
+ * @param cosines  array of shape 6 x [harmonics], components of each harmonic together; may be NULL
+ * @param sines  as cosines; may be NULL
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_SIZE, PDN_ERR_ID, PDN_ERR_VALUE
+ *
+ * Threads: like `const`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_solution_beam_harmonics(const struct pdn_solution *solution,
+                                       int32_t element,
+                                       double station,
+                                       int32_t quantity,
+                                       size_t harmonics,
+                                       double *mean,
+                                       double *cosines,
+                                       double *sines);
+
+/**
+ * Sets default options; use `PDN_INIT(pdn_periodic_options, &options)`.
+ *
+ * @param options  the options; not NULL
+ * @param struct_size  `sizeof *options`
+ *
+ * Threads: any.
+ * @since 0.1
+ */
+PDN_API
+void pdn_periodic_options_init(struct pdn_periodic_options *options,
+                               size_t struct_size);
+
+/**
+ * Finds the periodic response of a model directly, by Fourier spectral collocation.
+ *
+ * Newton's method with the exact tangent on the equations of motion at N equispaced times, from the
+ * quasi-static motion unless another start is given. Not converging is no error: PDN_OK says that
+ * the solve was carried out, ::pdn_solution_outcome how it ended, ::pdn_solution_report why.
+ *
+ * @param model  the model; it is copied, so that later changes do not touch the solution
+ * @param period  T, the period of the response; harmonics of signals are those of this period
+ * @param options  may be NULL for the defaults
+ * @param out  the solution, also if it has not converged; free it with ::pdn_solution_free; written
+ *     on success only
+ * @return PDN_OK; PDN_ERR_NULL; PDN_ERR_NOT_FINITE; PDN_ERR_SIZE (even number of grid points, a start of
+ *     another size); PDN_ERR_VALUE; PDN_ERR_STRUCT_SIZE; PDN_ERR_MODEL (no node, a beam too distorted);
+ *     PDN_ERR_NOT_PERIODIC (a prescribed motion or load that does not repeat, a spring on an
+ *     angle that gains turns); PDN_ERR_GRID_TOO_COARSE (of the initial solution);
+ *     PDN_ERR_CALLBACK (of a signal); PDN_ERR_MEMORY
+ *
+ * Threads: like a `const` use of `model` and of `options.initial`. Signals' functions and `progress` are
+ * called on this thread.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_solve_periodic(const struct pdn_model *model,
+                              double period,
+                              const struct pdn_periodic_options *options,
+                              struct pdn_solution **out);
+
+/**
+ * Interpolates a periodic motion given at N equispaced times, by dual polar decomposition.
+ *
+ * Exponentially accurate as N grows, for rotations and translations of any size (section 4 of Han and
+ * Bauchau, Nonlinear Dynamics 92, 2018).
+ *
+ * @param period  T, the period of the motion
+ * @param positions  array of shape 3 x [points]: positions at t = k T / N
+ * @param rotations  array of shape 9 x [points]: rotation matrices, each column by column
+ * @param points  N, odd
+ * @param times  array of length [count]: times wanted, anywhere
+ * @param count  number of times
+ * @param position  array of shape 3 x [count]; may be NULL
+ * @param rotation  array of shape 9 x [count], each matrix column by column; may be NULL
+ * @param velocity  array of shape 6 x [count]: linear and angular velocity along the moving axes; may
+ *     be NULL
+ * @param acceleration  array of shape 6 x [count]: time derivative of velocity; may be NULL
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_SIZE, PDN_ERR_VALUE,
+ *     PDN_ERR_GRID_TOO_COARSE
+ *
+ * Threads: any.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_motion_interpolate(double period,
+                                  const double *positions,
+                                  const double *rotations,
+                                  size_t points,
+                                  const double *times,
+                                  size_t count,
+                                  double *position,
+                                  double *rotation,
+                                  double *velocity,
+                                  double *acceleration);
+
+/**
+ * Velocities and accelerations of a motion at its own grid points, and their exact linearisation.
+ *
+ * With the material increments u = (R^T dr, dpsi) of the motions, ordered as 6 for each point,
+ * d velocity = velocity_tangent u and d acceleration = acceleration_tangent u (eqs. 24 to 29).
+ *
+ * @param period  T, the period of the motion
+ * @param positions  array of shape 3 x [points]: positions at t = k T / N
+ * @param rotations  array of shape 9 x [points]: rotation matrices, each column by column
+ * @param points  N, odd
+ * @param velocity  array of shape 6 x [points]: linear and angular velocity along the moving axes; may
+ *     be NULL
+ * @param acceleration  array of shape 6 x [points]: time derivative of velocity; may be NULL
+ * @param velocity_tangent  matrix of 6 N x 6 N, column-major; may be NULL
+ * @param acceleration_tangent  matrix of 6 N x 6 N, column-major; may be NULL
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_SIZE, PDN_ERR_VALUE
+ *
+ * Threads: any.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_motion_grid_kinematics(double period,
+                                      const double *positions,
+                                      const double *rotations,
+                                      size_t points,
+                                      double *velocity,
+                                      double *acceleration,
+                                      double *velocity_tangent,
+                                      double *acceleration_tangent);
 
 #ifdef __cplusplus
 }  // extern "C"

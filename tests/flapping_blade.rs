@@ -17,15 +17,29 @@ fn a_blade_held_by_its_rotation_alone_flaps_as_linear_theory_says() {
     let hub = model.add_rigid_body(1.0, &Vector3::zeros(), &ball).unwrap();
     let middle = Vector3::new(hinge + 0.5 * length, 0.0, 0.0);
     let rod = Vector3::new(0.0, 1.0, 1.0) * (mass * length * length / 12.0);
-    let blade = model.add_rigid_body(mass, &middle, &Matrix3::from_diagonal(&rod)).unwrap();
+    let blade = model
+        .add_rigid_body(mass, &middle, &Matrix3::from_diagonal(&rod))
+        .unwrap();
     let shaft = Model::frame_at("axis", &Vector3::zeros(), &Vector3::z()).unwrap();
-    let shaft = model.add_joint(JointKind::Revolute, None, Some(hub), &shaft, &shaft).unwrap();
+    let shaft = model
+        .add_joint(JointKind::Revolute, None, Some(hub), &shaft, &shaft)
+        .unwrap();
     // Flapping up, towards z, is a turn about −y.
     let flap = Model::frame_at("axis", &Vector3::new(hinge, 0.0, 0.0), &-Vector3::y()).unwrap();
-    let flap = model.add_joint(JointKind::Revolute, Some(hub), Some(blade), &flap, &flap).unwrap();
+    let flap = model
+        .add_joint(JointKind::Revolute, Some(hub), Some(blade), &flap, &flap)
+        .unwrap();
     let turn = Signal::harmonics(0.0, omega, &[], &[]).unwrap();
     let coordinate = Coordinate::Rotation1;
-    model.prescribe(JointCoordinate { joint: shaft, coordinate }, &turn).unwrap();
+    model
+        .prescribe(
+            JointCoordinate {
+                joint: shaft,
+                coordinate,
+            },
+            &turn,
+        )
+        .unwrap();
     let lift = Signal::harmonics(0.5 * force, 0.0, &[force], &[0.0]).unwrap();
     let components = [None, None, Some(lift), None, None, None];
     model.add_load(blade, LoadFrame::Space, components).unwrap();
@@ -39,7 +53,12 @@ fn a_blade_held_by_its_rotation_alone_flaps_as_linear_theory_says() {
         guess: InitialGuess::Default,
     };
     let solution = Solution::solve(&model, TAU / omega, &options, &mut |_, _| true).unwrap();
-    assert_eq!(solution.outcome(), Outcome::Converged, "{}", solution.report());
+    assert_eq!(
+        solution.outcome(),
+        Outcome::Converged,
+        "{}",
+        solution.report()
+    );
 
     // I (β̈ + ν² Ω² β) = F l/2, with ν² = 1 + 3 e / (2 l) for a uniform slender blade.
     let about_hinge = mass * length * length / 3.0;
@@ -47,11 +66,19 @@ fn a_blade_held_by_its_rotation_alone_flaps_as_linear_theory_says() {
     let moment = 0.5 * force * length;
     let mean = 0.5 * moment / (about_hinge * nu2 * omega * omega);
     let cosine = moment / (about_hinge * (nu2 - 1.0) * omega * omega);
-    let series = solution.joint_series(flap, JointQuantity::Coordinate(coordinate)).unwrap();
+    let series = solution
+        .joint_series(flap, JointQuantity::Coordinate(coordinate))
+        .unwrap();
     // Flapping of 1e-6 rad: what linear theory leaves out is relatively its square.
-    assert!((series[0].mean - mean).abs() < 1e-9 * cosine, "{} {mean}", series[0].mean);
+    assert!(
+        (series[0].mean - mean).abs() < 1e-9 * cosine,
+        "{} {mean}",
+        series[0].mean
+    );
     assert!((series[0].cosines[0] - cosine).abs() < 1e-9 * cosine);
     assert!(series[0].sines[0].abs() < 1e-9 * cosine);
-    let shaft = solution.joint_series(shaft, JointQuantity::Coordinate(coordinate)).unwrap();
+    let shaft = solution
+        .joint_series(shaft, JointQuantity::Coordinate(coordinate))
+        .unwrap();
     assert!((shaft[0].rate - omega).abs() < 1e-12 * omega);
 }

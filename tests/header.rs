@@ -4,7 +4,19 @@ use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
 /// The files that declare something for C, in the order of the header.
-const FILES: &[&str] = &["version", "status", "last_error", "callback", "guard"];
+const FILES: &[&str] = &[
+    "version",
+    "status",
+    "last_error",
+    "callback",
+    "guard",
+    "section",
+    "signal",
+    "model",
+    "solution",
+    "periodic",
+    "motion",
+];
 
 fn root() -> &'static Path {
     Path::new(env!("CARGO_MANIFEST_DIR"))

@@ -2,7 +2,7 @@
 
 use super::callback::Callback;
 use super::handle::{self, Exclusive, Handle};
-use super::options::{self, Options};
+use super::options::{self, Options, OutStruct};
 use crate::error::{Error, ErrorKind, Result, require_finite};
 use std::ffi::{CStr, c_char, c_void};
 use std::marker::PhantomData;
@@ -122,6 +122,15 @@ impl Call {
     /// Options; NULL stands for the defaults.
     pub(super) fn options<T: Options>(&self, options: *const T, name: &str) -> Result<T> {
         options::read(options, name)
+    }
+
+    /// Where a struct of results goes; it was initialised with its `struct_size`.
+    pub(super) fn out_struct<T: Options>(
+        &self,
+        out: *mut T,
+        name: &str,
+    ) -> Result<OutStruct<'_, T>> {
+        options::out_struct(out, name)
     }
 
     /// Where one value goes.

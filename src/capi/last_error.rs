@@ -43,6 +43,12 @@ pub(super) fn fail(error: &Error) -> pdn_status {
     error.kind().code()
 }
 
+/// Writes what fits of `text` and a NUL into a caller's buffer of `capacity` bytes, or NULL.
+pub(super) fn copy_message(text: &str, buffer: *mut c_char, capacity: usize) {
+    // SAFETY: the caller gives NULL or `capacity` writable bytes.
+    unsafe { copy_text(text, buffer, capacity) }
+}
+
 /// Writes what fits of `text` and a NUL, never splitting a character.
 ///
 /// # Safety

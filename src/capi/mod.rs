@@ -63,6 +63,8 @@
 #![allow(non_camel_case_types)]
 // The `@param` lines say what the caller owes; a `# Safety` section would repeat them in the header.
 #![allow(clippy::missing_safety_doc)]
+// C has no named arguments to group them by.
+#![allow(clippy::too_many_arguments)]
 // Some helpers wait for their first caller.
 #![allow(dead_code)]
 // `[n]`, `::pdn_…` and the like are meant for Doxygen.
@@ -71,6 +73,12 @@
 pub mod callback;
 pub mod guard;
 pub mod last_error;
+pub mod model;
+pub mod motion;
+pub mod periodic;
+pub mod section;
+pub mod signal;
+pub mod solution;
 pub mod status;
 pub mod version;
 

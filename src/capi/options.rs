@@ -113,3 +113,41 @@ pub(super) fn init<T: Options>(options: *mut T, struct_size: usize) {
         Ok(())
     });
 }
+
+/// Where a struct of results goes: the caller told by its `struct_size` how much of it there is.
+#[must_use = "an output that is not set leaves the caller with garbage"]
+pub(super) struct OutStruct<'call, T> {
+    pointer: *mut T,
+    length: usize,
+    call: std::marker::PhantomData<&'call mut T>,
+}
+
+/// Checks the `struct_size` of a struct of results, as [`read`] does.
+pub(super) fn out_struct<'call, T: Options>(
+    out: *mut T,
+    name: &str,
+) -> Result<OutStruct<'call, T>> {
+    check_pointer(out, 1, name)?;
+    // What `read` accepts may be written; fields unknown here stay as they are.
+    let given = read(out.cast_const(), name)?;
+    // SAFETY: as in `read`, the first field is there in every release.
+    let length = unsafe { out.cast::<usize>().read() }.min(size_of_val(&given));
+    Ok(OutStruct {
+        pointer: out,
+        length,
+        call: std::marker::PhantomData,
+    })
+}
+
+impl<T: Options> OutStruct<'_, T> {
+    /// Writes the results, but for `struct_size`, which stays the caller's.
+    pub(super) fn set(self, value: T) {
+        let header = size_of::<usize>();
+        // SAFETY: `out_struct` checked that the caller has `length` bytes, all of them fields of T.
+        unsafe {
+            let source = (&raw const value).cast::<u8>().add(header);
+            let target = self.pointer.cast::<u8>().add(header);
+            std::ptr::copy_nonoverlapping(source, target, self.length - header);
+        }
+    }
+}

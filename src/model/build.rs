@@ -2,14 +2,18 @@
 
 use super::{JointCoordinate, LoadDefinition, Model, Signal, SpringDefinition};
 use crate::elements::{
-    Attachment, Beam, Coordinate, Inertia, Joint, JointKind, LoadFrame, Section, lobatto_points,
+    Attachment, Beam, Coordinate, Element, Inertia, Joint, JointKind, LoadFrame, Section,
+    lobatto_points,
 };
 use crate::error::{Error, ErrorKind, Result, require_finite};
 use crate::motion::{Motion, is_rotation};
-use nalgebra::{Matrix3, Matrix6, Vector3};
+use nalgebra::{Matrix3, Matrix6, Vector3, Vector6};
 
 /// How far `RᵀR` may be from the identity: input written with 9 digits passes, and is then cleaned.
 const ROTATION_TOLERANCE: f64 = 1e-8;
+
+/// Highest polynomial degree of a beam element.
+const HIGHEST_DEGREE: usize = 24;
 
 /// Cross-section matrices as the user gives them, to be checked.
 #[derive(Debug, Clone, Copy)]
@@ -41,7 +45,7 @@ fn require_symmetric(name: &str, m: &Matrix6<f64>) -> Result<()> {
     if asymmetry > 1e-9 * m.amax() {
         return Err(Error::value(
             name,
-            "a symmetric 6×6 matrix",
+            "a symmetric matrix",
             format!("entries that differ from their mirror by up to {asymmetry:.3e}"),
         ));
     }
@@ -52,9 +56,8 @@ fn require_symmetric(name: &str, m: &Matrix6<f64>) -> Result<()> {
 fn smallest_scaled_eigenvalue(m: &Matrix6<f64>) -> f64 {
     let scale = m
         .diagonal()
-        .map(|d| if d > 0.0 { 1.0 / d.sqrt() } else { 1.0 });
+        .map(|d| if d == 0.0 { 1.0 } else { 1.0 / d.abs().sqrt() });
     let scale = Matrix6::from_diagonal(&scale);
-    // A zero or negative diagonal shows in the eigenvalues as it is.
     (scale * m * scale).symmetric_eigenvalues().min()
 }
 
@@ -74,6 +77,37 @@ fn require_positive(name: &str, m: &Matrix6<f64>, definite: bool) -> Result<Matr
 }
 
 impl SectionInput {
+    /// A section without couplings or damping: the six stiffnesses in their order, mass per length,
+    /// and moments of inertia per length about axes 1, 2, 3.
+    pub fn diagonal(stiffness: &[f64; 6], mass: &[f64; 4]) -> Result<Self> {
+        require_finite("stiffness", stiffness)?;
+        require_finite("mass", mass)?;
+        if let Some(i) = stiffness.iter().position(|&k| k <= 0.0) {
+            let name = format!("stiffness[{i}]");
+            return Err(Error::value(&name, "a positive number", stiffness[i]));
+        }
+        if let Some(i) = mass.iter().position(|&m| m < 0.0) {
+            let name = format!("mass[{i}]");
+            return Err(Error::value(&name, "zero or more", mass[i]));
+        }
+        let [m, m11, m22, m33] = *mass;
+        Ok(SectionInput {
+            stiffness: Matrix6::from_diagonal(&Vector6::from(*stiffness)),
+            mass: Matrix6::from_diagonal(&Vector6::new(m, m, m, m11, m22, m33)),
+            damping: Matrix6::zeros(),
+        })
+    }
+
+    /// Makes the damping `seconds` times the stiffness, which must have been set.
+    pub fn damp_proportionally(&mut self, seconds: f64) -> Result<()> {
+        require_finite("seconds", &[seconds])?;
+        if seconds < 0.0 {
+            return Err(Error::value("seconds", "zero or more", seconds));
+        }
+        self.damping = require_positive("section stiffness", &self.stiffness, true)? * seconds;
+        Ok(())
+    }
+
     fn validated(&self) -> Result<Section> {
         Ok(Section {
             stiffness: require_positive("section stiffness", &self.stiffness, true)?,
@@ -95,6 +129,35 @@ fn require_rotation(name: &str, r: &Matrix3<f64>) -> Result<Matrix3<f64>> {
         return Err(Error::value(name, "a rotation matrix", got));
     }
     Ok(crate::motion::polar_rotation(r))
+}
+
+/// A vector of the direction of `v`, of moderate length whatever that of `v`.
+fn direction(name: &str, v: &Vector3<f64>) -> Result<Vector3<f64>> {
+    require_finite(name, v.as_slice())?;
+    let size = v.amax();
+    if size == 0.0 {
+        return Err(Error::value(
+            name,
+            "a vector that is not zero",
+            "the zero vector",
+        ));
+    }
+    Ok(v / size)
+}
+
+/// Inertia of a rigid body about its centre, in the axes of the arguments.
+fn central_inertia(mass: f64, inertia: &Matrix3<f64>) -> Result<Matrix6<f64>> {
+    require_finite("mass", &[mass])?;
+    require_finite("inertia", inertia.as_slice())?;
+    if mass < 0.0 {
+        return Err(Error::value("mass", "zero or more", mass));
+    }
+    let mut matrix = Matrix6::zeros();
+    let mut block = matrix.fixed_view_mut::<3, 3>(3, 3);
+    block.copy_from(inertia);
+    matrix = require_positive("inertia", &matrix, false)?;
+    matrix.fixed_view_mut::<3, 3>(0, 0).fill_diagonal(mass);
+    Ok(matrix)
 }
 
 /// Checks a motion and removes the rounding of its rotation.
@@ -124,6 +187,15 @@ impl Model {
         })
     }
 
+    /// Checks the number of nodes of a beam element.
+    pub(crate) fn require_element_size(name: &str, nodes: usize) -> Result<()> {
+        if (2..=HIGHEST_DEGREE + 1).contains(&nodes) {
+            return Ok(());
+        }
+        let expected = format!("2 to {} nodes", HIGHEST_DEGREE + 1);
+        Err(Error::size(name, expected, nodes))
+    }
+
     fn require_coordinate(&self, at: &JointCoordinate) -> Result<()> {
         let kind = self.require_joint("joint", at.joint)?.kind();
         if kind.coordinates().contains(&at.coordinate) {
@@ -145,25 +217,73 @@ impl Model {
         Ok(self.nodes.len() - 1)
     }
 
-    /// Gives `node` the inertia of a rigid body: `inertia`, 6×6, is about and resolved in the frame at
-    /// `offset` from the node.
+    /// Adds a rigid body: a node at its centre of mass, with axes parallel to the inertial ones.
+    /// `inertia` is about the centre, in the inertial frame. Returns the node's id.
     pub fn add_rigid_body(
         &mut self,
+        mass: f64,
+        centre: &Vector3<f64>,
+        inertia: &Matrix3<f64>,
+    ) -> Result<usize> {
+        let matrix = central_inertia(mass, inertia)?;
+        if mass == 0.0 {
+            return Err(Error::value("mass", "a positive number", mass));
+        }
+        require_finite("centre", centre.as_slice())?;
+        let node = self.add_node(&Motion::new(Matrix3::identity(), *centre))?;
+        self.add_inertia(node, None, &matrix)?;
+        Ok(node)
+    }
+
+    /// Fixes a mass to `node`; `centre`, and `inertia` about it, are in the inertial frame.
+    pub fn add_mass(
+        &mut self,
         node: usize,
-        offset: &Motion,
-        inertia: &Matrix6<f64>,
+        mass: f64,
+        centre: &Vector3<f64>,
+        inertia: &Matrix3<f64>,
+    ) -> Result<()> {
+        let matrix = central_inertia(mass, inertia)?;
+        require_finite("centre", centre.as_slice())?;
+        let frame = Motion::new(Matrix3::identity(), *centre);
+        self.add_inertia(node, Some(&frame), &matrix)
+    }
+
+    /// Gives `node` the 6×6 inertia `matrix`, about and resolved in `frame`, which is given in the
+    /// inertial frame (`None`: the node's own).
+    pub fn add_inertia(
+        &mut self,
+        node: usize,
+        frame: Option<&Motion>,
+        matrix: &Matrix6<f64>,
     ) -> Result<()> {
         self.require_node("node", node)?;
-        let offset = require_motion("offset", offset)?;
-        let inertia = require_positive("inertia", inertia, false)?;
+        let offset = match frame {
+            None => Motion::identity(),
+            Some(frame) => self.nodes[node].relative(&require_motion("frame", frame)?),
+        };
+        let matrix = require_positive("matrix", matrix, false)?;
         self.inertias
-            .push(Inertia::rigid_body(node, &offset, &inertia));
+            .push(Inertia::rigid_body(node, &offset, &matrix));
         Ok(())
+    }
+
+    /// Total mass and its first moment `Σ m r`, in the inertial frame.
+    pub fn mass_and_moment(&self) -> (f64, Vector3<f64>) {
+        let mut total = (0.0, Vector3::zeros());
+        for inertia in &self.inertias {
+            let motions: Vec<Motion> = inertia.nodes().iter().map(|&n| self.nodes[n]).collect();
+            let (mass, moment) = inertia.mass_and_moment(&motions);
+            total.0 += mass;
+            total.1 += moment;
+        }
+        total
     }
 
     /// Adds one beam element over existing nodes, given in order along the beam and placed at its
     /// Gauss–Lobatto points; axis 1 of each node's frame is along the beam. Returns its id.
     pub fn add_beam_element(&mut self, nodes: &[usize], section: &SectionInput) -> Result<usize> {
+        Self::require_element_size("nodes", nodes.len())?;
         for (i, &node) in nodes.iter().enumerate() {
             self.require_node("nodes", node)?;
             if nodes[..i].contains(&node) {
@@ -175,6 +295,7 @@ impl Model {
             }
         }
         let section = section.validated()?;
+        self.require_axis_along(nodes)?;
         let reference = nodes.iter().map(|&n| self.nodes[n]).collect();
         let beam = Beam::new(nodes.to_vec(), reference, section)?;
         if section.mass != Matrix6::zeros() {
@@ -182,6 +303,29 @@ impl Model {
         }
         self.beams.push(beam);
         Ok(self.beams.len() - 1)
+    }
+
+    /// Checks that axis 1 of each node points along the beam, roughly, as the beam may be curved: a
+    /// section turned by mistake would bend where it should stretch.
+    fn require_axis_along(&self, nodes: &[usize]) -> Result<()> {
+        for pair in nodes.windows(2) {
+            let chord = self.nodes[pair[1]].position - self.nodes[pair[0]].position;
+            for &node in pair {
+                let angle = self.nodes[node]
+                    .rotation
+                    .column(0)
+                    .angle(&chord)
+                    .to_degrees();
+                if angle > 60.0 {
+                    return Err(Error::value(
+                        "nodes",
+                        "axis 1 of each node's frame along the beam",
+                        format!("node {node}, whose axis 1 is {angle:.1} degrees off"),
+                    ));
+                }
+            }
+        }
+        Ok(())
     }
 
     /// Meshes a straight beam from `start` to `end` with `elements` elements of polynomial degree
@@ -198,14 +342,18 @@ impl Model {
     ) -> Result<BeamIds> {
         require_finite("start", start.as_slice())?;
         require_finite("end", end.as_slice())?;
-        require_finite("axis_2", axis_2.as_slice())?;
+        let axis_2 = direction("axis_2", axis_2)?;
         section.validated()?;
         const MOST: usize = 1_000_000;
         if !(1..=MOST).contains(&elements) {
             return Err(Error::size("elements", format!("1 to {MOST}"), elements));
         }
-        if !(1..=24).contains(&degree) {
-            return Err(Error::size("degree", "1 to 24", degree));
+        if !(1..=HIGHEST_DEGREE).contains(&degree) {
+            return Err(Error::size(
+                "degree",
+                format!("1 to {HIGHEST_DEGREE}"),
+                degree,
+            ));
         }
         let span = end - start;
         let size = start.amax().max(end.amax());
@@ -217,12 +365,12 @@ impl Model {
             ));
         }
         let axis_1 = span.normalize();
-        let across = axis_2 - axis_1 * axis_1.dot(axis_2);
+        let across = axis_2 - axis_1 * axis_1.dot(&axis_2);
         if across.norm() <= 1e-9 * axis_2.norm() {
             return Err(Error::value(
                 "axis_2",
-                "a vector not along the beam",
-                axis_2.transpose(),
+                "a vector across the beam",
+                "one along it",
             ));
         }
         let axis_2 = across.normalize();
@@ -268,8 +416,8 @@ impl Model {
         first_frame: &Motion,
         second_frame: &Motion,
     ) -> Result<usize> {
-        let mut attach = |name: &str, node: Option<usize>, frame: &Motion| -> Result<Attachment> {
-            let frame = require_motion(&format!("{name} frame"), frame)?;
+        let attach = |name: &str, node: Option<usize>, frame: &Motion| -> Result<Attachment> {
+            let frame = require_motion(&format!("{name}_frame"), frame)?;
             let offset = match node {
                 None => frame,
                 Some(index) => {
@@ -345,15 +493,8 @@ impl Model {
     /// Frame of a joint at `point` with axis 3 along `axis`.
     pub fn frame_at(name: &str, point: &Vector3<f64>, axis: &Vector3<f64>) -> Result<Motion> {
         require_finite("point", point.as_slice())?;
-        require_finite(name, axis.as_slice())?;
-        if axis.norm() < f64::MIN_POSITIVE.sqrt() {
-            return Err(Error::value(
-                name,
-                "a vector that is not zero",
-                axis.transpose(),
-            ));
-        }
-        Ok(Motion::new(crate::motion::frame_from_axis(axis), *point))
+        let rotation = crate::motion::frame_from_axis(&direction(name, axis)?);
+        Ok(Motion::new(rotation, *point))
     }
 
     /// Frame of a universal joint at `point`: axis 1 along the arm fixed to the first body, axis 2

@@ -1,0 +1,929 @@
+//! Models: the mechanism in its reference configuration, in global coordinates.
+
+use super::call::{Call, check_pointer};
+use super::guard::guard;
+use super::handle::{self, Exclusive, Handle};
+use super::section::{self, pdn_section};
+use super::signal::{self, pdn_signal};
+use super::status::pdn_status;
+use crate::elements::{Coordinate, JointKind, LoadFrame};
+use crate::error::{Error, ErrorKind, Result, require_finite};
+use crate::model::{JointCoordinate, Model, Signal, SpringDefinition};
+use crate::motion::Motion;
+use nalgebra::{Matrix3, Matrix6, Vector3};
+
+/// In place of a node's id: the ground, which does not move.
+pub const PDN_GROUND: i32 = -1;
+
+/// Joint that allows no relative motion.
+pub const PDN_JOINT_RIGID: i32 = 0;
+/// Joint that allows a rotation about axis 3 of its frames.
+pub const PDN_JOINT_REVOLUTE: i32 = 1;
+/// Joint that allows a rotation about axis 1 of its first frame, then about axis 2 of its second.
+pub const PDN_JOINT_UNIVERSAL: i32 = 2;
+/// Joint that allows all rotations.
+pub const PDN_JOINT_SPHERICAL: i32 = 3;
+
+/// Joint coordinate: the angle of a revolute joint, the first angle of others.
+pub const PDN_ROTATION: i32 = 3;
+/// Joint coordinate: second angle of a universal or spherical joint.
+pub const PDN_ROTATION_2: i32 = 4;
+/// Joint coordinate: third angle of a spherical joint.
+pub const PDN_ROTATION_3: i32 = 5;
+
+/// Directions of a load: the global axes.
+pub const PDN_FRAME_SPACE: i32 = 0;
+/// Directions of a load: the axes of the node, which the load follows.
+pub const PDN_FRAME_MATERIAL: i32 = 1;
+
+/// Component of a load: force along axis 1.
+pub const PDN_FORCE_1: i32 = 0;
+/// Component of a load: force along axis 2.
+pub const PDN_FORCE_2: i32 = 1;
+/// Component of a load: force along axis 3.
+pub const PDN_FORCE_3: i32 = 2;
+/// Component of a load: moment about axis 1.
+pub const PDN_MOMENT_1: i32 = 3;
+/// Component of a load: moment about axis 2.
+pub const PDN_MOMENT_2: i32 = 4;
+/// Component of a load: moment about axis 3.
+pub const PDN_MOMENT_3: i32 = 5;
+
+/// A mechanism. Made by ::pdn_model_new, freed by ::pdn_model_free.
+///
+/// It is described in its reference configuration: points, directions and frames are those of the
+/// undeformed, assembled mechanism, all in the global axes, which are fixed to the ground. Any
+/// consistent set of units will do (such as metre, newton, kilogram, second); angles are in radians.
+///
+/// Nodes, joints and beam elements are named by ids, each counted from 0 in the order they are made.
+/// A call that fails leaves the model as it was.
+pub struct pdn_model {
+    _private: [u8; 0],
+}
+
+impl Handle for pdn_model {
+    type Core = Model;
+}
+
+/// Position and axes of a frame. This struct will never change.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct pdn_frame {
+    /// Its origin, in global coordinates [length].
+    pub position: [f64; 3],
+    /// Its axes, in global coordinates: a rotation matrix, 3 x 3, column by column, the columns being
+    /// axes 1, 2, 3. Rounding up to 1e-8 is tolerated, and removed.
+    pub rotation: [f64; 9],
+}
+
+/// What a beam was made of; written by the library. This struct will never change its size.
+///
+/// The nodes along the beam are first, first + 1, ... last; the elements are first_element,
+/// ... first_element + elements - 1.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct pdn_beam {
+    /// Id of the node at the start.
+    pub first: i32,
+    /// Id of the node at the end.
+    pub last: i32,
+    /// Id of the element at the start.
+    pub first_element: i32,
+    /// Number of elements.
+    pub elements: i32,
+    /// Zero.
+    pub reserved: [i32; 4],
+}
+
+const _: () = assert!(size_of::<pdn_frame>() == 96 && size_of::<pdn_beam>() == 32);
+
+/// The id that the next of `count` things gets; `more` of them are to be made.
+fn next_id(count: usize, more: usize, name: &str) -> Result<i32> {
+    let last = count.saturating_add(more).saturating_sub(1);
+    if i32::try_from(last).is_err() {
+        return Err(Error::size(name, format!("ids up to {}", i32::MAX), last));
+    }
+    Ok(count as i32)
+}
+
+/// The node that an id names.
+pub(super) fn node(model: &Model, id: i32, name: &str) -> Result<usize> {
+    index(id, model.node_count(), name, "a node id")
+}
+
+/// The node that an id names, or the ground.
+fn body(model: &Model, id: i32, name: &str) -> Result<Option<usize>> {
+    if id == PDN_GROUND {
+        return Ok(None);
+    }
+    index(id, model.node_count(), name, "PDN_GROUND or a node id").map(Some)
+}
+
+/// The joint that an id names.
+pub(super) fn joint(model: &Model, id: i32, name: &str) -> Result<usize> {
+    index(id, model.joint_count(), name, "a joint id")
+}
+
+/// The index of thing `id` of `count`.
+pub(super) fn index(id: i32, count: usize, name: &str, what: &str) -> Result<usize> {
+    match usize::try_from(id) {
+        Ok(index) if index < count => Ok(index),
+        _ => {
+            let limit = match count {
+                0 => "though there is none yet".to_owned(),
+                n => format!("from 0 to {}", n - 1),
+            };
+            let message = format!("{name}: expected {what} {limit}, got {id}");
+            Err(Error::new(ErrorKind::Identifier, message))
+        }
+    }
+}
+
+/// The item of `table` that `given` names.
+fn choose<T: Copy>(table: &[(i32, T)], given: i32, name: &str, expected: &str) -> Result<T> {
+    table
+        .iter()
+        .find(|(code, _)| *code == given)
+        .map(|(_, item)| *item)
+        .ok_or_else(|| Error::value(name, expected, given))
+}
+
+/// The joint coordinate that a `PDN_ROTATION...` names; whether the joint has it is for the core.
+pub(super) fn coordinate(given: i32, name: &str) -> Result<Coordinate> {
+    let table = [
+        (PDN_ROTATION, Coordinate::Rotation1),
+        (PDN_ROTATION_2, Coordinate::Rotation2),
+        (PDN_ROTATION_3, Coordinate::Rotation3),
+    ];
+    let expected = "PDN_ROTATION, PDN_ROTATION_2 or PDN_ROTATION_3";
+    choose(&table, given, name, expected)
+}
+
+fn joint_kind(given: i32) -> Result<JointKind> {
+    let table = [
+        (PDN_JOINT_RIGID, JointKind::Rigid),
+        (PDN_JOINT_REVOLUTE, JointKind::Revolute),
+        (PDN_JOINT_UNIVERSAL, JointKind::Universal),
+        (PDN_JOINT_SPHERICAL, JointKind::Spherical),
+    ];
+    choose(
+        &table,
+        given,
+        "kind",
+        "PDN_JOINT_RIGID, _REVOLUTE, _UNIVERSAL or _SPHERICAL",
+    )
+}
+
+fn load_frame(given: i32) -> Result<LoadFrame> {
+    let table = [
+        (PDN_FRAME_SPACE, LoadFrame::Space),
+        (PDN_FRAME_MATERIAL, LoadFrame::Follower),
+    ];
+    choose(
+        &table,
+        given,
+        "frame",
+        "PDN_FRAME_SPACE or PDN_FRAME_MATERIAL",
+    )
+}
+
+fn vector(call: &Call, x: *const f64, name: &str) -> Result<Vector3<f64>> {
+    call.array::<3>(x, name).map(Vector3::from)
+}
+
+fn motion(call: &Call, frame: *const pdn_frame, name: &str) -> Result<Motion> {
+    let frame = call.reference(frame, name)?;
+    require_finite(&format!("{name} position"), &frame.position)?;
+    require_finite(&format!("{name} rotation"), &frame.rotation)?;
+    Ok(Motion::new(
+        Matrix3::from_column_slice(&frame.rotation),
+        frame.position.into(),
+    ))
+}
+
+impl From<&Motion> for pdn_frame {
+    fn from(motion: &Motion) -> Self {
+        let mut rotation = [0.0; 9];
+        rotation.copy_from_slice(motion.rotation.as_slice());
+        pdn_frame {
+            position: motion.position.into(),
+            rotation,
+        }
+    }
+}
+
+/// Makes an empty model.
+///
+/// @param model  the model, to be freed by ::pdn_model_free; written on success only
+/// @return PDN_OK, PDN_ERR_NULL
+///
+/// Threads: any.
+/// @since 0.1
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn pdn_model_new(model: *mut *mut pdn_model) -> pdn_status {
+    guard(|call| {
+        call.out(model, "model")?.give(Model::new());
+        Ok(())
+    })
+}
+
+/// Frees a model. Solutions made of it stay valid.
+///
+/// @param model  the model; NULL does nothing
+///
+/// Threads: exclusive use of `model`.
+/// @since 0.1
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn pdn_model_free(model: *mut pdn_model) {
+    handle::free(model);
+}
+
+/// Body of a function that gives a count.
+fn count(
+    model: *const pdn_model,
+    out: *mut i32,
+    counted: impl FnOnce(&Model) -> usize,
+) -> pdn_status {
+    guard(|call| {
+        let model = call.shared(model, "model")?;
+        // No more were made than ids can name.
+        call.out(out, "count")?.set(counted(&model) as i32);
+        Ok(())
+    })
+}
+
+/// Number of nodes; their ids are 0 ... count - 1.
+///
+/// @param model  the model; not NULL
+/// @param count  the number; written on success only
+/// @return PDN_OK, PDN_ERR_NULL
+///
+/// Threads: `model` is `const`.
+/// @since 0.1
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn pdn_model_node_count(
+    model: *const pdn_model,
+    count: *mut i32,
+) -> pdn_status {
+    self::count(model, count, Model::node_count)
+}
+
+/// Number of joints; their ids are 0 ... count - 1.
+///
+/// @param model  the model; not NULL
+/// @param count  the number; written on success only
+/// @return PDN_OK, PDN_ERR_NULL
+///
+/// Threads: `model` is `const`.
+/// @since 0.1
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn pdn_model_joint_count(
+    model: *const pdn_model,
+    count: *mut i32,
+) -> pdn_status {
+    self::count(model, count, Model::joint_count)
+}
+
+/// Number of beam elements; their ids are 0 ... count - 1.
+///
+/// @param model  the model; not NULL
+/// @param count  the number; written on success only
+/// @return PDN_OK, PDN_ERR_NULL
+///
+/// Threads: `model` is `const`.
+/// @since 0.1
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn pdn_model_element_count(
+    model: *const pdn_model,
+    count: *mut i32,
+) -> pdn_status {
+    self::count(model, count, Model::beam_element_count)
+}
+
+/// Total mass and centre of mass in the reference configuration.
+///
+/// @param model  the model; not NULL
+/// @param mass  total mass of bodies, masses and beams [mass]; written on success only
+/// @param centre  array of length 3: centre of mass, global coordinates [length]; may be NULL if it is
+///     not wanted; written on success only
+/// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_AVAILABLE (a centre is wanted, and the mass is zero)
+///
+/// Threads: `model` is `const`.
+/// @since 0.1
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn pdn_model_mass(
+    model: *const pdn_model,
+    mass: *mut f64,
+    centre: *mut f64,
+) -> pdn_status {
+    guard(|call| {
+        let model = call.shared(model, "model")?;
+        let mass_out = call.out(mass, "mass")?;
+        let centre_out = call.out_optional(centre.cast::<[f64; 3]>(), "centre")?;
+        let (mass, moment) = model.mass_and_moment();
+        if let Some(centre_out) = centre_out {
+            if mass <= 0.0 {
+                let message = "centre: expected a model that has mass, got one without";
+                return Err(Error::new(ErrorKind::NotAvailable, message));
+            }
+            centre_out.set((moment / mass).into());
+        }
+        mass_out.set(mass);
+        Ok(())
+    })
+}
+
+/// Frame of a node in the reference configuration.
+///
+/// @param model  the model; not NULL
+/// @param node  id of the node
+/// @param frame  its frame; written on success only
+/// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_ID
+///
+/// Threads: `model` is `const`.
+/// @since 0.1
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn pdn_model_node_frame(
+    model: *const pdn_model,
+    node: i32,
+    frame: *mut pdn_frame,
+) -> pdn_status {
+    guard(|call| {
+        let model = call.shared(model, "model")?;
+        let node = self::node(&model, node, "node")?;
+        let frame = call.out(frame, "frame")?;
+        if let Some(motion) = model.node(node) {
+            frame.set(motion.into());
+        }
+        Ok(())
+    })
+}
+
+/// Adds a node: a frame that moves.
+///
+/// A node needs something that holds or moves it: mass, a beam or a joint.
+///
+/// @param model  the model; not NULL
+/// @param position  array of length 3: its position, global coordinates [length]
+/// @param rotation  array of length 9: its axes, a rotation matrix column by column, the columns being
+///     axes 1, 2, 3 in global coordinates; NULL for axes parallel to the global ones
+/// @param node  the node's id; written on success only
+/// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_VALUE
+///
+/// Threads: exclusive use of `model`.
+/// @since 0.1
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn pdn_model_add_node(
+    model: *mut pdn_model,
+    position: *const f64,
+    rotation: *const f64,
+    node: *mut i32,
+) -> pdn_status {
+    guard(|call| {
+        let mut model = call.exclusive(model, "model")?;
+        let position = vector(call, position, "position")?;
+        let rotation = call
+            .array_optional::<9>(rotation, "rotation")?
+            .map_or_else(Matrix3::identity, |r| Matrix3::from_column_slice(&r));
+        let node = call.out(node, "node")?;
+        let id = next_id(model.node_count(), 1, "node")?;
+        model.add_node(&Motion::new(rotation, position))?;
+        node.set(id);
+        Ok(())
+    })
+}
+
+/// Adds a rigid body: a node at its centre of mass, with axes parallel to the global ones.
+///
+/// @param model  the model; not NULL
+/// @param mass  mass, positive [mass]
+/// @param centre  array of length 3: centre of mass, global coordinates [length]
+/// @param inertia  array of length 9: moments of inertia about the centre of mass, in global axes, 3 x 3,
+///     symmetric and positive semi-definite [mass * length^2]
+/// @param node  the node's id; written on success only
+/// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_VALUE
+///
+/// Threads: exclusive use of `model`.
+/// @since 0.1
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn pdn_model_add_rigid_body(
+    model: *mut pdn_model,
+    mass: f64,
+    centre: *const f64,
+    inertia: *const f64,
+    node: *mut i32,
+) -> pdn_status {
+    guard(|call| {
+        let mut model = call.exclusive(model, "model")?;
+        let mass = call.number(mass, "mass")?;
+        let centre = vector(call, centre, "centre")?;
+        let inertia = Matrix3::from_column_slice(&call.array::<9>(inertia, "inertia")?);
+        let node = call.out(node, "node")?;
+        let id = next_id(model.node_count(), 1, "node")?;
+        model.add_rigid_body(mass, &centre, &inertia)?;
+        node.set(id);
+        Ok(())
+    })
+}
+
+/// Fixes a mass to a node, in addition to what the node has.
+///
+/// @param model  the model; not NULL
+/// @param node  id of the node
+/// @param mass  mass, zero or more [mass]
+/// @param centre  array of length 3: its centre, global coordinates; need not be at the node [length]
+/// @param inertia  array of length 9: moments of inertia about the centre, in global axes, 3 x 3, symmetric
+///     and positive semi-definite [mass * length^2]; NULL for a point mass
+/// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_ID, PDN_ERR_VALUE
+///
+/// Threads: exclusive use of `model`.
+/// @since 0.1
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn pdn_model_add_mass(
+    model: *mut pdn_model,
+    node: i32,
+    mass: f64,
+    centre: *const f64,
+    inertia: *const f64,
+) -> pdn_status {
+    guard(|call| {
+        let mut model = call.exclusive(model, "model")?;
+        let node = self::node(&model, node, "node")?;
+        let mass = call.number(mass, "mass")?;
+        let centre = vector(call, centre, "centre")?;
+        let inertia = call
+            .array_optional::<9>(inertia, "inertia")?
+            .map_or_else(Matrix3::zeros, |j| Matrix3::from_column_slice(&j));
+        model.add_mass(node, mass, &centre, &inertia)
+    })
+}
+
+/// Fixes an inertia of any kind to a node, in addition to what the node has.
+///
+/// A unit velocity of the frame (linear 1, 2, 3, angular 1, 2, 3) has the momentum (linear, angular) of
+/// the matrix's column. A rigid body of mass m, with centre c and moments of inertia J about the centre,
+/// both in the frame, has [m I, -m c~; m c~, J - m c~ c~], where c~ b = c * b.
+///
+/// @param model  the model; not NULL
+/// @param node  id of the node
+/// @param frame  the frame that the matrix is about and resolved in; NULL for the node's own
+/// @param matrix  array of length 36: 6 x 6, symmetric and positive semi-definite [mass, mass * length,
+///     mass * length^2]
+/// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_ID, PDN_ERR_VALUE
+///
+/// Threads: exclusive use of `model`.
+/// @since 0.1
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn pdn_model_add_inertia(
+    model: *mut pdn_model,
+    node: i32,
+    frame: *const pdn_frame,
+    matrix: *const f64,
+) -> pdn_status {
+    guard(|call| {
+        let mut model = call.exclusive(model, "model")?;
+        let node = self::node(&model, node, "node")?;
+        let frame = if frame.is_null() {
+            None
+        } else {
+            Some(motion(call, frame, "frame")?)
+        };
+        let matrix = Matrix6::from_column_slice(&call.array::<36>(matrix, "matrix")?);
+        model.add_inertia(node, frame.as_ref(), &matrix)
+    })
+}
+
+/// Adds a beam element over nodes that are there; it may be curved and twisted.
+///
+/// The nodes stand, in order, at the Gauss-Lobatto points along the beam; two are its ends. Axis 1 of
+/// each node is along the beam (to within 60 degrees, for curved ones), axes 2 and 3 are those of the
+/// section. The element's reference shape interpolates them, and is free of stress.
+///
+/// @param model  the model; not NULL
+/// @param nodes  array of length [count]: ids of the nodes, all different
+/// @param count  2 to 25
+/// @param section  cross-section, with positive-definite stiffness; not NULL
+/// @param element  the element's id; written on success only
+/// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_SIZE, PDN_ERR_ID, PDN_ERR_STRUCT_SIZE, PDN_ERR_NOT_FINITE,
+///     PDN_ERR_VALUE, PDN_ERR_MODEL (nodes that turn too much from one to the next)
+///
+/// Threads: exclusive use of `model`.
+/// @since 0.1
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn pdn_model_add_beam_element(
+    model: *mut pdn_model,
+    nodes: *const i32,
+    count: usize,
+    section: *const pdn_section,
+    element: *mut i32,
+) -> pdn_status {
+    guard(|call| {
+        let mut model = call.exclusive(model, "model")?;
+        check_pointer(nodes, 1, "nodes")?;
+        Model::require_element_size("count", count)?;
+        let nodes = call
+            .slice(nodes, count, "nodes")?
+            .iter()
+            .enumerate()
+            .map(|(i, &id)| node(&model, id, &format!("nodes[{i}]")))
+            .collect::<Result<Vec<_>>>()?;
+        let section = section::read(call, section, "section")?;
+        let element = call.out(element, "element")?;
+        let id = next_id(model.beam_element_count(), 1, "element")?;
+        model.add_beam_element(&nodes, &section)?;
+        element.set(id);
+        Ok(())
+    })
+}
+
+/// Adds a straight beam: its nodes and elements.
+///
+/// Axis 1 of every node is along the beam, from start to end; axis 2 is the part of axis_2 that is
+/// perpendicular to it; axis 3 = axis 1 * axis 2. Beams are joined by joints between their nodes, or by
+/// ::pdn_model_add_rigid_joint.
+///
+/// @param model  the model; not NULL
+/// @param start  array of length 3: where the beam starts, global coordinates [length]
+/// @param end  array of length 3: where it ends, not at start
+/// @param axis_2  array of length 3: direction of axis 2 of the section, global coordinates, of any
+///     nonzero length, not along the beam
+/// @param section  cross-section, with positive-definite stiffness; not NULL
+/// @param elements  number of elements, 1 to 1000000
+/// @param degree  polynomial degree of the elements, 1 to 24; an element has degree + 1 nodes
+/// @param beam  ids of what was made; written on success only
+/// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_SIZE, PDN_ERR_STRUCT_SIZE, PDN_ERR_VALUE
+///
+/// Threads: exclusive use of `model`.
+/// @since 0.1
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn pdn_model_add_straight_beam(
+    model: *mut pdn_model,
+    start: *const f64,
+    end: *const f64,
+    axis_2: *const f64,
+    section: *const pdn_section,
+    elements: usize,
+    degree: usize,
+    beam: *mut pdn_beam,
+) -> pdn_status {
+    guard(|call| {
+        let mut model = call.exclusive(model, "model")?;
+        let start = vector(call, start, "start")?;
+        let end = vector(call, end, "end")?;
+        let axis_2 = vector(call, axis_2, "axis_2")?;
+        let section = section::read(call, section, "section")?;
+        let beam = call.out(beam, "beam")?;
+        let more = elements.saturating_mul(degree).saturating_add(1);
+        let first = next_id(model.node_count(), more, "elements")?;
+        let first_element = next_id(model.beam_element_count(), elements, "elements")?;
+        let ids = model.add_straight_beam(&start, &end, &axis_2, &section, elements, degree)?;
+        // In range, as `next_id` has found out.
+        beam.set(pdn_beam {
+            first,
+            last: ids.last_node as i32,
+            first_element,
+            elements: elements as i32,
+            reserved: [0; 4],
+        });
+        Ok(())
+    })
+}
+
+/// The bodies of a joint, by the ids that C gave.
+struct Bodies {
+    first: i32,
+    second: i32,
+}
+
+/// Body of a function that adds a joint, between the two frames that `frames` gives.
+fn add_joint(
+    model: *mut pdn_model,
+    bodies: Bodies,
+    joint: *mut i32,
+    frames: impl FnOnce(&Call) -> Result<(JointKind, Motion, Motion)>,
+) -> pdn_status {
+    guard(|call| {
+        let mut model: Exclusive<Model> = call.exclusive(model, "model")?;
+        let first = body(&model, bodies.first, "first")?;
+        let second = body(&model, bodies.second, "second")?;
+        let (kind, first_frame, second_frame) = frames(call)?;
+        let joint = call.out(joint, "joint")?;
+        let id = next_id(model.joint_count(), 1, "joint")?;
+        model.add_joint(kind, first, second, &first_frame, &second_frame)?;
+        joint.set(id);
+        Ok(())
+    })
+}
+
+/// Fixes two bodies to each other.
+///
+/// Its frames are at the point, with axes parallel to the global ones in the reference configuration. It
+/// has no coordinates.
+///
+/// @param model  the model; not NULL
+/// @param first  id of the first node, or PDN_GROUND
+/// @param second  id of the second node, or PDN_GROUND; not the same body
+/// @param point  array of length 3: where the reaction is reported, global coordinates [length]
+/// @param joint  the joint's id; written on success only
+/// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_ID, PDN_ERR_VALUE
+///
+/// Threads: exclusive use of `model`.
+/// @since 0.1
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn pdn_model_add_rigid_joint(
+    model: *mut pdn_model,
+    first: i32,
+    second: i32,
+    point: *const f64,
+    joint: *mut i32,
+) -> pdn_status {
+    add_joint(model, Bodies { first, second }, joint, |call| {
+        let point = vector(call, point, "point")?;
+        let frame = Motion::new(Matrix3::identity(), point);
+        Ok((JointKind::Rigid, frame, frame))
+    })
+}
+
+/// Joins two bodies by a hinge.
+///
+/// Its frames are at the point, with axis 3 along the axis. Its coordinate PDN_ROTATION is the angle by
+/// which the second body has turned relative to the first, about the axis by the right-hand rule, since
+/// the reference configuration, where it is zero; it counts whole turns.
+///
+/// @param model  the model; not NULL
+/// @param first  id of the first node, or PDN_GROUND
+/// @param second  id of the second node, or PDN_GROUND; not the same body
+/// @param point  array of length 3: a point of the axis, global coordinates [length]
+/// @param axis  array of length 3: direction of the axis, global coordinates, of any nonzero length
+/// @param joint  the joint's id; written on success only
+/// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_ID, PDN_ERR_VALUE
+///
+/// Threads: exclusive use of `model`.
+/// @since 0.1
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn pdn_model_add_revolute(
+    model: *mut pdn_model,
+    first: i32,
+    second: i32,
+    point: *const f64,
+    axis: *const f64,
+    joint: *mut i32,
+) -> pdn_status {
+    add_joint(model, Bodies { first, second }, joint, |call| {
+        let point = vector(call, point, "point")?;
+        let axis = vector(call, axis, "axis")?;
+        let frame = Model::frame_at("axis", &point, &axis)?;
+        Ok((JointKind::Revolute, frame, frame))
+    })
+}
+
+/// Joins two bodies by a ball.
+///
+/// Its frames are at the point, with axes parallel to the global ones in the reference configuration.
+/// Its coordinates PDN_ROTATION, PDN_ROTATION_2, PDN_ROTATION_3 are the angles by which the second frame
+/// comes from the first by turning about axis 1, then about its own axis 2, then about its own axis 3;
+/// zero in the reference configuration. The second must stay between -pi/2 and pi/2.
+///
+/// @param model  the model; not NULL
+/// @param first  id of the first node, or PDN_GROUND
+/// @param second  id of the second node, or PDN_GROUND; not the same body
+/// @param point  array of length 3: centre of the ball, global coordinates [length]
+/// @param joint  the joint's id; written on success only
+/// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_ID, PDN_ERR_VALUE
+///
+/// Threads: exclusive use of `model`.
+/// @since 0.1
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn pdn_model_add_spherical(
+    model: *mut pdn_model,
+    first: i32,
+    second: i32,
+    point: *const f64,
+    joint: *mut i32,
+) -> pdn_status {
+    add_joint(model, Bodies { first, second }, joint, |call| {
+        let point = vector(call, point, "point")?;
+        let frame = Motion::new(Matrix3::identity(), point);
+        Ok((JointKind::Spherical, frame, frame))
+    })
+}
+
+/// Joins two bodies by a cross (Cardan, Hooke).
+///
+/// One arm of the cross turns in the first body, the other in the second. Its frames are at the point,
+/// with axis 1 along the first arm, axis 2 along the second, in the reference configuration. Its
+/// coordinates are the angle of the cross relative to the first body about first_arm (PDN_ROTATION), and
+/// of the second body relative to the cross about second_arm (PDN_ROTATION_2), both by the right-hand
+/// rule and zero in the reference configuration.
+///
+/// @param model  the model; not NULL
+/// @param first  id of the first node, or PDN_GROUND
+/// @param second  id of the second node, or PDN_GROUND; not the same body
+/// @param point  array of length 3: centre of the cross, global coordinates [length]
+/// @param first_arm  array of length 3: direction of the arm fixed to the first body, global coordinates,
+///     of any nonzero length
+/// @param second_arm  array of length 3: that of the arm fixed to the second body, perpendicular
+/// @param joint  the joint's id; written on success only
+/// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_ID, PDN_ERR_VALUE
+///
+/// Threads: exclusive use of `model`.
+/// @since 0.1
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn pdn_model_add_universal(
+    model: *mut pdn_model,
+    first: i32,
+    second: i32,
+    point: *const f64,
+    first_arm: *const f64,
+    second_arm: *const f64,
+    joint: *mut i32,
+) -> pdn_status {
+    add_joint(model, Bodies { first, second }, joint, |call| {
+        let point = vector(call, point, "point")?;
+        let first_arm = vector(call, first_arm, "first_arm")?;
+        let second_arm = vector(call, second_arm, "second_arm")?;
+        let frame = Model::cross_frame(&point, &first_arm, &second_arm)?;
+        Ok((JointKind::Universal, frame, frame))
+    })
+}
+
+/// Joins two bodies by a joint of any kind, between a frame fixed to each.
+///
+/// The frames need not fit each other in the reference configuration: the solver closes the joint. With
+/// r and R the position and rotation of the second frame relative to the first, the closed joint has
+/// r = 0, and
+///
+/// | kind | R | coordinates |
+/// |---|---|---|
+/// | PDN_JOINT_RIGID | I | none |
+/// | PDN_JOINT_REVOLUTE | R3(a) | a = PDN_ROTATION |
+/// | PDN_JOINT_UNIVERSAL | R1(a) R2(b) | a = PDN_ROTATION, b = PDN_ROTATION_2 |
+/// | PDN_JOINT_SPHERICAL | R1(a) R2(b) R3(c) | and c = PDN_ROTATION_3 |
+///
+/// where Rk(x) turns by x about axis k, right-handed. Angles count whole turns.
+///
+/// @param model  the model; not NULL
+/// @param kind  PDN_JOINT_RIGID, PDN_JOINT_REVOLUTE, PDN_JOINT_UNIVERSAL or PDN_JOINT_SPHERICAL
+/// @param first  id of the first node, or PDN_GROUND
+/// @param second  id of the second node, or PDN_GROUND; not the same body
+/// @param first_frame  frame fixed to the first body, where it is in the reference configuration; not NULL
+/// @param second_frame  frame fixed to the second body, likewise; not NULL
+/// @param joint  the joint's id; written on success only
+/// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_ID, PDN_ERR_VALUE
+///
+/// Threads: exclusive use of `model`.
+/// @since 0.1
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn pdn_model_add_joint(
+    model: *mut pdn_model,
+    kind: i32,
+    first: i32,
+    second: i32,
+    first_frame: *const pdn_frame,
+    second_frame: *const pdn_frame,
+    joint: *mut i32,
+) -> pdn_status {
+    add_joint(model, Bodies { first, second }, joint, |call| {
+        Ok((
+            joint_kind(kind)?,
+            motion(call, first_frame, "first_frame")?,
+            motion(call, second_frame, "second_frame")?,
+        ))
+    })
+}
+
+fn joint_coordinate(model: &Model, joint: i32, coordinate: i32) -> Result<JointCoordinate> {
+    Ok(JointCoordinate {
+        joint: self::joint(model, joint, "joint")?,
+        coordinate: self::coordinate(coordinate, "coordinate")?,
+    })
+}
+
+/// Adds a linear spring with a damper on a joint coordinate, in addition to those that are there.
+///
+/// It resists with stiffness * (coordinate - rest) + damping * its rate; whole turns count.
+///
+/// @param model  the model; not NULL
+/// @param joint  id of the joint
+/// @param coordinate  PDN_ROTATION, PDN_ROTATION_2 or PDN_ROTATION_3; one that the joint has
+/// @param stiffness  moment for a unit of angle [force * length]; may be negative
+/// @param damping  moment for a unit rate of angle [force * length * time]; may be negative
+/// @param rest  angle at which the spring is free of moment [radian]
+/// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_ID, PDN_ERR_VALUE, PDN_ERR_NOT_AVAILABLE
+///
+/// Threads: exclusive use of `model`.
+/// @since 0.1
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn pdn_model_add_spring_damper(
+    model: *mut pdn_model,
+    joint: i32,
+    coordinate: i32,
+    stiffness: f64,
+    damping: f64,
+    rest: f64,
+) -> pdn_status {
+    guard(|call| {
+        let mut model = call.exclusive(model, "model")?;
+        let spring = SpringDefinition {
+            at: joint_coordinate(&model, joint, coordinate)?,
+            stiffness: call.number(stiffness, "stiffness")?,
+            damping: call.number(damping, "damping")?,
+            rest: call.number(rest, "rest")?,
+        };
+        model.add_spring_damper(spring)
+    })
+}
+
+/// Makes a joint coordinate follow a signal. Each coordinate can be prescribed once.
+///
+/// The signal may grow by whole turns in a period.
+///
+/// @param model  the model; not NULL
+/// @param joint  id of the joint
+/// @param coordinate  PDN_ROTATION, PDN_ROTATION_2 or PDN_ROTATION_3; one that the joint has
+/// @param signal  the coordinate in time [radian], copied; not NULL
+/// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_SIZE, PDN_ERR_ID, PDN_ERR_VALUE,
+///     PDN_ERR_STRUCT_SIZE, PDN_ERR_NOT_AVAILABLE
+///
+/// Threads: exclusive use of `model`.
+/// @since 0.1
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn pdn_model_prescribe(
+    model: *mut pdn_model,
+    joint: i32,
+    coordinate: i32,
+    signal: *const pdn_signal,
+) -> pdn_status {
+    guard(|call| {
+        let mut model = call.exclusive(model, "model")?;
+        let at = joint_coordinate(&model, joint, coordinate)?;
+        let signal = signal::read(call, signal, "signal")?;
+        model.prescribe(at, &signal)
+    })
+}
+
+/// Adds one component of a force or moment on a node, in addition to those that are there.
+///
+/// A force acts at the node's origin.
+///
+/// @param model  the model; not NULL
+/// @param node  id of the node
+/// @param frame  PDN_FRAME_SPACE: directions of the global axes; PDN_FRAME_MATERIAL: of the node's axes,
+///     which the load follows
+/// @param component  PDN_FORCE_1, PDN_FORCE_2, PDN_FORCE_3 [force], PDN_MOMENT_1, PDN_MOMENT_2 or
+///     PDN_MOMENT_3 [force * length]
+/// @param signal  the component in time, copied; not NULL
+/// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_SIZE, PDN_ERR_ID, PDN_ERR_VALUE,
+///     PDN_ERR_STRUCT_SIZE
+///
+/// Threads: exclusive use of `model`.
+/// @since 0.1
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn pdn_model_add_load(
+    model: *mut pdn_model,
+    node: i32,
+    frame: i32,
+    component: i32,
+    signal: *const pdn_signal,
+) -> pdn_status {
+    guard(|call| {
+        let mut model = call.exclusive(model, "model")?;
+        let node = self::node(&model, node, "node")?;
+        let frame = load_frame(frame)?;
+        let mut components = [const { None }; 6];
+        let place = usize::try_from(component)
+            .ok()
+            .and_then(|index| components.get_mut(index))
+            .ok_or_else(|| {
+                let expected = "PDN_FORCE_1 to PDN_FORCE_3 or PDN_MOMENT_1 to PDN_MOMENT_3";
+                Error::value("component", expected, component)
+            })?;
+        *place = Some(signal::read(call, signal, "signal")?);
+        model.add_load(node, frame, components)
+    })
+}
+
+/// Sets the acceleration of gravity, in place of any set before. Without this call there is none.
+///
+/// @param model  the model; not NULL
+/// @param acceleration  array of length 3: such as {0, 0, -9.81}, global axes [length / time^2]
+/// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE
+///
+/// Threads: exclusive use of `model`.
+/// @since 0.1
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn pdn_model_set_gravity(
+    model: *mut pdn_model,
+    acceleration: *const f64,
+) -> pdn_status {
+    guard(|call| {
+        let mut model = call.exclusive(model, "model")?;
+        let [x, y, z] = call.array::<3>(acceleration, "acceleration")?;
+        model.set_gravity([
+            Signal::constant(x)?,
+            Signal::constant(y)?,
+            Signal::constant(z)?,
+        ]);
+        Ok(())
+    })
+}

@@ -1,0 +1,196 @@
+//! Motions as such, without a model: interpolation over a period, and its linearisation on the grid.
+
+use super::call::Call;
+use super::guard::guard;
+use super::periodic::read_motion;
+use super::status::pdn_status;
+use crate::collocation::{NodeInterpolation, NodeKinematics};
+use crate::error::{Error, ErrorKind, Result};
+use crate::fourier::{CardinalWeights, Differentiation, TimeGrid};
+use crate::motion::Motion;
+
+fn read_motions(
+    call: &Call,
+    positions: *const f64,
+    rotations: *const f64,
+    points: usize,
+) -> Result<Vec<Motion>> {
+    if points == 0 {
+        return Err(Error::size("points", "at least 1", 0));
+    }
+    let positions = call.numbers(positions, points.saturating_mul(3), "positions")?;
+    let rotations = call.numbers(rotations, points.saturating_mul(9), "rotations")?;
+    (0..points)
+        .map(|i| read_motion(positions, rotations, i, "rotations"))
+        .collect()
+}
+
+fn grid(call: &Call, period: f64, points: usize) -> Result<TimeGrid> {
+    let period = call.number(period, "period")?;
+    TimeGrid::new(points, period).map_err(|e| {
+        if e.kind() == ErrorKind::Size {
+            Error::size("points", "an odd number", points)
+        } else {
+            e
+        }
+    })
+}
+
+/// Interpolates a periodic motion given at N equispaced times, by dual polar decomposition.
+///
+/// Exponentially accurate as N grows, for rotations and translations of any size (section 4 of Han and
+/// Bauchau, Nonlinear Dynamics 92, 2018).
+///
+/// @param period  T, the period of the motion
+/// @param positions  array of shape 3 x [points]: positions at t = k T / N
+/// @param rotations  array of shape 9 x [points]: rotation matrices, each column by column
+/// @param points  N, odd
+/// @param times  array of length [count]: times wanted, anywhere
+/// @param count  number of times
+/// @param position  array of shape 3 x [count]; may be NULL
+/// @param rotation  array of shape 9 x [count], each matrix column by column; may be NULL
+/// @param velocity  array of shape 6 x [count]: linear and angular velocity along the moving axes; may
+///     be NULL
+/// @param acceleration  array of shape 6 x [count]: time derivative of velocity; may be NULL
+/// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_SIZE, PDN_ERR_VALUE,
+///     PDN_ERR_GRID_TOO_COARSE
+///
+/// Threads: any.
+/// @since 0.1
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn pdn_motion_interpolate(
+    period: f64,
+    positions: *const f64,
+    rotations: *const f64,
+    points: usize,
+    times: *const f64,
+    count: usize,
+    position: *mut f64,
+    rotation: *mut f64,
+    velocity: *mut f64,
+    acceleration: *mut f64,
+) -> pdn_status {
+    guard(|call| {
+        let grid = grid(call, period, points)?;
+        let motions = read_motions(call, positions, rotations, points)?;
+        let times = call.numbers(times, count, "times")?;
+        let out = |pointer: *mut f64, components: usize, name: &str| {
+            if pointer.is_null() {
+                return Ok(None);
+            }
+            let length = count.saturating_mul(components);
+            call.out_slice(pointer, length, length, name).map(Some)
+        };
+        let outputs = [
+            out(position, 3, "position")?,
+            out(rotation, 9, "rotation")?,
+            out(velocity, 6, "velocity")?,
+            out(acceleration, 6, "acceleration")?,
+        ];
+
+        let interpolation = NodeInterpolation::new(&motions);
+        let mut weights = CardinalWeights::new(grid);
+        let mut values: [Vec<f64>; 4] = Default::default();
+        for &time in times {
+            weights.move_to(time);
+            let state = interpolation.at(&weights).ok_or_else(|| {
+                let message = format!(
+                    "points: {points} grid points are too coarse to interpolate this motion at t = {time}"
+                );
+                Error::new(ErrorKind::GridTooCoarse, message)
+            })?;
+            values[0].extend(state.motion.position.iter());
+            values[1].extend(state.motion.rotation.iter());
+            values[2].extend(state.twist.iter());
+            values[3].extend(state.twist_rate.iter());
+        }
+        for (output, values) in outputs.into_iter().zip(&values) {
+            if let Some(output) = output {
+                output.set(values);
+            }
+        }
+        Ok(())
+    })
+}
+
+/// Velocities and accelerations of a motion at its own grid points, and their exact linearisation.
+///
+/// With the material increments u = (R^T dr, dpsi) of the motions, ordered as 6 for each point,
+/// d velocity = velocity_tangent u and d acceleration = acceleration_tangent u (eqs. 24 to 29).
+///
+/// @param period  T, the period of the motion
+/// @param positions  array of shape 3 x [points]: positions at t = k T / N
+/// @param rotations  array of shape 9 x [points]: rotation matrices, each column by column
+/// @param points  N, odd
+/// @param velocity  array of shape 6 x [points]: linear and angular velocity along the moving axes; may
+///     be NULL
+/// @param acceleration  array of shape 6 x [points]: time derivative of velocity; may be NULL
+/// @param velocity_tangent  matrix of 6 N x 6 N, column-major; may be NULL
+/// @param acceleration_tangent  matrix of 6 N x 6 N, column-major; may be NULL
+/// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_SIZE, PDN_ERR_VALUE
+///
+/// Threads: any.
+/// @since 0.1
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn pdn_motion_grid_kinematics(
+    period: f64,
+    positions: *const f64,
+    rotations: *const f64,
+    points: usize,
+    velocity: *mut f64,
+    acceleration: *mut f64,
+    velocity_tangent: *mut f64,
+    acceleration_tangent: *mut f64,
+) -> pdn_status {
+    guard(|call| {
+        let grid = grid(call, period, points)?;
+        let motions = read_motions(call, positions, rotations, points)?;
+        let size = 6 * points;
+        let out = |pointer: *mut f64, length: usize, name: &str| {
+            if pointer.is_null() {
+                return Ok(None);
+            }
+            call.out_slice(pointer, length, length, name).map(Some)
+        };
+        let square = size.saturating_mul(size);
+        let outputs = [
+            out(velocity, size, "velocity")?,
+            out(acceleration, size, "acceleration")?,
+            out(velocity_tangent, square, "velocity_tangent")?,
+            out(acceleration_tangent, square, "acceleration_tangent")?,
+        ];
+
+        let mut operators = Differentiation::new(grid);
+        let mut node = NodeKinematics::default();
+        node.evaluate(&mut operators, &motions);
+        let mut values: [Vec<f64>; 4] = Default::default();
+        for l in 0..points {
+            values[0].extend(node.velocity(l).to_twist().iter());
+            values[1].extend(node.acceleration(l).to_twist().iter());
+        }
+        if outputs[2].is_some() || outputs[3].is_some() {
+            values[2].resize(square, 0.0);
+            values[3].resize(square, 0.0);
+            for k in 0..points {
+                for l in 0..points {
+                    let weights = (operators.first(l, k), operators.second(l, k));
+                    let (gamma_v, gamma_a) = node.tangent(weights, l, k);
+                    for (target, gamma) in [(2, gamma_v), (3, gamma_a)] {
+                        let block = gamma.to_twist_matrix();
+                        for c in 0..6 {
+                            let first = (6 * k + c) * size + 6 * l;
+                            values[target][first..first + 6]
+                                .copy_from_slice(block.column(c).as_slice());
+                        }
+                    }
+                }
+            }
+        }
+        for (output, values) in outputs.into_iter().zip(&values) {
+            if let Some(output) = output {
+                output.set(values);
+            }
+        }
+        Ok(())
+    })
+}

@@ -1,0 +1,261 @@
+//! The periodic solve.
+
+use super::call::{Call, null};
+use super::guard::guard;
+use super::handle::Handle;
+use super::model::pdn_model;
+use super::options::{self, Options};
+use super::solution::pdn_solution;
+use super::status::pdn_status;
+use crate::collocation::GridState;
+use crate::error::{Error, Result};
+use crate::fourier::TimeGrid;
+use crate::model::Model;
+use crate::motion::{Motion, is_rotation, polar_rotation};
+use crate::output::Solution;
+use crate::solve::{InitialGuess, Iteration, NewtonOptions, PeriodicOptions, Stage};
+use crate::system::System;
+use nalgebra::{Matrix3, Vector3};
+use std::ffi::c_void;
+
+/// Stage of a solve: finding the initial guess, each iteration at a single instant.
+pub const PDN_STAGE_INITIAL_GUESS: i32 = 0;
+/// Stage of a solve: Newton iterations of the periodic problem.
+pub const PDN_STAGE_NEWTON: i32 = 1;
+
+/// One Newton iteration, as told to a ::pdn_progress_fn.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct pdn_progress {
+    /// Size of the struct in this library.
+    pub struct_size: usize,
+    /// PDN_STAGE_INITIAL_GUESS or PDN_STAGE_NEWTON.
+    pub stage: i32,
+    /// Number of the iteration, from 1; starts again with each Newton solve.
+    pub iteration: i32,
+    /// Largest residual before the step: forces relative to the characteristic force (the largest
+    /// stiffness times the size of the mechanism), lengths relative to its size, angles in radians.
+    pub residual: f64,
+    /// Largest increment of a motion: displacements relative to the size of the mechanism, turns in
+    /// radians.
+    pub increment: f64,
+    /// Fraction of the increment that was taken.
+    pub step: f64,
+}
+
+/// Called after each Newton iteration, on the solving thread.
+///
+/// `progress` is valid during the call only. It must not use the model that is being solved, nor
+/// throw or jump out. Return 0 to go on, anything else to cancel: the outcome is PDN_CANCELLED.
+pub type pdn_progress_fn =
+    Option<unsafe extern "C" fn(progress: *const pdn_progress, user_data: *mut c_void) -> i32>;
+
+/// Options of ::pdn_solve_periodic. Set the defaults by `PDN_INIT(pdn_periodic_options, &options)`.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct pdn_periodic_options {
+    /// Set by the initialiser.
+    pub struct_size: usize,
+    /// Number N of grid points, odd; harmonics up to (N - 1) / 2 are resolved. Default 31.
+    pub grid_points: usize,
+    /// If not 0, the number of harmonics: grid_points is then 2 harmonics + 1. Default 0.
+    pub harmonics: usize,
+    /// Converged when the largest increment (lengths relative to the size of the mechanism, angles in
+    /// radians) is below this. Newton is quadratic: the error left is about its square. Default 1e-9.
+    pub tolerance: f64,
+    /// Most Newton iterations. Default 30.
+    pub iteration_limit: usize,
+    /// Start from this solution of a model with the same nodes and joints, also on another grid or of
+    /// another period; NULL to start otherwise. Default NULL.
+    pub initial: *const pdn_solution,
+    /// Start from these positions, 3 x N x nodes: coordinates fastest, then grid points, then nodes;
+    /// NULL to start otherwise. Needs guess_rotations. Default NULL.
+    pub guess_positions: *const f64,
+    /// Rotation matrices of the same start, 9 x N x nodes, each column by column. Default NULL.
+    pub guess_rotations: *const f64,
+    /// Told of each iteration; may cancel. Default NULL.
+    pub progress: pdn_progress_fn,
+    /// Handed to progress.
+    pub progress_data: *mut c_void,
+}
+
+// SAFETY: all fields are plain numbers or pointers, `struct_size` is the first, no padding.
+unsafe impl Options for pdn_periodic_options {
+    const SIZES: &'static [usize] = &[80];
+
+    fn defaults() -> Self {
+        pdn_periodic_options {
+            struct_size: size_of::<Self>(),
+            grid_points: 31,
+            harmonics: 0,
+            tolerance: 1e-9,
+            iteration_limit: 30,
+            initial: std::ptr::null(),
+            guess_positions: std::ptr::null(),
+            guess_rotations: std::ptr::null(),
+            progress: None,
+            progress_data: std::ptr::null_mut(),
+        }
+    }
+}
+
+/// Sets default options; use `PDN_INIT(pdn_periodic_options, &options)`.
+///
+/// @param options  the options; not NULL
+/// @param struct_size  `sizeof *options`
+///
+/// Threads: any.
+/// @since 0.1
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn pdn_periodic_options_init(
+    options: *mut pdn_periodic_options,
+    struct_size: usize,
+) {
+    options::init(options, struct_size);
+}
+
+/// Finds the periodic response of a model directly, by Fourier spectral collocation.
+///
+/// Newton's method with the exact tangent on the equations of motion at N equispaced times, from the
+/// quasi-static motion unless another start is given. Not converging is no error: PDN_OK says that
+/// the solve was carried out, ::pdn_solution_outcome how it ended, ::pdn_solution_report why.
+///
+/// @param model  the model; it is copied, so that later changes do not touch the solution
+/// @param period  T, the period of the response; harmonics of signals are those of this period
+/// @param options  may be NULL for the defaults
+/// @param out  the solution, also if it has not converged; free it with ::pdn_solution_free; written
+///     on success only
+/// @return PDN_OK; PDN_ERR_NULL; PDN_ERR_NOT_FINITE; PDN_ERR_SIZE (even number of grid points, a start of
+///     another size); PDN_ERR_VALUE; PDN_ERR_STRUCT_SIZE; PDN_ERR_MODEL (no node, a beam too distorted);
+///     PDN_ERR_NOT_PERIODIC (a prescribed motion or load that does not repeat, a spring on an
+///     angle that gains turns); PDN_ERR_GRID_TOO_COARSE (of the initial solution);
+///     PDN_ERR_CALLBACK (of a signal); PDN_ERR_MEMORY
+///
+/// Threads: like a `const` use of `model` and of `options.initial`. Signals' functions and `progress` are
+/// called on this thread.
+/// @since 0.1
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn pdn_solve_periodic(
+    model: *const pdn_model,
+    period: f64,
+    options: *const pdn_periodic_options,
+    out: *mut *mut pdn_solution,
+) -> pdn_status {
+    guard(|call| {
+        let model = call.shared(model, "model")?;
+        let period = call.number(period, "period")?;
+        let given = call.options(options, "options")?;
+        let out = call.out(out, "out")?;
+        let options = read_options(call, &given, &model, period)?;
+        let mut observe = |stage: Stage, iteration: &Iteration| match given.progress {
+            None => true,
+            Some(function) => {
+                let progress = progress(stage, iteration);
+                // SAFETY: the caller gave the function for this data; `progress` outlives the call.
+                unsafe { function(&progress, given.progress_data) == 0 }
+            }
+        };
+        out.give(Solution::solve(&model, period, &options, &mut observe)?);
+        Ok(())
+    })
+}
+
+fn progress(stage: Stage, iteration: &Iteration) -> pdn_progress {
+    pdn_progress {
+        struct_size: size_of::<pdn_progress>(),
+        stage: match stage {
+            Stage::InitialGuess => PDN_STAGE_INITIAL_GUESS,
+            Stage::Newton => PDN_STAGE_NEWTON,
+        },
+        iteration: i32::try_from(iteration.number).unwrap_or(i32::MAX),
+        residual: iteration.residual,
+        increment: iteration.increment,
+        step: iteration.step,
+    }
+}
+
+fn read_options(
+    call: &Call,
+    given: &pdn_periodic_options,
+    model: &Model,
+    period: f64,
+) -> Result<PeriodicOptions> {
+    call.number(given.tolerance, "options.tolerance")?;
+    let grid_points = match given.harmonics {
+        0 => given.grid_points,
+        harmonics => harmonics.saturating_mul(2).saturating_add(1),
+    };
+    const MOST: usize = 1 << 24;
+    if grid_points > MOST {
+        return Err(Error::size(
+            "options.grid_points",
+            format!("at most {MOST}"),
+            grid_points,
+        ));
+    }
+    let grid = TimeGrid::new(grid_points, period).map_err(|e| e.within("options"))?;
+    let guess = if !given.initial.is_null() {
+        let initial = call.shared(given.initial, "options.initial")?;
+        initial.require_same_shape(model)?;
+        InitialGuess::State(initial.prolonged(grid)?)
+    } else if given.guess_positions.is_null() && given.guess_rotations.is_null() {
+        InitialGuess::Default
+    } else {
+        InitialGuess::State(read_guess(call, given, model, grid)?)
+    };
+    Ok(PeriodicOptions {
+        grid_points,
+        newton: NewtonOptions {
+            tolerance: given.tolerance,
+            iteration_limit: given.iteration_limit,
+        },
+        guess,
+    })
+}
+
+fn read_guess(
+    call: &Call,
+    given: &pdn_periodic_options,
+    model: &Model,
+    grid: TimeGrid,
+) -> Result<GridState> {
+    for (pointer, name) in [
+        (given.guess_positions, "options.guess_positions"),
+        (given.guess_rotations, "options.guess_rotations"),
+    ] {
+        if pointer.is_null() {
+            return Err(null(name));
+        }
+    }
+    let count = grid.points() * model.node_count();
+    let positions = call.numbers(given.guess_positions, 3 * count, "options.guess_positions")?;
+    let rotations = call.numbers(given.guess_rotations, 9 * count, "options.guess_rotations")?;
+    let system = System::new(model, grid.period())?;
+    let mut state = GridState::reference(&system, grid);
+    for (i, motion) in state.motions.iter_mut().enumerate() {
+        *motion = read_motion(positions, rotations, i, "options.guess_rotations")?;
+    }
+    state.track(&system);
+    Ok(state)
+}
+
+/// Motion number `i` of arrays of positions and rotation matrices.
+pub(super) fn read_motion(
+    positions: &[f64],
+    rotations: &[f64],
+    i: usize,
+    name: &str,
+) -> Result<Motion> {
+    let rotation = Matrix3::from_column_slice(&rotations[9 * i..9 * i + 9]);
+    // Entries written with 9 digits pass, and are then cleaned.
+    if !is_rotation(&rotation, 1e-8) {
+        let got = format!("a matrix that is none (number {i})");
+        return Err(Error::value(name, "rotation matrices", got));
+    }
+    let position = Vector3::from_column_slice(&positions[3 * i..3 * i + 3]);
+    Ok(Motion::new(polar_rotation(&rotation), position))
+}
+
+impl Handle for pdn_solution {
+    type Core = Solution;
+}

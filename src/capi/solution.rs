@@ -1,0 +1,1071 @@
+//! Solutions: how they came out, and their quantities at any time.
+
+use super::call::Call;
+use super::guard::{guard, guard_or};
+use super::handle;
+use super::last_error::copy_message;
+use super::model::{PDN_FRAME_MATERIAL, PDN_FRAME_SPACE, coordinate};
+use super::options::{self, Options};
+use super::status::pdn_status;
+use crate::error::{Error, ErrorKind, Result};
+use crate::output::{BeamQuantity, JointQuantity, NodeQuantity, ResolvedIn, Solution};
+use crate::solve::Outcome;
+use std::ffi::c_char;
+
+/// A periodic solution, converged or not. Made by ::pdn_solve_periodic, freed by ::pdn_solution_free.
+pub struct pdn_solution {
+    _private: [u8; 0],
+}
+
+/// Outcome: converged; the only outcome that is a solution.
+pub const PDN_CONVERGED: i32 = 0;
+/// Outcome: the iteration limit was reached.
+pub const PDN_ITERATION_LIMIT: i32 = 1;
+/// Outcome: no step along the Newton direction brings progress.
+pub const PDN_STALLED: i32 = 2;
+/// Outcome: the Jacobian is singular; something is free to move, or over-constrained.
+pub const PDN_SINGULAR: i32 = 3;
+/// Outcome: the progress callback cancelled the solve.
+pub const PDN_CANCELLED: i32 = 4;
+/// Outcome: no initial guess could be found.
+pub const PDN_NO_INITIAL_GUESS: i32 = 5;
+
+/// Axes of a joint reaction: inertial.
+pub const PDN_AXES_SPACE: i32 = 0;
+/// Axes of a joint reaction: the joint frame on the first body.
+pub const PDN_AXES_FIRST: i32 = 1;
+/// Axes of a joint reaction: the joint frame on the second body.
+pub const PDN_AXES_SECOND: i32 = 2;
+
+/// Quantity of a node: position, inertial frame; 3 components \[length\].
+pub const PDN_NODE_POSITION: i32 = 0;
+/// Quantity of a node: rotation matrix, column by column; 9 components.
+pub const PDN_NODE_ROTATION: i32 = 1;
+/// Quantity of a node: unit quaternion (w, x, y, z) of continuous sign; 4 components.
+pub const PDN_NODE_QUATERNION: i32 = 2;
+/// Quantity of a node: velocity and angular velocity, inertial frame; 6 components.
+pub const PDN_NODE_VELOCITY: i32 = 3;
+/// Quantity of a node: acceleration and angular acceleration, inertial frame; 6 components.
+pub const PDN_NODE_ACCELERATION: i32 = 4;
+/// Quantity of a node: velocity and angular velocity along the node's axes; 6 components.
+pub const PDN_NODE_MATERIAL_VELOCITY: i32 = 5;
+/// Quantity of a node: time derivative of PDN_NODE_MATERIAL_VELOCITY; 6 components.
+pub const PDN_NODE_MATERIAL_ACCELERATION: i32 = 6;
+
+/// Quantity of a joint: coordinate, angles followed through whole turns; 1 component.
+pub const PDN_JOINT_COORDINATE: i32 = 0;
+/// Quantity of a joint: rate of a coordinate; 1 component.
+pub const PDN_JOINT_RATE: i32 = 1;
+/// Quantity of a joint: second derivative of a coordinate; 1 component.
+pub const PDN_JOINT_ACCELERATION: i32 = 2;
+/// Quantity of a joint: force or torque that drives a prescribed coordinate; 1 component.
+pub const PDN_JOINT_DRIVING_EFFORT: i32 = 3;
+/// Quantity of a joint: force and moment on the second body; 6 components.
+pub const PDN_JOINT_REACTION: i32 = 4;
+
+/// Quantity of a beam: strains and curvatures; 6 components.
+pub const PDN_BEAM_STRAIN: i32 = 0;
+/// Quantity of a beam: internal forces and moments; 6 components.
+pub const PDN_BEAM_FORCE: i32 = 1;
+
+/// Frees a solution; NULL does nothing.
+///
+/// @param solution  the solution, not to be used any more
+///
+/// Threads: exclusive use of `solution`.
+/// @since 0.1
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn pdn_solution_free(solution: *mut pdn_solution) {
+    handle::free(solution);
+}
+
+fn outcome_code(outcome: Outcome) -> i32 {
+    match outcome {
+        Outcome::Converged => PDN_CONVERGED,
+        Outcome::IterationLimit => PDN_ITERATION_LIMIT,
+        Outcome::Stalled => PDN_STALLED,
+        Outcome::Singular => PDN_SINGULAR,
+        Outcome::Cancelled => PDN_CANCELLED,
+        Outcome::NoInitialGuess => PDN_NO_INITIAL_GUESS,
+    }
+}
+
+/// How the solve ended.
+///
+/// Unless it is PDN_CONVERGED the solution's quantities are those of the last iterate.
+///
+/// @param solution  the solution; not NULL
+/// @return PDN_CONVERGED, PDN_ITERATION_LIMIT, PDN_STALLED, PDN_SINGULAR, PDN_CANCELLED or
+///     PDN_NO_INITIAL_GUESS; negative, as a ::pdn_status, if the handle is not valid
+///
+/// Threads: like `const`.
+/// @since 0.1
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn pdn_solution_outcome(solution: *const pdn_solution) -> i32 {
+    let mut outcome = 0;
+    let status = guard(|call| {
+        outcome = outcome_code(call.shared(solution, "solution")?.outcome());
+        Ok(())
+    });
+    if status < 0 { status } else { outcome }
+}
+
+/// A readable report: outcome and why, iterations, error estimates, time spent.
+///
+/// @param solution  the solution; not NULL
+/// @param buffer  array of length [capacity] for the text, UTF-8, always ended by NUL; may be NULL if
+///     capacity is 0
+/// @param capacity  size of buffer in bytes
+/// @return length of the whole report without the NUL, as snprintf does; 0 if the handle is not valid
+///
+/// Threads: like `const`.
+/// @since 0.1
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn pdn_solution_report(
+    solution: *const pdn_solution,
+    buffer: *mut c_char,
+    capacity: usize,
+) -> usize {
+    guard_or(0, |call| {
+        let report = call.shared(solution, "solution")?.report();
+        copy_message(&report, buffer, capacity);
+        Ok(report.len())
+    })
+}
+
+/// Figures of a solve. Initialise with `PDN_INIT(pdn_diagnostics, &diagnostics)`.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct pdn_diagnostics {
+    /// Set by the initialiser.
+    pub struct_size: usize,
+    /// Outcome, as ::pdn_solution_outcome.
+    pub outcome: i32,
+    /// Newton iterations of the periodic problem.
+    pub iterations: i32,
+    /// Newton iterations of the initial guess, each at a single instant.
+    pub guess_iterations: i32,
+    /// Zero.
+    pub reserved: i32,
+    /// Number of grid points.
+    pub grid_points: usize,
+    /// Number of unknowns of the periodic problem.
+    pub unknowns: usize,
+    /// Largest increment of the last iteration, as ::pdn_progress.
+    pub last_increment: f64,
+    /// Estimated error of the motions between grid points, from the decay of their harmonics: lengths
+    /// relative to the size of the mechanism, angles in radians; infinite if it cannot be had.
+    pub error_estimate: f64,
+    /// Largest residual force half-way between grid points, relative to the largest force that any
+    /// element exerts; infinite if the motion cannot be interpolated. Large values mean aliasing.
+    pub force_residual_between: f64,
+    /// Largest violation of a constraint half-way between grid points: lengths relative to the size of
+    /// the mechanism, angles in radians; infinite if the motion cannot be interpolated.
+    pub constraint_residual_between: f64,
+    /// Seconds spent on the initial guess.
+    pub guess_seconds: f64,
+    /// Seconds spent on elements and assembly.
+    pub assembly_seconds: f64,
+    /// Seconds spent on symbolic analysis.
+    pub analysis_seconds: f64,
+    /// Seconds spent on numeric factorisation.
+    pub factorisation_seconds: f64,
+    /// Seconds spent on forward and backward substitution.
+    pub substitution_seconds: f64,
+}
+
+// SAFETY: all fields are plain numbers, `struct_size` is the first, no padding.
+unsafe impl Options for pdn_diagnostics {
+    const SIZES: &'static [usize] = &[112];
+
+    fn defaults() -> Self {
+        pdn_diagnostics {
+            struct_size: size_of::<Self>(),
+            outcome: 0,
+            iterations: 0,
+            guess_iterations: 0,
+            reserved: 0,
+            grid_points: 0,
+            unknowns: 0,
+            last_increment: 0.0,
+            error_estimate: 0.0,
+            force_residual_between: 0.0,
+            constraint_residual_between: 0.0,
+            guess_seconds: 0.0,
+            assembly_seconds: 0.0,
+            analysis_seconds: 0.0,
+            factorisation_seconds: 0.0,
+            substitution_seconds: 0.0,
+        }
+    }
+}
+
+/// Prepares a struct for ::pdn_solution_diagnostics; use `PDN_INIT(pdn_diagnostics, &diagnostics)`.
+///
+/// @param diagnostics  the struct; not NULL
+/// @param struct_size  `sizeof *diagnostics`
+///
+/// Threads: any.
+/// @since 0.1
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn pdn_diagnostics_init(
+    diagnostics: *mut pdn_diagnostics,
+    struct_size: usize,
+) {
+    options::init(diagnostics, struct_size);
+}
+
+/// Figures of a solve: iterations, error estimates, residuals between grid points, time spent.
+///
+/// @param solution  the solution; not NULL
+/// @param out  initialised by PDN_INIT; filled on success only
+/// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_STRUCT_SIZE
+///
+/// Threads: like `const`.
+/// @since 0.1
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn pdn_solution_diagnostics(
+    solution: *const pdn_solution,
+    out: *mut pdn_diagnostics,
+) -> pdn_status {
+    guard(|call| {
+        let solution = call.shared(solution, "solution")?;
+        let out = call.out_struct(out, "out")?;
+        let details = solution.details();
+        let timings = details.timings;
+        let iterations = &details.report.iterations;
+        let count = |n: usize| i32::try_from(n).unwrap_or(i32::MAX);
+        let between = solution.diagnostics().between;
+        out.set(pdn_diagnostics {
+            outcome: outcome_code(solution.outcome()),
+            iterations: count(iterations.len()),
+            guess_iterations: count(details.guess_iterations),
+            grid_points: details.grid.points(),
+            unknowns: solution.unknowns(),
+            last_increment: iterations.last().map_or(f64::INFINITY, |i| i.increment),
+            error_estimate: solution.diagnostics().error_estimate,
+            force_residual_between: between.force,
+            constraint_residual_between: between.constraint,
+            guess_seconds: details.guess_time.as_secs_f64(),
+            assembly_seconds: timings.assembly.as_secs_f64(),
+            analysis_seconds: timings.analysis.as_secs_f64(),
+            factorisation_seconds: timings.factorisation.as_secs_f64(),
+            substitution_seconds: timings.substitution.as_secs_f64(),
+            ..pdn_diagnostics::defaults()
+        });
+        Ok(())
+    })
+}
+
+/// History of the Newton iterations of the periodic problem.
+///
+/// @param solution  the solution; not NULL
+/// @param residuals  array of length [count] for the largest residual before each iteration; may be NULL
+/// @param increments  array of length [count] for the largest increment of each; may be NULL
+/// @param steps  array of length [count] for the fraction of the increment taken; may be NULL
+/// @param count  number of iterations, as pdn_diagnostics.iterations tells
+/// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_SIZE
+///
+/// Threads: like `const`.
+/// @since 0.1
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn pdn_solution_history(
+    solution: *const pdn_solution,
+    residuals: *mut f64,
+    increments: *mut f64,
+    steps: *mut f64,
+    count: usize,
+) -> pdn_status {
+    guard(|call| {
+        let solution = call.shared(solution, "solution")?;
+        let iterations = &solution.details().report.iterations;
+        if count != iterations.len() {
+            return Err(Error::size("count", iterations.len(), count));
+        }
+        let columns: [(_, _, fn(&crate::solve::Iteration) -> f64); 3] = [
+            (residuals, "residuals", |i| i.residual),
+            (increments, "increments", |i| i.increment),
+            (steps, "steps", |i| i.step),
+        ];
+        for (pointer, name, value) in columns {
+            if !pointer.is_null() {
+                let values: Vec<f64> = iterations.iter().map(value).collect();
+                call.out_slice(pointer, count, count, name)?.set(&values);
+            }
+        }
+        Ok(())
+    })
+}
+
+/// Decay of the harmonics: largest amplitude of each over all nodes, of positions relative to the size of
+/// the mechanism and of entries of rotation matrices.
+///
+/// @param solution  the solution; not NULL
+/// @param amplitudes  array of length [count], harmonics 0, 1, ..., (N - 1) / 2
+/// @param count  (N + 1) / 2, for N grid points
+/// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_SIZE
+///
+/// Threads: like `const`.
+/// @since 0.1
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn pdn_solution_decay(
+    solution: *const pdn_solution,
+    amplitudes: *mut f64,
+    count: usize,
+) -> pdn_status {
+    guard(|call| {
+        let solution = call.shared(solution, "solution")?;
+        let harmonics = &solution.diagnostics().harmonics;
+        let out = call.out_slice(amplitudes, count, harmonics.len(), "count")?;
+        out.set(harmonics);
+        Ok(())
+    })
+}
+
+/// Grid times t_k = k T / N.
+///
+/// @param solution  the solution; not NULL
+/// @param times  array of length [count]
+/// @param count  N, the number of grid points
+/// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_SIZE
+///
+/// Threads: like `const`.
+/// @since 0.1
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn pdn_solution_grid_times(
+    solution: *const pdn_solution,
+    times: *mut f64,
+    count: usize,
+) -> pdn_status {
+    guard(|call| {
+        let solution = call.shared(solution, "solution")?;
+        let grid: Vec<f64> = solution.grid().times().collect();
+        call.out_slice(times, count, grid.len(), "count")?
+            .set(&grid);
+        Ok(())
+    })
+}
+
+/// An id of C as an index of the core.
+fn index(id: i32, name: &str) -> Result<usize> {
+    usize::try_from(id).map_err(|_| {
+        Error::new(
+            ErrorKind::Identifier,
+            format!("{name}: expected an id of the model, got {id}"),
+        )
+    })
+}
+
+fn unknown(name: &str, expected: &str, got: i32) -> Error {
+    Error::value(name, expected, got)
+}
+
+/// Samples at `times` into `out`, both checked before anything is computed.
+fn sampled(
+    solution: *const pdn_solution,
+    times: *const f64,
+    count: usize,
+    out: *mut f64,
+    sample: impl FnOnce(&Call, &Solution, &[f64]) -> Result<Vec<f64>>,
+    components: usize,
+) -> pdn_status {
+    guard(|call| {
+        let solution = call.shared(solution, "solution")?;
+        let times = call.numbers(times, count, "times")?;
+        let length = count
+            .checked_mul(components)
+            .ok_or_else(|| Error::size("count", "a length that fits in memory", count))?;
+        let out = call.out_slice(out, length, length, "out")?;
+        out.set(&sample(call, &solution, times)?);
+        Ok(())
+    })
+}
+
+fn node_sampled(
+    solution: *const pdn_solution,
+    node: i32,
+    quantity: Result<NodeQuantity>,
+    components: usize,
+    times: *const f64,
+    count: usize,
+    out: *mut f64,
+) -> pdn_status {
+    let sample = |_: &Call, solution: &Solution, times: &[f64]| {
+        solution.node(index(node, "node")?, quantity?, times)
+    };
+    sampled(solution, times, count, out, sample, components)
+}
+
+/// Position of a node at any times.
+///
+/// Interpolated over the whole period by dual polar decomposition: to rounding at the grid points.
+///
+/// @param solution  the solution; not NULL
+/// @param node  id of the node
+/// @param times  array of length [count]: times, also outside the first period
+/// @param count  number of times
+/// @param out  array of shape 3 x [count], coordinates of each time together, inertial frame \[length\]
+/// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_ID, PDN_ERR_GRID_TOO_COARSE
+///
+/// Threads: like `const`.
+/// @since 0.1
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn pdn_solution_node_position(
+    solution: *const pdn_solution,
+    node: i32,
+    times: *const f64,
+    count: usize,
+    out: *mut f64,
+) -> pdn_status {
+    node_sampled(
+        solution,
+        node,
+        Ok(NodeQuantity::Position),
+        3,
+        times,
+        count,
+        out,
+    )
+}
+
+/// Rotation matrix of a node at any times.
+///
+/// @param solution  the solution; not NULL
+/// @param node  id of the node
+/// @param times  array of length [count]: times, also outside the first period
+/// @param count  number of times
+/// @param out  array of shape 9 x [count]: of each time the three columns, which are the node's axes in
+///     the inertial frame
+/// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_ID, PDN_ERR_GRID_TOO_COARSE
+///
+/// Threads: like `const`.
+/// @since 0.1
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn pdn_solution_node_rotation(
+    solution: *const pdn_solution,
+    node: i32,
+    times: *const f64,
+    count: usize,
+    out: *mut f64,
+) -> pdn_status {
+    node_sampled(
+        solution,
+        node,
+        Ok(NodeQuantity::RotationMatrix),
+        9,
+        times,
+        count,
+        out,
+    )
+}
+
+/// Unit quaternion of a node at any times.
+///
+/// @param solution  the solution; not NULL
+/// @param node  id of the node
+/// @param times  array of length [count]: times, also outside the first period
+/// @param count  number of times
+/// @param out  array of shape 4 x [count]: (w, x, y, z) of each time, from the inertial to the node's frame;
+///     w is not negative at the first time, and the sign is continuous from one time to the next
+/// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_ID, PDN_ERR_GRID_TOO_COARSE
+///
+/// Threads: like `const`.
+/// @since 0.1
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn pdn_solution_node_quaternion(
+    solution: *const pdn_solution,
+    node: i32,
+    times: *const f64,
+    count: usize,
+    out: *mut f64,
+) -> pdn_status {
+    node_sampled(
+        solution,
+        node,
+        Ok(NodeQuantity::Quaternion),
+        4,
+        times,
+        count,
+        out,
+    )
+}
+
+fn in_frame(frame: i32, space: NodeQuantity, material: NodeQuantity) -> Result<NodeQuantity> {
+    match frame {
+        PDN_FRAME_SPACE => Ok(space),
+        PDN_FRAME_MATERIAL => Ok(material),
+        _ => Err(unknown(
+            "frame",
+            "PDN_FRAME_SPACE or PDN_FRAME_MATERIAL",
+            frame,
+        )),
+    }
+}
+
+/// Velocity of a node at any times.
+///
+/// @param solution  the solution; not NULL
+/// @param node  id of the node
+/// @param frame  PDN_FRAME_SPACE: velocity of the node and angular velocity along the inertial axes;
+///     PDN_FRAME_MATERIAL: along the node's own
+/// @param times  array of length [count]: times, also outside the first period
+/// @param count  number of times
+/// @param out  array of shape 6 x [count]: linear, then angular velocity of each time
+/// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_ID, PDN_ERR_VALUE,
+///     PDN_ERR_GRID_TOO_COARSE
+///
+/// Threads: like `const`.
+/// @since 0.1
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn pdn_solution_node_velocity(
+    solution: *const pdn_solution,
+    node: i32,
+    frame: i32,
+    times: *const f64,
+    count: usize,
+    out: *mut f64,
+) -> pdn_status {
+    let quantity = in_frame(
+        frame,
+        NodeQuantity::Velocity,
+        NodeQuantity::MaterialVelocity,
+    );
+    node_sampled(solution, node, quantity, 6, times, count, out)
+}
+
+/// Acceleration of a node at any times.
+///
+/// @param solution  the solution; not NULL
+/// @param node  id of the node
+/// @param frame  PDN_FRAME_SPACE: acceleration of the node and angular acceleration along the inertial
+///     axes; PDN_FRAME_MATERIAL: time derivative of the velocity along the node's own axes
+/// @param times  array of length [count]: times, also outside the first period
+/// @param count  number of times
+/// @param out  array of shape 6 x [count]: linear, then angular acceleration of each time
+/// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_ID, PDN_ERR_VALUE,
+///     PDN_ERR_GRID_TOO_COARSE
+///
+/// Threads: like `const`.
+/// @since 0.1
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn pdn_solution_node_acceleration(
+    solution: *const pdn_solution,
+    node: i32,
+    frame: i32,
+    times: *const f64,
+    count: usize,
+    out: *mut f64,
+) -> pdn_status {
+    let quantity = in_frame(
+        frame,
+        NodeQuantity::Acceleration,
+        NodeQuantity::MaterialAcceleration,
+    );
+    node_sampled(solution, node, quantity, 6, times, count, out)
+}
+
+fn joint_quantity(quantity: i32, detail: i32) -> Result<JointQuantity> {
+    match quantity {
+        PDN_JOINT_COORDINATE => Ok(JointQuantity::Coordinate(coordinate(detail, "coordinate")?)),
+        PDN_JOINT_RATE => Ok(JointQuantity::Rate(coordinate(detail, "coordinate")?)),
+        PDN_JOINT_ACCELERATION => Ok(JointQuantity::Acceleration(coordinate(
+            detail,
+            "coordinate",
+        )?)),
+        PDN_JOINT_DRIVING_EFFORT => Ok(JointQuantity::DrivingEffort(coordinate(
+            detail,
+            "coordinate",
+        )?)),
+        PDN_JOINT_REACTION => match detail {
+            PDN_AXES_SPACE => Ok(JointQuantity::Reaction(ResolvedIn::Space)),
+            PDN_AXES_FIRST => Ok(JointQuantity::Reaction(ResolvedIn::First)),
+            PDN_AXES_SECOND => Ok(JointQuantity::Reaction(ResolvedIn::Second)),
+            _ => {
+                let expected = "PDN_AXES_SPACE, PDN_AXES_FIRST or PDN_AXES_SECOND";
+                Err(unknown("axes", expected, detail))
+            }
+        },
+        _ => Err(unknown(
+            "quantity",
+            "PDN_JOINT_COORDINATE to PDN_JOINT_REACTION",
+            quantity,
+        )),
+    }
+}
+
+fn joint_sampled(
+    solution: *const pdn_solution,
+    joint: i32,
+    quantity: i32,
+    detail: i32,
+    components: usize,
+    times: *const f64,
+    count: usize,
+    out: *mut f64,
+) -> pdn_status {
+    let sample = |_: &Call, solution: &Solution, times: &[f64]| {
+        solution.joint(
+            index(joint, "joint")?,
+            joint_quantity(quantity, detail)?,
+            times,
+        )
+    };
+    sampled(solution, times, count, out, sample, components)
+}
+
+/// Joint coordinate at any times: an angle, followed continuously through whole turns.
+///
+/// @param solution  the solution; not NULL
+/// @param joint  id of the joint
+/// @param coordinate  PDN_ROTATION, PDN_ROTATION_2 or PDN_ROTATION_3; see the joint
+/// @param times  array of length [count]: times, also outside the first period
+/// @param count  number of times
+/// @param out  array of length [count] \[rad\]
+/// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_ID, PDN_ERR_VALUE,
+///     PDN_ERR_NOT_AVAILABLE (the joint has no such coordinate)
+///
+/// Threads: like `const`.
+/// @since 0.1
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn pdn_solution_joint_coordinate(
+    solution: *const pdn_solution,
+    joint: i32,
+    coordinate: i32,
+    times: *const f64,
+    count: usize,
+    out: *mut f64,
+) -> pdn_status {
+    joint_sampled(
+        solution,
+        joint,
+        PDN_JOINT_COORDINATE,
+        coordinate,
+        1,
+        times,
+        count,
+        out,
+    )
+}
+
+/// Rate of a joint coordinate at any times.
+///
+/// @param solution  the solution; not NULL
+/// @param joint  id of the joint
+/// @param coordinate  PDN_ROTATION, PDN_ROTATION_2 or PDN_ROTATION_3; see the joint
+/// @param times  array of length [count]: times, also outside the first period
+/// @param count  number of times
+/// @param out  array of length [count] \[rad per unit of time\]
+/// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_ID, PDN_ERR_VALUE,
+///     PDN_ERR_NOT_AVAILABLE (the joint has no such coordinate)
+///
+/// Threads: like `const`.
+/// @since 0.1
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn pdn_solution_joint_rate(
+    solution: *const pdn_solution,
+    joint: i32,
+    coordinate: i32,
+    times: *const f64,
+    count: usize,
+    out: *mut f64,
+) -> pdn_status {
+    joint_sampled(
+        solution,
+        joint,
+        PDN_JOINT_RATE,
+        coordinate,
+        1,
+        times,
+        count,
+        out,
+    )
+}
+
+/// Second derivative in time of a joint coordinate at any times.
+///
+/// @param solution  the solution; not NULL
+/// @param joint  id of the joint
+/// @param coordinate  PDN_ROTATION, PDN_ROTATION_2 or PDN_ROTATION_3; see the joint
+/// @param times  array of length [count]: times, also outside the first period
+/// @param count  number of times
+/// @param out  array of length [count] \[rad per unit of time squared\]
+/// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_ID, PDN_ERR_VALUE,
+///     PDN_ERR_NOT_AVAILABLE (the joint has no such coordinate)
+///
+/// Threads: like `const`.
+/// @since 0.1
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn pdn_solution_joint_acceleration(
+    solution: *const pdn_solution,
+    joint: i32,
+    coordinate: i32,
+    times: *const f64,
+    count: usize,
+    out: *mut f64,
+) -> pdn_status {
+    joint_sampled(
+        solution,
+        joint,
+        PDN_JOINT_ACCELERATION,
+        coordinate,
+        1,
+        times,
+        count,
+        out,
+    )
+}
+
+/// Torque that drives a prescribed coordinate, at any times.
+///
+/// It acts on the second body, and its reaction on the first; positive where it does work on a growing
+/// coordinate. Interpolated from the multipliers at the grid points.
+///
+/// @param solution  the solution; not NULL
+/// @param joint  id of the joint
+/// @param coordinate  the prescribed coordinate, as given to ::pdn_model_prescribe
+/// @param times  array of length [count]: times, also outside the first period
+/// @param count  number of times
+/// @param out  array of length [count] \[force x length\]
+/// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_ID, PDN_ERR_VALUE,
+///     PDN_ERR_NOT_AVAILABLE (no such coordinate, or it is not prescribed)
+///
+/// Threads: like `const`.
+/// @since 0.1
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn pdn_solution_joint_driving_effort(
+    solution: *const pdn_solution,
+    joint: i32,
+    coordinate: i32,
+    times: *const f64,
+    count: usize,
+    out: *mut f64,
+) -> pdn_status {
+    joint_sampled(
+        solution,
+        joint,
+        PDN_JOINT_DRIVING_EFFORT,
+        coordinate,
+        1,
+        times,
+        count,
+        out,
+    )
+}
+
+/// Reaction of a joint at any times: what its constraints exert on the second body.
+///
+/// Force, and moment about the origin of the joint frame on the second body. Springs, dampers and the
+/// drives of prescribed coordinates are not part of it.
+///
+/// @param solution  the solution; not NULL
+/// @param joint  id of the joint
+/// @param axes  PDN_AXES_SPACE, PDN_AXES_FIRST or PDN_AXES_SECOND: axes of the components
+/// @param times  array of length [count]: times, also outside the first period
+/// @param count  number of times
+/// @param out  array of shape 6 x [count]: force, then moment of each time
+/// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_ID, PDN_ERR_VALUE
+///
+/// Threads: like `const`.
+/// @since 0.1
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn pdn_solution_joint_reaction(
+    solution: *const pdn_solution,
+    joint: i32,
+    axes: i32,
+    times: *const f64,
+    count: usize,
+    out: *mut f64,
+) -> pdn_status {
+    joint_sampled(
+        solution,
+        joint,
+        PDN_JOINT_REACTION,
+        axes,
+        6,
+        times,
+        count,
+        out,
+    )
+}
+
+/// Strains of a beam element at a station and any times.
+///
+/// Per unit of reference length, along the section's axes: axial and two shear strains, twist and two
+/// curvatures. Interpolated from their values at the grid points.
+///
+/// @param solution  the solution; not NULL
+/// @param element  id of the beam element
+/// @param station  place along the element, from -1 at its first to 1 at its last node
+/// @param times  array of length [count]: times, also outside the first period
+/// @param count  number of times
+/// @param out  array of shape 6 x [count]
+/// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_ID, PDN_ERR_VALUE
+///
+/// Threads: like `const`.
+/// @since 0.1
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn pdn_solution_beam_strain(
+    solution: *const pdn_solution,
+    element: i32,
+    station: f64,
+    times: *const f64,
+    count: usize,
+    out: *mut f64,
+) -> pdn_status {
+    let sample = |_: &Call, solution: &Solution, times: &[f64]| {
+        solution.beam(
+            index(element, "element")?,
+            station,
+            BeamQuantity::Strain,
+            times,
+        )
+    };
+    sampled(solution, times, count, out, sample, 6)
+}
+
+/// Internal forces of a beam element at a station and any times.
+///
+/// Along the section's axes: axial force and two shear forces, torque and two bending moments, exerted by
+/// the part beyond the station. They follow from the strains, and are most accurate at the element's
+/// Gauss points: for two nodes the middle, for three 1/sqrt(3) either side of it.
+///
+/// @param solution  the solution; not NULL
+/// @param element  id of the beam element
+/// @param station  place along the element, from -1 at its first to 1 at its last node
+/// @param times  array of length [count]: times, also outside the first period
+/// @param count  number of times
+/// @param out  array of shape 6 x [count]
+/// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_ID, PDN_ERR_VALUE
+///
+/// Threads: like `const`.
+/// @since 0.1
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn pdn_solution_beam_force(
+    solution: *const pdn_solution,
+    element: i32,
+    station: f64,
+    times: *const f64,
+    count: usize,
+    out: *mut f64,
+) -> pdn_status {
+    let sample = |_: &Call, solution: &Solution, times: &[f64]| {
+        solution.beam(
+            index(element, "element")?,
+            station,
+            BeamQuantity::Force,
+            times,
+        )
+    };
+    sampled(solution, times, count, out, sample, 6)
+}
+
+/// Where the coefficients of a quantity's series go.
+struct SeriesOut {
+    harmonics: usize,
+    mean: *mut f64,
+    rate: *mut f64,
+    cosines: *mut f64,
+    sines: *mut f64,
+}
+
+fn harmonics_of(
+    solution: *const pdn_solution,
+    to: &SeriesOut,
+    components: impl FnOnce() -> Result<usize>,
+    series: impl FnOnce(&Solution) -> Result<Vec<crate::fourier::PeriodicSeries>>,
+) -> pdn_status {
+    guard(|call| {
+        let solution = call.shared(solution, "solution")?;
+        let most = solution.grid().harmonics();
+        if to.harmonics > most {
+            return Err(Error::size(
+                "harmonics",
+                format!("at most {most}"),
+                to.harmonics,
+            ));
+        }
+        let (single, many) = {
+            let components = components()?;
+            (components, components * to.harmonics)
+        };
+        let wanted = |pointer: *mut f64, length: usize, name: &str| {
+            if pointer.is_null() {
+                return Ok(None);
+            }
+            call.out_slice(pointer, length, length, name).map(Some)
+        };
+        let mean = wanted(to.mean, single, "mean")?;
+        let rate = wanted(to.rate, single, "rate")?;
+        let cosines = wanted(to.cosines, many, "cosines")?;
+        let sines = wanted(to.sines, many, "sines")?;
+        let series = series(&solution)?;
+        let each = |value: &dyn Fn(&crate::fourier::PeriodicSeries) -> f64| -> Vec<f64> {
+            series.iter().map(value).collect()
+        };
+        let by_harmonic = |value: &dyn Fn(&crate::fourier::PeriodicSeries, usize) -> f64| {
+            let mut all = Vec::new();
+            for j in 0..to.harmonics {
+                all.extend(series.iter().map(|s| value(s, j)));
+            }
+            all
+        };
+        if let Some(out) = mean {
+            out.set(&each(&|s| s.mean));
+        }
+        if let Some(out) = rate {
+            out.set(&each(&|s| s.rate));
+        }
+        if let Some(out) = cosines {
+            out.set(&by_harmonic(&|s, j| s.cosines[j]));
+        }
+        if let Some(out) = sines {
+            out.set(&by_harmonic(&|s, j| s.sines[j]));
+        }
+        Ok(())
+    })
+}
+
+/// Fourier coefficients of a node's quantity: mean + sum of cosines[j] cos jwt + sines[j] sin jwt.
+///
+/// Those of the trigonometric polynomial through the values at the grid points.
+///
+/// @param solution  the solution; not NULL
+/// @param node  id of the node
+/// @param quantity  PDN_NODE_POSITION, ...; it has C components
+/// @param harmonics  number of harmonics wanted, at most (N - 1) / 2
+/// @param mean  array of length C; may be NULL
+/// @param cosines  array of shape C x [harmonics], components of each harmonic together; may be NULL
+/// @param sines  as cosines; may be NULL
+/// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_SIZE, PDN_ERR_ID, PDN_ERR_VALUE,
+///     PDN_ERR_NOT_AVAILABLE (the quaternion of a node that makes an odd number of turns)
+///
+/// Threads: like `const`.
+/// @since 0.1
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn pdn_solution_node_harmonics(
+    solution: *const pdn_solution,
+    node: i32,
+    quantity: i32,
+    harmonics: usize,
+    mean: *mut f64,
+    cosines: *mut f64,
+    sines: *mut f64,
+) -> pdn_status {
+    let to = SeriesOut {
+        harmonics,
+        mean,
+        rate: std::ptr::null_mut(),
+        cosines,
+        sines,
+    };
+    let which = || match quantity {
+        PDN_NODE_POSITION => Ok(NodeQuantity::Position),
+        PDN_NODE_ROTATION => Ok(NodeQuantity::RotationMatrix),
+        PDN_NODE_QUATERNION => Ok(NodeQuantity::Quaternion),
+        PDN_NODE_VELOCITY => Ok(NodeQuantity::Velocity),
+        PDN_NODE_ACCELERATION => Ok(NodeQuantity::Acceleration),
+        PDN_NODE_MATERIAL_VELOCITY => Ok(NodeQuantity::MaterialVelocity),
+        PDN_NODE_MATERIAL_ACCELERATION => Ok(NodeQuantity::MaterialAcceleration),
+        _ => {
+            let expected = "PDN_NODE_POSITION to PDN_NODE_MATERIAL_ACCELERATION";
+            Err(unknown("quantity", expected, quantity))
+        }
+    };
+    let components = || Ok(which()?.components());
+    harmonics_of(solution, &to, components, |s| {
+        s.node_series(index(node, "node")?, which()?)
+    })
+}
+
+/// Fourier coefficients of a joint's quantity: mean + rate t + sum of cosines[j] cos jwt + sines[j] sin jwt.
+///
+/// @param solution  the solution; not NULL
+/// @param joint  id of the joint
+/// @param quantity  PDN_JOINT_COORDINATE, ...; it has C components
+/// @param detail  the coordinate (PDN_ROTATION, ...) or, for PDN_JOINT_REACTION, the axes (PDN_AXES_SPACE, ...)
+/// @param harmonics  number of harmonics wanted, at most (N - 1) / 2
+/// @param mean  array of length C; may be NULL
+/// @param rate  array of length C: growth per unit of time, of an angle that gains turns; may be NULL
+/// @param cosines  array of shape C x [harmonics], components of each harmonic together; may be NULL
+/// @param sines  as cosines; may be NULL
+/// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_SIZE, PDN_ERR_ID, PDN_ERR_VALUE, PDN_ERR_NOT_AVAILABLE
+///
+/// Threads: like `const`.
+/// @since 0.1
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn pdn_solution_joint_harmonics(
+    solution: *const pdn_solution,
+    joint: i32,
+    quantity: i32,
+    detail: i32,
+    harmonics: usize,
+    mean: *mut f64,
+    rate: *mut f64,
+    cosines: *mut f64,
+    sines: *mut f64,
+) -> pdn_status {
+    let to = SeriesOut {
+        harmonics,
+        mean,
+        rate,
+        cosines,
+        sines,
+    };
+    let components = || Ok(joint_quantity(quantity, detail)?.components());
+    harmonics_of(solution, &to, components, |s| {
+        s.joint_series(index(joint, "joint")?, joint_quantity(quantity, detail)?)
+    })
+}
+
+/// Fourier coefficients of strains or internal forces of a beam element at a station.
+///
+/// @param solution  the solution; not NULL
+/// @param element  id of the beam element
+/// @param station  place along the element, from -1 at its first to 1 at its last node
+/// @param quantity  PDN_BEAM_STRAIN or PDN_BEAM_FORCE
+/// @param harmonics  number of harmonics wanted, at most (N - 1) / 2
+/// @param mean  array of length 6; may be NULL
+/// @param cosines  array of shape 6 x [harmonics], components of each harmonic together; may be NULL
+/// @param sines  as cosines; may be NULL
+/// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_SIZE, PDN_ERR_ID, PDN_ERR_VALUE
+///
+/// Threads: like `const`.
+/// @since 0.1
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn pdn_solution_beam_harmonics(
+    solution: *const pdn_solution,
+    element: i32,
+    station: f64,
+    quantity: i32,
+    harmonics: usize,
+    mean: *mut f64,
+    cosines: *mut f64,
+    sines: *mut f64,
+) -> pdn_status {
+    let to = SeriesOut {
+        harmonics,
+        mean,
+        rate: std::ptr::null_mut(),
+        cosines,
+        sines,
+    };
+    harmonics_of(
+        solution,
+        &to,
+        || Ok(6),
+        |s| {
+            let which = match quantity {
+                PDN_BEAM_STRAIN => BeamQuantity::Strain,
+                PDN_BEAM_FORCE => BeamQuantity::Force,
+                _ => {
+                    return Err(unknown(
+                        "quantity",
+                        "PDN_BEAM_STRAIN or PDN_BEAM_FORCE",
+                        quantity,
+                    ));
+                }
+            };
+            s.beam_series(index(element, "element")?, station, which)
+        },
+    )
+}
