@@ -99,9 +99,10 @@ const _: () = assert!(size_of::<pdn_frame>() == 96 && size_of::<pdn_beam>() == 3
 
 /// The id that the next of `count` things gets; `more` of them are to be made.
 fn next_id(count: usize, more: usize, name: &str) -> Result<i32> {
-    let last = count.saturating_add(more).saturating_sub(1);
-    if i32::try_from(last).is_err() {
-        return Err(Error::size(name, format!("ids up to {}", i32::MAX), last));
+    let total = count.saturating_add(more);
+    if i32::try_from(total).is_err() {
+        let expected = format!("at most {} in a model", i32::MAX);
+        return Err(Error::size(name, expected, total));
     }
     Ok(count as i32)
 }
@@ -573,8 +574,8 @@ pub unsafe extern "C" fn pdn_model_add_straight_beam(
         let axis_2 = vector(call, axis_2, "axis_2")?;
         let section = section::read(call, section, "section")?;
         let beam = call.out(beam, "beam")?;
-        let more = elements.saturating_mul(degree).saturating_add(1);
-        let first = next_id(model.node_count(), more, "elements")?;
+        Model::require_mesh(elements, degree)?;
+        let first = next_id(model.node_count(), elements * degree + 1, "elements")?;
         let first_element = next_id(model.beam_element_count(), elements, "elements")?;
         let ids = model.add_straight_beam(&start, &end, &axis_2, &section, elements, degree)?;
         // In range, as `next_id` has found out.

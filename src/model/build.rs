@@ -196,6 +196,19 @@ impl Model {
         Err(Error::size(name, expected, nodes))
     }
 
+    /// Checks the numbers that a beam is meshed by.
+    pub(crate) fn require_mesh(elements: usize, degree: usize) -> Result<()> {
+        const MOST: usize = 1_000_000;
+        if !(1..=MOST).contains(&elements) {
+            return Err(Error::size("elements", format!("1 to {MOST}"), elements));
+        }
+        if !(1..=HIGHEST_DEGREE).contains(&degree) {
+            let expected = format!("1 to {HIGHEST_DEGREE}");
+            return Err(Error::size("degree", expected, degree));
+        }
+        Ok(())
+    }
+
     fn require_coordinate(&self, at: &JointCoordinate) -> Result<()> {
         let kind = self.require_joint("joint", at.joint)?.kind();
         if kind.coordinates().contains(&at.coordinate) {
@@ -212,8 +225,9 @@ impl Model {
 
     /// Adds a node at a reference motion; returns its id.
     pub fn add_node(&mut self, reference: &Motion) -> Result<usize> {
-        let reference = require_motion("node", reference)?;
-        self.nodes.push(reference);
+        require_finite("position", reference.position.as_slice())?;
+        let rotation = require_rotation("rotation", &reference.rotation)?;
+        self.nodes.push(Motion::new(rotation, reference.position));
         Ok(self.nodes.len() - 1)
     }
 
@@ -344,17 +358,7 @@ impl Model {
         require_finite("end", end.as_slice())?;
         let axis_2 = direction("axis_2", axis_2)?;
         section.validated()?;
-        const MOST: usize = 1_000_000;
-        if !(1..=MOST).contains(&elements) {
-            return Err(Error::size("elements", format!("1 to {MOST}"), elements));
-        }
-        if !(1..=HIGHEST_DEGREE).contains(&degree) {
-            return Err(Error::size(
-                "degree",
-                format!("1 to {HIGHEST_DEGREE}"),
-                degree,
-            ));
-        }
+        Self::require_mesh(elements, degree)?;
         let span = end - start;
         let size = start.amax().max(end.amax());
         if span.norm() <= 1e-12 * size || span.norm() == 0.0 {
