@@ -103,7 +103,7 @@ def draw(curves, path):
                     fontsize=12.5, y=0.988)
     figure.legend(handles=legend_handles(grids), loc="upper center", bbox_to_anchor=(0.5, 0.965),
                   ncol=len(grids), frameon=False, handlelength=2.2, columnspacing=1.6)
-    figure.subplots_adjust(left=0.14, right=0.97, bottom=0.06, top=0.91, hspace=0.12)
+    figure.subplots_adjust(left=0.17, right=0.97, bottom=0.06, top=0.91, hspace=0.12)
     figure.savefig(path, dpi=160)
     plt.close(figure)
 
