@@ -222,8 +222,8 @@ fn elastic_deflection_explains_the_difference_from_rigid_bars() {
         }
         sum
     };
-    let bar_1 = deflections(0, (b - a).norm(), FOUR_BAR_BENDING[0]);
-    let bar_3 = deflections(2, (d - c).norm(), FOUR_BAR_BENDING[2]);
+    let bar_1 = deflections(0, (b - a).norm(), FOUR_BAR_STIFFNESS[0][5]);
+    let bar_3 = deflections(2, (d - c).norm(), FOUR_BAR_STIFFNESS[2][5]);
 
     let x3 = &mechanism.curves(solution, &times)[0];
     let stiff: Vec<f64> = position_loop(&times, rigid).iter().map(|b| b.z).collect();

@@ -235,8 +235,20 @@ pub fn four_bar_points() -> [Vector3<f64>; 4] {
 
 pub const FOUR_BAR_PERIOD: f64 = TAU / 0.3;
 
-/// Bending stiffness of the three bars.
-pub const FOUR_BAR_BENDING: [f64; 3] = [1131.0, 1131.0, 70.66];
+const THICK: [f64; 6] = [52.99e6, 16.88e6, 16.88e6, 733.5, 1131.0, 1131.0];
+const THIN: [f64; 6] = [13.25e6, 4.22e6, 4.22e6, 45.84, 70.66, 70.66];
+
+/// Sectional stiffnesses of the three bars.
+pub const FOUR_BAR_STIFFNESS: [[f64; 6]; 3] = [THICK, THICK, THIN];
+
+/// Amplitude of the cosine force on B of the loaded mechanism, in space.
+pub const FOUR_BAR_FORCE: [f64; 3] = [3.0, 20.0, -7.0];
+/// Amplitude of the cosine moment that follows the middle of its bar 2.
+pub const FOUR_BAR_MOMENT: [f64; 3] = [0.3, -0.8, 0.5];
+/// Its damper at A.
+pub const FOUR_BAR_DAMPER: f64 = 2.0;
+/// Damping of its bars: seconds times stiffness.
+pub const FOUR_BAR_DAMPING_TIME: f64 = 1e-3;
 
 /// A built four-bar: what the tests look at.
 pub struct FourBarModel {
@@ -244,6 +256,8 @@ pub struct FourBarModel {
     pub period: f64,
     /// Node at B, on bar 1.
     pub b: usize,
+    /// Node in the middle of bar 2.
+    pub middle: usize,
     /// First beam element of each bar.
     pub bars: [usize; 3],
     /// Joints at A, B, C, D.
@@ -255,19 +269,13 @@ impl FourBar {
         let set = &self.setting;
         let [a, b, c, d] = four_bar_points().map(|p| set.point(&p));
         let (i1, i2) = (set.turned(&Vector3::x()), set.turned(&Vector3::y()));
-        let thick = SectionInput::diagonal(
-            &[52.99e6, 16.88e6, 16.88e6, 733.5, 1131.0, 1131.0],
-            &[1.997, 85.2e-6, 42.6e-6, 42.6e-6],
-        );
-        let thin = SectionInput::diagonal(
-            &[13.25e6, 4.22e6, 4.22e6, 45.84, 70.66, 70.66],
-            &[0.4992, 5.324e-6, 2.662e-6, 2.662e-6],
-        );
+        let thick = SectionInput::diagonal(&THICK, &[1.997, 85.2e-6, 42.6e-6, 42.6e-6]);
+        let thin = SectionInput::diagonal(&THIN, &[0.4992, 5.324e-6, 2.662e-6, 2.662e-6]);
         let mut model = Model::new();
         let mut add_bar = |start: &Vector3<f64>, end: &Vector3<f64>, axis_2, section| {
             let mut section: SectionInput = section;
             if self.loaded {
-                section.damp_proportionally(1e-3).unwrap();
+                section.damp_proportionally(FOUR_BAR_DAMPING_TIME).unwrap();
             }
             self.add_bar(&mut model, start, end, axis_2, &section)
         };
@@ -275,6 +283,7 @@ impl FourBar {
         let bar1 = add_bar(&a, &b, &i2, thick);
         let bar2 = add_bar(&b, &c, &i1, thick);
         let bar3 = add_bar(&c, &d, &i1, thin);
+        let middle = (bar2.first_node + bar2.last_node) / 2;
         let m = &mut model;
         let ja = revolute(m, None, Some(bar1.first_node), &a, &i2);
         let fb = Model::frame_at("axis", &b, &i2).unwrap();
@@ -287,19 +296,20 @@ impl FourBar {
         m.add_spring_damper(SpringDefinition {
             at: rotation1(ja),
             stiffness: 18.0 * set.moment(),
-            damping: if self.loaded { 2.0 } else { 0.0 } * set.moment() * set.time,
+            damping: if self.loaded { FOUR_BAR_DAMPER } else { 0.0 } * set.moment() * set.time,
             rest: 0.0,
         })
         .unwrap();
         m.prescribe(rotation1(jd), &four_bar_input(1.0 / set.time))
             .unwrap();
         if self.loaded {
-            self.add_loads(m, bar1.last_node, (bar2.first_node + bar2.last_node) / 2);
+            self.add_loads(m, bar1.last_node, middle);
         }
         FourBarModel {
             model,
             period: FOUR_BAR_PERIOD * set.time,
             b: bar1.last_node,
+            middle,
             bars: [bar1, bar2, bar3].map(|bar| bar.first_element),
             joints: [ja, jb.unwrap(), jc.unwrap(), jd],
         }
@@ -342,11 +352,12 @@ impl FourBar {
         let set = &self.setting;
         let gravity = set.turned(&Vector3::new(0.0, 0.0, -9.81)) * set.length / set.time.powi(2);
         model.set_gravity([gravity.x, gravity.y, gravity.z].map(|g| Signal::constant(g).unwrap()));
-        let force = set.turned(&Vector3::new(3.0, 20.0, -7.0)) * set.force();
+        let force = set.turned(&Vector3::from(FOUR_BAR_FORCE)) * set.force();
         let amplitudes = [force.x, force.y, force.z, 0.0, 0.0, 0.0];
         add_load(model, b, LoadFrame::Space, &[0.0; 6], &amplitudes);
-        let moment = [0.0, 0.0, 0.0, 0.3, -0.8, 0.5].map(|x| x * set.moment());
-        add_load(model, middle, LoadFrame::Follower, &[0.0; 6], &moment);
+        let [m1, m2, m3] = FOUR_BAR_MOMENT.map(|x| x * set.moment());
+        let amplitudes = [0.0, 0.0, 0.0, m1, m2, m3];
+        add_load(model, middle, LoadFrame::Follower, &[0.0; 6], &amplitudes);
     }
 }
 
