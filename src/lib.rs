@@ -7,7 +7,6 @@ pub mod collocation;
 pub mod elements;
 pub mod error;
 pub mod fourier;
-pub mod march;
 pub mod model;
 pub mod motion;
 pub mod output;

@@ -1,10 +1,9 @@
 //! Reading what C gave, and writing what it gets. Every complaint names the argument.
 
-use super::callback::Callback;
 use super::handle::{self, Exclusive, Handle};
 use super::options::{self, Options, OutStruct};
 use crate::error::{Error, ErrorKind, Result, require_finite};
-use std::ffi::{CStr, c_char, c_void};
+use std::ffi::{CStr, c_char};
 use std::marker::PhantomData;
 use std::sync::Arc;
 
@@ -103,22 +102,6 @@ impl Call {
         function.ok_or_else(|| null(name))
     }
 
-    /// A callback that the library keeps, with its `user_data`, which is disposed of by `destroy`
-    /// whatever becomes of the call. So read it before any other argument.
-    pub(super) fn callback<F>(
-        &self,
-        function: Option<F>,
-        user_data: *mut c_void,
-        destroy: Option<unsafe extern "C" fn(*mut c_void)>,
-        name: &str,
-    ) -> Result<Callback<F>> {
-        let Some(function) = function else {
-            drop(Callback::new((), user_data, destroy));
-            return Err(null(name));
-        };
-        Ok(Callback::new(function, user_data, destroy))
-    }
-
     /// Options; NULL stands for the defaults.
     pub(super) fn options<T: Options>(&self, options: *const T, name: &str) -> Result<T> {
         options::read(options, name)
@@ -148,15 +131,6 @@ impl Call {
             return Ok(None);
         }
         self.out(out, name).map(Some)
-    }
-
-    /// Where exactly `N` numbers go.
-    pub(super) fn out_array<const N: usize>(
-        &self,
-        out: *mut f64,
-        name: &str,
-    ) -> Result<Out<'_, [f64; N]>> {
-        self.out(out.cast(), name)
     }
 
     /// Where `length` items go; the caller's `length` must be `expected`.

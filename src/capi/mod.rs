@@ -52,8 +52,7 @@
 //!   all others `call.exclusive(…)`; a child keeps the `Arc` that `shared` gave it, so the order of
 //!   freeing does not matter.
 //! * Options: a `#[repr(C)]` struct implementing [`options::Options`].
-//! * Callbacks used during a call: `call.function(…)`. Those that the library keeps:
-//!   `call.callback(…)`, first of all arguments; it keeps function, `user_data` and destructor together.
+//! * Callbacks: [`callback::Callback`] keeps function, `user_data` and destructor together.
 //! * A function that returns no status uses [`guard::guard_or`]; a destructor [`handle::free`].
 //! * Integers are `i32` or `usize`, reals `f64`; never `bool` or a Rust enum, which C could give a
 //!   value that Rust takes for impossible.
@@ -65,8 +64,6 @@
 #![allow(clippy::missing_safety_doc)]
 // C has no named arguments to group them by.
 #![allow(clippy::too_many_arguments)]
-// Some helpers wait for their first caller.
-#![allow(dead_code)]
 // `[n]`, `::pdn_…` and the like are meant for Doxygen.
 #![allow(rustdoc::broken_intra_doc_links, rustdoc::private_intra_doc_links)]
 

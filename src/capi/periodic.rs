@@ -8,7 +8,7 @@ use super::options::{self, Options};
 use super::solution::pdn_solution;
 use super::status::pdn_status;
 use crate::collocation::GridState;
-use crate::error::{Error, Result};
+use crate::error::{Error, ErrorKind, Result};
 use crate::fourier::TimeGrid;
 use crate::model::Model;
 use crate::motion::{Motion, is_rotation, polar_rotation};
@@ -147,13 +147,16 @@ pub unsafe extern "C" fn pdn_solve_periodic(
         let given = call.options(options, "options")?;
         let out = call.out(out, "out")?;
         let options = read_options(call, &given, &model, period)?;
+        // Asked once, never asked again: an iteration that converges goes on to the next stage.
+        let mut cancelled = false;
         let mut observe = |stage: Stage, iteration: &Iteration| match given.progress {
-            None => true,
-            Some(function) => {
+            Some(function) if !cancelled => {
                 let progress = progress(stage, iteration);
                 // SAFETY: the caller gave the function for this data; `progress` outlives the call.
-                unsafe { function(&progress, given.progress_data) == 0 }
+                cancelled = unsafe { function(&progress, given.progress_data) != 0 };
+                !cancelled
             }
+            _ => !cancelled,
         };
         out.give(Solution::solve(&model, period, &options, &mut observe)?);
         Ok(())
@@ -193,7 +196,10 @@ fn read_options(
             grid_points,
         ));
     }
-    let grid = TimeGrid::new(grid_points, period).map_err(|e| e.within("options"))?;
+    let grid = TimeGrid::new(grid_points, period).map_err(|e| match e.kind() {
+        ErrorKind::Size => Error::size("options.grid_points", "an odd number", grid_points),
+        _ => e,
+    })?;
     let guess = if !given.initial.is_null() {
         let initial = call.shared(given.initial, "options.initial")?;
         initial.require_same_shape(model)?;

@@ -5,11 +5,12 @@ use super::guard::{guard, guard_or};
 use super::handle;
 use super::last_error::copy_message;
 use super::model::{PDN_FRAME_MATERIAL, PDN_FRAME_SPACE, coordinate};
-use super::options::{self, Options};
+use super::options::Options;
+use super::section::init_struct;
 use super::status::pdn_status;
 use crate::error::{Error, ErrorKind, Result};
 use crate::output::{BeamQuantity, JointQuantity, NodeQuantity, ResolvedIn, Solution};
-use crate::solve::Outcome;
+use crate::solve::{Iteration, Outcome};
 use std::ffi::c_char;
 
 /// A periodic solution, converged or not. Made by ::pdn_solve_periodic, freed by ::pdn_solution_free.
@@ -212,7 +213,7 @@ pub unsafe extern "C" fn pdn_diagnostics_init(
     diagnostics: *mut pdn_diagnostics,
     struct_size: usize,
 ) {
-    options::init(diagnostics, struct_size);
+    init_struct(diagnostics, struct_size, "diagnostics");
 }
 
 /// Figures of a solve: iterations, error estimates, residuals between grid points, time spent.
@@ -279,10 +280,9 @@ pub unsafe extern "C" fn pdn_solution_history(
     guard(|call| {
         let solution = call.shared(solution, "solution")?;
         let iterations = &solution.details().report.iterations;
-        if count != iterations.len() {
-            return Err(Error::size("count", iterations.len(), count));
-        }
-        let columns: [(_, _, fn(&crate::solve::Iteration) -> f64); 3] = [
+        require_count(count, iterations.len())?;
+        type Column = fn(&Iteration) -> f64;
+        let columns: [(_, _, Column); 3] = [
             (residuals, "residuals", |i| i.residual),
             (increments, "increments", |i| i.increment),
             (steps, "steps", |i| i.step),
@@ -316,8 +316,9 @@ pub unsafe extern "C" fn pdn_solution_decay(
     guard(|call| {
         let solution = call.shared(solution, "solution")?;
         let harmonics = &solution.diagnostics().harmonics;
-        let out = call.out_slice(amplitudes, count, harmonics.len(), "count")?;
-        out.set(harmonics);
+        require_count(count, harmonics.len())?;
+        call.out_slice(amplitudes, count, count, "amplitudes")?
+            .set(harmonics);
         Ok(())
     })
 }
@@ -340,8 +341,8 @@ pub unsafe extern "C" fn pdn_solution_grid_times(
     guard(|call| {
         let solution = call.shared(solution, "solution")?;
         let grid: Vec<f64> = solution.grid().times().collect();
-        call.out_slice(times, count, grid.len(), "count")?
-            .set(&grid);
+        require_count(count, grid.len())?;
+        call.out_slice(times, count, count, "times")?.set(&grid);
         Ok(())
     })
 }
@@ -354,6 +355,13 @@ fn index(id: i32, name: &str) -> Result<usize> {
             format!("{name}: expected an id of the model, got {id}"),
         )
     })
+}
+
+fn require_count(count: usize, expected: usize) -> Result<()> {
+    if count != expected {
+        return Err(Error::size("count", expected, count));
+    }
+    Ok(())
 }
 
 fn unknown(name: &str, expected: &str, got: i32) -> Error {
@@ -564,25 +572,19 @@ pub unsafe extern "C" fn pdn_solution_node_acceleration(
     node_sampled(solution, node, quantity, 6, times, count, out)
 }
 
-fn joint_quantity(quantity: i32, detail: i32) -> Result<JointQuantity> {
+fn joint_quantity(quantity: i32, detail: i32, name: &str) -> Result<JointQuantity> {
     match quantity {
-        PDN_JOINT_COORDINATE => Ok(JointQuantity::Coordinate(coordinate(detail, "coordinate")?)),
-        PDN_JOINT_RATE => Ok(JointQuantity::Rate(coordinate(detail, "coordinate")?)),
-        PDN_JOINT_ACCELERATION => Ok(JointQuantity::Acceleration(coordinate(
-            detail,
-            "coordinate",
-        )?)),
-        PDN_JOINT_DRIVING_EFFORT => Ok(JointQuantity::DrivingEffort(coordinate(
-            detail,
-            "coordinate",
-        )?)),
+        PDN_JOINT_COORDINATE => Ok(JointQuantity::Coordinate(coordinate(detail, name)?)),
+        PDN_JOINT_RATE => Ok(JointQuantity::Rate(coordinate(detail, name)?)),
+        PDN_JOINT_ACCELERATION => Ok(JointQuantity::Acceleration(coordinate(detail, name)?)),
+        PDN_JOINT_DRIVING_EFFORT => Ok(JointQuantity::DrivingEffort(coordinate(detail, name)?)),
         PDN_JOINT_REACTION => match detail {
             PDN_AXES_SPACE => Ok(JointQuantity::Reaction(ResolvedIn::Space)),
             PDN_AXES_FIRST => Ok(JointQuantity::Reaction(ResolvedIn::First)),
             PDN_AXES_SECOND => Ok(JointQuantity::Reaction(ResolvedIn::Second)),
             _ => {
                 let expected = "PDN_AXES_SPACE, PDN_AXES_FIRST or PDN_AXES_SECOND";
-                Err(unknown("axes", expected, detail))
+                Err(unknown(name, expected, detail))
             }
         },
         _ => Err(unknown(
@@ -603,10 +605,14 @@ fn joint_sampled(
     count: usize,
     out: *mut f64,
 ) -> pdn_status {
+    let name = match quantity {
+        PDN_JOINT_REACTION => "axes",
+        _ => "coordinate",
+    };
     let sample = |_: &Call, solution: &Solution, times: &[f64]| {
         solution.joint(
             index(joint, "joint")?,
-            joint_quantity(quantity, detail)?,
+            joint_quantity(quantity, detail, name)?,
             times,
         )
     };
@@ -1011,9 +1017,12 @@ pub unsafe extern "C" fn pdn_solution_joint_harmonics(
         cosines,
         sines,
     };
-    let components = || Ok(joint_quantity(quantity, detail)?.components());
+    let components = || Ok(joint_quantity(quantity, detail, "detail")?.components());
     harmonics_of(solution, &to, components, |s| {
-        s.joint_series(index(joint, "joint")?, joint_quantity(quantity, detail)?)
+        s.joint_series(
+            index(joint, "joint")?,
+            joint_quantity(quantity, detail, "detail")?,
+        )
     })
 }
 

@@ -140,7 +140,6 @@ impl Collocation {
 
     /// Evaluates velocities and accelerations at the grid points.
     pub fn update_kinematics(&mut self, state: &GridState) {
-        let points = self.grid.points();
         self.states.clear();
         for (node, kinematics) in self.kinematics.iter_mut().enumerate() {
             let motions = state.node(node);
@@ -151,9 +150,9 @@ impl Collocation {
                 }
                 None => kinematics.evaluate(&mut self.operators, motions),
             }
-            for k in 0..points {
+            for (k, motion) in motions.iter().enumerate() {
                 self.states.push(NodeState {
-                    motion: motions[k],
+                    motion: *motion,
                     twist: kinematics.velocity(k).to_twist(),
                     twist_rate: kinematics.acceleration(k).to_twist(),
                 });
@@ -222,8 +221,9 @@ impl Collocation {
         }
         let scaled_columns = pattern.column_pointers().windows(2).zip(&self.column_scale);
         for (range, column_scale) in scaled_columns {
-            for at in range[0]..range[1] {
-                values[at] *= column_scale * self.row_scale[pattern.row_indices()[at]];
+            let rows = &pattern.row_indices()[range[0]..range[1]];
+            for (value, &row) in values[range[0]..range[1]].iter_mut().zip(rows) {
+                *value *= column_scale * self.row_scale[row];
             }
         }
         Ok(())

@@ -144,9 +144,9 @@ impl Beam {
             let length = weight * station.stretch;
             for a in 0..count {
                 let left = carry[a].transpose() * self.section.mass * length;
-                for b in 0..count {
+                for (b, right) in carry.iter().enumerate() {
                     let mut block = mass.fixed_view_mut::<6, 6>(6 * a, 6 * b);
-                    block += left * carry[b];
+                    block += left * right;
                 }
             }
         }

@@ -5,6 +5,7 @@
 
 use crate::motion::{Motion, skew};
 use nalgebra::{Matrix6, Vector3, Vector6};
+use std::fmt;
 
 /// Motion of the second joint frame relative to the first.
 pub type RelativeMotion = Motion;
@@ -116,6 +117,16 @@ pub enum Coordinate {
     Rotation2,
     /// Third relative angle.
     Rotation3,
+}
+
+impl fmt::Display for Coordinate {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Coordinate::Rotation1 => "rotation 1",
+            Coordinate::Rotation2 => "rotation 2",
+            Coordinate::Rotation3 => "rotation 3",
+        })
+    }
 }
 
 /// Kinds of joints. Constraints and coordinates are functions of `R`, `r`: rotation and position of

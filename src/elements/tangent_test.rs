@@ -181,7 +181,10 @@ fn cases() -> Vec<Case> {
     cases
 }
 
-/// All forces and constraints, as one vector.
+/// Changes states and multipliers by a step.
+type Change<'a> = dyn Fn(f64, &mut Vec<NodeState>, &mut Vec<f64>) + 'a;
+
+/// All forces and constraints.
 fn residual(
     case: &Case,
     states: &[NodeState],
@@ -212,7 +215,7 @@ fn tangents_are_the_derivatives_of_forces() {
 
         // Central differences of fourth order: the error, about h⁴ + ε/h, is near 1e-11.
         let h = 2e-3;
-        let difference = |change: &dyn Fn(f64, &mut Vec<NodeState>, &mut Vec<f64>)| {
+        let difference = |change: &Change| {
             let at = |step: f64| {
                 let (mut states, mut multipliers) = (case.states.clone(), multipliers.clone());
                 change(step, &mut states, &mut multipliers);

@@ -13,7 +13,7 @@ pub struct TimeGrid {
 impl TimeGrid {
     /// A grid of `points` (odd, at least 1) over `period` (positive, finite).
     pub fn new(points: usize, period: f64) -> Result<Self> {
-        if points % 2 == 0 {
+        if points.is_multiple_of(2) {
             return Err(Error::size("grid_points", "an odd number", points));
         }
         if !(period.is_finite() && period > 0.0) {

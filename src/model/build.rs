@@ -209,15 +209,24 @@ impl Model {
         Ok(())
     }
 
-    fn require_coordinate(&self, at: &JointCoordinate) -> Result<()> {
+    pub(crate) fn require_coordinate(&self, at: &JointCoordinate) -> Result<()> {
         let kind = self.require_joint("joint", at.joint)?.kind();
         if kind.coordinates().contains(&at.coordinate) {
             return Ok(());
         }
+        let names: Vec<String> = kind
+            .coordinates()
+            .iter()
+            .map(Coordinate::to_string)
+            .collect();
         let message = format!(
-            "coordinate: a {} joint has the coordinates {:?}, got {:?}",
+            "coordinate: expected one of a {} joint ({}), got {}",
             kind.name(),
-            kind.coordinates(),
+            if names.is_empty() {
+                "it has none".into()
+            } else {
+                names.join(", ")
+            },
             at.coordinate
         );
         Err(Error::new(ErrorKind::NotAvailable, message))
@@ -457,7 +466,7 @@ impl Model {
     pub fn prescribe(&mut self, at: JointCoordinate, signal: &Signal) -> Result<()> {
         self.require_coordinate(&at)?;
         if self.prescribed.iter().any(|(other, _)| *other == at) {
-            let got = format!("{:?} of joint {} again", at.coordinate, at.joint);
+            let got = format!("{} of joint {} again", at.coordinate, at.joint);
             return Err(Error::value(
                 "coordinate",
                 "one that is not prescribed yet",

@@ -40,12 +40,35 @@ impl Diagnostics {
             Err(e) if matches!(e.kind(), ErrorKind::GridTooCoarse | ErrorKind::Model) => infinite,
             Err(e) => return Err(e),
         };
+        let error_estimate = if solve.grid.points() == 1 && varies(solve)? {
+            f64::INFINITY
+        } else {
+            tail(&harmonics)
+        };
         Ok(Diagnostics {
-            error_estimate: tail(&harmonics),
+            error_estimate,
             harmonics,
             between,
         })
     }
+}
+
+/// Whether anything drives the system in time: then one grid point, a static solution, tells nothing.
+fn varies(solve: &PeriodicSolve) -> Result<bool> {
+    const SAMPLES: usize = 8;
+    let values = |k: usize| -> Result<Vec<f64>> {
+        let time = solve.grid.period() * k as f64 / SAMPLES as f64;
+        let mut values = vec![0.0; solve.system.signals()];
+        solve.system.signal_values(time, 1.0, &mut values)?;
+        Ok(values)
+    };
+    let start = values(0)?;
+    for k in 1..SAMPLES {
+        if values(k)? != start {
+            return Ok(true);
+        }
+    }
+    Ok(false)
 }
 
 fn largest_harmonics(state: &GridState, grid: TimeGrid, nodes: usize, length: f64) -> Vec<f64> {

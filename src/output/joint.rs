@@ -1,7 +1,7 @@
 //! Joint coordinates, their rates, driving efforts and reactions.
 
 use super::solution::Solution;
-use crate::elements::{Coordinate, Element, Joint, NodeState, nearest_turn};
+use crate::elements::{Coordinate, Element, NodeState, nearest_turn};
 use crate::error::{Error, ErrorKind, Result};
 use crate::fourier::PeriodicSeries;
 use crate::model::JointCoordinate;
@@ -88,9 +88,9 @@ impl Solution {
             ]),
             JointQuantity::DrivingEffort(coordinate) => {
                 let at = JointCoordinate { joint, coordinate };
-                self.require_coordinate(definition, coordinate)?;
+                self.model.require_coordinate(&at)?;
                 let index = self.model.prescribed_index(&at).ok_or_else(|| {
-                    let message = format!("{coordinate:?} of joint {joint} is not prescribed");
+                    let message = format!("{coordinate} of joint {joint} is not prescribed");
                     Error::new(ErrorKind::NotAvailable, message)
                 })?;
                 let placed = self.placed(ElementRole::Prescribed(index))?;
@@ -127,25 +127,14 @@ impl Solution {
             .ok_or_else(|| Error::new(ErrorKind::NotAvailable, "the solution has no such joint"))
     }
 
-    fn require_coordinate(&self, joint: &Joint, which: Coordinate) -> Result<()> {
-        let kind = joint.kind();
-        if kind.coordinates().contains(&which) {
-            return Ok(());
-        }
-        Err(Error::new(
-            ErrorKind::NotAvailable,
-            format!(
-                "coordinate: a {} joint has the coordinates {:?}, got {which:?}",
-                kind.name(),
-                kind.coordinates()
-            ),
-        ))
-    }
-
     /// A joint coordinate as a series: whole turns gained in a period are its rate.
     pub(super) fn coordinate(&self, joint: usize, which: Coordinate) -> Result<PeriodicSeries> {
         let definition = self.model.require_joint("joint", joint)?;
-        self.require_coordinate(definition, which)?;
+        let at = JointCoordinate {
+            joint,
+            coordinate: which,
+        };
+        self.model.require_coordinate(&at)?;
         let grid = self.grid();
         let points = grid.points();
         let kind = definition.kind();
@@ -178,10 +167,6 @@ impl Solution {
         let turns = ((angle - values[0]) / TAU).round();
         let rate = TAU * turns / grid.period();
         // Of the possible whole turns, a prescribed coordinate shows those of its signal.
-        let at = JointCoordinate {
-            joint,
-            coordinate: which,
-        };
         let shift = match self.model.prescribed_index(&at) {
             Some(index) => {
                 let (_, signal) = &self.model.prescribed[index];

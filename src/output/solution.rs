@@ -50,10 +50,11 @@ impl Solution {
             let series = self.coordinate(spring.at.joint, spring.at.coordinate)?;
             if series.rate != 0.0 {
                 let turns = series.rate * series.period() / std::f64::consts::TAU;
+                let plural = if turns.abs() < 1.5 { "" } else { "s" };
                 return Err(Error::new(
                     ErrorKind::NotPeriodic,
                     format!(
-                        "spring on joint {}: its angle gains {turns:.0} turns in one period, so that its \
+                        "spring on joint {}: its angle gains {turns:.0} turn{plural} in one period, so that its \
                          moment is not periodic; use stiffness 0 or another joint",
                         spring.at.joint
                     ),

@@ -1,8 +1,10 @@
 //! Why a Jacobian is singular: what is free to move, and which constraints say the same thing twice.
 
-use super::direct::DirectSolver;
 use crate::collocation::{Collocation, GridState, Pattern};
 use crate::system::ElementRole;
+use faer::MatMut;
+use faer::linalg::solvers::Solve;
+use faer::sparse::{SparseColMat, Triplet};
 use nalgebra::Vector3;
 
 /// Explains the singularity of the Jacobian `values` at `state`, by a vector of its null space.
@@ -14,9 +16,8 @@ pub(super) fn diagnose(
     pattern: &Pattern,
     values: &[f64],
     state: &GridState,
-    solver: &mut DirectSolver,
 ) -> String {
-    let Some(vector) = null_vector(equations, pattern, values, solver) else {
+    let Some(vector) = null_vector(pattern, values) else {
         return "the Jacobian is singular: some node has no inertia, stiffness or constraint"
             .into();
     };
@@ -33,33 +34,30 @@ pub(super) fn diagnose(
 }
 
 /// A unit vector near the null space, by inverse iteration on a slightly disturbed matrix.
-fn null_vector(
-    equations: &Collocation,
-    pattern: &Pattern,
-    values: &[f64],
-    solver: &mut DirectSolver,
-) -> Option<Vec<f64>> {
+fn null_vector(pattern: &Pattern, values: &[f64]) -> Option<Vec<f64>> {
+    let size = pattern.size();
     let disturbance = |i: usize| 1e-12 * ((i as f64 * 0.754_877_666).fract() - 0.5);
-    // Absolute as well as relative, so that rows of zeros become regular too.
-    let disturbed: Vec<f64> = values
-        .iter()
-        .enumerate()
-        .map(|(i, v)| v * (1.0 + disturbance(i)) + 1e-3 * disturbance(7 * i + 3))
+    let columns = pattern.column_pointers().windows(2).enumerate();
+    let mut entries: Vec<_> = columns
+        .flat_map(|(column, range)| (range[0]..range[1]).map(move |at| (column, at)))
+        .map(|(column, at)| {
+            let value = values[at] * (1.0 + disturbance(at));
+            Triplet::new(pattern.row_indices()[at], column, value)
+        })
         .collect();
-    if !solver.factor(pattern, &disturbed).ok()? {
-        return None;
-    }
-    let mut vector: Vec<f64> = (0..equations.size())
+    // On the diagonal too, or more constraints than unknowns could not be factored at all.
+    entries.extend((0..size).map(|i| Triplet::new(i, i, 0.1 * disturbance(7 * i + 3))));
+    let matrix = SparseColMat::<usize, f64>::try_new_from_triplets(size, size, &entries).ok()?;
+    let factors = matrix.sp_lu().ok()?;
+    let mut vector: Vec<f64> = (0..size)
         .map(|i| (i as f64 * 0.618_033_988_75).fract() - 0.3)
         .collect();
     for _ in 0..3 {
-        if !solver.solve(&mut vector) {
-            return None;
-        }
-        let size = vector.iter().fold(0.0f64, |m, x| m.max(x.abs()));
-        vector.iter_mut().for_each(|x| *x /= size);
+        factors.solve_in_place(MatMut::from_column_major_slice_mut(&mut vector, size, 1));
+        let largest = vector.iter().fold(0.0f64, |m, x| m.max(x.abs()));
+        vector.iter_mut().for_each(|x| *x /= largest);
     }
-    Some(vector)
+    vector.iter().all(|x| x.is_finite()).then_some(vector)
 }
 
 fn describe_freedom(motions: &[f64], largest: f64, points: usize, state: &GridState) -> String {

@@ -3,6 +3,7 @@
 mod diagnosis;
 mod direct;
 mod guess;
+mod march;
 mod newton;
 mod periodic;
 

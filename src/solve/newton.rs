@@ -176,13 +176,7 @@ impl Newton {
                 });
             if !solved || (number == 1 && self.is_singular()) {
                 report.outcome = Outcome::Singular;
-                report.explanation = diagnose(
-                    &self.equations,
-                    &self.pattern,
-                    &self.values,
-                    state,
-                    &mut self.solver,
-                );
+                report.explanation = diagnose(&self.equations, &self.pattern, &self.values, state);
                 return Ok(report);
             }
             let increment = self.motion_norm(&step_vector);

@@ -1,11 +1,11 @@
 //! The periodic solve from model to solution.
 
 use super::guess::quasi_static;
+use super::march::march_to_periodic;
 use super::newton::{Iteration, Newton, NewtonOptions, NewtonReport, Outcome, Timings};
 use crate::collocation::{Collocation, GridState};
 use crate::error::{Error, Result};
 use crate::fourier::TimeGrid;
-use crate::march::march_to_periodic;
 use crate::model::Model;
 use crate::system::System;
 use std::sync::Arc;
@@ -114,7 +114,7 @@ pub fn solve_periodic(
     };
     let (state, report) = match &options.guess {
         InitialGuess::State(state) => attempts.newton(state.clone())?,
-        InitialGuess::Default => attempts.from_default()?,
+        InitialGuess::Default => attempts.find()?,
     };
     Ok(PeriodicSolve {
         system,
@@ -140,7 +140,8 @@ impl Attempts<'_> {
         Ok((state, report))
     }
 
-    fn from_default(&mut self) -> Result<(GridState, NewtonReport)> {
+    /// From the library's own start.
+    fn find(&mut self) -> Result<(GridState, NewtonReport)> {
         let start = Instant::now();
         let observe = &mut *self.observe;
         let mut count = 0;

@@ -121,7 +121,7 @@ impl System {
             system.place(Arc::new(joint.clone()), ElementRole::Joint(index));
         }
         for (index, (at, signal)) in model.prescribed.iter().enumerate() {
-            let place = format!("prescribed {:?} of joint {}", at.coordinate, at.joint);
+            let place = format!("prescribed {} of joint {}", at.coordinate, at.joint);
             let start = model.reference_coordinate(at.joint, at.coordinate);
             let bound = signal.bind(period);
             // An angle may gain whole turns.

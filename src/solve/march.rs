@@ -1,10 +1,10 @@
 //! Strongly dissipative marching by backward differences (Houbolt's rule, spectral radius zero at
 //! infinity), from rest until the motion nearly repeats. It serves as an initial guess only.
 
+use super::newton::{Iteration, Newton, NewtonOptions, Outcome};
 use crate::collocation::{BackwardRule, Collocation, GridState};
 use crate::error::Result;
 use crate::fourier::TimeGrid;
-use crate::solve::{Iteration, Newton, NewtonOptions, Outcome};
 use crate::system::System;
 use std::collections::VecDeque;
 use std::sync::Arc;
@@ -33,11 +33,11 @@ fn houbolt(h: f64) -> BackwardRule {
 }
 
 /// How a march ended: states over the last period, or why there are none.
-pub(crate) type March = std::result::Result<GridState, (Outcome, String)>;
+pub(super) type March = std::result::Result<GridState, (Outcome, String)>;
 
 /// Marches from rest in the reference configuration and returns the states at the grid points of the
 /// last period.
-pub(crate) fn march_to_periodic(
+pub(super) fn march_to_periodic(
     system: &Arc<System>,
     grid: TimeGrid,
     observe: &mut dyn FnMut(&Iteration) -> bool,
