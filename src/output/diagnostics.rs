@@ -40,7 +40,10 @@ impl Diagnostics {
             Err(e) if matches!(e.kind(), ErrorKind::GridTooCoarse | ErrorKind::Model) => infinite,
             Err(e) => return Err(e),
         };
-        let error_estimate = if solve.grid.points() == 1 && varies(solve)? {
+        // A static solution tells nothing of what is driven in time.
+        let unknown = solve.report.outcome != Outcome::Converged
+            || (solve.grid.points() == 1 && varies(solve)?);
+        let error_estimate = if unknown {
             f64::INFINITY
         } else {
             tail(&harmonics)
@@ -53,7 +56,7 @@ impl Diagnostics {
     }
 }
 
-/// Whether anything drives the system in time: then one grid point, a static solution, tells nothing.
+/// Whether anything drives the system in time.
 fn varies(solve: &PeriodicSolve) -> Result<bool> {
     const SAMPLES: usize = 8;
     let values = |k: usize| -> Result<Vec<f64>> {
