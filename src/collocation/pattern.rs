@@ -4,6 +4,7 @@
 use crate::elements::Element;
 use crate::system::System;
 use std::collections::BTreeMap;
+use std::ops::Range;
 
 /// Coupling of one node's rows with another node's columns.
 #[derive(Debug, Clone)]
@@ -23,6 +24,8 @@ struct ColumnGroup {
     first_value: usize,
     /// Number of values in each column.
     length: usize,
+    /// The columns.
+    columns: Range<usize>,
 }
 
 /// Compressed-column structure of the Jacobian for a system and a number of grid points.
@@ -101,7 +104,8 @@ impl Pattern {
                 pattern.constraint_offsets[index][local] = length;
                 length += system.elements()[index].element.multipliers();
             }
-            pattern.begin_group(length, true);
+            let group = pattern.next_group(length, 6 * points);
+            pattern.nodes.push(group);
             for k in 0..points {
                 for _ in 0..6 {
                     for pair in &pairs {
@@ -131,15 +135,13 @@ impl Pattern {
         pattern
     }
 
-    fn begin_group(&mut self, length: usize, node: bool) {
-        let group = ColumnGroup {
+    /// The next group of `columns` columns with `length` values each.
+    fn next_group(&self, length: usize, columns: usize) -> ColumnGroup {
+        let first = self.size();
+        ColumnGroup {
             first_value: self.row_indices.len(),
             length,
-        };
-        if node {
-            self.nodes.push(group);
-        } else {
-            self.multipliers.push(group);
+            columns: first..first + columns,
         }
     }
 
@@ -152,7 +154,8 @@ impl Pattern {
             offsets[local] = 6 * place;
         }
         self.force_offsets.push(offsets);
-        self.begin_group(6 * order.len(), false);
+        let group = self.next_group(6 * order.len(), self.points * element.multipliers());
+        self.multipliers.push(group);
         for k in 0..self.points {
             for _ in 0..element.multipliers() {
                 for &local in &order {
@@ -162,6 +165,22 @@ impl Pattern {
                 self.column_pointers.push(self.row_indices.len());
             }
         }
+    }
+
+    /// Unknowns of each node, then those of each element's multipliers: what the direct solver keeps
+    /// together.
+    pub fn groups(&self) -> Vec<Range<usize>> {
+        self.nodes
+            .iter()
+            .chain(&self.multipliers)
+            .map(|group| group.columns.clone())
+            .filter(|columns| !columns.is_empty())
+            .collect()
+    }
+
+    /// Number of groups that are nodes.
+    pub fn node_groups(&self) -> usize {
+        self.nodes.len()
     }
 
     /// Number of unknowns.

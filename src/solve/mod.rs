@@ -5,6 +5,7 @@ mod direct;
 mod guess;
 mod march;
 mod newton;
+mod ordering;
 mod periodic;
 
 pub use direct::DirectSolver;

@@ -110,7 +110,7 @@ impl Newton {
         });
         Ok(Newton {
             values: vec![0.0; pattern.entries()],
-            solver: solver?,
+            solver,
             blocks: TangentBlocks::default(),
             pattern,
             equations,
@@ -164,7 +164,7 @@ impl Newton {
                     .jacobian(state, &self.pattern, &mut self.blocks, &mut self.values)
             })?;
             let factored = timed(&mut self.timings.factorisation, || {
-                self.solver.factor(&self.pattern, &self.values)
+                self.solver.factor(&self.values)
             })?;
             step_vector
                 .iter_mut()
