@@ -190,11 +190,11 @@ fn read_options(
     };
     const MOST: usize = 1 << 24;
     if grid_points > MOST {
-        return Err(Error::size(
-            "options.grid_points",
-            format!("at most {MOST}"),
-            grid_points,
-        ));
+        let (name, most, got) = match given.harmonics {
+            0 => ("options.grid_points", MOST, grid_points),
+            harmonics => ("options.harmonics", (MOST - 1) / 2, harmonics),
+        };
+        return Err(Error::size(name, format!("at most {most}"), got));
     }
     let grid = TimeGrid::new(grid_points, period).map_err(|e| match e.kind() {
         ErrorKind::Size => Error::size("options.grid_points", "an odd number", grid_points),

@@ -1,0 +1,663 @@
+/* Every function of solves, solutions and motions refuses what it must: it says which argument was
+ * wrong, and writes nothing. */
+#include "check.h"
+#include <math.h>
+
+#define LENGTH(array) (sizeof(array) / sizeof *(array))
+
+static const double PI = 3.14159265358979323846;
+
+enum { POINTS = 3, TIMES = 3, NODES = 2 };
+
+/* Arguments, each of them good. */
+static struct {
+    const pdn_model *model;
+    const pdn_solution *solution;
+    pdn_periodic_options options;
+    pdn_diagnostics diagnostics;
+    double period, station;
+    double times[TIMES];
+    size_t count, grid_count, decay_count, iterations, harmonics, points;
+    int32_t node, joint, element, frame, coordinate, axes, node_quantity, joint_quantity, detail;
+    int32_t beam_quantity;
+    double positions[3 * POINTS * NODES], rotations[9 * POINTS * NODES];
+} in;
+
+/* Where results go; filled with a pattern. */
+static struct {
+    pdn_solution *solution;
+    double values[64], rate[8], cosines[64], sines[64];
+    double tangent[36 * POINTS * POINTS], other_tangent[36 * POINTS * POINTS];
+} out;
+
+static int refusals;
+
+static void check_refusal(const char *start, const void *before, const char *call, int line)
+{
+    unsigned char pattern[sizeof out];
+    char message[512];
+    memset(pattern, 0x5a, sizeof pattern);
+    pdn_last_error(message, sizeof message);
+    if (strncmp(message, start, strlen(start)) != 0) {
+        fprintf(stderr, "line %d: %s: \"%s\" does not start with \"%s\"\n", line, call, message,
+                start);
+        exit(1);
+    }
+    if (memcmp(pattern, &out, sizeof out) != 0 || memcmp(before, &in, sizeof in) != 0) {
+        fprintf(stderr, "line %d: %s: failed, yet changed something\n", line, call);
+        exit(1);
+    }
+    refusals++;
+}
+
+/* The call fails with the status and a message that starts so, and changes nothing. */
+#define REFUSED(call, status, start)                                                               \
+    do {                                                                                           \
+        unsigned char before[sizeof in];                                                           \
+        memcpy(before, &in, sizeof in);                                                            \
+        memset(&out, 0x5a, sizeof out);                                                            \
+        CHECK_STATUS(call, status);                                                                \
+        check_refusal(start, before, #call, __LINE__);                                             \
+    } while (0)
+
+/* The call, with each of the values put in place of the variable. */
+#define REFUSES_EACH(variable, type, values, call, status, start)                                  \
+    do {                                                                                           \
+        const type saved_ = (variable);                                                            \
+        size_t i_;                                                                                 \
+        for (i_ = 0; i_ < LENGTH(values); i_++) {                                                  \
+            (variable) = (values)[i_];                                                             \
+            REFUSED(call, status, start);                                                          \
+        }                                                                                          \
+        (variable) = saved_;                                                                       \
+    } while (0)
+
+static double not_finite[3];
+static const double not_positive[] = {0.0, -0.0, -1.0};
+static const int32_t bad_ids[] = {-1, -2, -5, 99, INT32_MAX, INT32_MIN};
+static const int32_t bad_enums[] = {-1, 99, INT32_MAX, INT32_MIN};
+static const size_t bad_counts[] = {0, 1, 2, 4, 5, (size_t)-1};
+static const size_t huge_counts[] = {(size_t)-1, (size_t)-1 / 2, (size_t)-1 / 8};
+static const size_t even[] = {0, 2, 30, (size_t)-2};
+static const size_t bad_struct_sizes[] = {0, 1, 7, 8, 72, 5000, (size_t)-1};
+
+#define REFUSES_NOT_FINITE(variable, call, name)                                                   \
+    REFUSES_EACH(variable, double, not_finite, call, PDN_ERR_NOT_FINITE,                           \
+                 name ": expected a finite number, got ")
+#define REFUSES_IDS(variable, call, name)                                                          \
+    REFUSES_EACH(variable, int32_t, bad_ids, call, PDN_ERR_ID, name ": expected ")
+#define REFUSES_ENUMS(variable, call, name)                                                        \
+    REFUSES_EACH(variable, int32_t, bad_enums, call, PDN_ERR_VALUE, name ": expected PDN_")
+#define REFUSES_SIZES(variable, sizes, call, name)                                                 \
+    REFUSES_EACH(variable, size_t, sizes, call, PDN_ERR_SIZE, name ": expected ")
+#define REFUSES_STRUCT_SIZES(variable, call, name)                                                 \
+    REFUSES_EACH(variable.struct_size, size_t, bad_struct_sizes, call, PDN_ERR_STRUCT_SIZE,        \
+                 name ": expected struct_size ")
+
+/* The call, with NULL for a pointer variable. */
+#define REFUSES_NULL(variable, call, name)                                                         \
+    do {                                                                                           \
+        variable = NULL;                                                                           \
+        REFUSED(call, PDN_ERR_NULL, name ": expected a pointer, got NULL");                        \
+    } while (0)
+
+/* The call, with each of the first entries of an array not finite. */
+#define REFUSES_NOT_FINITE_ENTRIES(array, length, call, name)                                      \
+    do {                                                                                           \
+        size_t k_;                                                                                 \
+        for (k_ = 0; k_ < (size_t)(length); k_++) {                                                \
+            char start_[80];                                                                       \
+            snprintf(start_, sizeof start_, "%s[%d]: expected a finite number, got ", name,        \
+                     (int)k_);                                                                     \
+            REFUSES_EACH((array)[k_], double, not_finite, call, PDN_ERR_NOT_FINITE, start_);       \
+        }                                                                                          \
+    } while (0)
+
+/* Pointer arguments that the calls below use by name, good again at the start of each block. */
+#define POINTERS                                                                                   \
+    const pdn_solution *solution = in.solution;                                                    \
+    const double *times = in.times;                                                                \
+    double *values = out.values;
+
+/* --- The model, and its solution --- */
+
+static pdn_model *model;
+static pdn_solution *good;
+
+/* Node 0 on a hinge (joint 0) with spring and damper, a driven one (joint 1) that carries a beam.
+ */
+static void set_up(void)
+{
+    const double origin[3] = {0, 0, 0}, end[3] = {1, 0, 0}, axis[3] = {0, 0, 1}, up[3] = {0, 1, 0};
+    const double inertia[9] = {1, 0, 0, 0, 1, 0, 0, 0, 1}, cosines[1] = {0.3}, sines[1] = {0};
+    const double stiffness[6] = {1e5, 1e5, 1e5, 1e3, 1e3, 1e3}, mass[4] = {1, 0.1, 0.1, 0.1};
+    int32_t node, joint;
+    size_t i;
+    pdn_section section;
+    pdn_signal signal;
+    pdn_beam beam;
+
+    not_finite[0] = (double)NAN;
+    not_finite[1] = (double)INFINITY;
+    not_finite[2] = -(double)INFINITY;
+
+    PDN_INIT(pdn_section, &section);
+    PDN_INIT(pdn_signal, &signal);
+    CHECK_STATUS(pdn_section_set_diagonal(&section, stiffness, mass), PDN_OK);
+    CHECK_STATUS(pdn_signal_set_harmonics(&signal, 0, 0, cosines, sines, 1), PDN_OK);
+    CHECK_STATUS(pdn_model_new(&model), PDN_OK);
+    CHECK_STATUS(pdn_model_add_straight_beam(model, origin, end, up, &section, 1, 1, &beam),
+                 PDN_OK);
+    CHECK_STATUS(pdn_model_add_revolute(model, PDN_GROUND, 0, origin, axis, &joint), PDN_OK);
+    CHECK_STATUS(pdn_model_add_spring_damper(model, 0, PDN_ROTATION, 10, 1, 0), PDN_OK);
+    CHECK_STATUS(pdn_model_add_load(model, 1, PDN_FRAME_MATERIAL, PDN_FORCE_2, &signal), PDN_OK);
+    CHECK_STATUS(pdn_model_add_rigid_body(model, 1, end, inertia, &node), PDN_OK);
+    CHECK_STATUS(pdn_model_add_revolute(model, PDN_GROUND, node, end, axis, &joint), PDN_OK);
+    CHECK_STATUS(pdn_model_prescribe(model, joint, PDN_ROTATION, &signal), PDN_OK);
+
+    memset(&in, 0, sizeof in);
+    PDN_INIT(pdn_periodic_options, &in.options);
+    PDN_INIT(pdn_diagnostics, &in.diagnostics);
+    in.options.grid_points = POINTS;
+    in.period = 2.0;
+    CHECK_STATUS(pdn_solve_periodic(model, in.period, &in.options, &good), PDN_OK);
+    CHECK(pdn_solution_outcome(good) == PDN_CONVERGED);
+    CHECK_STATUS(pdn_solution_diagnostics(good, &in.diagnostics), PDN_OK);
+    in.model = model;
+    in.solution = good;
+    in.iterations = (size_t)in.diagnostics.iterations;
+    in.count = TIMES;
+    in.grid_count = in.points = POINTS;
+    in.decay_count = (POINTS + 1) / 2;
+    in.harmonics = (POINTS - 1) / 2;
+    in.coordinate = in.detail = PDN_ROTATION;
+    for (i = 0; i < TIMES; i++)
+        in.times[i] = 0.3 * (double)i;
+    for (i = 0; i < LENGTH(in.rotations); i += 9)
+        in.rotations[i] = in.rotations[i + 4] = in.rotations[i + 8] = 1;
+}
+
+/* --- The solve --- */
+
+static pdn_status solve(void)
+{
+    return pdn_solve_periodic(in.model, in.period, &in.options, &out.solution);
+}
+
+static void solves(void)
+{
+    static const size_t zero[] = {0};
+    static const size_t too_many[] = {((size_t)1 << 24) + 1, (size_t)-1};
+    static const size_t too_many_harmonics[] = {(size_t)1 << 23, (size_t)-1 / 2, (size_t)-1};
+    pdn_periodic_options options;
+
+    memset(&options, 0x5a, sizeof options);
+    pdn_periodic_options_init(NULL, sizeof options);
+    CHECK_MESSAGE("options: expected a pointer, got NULL");
+    {
+        const size_t sizes[] = {0, 7, 5000};
+        size_t k;
+        for (k = 0; k < LENGTH(sizes); k++) {
+            pdn_periodic_options_init(&options, sizes[k]);
+            CHECK_MESSAGE("struct_size: expected between");
+            CHECK(options.struct_size == options.grid_points); /* the pattern */
+        }
+    }
+
+    REFUSED(pdn_solve_periodic(NULL, in.period, &in.options, &out.solution), PDN_ERR_NULL,
+            "model: expected a pointer, got NULL");
+    REFUSED(pdn_solve_periodic(in.model, in.period, &in.options, NULL), PDN_ERR_NULL,
+            "out: expected a pointer, got NULL");
+    REFUSED(pdn_solve_periodic(in.model, in.period, NULL, NULL), PDN_ERR_NULL,
+            "out: expected a pointer, got NULL");
+    REFUSES_NOT_FINITE(in.period, solve(), "period");
+    REFUSES_EACH(in.period, double, not_positive, solve(), PDN_ERR_VALUE,
+                 "period: expected a positive, finite number");
+    REFUSES_STRUCT_SIZES(in.options, solve(), "options");
+    REFUSES_SIZES(in.options.grid_points, even, solve(), "options.grid_points");
+    REFUSES_SIZES(in.options.grid_points, too_many, solve(), "options.grid_points");
+    REFUSES_SIZES(in.options.harmonics, too_many_harmonics, solve(), "options.harmonics");
+    REFUSES_NOT_FINITE(in.options.tolerance, solve(), "options.tolerance");
+    REFUSES_EACH(in.options.tolerance, double, not_positive, solve(), PDN_ERR_VALUE,
+                 "options.tolerance: expected a positive");
+    REFUSES_EACH(in.options.iteration_limit, size_t, zero, solve(), PDN_ERR_VALUE,
+                 "options.iteration_limit: expected at least 1");
+
+    in.options.guess_positions = in.positions;
+    REFUSED(solve(), PDN_ERR_NULL, "options.guess_rotations: expected a pointer, got NULL");
+    in.options.guess_positions = NULL;
+    in.options.guess_rotations = in.rotations;
+    REFUSED(solve(), PDN_ERR_NULL, "options.guess_positions: expected a pointer, got NULL");
+    in.options.guess_rotations = NULL;
+}
+
+/* A model of two nodes, so that the arrays of the start are long enough. */
+static void starts(void)
+{
+    static const double no_rotation[] = {0.0, -1.0, 1.0001};
+    const pdn_model *const saved = in.model;
+    const double origin[3] = {0, 0, 0}, eye[9] = {1, 0, 0, 0, 1, 0, 0, 0, 1};
+    pdn_model *small = NULL;
+    int32_t node, joint, i;
+    CHECK_STATUS(pdn_model_new(&small), PDN_OK);
+    in.model = small;
+    REFUSED(solve(), PDN_ERR_MODEL, "");
+    for (i = 0; i < NODES; i++) {
+        CHECK_STATUS(pdn_model_add_rigid_body(small, 1, origin, eye, &node), PDN_OK);
+        CHECK_STATUS(pdn_model_add_rigid_joint(small, PDN_GROUND, node, origin, &joint), PDN_OK);
+    }
+    in.options.guess_positions = in.positions;
+    in.options.guess_rotations = in.rotations;
+    REFUSES_NOT_FINITE_ENTRIES(in.positions, LENGTH(in.positions), solve(),
+                               "options.guess_positions");
+    REFUSES_NOT_FINITE_ENTRIES(in.rotations, LENGTH(in.rotations), solve(),
+                               "options.guess_rotations");
+    REFUSES_EACH(in.rotations[0], double, no_rotation, solve(), PDN_ERR_VALUE,
+                 "options.guess_rotations: expected rotation matrices");
+    REFUSES_EACH(in.rotations[LENGTH(in.rotations) - 1], double, no_rotation, solve(),
+                 PDN_ERR_VALUE, "options.guess_rotations: expected rotation matrices");
+    in.options.guess_positions = in.options.guess_rotations = NULL;
+    in.options.initial = in.solution;
+    REFUSED(solve(), PDN_ERR_VALUE,
+            "options.initial: expected a solution of a model with the same");
+    in.options.initial = NULL;
+    in.model = saved;
+    pdn_model_free(small);
+}
+
+/* A wheel whose motor, or whose load, does as the signal says. */
+static pdn_model *wheel(const pdn_signal *motor, const pdn_signal *load, double stiffness)
+{
+    const double origin[3] = {0, 0, 0}, axis[3] = {0, 0, 1};
+    const double inertia[9] = {1, 0, 0, 0, 1, 0, 0, 0, 1};
+    pdn_model *made = NULL;
+    int32_t node, joint;
+    CHECK_STATUS(pdn_model_new(&made), PDN_OK);
+    CHECK_STATUS(pdn_model_add_rigid_body(made, 1, origin, inertia, &node), PDN_OK);
+    CHECK_STATUS(pdn_model_add_revolute(made, PDN_GROUND, node, origin, axis, &joint), PDN_OK);
+    CHECK_STATUS(pdn_model_add_spring_damper(made, joint, PDN_ROTATION, stiffness, 1, 0), PDN_OK);
+    if (motor != NULL)
+        CHECK_STATUS(pdn_model_prescribe(made, joint, PDN_ROTATION, motor), PDN_OK);
+    if (load != NULL)
+        CHECK_STATUS(pdn_model_add_load(made, node, PDN_FRAME_SPACE, PDN_FORCE_1, load), PDN_OK);
+    return made;
+}
+
+static void what_does_not_repeat(void)
+{
+    const pdn_model *const saved = in.model;
+    pdn_signal signal;
+    pdn_model *made;
+    PDN_INIT(pdn_signal, &signal);
+
+    CHECK_STATUS(pdn_signal_set_harmonics(&signal, 0, PI / in.period, NULL, NULL, 0), PDN_OK);
+    in.model = made = wheel(&signal, NULL, 0); /* half a turn */
+    REFUSED(solve(), PDN_ERR_NOT_PERIODIC, "prescribed");
+    pdn_model_free(made);
+
+    in.model = made = wheel(NULL, &signal, 1);
+    REFUSED(solve(), PDN_ERR_NOT_PERIODIC, "load on node 0");
+    pdn_model_free(made);
+
+    CHECK_STATUS(pdn_signal_set_harmonics(&signal, 0, 2 * PI / in.period, NULL, NULL, 0), PDN_OK);
+    in.model = made = wheel(&signal, NULL, 1); /* a whole turn, against a spring */
+    REFUSED(solve(), PDN_ERR_NOT_PERIODIC, "spring on joint 0");
+    pdn_model_free(made);
+    in.model = saved;
+}
+
+/* --- The solution as a whole --- */
+
+static void wholes(void)
+{
+    const size_t limit = sizeof out.values;
+    unsigned char pattern[sizeof(pdn_diagnostics)];
+    pdn_diagnostics diagnostics;
+    size_t k;
+
+    pdn_solution_free(NULL);
+    CHECK(pdn_solution_outcome(NULL) == PDN_ERR_NULL);
+    CHECK_MESSAGE("solution: expected a pointer, got NULL");
+    memset(&out, 0x5a, sizeof out);
+    CHECK_STATUS(pdn_set_callback_error(NULL), PDN_ERR_NULL); /* another message */
+    CHECK(pdn_solution_report(NULL, (char *)out.values, limit) == 0);
+    CHECK_MESSAGE("solution: expected a pointer, got NULL");
+    for (k = 0; k < limit; k++)
+        CHECK(((unsigned char *)out.values)[k] == 0x5a);
+    CHECK(pdn_solution_report(in.solution, NULL, 100) > 100);
+
+    memset(&diagnostics, 0x5a, sizeof diagnostics);
+    memset(pattern, 0x5a, sizeof pattern);
+    pdn_diagnostics_init(NULL, sizeof diagnostics);
+    CHECK_MESSAGE("diagnostics: expected a pointer, got NULL");
+    for (k = 0; k < 3; k++) {
+        const size_t sizes[] = {0, 7, 5000};
+        pdn_diagnostics_init(&diagnostics, sizes[k]);
+        CHECK_MESSAGE("struct_size: expected between");
+        CHECK(memcmp(&diagnostics, pattern, sizeof pattern) == 0);
+    }
+    REFUSED(pdn_solution_diagnostics(NULL, &in.diagnostics), PDN_ERR_NULL, "solution: expected");
+    REFUSED(pdn_solution_diagnostics(in.solution, NULL), PDN_ERR_NULL, "out: expected a pointer");
+    REFUSES_STRUCT_SIZES(in.diagnostics, pdn_solution_diagnostics(in.solution, &in.diagnostics),
+                         "out");
+
+    {
+        const size_t wrong[] = {0, in.iterations - 1, in.iterations + 1, (size_t)-1};
+        REFUSED(pdn_solution_history(NULL, out.values, NULL, NULL, in.iterations), PDN_ERR_NULL,
+                "solution: expected a pointer, got NULL");
+        REFUSES_SIZES(
+            in.iterations, wrong,
+            pdn_solution_history(in.solution, out.values, out.cosines, out.sines, in.iterations),
+            "count");
+        REFUSES_SIZES(in.iterations, wrong,
+                      pdn_solution_history(in.solution, NULL, NULL, NULL, in.iterations), "count");
+    }
+    {
+        const size_t wrong[] = {0, 1, 3, (size_t)-1};
+        REFUSED(pdn_solution_decay(NULL, out.values, in.decay_count), PDN_ERR_NULL,
+                "solution: expected a pointer, got NULL");
+        REFUSED(pdn_solution_decay(in.solution, NULL, in.decay_count), PDN_ERR_NULL,
+                "amplitudes: expected a pointer, got NULL");
+        REFUSES_SIZES(in.decay_count, wrong,
+                      pdn_solution_decay(in.solution, out.values, in.decay_count), "count");
+    }
+    REFUSED(pdn_solution_grid_times(NULL, out.values, in.grid_count), PDN_ERR_NULL,
+            "solution: expected a pointer, got NULL");
+    REFUSED(pdn_solution_grid_times(in.solution, NULL, in.grid_count), PDN_ERR_NULL,
+            "times: expected a pointer, got NULL");
+    REFUSES_SIZES(in.grid_count, bad_counts,
+                  pdn_solution_grid_times(in.solution, out.values, in.grid_count), "count");
+}
+
+/* --- Samples: a call with the arguments in `in`, each of which is spoilt in turn --- */
+
+#define REFUSES_BAD_SAMPLING(call)                                                                 \
+    do {                                                                                           \
+        {                                                                                          \
+            POINTERS                                                                               \
+            REFUSES_NULL(solution, call, "solution");                                              \
+        }                                                                                          \
+        {                                                                                          \
+            POINTERS                                                                               \
+            REFUSES_NULL(times, call, "times");                                                    \
+        }                                                                                          \
+        {                                                                                          \
+            POINTERS                                                                               \
+            REFUSES_NULL(values, call, "out");                                                     \
+        }                                                                                          \
+        {                                                                                          \
+            POINTERS                                                                               \
+            REFUSES_SIZES(in.count, huge_counts, call, "times");                                   \
+            REFUSES_NOT_FINITE_ENTRIES(in.times, TIMES, call, "times");                            \
+            CHECK_STATUS(call, PDN_OK); /* all is good again */                                    \
+        }                                                                                          \
+    } while (0)
+
+typedef pdn_status at_times(const pdn_solution *, int32_t, const double *, size_t, double *);
+typedef pdn_status chosen_at_times(const pdn_solution *, int32_t, int32_t, const double *, size_t,
+                                   double *);
+typedef pdn_status at_station(const pdn_solution *, int32_t, double, const double *, size_t,
+                              double *);
+
+static at_times *const plain_of_nodes[] = {pdn_solution_node_position, pdn_solution_node_rotation,
+                                           pdn_solution_node_quaternion};
+static chosen_at_times *const framed_of_nodes[] = {pdn_solution_node_velocity,
+                                                   pdn_solution_node_acceleration};
+static chosen_at_times *const of_coordinates[] = {
+    pdn_solution_joint_coordinate, pdn_solution_joint_rate, pdn_solution_joint_acceleration,
+    pdn_solution_joint_driving_effort};
+static at_station *const of_beams[] = {pdn_solution_beam_strain, pdn_solution_beam_force};
+
+static void samples_of_nodes(void)
+{
+    size_t f;
+    for (f = 0; f < LENGTH(plain_of_nodes); f++) {
+        at_times *const sample = plain_of_nodes[f];
+#define CALL sample(solution, in.node, times, in.count, values)
+        POINTERS
+        REFUSES_BAD_SAMPLING(CALL);
+        REFUSES_IDS(in.node, CALL, "node");
+#undef CALL
+    }
+    for (f = 0; f < LENGTH(framed_of_nodes); f++) {
+        chosen_at_times *const sample = framed_of_nodes[f];
+#define CALL sample(solution, in.node, in.frame, times, in.count, values)
+        POINTERS
+        REFUSES_BAD_SAMPLING(CALL);
+        REFUSES_IDS(in.node, CALL, "node");
+        REFUSES_ENUMS(in.frame, CALL, "frame");
+#undef CALL
+    }
+}
+
+static void samples_of_joints(void)
+{
+    static const int32_t lacking[] = {PDN_ROTATION_2, PDN_ROTATION_3};
+    size_t f;
+    for (f = 0; f < LENGTH(of_coordinates); f++) {
+        chosen_at_times *const sample = of_coordinates[f];
+#define CALL sample(solution, in.joint, in.coordinate, times, in.count, values)
+        POINTERS
+        in.joint = 1;
+        REFUSES_BAD_SAMPLING(CALL);
+        REFUSES_IDS(in.joint, CALL, "joint");
+        REFUSES_ENUMS(in.coordinate, CALL, "coordinate");
+        REFUSES_EACH(in.coordinate, int32_t, lacking, CALL, PDN_ERR_NOT_AVAILABLE,
+                     "coordinate: expected one of a revolute joint");
+        in.joint = 0;
+        if (sample == pdn_solution_joint_driving_effort)
+            REFUSED(CALL, PDN_ERR_NOT_AVAILABLE, "");
+#undef CALL
+    }
+    {
+#define CALL pdn_solution_joint_reaction(solution, in.joint, in.axes, times, in.count, values)
+        POINTERS
+        REFUSES_BAD_SAMPLING(CALL);
+        REFUSES_IDS(in.joint, CALL, "joint");
+        REFUSES_ENUMS(in.axes, CALL, "axes");
+#undef CALL
+    }
+}
+
+static const double outside[] = {-1.0000001, 1.0000001, 1e300};
+
+static void samples_of_beams(void)
+{
+    size_t f;
+    for (f = 0; f < LENGTH(of_beams); f++) {
+        at_station *const sample = of_beams[f];
+#define CALL sample(solution, in.element, in.station, times, in.count, values)
+        POINTERS
+        REFUSES_BAD_SAMPLING(CALL);
+        REFUSES_IDS(in.element, CALL, "element");
+        REFUSES_NOT_FINITE(in.station, CALL, "station");
+        REFUSES_EACH(in.station, double, outside, CALL, PDN_ERR_VALUE, "station: expected ");
+#undef CALL
+    }
+}
+
+/* --- Harmonics --- */
+
+static const size_t too_many_harmonics[] = {2, 3, (size_t)-1};
+
+static void harmonics(void)
+{
+    static const int32_t lacking[] = {PDN_ROTATION_2, PDN_ROTATION_3};
+    const pdn_solution *solution = in.solution;
+
+#define CALL                                                                                       \
+    pdn_solution_node_harmonics(solution, in.node, in.node_quantity, in.harmonics, out.values,     \
+                                out.cosines, out.sines)
+    REFUSES_NULL(solution, CALL, "solution");
+    solution = in.solution;
+    REFUSES_IDS(in.node, CALL, "node");
+    REFUSES_ENUMS(in.node_quantity, CALL, "quantity");
+    REFUSES_SIZES(in.harmonics, too_many_harmonics, CALL, "harmonics");
+    CHECK_STATUS(CALL, PDN_OK);
+#undef CALL
+
+#define CALL                                                                                       \
+    pdn_solution_joint_harmonics(solution, in.joint, in.joint_quantity, in.detail, in.harmonics,   \
+                                 out.values, out.rate, out.cosines, out.sines)
+    REFUSES_NULL(solution, CALL, "solution");
+    solution = in.solution;
+    for (in.joint_quantity = PDN_JOINT_COORDINATE; in.joint_quantity <= PDN_JOINT_REACTION;
+         in.joint_quantity++) {
+        in.detail = in.joint_quantity == PDN_JOINT_REACTION ? PDN_AXES_SECOND : PDN_ROTATION;
+        in.joint = 1;
+        REFUSES_IDS(in.joint, CALL, "joint");
+        REFUSES_ENUMS(in.joint_quantity, CALL, "quantity");
+        REFUSES_ENUMS(in.detail, CALL, "detail");
+        REFUSES_SIZES(in.harmonics, too_many_harmonics, CALL, "harmonics");
+        CHECK_STATUS(CALL, PDN_OK);
+        if (in.joint_quantity != PDN_JOINT_REACTION)
+            REFUSES_EACH(in.detail, int32_t, lacking, CALL, PDN_ERR_NOT_AVAILABLE, "coordinate: ");
+        in.joint = 0;
+        if (in.joint_quantity == PDN_JOINT_DRIVING_EFFORT)
+            REFUSED(CALL, PDN_ERR_NOT_AVAILABLE, "");
+    }
+    in.joint_quantity = PDN_JOINT_COORDINATE;
+#undef CALL
+
+#define CALL                                                                                       \
+    pdn_solution_beam_harmonics(solution, in.element, in.station, in.beam_quantity, in.harmonics,  \
+                                out.values, out.cosines, out.sines)
+    REFUSES_NULL(solution, CALL, "solution");
+    solution = in.solution;
+    REFUSES_IDS(in.element, CALL, "element");
+    REFUSES_NOT_FINITE(in.station, CALL, "station");
+    REFUSES_EACH(in.station, double, outside, CALL, PDN_ERR_VALUE, "station: expected ");
+    REFUSES_ENUMS(in.beam_quantity, CALL, "quantity");
+    REFUSES_SIZES(in.harmonics, too_many_harmonics, CALL, "harmonics");
+    CHECK_STATUS(CALL, PDN_OK);
+#undef CALL
+}
+
+/* --- Motions without a model --- */
+
+#define REFUSES_BAD_MOTIONS(call)                                                                  \
+    do {                                                                                           \
+        static const double no_rotation[] = {0.0, -1.0, 1.0001};                                   \
+        const double *positions = in.positions, *rotations = in.rotations;                         \
+        REFUSES_NOT_FINITE(in.period, call, "period");                                             \
+        REFUSES_EACH(in.period, double, not_positive, call, PDN_ERR_VALUE, "period: expected ");   \
+        REFUSES_SIZES(in.points, even, call, "points");                                            \
+        REFUSES_SIZES(in.points, odd_and_huge, call, "positions");                                 \
+        REFUSES_NOT_FINITE_ENTRIES(in.positions, 3 * POINTS, call, "positions");                   \
+        REFUSES_NOT_FINITE_ENTRIES(in.rotations, 9 * POINTS, call, "rotations");                   \
+        REFUSES_EACH(in.rotations[0], double, no_rotation, call, PDN_ERR_VALUE,                    \
+                     "rotations: expected rotation matrices");                                     \
+        REFUSES_NULL(positions, call, "positions");                                                \
+        positions = in.positions;                                                                  \
+        REFUSES_NULL(rotations, call, "rotations");                                                \
+        rotations = in.rotations;                                                                  \
+        CHECK_STATUS(call, PDN_OK);                                                                \
+    } while (0)
+
+static const size_t odd_and_huge[] = {(size_t)-1, (size_t)-1 / 2, (size_t)-1 / 16};
+
+static void motions(void)
+{
+    const double *times = in.times;
+
+#define CALL                                                                                       \
+    pdn_motion_interpolate(in.period, positions, rotations, in.points, times, in.count,            \
+                           out.values, out.cosines, out.sines, out.tangent)
+    REFUSES_BAD_MOTIONS(CALL);
+    {
+        const double *positions = in.positions, *rotations = in.rotations;
+        REFUSES_NOT_FINITE_ENTRIES(in.times, TIMES, CALL, "times");
+        REFUSES_SIZES(in.count, huge_counts, CALL, "times");
+        REFUSES_NULL(times, CALL, "times");
+    }
+#undef CALL
+    CHECK_STATUS(pdn_motion_interpolate(in.period, in.positions, in.rotations, POINTS, in.times,
+                                        TIMES, NULL, NULL, NULL, NULL),
+                 PDN_OK);
+    CHECK_STATUS(pdn_motion_interpolate(in.period, in.positions, in.rotations, POINTS, NULL, 0,
+                                        NULL, NULL, NULL, NULL),
+                 PDN_OK);
+
+#define CALL                                                                                       \
+    pdn_motion_grid_kinematics(in.period, positions, rotations, in.points, out.values,             \
+                               out.cosines, out.tangent, out.other_tangent)
+    REFUSES_BAD_MOTIONS(CALL);
+#undef CALL
+    CHECK_STATUS(pdn_motion_grid_kinematics(in.period, in.positions, in.rotations, POINTS, NULL,
+                                            NULL, NULL, NULL),
+                 PDN_OK);
+}
+
+/* Angles at three times whose interpolation has no direction at T / 5. */
+static void indefinite_angles(double angle[POINTS])
+{
+    double g[POINTS], x, y;
+    int k;
+    for (k = 0; k < POINTS; k++)
+        g[k] = (1 + 2 * cos(2 * PI * (0.2 - k / 3.0))) / 3; /* cardinal functions there */
+    angle[0] = 0;
+    angle[1] = acos((g[2] * g[2] - g[0] * g[0] - g[1] * g[1]) / (2 * g[0] * g[1]));
+    x = g[0] + g[1] * cos(angle[1]);
+    y = g[1] * sin(angle[1]);
+    angle[2] = atan2(-y / g[2], -x / g[2]);
+}
+
+static void grids_too_coarse(void)
+{
+    const pdn_model *const saved = in.model;
+    double angle[POINTS], time = 0.2 * in.period;
+    size_t f;
+    int k;
+    pdn_signal signal;
+    pdn_model *made;
+    pdn_solution *coarse = NULL;
+
+    indefinite_angles(angle);
+    for (k = 0; k < POINTS; k++) {
+        double *const R = in.rotations + 9 * k;
+        R[0] = R[4] = cos(angle[k]);
+        R[1] = sin(angle[k]);
+        R[3] = -R[1];
+    }
+    REFUSED(pdn_motion_interpolate(in.period, in.positions, in.rotations, POINTS, &time, 1,
+                                   out.values, out.cosines, out.sines, out.tangent),
+            PDN_ERR_GRID_TOO_COARSE, "points: 3 grid points are too coarse");
+
+    PDN_INIT(pdn_signal, &signal);
+    CHECK_STATUS(pdn_signal_set_samples(&signal, 0, angle, POINTS), PDN_OK);
+    in.model = made = wheel(&signal, NULL, 0);
+    CHECK_STATUS(pdn_solve_periodic(made, in.period, &in.options, &coarse), PDN_OK);
+    CHECK(pdn_solution_outcome(coarse) == PDN_CONVERGED);
+    for (f = 0; f < LENGTH(plain_of_nodes); f++)
+        REFUSED(plain_of_nodes[f](coarse, 0, &time, 1, out.values), PDN_ERR_GRID_TOO_COARSE, "");
+    for (f = 0; f < LENGTH(framed_of_nodes); f++)
+        REFUSED(framed_of_nodes[f](coarse, 0, PDN_FRAME_SPACE, &time, 1, out.values),
+                PDN_ERR_GRID_TOO_COARSE, "");
+    in.options.grid_points = 5;
+    in.options.initial = coarse;
+    REFUSED(solve(), PDN_ERR_GRID_TOO_COARSE, "");
+    in.options.grid_points = POINTS;
+    in.options.initial = NULL;
+    in.model = saved;
+    pdn_solution_free(coarse);
+    pdn_model_free(made);
+}
+
+int main(void)
+{
+    set_up();
+    solves();
+    starts();
+    what_does_not_repeat();
+    wholes();
+    samples_of_nodes();
+    samples_of_joints();
+    samples_of_beams();
+    harmonics();
+    motions();
+    grids_too_coarse();
+    pdn_solution_free(good);
+    pdn_model_free(model);
+    printf("%d refusals\n", refusals);
+    return 0;
+}
