@@ -153,6 +153,19 @@ impl Call {
             call: PhantomData,
         })
     }
+
+    /// As [`Call::out_slice`] for `length` items, where NULL stands for "not wanted".
+    pub(super) fn out_slice_optional<T: Copy>(
+        &self,
+        out: *mut T,
+        length: usize,
+        name: &str,
+    ) -> Result<Option<OutSlice<'_, T>>> {
+        if out.is_null() {
+            return Ok(None);
+        }
+        self.out_slice(out, length, length, name).map(Some)
+    }
 }
 
 /// A place for one result, written at the end of a call that succeeds. May be uninitialised before.

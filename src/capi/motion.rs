@@ -74,12 +74,8 @@ pub unsafe extern "C" fn pdn_motion_interpolate(
         let grid = grid(call, period, points)?;
         let motions = read_motions(call, positions, rotations, points)?;
         let times = call.numbers(times, count, "times")?;
-        let out = |pointer: *mut f64, components: usize, name: &str| {
-            if pointer.is_null() {
-                return Ok(None);
-            }
-            let length = count.saturating_mul(components);
-            call.out_slice(pointer, length, length, name).map(Some)
+        let out = |pointer, components: usize, name| {
+            call.out_slice_optional(pointer, count.saturating_mul(components), name)
         };
         let outputs = [
             out(position, 3, "position")?,
@@ -146,18 +142,12 @@ pub unsafe extern "C" fn pdn_motion_grid_kinematics(
         let grid = grid(call, period, points)?;
         let motions = read_motions(call, positions, rotations, points)?;
         let size = 6 * points;
-        let out = |pointer: *mut f64, length: usize, name: &str| {
-            if pointer.is_null() {
-                return Ok(None);
-            }
-            call.out_slice(pointer, length, length, name).map(Some)
-        };
         let square = size.saturating_mul(size);
         let outputs = [
-            out(velocity, size, "velocity")?,
-            out(acceleration, size, "acceleration")?,
-            out(velocity_tangent, square, "velocity_tangent")?,
-            out(acceleration_tangent, square, "acceleration_tangent")?,
+            call.out_slice_optional(velocity, size, "velocity")?,
+            call.out_slice_optional(acceleration, size, "acceleration")?,
+            call.out_slice_optional(velocity_tangent, square, "velocity_tangent")?,
+            call.out_slice_optional(acceleration_tangent, square, "acceleration_tangent")?,
         ];
 
         let mut operators = Differentiation::new(grid);

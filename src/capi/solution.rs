@@ -282,15 +282,21 @@ pub unsafe extern "C" fn pdn_solution_history(
         let iterations = &solution.details().report.iterations;
         require_count(count, iterations.len())?;
         type Column = fn(&Iteration) -> f64;
-        let columns: [(_, _, Column); 3] = [
-            (residuals, "residuals", |i| i.residual),
-            (increments, "increments", |i| i.increment),
-            (steps, "steps", |i| i.step),
+        let columns: [(_, Column); 3] = [
+            (
+                call.out_slice_optional(residuals, count, "residuals")?,
+                |i| i.residual,
+            ),
+            (
+                call.out_slice_optional(increments, count, "increments")?,
+                |i| i.increment,
+            ),
+            (call.out_slice_optional(steps, count, "steps")?, |i| i.step),
         ];
-        for (pointer, name, value) in columns {
-            if !pointer.is_null() {
+        for (out, value) in columns {
+            if let Some(out) = out {
                 let values: Vec<f64> = iterations.iter().map(value).collect();
-                call.out_slice(pointer, count, count, name)?.set(&values);
+                out.set(&values);
             }
         }
         Ok(())
@@ -894,16 +900,10 @@ fn harmonics_of(
             let components = components()?;
             (components, components * to.harmonics)
         };
-        let wanted = |pointer: *mut f64, length: usize, name: &str| {
-            if pointer.is_null() {
-                return Ok(None);
-            }
-            call.out_slice(pointer, length, length, name).map(Some)
-        };
-        let mean = wanted(to.mean, single, "mean")?;
-        let rate = wanted(to.rate, single, "rate")?;
-        let cosines = wanted(to.cosines, many, "cosines")?;
-        let sines = wanted(to.sines, many, "sines")?;
+        let mean = call.out_slice_optional(to.mean, single, "mean")?;
+        let rate = call.out_slice_optional(to.rate, single, "rate")?;
+        let cosines = call.out_slice_optional(to.cosines, many, "cosines")?;
+        let sines = call.out_slice_optional(to.sines, many, "sines")?;
         let series = series(&solution)?;
         let each = |value: &dyn Fn(&crate::fourier::PeriodicSeries) -> f64| -> Vec<f64> {
             series.iter().map(value).collect()

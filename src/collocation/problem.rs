@@ -3,11 +3,11 @@
 use super::kinematics::{BackwardRule, NodeKinematics};
 use super::pattern::Pattern;
 use super::state::GridState;
-use crate::elements::NodeState;
+use crate::elements::{Contribution, NodeState};
 use crate::error::Result;
 use crate::fourier::{Differentiation, TimeGrid};
 use crate::motion::DualMatrix;
-use crate::system::{Conditions, System, Workspace};
+use crate::system::{Conditions, Placed, System, Workspace};
 use nalgebra::{Matrix3, Matrix6};
 use std::sync::Arc;
 
@@ -21,19 +21,50 @@ pub struct Collocation {
     system: Arc<System>,
     grid: TimeGrid,
     operators: Differentiation,
-    /// Signal `s` at grid point `k`, at `k × count + s`.
-    signals: Vec<f64>,
-    inertia_factor: f64,
+    instants: Instants,
     /// On a grid of one point: rule and past states of marching in time, latest first.
     past: Option<(BackwardRule, Vec<GridState>)>,
     kinematics: Vec<NodeKinematics>,
-    states: Vec<NodeState>,
     forces_only: Workspace,
     with_tangents: Workspace,
     /// Scale of each row: residuals are multiplied by it.
     row_scale: Vec<f64>,
     /// Scale of each column: scaled unknowns times it are the unknowns.
     column_scale: Vec<f64>,
+}
+
+/// The system at each grid point.
+#[derive(Debug, Clone)]
+struct Instants {
+    system: Arc<System>,
+    points: usize,
+    /// Signal `s` at grid point `k`, at `k × count + s`.
+    signals: Vec<f64>,
+    inertia_factor: f64,
+    /// Node `a` at grid point `k`, at `a N + k`.
+    states: Vec<NodeState>,
+}
+
+impl Instants {
+    /// Evaluates an element at grid point `k`.
+    fn evaluate<'w>(
+        &self,
+        placed: &Placed,
+        k: usize,
+        state: &GridState,
+        workspace: &'w mut Workspace,
+    ) -> Result<&'w Contribution> {
+        let signal_count = self.system.signals();
+        let conditions = Conditions {
+            signals: &self.signals[k * signal_count..][..signal_count],
+            coordinates: state.tracked(&self.system, k),
+            inertia_factor: self.inertia_factor,
+        };
+        let node_state = |node: usize| self.states[node * self.points + k];
+        let multipliers = state.multipliers_of(placed, k);
+        self.system
+            .evaluate(placed, node_state, &conditions, multipliers, workspace)
+    }
 }
 
 /// Tangents summed over the elements, for each pair of nodes and grid point.
@@ -71,11 +102,15 @@ impl Collocation {
         }
         let mut collocation = Collocation {
             operators: Differentiation::new(grid),
-            signals: vec![0.0; system.signals() * points],
-            inertia_factor: 1.0,
+            instants: Instants {
+                system: system.clone(),
+                points,
+                signals: vec![0.0; system.signals() * points],
+                inertia_factor: 1.0,
+                states: Vec::new(),
+            },
             past: None,
             kinematics: vec![NodeKinematics::default(); system.nodes()],
-            states: Vec::new(),
             forces_only: system.workspace(false),
             with_tangents: system.workspace(true),
             row_scale,
@@ -112,7 +147,7 @@ impl Collocation {
     pub fn set_conditions(&mut self, start: f64, load_factor: f64) -> Result<()> {
         let count = self.system.signals();
         for k in 0..self.grid.points() {
-            let values = &mut self.signals[k * count..][..count];
+            let values = &mut self.instants.signals[k * count..][..count];
             self.system
                 .signal_values(start + self.grid.time(k), load_factor, values)?;
         }
@@ -121,7 +156,7 @@ impl Collocation {
 
     /// Takes only this fraction of the inertial forces.
     pub fn set_inertia_factor(&mut self, factor: f64) {
-        self.inertia_factor = factor;
+        self.instants.inertia_factor = factor;
     }
 
     /// Makes a grid of one point a step of marching in time: derivatives are backward differences.
@@ -140,7 +175,7 @@ impl Collocation {
 
     /// Evaluates velocities and accelerations at the grid points.
     pub fn update_kinematics(&mut self, state: &GridState) {
-        self.states.clear();
+        self.instants.states.clear();
         for (node, kinematics) in self.kinematics.iter_mut().enumerate() {
             let motions = state.node(node);
             match &self.past {
@@ -151,7 +186,7 @@ impl Collocation {
                 None => kinematics.evaluate(&mut self.operators, motions),
             }
             for (k, motion) in motions.iter().enumerate() {
-                self.states.push(NodeState {
+                self.instants.states.push(NodeState {
                     motion: *motion,
                     twist: kinematics.velocity(k).to_twist(),
                     twist_rate: kinematics.acceleration(k).to_twist(),
@@ -162,30 +197,20 @@ impl Collocation {
 
     /// Node states over the grid, node by node, as of the last evaluation of anything.
     pub fn node_states(&self) -> &[NodeState] {
-        &self.states
+        &self.instants.states
     }
 
     /// Writes the scaled residual.
     pub fn residual(&mut self, state: &GridState, out: &mut [f64]) -> Result<()> {
         self.update_kinematics(state);
         let points = self.grid.points();
-        let signal_count = self.system.signals();
         out.fill(0.0);
         let first_constraint = 6 * points * self.system.nodes();
         for placed in self.system.elements() {
             let count = placed.element.multipliers();
             for k in 0..points {
-                let contribution = self.system.evaluate(
-                    placed,
-                    |node| self.states[node * points + k],
-                    &Conditions {
-                        signals: &self.signals[k * signal_count..][..signal_count],
-                        coordinates: state.tracked(&self.system, k),
-                        inertia_factor: self.inertia_factor,
-                    },
-                    state.multipliers_of(placed, k),
-                    &mut self.forces_only,
-                )?;
+                let workspace = &mut self.forces_only;
+                let contribution = self.instants.evaluate(placed, k, state, workspace)?;
                 for (local, &node) in placed.element.nodes().iter().enumerate() {
                     let rows = &mut out[6 * (node * points + k)..][..6];
                     for (row, force) in rows
@@ -238,7 +263,6 @@ impl Collocation {
         values: &mut [f64],
     ) -> Result<()> {
         let points = self.grid.points();
-        let signal_count = self.system.signals();
         let block_count = pattern.pair_count() * points;
         for list in [&mut blocks.stiffness, &mut blocks.damping, &mut blocks.mass] {
             list.clear();
@@ -249,17 +273,8 @@ impl Collocation {
             let count = placed.element.multipliers();
             let (has_mass, has_damping) = (placed.element.has_mass(), placed.element.has_damping());
             for k in 0..points {
-                let contribution = self.system.evaluate(
-                    placed,
-                    |node| self.states[node * points + k],
-                    &Conditions {
-                        signals: &self.signals[k * signal_count..][..signal_count],
-                        coordinates: state.tracked(&self.system, k),
-                        inertia_factor: self.inertia_factor,
-                    },
-                    state.multipliers_of(placed, k),
-                    &mut self.with_tangents,
-                )?;
+                let workspace = &mut self.with_tangents;
+                let contribution = self.instants.evaluate(placed, k, state, workspace)?;
                 for (a, &row) in nodes.iter().enumerate() {
                     for (b, &column) in nodes.iter().enumerate() {
                         let at = pattern.pair_number(row, column) * points + k;

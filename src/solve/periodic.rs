@@ -127,6 +127,9 @@ pub fn solve_periodic(
     })
 }
 
+/// Sees each iteration and returns `false` to cancel.
+type Observer<'a> = dyn FnMut(&Iteration) -> bool + 'a;
+
 /// Whether an outcome leaves no reason to try something else.
 fn is_final(outcome: Outcome) -> bool {
     matches!(outcome, Outcome::Converged | Outcome::Cancelled)
@@ -140,18 +143,24 @@ impl Attempts<'_> {
         Ok((state, report))
     }
 
+    /// Looks for a start by `find`, and keeps count of its cost.
+    fn guess<G>(
+        &mut self,
+        find: fn(&Arc<System>, TimeGrid, &mut Observer) -> Result<G>,
+    ) -> Result<G> {
+        let start = Instant::now();
+        let (observe, count) = (&mut *self.observe, &mut self.guess_iterations);
+        let guess = find(&self.system, self.grid, &mut |iteration| {
+            *count += 1;
+            observe(Stage::InitialGuess, iteration)
+        });
+        self.guess_time += start.elapsed();
+        guess
+    }
+
     /// From the library's own start.
     fn find(&mut self) -> Result<(GridState, NewtonReport)> {
-        let start = Instant::now();
-        let observe = &mut *self.observe;
-        let mut count = 0;
-        let mut counted = |iteration: &Iteration| {
-            count += 1;
-            observe(Stage::InitialGuess, iteration)
-        };
-        let guess = quasi_static(&self.system, self.grid, &mut counted)?;
-        self.guess_iterations += count;
-        self.guess_time += start.elapsed();
+        let guess = self.guess(quasi_static)?;
 
         let first = if guess.outcome == Outcome::Converged {
             let first = self.newton(guess.state.clone())?;
@@ -215,16 +224,7 @@ impl Attempts<'_> {
 
     /// Starts from the end of a march in time. `None` if that leads nowhere either.
     fn through_march(&mut self) -> Result<Option<(GridState, NewtonReport)>> {
-        let start = Instant::now();
-        let observe = &mut *self.observe;
-        let mut count = 0;
-        let mut counted = |iteration: &Iteration| {
-            count += 1;
-            observe(Stage::InitialGuess, iteration)
-        };
-        let march = march_to_periodic(&self.system, self.grid, &mut counted)?;
-        self.guess_iterations += count;
-        self.guess_time += start.elapsed();
+        let march = self.guess(march_to_periodic)?;
         match march {
             Ok(state) => self.newton(state).map(Some),
             Err((Outcome::Cancelled, explanation)) => {
