@@ -1,81 +1,20 @@
 // Grid velocities and accelerations, and their linearisation against differences.
 
 #include "check.hpp"
-#include "differences.hpp"
 #include "euler_motion.hpp"
-#include "grid_kinematics.hpp"
+#include "linearisation_checks.hpp"
 
 #include <algorithm>
-#include <random>
 
 using namespace reference;
-using Eigen::MatrixXd;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
 namespace {
 
-// The motion moved by a material increment: R exp(dpsi~), r + R dr.
-Motion moved(const Motion &m, const Vector6 &increment) {
-    const Vector3d turn = increment.tail<3>();
-    const double angle = turn.norm();
-    Motion out = m;
-    out.position += m.rotation * increment.head<3>();
-    if (angle > 0) out.rotation = m.rotation * rotation_about(turn, angle);
-    return out;
-}
-
-// Motions unrelated from one grid point to the next: the linearisation is exact algebra and owes
-// nothing to smoothness.
-std::vector<Motion> random_samples(int n) {
-    std::mt19937 generator(20180404);
-    std::uniform_real_distribution<double> uniform(-1.0, 1.0);
-    const auto vector = [&] { return Vector3d(uniform(generator), uniform(generator), uniform(generator)); };
-    std::vector<Motion> samples;
-    for (int k = 0; k < n; ++k) {
-        const Vector3d axis = vector();
-        samples.push_back({rotation_about(axis, pi * uniform(generator)), vector()});
-    }
-    return samples;
-}
-
-// Largest error of the four sorts of entry (linear or angular row, linear or angular column), each
-// relative to the largest entry of its sort, so that none hides behind the others.
-double relative_error(const MatrixXd &found, const MatrixXd &expected) {
-    double worst = 0;
-    for (int row = 0; row < 6; row += 3)
-        for (int column = 0; column < 6; column += 3) {
-            double error = 0, scale = 0;
-            for (int i = 0; i < found.rows(); ++i)
-                for (int j = 0; j < found.cols(); ++j)
-                    if (i % 6 / 3 == row / 3 && j % 6 / 3 == column / 3) {
-                        error = std::max(error, std::abs(found(i, j) - expected(i, j)));
-                        scale = std::max(scale, std::abs(expected(i, j)));
-                    }
-            // The angular velocity does not depend on the position: that sort is zero.
-            worst = std::max(worst, scale > 0 ? error / scale : error);
-        }
-    return worst;
-}
-
 void check_against_differences(Checks &check, const std::string &name, const std::vector<Motion> &samples) {
-    const int n = static_cast<int>(samples.size());
     const GridKinematics exact = grid_kinematics(euler_motion_period, samples);
-    MatrixXd gamma_v(6 * n, 6 * n), gamma_a(6 * n, 6 * n);
-    for (int j = 0; j < 6 * n; ++j) {
-        const auto both = [&](double h) {
-            std::vector<Motion> near = samples;
-            near[j / 6] = moved(samples[j / 6], h * Vector6::Unit(j % 6));
-            const GridKinematics grid = grid_kinematics(euler_motion_period, near);
-            MatrixXd columns(6 * n, 2);
-            columns << grid.velocity, grid.acceleration;
-            return columns;
-        };
-        // Truncation h^4 / 30 and rounding eps / h are both about 1e-13 here.
-        const MatrixXd columns = central_difference(both, 1e-3);
-        gamma_v.col(j) = columns.col(0);
-        gamma_a.col(j) = columns.col(1);
-    }
+    const auto [gamma_v, gamma_a] = differences_of_kinematics(euler_motion_period, samples);
     check.at_most("Gamma_v, " + name, relative_error(exact.gamma_v, gamma_v), 1e-7);
     check.at_most("Gamma_a, " + name, relative_error(exact.gamma_a, gamma_a), 1e-7);
 }
