@@ -1,20 +1,155 @@
-/* Sizes and offsets that no release of this soname may change. Structs may grow at their end only.
- */
+/* Sizes, offsets and numbers that no release of this soname may change, on 64-bit platforms.
+ *
+ * A struct with struct_size may grow, at its end only: then its new size goes here and to its SIZES
+ * in src/capi. All others stay as they are. */
 #include <periodyn.h>
+#include <stddef.h>
 
-_Static_assert(sizeof(pdn_status) == 4, "pdn_status");
-_Static_assert(PDN_OK == 0, "PDN_OK");
-_Static_assert(PDN_ERR_NULL == -1, "PDN_ERR_NULL");
-_Static_assert(PDN_ERR_NOT_FINITE == -2, "PDN_ERR_NOT_FINITE");
-_Static_assert(PDN_ERR_SIZE == -3, "PDN_ERR_SIZE");
-_Static_assert(PDN_ERR_ID == -4, "PDN_ERR_ID");
-_Static_assert(PDN_ERR_VALUE == -5, "PDN_ERR_VALUE");
-_Static_assert(PDN_ERR_STRUCT_SIZE == -6, "PDN_ERR_STRUCT_SIZE");
-_Static_assert(PDN_ERR_NOT_AVAILABLE == -7, "PDN_ERR_NOT_AVAILABLE");
-_Static_assert(PDN_ERR_MODEL == -100, "PDN_ERR_MODEL");
-_Static_assert(PDN_ERR_NOT_PERIODIC == -101, "PDN_ERR_NOT_PERIODIC");
-_Static_assert(PDN_ERR_GRID_TOO_COARSE == -200, "PDN_ERR_GRID_TOO_COARSE");
-_Static_assert(PDN_ERR_CALLBACK == -201, "PDN_ERR_CALLBACK");
-_Static_assert(PDN_ERR_MEMORY == -900, "PDN_ERR_MEMORY");
-_Static_assert(PDN_ERR_PANIC == -901, "PDN_ERR_PANIC");
-_Static_assert(PDN_ERR_POISONED == -902, "PDN_ERR_POISONED");
+#define SIZE(type, size) _Static_assert(sizeof(type) == (size), #type)
+#define AT(type, field, offset) _Static_assert(offsetof(type, field) == (offset), #type "." #field)
+#define IS(name, value) _Static_assert(name == (value), #name)
+
+SIZE(pdn_status, 4);
+SIZE(pdn_signal_fn, sizeof(void *));
+SIZE(pdn_progress_fn, sizeof(void *));
+
+SIZE(pdn_section, 872);
+AT(pdn_section, struct_size, 0);
+AT(pdn_section, stiffness, 8);
+AT(pdn_section, mass, 296);
+AT(pdn_section, damping, 584);
+
+SIZE(pdn_signal, 88);
+AT(pdn_signal, struct_size, 0);
+AT(pdn_signal, kind, 8);
+AT(pdn_signal, reserved, 12);
+AT(pdn_signal, mean, 16);
+AT(pdn_signal, rate, 24);
+AT(pdn_signal, cosines, 32);
+AT(pdn_signal, sines, 40);
+AT(pdn_signal, harmonics, 48);
+AT(pdn_signal, samples, 56);
+AT(pdn_signal, sample_count, 64);
+AT(pdn_signal, function, 72);
+AT(pdn_signal, user_data, 80);
+
+SIZE(pdn_frame, 96);
+AT(pdn_frame, position, 0);
+AT(pdn_frame, rotation, 24);
+
+SIZE(pdn_beam, 32);
+AT(pdn_beam, first, 0);
+AT(pdn_beam, last, 4);
+AT(pdn_beam, first_element, 8);
+AT(pdn_beam, elements, 12);
+AT(pdn_beam, reserved, 16);
+
+SIZE(pdn_diagnostics, 112);
+AT(pdn_diagnostics, struct_size, 0);
+AT(pdn_diagnostics, outcome, 8);
+AT(pdn_diagnostics, iterations, 12);
+AT(pdn_diagnostics, guess_iterations, 16);
+AT(pdn_diagnostics, reserved, 20);
+AT(pdn_diagnostics, grid_points, 24);
+AT(pdn_diagnostics, unknowns, 32);
+AT(pdn_diagnostics, last_increment, 40);
+AT(pdn_diagnostics, error_estimate, 48);
+AT(pdn_diagnostics, force_residual_between, 56);
+AT(pdn_diagnostics, constraint_residual_between, 64);
+AT(pdn_diagnostics, guess_seconds, 72);
+AT(pdn_diagnostics, assembly_seconds, 80);
+AT(pdn_diagnostics, analysis_seconds, 88);
+AT(pdn_diagnostics, factorisation_seconds, 96);
+AT(pdn_diagnostics, substitution_seconds, 104);
+
+SIZE(pdn_progress, 40);
+AT(pdn_progress, struct_size, 0);
+AT(pdn_progress, stage, 8);
+AT(pdn_progress, iteration, 12);
+AT(pdn_progress, residual, 16);
+AT(pdn_progress, increment, 24);
+AT(pdn_progress, step, 32);
+
+SIZE(pdn_periodic_options, 80);
+AT(pdn_periodic_options, struct_size, 0);
+AT(pdn_periodic_options, grid_points, 8);
+AT(pdn_periodic_options, harmonics, 16);
+AT(pdn_periodic_options, tolerance, 24);
+AT(pdn_periodic_options, iteration_limit, 32);
+AT(pdn_periodic_options, initial, 40);
+AT(pdn_periodic_options, guess_positions, 48);
+AT(pdn_periodic_options, guess_rotations, 56);
+AT(pdn_periodic_options, progress, 64);
+AT(pdn_periodic_options, progress_data, 72);
+
+IS(PDN_OK, 0);
+IS(PDN_ERR_NULL, -1);
+IS(PDN_ERR_NOT_FINITE, -2);
+IS(PDN_ERR_SIZE, -3);
+IS(PDN_ERR_ID, -4);
+IS(PDN_ERR_VALUE, -5);
+IS(PDN_ERR_STRUCT_SIZE, -6);
+IS(PDN_ERR_NOT_AVAILABLE, -7);
+IS(PDN_ERR_MODEL, -100);
+IS(PDN_ERR_NOT_PERIODIC, -101);
+IS(PDN_ERR_GRID_TOO_COARSE, -200);
+IS(PDN_ERR_CALLBACK, -201);
+IS(PDN_ERR_MEMORY, -900);
+IS(PDN_ERR_PANIC, -901);
+IS(PDN_ERR_POISONED, -902);
+
+IS(PDN_SIGNAL_HARMONICS, 0);
+IS(PDN_SIGNAL_SAMPLES, 1);
+IS(PDN_SIGNAL_FUNCTION, 2);
+
+IS(PDN_GROUND, -1);
+
+IS(PDN_JOINT_RIGID, 0);
+IS(PDN_JOINT_REVOLUTE, 1);
+IS(PDN_JOINT_UNIVERSAL, 2);
+IS(PDN_JOINT_SPHERICAL, 3);
+
+IS(PDN_ROTATION, 3);
+IS(PDN_ROTATION_2, 4);
+IS(PDN_ROTATION_3, 5);
+
+IS(PDN_FRAME_SPACE, 0);
+IS(PDN_FRAME_MATERIAL, 1);
+
+IS(PDN_FORCE_1, 0);
+IS(PDN_FORCE_2, 1);
+IS(PDN_FORCE_3, 2);
+IS(PDN_MOMENT_1, 3);
+IS(PDN_MOMENT_2, 4);
+IS(PDN_MOMENT_3, 5);
+
+IS(PDN_CONVERGED, 0);
+IS(PDN_ITERATION_LIMIT, 1);
+IS(PDN_STALLED, 2);
+IS(PDN_SINGULAR, 3);
+IS(PDN_CANCELLED, 4);
+IS(PDN_NO_INITIAL_GUESS, 5);
+
+IS(PDN_AXES_SPACE, 0);
+IS(PDN_AXES_FIRST, 1);
+IS(PDN_AXES_SECOND, 2);
+
+IS(PDN_NODE_POSITION, 0);
+IS(PDN_NODE_ROTATION, 1);
+IS(PDN_NODE_QUATERNION, 2);
+IS(PDN_NODE_VELOCITY, 3);
+IS(PDN_NODE_ACCELERATION, 4);
+IS(PDN_NODE_MATERIAL_VELOCITY, 5);
+IS(PDN_NODE_MATERIAL_ACCELERATION, 6);
+
+IS(PDN_JOINT_COORDINATE, 0);
+IS(PDN_JOINT_RATE, 1);
+IS(PDN_JOINT_ACCELERATION, 2);
+IS(PDN_JOINT_DRIVING_EFFORT, 3);
+IS(PDN_JOINT_REACTION, 4);
+
+IS(PDN_BEAM_STRAIN, 0);
+IS(PDN_BEAM_FORCE, 1);
+
+IS(PDN_STAGE_INITIAL_GUESS, 0);
+IS(PDN_STAGE_NEWTON, 1);
