@@ -438,7 +438,7 @@ static void a_failing_function_fails_the_solve(void)
     pdn_model *model;
     pdn_periodic_options options = on_grid(5);
     size_t i;
-    int all, at;
+    int all, at, last = 0;
 
     function.amplitude = MOMENT;
     model = pendulum_driven_by(&function);
@@ -470,13 +470,14 @@ static void a_failing_function_fails_the_solve(void)
         function.code = at;
         CHECK_STATUS(pdn_solve_periodic(model, PERIOD, &options, &out), PDN_ERR_CALLBACK);
         CHECK(out == NULL && function.calls == at && pdn_last_callback_code() == at);
+        last = at;
     }
 
     /* It recovers, and success leaves the number. */
     memset(&function, 0, sizeof function);
     function.amplitude = MOMENT;
     CHECK(outcome_of(model, &options) == PDN_CONVERGED);
-    CHECK(pdn_last_callback_code() == all);
+    CHECK(pdn_last_callback_code() == last);
 
     /* What grows is no load of this period. */
     function.growth = 0.5;
