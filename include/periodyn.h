@@ -654,7 +654,8 @@ typedef struct pdn_periodic_options {
     size_t harmonics;
     /**
      * Converged when the largest increment (lengths relative to the size of the mechanism, angles in
-     * radians) is below this. Newton is quadratic: the error left is about its square. Default 1e-9.
+     * radians) is below this. Newton is quadratic: the error left in motions is about its
+     * square, that in forces about it times their last change. Default 1e-9.
      */
     double tolerance;
     /**

@@ -74,6 +74,32 @@ fn a_free_body_is_named_with_its_direction() {
 }
 
 #[test]
+fn a_mean_that_nothing_holds_is_a_freedom() {
+    // A damper resists turning, but not the angle about which the arm swings.
+    let mut model = Model::new();
+    let arm = bar(&mut model, &Vector3::zeros(), &Vector3::x());
+    let origin = Vector3::zeros();
+    let hinge = revolute(&mut model, None, Some(arm), &origin, &Vector3::z());
+    let damper = SpringDefinition {
+        at: rotation1(hinge),
+        stiffness: 0.0,
+        damping: 0.3,
+        rest: 0.0,
+    };
+    model.add_spring_damper(damper).unwrap();
+    let moment = [0.0, 0.0, 0.0, 0.0, 0.0, 0.05];
+    add_load(&mut model, arm, LoadFrame::Space, &[0.0; 6], &moment);
+    for points in [5, 41] {
+        let explanation = singular(&model, 3.0, points);
+        assert!(
+            explanation.contains("turn about") || explanation.contains("move along"),
+            "{explanation}"
+        );
+        assert!(explanation.contains("node 0"), "{explanation}");
+    }
+}
+
+#[test]
 fn a_node_without_anything_is_named() {
     let mut model = driven_arm(&cosine(0.1));
     let at = Motion::new(Matrix3::identity(), Vector3::new(0.3, 0.2, 0.1));

@@ -61,7 +61,8 @@ pub struct pdn_periodic_options {
     /// If not 0, the number of harmonics: grid_points is then 2 harmonics + 1. Default 0.
     pub harmonics: usize,
     /// Converged when the largest increment (lengths relative to the size of the mechanism, angles in
-    /// radians) is below this. Newton is quadratic: the error left is about its square. Default 1e-9.
+    /// radians) is below this. Newton is quadratic: the error left in motions is about its
+    /// square, that in forces about it times their last change. Default 1e-9.
     pub tolerance: f64,
     /// Most Newton iterations. Default 30.
     pub iteration_limit: usize,

@@ -150,7 +150,11 @@ impl Beam {
                 }
             }
         }
-        Ok(Inertia::consistent(self.nodes.clone(), mass))
+        Ok(Inertia::consistent(
+            self.nodes.clone(),
+            mass,
+            &self.reference,
+        ))
     }
 
     /// Strains `[γ; κ]` per unit of reference length, and stress resultants `[force; moment]`, in the

@@ -3,14 +3,18 @@
 use super::{Contribution, Element, Instant};
 use crate::error::Result;
 use crate::motion::{Motion, skew};
-use nalgebra::{DMatrix, DVector, Matrix3, Matrix6, Vector3, Vector6};
+use nalgebra::{DMatrix, DVector, Matrix3, Matrix6, Matrix6x3, Vector3, Vector6};
 
-/// Inertial and gravity forces `M V̇ − Ṽᵀ M V − M γ`, with `M` constant and `γ` the acceleration of
-/// gravity in each node's frame.
+/// Inertial forces `M V̇ − Ṽᵀ M V` with `M` constant, and the weight.
+///
+/// Each node bears its share of the mass, carried with its own frame. So the weight has a potential
+/// and its sum is exact, however much a beam bends.
 #[derive(Debug, Clone)]
 pub struct Inertia {
     nodes: Vec<usize>,
     mass: DMatrix<f64>,
+    /// Inertial force of each node if all move as a rigid body, for a unit acceleration in its frame.
+    shares: Vec<Matrix6x3<f64>>,
 }
 
 /// 6×6 inertia `[m I, −m c̃; m c̃, J − m c̃ c̃]` about a frame, for a mass `m` whose centre is at `c` and
@@ -35,16 +39,28 @@ impl Inertia {
     pub fn rigid_body(node: usize, offset: &Motion, inertia: &Matrix6<f64>) -> Self {
         let carry = offset.inverse().adjoint();
         let at_node = carry.transpose() * inertia * carry;
-        Inertia {
-            nodes: vec![node],
-            mass: DMatrix::from_iterator(6, 6, at_node.iter().copied()),
-        }
+        let mass = DMatrix::from_iterator(6, 6, at_node.iter().copied());
+        Self::consistent(vec![node], mass, &[Motion::identity()])
     }
 
-    /// Inertia with the given `6 n × 6 n` mass matrix over `nodes`.
-    pub fn consistent(nodes: Vec<usize>, mass: DMatrix<f64>) -> Self {
+    /// Inertia with the given `6 n × 6 n` mass matrix over `nodes` at `reference` motions.
+    pub fn consistent(nodes: Vec<usize>, mass: DMatrix<f64>, reference: &[Motion]) -> Self {
         debug_assert_eq!(mass.nrows(), 6 * nodes.len());
-        Inertia { nodes, mass }
+        let shares = (0..nodes.len())
+            .map(|a| {
+                (0..nodes.len())
+                    .map(|b| {
+                        let carry = reference[b].relative(&reference[a]).adjoint();
+                        mass.fixed_view::<6, 6>(6 * a, 6 * b) * carry.fixed_columns::<3>(0)
+                    })
+                    .sum()
+            })
+            .collect();
+        Inertia {
+            nodes,
+            mass,
+            shares,
+        }
     }
 
     /// The mass matrix, `6 n × 6 n`.
@@ -111,29 +127,24 @@ impl Element for Inertia {
             let mut force = Vector6::zeros();
             let mut momentum = Vector6::zeros();
             for (b, other) in instant.nodes.iter().enumerate() {
-                let mut acceleration = other.twist_rate * factor;
-                let gravity = other.motion.rotation.tr_mul(&instant.gravity);
-                let mut linear = acceleration.fixed_rows_mut::<3>(0);
-                linear -= gravity;
-                force += block(a, b) * acceleration;
+                force += block(a, b) * other.twist_rate;
                 momentum += block(a, b) * other.twist;
             }
-            force += gyroscopic(&node.twist, &momentum) * factor;
+            force = (force + gyroscopic(&node.twist, &momentum)) * factor;
+            let gravity = node.motion.rotation.tr_mul(&instant.gravity);
+            force -= self.shares[a] * gravity;
             out.add_force(a, &force);
             if !out.with_tangents {
                 continue;
             }
+            let mut stiffness = out.stiffness.fixed_view_mut::<6, 3>(6 * a, 6 * a + 3);
+            stiffness -= self.shares[a] * skew(&gravity);
             let twist_skew = twist_skew_transposed(&node.twist);
-            for (b, other) in instant.nodes.iter().enumerate() {
+            for b in 0..instant.nodes.len() {
                 let m: Matrix6<f64> = block(a, b).into_owned();
                 let mut mass = out.mass.fixed_view_mut::<6, 6>(6 * a, 6 * b);
                 mass += m * factor;
                 out.add_damping(a, b, &(twist_skew * m * -factor));
-                if instant.gravity != Vector3::zeros() {
-                    let turn = skew(&other.motion.rotation.tr_mul(&instant.gravity));
-                    let mut stiffness = out.stiffness.fixed_view_mut::<6, 3>(6 * a, 6 * b + 3);
-                    stiffness -= m.fixed_view::<6, 3>(0, 0) * turn;
-                }
             }
             out.add_damping(a, a, &(momentum_matrix(&momentum) * -factor));
         }

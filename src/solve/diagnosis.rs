@@ -119,6 +119,34 @@ fn describe_redundancy(equations: &Collocation, multipliers: &[f64]) -> String {
     )
 }
 
+/// Names the joint or prescribed coordinate that is furthest from closed, if any is open at all.
+pub(super) fn describe_open_joint(equations: &Collocation, residual: &[f64]) -> String {
+    let system = equations.system();
+    let points = equations.grid().points();
+    let constraints = &residual[6 * points * system.nodes()..];
+    let mut worst = (1e-6, String::new());
+    for placed in system.elements() {
+        let count = placed.element.multipliers() * points;
+        let part = &constraints[placed.first_multiplier * points..][..count];
+        let open = part.iter().fold(0.0f64, |m, x| m.max(x.abs()));
+        let what = match placed.role {
+            ElementRole::Joint(index) => format!("joint {index}"),
+            ElementRole::Prescribed(index) => format!("prescribed coordinate {index}"),
+            _ => continue,
+        };
+        if open > worst.0 {
+            worst = (open, what);
+        }
+    }
+    if worst.1.is_empty() {
+        return String::new();
+    }
+    format!(
+        "; {} stays open by {:.2e} (relative to the size of the mechanism, or in radians)",
+        worst.1, worst.0
+    )
+}
+
 fn direction(v: &Vector3<f64>) -> String {
     let v = v.normalize();
     format!("({:.3}, {:.3}, {:.3})", v.x, v.y, v.z)

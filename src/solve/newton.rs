@@ -1,6 +1,6 @@
 //! Newton's method with the exact tangent and a line search that does not depend on scaling.
 
-use super::diagnosis::diagnose;
+use super::diagnosis::{describe_open_joint, diagnose};
 use super::direct::DirectSolver;
 use crate::collocation::{Collocation, GridState, Pattern, TangentBlocks};
 use crate::error::Result;
@@ -75,8 +75,11 @@ pub struct NewtonReport {
 const SHORTEST_STEP: f64 = 1.0 / 256.0;
 /// Largest turn of a node in one step; beyond it the linearisation means little.
 const LARGEST_TURN: f64 = 1.0;
-/// Growth of the solution of a random right-hand side that means a singular matrix.
+/// Growth that means a singular matrix.
 const SINGULAR_GROWTH: f64 = 1e15;
+/// Growth that does so where Newton's method stalls: off the constraints by rounding, a freedom is
+/// resisted by as much.
+const STALLED_GROWTH: f64 = 1e13;
 
 /// Newton solver for one system and grid; keeps everything that can be used again.
 #[derive(Debug)]
@@ -174,7 +177,7 @@ impl Newton {
                 && timed(&mut self.timings.substitution, || {
                     self.solver.solve(&mut step_vector)
                 });
-            if !solved || (number == 1 && self.is_singular()) {
+            if !solved || (number == 1 && self.growth() > SINGULAR_GROWTH) {
                 report.outcome = Outcome::Singular;
                 report.explanation = diagnose(&self.equations, &self.pattern, &self.values, state);
                 return Ok(report);
@@ -229,9 +232,16 @@ impl Newton {
             report.iterations.push(iteration);
             let keep_going = observe(&iteration);
             let Some(trial) = accepted else {
+                if self.growth() > STALLED_GROWTH {
+                    report.outcome = Outcome::Singular;
+                    report.explanation =
+                        diagnose(&self.equations, &self.pattern, &self.values, state);
+                    return Ok(report);
+                }
                 report.outcome = Outcome::Stalled;
                 report.explanation = format!(
-                    "no step along the Newton direction brings progress; the last increment is {increment:.3e}"
+                    "no step along the Newton direction brings progress; the last increment is {increment:.3e}{}",
+                    describe_open_joint(&self.equations, &residual)
                 );
                 return Ok(report);
             };
@@ -246,17 +256,25 @@ impl Newton {
                 return Ok(report);
             }
         }
-        report.explanation = format!("not converged after {} iterations", options.iteration_limit);
+        report.explanation = format!(
+            "not converged after {} iterations{}",
+            options.iteration_limit,
+            describe_open_joint(&self.equations, &residual)
+        );
         Ok(report)
     }
 
-    /// Whether the factored matrix is singular to working precision.
-    fn is_singular(&self) -> bool {
+    /// Size of the inverse of the factored matrix, relative to the matrix: about the inverse of the
+    /// rounding if it is singular.
+    fn growth(&self) -> f64 {
         // Any vector without structure has a part along the null space.
         let mut probe: Vec<f64> = (0..self.equations.size())
             .map(|i| 0.5 + (i as f64 * 0.618_033_988_75).fract())
             .collect();
-        !self.solver.solve(&mut probe)
-            || probe.iter().fold(0.0f64, |m, x| m.max(x.abs())) > SINGULAR_GROWTH
+        if !self.solver.solve(&mut probe) {
+            return f64::INFINITY;
+        }
+        let largest = |values: &[f64]| values.iter().fold(0.0f64, |m, x| m.max(x.abs()));
+        largest(&probe) * largest(&self.values)
     }
 }

@@ -146,7 +146,7 @@ impl Attempts<'_> {
     /// Looks for a start by `find`, and keeps count of its cost.
     fn guess<G>(
         &mut self,
-        find: fn(&Arc<System>, TimeGrid, &mut Observer) -> Result<G>,
+        find: impl FnOnce(&Arc<System>, TimeGrid, &mut Observer) -> Result<G>,
     ) -> Result<G> {
         let start = Instant::now();
         let (observe, count) = (&mut *self.observe, &mut self.guess_iterations);
@@ -160,7 +160,7 @@ impl Attempts<'_> {
 
     /// From the library's own start.
     fn find(&mut self) -> Result<(GridState, NewtonReport)> {
-        let guess = self.guess(quasi_static)?;
+        let guess = self.guess(|system, grid, observe| quasi_static(system, grid, observe))?;
 
         let first = if guess.outcome == Outcome::Converged {
             let first = self.newton(guess.state.clone())?;
@@ -224,7 +224,7 @@ impl Attempts<'_> {
 
     /// Starts from the end of a march in time. `None` if that leads nowhere either.
     fn through_march(&mut self) -> Result<Option<(GridState, NewtonReport)>> {
-        let march = self.guess(march_to_periodic)?;
+        let march = self.guess(|system, grid, observe| march_to_periodic(system, grid, observe))?;
         match march {
             Ok(state) => self.newton(state).map(Some),
             Err((Outcome::Cancelled, explanation)) => {

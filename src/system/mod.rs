@@ -53,6 +53,8 @@ struct Tracked {
 struct DrivenSignal {
     signal: BoundSignal,
     start: f64,
+    /// What it drives, for messages.
+    place: String,
 }
 
 /// A model made ready for a given period.
@@ -125,8 +127,7 @@ impl System {
             let start = model.reference_coordinate(at.joint, at.coordinate);
             let bound = signal.bind(period);
             // An angle may gain whole turns.
-            require_periodic(&bound, TAU).map_err(|e| e.within(&place))?;
-            let signal = system.add_signal(bound, start);
+            let signal = system.add_signal(bound, start, TAU, place)?;
             let joint = &model.joints[at.joint];
             system.length_constraints.push(false);
             let element = Prescribed::new(joint, at.coordinate, signal);
@@ -154,8 +155,7 @@ impl System {
                 if let Some(signal) = component {
                     let bound = signal.bind(period);
                     let place = format!("load on node {}", load.node);
-                    require_periodic(&bound, 0.0).map_err(|e| e.within(place))?;
-                    *number = Some(system.add_signal(bound, 0.0));
+                    *number = Some(system.add_signal(bound, 0.0, 0.0, place)?);
                 }
             }
             let element = NodalLoad::new(load.node, load.frame, numbers);
@@ -165,8 +165,7 @@ impl System {
             let mut numbers = [0; 3];
             for (number, signal) in numbers.iter_mut().zip(gravity) {
                 let bound = signal.bind(period);
-                require_periodic(&bound, 0.0).map_err(|e| e.within("gravity"))?;
-                *number = system.add_signal(bound, 0.0);
+                *number = system.add_signal(bound, 0.0, 0.0, "gravity".into())?;
             }
             system.gravity = Some(numbers);
         }
@@ -174,9 +173,21 @@ impl System {
         Ok(system)
     }
 
-    fn add_signal(&mut self, signal: BoundSignal, start: f64) -> usize {
-        self.signals.push(DrivenSignal { signal, start });
-        self.signals.len() - 1
+    /// Adds a signal that repeats itself, or gains whole multiples of `unit` in a period.
+    fn add_signal(
+        &mut self,
+        signal: BoundSignal,
+        start: f64,
+        unit: f64,
+        place: String,
+    ) -> Result<usize> {
+        require_periodic(&signal, unit).map_err(|e| e.within(&place))?;
+        self.signals.push(DrivenSignal {
+            signal,
+            start,
+            place,
+        });
+        Ok(self.signals.len() - 1)
     }
 
     fn place(&mut self, element: Arc<dyn Element>, role: ElementRole) {
@@ -259,7 +270,10 @@ impl System {
     /// `load_factor` of the way from the reference configuration.
     pub fn signal_values(&self, time: f64, load_factor: f64, values: &mut [f64]) -> Result<()> {
         for (value, driven) in values.iter_mut().zip(&self.signals) {
-            let full = driven.signal.value(time)?;
+            let full = driven
+                .signal
+                .value(time)
+                .map_err(|e| e.within(&driven.place))?;
             *value = if load_factor == 1.0 {
                 full
             } else {
