@@ -149,6 +149,14 @@ impl BoundSignal {
         }
     }
 
+    /// Period that the signal is bound to.
+    pub fn period(&self) -> f64 {
+        match self {
+            BoundSignal::Series(series) => series.period(),
+            BoundSignal::Function { period, .. } => *period,
+        }
+    }
+
     /// Growth over one period.
     pub fn growth(&self) -> Result<f64> {
         match self {

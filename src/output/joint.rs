@@ -90,7 +90,8 @@ impl Solution {
                 let at = JointCoordinate { joint, coordinate };
                 self.model.require_coordinate(&at)?;
                 let index = self.model.prescribed_index(&at).ok_or_else(|| {
-                    let message = format!("{coordinate} of joint {joint} is not prescribed");
+                    let message =
+                        format!("coordinate: {coordinate} of joint {joint} is not prescribed");
                     Error::new(ErrorKind::NotAvailable, message)
                 })?;
                 let placed = self.placed(ElementRole::Prescribed(index))?;
@@ -168,11 +169,7 @@ impl Solution {
         let rate = TAU * turns / grid.period();
         // Of the possible whole turns, a prescribed coordinate shows those of its signal.
         let shift = match self.model.prescribed_index(&at) {
-            Some(index) => {
-                let (_, signal) = &self.model.prescribed[index];
-                let start = signal.bind(grid.period()).value(0.0)?;
-                nearest_turn(values[0], start) - values[0]
-            }
+            Some(index) => nearest_turn(values[0], self.prescribed_start[index]) - values[0],
             None => 0.0,
         };
         values.iter_mut().for_each(|v| *v += shift);

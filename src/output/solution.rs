@@ -15,6 +15,8 @@ pub struct Solution {
     pub(super) solve: PeriodicSolve,
     /// Node states at the grid points, node by node.
     pub(super) states: Vec<NodeState>,
+    /// Value of each prescribed coordinate at time zero: a signal's function is not called any more.
+    pub(super) prescribed_start: Vec<f64>,
     diagnostics: Diagnostics,
 }
 
@@ -31,7 +33,12 @@ impl Solution {
         equations.update_kinematics(&solve.state);
         let states = equations.node_states().to_vec();
         let diagnostics = Diagnostics::of(&solve)?;
+        let starts = model
+            .prescribed
+            .iter()
+            .map(|(_, signal)| signal.bind(period).value(0.0));
         let solution = Solution {
+            prescribed_start: starts.collect::<Result<_>>()?,
             model: model.clone(),
             solve,
             states,

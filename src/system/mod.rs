@@ -354,7 +354,13 @@ fn require_periodic(signal: &BoundSignal, unit: f64) -> Result<()> {
     } else {
         growth
     };
-    let size = signal.value(0.0)?.abs().max(growth.abs()).max(unit);
+    // Compared with the signal's size over the period, as it may be zero at the start.
+    const PARTS: usize = 8;
+    let mut size = growth.abs().max(unit);
+    for k in 0..PARTS {
+        let time = signal.period() * k as f64 / PARTS as f64;
+        size = size.max(signal.value(time)?.abs());
+    }
     if rest.abs() <= 1e-9 * size {
         return Ok(());
     }

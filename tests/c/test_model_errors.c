@@ -580,9 +580,9 @@ static void forces(void)
     REFUSES_NOT_FINITE(
         in.number, pdn_model_add_spring_damper(model, 0, in.coordinate, 1, 0, in.number), "rest");
     REFUSED(pdn_model_add_spring_damper(model, 0, PDN_ROTATION_2, 1, 0, 0), PDN_ERR_NOT_AVAILABLE,
-            "coordinate: a revolute joint has the coordinates ");
+            "coordinate: expected one of a revolute joint ");
     REFUSED(pdn_model_add_spring_damper(model, in.rigid, PDN_ROTATION, 1, 0, 0),
-            PDN_ERR_NOT_AVAILABLE, "coordinate: a rigid joint has the coordinates ");
+            PDN_ERR_NOT_AVAILABLE, "coordinate: expected one of a rigid joint ");
 #undef CALL
 
 #define CALL pdn_model_prescribe(in.model, in.joint, in.coordinate, &in.signal)
@@ -592,7 +592,7 @@ static void forces(void)
     REFUSES_ENUMS(in.coordinate, CALL, "coordinate");
     REFUSES_BAD_SIGNALS(CALL);
     REFUSED(pdn_model_prescribe(model, 0, PDN_ROTATION_3, &in.signal), PDN_ERR_NOT_AVAILABLE,
-            "coordinate: a revolute joint has the coordinates ");
+            "coordinate: expected one of a revolute joint ");
     CHECK_STATUS(CALL, PDN_OK);
     REFUSED(CALL, PDN_ERR_VALUE, "coordinate: expected one that is not prescribed yet");
 #undef CALL

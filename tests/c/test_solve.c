@@ -368,7 +368,7 @@ static void progress_is_told_and_may_cancel(void)
 /* --- Signals that are functions --- */
 
 struct function {
-    double amplitude, growth;
+    double amplitude, phase, growth;
     int calls, fail_at;
     int32_t code;
     const char *text;
@@ -380,7 +380,8 @@ static int32_t drive(double time, double *value, void *user_data)
     struct function *function = user_data;
     function->calls++;
     if (function->fail_at == 0 || function->calls < function->fail_at) {
-        *value = function->amplitude * cos(2 * PI * time / PERIOD) + function->growth * time;
+        *value = function->amplitude * cos(2 * PI * time / PERIOD - function->phase) +
+                 function->growth * time;
         return 0;
     }
     if (function->text != NULL)
@@ -411,6 +412,19 @@ static void a_function_drives(void)
     CHECK(function.calls > 0);
     check_exact(solution, PERIOD);
     pdn_solution_free(solution);
+    pdn_model_free(model);
+}
+
+/* Rounding makes sin 2 pi differ from sin 0, where the function is zero. */
+static void a_function_may_start_at_zero(void)
+{
+    struct function function = {0};
+    pdn_model *model = pendulum_driven_by(&function);
+    const pdn_periodic_options options = on_grid(5);
+    CHECK(outcome_of(model, &options) == PDN_CONVERGED); /* zero all the time */
+    function.amplitude = MOMENT;
+    function.phase = 0.5 * PI;
+    CHECK(outcome_of(model, &options) == PDN_CONVERGED);
     pdn_model_free(model);
 }
 
@@ -731,6 +745,7 @@ int main(void)
     a_solve_may_start_from_given_motions();
     progress_is_told_and_may_cancel();
     a_function_drives();
+    a_function_may_start_at_zero();
     a_failing_function_fails_the_solve();
     a_free_body_is_named();
     joints_too_many_are_named();
