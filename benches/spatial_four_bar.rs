@@ -7,7 +7,7 @@ mod common;
 
 use common::{PERIOD, spatial_four_bar};
 use faer::{Accum, Mat, Par, linalg::matmul::matmul};
-use periodyn::solve::{InitialGuess, NewtonOptions, Outcome, PeriodicOptions, solve_periodic};
+use periodyn::solve::{Outcome, PeriodicOptions, solve_periodic};
 use std::time::{Duration, Instant};
 
 /// Time of 10⁹ double-precision multiply-adds in faer's matrix product.
@@ -48,14 +48,7 @@ fn main() {
     );
     for (elements, points) in [(8, 11), (8, 21), (8, 41), (32, 21)] {
         let model = spatial_four_bar(elements, 1);
-        let options = PeriodicOptions {
-            grid_points: points,
-            newton: NewtonOptions {
-                tolerance: 1e-9,
-                iteration_limit: 10,
-            },
-            guess: InitialGuess::Default,
-        };
+        let options = PeriodicOptions::with_grid_points(points);
         let runs: Vec<_> = (0..9)
             .map(|_| {
                 let start = Instant::now();

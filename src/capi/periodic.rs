@@ -85,12 +85,13 @@ unsafe impl Options for pdn_periodic_options {
     const SIZES: &'static [usize] = &[80];
 
     fn defaults() -> Self {
+        let core = PeriodicOptions::with_grid_points(31);
         pdn_periodic_options {
             struct_size: size_of::<Self>(),
-            grid_points: 31,
+            grid_points: core.grid_points,
             harmonics: 0,
-            tolerance: 1e-9,
-            iteration_limit: 30,
+            tolerance: core.newton.tolerance,
+            iteration_limit: core.newton.iteration_limit,
             initial: std::ptr::null(),
             guess_positions: std::ptr::null(),
             guess_rotations: std::ptr::null(),

@@ -41,6 +41,20 @@ pub struct PeriodicOptions {
     pub guess: InitialGuess,
 }
 
+impl PeriodicOptions {
+    /// The defaults, on a grid of this many points.
+    pub fn with_grid_points(grid_points: usize) -> Self {
+        PeriodicOptions {
+            grid_points,
+            newton: NewtonOptions {
+                tolerance: 1e-9,
+                iteration_limit: 30,
+            },
+            guess: InitialGuess::Default,
+        }
+    }
+}
+
 /// Result of a periodic solve: the last state, converged or not, and how it was reached.
 #[derive(Debug, Clone)]
 pub struct PeriodicSolve {
