@@ -114,6 +114,11 @@
 #define PDN_ERR_CALLBACK -201
 
 /**
+ * A result is too large to be a number.
+ */
+#define PDN_ERR_OVERFLOW -202
+
+/**
  * Out of memory.
  */
 #define PDN_ERR_MEMORY -900
@@ -1552,7 +1557,8 @@ pdn_status pdn_solution_grid_times(const struct pdn_solution *solution,
  * @param times  array of length [count]: times, also outside the first period
  * @param count  number of times
  * @param out  array of shape 3 x [count], coordinates of each time together, inertial frame \[length\]
- * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_ID, PDN_ERR_GRID_TOO_COARSE
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_ID, PDN_ERR_GRID_TOO_COARSE,
+ *     PDN_ERR_OVERFLOW
  *
  * Threads: like `const`.
  * @since 0.1
@@ -1573,7 +1579,8 @@ pdn_status pdn_solution_node_position(const struct pdn_solution *solution,
  * @param count  number of times
  * @param out  array of shape 9 x [count]: of each time the three columns, which are the node's axes in
  *     the inertial frame
- * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_ID, PDN_ERR_GRID_TOO_COARSE
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_ID, PDN_ERR_GRID_TOO_COARSE,
+ *     PDN_ERR_OVERFLOW
  *
  * Threads: like `const`.
  * @since 0.1
@@ -1594,7 +1601,8 @@ pdn_status pdn_solution_node_rotation(const struct pdn_solution *solution,
  * @param count  number of times
  * @param out  array of shape 4 x [count]: (w, x, y, z) of each time, from the inertial to the node's frame;
  *     w is not negative at the first time, and the sign is continuous from one time to the next
- * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_ID, PDN_ERR_GRID_TOO_COARSE
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_ID, PDN_ERR_GRID_TOO_COARSE,
+ *     PDN_ERR_OVERFLOW
  *
  * Threads: like `const`.
  * @since 0.1
@@ -1617,7 +1625,8 @@ pdn_status pdn_solution_node_quaternion(const struct pdn_solution *solution,
  * @param count  number of times
  * @param out  array of shape 6 x [count]: linear, then angular velocity of each time
  * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_ID, PDN_ERR_VALUE,
- *     PDN_ERR_GRID_TOO_COARSE
+ *     PDN_ERR_GRID_TOO_COARSE,
+ *     PDN_ERR_OVERFLOW
  *
  * Threads: like `const`.
  * @since 0.1
@@ -1641,7 +1650,8 @@ pdn_status pdn_solution_node_velocity(const struct pdn_solution *solution,
  * @param count  number of times
  * @param out  array of shape 6 x [count]: linear, then angular acceleration of each time
  * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_ID, PDN_ERR_VALUE,
- *     PDN_ERR_GRID_TOO_COARSE
+ *     PDN_ERR_GRID_TOO_COARSE,
+ *     PDN_ERR_OVERFLOW
  *
  * Threads: like `const`.
  * @since 0.1
@@ -1664,7 +1674,8 @@ pdn_status pdn_solution_node_acceleration(const struct pdn_solution *solution,
  * @param count  number of times
  * @param out  array of length [count] \[rad\]
  * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_ID, PDN_ERR_VALUE,
- *     PDN_ERR_NOT_AVAILABLE (the joint has no such coordinate)
+ *     PDN_ERR_NOT_AVAILABLE (the joint has no such coordinate),
+ *     PDN_ERR_OVERFLOW
  *
  * Threads: like `const`.
  * @since 0.1
@@ -1687,7 +1698,8 @@ pdn_status pdn_solution_joint_coordinate(const struct pdn_solution *solution,
  * @param count  number of times
  * @param out  array of length [count] \[rad per unit of time\]
  * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_ID, PDN_ERR_VALUE,
- *     PDN_ERR_NOT_AVAILABLE (the joint has no such coordinate)
+ *     PDN_ERR_NOT_AVAILABLE (the joint has no such coordinate),
+ *     PDN_ERR_OVERFLOW
  *
  * Threads: like `const`.
  * @since 0.1
@@ -1710,7 +1722,8 @@ pdn_status pdn_solution_joint_rate(const struct pdn_solution *solution,
  * @param count  number of times
  * @param out  array of length [count] \[rad per unit of time squared\]
  * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_ID, PDN_ERR_VALUE,
- *     PDN_ERR_NOT_AVAILABLE (the joint has no such coordinate)
+ *     PDN_ERR_NOT_AVAILABLE (the joint has no such coordinate),
+ *     PDN_ERR_OVERFLOW
  *
  * Threads: like `const`.
  * @since 0.1
@@ -1736,7 +1749,8 @@ pdn_status pdn_solution_joint_acceleration(const struct pdn_solution *solution,
  * @param count  number of times
  * @param out  array of length [count] \[force x length\]
  * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_ID, PDN_ERR_VALUE,
- *     PDN_ERR_NOT_AVAILABLE (no such coordinate, or it is not prescribed)
+ *     PDN_ERR_NOT_AVAILABLE (no such coordinate, or it is not prescribed),
+ *     PDN_ERR_OVERFLOW
  *
  * Threads: like `const`.
  * @since 0.1
@@ -1761,7 +1775,8 @@ pdn_status pdn_solution_joint_driving_effort(const struct pdn_solution *solution
  * @param times  array of length [count]: times, also outside the first period
  * @param count  number of times
  * @param out  array of shape 6 x [count]: force, then moment of each time
- * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_ID, PDN_ERR_VALUE
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_ID, PDN_ERR_VALUE,
+ *     PDN_ERR_OVERFLOW
  *
  * Threads: like `const`.
  * @since 0.1
@@ -1786,7 +1801,8 @@ pdn_status pdn_solution_joint_reaction(const struct pdn_solution *solution,
  * @param times  array of length [count]: times, also outside the first period
  * @param count  number of times
  * @param out  array of shape 6 x [count]
- * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_ID, PDN_ERR_VALUE
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_ID, PDN_ERR_VALUE,
+ *     PDN_ERR_OVERFLOW
  *
  * Threads: like `const`.
  * @since 0.1
@@ -1812,7 +1828,8 @@ pdn_status pdn_solution_beam_strain(const struct pdn_solution *solution,
  * @param times  array of length [count]: times, also outside the first period
  * @param count  number of times
  * @param out  array of shape 6 x [count]
- * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_ID, PDN_ERR_VALUE
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_ID, PDN_ERR_VALUE,
+ *     PDN_ERR_OVERFLOW
  *
  * Threads: like `const`.
  * @since 0.1
@@ -1838,7 +1855,8 @@ pdn_status pdn_solution_beam_force(const struct pdn_solution *solution,
  * @param cosines  array of shape C x [harmonics], components of each harmonic together; may be NULL
  * @param sines  as cosines; may be NULL
  * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_SIZE, PDN_ERR_ID, PDN_ERR_VALUE,
- *     PDN_ERR_NOT_AVAILABLE (the quaternion of a node that makes an odd number of turns)
+ *     PDN_ERR_NOT_AVAILABLE (the quaternion of a node that makes an odd number of turns),
+ *     PDN_ERR_OVERFLOW
  *
  * Threads: like `const`.
  * @since 0.1
@@ -1864,7 +1882,8 @@ pdn_status pdn_solution_node_harmonics(const struct pdn_solution *solution,
  * @param rate  array of length C: growth per unit of time, of an angle that gains turns; may be NULL
  * @param cosines  array of shape C x [harmonics], components of each harmonic together; may be NULL
  * @param sines  as cosines; may be NULL
- * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_SIZE, PDN_ERR_ID, PDN_ERR_VALUE, PDN_ERR_NOT_AVAILABLE
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_SIZE, PDN_ERR_ID, PDN_ERR_VALUE, PDN_ERR_NOT_AVAILABLE,
+ *     PDN_ERR_OVERFLOW
  *
  * Threads: like `const`.
  * @since 0.1
@@ -1891,7 +1910,8 @@ pdn_status pdn_solution_joint_harmonics(const struct pdn_solution *solution,
  * @param mean  array of length 6; may be NULL
  * @param cosines  array of shape 6 x [harmonics], components of each harmonic together; may be NULL
  * @param sines  as cosines; may be NULL
- * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_SIZE, PDN_ERR_ID, PDN_ERR_VALUE
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_SIZE, PDN_ERR_ID, PDN_ERR_VALUE,
+ *     PDN_ERR_OVERFLOW
  *
  * Threads: like `const`.
  * @since 0.1

@@ -29,6 +29,8 @@ pub enum ErrorKind {
     GridTooCoarse,
     /// A user's callback reported failure or gave a number that is not finite.
     Callback,
+    /// A result is too large to be a number.
+    Overflow,
     /// Memory could not be had.
     OutOfMemory,
     /// A defect of the library: a panic was caught at the C boundary.
@@ -39,7 +41,7 @@ pub enum ErrorKind {
 
 impl ErrorKind {
     /// All kinds, in the order of their codes.
-    pub const ALL: [ErrorKind; 14] = [
+    pub const ALL: [ErrorKind; 15] = [
         ErrorKind::Null,
         ErrorKind::NotFinite,
         ErrorKind::Size,
@@ -51,6 +53,7 @@ impl ErrorKind {
         ErrorKind::NotPeriodic,
         ErrorKind::GridTooCoarse,
         ErrorKind::Callback,
+        ErrorKind::Overflow,
         ErrorKind::OutOfMemory,
         ErrorKind::Panic,
         ErrorKind::Poisoned,
@@ -97,6 +100,11 @@ impl ErrorKind {
                 -201,
                 "PDN_ERR_CALLBACK",
                 "a callback failed or returned a number that is not finite",
+            ),
+            ErrorKind::Overflow => (
+                -202,
+                "PDN_ERR_OVERFLOW",
+                "a result is too large to be a number",
             ),
             ErrorKind::OutOfMemory => (-900, "PDN_ERR_MEMORY", "out of memory"),
             ErrorKind::Panic => (

@@ -419,7 +419,8 @@ fn node_sampled(
 /// @param times  array of length [count]: times, also outside the first period
 /// @param count  number of times
 /// @param out  array of shape 3 x [count], coordinates of each time together, inertial frame \[length\]
-/// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_ID, PDN_ERR_GRID_TOO_COARSE
+/// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_ID, PDN_ERR_GRID_TOO_COARSE,
+///     PDN_ERR_OVERFLOW
 ///
 /// Threads: like `const`.
 /// @since 0.1
@@ -450,7 +451,8 @@ pub unsafe extern "C" fn pdn_solution_node_position(
 /// @param count  number of times
 /// @param out  array of shape 9 x [count]: of each time the three columns, which are the node's axes in
 ///     the inertial frame
-/// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_ID, PDN_ERR_GRID_TOO_COARSE
+/// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_ID, PDN_ERR_GRID_TOO_COARSE,
+///     PDN_ERR_OVERFLOW
 ///
 /// Threads: like `const`.
 /// @since 0.1
@@ -481,7 +483,8 @@ pub unsafe extern "C" fn pdn_solution_node_rotation(
 /// @param count  number of times
 /// @param out  array of shape 4 x [count]: (w, x, y, z) of each time, from the inertial to the node's frame;
 ///     w is not negative at the first time, and the sign is continuous from one time to the next
-/// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_ID, PDN_ERR_GRID_TOO_COARSE
+/// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_ID, PDN_ERR_GRID_TOO_COARSE,
+///     PDN_ERR_OVERFLOW
 ///
 /// Threads: like `const`.
 /// @since 0.1
@@ -526,7 +529,8 @@ fn in_frame(frame: i32, space: NodeQuantity, material: NodeQuantity) -> Result<N
 /// @param count  number of times
 /// @param out  array of shape 6 x [count]: linear, then angular velocity of each time
 /// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_ID, PDN_ERR_VALUE,
-///     PDN_ERR_GRID_TOO_COARSE
+///     PDN_ERR_GRID_TOO_COARSE,
+///     PDN_ERR_OVERFLOW
 ///
 /// Threads: like `const`.
 /// @since 0.1
@@ -557,7 +561,8 @@ pub unsafe extern "C" fn pdn_solution_node_velocity(
 /// @param count  number of times
 /// @param out  array of shape 6 x [count]: linear, then angular acceleration of each time
 /// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_ID, PDN_ERR_VALUE,
-///     PDN_ERR_GRID_TOO_COARSE
+///     PDN_ERR_GRID_TOO_COARSE,
+///     PDN_ERR_OVERFLOW
 ///
 /// Threads: like `const`.
 /// @since 0.1
@@ -634,7 +639,8 @@ fn joint_sampled(
 /// @param count  number of times
 /// @param out  array of length [count] \[rad\]
 /// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_ID, PDN_ERR_VALUE,
-///     PDN_ERR_NOT_AVAILABLE (the joint has no such coordinate)
+///     PDN_ERR_NOT_AVAILABLE (the joint has no such coordinate),
+///     PDN_ERR_OVERFLOW
 ///
 /// Threads: like `const`.
 /// @since 0.1
@@ -668,7 +674,8 @@ pub unsafe extern "C" fn pdn_solution_joint_coordinate(
 /// @param count  number of times
 /// @param out  array of length [count] \[rad per unit of time\]
 /// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_ID, PDN_ERR_VALUE,
-///     PDN_ERR_NOT_AVAILABLE (the joint has no such coordinate)
+///     PDN_ERR_NOT_AVAILABLE (the joint has no such coordinate),
+///     PDN_ERR_OVERFLOW
 ///
 /// Threads: like `const`.
 /// @since 0.1
@@ -702,7 +709,8 @@ pub unsafe extern "C" fn pdn_solution_joint_rate(
 /// @param count  number of times
 /// @param out  array of length [count] \[rad per unit of time squared\]
 /// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_ID, PDN_ERR_VALUE,
-///     PDN_ERR_NOT_AVAILABLE (the joint has no such coordinate)
+///     PDN_ERR_NOT_AVAILABLE (the joint has no such coordinate),
+///     PDN_ERR_OVERFLOW
 ///
 /// Threads: like `const`.
 /// @since 0.1
@@ -739,7 +747,8 @@ pub unsafe extern "C" fn pdn_solution_joint_acceleration(
 /// @param count  number of times
 /// @param out  array of length [count] \[force x length\]
 /// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_ID, PDN_ERR_VALUE,
-///     PDN_ERR_NOT_AVAILABLE (no such coordinate, or it is not prescribed)
+///     PDN_ERR_NOT_AVAILABLE (no such coordinate, or it is not prescribed),
+///     PDN_ERR_OVERFLOW
 ///
 /// Threads: like `const`.
 /// @since 0.1
@@ -775,7 +784,8 @@ pub unsafe extern "C" fn pdn_solution_joint_driving_effort(
 /// @param times  array of length [count]: times, also outside the first period
 /// @param count  number of times
 /// @param out  array of shape 6 x [count]: force, then moment of each time
-/// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_ID, PDN_ERR_VALUE
+/// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_ID, PDN_ERR_VALUE,
+///     PDN_ERR_OVERFLOW
 ///
 /// Threads: like `const`.
 /// @since 0.1
@@ -811,7 +821,8 @@ pub unsafe extern "C" fn pdn_solution_joint_reaction(
 /// @param times  array of length [count]: times, also outside the first period
 /// @param count  number of times
 /// @param out  array of shape 6 x [count]
-/// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_ID, PDN_ERR_VALUE
+/// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_ID, PDN_ERR_VALUE,
+///     PDN_ERR_OVERFLOW
 ///
 /// Threads: like `const`.
 /// @since 0.1
@@ -847,7 +858,8 @@ pub unsafe extern "C" fn pdn_solution_beam_strain(
 /// @param times  array of length [count]: times, also outside the first period
 /// @param count  number of times
 /// @param out  array of shape 6 x [count]
-/// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_ID, PDN_ERR_VALUE
+/// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_ID, PDN_ERR_VALUE,
+///     PDN_ERR_OVERFLOW
 ///
 /// Threads: like `const`.
 /// @since 0.1
@@ -943,7 +955,8 @@ fn harmonics_of(
 /// @param cosines  array of shape C x [harmonics], components of each harmonic together; may be NULL
 /// @param sines  as cosines; may be NULL
 /// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_SIZE, PDN_ERR_ID, PDN_ERR_VALUE,
-///     PDN_ERR_NOT_AVAILABLE (the quaternion of a node that makes an odd number of turns)
+///     PDN_ERR_NOT_AVAILABLE (the quaternion of a node that makes an odd number of turns),
+///     PDN_ERR_OVERFLOW
 ///
 /// Threads: like `const`.
 /// @since 0.1
@@ -994,7 +1007,8 @@ pub unsafe extern "C" fn pdn_solution_node_harmonics(
 /// @param rate  array of length C: growth per unit of time, of an angle that gains turns; may be NULL
 /// @param cosines  array of shape C x [harmonics], components of each harmonic together; may be NULL
 /// @param sines  as cosines; may be NULL
-/// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_SIZE, PDN_ERR_ID, PDN_ERR_VALUE, PDN_ERR_NOT_AVAILABLE
+/// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_SIZE, PDN_ERR_ID, PDN_ERR_VALUE, PDN_ERR_NOT_AVAILABLE,
+///     PDN_ERR_OVERFLOW
 ///
 /// Threads: like `const`.
 /// @since 0.1
@@ -1036,7 +1050,8 @@ pub unsafe extern "C" fn pdn_solution_joint_harmonics(
 /// @param mean  array of length 6; may be NULL
 /// @param cosines  array of shape 6 x [harmonics], components of each harmonic together; may be NULL
 /// @param sines  as cosines; may be NULL
-/// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_SIZE, PDN_ERR_ID, PDN_ERR_VALUE
+/// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_SIZE, PDN_ERR_ID, PDN_ERR_VALUE,
+///     PDN_ERR_OVERFLOW
 ///
 /// Threads: like `const`.
 /// @since 0.1

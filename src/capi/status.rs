@@ -33,6 +33,8 @@ pub const PDN_ERR_NOT_PERIODIC: i32 = -101;
 pub const PDN_ERR_GRID_TOO_COARSE: i32 = -200;
 /// A callback failed or returned a number that is not finite.
 pub const PDN_ERR_CALLBACK: i32 = -201;
+/// A result is too large to be a number.
+pub const PDN_ERR_OVERFLOW: i32 = -202;
 /// Out of memory.
 pub const PDN_ERR_MEMORY: i32 = -900;
 /// Internal error, a defect of the library.

@@ -98,6 +98,7 @@ pub fn residual_between(
             .max(f.fixed_rows::<3>(3).amax() / length)
     };
     let (mut residual, mut level, mut constraint) = (0.0f64, 0.0f64, 0.0f64);
+    let mut overflow = false;
     for k in 0..points {
         let time = grid.time(k) + 0.5 * grid.period() / points as f64;
         weights.move_to(time);
@@ -125,6 +126,11 @@ pub fn residual_between(
         for placed in system.elements() {
             let own = &multipliers[placed.first_multiplier..][..placed.element.multipliers()];
             let out = system.evaluate(placed, |n| states[n], &conditions, own, &mut workspace)?;
+            overflow |= !out
+                .force
+                .iter()
+                .chain(&out.constraint)
+                .all(|x| x.is_finite());
             for (local, &node) in placed.element.nodes().iter().enumerate() {
                 let force = out.force.fixed_rows::<6>(6 * local).into_owned();
                 level = level.max(size(&force));
@@ -141,8 +147,17 @@ pub fn residual_between(
         }
         residual = sums.iter().fold(residual, |r, f| r.max(size(f)));
     }
+    let relative = if level > 0.0 { residual / level } else { 0.0 };
+    // Forces beyond any number say nothing, and say so.
+    let known = |x: f64| {
+        if overflow || !x.is_finite() {
+            f64::INFINITY
+        } else {
+            x
+        }
+    };
     Ok(ResidualBetween {
-        force: if level > 0.0 { residual / level } else { 0.0 },
-        constraint,
+        force: known(relative),
+        constraint: known(constraint),
     })
 }

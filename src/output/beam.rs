@@ -41,11 +41,8 @@ impl Solution {
         quantity: BeamQuantity,
         times: &[f64],
     ) -> Result<Vec<f64>> {
-        Ok(sample(
-            &self.beam_series(element, station, quantity)?,
-            times,
-            0,
-        ))
+        let series = self.beam_series(element, station, quantity)?;
+        Self::finite("beam", sample(&series, times, 0))
     }
 
     /// Fourier series of the six components of a quantity at a station of a beam element.

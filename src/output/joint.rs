@@ -65,7 +65,7 @@ impl Solution {
             }
             _ => self.joint_series(joint, quantity)?,
         };
-        Ok(sample(&series, times, order))
+        Self::finite("joint", sample(&series, times, order))
     }
 
     /// Fourier series of each component of a quantity of a joint.

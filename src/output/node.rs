@@ -103,7 +103,7 @@ impl Solution {
         self.each_node_state(node, times, |state| {
             quantity.push(state, &mut last, &mut out)
         })?;
-        Ok(out)
+        Self::finite("node", out)
     }
 
     /// Fourier series of each component of a quantity of a node, through its values on the grid.

@@ -169,6 +169,15 @@ impl Solution {
             .collect()
     }
 
+    /// Passes on values that are numbers: absurd models may converge, yet strain beyond any.
+    pub(super) fn finite(what: &str, values: Vec<f64>) -> Result<Vec<f64>> {
+        if values.iter().all(|x| x.is_finite()) {
+            return Ok(values);
+        }
+        let message = format!("{what}: the result is too large to be a number");
+        Err(Error::new(ErrorKind::Overflow, message))
+    }
+
     /// Interpolates `components` values, given at each grid point, by one series for each component.
     pub(super) fn series_of(
         &self,
@@ -176,7 +185,9 @@ impl Solution {
         values: impl Fn(usize) -> Result<Vec<f64>>,
     ) -> Result<Vec<PeriodicSeries>> {
         let points = self.solve.grid.points();
-        let rows: Vec<Vec<f64>> = (0..points).map(values).collect::<Result<_>>()?;
+        let rows: Vec<Vec<f64>> = (0..points)
+            .map(|k| Self::finite("harmonics", values(k)?))
+            .collect::<Result<_>>()?;
         Ok((0..components)
             .map(|i| {
                 let column: Vec<f64> = rows.iter().map(|row| row[i]).collect();

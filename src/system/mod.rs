@@ -170,6 +170,13 @@ impl System {
             system.gravity = Some(numbers);
         }
         system.scales = Scales::of(&system)?;
+        let Scales { length, force, .. } = system.scales;
+        if !(length.is_finite() && force.is_finite() && force * length < f64::MAX) {
+            return Err(Error::new(
+                ErrorKind::Model,
+                "model: its sizes, stiffnesses and masses are too far apart to compute with",
+            ));
+        }
         Ok(system)
     }
 
