@@ -129,6 +129,20 @@ impl Newton {
             .fold(0.0, |m: f64, x| m.max(x.abs()))
     }
 
+    /// Largest increment of a multiplier in scaled unknowns, relative to the largest multiplier.
+    fn multiplier_change(&self, scaled: &[f64], state: &GridState) -> f64 {
+        let first = scaled.len() - state.multipliers.len();
+        let scales = &self.equations.column_scale()[first..];
+        let change = scaled[first..].iter().fold(0.0, |m: f64, x| m.max(x.abs()));
+        let values = state.multipliers.iter().zip(scales);
+        let largest = values.fold(0.0, |m: f64, (x, s)| m.max((x / s).abs()));
+        if change == 0.0 {
+            0.0
+        } else {
+            change / largest.max(change)
+        }
+    }
+
     fn largest_turn(&self, scaled: &[f64]) -> f64 {
         let motions = 6 * self.equations.system().nodes() * self.equations.grid().points();
         scaled[..motions]
@@ -253,6 +267,32 @@ impl Newton {
             }
             if !keep_going {
                 report.outcome = Outcome::Cancelled;
+                return Ok(report);
+            }
+            // After a full step the simplified increment is the next one, up to a part of the order of
+            // the last increment: if what that leaves is small enough, there is no need to factor again.
+            let simplified = self.motion_norm(&step_vector);
+            let left = increment * self.multiplier_change(&step_vector, state);
+            if step == 1.0
+                && simplified.max(left) <= options.tolerance
+                && number < options.iteration_limit
+            {
+                let scales = self.equations.column_scale();
+                let last: Vec<f64> = step_vector
+                    .iter()
+                    .zip(scales)
+                    .map(|(x, s)| -x * s)
+                    .collect();
+                *state = state.incremented(&system, &last, 1.0);
+                let iteration = Iteration {
+                    number: number + 1,
+                    residual: residual.iter().fold(0.0, |m, x| m.max(x.abs())),
+                    increment: simplified,
+                    step: 1.0,
+                };
+                report.iterations.push(iteration);
+                observe(&iteration);
+                report.outcome = Outcome::Converged;
                 return Ok(report);
             }
         }
