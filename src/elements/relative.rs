@@ -206,15 +206,6 @@ impl JointKind {
         index < 3
     }
 
-    /// Whether the closed joint is the one meant: the constraints alone also allow flipped axes.
-    pub fn is_flipped(self, z: &RelativeMotion) -> bool {
-        match self {
-            JointKind::Rigid => z.rotation.trace() < 1.0,
-            JointKind::Revolute => z.rotation[(2, 2)] < 0.0,
-            JointKind::Universal | JointKind::Spherical => false,
-        }
-    }
-
     /// Joint coordinate `which`, an angle in `(−π, π]`. The joint must have it.
     pub fn coordinate(self, which: Coordinate, z: &RelativeMotion) -> ScalarFunction {
         let cosine = |a, b| ScalarFunction::cosine(z, a, b);

@@ -115,7 +115,7 @@ impl Solution {
         let points = self.grid().points();
         let mut last = None;
         let mut rows = Vec::with_capacity(points);
-        for state in &self.states[node * points..][..points] {
+        for state in &self.solve.node_states[node * points..][..points] {
             let mut row = Vec::new();
             quantity.push(state, &mut last, &mut row);
             rows.push(row);

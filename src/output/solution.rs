@@ -1,7 +1,7 @@
 //! A periodic solution: the state at the grid points and what is needed to evaluate it anywhere.
 
 use super::diagnostics::Diagnostics;
-use crate::collocation::{Collocation, GridState};
+use crate::collocation::GridState;
 use crate::elements::{Element, NodeState};
 use crate::error::{Error, ErrorKind, Result};
 use crate::fourier::{PeriodicSeries, TimeGrid};
@@ -13,8 +13,6 @@ use crate::solve::{Iteration, Outcome, PeriodicOptions, PeriodicSolve, Stage, so
 pub struct Solution {
     pub(super) model: Model,
     pub(super) solve: PeriodicSolve,
-    /// Node states at the grid points, node by node.
-    pub(super) states: Vec<NodeState>,
     /// Value of each prescribed coordinate at time zero: a signal's function is not called any more.
     pub(super) prescribed_start: Vec<f64>,
     diagnostics: Diagnostics,
@@ -29,9 +27,6 @@ impl Solution {
         observe: &mut dyn FnMut(Stage, &Iteration) -> bool,
     ) -> Result<Self> {
         let solve = solve_periodic(model, period, options, observe)?;
-        let mut equations = Collocation::new(solve.system.clone(), solve.grid)?;
-        equations.update_kinematics(&solve.state);
-        let states = equations.node_states().to_vec();
         let diagnostics = Diagnostics::of(&solve)?;
         let starts = model
             .prescribed
@@ -41,7 +36,6 @@ impl Solution {
             prescribed_start: starts.collect::<Result<_>>()?,
             model: model.clone(),
             solve,
-            states,
             diagnostics,
         };
         solution.require_periodic_springs()?;
@@ -165,7 +159,7 @@ impl Solution {
         element
             .nodes()
             .iter()
-            .map(|&n| self.states[n * points + k])
+            .map(|&n| self.solve.node_states[n * points + k])
             .collect()
     }
 

@@ -4,6 +4,7 @@ use super::guess::quasi_static;
 use super::march::march_to_periodic;
 use super::newton::{Iteration, Newton, NewtonOptions, NewtonReport, Outcome, Timings};
 use crate::collocation::{Collocation, GridState};
+use crate::elements::NodeState;
 use crate::error::{Error, Result};
 use crate::fourier::TimeGrid;
 use crate::model::Model;
@@ -64,6 +65,8 @@ pub struct PeriodicSolve {
     pub grid: TimeGrid,
     /// States at the grid points.
     pub state: GridState,
+    /// Motions with their velocities and accelerations at the grid points, node by node.
+    pub node_states: Vec<NodeState>,
     /// Outcome and history of the last Newton solve of the periodic problem.
     pub report: NewtonReport,
     /// Newton iterations spent on the initial guess, each at a single instant.
@@ -130,9 +133,11 @@ pub fn solve_periodic(
         InitialGuess::State(state) => attempts.newton(state.clone())?,
         InitialGuess::Default => attempts.find()?,
     };
+    attempts.newton.equations.update_kinematics(&state);
     Ok(PeriodicSolve {
         system,
         grid,
+        node_states: attempts.newton.equations.node_states().to_vec(),
         state,
         report,
         guess_iterations: attempts.guess_iterations,
