@@ -82,6 +82,7 @@ fn beam_element(bencher: Bencher, (count, with_tangents): (usize, bool)) {
         let instant = Instant {
             nodes: black_box(&states),
             multipliers: &[],
+            multiplier_rates: &[],
             signals: &[],
             coordinates: &[],
             gravity: Vector3::zeros(),

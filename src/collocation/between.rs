@@ -1,11 +1,11 @@
 //! The equations between grid points: where aliasing shows, since collocation does not look there.
 
 use super::state::GridState;
-use crate::elements::NodeState;
+use crate::elements::{Measure, NodeState, Unknown};
 use crate::error::{Error, ErrorKind, Result};
 use crate::fourier::{CardinalWeights, TimeGrid};
 use crate::motion::{DualMatrix, DualPolar, Motion};
-use crate::system::{Conditions, System};
+use crate::system::{Conditions, OwnValues, System};
 use nalgebra::Vector3;
 
 /// A node's motions over the grid, ready to be interpolated (section 4).
@@ -88,6 +88,7 @@ pub fn residual_between(
     let mut workspace = system.workspace(false);
     let mut signals = vec![0.0; system.signals()];
     let mut multipliers = vec![0.0; system.multipliers()];
+    let mut rates = vec![0.0; system.multipliers()];
     let mut states = Vec::with_capacity(nodes.len());
     let mut sums = vec![nalgebra::Vector6::<f64>::zeros(); nodes.len()];
     let length = system.scales().length;
@@ -112,9 +113,20 @@ pub fn residual_between(
         system.signal_values(time, 1.0, &mut signals)?;
         for placed in system.elements() {
             for row in 0..placed.element.multipliers() {
-                multipliers[placed.first_multiplier + row] = (0..points)
-                    .map(|l| weights.value[l] * state.multipliers_of(placed, l)[row])
-                    .sum();
+                let place = placed.first_multiplier + row;
+                let gain = state.gain(system, placed, row);
+                let fraction = time / grid.period();
+                let (mut value, mut rate) = (gain * fraction, gain / grid.period());
+                for l in 0..points {
+                    let steady = gain * l as f64 / points as f64;
+                    let periodic = state.multipliers_of(placed, l)[row] - steady;
+                    value += weights.value[l] * periodic;
+                    rate += weights.first[l] * periodic;
+                }
+                multipliers[place] = value;
+                if placed.has_states {
+                    rates[place] = rate;
+                }
             }
         }
         sums.fill(nalgebra::Vector6::zeros());
@@ -124,7 +136,12 @@ pub fn residual_between(
             inertia_factor: 1.0,
         };
         for placed in system.elements() {
-            let own = &multipliers[placed.first_multiplier..][..placed.element.multipliers()];
+            let range =
+                placed.first_multiplier..placed.first_multiplier + placed.element.multipliers();
+            let own = OwnValues {
+                values: &multipliers[range.clone()],
+                rates: &rates[range],
+            };
             let out = system.evaluate(placed, |n| states[n], &conditions, own, &mut workspace)?;
             overflow |= !out
                 .force
@@ -137,12 +154,22 @@ pub fn residual_between(
                 sums[node] += force;
             }
             for (row, violation) in out.constraint.iter().enumerate() {
-                let scale = if system.constrains_length(placed.first_multiplier + row) {
-                    length
-                } else {
-                    1.0
-                };
-                constraint = constraint.max(violation.abs() / scale);
+                match system.unknown(placed.first_multiplier + row) {
+                    Unknown::Multiplier(Measure::Length) => {
+                        constraint = constraint.max(violation.abs() / length);
+                    }
+                    Unknown::Multiplier(Measure::Angle) => {
+                        constraint = constraint.max(violation.abs())
+                    }
+                    // Internal states are balanced by forces and moments.
+                    Unknown::State { measure, .. } => {
+                        let scale = match measure {
+                            Measure::Length => 1.0,
+                            Measure::Angle => length,
+                        };
+                        residual = residual.max(violation.abs() / scale);
+                    }
+                }
             }
         }
         residual = sums.iter().fold(residual, |r, f| r.max(size(f)));

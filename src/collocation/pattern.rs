@@ -1,5 +1,5 @@
-//! Sparsity of the Jacobian: dense in time within and between nodes coupled by inertia or damping,
-//! diagonal in time everywhere else.
+//! Sparsity of the Jacobian: dense in time within and between nodes coupled by inertia or damping, and
+//! within internal states; diagonal in time everywhere else.
 
 use crate::elements::Element;
 use crate::system::System;
@@ -41,6 +41,8 @@ pub struct Pattern {
     constraint_offsets: Vec<Vec<usize>>,
     /// Place, within a column of the element's multipliers, of each local node's rows.
     force_offsets: Vec<Vec<usize>>,
+    /// Place, within a column of the element's multipliers, of its own rows.
+    own_offsets: Vec<usize>,
     column_pointers: Vec<usize>,
     row_indices: Vec<usize>,
 }
@@ -79,6 +81,7 @@ impl Pattern {
                 .map(|p| vec![0; p.element.nodes().len()])
                 .collect(),
             force_offsets: Vec::new(),
+            own_offsets: Vec::new(),
             column_pointers: vec![0],
             row_indices: Vec::new(),
         };
@@ -130,7 +133,7 @@ impl Pattern {
             pattern.pairs.push(pairs);
         }
         for placed in system.elements() {
-            pattern.add_multiplier_columns(placed.element.as_ref());
+            pattern.add_multiplier_columns(placed.element.as_ref(), placed.has_states);
         }
         pattern
     }
@@ -145,7 +148,7 @@ impl Pattern {
         }
     }
 
-    fn add_multiplier_columns(&mut self, element: &dyn Element) {
+    fn add_multiplier_columns(&mut self, element: &dyn Element, has_states: bool) {
         // Rows ascend with the node's index, whatever the element's own order.
         let mut order: Vec<usize> = (0..element.nodes().len()).collect();
         order.sort_by_key(|&local| element.nodes()[local]);
@@ -154,13 +157,23 @@ impl Pattern {
             offsets[local] = 6 * place;
         }
         self.force_offsets.push(offsets);
-        let group = self.next_group(6 * order.len(), self.points * element.multipliers());
+        // Internal states couple with themselves at all times, a multiplier's own entry regularises it.
+        let count = self.points * element.multipliers();
+        let own_rows = if has_states { count } else { 1 };
+        let group = self.next_group(6 * order.len() + own_rows, count);
+        let own = group.columns.clone();
+        self.own_offsets.push(6 * order.len());
         self.multipliers.push(group);
         for k in 0..self.points {
             for _ in 0..element.multipliers() {
                 for &local in &order {
                     let first = 6 * (self.points * element.nodes()[local] + k);
                     self.row_indices.extend(first..first + 6);
+                }
+                if has_states {
+                    self.row_indices.extend(own.clone());
+                } else {
+                    self.row_indices.push(self.column_pointers.len() - 1);
                 }
                 self.column_pointers.push(self.row_indices.len());
             }
@@ -243,6 +256,13 @@ impl Pattern {
         group.first_value
             + (6 * k + component) * group.length
             + self.constraint_offsets[element][local]
+    }
+
+    /// Position of an element's first own row in the column of its own unknown `row` of `count` at `k`:
+    /// all of them for internal states, that on the diagonal for multipliers.
+    pub fn own_value(&self, element: usize, k: usize, row: usize, count: usize) -> usize {
+        let group = &self.multipliers[element];
+        group.first_value + (count * k + row) * group.length + self.own_offsets[element]
     }
 
     /// Position of a local node's first row in the column of an element's multiplier `row` of `count`.

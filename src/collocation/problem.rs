@@ -3,11 +3,11 @@
 use super::kinematics::{BackwardRule, NodeKinematics};
 use super::pattern::Pattern;
 use super::state::GridState;
-use crate::elements::{Contribution, NodeState};
+use crate::elements::{Contribution, Measure, NodeState, Unknown};
 use crate::error::Result;
 use crate::fourier::{Differentiation, TimeGrid};
 use crate::motion::DualMatrix;
-use crate::system::{Conditions, Placed, System, Workspace};
+use crate::system::{Conditions, OwnValues, Placed, System, Workspace};
 use nalgebra::{Matrix3, Matrix6};
 use std::sync::Arc;
 
@@ -31,6 +31,8 @@ pub struct Collocation {
     row_scale: Vec<f64>,
     /// Scale of each column: scaled unknowns times it are the unknowns.
     column_scale: Vec<f64>,
+    /// Scaled compliance of all constraints in the Jacobian, for redundant ones.
+    regularisation: f64,
 }
 
 /// The system at each grid point.
@@ -43,6 +45,8 @@ struct Instants {
     inertia_factor: f64,
     /// Node `a` at grid point `k`, at `a N + k`.
     states: Vec<NodeState>,
+    /// Rates of internal states, in the order of the multipliers; zero for these.
+    rates: Vec<f64>,
 }
 
 impl Instants {
@@ -61,9 +65,12 @@ impl Instants {
             inertia_factor: self.inertia_factor,
         };
         let node_state = |node: usize| self.states[node * self.points + k];
-        let multipliers = state.multipliers_of(placed, k);
+        let own = OwnValues {
+            values: state.multipliers_of(placed, k),
+            rates: &self.rates[state.first_multiplier(placed, k)..][..placed.element.multipliers()],
+        };
         self.system
-            .evaluate(placed, node_state, &conditions, multipliers, workspace)
+            .evaluate(placed, node_state, &conditions, own, workspace)
     }
 }
 
@@ -94,9 +101,22 @@ impl Collocation {
             let count = placed.element.multipliers();
             for _ in 0..points {
                 for row in 0..count {
-                    let is_length = system.constrains_length(placed.first_multiplier + row);
-                    row_scale.push(if is_length { 1.0 / length } else { 1.0 });
-                    column_scale.push(if is_length { force } else { force * length });
+                    let scale = |measure: Measure| match measure {
+                        Measure::Length => (length, force),
+                        Measure::Angle => (1.0, force * length),
+                    };
+                    match system.unknown(placed.first_multiplier + row) {
+                        Unknown::Multiplier(measure) => {
+                            let (motion, effort) = scale(measure);
+                            row_scale.push(1.0 / motion);
+                            column_scale.push(effort);
+                        }
+                        Unknown::State { measure, .. } => {
+                            let (motion, effort) = scale(measure);
+                            row_scale.push(1.0 / effort);
+                            column_scale.push(motion);
+                        }
+                    }
                 }
             }
         }
@@ -108,7 +128,9 @@ impl Collocation {
                 signals: vec![0.0; system.signals() * points],
                 inertia_factor: 1.0,
                 states: Vec::new(),
+                rates: vec![0.0; system.multipliers() * points],
             },
+            regularisation: 0.0,
             past: None,
             kinematics: vec![NodeKinematics::default(); system.nodes()],
             forces_only: system.workspace(false),
@@ -165,6 +187,12 @@ impl Collocation {
         self.past = Some((rule, past));
     }
 
+    /// Gives all constraints a small (scaled) compliance in the Jacobian, not in the residual: where some
+    /// are redundant, the increments of the multipliers are then those of least norm.
+    pub fn set_regularisation(&mut self, compliance: f64) {
+        self.regularisation = compliance;
+    }
+
     /// `D_ℓk` and `T_ℓk`.
     fn weights(&self, l: usize, k: usize) -> (f64, f64) {
         match &self.past {
@@ -173,8 +201,9 @@ impl Collocation {
         }
     }
 
-    /// Evaluates velocities and accelerations at the grid points.
+    /// Evaluates velocities, accelerations and rates of internal states at the grid points.
     pub fn update_kinematics(&mut self, state: &GridState) {
+        self.update_rates(state);
         self.instants.states.clear();
         for (node, kinematics) in self.kinematics.iter_mut().enumerate() {
             let motions = state.node(node);
@@ -191,6 +220,34 @@ impl Collocation {
                     twist: kinematics.velocity(k).to_twist(),
                     twist_rate: kinematics.acceleration(k).to_twist(),
                 });
+            }
+        }
+    }
+
+    fn update_rates(&mut self, state: &GridState) {
+        let points = self.grid.points();
+        let (mut samples, mut rates) = (vec![0.0; points], vec![0.0; points]);
+        let mut unused = vec![0.0; points];
+        for placed in self.system.elements().iter().filter(|p| p.has_states) {
+            for row in 0..placed.element.multipliers() {
+                let value = |state: &GridState, k: usize| state.multipliers_of(placed, k)[row];
+                if let Some((rule, past)) = &self.past {
+                    rates[0] = rule.first[0] * value(state, 0);
+                    for (weight, past) in rule.first[1..].iter().zip(past) {
+                        rates[0] += weight * value(past, 0);
+                    }
+                } else {
+                    let gain = state.gain(&self.system, placed, row);
+                    for (k, sample) in samples.iter_mut().enumerate() {
+                        *sample = value(state, k) - gain * k as f64 / points as f64;
+                    }
+                    self.operators.apply(&samples, &mut rates, &mut unused);
+                    let steady = gain / self.grid.period();
+                    rates.iter_mut().for_each(|rate| *rate += steady);
+                }
+                for (k, rate) in rates.iter().enumerate() {
+                    self.instants.rates[state.first_multiplier(placed, k) + row] = *rate;
+                }
             }
         }
     }
@@ -251,6 +308,19 @@ impl Collocation {
                 *value *= column_scale * self.row_scale[row];
             }
         }
+        if self.regularisation != 0.0 {
+            for (index, placed) in self.system.elements().iter().enumerate() {
+                let count = placed.element.multipliers();
+                if placed.has_states {
+                    continue;
+                }
+                for k in 0..self.grid.points() {
+                    for row in 0..count {
+                        values[pattern.own_value(index, k, row, count)] = -self.regularisation;
+                    }
+                }
+            }
+        }
         Ok(())
     }
 
@@ -302,6 +372,24 @@ impl Collocation {
                         for component in 0..6 {
                             values[first + component] =
                                 contribution.gradient[(row, 6 * local + component)];
+                        }
+                    }
+                }
+                if placed.has_states {
+                    // Row ℓ is that of this grid point: ∂/∂λ_k + δ_ℓk, and D_ℓk times ∂/∂λ̇_ℓ.
+                    for column in 0..count {
+                        for other in 0..points {
+                            let d = match &self.past {
+                                Some((rule, _)) => rule.first[0],
+                                None => self.operators.first(k, other),
+                            };
+                            let first = pattern.own_value(index, other, column, count) + count * k;
+                            for row in 0..count {
+                                values[first + row] = d * contribution.own_rate[(row, column)];
+                                if other == k {
+                                    values[first + row] += contribution.own[(row, column)];
+                                }
+                            }
                         }
                     }
                 }

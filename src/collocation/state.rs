@@ -1,6 +1,6 @@
 //! The unknowns at all grid points.
 
-use crate::elements::NodeState;
+use crate::elements::{Measure, NodeState, Unknown, nearest_turn};
 use crate::fourier::TimeGrid;
 use crate::motion::Motion;
 use crate::system::{Placed, System};
@@ -65,8 +65,25 @@ impl GridState {
         &mut self.multipliers[first..][..placed.element.multipliers()]
     }
 
-    fn first_multiplier(&self, placed: &Placed, k: usize) -> usize {
+    /// Place of an element's first own unknown at grid point `k` among the multipliers.
+    pub fn first_multiplier(&self, placed: &Placed, k: usize) -> usize {
         placed.first_multiplier * self.points + placed.element.multipliers() * k
+    }
+
+    /// What an element's own unknown `row` gains in a period: whole turns, for the internal state of an
+    /// angle that does.
+    pub fn gain(&self, system: &System, placed: &Placed, row: usize) -> f64 {
+        match system.unknown(placed.first_multiplier + row) {
+            Unknown::State {
+                measure: Measure::Angle,
+                tracked,
+            } => {
+                let first = self.tracked(system, 0)[tracked];
+                let last = self.tracked(system, self.points - 1)[tracked];
+                nearest_turn(first, last) - first
+            }
+            _ => 0.0,
+        }
     }
 
     /// Writes all unknowns of grid point `k` from another state's grid point `from`.

@@ -1,7 +1,7 @@
 //! Joints between two frames, and joint coordinates prescribed by a signal (section 6).
 
 use super::relative::{Coordinate, JointKind, RelativeMotion, ScalarFunction};
-use super::{Contribution, Element, Instant, NodeState};
+use super::{Contribution, Element, Instant, NodeState, Unknown};
 use crate::error::Result;
 use crate::motion::{DualVector, Motion};
 use nalgebra::{Matrix6, Vector6};
@@ -218,6 +218,10 @@ impl Element for Joint {
         self.kind.constraints()
     }
 
+    fn unknown(&self, index: usize) -> Unknown {
+        Unknown::Multiplier(self.kind.measure(index))
+    }
+
     fn evaluate(&self, instant: &Instant, out: &mut Contribution) -> Result<()> {
         let state = self.pair.state(instant.nodes);
         for (row, multiplier) in instant.multipliers.iter().enumerate() {
@@ -261,6 +265,10 @@ impl Element for Prescribed {
 
     fn multipliers(&self) -> usize {
         1
+    }
+
+    fn unknown(&self, _index: usize) -> Unknown {
+        Unknown::Multiplier(self.coordinate.measure())
     }
 
     fn evaluate(&self, instant: &Instant, out: &mut Contribution) -> Result<()> {

@@ -53,8 +53,10 @@ impl NodeState {
 pub struct Instant<'a> {
     /// The element's nodes, in its own order.
     pub nodes: &'a [NodeState],
-    /// The element's Lagrange multipliers.
+    /// The element's own unknowns: Lagrange multipliers or internal states.
     pub multipliers: &'a [f64],
+    /// Rates of internal states; zero for multipliers.
+    pub multiplier_rates: &'a [f64],
     /// Values of all the model's signals at this time.
     pub signals: &'a [f64],
     /// Last known values of the tracked joint coordinates: they tell the turn an angle is in.
@@ -63,6 +65,30 @@ pub struct Instant<'a> {
     pub gravity: Vector3<f64>,
     /// Factor of the inertial forces: 1, or less on the way to a solution.
     pub inertia_factor: f64,
+}
+
+/// What a quantity measures.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Measure {
+    /// A length, conjugate to a force.
+    Length,
+    /// An angle, conjugate to a moment.
+    Angle,
+}
+
+/// What an element's own unknown is, and with it its equation.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Unknown {
+    /// Lagrange multiplier: a force that constrains a length, or a moment that constrains an angle.
+    Multiplier(Measure),
+    /// Internal state with a rate: an elongation or a turn, determined by a balance of the forces or
+    /// moments conjugate to it.
+    State {
+        /// Of the state itself.
+        measure: Measure,
+        /// Place of the tracked coordinate that an angle gains whole turns with.
+        tracked: usize,
+    },
 }
 
 /// Forces of an element, and their tangents, with respect to material increments of its nodes.
@@ -75,7 +101,7 @@ pub struct Contribution {
     pub with_tangents: bool,
     /// Force on each node, `[force; moment]` in the node's frame; length `6 n`.
     pub force: DVector<f64>,
-    /// Constraint violations; length `m`.
+    /// Constraint violations, or unbalance of internal states; length `m`.
     pub constraint: DVector<f64>,
     /// `∂force/∂u`, `6 n × 6 n`.
     pub stiffness: DMatrix<f64>,
@@ -85,6 +111,10 @@ pub struct Contribution {
     pub mass: DMatrix<f64>,
     /// `∂constraint/∂u`, `m × 6 n`; its transpose is `∂force/∂λ`.
     pub gradient: DMatrix<f64>,
+    /// `∂constraint/∂λ`, `m × m`, for internal states `λ`.
+    pub own: DMatrix<f64>,
+    /// `∂constraint/∂λ̇`, `m × m`, for internal states `λ`.
+    pub own_rate: DMatrix<f64>,
     /// Scratch of the beam kernel.
     beam_terms: Vec<beam::NodeTerms>,
 }
@@ -101,6 +131,8 @@ impl Contribution {
             damping: DMatrix::zeros(size, size),
             mass: DMatrix::zeros(size, size),
             gradient: DMatrix::zeros(multipliers, size),
+            own: DMatrix::zeros(multipliers, multipliers),
+            own_rate: DMatrix::zeros(multipliers, multipliers),
             beam_terms: Vec::new(),
         }
     }
@@ -114,6 +146,8 @@ impl Contribution {
             self.damping.fill(0.0);
             self.mass.fill(0.0);
             self.gradient.fill(0.0);
+            self.own.fill(0.0);
+            self.own_rate.fill(0.0);
         }
     }
 
@@ -138,9 +172,19 @@ pub trait Element: Send + Sync + std::fmt::Debug {
     /// Indices of the nodes, in the element's order; the ground is not among them.
     fn nodes(&self) -> &[usize];
 
-    /// Number of Lagrange multipliers.
+    /// Number of own unknowns: Lagrange multipliers or internal states.
     fn multipliers(&self) -> usize {
         0
+    }
+
+    /// What own unknown `index` is.
+    fn unknown(&self, _index: usize) -> Unknown {
+        Unknown::Multiplier(Measure::Length)
+    }
+
+    /// Whether the own unknowns are internal states.
+    fn has_states(&self) -> bool {
+        (0..self.multipliers()).any(|i| matches!(self.unknown(i), Unknown::State { .. }))
     }
 
     /// Adds the element's forces, constraints and, if wanted, tangents to `out`, which was cleared.

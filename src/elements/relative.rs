@@ -3,6 +3,7 @@
 //! With `Z = C_i⁻¹ C_j` and its material increment `δz = [linear; angular]` (resolved in frame j), two
 //! primitives have simple exact derivatives, and everything else is composed of them.
 
+use super::Measure;
 use crate::motion::{Motion, skew};
 use nalgebra::{Matrix6, Vector3, Vector6};
 use std::fmt;
@@ -119,6 +120,15 @@ pub enum Coordinate {
     Rotation3,
 }
 
+impl Coordinate {
+    /// What the coordinate measures.
+    pub fn measure(self) -> Measure {
+        match self {
+            Coordinate::Rotation1 | Coordinate::Rotation2 | Coordinate::Rotation3 => Measure::Angle,
+        }
+    }
+}
+
 impl fmt::Display for Coordinate {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(match self {
@@ -201,9 +211,13 @@ impl JointKind {
         }
     }
 
-    /// Whether constraint `index` is a length (otherwise it is an angle).
-    pub fn constrains_displacement(self, index: usize) -> bool {
-        index < 3
+    /// What constraint `index` measures.
+    pub fn measure(self, index: usize) -> Measure {
+        if index < 3 {
+            Measure::Length
+        } else {
+            Measure::Angle
+        }
     }
 
     /// Joint coordinate `which`, an angle in `(−π, π]`. The joint must have it.

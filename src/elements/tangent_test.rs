@@ -181,20 +181,22 @@ fn cases() -> Vec<Case> {
     cases
 }
 
-/// Changes states and multipliers by a step.
-type Change<'a> = dyn Fn(f64, &mut Vec<NodeState>, &mut Vec<f64>) + 'a;
+/// Changes states, or own unknowns and their rates, by a step.
+type Change<'a> = dyn Fn(f64, &mut Vec<NodeState>, &mut (Vec<f64>, Vec<f64>)) + 'a;
 
 /// All forces and constraints.
 fn residual(
     case: &Case,
     states: &[NodeState],
     multipliers: &[f64],
+    rates: &[f64],
     tangents: bool,
 ) -> Contribution {
     let mut out = Contribution::new(states.len(), multipliers.len(), tangents);
     let instant = Instant {
         nodes: states,
         multipliers,
+        multiplier_rates: rates,
         signals: &[0.3, -0.8, 0.5, 0.9, 0.2, -0.4],
         coordinates: &case.coordinates,
         gravity: Vector3::new(0.3, -0.5, -9.0),
@@ -211,15 +213,17 @@ fn tangents_are_the_derivatives_of_forces() {
         let count = case.element.multipliers();
         assert_eq!(case.element.nodes().len(), nodes);
         let multipliers: Vec<f64> = (0..count).map(|m| 0.7 - 0.3 * m as f64).collect();
-        let exact = residual(&case, &case.states, &multipliers, true);
+        let rates: Vec<f64> = (0..count).map(|m| 0.2 + 0.4 * m as f64).collect();
+        let exact = residual(&case, &case.states, &multipliers, &rates, true);
 
         // Central differences of fourth order: the error, about h⁴ + ε/h, is near 1e-11.
         let h = 2e-3;
         let difference = |change: &Change| {
             let at = |step: f64| {
-                let (mut states, mut multipliers) = (case.states.clone(), multipliers.clone());
-                change(step, &mut states, &mut multipliers);
-                residual(&case, &states, &multipliers, false)
+                let mut states = case.states.clone();
+                let mut own = (multipliers.clone(), rates.clone());
+                change(step, &mut states, &mut own);
+                residual(&case, &states, &own.0, &own.1, false)
             };
             let (a, b, c, d) = (at(h), at(-h), at(2.0 * h), at(-2.0 * h));
             let slope = |f: &dyn Fn(&Contribution) -> DVector<f64>| {
@@ -275,14 +279,35 @@ fn tangents_are_the_derivatives_of_forces() {
             );
         }
         for row in 0..count {
-            let (force, _) = difference(&|step, _, multipliers| multipliers[row] += step);
+            let (force, constraint) = difference(&|step, _, own| own.0[row] += step);
+            let scale = exact.own.amax();
             check(
                 "multiplier",
                 exact.gradient.row(row).transpose(),
                 &force,
                 1.0,
             );
+            check(
+                "own",
+                exact.own.column(row).into_owned(),
+                &constraint,
+                scale,
+            );
+            let (force, constraint) = difference(&|step, _, own| own.1[row] += step);
+            let scale = exact.own_rate.amax();
+            check(
+                "own rate",
+                exact.own_rate.column(row).into_owned(),
+                &constraint,
+                scale,
+            );
+            assert_eq!(force.amax(), 0.0, "{}", case.name);
         }
+        assert!(
+            case.element.has_states() || exact.own.amax() + exact.own_rate.amax() == 0.0,
+            "{}",
+            case.name
+        );
         assert!(
             case.element.has_mass() || exact.mass.amax() == 0.0,
             "{}",
@@ -316,8 +341,8 @@ fn forces_do_not_depend_on_the_observer() {
                 ..*s
             })
             .collect();
-        let here = residual(&case, &case.states, &multipliers, false);
-        let there = residual(&case, &moved, &multipliers, false);
+        let here = residual(&case, &case.states, &multipliers, &multipliers, false);
+        let there = residual(&case, &moved, &multipliers, &multipliers, false);
         let scale = here.force.amax().max(1.0);
         assert!(
             (here.force - there.force).amax() < 1e-13 * scale,

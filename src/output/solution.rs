@@ -136,7 +136,8 @@ impl Solution {
                 let values: Vec<f64> = (0..old.points())
                     .map(|k| self.solve.state.multipliers_of(placed, k)[row])
                     .collect();
-                let series = PeriodicSeries::interpolate(old, &values, 0.0);
+                let rate = self.solve.state.gain(system, placed, row) / old.period();
+                let series = PeriodicSeries::interpolate(old, &values, rate);
                 for (k, t) in times.iter().enumerate() {
                     state.multipliers_of_mut(placed, k)[row] = series.value(*t);
                 }

@@ -4,6 +4,7 @@ mod scales;
 
 pub use scales::Scales;
 
+use crate::elements::Unknown;
 use crate::elements::{Contribution, Element, Instant, Joint, NodalLoad, NodeState, Prescribed};
 use crate::elements::{Coordinate, JointKind, SpringDamper};
 use crate::error::{Error, ErrorKind, Result};
@@ -37,6 +38,8 @@ pub struct Placed {
     pub role: ElementRole,
     /// Index of its first multiplier among all multipliers of an instant.
     pub first_multiplier: usize,
+    /// Whether its own unknowns are internal states.
+    pub has_states: bool,
     /// Its scratch among those of a [`Workspace`].
     shape: usize,
 }
@@ -69,8 +72,8 @@ pub struct System {
     signals: Vec<DrivenSignal>,
     gravity: Option<[usize; 3]>,
     tracked: Vec<Tracked>,
-    /// For each multiplier, whether it belongs to a length (otherwise an angle).
-    length_constraints: Vec<bool>,
+    /// What each own unknown of the elements is.
+    unknowns: Vec<Unknown>,
     scales: Scales,
     period: f64,
 }
@@ -103,7 +106,7 @@ impl System {
             signals: Vec::new(),
             gravity: None,
             tracked: Vec::new(),
-            length_constraints: Vec::new(),
+            unknowns: Vec::new(),
             scales: Scales::default(),
             period,
         };
@@ -114,12 +117,6 @@ impl System {
             system.place(Arc::new(beam.clone()), ElementRole::Beam(index));
         }
         for (index, joint) in model.joints.iter().enumerate() {
-            let kind = joint.kind();
-            for row in 0..kind.constraints() {
-                system
-                    .length_constraints
-                    .push(kind.constrains_displacement(row));
-            }
             system.place(Arc::new(joint.clone()), ElementRole::Joint(index));
         }
         for (index, (at, signal)) in model.prescribed.iter().enumerate() {
@@ -129,7 +126,6 @@ impl System {
             // An angle may gain whole turns.
             let signal = system.add_signal(bound, start, TAU, place)?;
             let joint = &model.joints[at.joint];
-            system.length_constraints.push(false);
             let element = Prescribed::new(joint, at.coordinate, signal);
             system.place(Arc::new(element), ElementRole::Prescribed(index));
         }
@@ -199,6 +195,8 @@ impl System {
 
     fn place(&mut self, element: Arc<dyn Element>, role: ElementRole) {
         let size = (element.nodes().len(), element.multipliers());
+        self.unknowns
+            .extend((0..size.1).map(|i| element.unknown(i)));
         let shape = self
             .shapes
             .iter()
@@ -208,6 +206,7 @@ impl System {
                 self.shapes.len() - 1
             });
         self.elements.push(Placed {
+            has_states: element.has_states(),
             element,
             role,
             first_multiplier: self.multipliers,
@@ -226,7 +225,7 @@ impl System {
         &self.reference
     }
 
-    /// Number of Lagrange multipliers of an instant.
+    /// Number of own unknowns of all elements at an instant.
     pub fn multipliers(&self) -> usize {
         self.multipliers
     }
@@ -246,9 +245,9 @@ impl System {
         &self.elements
     }
 
-    /// Whether multiplier `index` belongs to a constrained length (otherwise to an angle).
-    pub fn constrains_length(&self, index: usize) -> bool {
-        self.length_constraints[index]
+    /// What own unknown `index` of all elements is.
+    pub fn unknown(&self, index: usize) -> Unknown {
+        self.unknowns[index]
     }
 
     /// Characteristic length, mass, time and force.
@@ -303,7 +302,7 @@ impl System {
         placed: &Placed,
         state: impl Fn(usize) -> NodeState,
         conditions: &Conditions,
-        multipliers: &[f64],
+        own: OwnValues,
         workspace: &'w mut Workspace,
     ) -> Result<&'w Contribution> {
         workspace.states.clear();
@@ -314,7 +313,8 @@ impl System {
         out.clear();
         let instant = Instant {
             nodes: &workspace.states,
-            multipliers,
+            multipliers: own.values,
+            multiplier_rates: own.rates,
             signals: conditions.signals,
             coordinates: conditions.coordinates,
             gravity: self.gravity(conditions.signals),
@@ -340,6 +340,15 @@ impl System {
             *last = nearest_turn(kind.coordinate(tracked.coordinate, &z).value, *last);
         }
     }
+}
+
+/// An element's own unknowns at one instant.
+#[derive(Debug, Clone, Copy)]
+pub struct OwnValues<'a> {
+    /// Multipliers or internal states.
+    pub values: &'a [f64],
+    /// Rates of internal states; zero for multipliers.
+    pub rates: &'a [f64],
 }
 
 /// What is the same for all elements at one instant.

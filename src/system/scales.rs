@@ -1,6 +1,6 @@
 //! Characteristic scales, so that nothing in the solution depends on the user's units.
 
-use super::{Conditions, System};
+use super::{Conditions, OwnValues, System};
 use crate::elements::NodeState;
 use crate::error::Result;
 use std::f64::consts::TAU;
@@ -41,9 +41,12 @@ impl Scales {
         let (mut mass, mut gyration2) = (0.0, 0.0f64);
         let (mut linear, mut angular) = (0.0f64, 0.0f64);
         for placed in system.elements() {
-            let multipliers = vec![0.0; placed.element.multipliers()];
-            let out =
-                system.evaluate(placed, at_rest, &conditions, &multipliers, &mut workspace)?;
+            let zeros = vec![0.0; placed.element.multipliers()];
+            let own = OwnValues {
+                values: &zeros,
+                rates: &zeros,
+            };
+            let out = system.evaluate(placed, at_rest, &conditions, own, &mut workspace)?;
             let nodes = placed.element.nodes().len();
             for a in 0..nodes {
                 for k in 0..3 {
