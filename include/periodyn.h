@@ -1143,62 +1143,6 @@ pdn_status pdn_model_add_inertia(struct pdn_model *model,
                                  const double *matrix);
 
 /**
- * Adds a beam element over nodes that are there; it may be curved and twisted.
- *
- * The nodes stand, in order, at the Gauss-Lobatto points along the beam; two are its ends. Axis 1 of
- * each node is along the beam (to within 60 degrees, for curved ones), axes 2 and 3 are those of the
- * section. The element's reference shape interpolates them, and is free of stress.
- *
- * @param model  the model; not NULL
- * @param nodes  array of length [count]: ids of the nodes, all different
- * @param count  2 to 25
- * @param section  cross-section, with positive-definite stiffness; not NULL
- * @param element  the element's id; written on success only
- * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_SIZE, PDN_ERR_ID, PDN_ERR_STRUCT_SIZE, PDN_ERR_NOT_FINITE,
- *     PDN_ERR_VALUE, PDN_ERR_MODEL (nodes that turn too much from one to the next)
- *
- * Threads: exclusive use of `model`.
- * @since 0.1
- */
-PDN_API
-pdn_status pdn_model_add_beam_element(struct pdn_model *model,
-                                      const int32_t *nodes,
-                                      size_t count,
-                                      const struct pdn_section *section,
-                                      int32_t *element);
-
-/**
- * Adds a straight beam: its nodes and elements.
- *
- * Axis 1 of every node is along the beam, from start to end; axis 2 is the part of axis_2 that is
- * perpendicular to it; axis 3 = axis 1 * axis 2. Beams are joined by joints between their nodes, or by
- * ::pdn_model_add_rigid_joint.
- *
- * @param model  the model; not NULL
- * @param start  array of length 3: where the beam starts, global coordinates [length]
- * @param end  array of length 3: where it ends, not at start
- * @param axis_2  array of length 3: direction of axis 2 of the section, global coordinates, of any
- *     nonzero length, not along the beam
- * @param section  cross-section, with positive-definite stiffness; not NULL
- * @param elements  number of elements, 1 to 1000000
- * @param degree  polynomial degree of the elements, 1 to 24; an element has degree + 1 nodes
- * @param beam  ids of what was made; written on success only
- * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_SIZE, PDN_ERR_STRUCT_SIZE, PDN_ERR_VALUE
- *
- * Threads: exclusive use of `model`.
- * @since 0.1
- */
-PDN_API
-pdn_status pdn_model_add_straight_beam(struct pdn_model *model,
-                                       const double *start,
-                                       const double *end,
-                                       const double *axis_2,
-                                       const struct pdn_section *section,
-                                       size_t elements,
-                                       size_t degree,
-                                       struct pdn_beam *beam);
-
-/**
  * Fixes two bodies to each other.
  *
  * Its frames are at the point, with axes parallel to the global ones in the reference configuration. It
@@ -1384,6 +1328,62 @@ pdn_status pdn_model_prescribe(struct pdn_model *model,
                                int32_t joint,
                                int32_t coordinate,
                                const struct pdn_signal *signal);
+
+/**
+ * Adds a beam element over nodes that are there; it may be curved and twisted.
+ *
+ * The nodes stand, in order, at the Gauss-Lobatto points along the beam; two are its ends. Axis 1 of
+ * each node is along the beam (to within 60 degrees, for curved ones), axes 2 and 3 are those of the
+ * section. The element's reference shape interpolates them, and is free of stress.
+ *
+ * @param model  the model; not NULL
+ * @param nodes  array of length [count]: ids of the nodes, all different
+ * @param count  2 to 25
+ * @param section  cross-section, with positive-definite stiffness; not NULL
+ * @param element  the element's id; written on success only
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_SIZE, PDN_ERR_ID, PDN_ERR_STRUCT_SIZE, PDN_ERR_NOT_FINITE,
+ *     PDN_ERR_VALUE, PDN_ERR_MODEL (nodes that turn too much from one to the next)
+ *
+ * Threads: exclusive use of `model`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_model_add_beam_element(struct pdn_model *model,
+                                      const int32_t *nodes,
+                                      size_t count,
+                                      const struct pdn_section *section,
+                                      int32_t *element);
+
+/**
+ * Adds a straight beam: its nodes and elements.
+ *
+ * Axis 1 of every node is along the beam, from start to end; axis 2 is the part of axis_2 that is
+ * perpendicular to it; axis 3 = axis 1 * axis 2. Beams are joined by joints between their nodes, or by
+ * ::pdn_model_add_rigid_joint.
+ *
+ * @param model  the model; not NULL
+ * @param start  array of length 3: where the beam starts, global coordinates [length]
+ * @param end  array of length 3: where it ends, not at start
+ * @param axis_2  array of length 3: direction of axis 2 of the section, global coordinates, of any
+ *     nonzero length, not along the beam
+ * @param section  cross-section, with positive-definite stiffness; not NULL
+ * @param elements  number of elements, 1 to 1000000
+ * @param degree  polynomial degree of the elements, 1 to 24; an element has degree + 1 nodes
+ * @param beam  ids of what was made; written on success only
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_SIZE, PDN_ERR_STRUCT_SIZE, PDN_ERR_VALUE
+ *
+ * Threads: exclusive use of `model`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_model_add_straight_beam(struct pdn_model *model,
+                                       const double *start,
+                                       const double *end,
+                                       const double *axis_2,
+                                       const struct pdn_section *section,
+                                       size_t elements,
+                                       size_t degree,
+                                       struct pdn_beam *beam);
 
 /**
  * Adds one component of a force or moment on a node, in addition to those that are there.

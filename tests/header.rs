@@ -13,6 +13,8 @@ const FILES: &[&str] = &[
     "section",
     "signal",
     "model",
+    "beam",
+    "load",
     "solution",
     "periodic",
     "motion",

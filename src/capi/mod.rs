@@ -67,9 +67,11 @@
 // `[n]`, `::pdn_…` and the like are meant for Doxygen.
 #![allow(rustdoc::broken_intra_doc_links, rustdoc::private_intra_doc_links)]
 
+pub mod beam;
 pub mod callback;
 pub mod guard;
 pub mod last_error;
+pub mod load;
 pub mod model;
 pub mod motion;
 pub mod periodic;

@@ -1,14 +1,13 @@
 //! Models: the mechanism in its reference configuration, in global coordinates.
 
-use super::call::{Call, check_pointer};
+use super::call::Call;
 use super::guard::guard;
 use super::handle::{self, Exclusive, Handle};
-use super::section::{self, pdn_section};
 use super::signal::{self, pdn_signal};
 use super::status::pdn_status;
-use crate::elements::{Coordinate, JointKind, LoadFrame};
+use crate::elements::{Coordinate, JointKind};
 use crate::error::{Error, ErrorKind, Result, require_finite};
-use crate::model::{JointCoordinate, Model, Signal, SpringDefinition};
+use crate::model::{JointCoordinate, Model, SpringDefinition};
 use crate::motion::Motion;
 use nalgebra::{Matrix3, Matrix6, Vector3};
 
@@ -30,24 +29,6 @@ pub const PDN_ROTATION: i32 = 3;
 pub const PDN_ROTATION_2: i32 = 4;
 /// Joint coordinate: third angle of a spherical joint.
 pub const PDN_ROTATION_3: i32 = 5;
-
-/// Directions of a load: the global axes.
-pub const PDN_FRAME_SPACE: i32 = 0;
-/// Directions of a load: the axes of the node, which the load follows.
-pub const PDN_FRAME_MATERIAL: i32 = 1;
-
-/// Component of a load: force along axis 1.
-pub const PDN_FORCE_1: i32 = 0;
-/// Component of a load: force along axis 2.
-pub const PDN_FORCE_2: i32 = 1;
-/// Component of a load: force along axis 3.
-pub const PDN_FORCE_3: i32 = 2;
-/// Component of a load: moment about axis 1.
-pub const PDN_MOMENT_1: i32 = 3;
-/// Component of a load: moment about axis 2.
-pub const PDN_MOMENT_2: i32 = 4;
-/// Component of a load: moment about axis 3.
-pub const PDN_MOMENT_3: i32 = 5;
 
 /// A mechanism. Made by ::pdn_model_new, freed by ::pdn_model_free.
 ///
@@ -76,29 +57,10 @@ pub struct pdn_frame {
     pub rotation: [f64; 9],
 }
 
-/// What a beam was made of; written by the library. This struct will never change its size.
-///
-/// The nodes along the beam are first, first + 1, ... last; the elements are first_element,
-/// ... first_element + elements - 1.
-#[repr(C)]
-#[derive(Clone, Copy)]
-pub struct pdn_beam {
-    /// Id of the node at the start.
-    pub first: i32,
-    /// Id of the node at the end.
-    pub last: i32,
-    /// Id of the element at the start.
-    pub first_element: i32,
-    /// Number of elements.
-    pub elements: i32,
-    /// Zero.
-    pub reserved: [i32; 4],
-}
-
-const _: () = assert!(size_of::<pdn_frame>() == 96 && size_of::<pdn_beam>() == 32);
+const _: () = assert!(size_of::<pdn_frame>() == 96);
 
 /// The id that the next of `count` things gets; `more` of them are to be made.
-fn next_id(count: usize, more: usize, name: &str) -> Result<i32> {
+pub(super) fn next_id(count: usize, more: usize, name: &str) -> Result<i32> {
     let total = count.saturating_add(more);
     if i32::try_from(total).is_err() {
         let expected = format!("at most {} in a model", i32::MAX);
@@ -141,7 +103,12 @@ pub(super) fn index(id: i32, count: usize, name: &str, what: &str) -> Result<usi
 }
 
 /// The item of `table` that `given` names.
-fn choose<T: Copy>(table: &[(i32, T)], given: i32, name: &str, expected: &str) -> Result<T> {
+pub(super) fn choose<T: Copy>(
+    table: &[(i32, T)],
+    given: i32,
+    name: &str,
+    expected: &str,
+) -> Result<T> {
     table
         .iter()
         .find(|(code, _)| *code == given)
@@ -175,24 +142,11 @@ fn joint_kind(given: i32) -> Result<JointKind> {
     )
 }
 
-fn load_frame(given: i32) -> Result<LoadFrame> {
-    let table = [
-        (PDN_FRAME_SPACE, LoadFrame::Space),
-        (PDN_FRAME_MATERIAL, LoadFrame::Follower),
-    ];
-    choose(
-        &table,
-        given,
-        "frame",
-        "PDN_FRAME_SPACE or PDN_FRAME_MATERIAL",
-    )
-}
-
-fn vector(call: &Call, x: *const f64, name: &str) -> Result<Vector3<f64>> {
+pub(super) fn vector(call: &Call, x: *const f64, name: &str) -> Result<Vector3<f64>> {
     call.array::<3>(x, name).map(Vector3::from)
 }
 
-fn motion(call: &Call, frame: *const pdn_frame, name: &str) -> Result<Motion> {
+pub(super) fn motion(call: &Call, frame: *const pdn_frame, name: &str) -> Result<Motion> {
     let frame = call.reference(frame, name)?;
     require_finite(&format!("{name} position"), &frame.position)?;
     require_finite(&format!("{name} rotation"), &frame.rotation)?;
@@ -494,102 +448,6 @@ pub unsafe extern "C" fn pdn_model_add_inertia(
     })
 }
 
-/// Adds a beam element over nodes that are there; it may be curved and twisted.
-///
-/// The nodes stand, in order, at the Gauss-Lobatto points along the beam; two are its ends. Axis 1 of
-/// each node is along the beam (to within 60 degrees, for curved ones), axes 2 and 3 are those of the
-/// section. The element's reference shape interpolates them, and is free of stress.
-///
-/// @param model  the model; not NULL
-/// @param nodes  array of length [count]: ids of the nodes, all different
-/// @param count  2 to 25
-/// @param section  cross-section, with positive-definite stiffness; not NULL
-/// @param element  the element's id; written on success only
-/// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_SIZE, PDN_ERR_ID, PDN_ERR_STRUCT_SIZE, PDN_ERR_NOT_FINITE,
-///     PDN_ERR_VALUE, PDN_ERR_MODEL (nodes that turn too much from one to the next)
-///
-/// Threads: exclusive use of `model`.
-/// @since 0.1
-#[unsafe(no_mangle)]
-pub unsafe extern "C" fn pdn_model_add_beam_element(
-    model: *mut pdn_model,
-    nodes: *const i32,
-    count: usize,
-    section: *const pdn_section,
-    element: *mut i32,
-) -> pdn_status {
-    guard(|call| {
-        let mut model = call.exclusive(model, "model")?;
-        check_pointer(nodes, 1, "nodes")?;
-        Model::require_element_size("count", count)?;
-        let nodes = call
-            .slice(nodes, count, "nodes")?
-            .iter()
-            .enumerate()
-            .map(|(i, &id)| node(&model, id, &format!("nodes[{i}]")))
-            .collect::<Result<Vec<_>>>()?;
-        let section = section::read(call, section, "section")?;
-        let element = call.out(element, "element")?;
-        let id = next_id(model.beam_element_count(), 1, "element")?;
-        model.add_beam_element(&nodes, &section)?;
-        element.set(id);
-        Ok(())
-    })
-}
-
-/// Adds a straight beam: its nodes and elements.
-///
-/// Axis 1 of every node is along the beam, from start to end; axis 2 is the part of axis_2 that is
-/// perpendicular to it; axis 3 = axis 1 * axis 2. Beams are joined by joints between their nodes, or by
-/// ::pdn_model_add_rigid_joint.
-///
-/// @param model  the model; not NULL
-/// @param start  array of length 3: where the beam starts, global coordinates [length]
-/// @param end  array of length 3: where it ends, not at start
-/// @param axis_2  array of length 3: direction of axis 2 of the section, global coordinates, of any
-///     nonzero length, not along the beam
-/// @param section  cross-section, with positive-definite stiffness; not NULL
-/// @param elements  number of elements, 1 to 1000000
-/// @param degree  polynomial degree of the elements, 1 to 24; an element has degree + 1 nodes
-/// @param beam  ids of what was made; written on success only
-/// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_SIZE, PDN_ERR_STRUCT_SIZE, PDN_ERR_VALUE
-///
-/// Threads: exclusive use of `model`.
-/// @since 0.1
-#[unsafe(no_mangle)]
-pub unsafe extern "C" fn pdn_model_add_straight_beam(
-    model: *mut pdn_model,
-    start: *const f64,
-    end: *const f64,
-    axis_2: *const f64,
-    section: *const pdn_section,
-    elements: usize,
-    degree: usize,
-    beam: *mut pdn_beam,
-) -> pdn_status {
-    guard(|call| {
-        let mut model = call.exclusive(model, "model")?;
-        let start = vector(call, start, "start")?;
-        let end = vector(call, end, "end")?;
-        let axis_2 = vector(call, axis_2, "axis_2")?;
-        let section = section::read(call, section, "section")?;
-        let beam = call.out(beam, "beam")?;
-        Model::require_mesh(elements, degree)?;
-        let first = next_id(model.node_count(), elements * degree + 1, "elements")?;
-        let first_element = next_id(model.beam_element_count(), elements, "elements")?;
-        let ids = model.add_straight_beam(&start, &end, &axis_2, &section, elements, degree)?;
-        // In range, as `next_id` has found out.
-        beam.set(pdn_beam {
-            first,
-            last: ids.last_node as i32,
-            first_element,
-            elements: elements as i32,
-            reserved: [0; 4],
-        });
-        Ok(())
-    })
-}
-
 /// The bodies of a joint, by the ids that C gave.
 struct Bodies {
     first: i32,
@@ -860,71 +718,5 @@ pub unsafe extern "C" fn pdn_model_prescribe(
         let at = joint_coordinate(&model, joint, coordinate)?;
         let signal = signal::read(call, signal, "signal")?;
         model.prescribe(at, &signal)
-    })
-}
-
-/// Adds one component of a force or moment on a node, in addition to those that are there.
-///
-/// A force acts at the node's origin.
-///
-/// @param model  the model; not NULL
-/// @param node  id of the node
-/// @param frame  PDN_FRAME_SPACE: directions of the global axes; PDN_FRAME_MATERIAL: of the node's axes,
-///     which the load follows
-/// @param component  PDN_FORCE_1, PDN_FORCE_2, PDN_FORCE_3 [force], PDN_MOMENT_1, PDN_MOMENT_2 or
-///     PDN_MOMENT_3 [force * length]
-/// @param signal  the component in time, copied; not NULL
-/// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_SIZE, PDN_ERR_ID, PDN_ERR_VALUE,
-///     PDN_ERR_STRUCT_SIZE
-///
-/// Threads: exclusive use of `model`.
-/// @since 0.1
-#[unsafe(no_mangle)]
-pub unsafe extern "C" fn pdn_model_add_load(
-    model: *mut pdn_model,
-    node: i32,
-    frame: i32,
-    component: i32,
-    signal: *const pdn_signal,
-) -> pdn_status {
-    guard(|call| {
-        let mut model = call.exclusive(model, "model")?;
-        let node = self::node(&model, node, "node")?;
-        let frame = load_frame(frame)?;
-        let mut components = [const { None }; 6];
-        let place = usize::try_from(component)
-            .ok()
-            .and_then(|index| components.get_mut(index))
-            .ok_or_else(|| {
-                let expected = "PDN_FORCE_1 to PDN_FORCE_3 or PDN_MOMENT_1 to PDN_MOMENT_3";
-                Error::value("component", expected, component)
-            })?;
-        *place = Some(signal::read(call, signal, "signal")?);
-        model.add_load(node, frame, components)
-    })
-}
-
-/// Sets the acceleration of gravity, in place of any set before. Without this call there is none.
-///
-/// @param model  the model; not NULL
-/// @param acceleration  array of length 3: such as {0, 0, -9.81}, global axes [length / time^2]
-/// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE
-///
-/// Threads: exclusive use of `model`.
-/// @since 0.1
-#[unsafe(no_mangle)]
-pub unsafe extern "C" fn pdn_model_set_gravity(
-    model: *mut pdn_model,
-    acceleration: *const f64,
-) -> pdn_status {
-    guard(|call| {
-        let mut model = call.exclusive(model, "model")?;
-        let [x, y, z] = call.array::<3>(acceleration, "acceleration")?;
-        model.set_gravity([
-            Signal::constant(x)?,
-            Signal::constant(y)?,
-            Signal::constant(z)?,
-        ]);
-        Ok(())
     })
 }

@@ -1,0 +1,106 @@
+//! Loads: forces and moments on nodes, and gravity.
+
+use super::guard::guard;
+use super::model::{self, choose, pdn_model};
+use super::signal::{self, pdn_signal};
+use super::status::pdn_status;
+use crate::elements::LoadFrame;
+use crate::error::{Error, Result};
+use crate::model::Signal;
+
+/// Directions of a load: the global axes.
+pub const PDN_FRAME_SPACE: i32 = 0;
+/// Directions of a load: the axes of the node, which the load follows.
+pub const PDN_FRAME_MATERIAL: i32 = 1;
+
+/// Component of a load: force along axis 1.
+pub const PDN_FORCE_1: i32 = 0;
+/// Component of a load: force along axis 2.
+pub const PDN_FORCE_2: i32 = 1;
+/// Component of a load: force along axis 3.
+pub const PDN_FORCE_3: i32 = 2;
+/// Component of a load: moment about axis 1.
+pub const PDN_MOMENT_1: i32 = 3;
+/// Component of a load: moment about axis 2.
+pub const PDN_MOMENT_2: i32 = 4;
+/// Component of a load: moment about axis 3.
+pub const PDN_MOMENT_3: i32 = 5;
+
+fn load_frame(given: i32) -> Result<LoadFrame> {
+    let table = [
+        (PDN_FRAME_SPACE, LoadFrame::Space),
+        (PDN_FRAME_MATERIAL, LoadFrame::Follower),
+    ];
+    choose(
+        &table,
+        given,
+        "frame",
+        "PDN_FRAME_SPACE or PDN_FRAME_MATERIAL",
+    )
+}
+
+/// Adds one component of a force or moment on a node, in addition to those that are there.
+///
+/// A force acts at the node's origin.
+///
+/// @param model  the model; not NULL
+/// @param node  id of the node
+/// @param frame  PDN_FRAME_SPACE: directions of the global axes; PDN_FRAME_MATERIAL: of the node's axes,
+///     which the load follows
+/// @param component  PDN_FORCE_1, PDN_FORCE_2, PDN_FORCE_3 [force], PDN_MOMENT_1, PDN_MOMENT_2 or
+///     PDN_MOMENT_3 [force * length]
+/// @param signal  the component in time, copied; not NULL
+/// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_SIZE, PDN_ERR_ID, PDN_ERR_VALUE,
+///     PDN_ERR_STRUCT_SIZE
+///
+/// Threads: exclusive use of `model`.
+/// @since 0.1
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn pdn_model_add_load(
+    model: *mut pdn_model,
+    node: i32,
+    frame: i32,
+    component: i32,
+    signal: *const pdn_signal,
+) -> pdn_status {
+    guard(|call| {
+        let mut model = call.exclusive(model, "model")?;
+        let node = model::node(&model, node, "node")?;
+        let frame = load_frame(frame)?;
+        let mut components = [const { None }; 6];
+        let place = usize::try_from(component)
+            .ok()
+            .and_then(|index| components.get_mut(index))
+            .ok_or_else(|| {
+                let expected = "PDN_FORCE_1 to PDN_FORCE_3 or PDN_MOMENT_1 to PDN_MOMENT_3";
+                Error::value("component", expected, component)
+            })?;
+        *place = Some(signal::read(call, signal, "signal")?);
+        model.add_load(node, frame, components)
+    })
+}
+
+/// Sets the acceleration of gravity, in place of any set before. Without this call there is none.
+///
+/// @param model  the model; not NULL
+/// @param acceleration  array of length 3: such as {0, 0, -9.81}, global axes [length / time^2]
+/// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE
+///
+/// Threads: exclusive use of `model`.
+/// @since 0.1
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn pdn_model_set_gravity(
+    model: *mut pdn_model,
+    acceleration: *const f64,
+) -> pdn_status {
+    guard(|call| {
+        let mut model = call.exclusive(model, "model")?;
+        let [x, y, z] = call.array::<3>(acceleration, "acceleration")?;
+        model.set_gravity([
+            Signal::constant(x)?,
+            Signal::constant(y)?,
+            Signal::constant(z)?,
+        ]);
+        Ok(())
+    })
+}
