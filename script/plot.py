@@ -1,0 +1,72 @@
+#!/usr/bin/env python3
+"""Draws the columns of CSV files against their first column: a panel for each, a curve for each file.
+
+    script/plot.py output/rotor_blade.csv output/rotor_blade.png
+    script/plot.py output/rigid.csv output/flexible.csv output/both.png
+
+Names of the columns are the labels; all files must have the same.
+"""
+
+import argparse
+import csv
+import pathlib
+
+import matplotlib
+
+matplotlib.use("Agg")  # no display needed
+import matplotlib.pyplot as plt
+
+# Distinct also in grey and to the colour-blind (Okabe and Ito's colours).
+STYLES = [("#0072B2", "-"), ("#D55E00", "--"), ("#009E73", "-."), ("#CC79A7", ":")]
+
+
+def read_columns(path):
+    """Names and columns of a CSV file of numbers; complains about what cannot be drawn."""
+    with open(path, newline="") as file:
+        rows = list(csv.reader(file))
+    if len(rows) < 3 or len(rows[0]) < 2:
+        raise ValueError(f"{path}: expected a line of names and lines of numbers, two columns at least")
+    for number, row in enumerate(rows, start=1):
+        if len(row) != len(rows[0]):
+            raise ValueError(f"{path}, line {number}: expected {len(rows[0])} columns, got {len(row)}")
+    return rows[0], [[float(text) for text in column] for column in zip(*rows[1:])]
+
+
+def draw(files, image):
+    """Draws {label: (names, columns)} to an image file."""
+    names = next(iter(files.values()))[0]
+    for label, (others, _) in files.items():
+        if others != names:
+            raise ValueError(f"{label}: its columns are {others}, not {names}")
+    panels = names[1:]
+    figure, axes = plt.subplots(len(panels), 1, figsize=(7.2, 0.8 + 1.7 * len(panels)), sharex=True,
+                                squeeze=False, layout="constrained")
+    for i, (axis, name) in enumerate(zip(axes[:, 0], panels), start=1):
+        for (label, (_, columns)), (colour, line) in zip(files.items(), STYLES):
+            axis.plot(columns[0], columns[i], line, color=colour, linewidth=1.8, label=label)
+        axis.set_title(name, loc="left", fontsize=10.5)
+        axis.margins(x=0)
+        axis.grid(True, color="#e4e4e4", linewidth=0.8)
+        axis.spines[["top", "right"]].set_visible(False)
+    axes[-1, 0].set_xlabel(names[0])
+    if len(files) > 1:
+        figure.legend(*axes[0, 0].get_legend_handles_labels(), loc="outside upper center", ncols=len(files),
+                      frameon=False)
+    figure.savefig(image, dpi=160)
+    plt.close(figure)
+
+
+def main():
+    """Command line."""
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("csv", type=pathlib.Path, nargs="+", help="at most four files")
+    parser.add_argument("image", type=pathlib.Path, help="where the picture goes")
+    arguments = parser.parse_args()
+    if len(arguments.csv) > len(STYLES):
+        parser.error(f"at most {len(STYLES)} CSV files")
+    draw({path.stem: read_columns(path) for path in arguments.csv}, arguments.image)
+    print(f"wrote {arguments.image}")
+
+
+if __name__ == "__main__":
+    main()

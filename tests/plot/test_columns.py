@@ -1,0 +1,45 @@
+"""Columns of CSV files drawn by script/plot.py."""
+
+import pathlib
+import sys
+import tempfile
+import unittest
+
+sys.dont_write_bytecode = True
+sys.path.insert(0, str(pathlib.Path(__file__).parents[2] / "script"))
+import plot
+
+
+class Columns(unittest.TestCase):
+    def setUp(self):
+        self.temporary = tempfile.TemporaryDirectory()
+        self.directory = pathlib.Path(self.temporary.name)
+
+    def tearDown(self):
+        self.temporary.cleanup()
+
+    def written(self, text):
+        path = self.directory / "curves.csv"
+        path.write_text(text)
+        return path
+
+    def test_draws_an_image_of_several_files(self):
+        names = ["t [s]", "a [m]", "b [N]"]
+        files = {"one": (names, [[0, 1], [2, 3], [4, 5]]), "two": (names, [[0, 1], [3, 2], [5, 4]])}
+        image = self.directory / "figure.png"
+        plot.draw(files, image)
+        self.assertEqual(image.read_bytes()[:8], b"\x89PNG\r\n\x1a\n")
+
+    def test_reads_names_and_numbers(self):
+        self.assertEqual(plot.read_columns(self.written("t,x\n0,2\n1,3\n")), (["t", "x"], [[0, 1], [2, 3]]))
+
+    def test_refuses_what_cannot_be_drawn(self):
+        for text, complaint in [("", "expected a line of names"), ("t,x\n0,1\n1\n", "line 3: expected 2 columns")]:
+            with self.assertRaisesRegex(ValueError, complaint):
+                plot.read_columns(self.written(text))
+        with self.assertRaisesRegex(ValueError, "its columns are"):
+            plot.draw({"one": (["t", "x"], [[0, 1]] * 2), "two": (["t", "y"], [[0, 1]] * 2)}, "unused")
+
+
+if __name__ == "__main__":
+    unittest.main()
