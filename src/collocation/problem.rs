@@ -11,6 +11,10 @@ use crate::system::{Conditions, OwnValues, Placed, System, Workspace};
 use nalgebra::{Matrix3, Matrix6};
 use std::sync::Arc;
 
+/// Scaled compliance of dependent constraints in the Jacobian. Newton's method loses this factor, over
+/// the compliance of the mechanism, of its quadratic convergence; rounding must be well below it.
+const REGULARISATION: f64 = 1e-7;
+
 /// The equations of a system on a grid, scaled so that they do not depend on units.
 ///
 /// Rows of forces are divided by the characteristic force (moments also by the length), those of
@@ -130,7 +134,11 @@ impl Collocation {
                 states: Vec::new(),
                 rates: vec![0.0; system.multipliers() * points],
             },
-            regularisation: 0.0,
+            regularisation: if system.dependencies().is_empty() {
+                0.0
+            } else {
+                REGULARISATION
+            },
             past: None,
             kinematics: vec![NodeKinematics::default(); system.nodes()],
             forces_only: system.workspace(false),
@@ -187,10 +195,28 @@ impl Collocation {
         self.past = Some((rule, past));
     }
 
-    /// Gives all constraints a small (scaled) compliance in the Jacobian, not in the residual: where some
-    /// are redundant, the increments of the multipliers are then those of least norm.
-    pub fn set_regularisation(&mut self, compliance: f64) {
-        self.regularisation = compliance;
+    /// Whether constraints may depend on each other: all have then a small compliance in the Jacobian, not
+    /// in the residual, so that increments of the multipliers are those of least norm.
+    pub fn is_regularised(&self) -> bool {
+        self.regularisation != 0.0
+    }
+
+    /// Makes it so, as for a system that has such constraints from the start.
+    pub fn regularise(&mut self) {
+        self.regularisation = REGULARISATION;
+    }
+
+    /// Largest violation of the constraints in a scaled residual.
+    pub fn violation(&self, residual: &[f64]) -> f64 {
+        let points = self.grid.points();
+        let constraints = &residual[6 * points * self.system.nodes()..];
+        let mut largest = 0.0f64;
+        for placed in self.system.elements().iter().filter(|p| !p.has_states) {
+            let count = placed.element.multipliers() * points;
+            let part = &constraints[placed.first_multiplier * points..][..count];
+            largest = part.iter().fold(largest, |m, x| m.max(x.abs()));
+        }
+        largest
     }
 
     /// `D_ℓk` and `T_ℓk`.
@@ -250,6 +276,29 @@ impl Collocation {
                 }
             }
         }
+    }
+
+    /// Takes from the multipliers the part that has no effect, where constraints depend on each other;
+    /// kinematics must be those of `state`.
+    pub fn reduce_to_least_norm(&self, state: &mut GridState) -> Result<()> {
+        if !self.is_regularised() {
+            return Ok(());
+        }
+        let points = self.grid.points();
+        for k in 0..points {
+            let places: Vec<usize> = self
+                .system
+                .elements()
+                .iter()
+                .map(|placed| state.first_multiplier(placed, k))
+                .collect();
+            self.system.reduce_to_least_norm(
+                |node| self.instants.states[node * points + k],
+                |index| places[index],
+                &mut state.multipliers,
+            )?;
+        }
+        Ok(())
     }
 
     /// Node states over the grid, node by node, as of the last evaluation of anything.

@@ -1,7 +1,7 @@
 //! The readable report of a solve.
 
 use super::solution::Solution;
-use crate::solve::Outcome;
+use crate::solve::{Outcome, describe_dependencies};
 use std::fmt::Write;
 
 impl Outcome {
@@ -13,6 +13,7 @@ impl Outcome {
             Outcome::Stalled => "not converged: Newton's method stalled",
             Outcome::Singular => "not converged: the Jacobian is singular",
             Outcome::Cancelled => "cancelled",
+            Outcome::Inconsistent => "not converged: constraints contradict each other",
             Outcome::NoInitialGuess => "not started: no initial guess found",
         }
     }
@@ -41,6 +42,12 @@ impl Solution {
             solve.system.nodes(),
             self.unknowns()
         ));
+        let dependent = describe_dependencies(&solve.system);
+        if !dependent.is_empty() && self.outcome() == Outcome::Converged {
+            line(format_args!(
+                "  {dependent}: the multipliers of least norm are given"
+            ));
+        }
         if !solve.report.iterations.is_empty() {
             line(format_args!("  iteration   residual  increment   step"));
         }

@@ -1,11 +1,19 @@
 //! Why a Jacobian is singular: what is free to move, and which constraints say the same thing twice.
 
 use crate::collocation::{Collocation, GridState, Pattern};
-use crate::system::ElementRole;
+use crate::system::{Dependency, ElementRole, System};
 use faer::MatMut;
 use faer::linalg::solvers::Solve;
 use faer::sparse::{SparseColMat, Triplet};
 use nalgebra::Vector3;
+
+/// Why a Jacobian is singular, in words.
+pub(super) enum Singularity {
+    /// Something is free to move.
+    Free(String),
+    /// Constraints depend on each other.
+    Redundant(String),
+}
 
 /// Explains the singularity of the Jacobian `values` at `state`, by a vector of its null space.
 ///
@@ -16,10 +24,10 @@ pub(super) fn diagnose(
     pattern: &Pattern,
     values: &[f64],
     state: &GridState,
-) -> String {
+) -> Singularity {
     let Some(vector) = null_vector(pattern, values) else {
-        return "the Jacobian is singular: some node has no inertia, stiffness or constraint"
-            .into();
+        let why = "the Jacobian is singular: some node has no inertia, stiffness or constraint";
+        return Singularity::Free(why.into());
     };
     let system = equations.system();
     let points = equations.grid().points();
@@ -27,9 +35,9 @@ pub(super) fn diagnose(
     let largest = |part: &[f64]| part.iter().fold(0.0f64, |m, x| m.max(x.abs()));
     let moving = largest(&vector[..motions]);
     if moving > 1e-6 * largest(&vector) {
-        describe_freedom(&vector[..motions], moving, points, state)
+        Singularity::Free(describe_freedom(&vector[..motions], moving, points, state))
     } else {
-        describe_redundancy(equations, &vector[motions..])
+        Singularity::Redundant(describe_redundancy(equations, &vector[motions..]))
     }
 }
 
@@ -105,17 +113,72 @@ fn describe_redundancy(equations: &Collocation, multipliers: &[f64]) -> String {
             }
         }
     }
+    format!(
+        "over-constrained: the constraints of {} depend on each other",
+        name_constraints(&joints, &prescribed)
+    )
+}
+
+/// "joints 0, 1, 2 and prescribed coordinate 0".
+fn name_constraints(joints: &[usize], prescribed: &[usize]) -> String {
     let mut what = Vec::new();
     if !joints.is_empty() {
-        what.push(list("joint", "", "", &joints));
+        what.push(list("joint", "", "", joints));
     }
     if !prescribed.is_empty() {
-        what.push(list("prescribed coordinate", "", "", &prescribed));
+        what.push(list("prescribed coordinate", "", "", prescribed));
     }
+    what.join(" and ")
+}
+
+/// Joints and prescribed coordinates of a dependency.
+fn constraints_of(dependency: &Dependency) -> (Vec<usize>, Vec<usize>) {
+    let (mut joints, mut prescribed) = (Vec::new(), Vec::new());
+    for role in &dependency.roles {
+        match role {
+            ElementRole::Joint(index) => joints.push(*index),
+            ElementRole::Prescribed(index) => prescribed.push(*index),
+            _ => {}
+        }
+    }
+    (joints, prescribed)
+}
+
+/// Says which constraints are redundant; empty if none is.
+pub fn describe_dependencies(system: &System) -> String {
+    let parts = system.dependencies().iter().map(|dependency| {
+        let (joints, prescribed) = constraints_of(dependency);
+        let plural = if dependency.count == 1 { "" } else { "s" };
+        format!(
+            "{} redundant constraint{plural} among {}",
+            dependency.count,
+            name_constraints(&joints, &prescribed)
+        )
+    });
+    parts.collect::<Vec<_>>().join("; ")
+}
+
+/// Names constraints that cannot all hold.
+pub(super) fn describe_inconsistency(equations: &Collocation, residual: &[f64]) -> String {
+    let parts = equations.system().dependencies().iter().map(|dependency| {
+        let (joints, prescribed) = constraints_of(dependency);
+        if prescribed.is_empty() {
+            format!(
+                "the constraints of {} contradict each other: they depend on each other, and do not all close",
+                name_constraints(&joints, &[])
+            )
+        } else {
+            format!(
+                "locked: {} cannot move as prescribed, since {} leave no freedom to do so",
+                name_constraints(&[], &prescribed),
+                name_constraints(&joints, &[])
+            )
+        }
+    });
     format!(
-        "over-constrained: the constraints of {} are redundant or locked. \
-         Use joints with fewer constraints, or make a member flexible",
-        what.join(" and ")
+        "{}{}. Use joints with fewer constraints, prescribe less, or make a member flexible",
+        parts.collect::<Vec<_>>().join("; "),
+        describe_open_joint(equations, residual)
     )
 }
 

@@ -8,6 +8,7 @@ mod newton;
 mod ordering;
 mod periodic;
 
+pub use diagnosis::describe_dependencies;
 pub use direct::DirectSolver;
 pub use newton::{Iteration, Newton, NewtonOptions, NewtonReport, Outcome, Timings};
 pub use periodic::{InitialGuess, PeriodicOptions, PeriodicSolve, Stage, solve_periodic};

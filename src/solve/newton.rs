@@ -1,6 +1,6 @@
 //! Newton's method with the exact tangent and a line search that does not depend on scaling.
 
-use super::diagnosis::{describe_open_joint, diagnose};
+use super::diagnosis::{Singularity, describe_inconsistency, describe_open_joint, diagnose};
 use super::direct::DirectSolver;
 use crate::collocation::{Collocation, GridState, Pattern, TangentBlocks};
 use crate::error::Result;
@@ -21,6 +21,8 @@ pub enum Outcome {
     Cancelled,
     /// No initial guess could be found.
     NoInitialGuess,
+    /// Constraints that depend on each other contradict each other: the mechanism is locked.
+    Inconsistent,
 }
 
 /// One iteration, as reported to the progress callback and kept in the history.
@@ -80,6 +82,10 @@ const SINGULAR_GROWTH: f64 = 1e15;
 /// Growth that does so where Newton's method stalls: off the constraints by rounding, a freedom is
 /// resisted by as much.
 const STALLED_GROWTH: f64 = 1e13;
+
+/// Violation of constraints (relative to the size of the mechanism, or in radians) that rounding of the
+/// user's geometry excuses, where constraints depend on each other.
+const VIOLATION: f64 = 1e-8;
 
 /// Newton solver for one system and grid; keeps everything that can be used again.
 #[derive(Debug)]
@@ -192,9 +198,17 @@ impl Newton {
                     self.solver.solve(&mut step_vector)
                 });
             if !solved || (number == 1 && self.growth() > SINGULAR_GROWTH) {
-                report.outcome = Outcome::Singular;
-                report.explanation = diagnose(&self.equations, &self.pattern, &self.values, state);
-                return Ok(report);
+                match diagnose(&self.equations, &self.pattern, &self.values, state) {
+                    Singularity::Redundant(_) if !self.equations.is_regularised() => {
+                        self.equations.regularise();
+                        continue;
+                    }
+                    Singularity::Free(why) | Singularity::Redundant(why) => {
+                        report.outcome = Outcome::Singular;
+                        report.explanation = why;
+                        return Ok(report);
+                    }
+                }
             }
             let increment = self.motion_norm(&step_vector);
             let mut iteration = Iteration {
@@ -210,6 +224,12 @@ impl Newton {
                 .collect();
             let system = self.equations.system().clone();
             let converged = increment <= options.tolerance;
+            // Multipliers that have no effect grow without bound, and nothing else moves.
+            if converged && self.is_contradicted(&residual, options) {
+                report.outcome = Outcome::Inconsistent;
+                report.explanation = describe_inconsistency(&self.equations, &residual);
+                return Ok(report);
+            }
 
             // Accept the longest step whose simplified Newton increment (same matrix, new residual)
             // is shorter: natural monotonicity, blind to how the equations are scaled.
@@ -247,9 +267,21 @@ impl Newton {
             let keep_going = observe(&iteration);
             let Some(trial) = accepted else {
                 if self.growth() > STALLED_GROWTH {
-                    report.outcome = Outcome::Singular;
-                    report.explanation =
-                        diagnose(&self.equations, &self.pattern, &self.values, state);
+                    match diagnose(&self.equations, &self.pattern, &self.values, state) {
+                        Singularity::Redundant(_) if !self.equations.is_regularised() => {
+                            self.equations.regularise();
+                            continue;
+                        }
+                        Singularity::Free(why) | Singularity::Redundant(why) => {
+                            report.outcome = Outcome::Singular;
+                            report.explanation = why;
+                            return Ok(report);
+                        }
+                    }
+                }
+                if self.is_contradicted(&residual, options) {
+                    report.outcome = Outcome::Inconsistent;
+                    report.explanation = describe_inconsistency(&self.equations, &residual);
                     return Ok(report);
                 }
                 report.outcome = Outcome::Stalled;
@@ -296,12 +328,23 @@ impl Newton {
                 return Ok(report);
             }
         }
+        if self.is_contradicted(&residual, options) {
+            report.outcome = Outcome::Inconsistent;
+            report.explanation = describe_inconsistency(&self.equations, &residual);
+            return Ok(report);
+        }
         report.explanation = format!(
             "not converged after {} iterations{}",
             options.iteration_limit,
             describe_open_joint(&self.equations, &residual)
         );
         Ok(report)
+    }
+
+    /// Whether constraints that depend on each other are left open.
+    fn is_contradicted(&self, residual: &[f64], options: &NewtonOptions) -> bool {
+        self.equations.is_regularised()
+            && self.equations.violation(residual) > options.tolerance.max(VIOLATION)
     }
 
     /// Size of the inverse of the factored matrix, relative to the matrix: about the inverse of the

@@ -129,11 +129,12 @@ pub fn solve_periodic(
         guess_iterations: 0,
         guess_time: Duration::ZERO,
     };
-    let (state, report) = match &options.guess {
+    let (mut state, report) = match &options.guess {
         InitialGuess::State(state) => attempts.newton(state.clone())?,
         InitialGuess::Default => attempts.find()?,
     };
     attempts.newton.equations.update_kinematics(&state);
+    attempts.newton.equations.reduce_to_least_norm(&mut state)?;
     Ok(PeriodicSolve {
         system,
         grid,
@@ -151,7 +152,10 @@ type Observer<'a> = dyn FnMut(&Iteration) -> bool + 'a;
 
 /// Whether an outcome leaves no reason to try something else.
 fn is_final(outcome: Outcome) -> bool {
-    matches!(outcome, Outcome::Converged | Outcome::Cancelled)
+    matches!(
+        outcome,
+        Outcome::Converged | Outcome::Cancelled | Outcome::Inconsistent
+    )
 }
 
 impl Attempts<'_> {
@@ -192,7 +196,7 @@ impl Attempts<'_> {
             first
         } else {
             let outcome = match guess.outcome {
-                Outcome::Cancelled | Outcome::Singular => guess.outcome,
+                Outcome::Cancelled | Outcome::Singular | Outcome::Inconsistent => guess.outcome,
                 _ => Outcome::NoInitialGuess,
             };
             let report = NewtonReport {
@@ -200,7 +204,7 @@ impl Attempts<'_> {
                 iterations: Vec::new(),
                 explanation: guess.explanation,
             };
-            if outcome == Outcome::Cancelled {
+            if matches!(outcome, Outcome::Cancelled | Outcome::Inconsistent) {
                 return Ok((guess.state, report));
             }
             (guess.state, report)

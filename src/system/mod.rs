@@ -1,7 +1,9 @@
 //! One instant of the whole mechanism: its elements, unknowns, signals and characteristic scales.
 
+mod constraints;
 mod scales;
 
+pub use constraints::{ConstraintLoop, Dependency};
 pub use scales::Scales;
 
 use crate::elements::Unknown;
@@ -74,6 +76,9 @@ pub struct System {
     tracked: Vec<Tracked>,
     /// What each own unknown of the elements is.
     unknowns: Vec<Unknown>,
+    /// Loops of constraints, where some may depend on others.
+    loops: Vec<ConstraintLoop>,
+    dependencies: Vec<Dependency>,
     scales: Scales,
     period: f64,
 }
@@ -107,6 +112,8 @@ impl System {
             gravity: None,
             tracked: Vec::new(),
             unknowns: Vec::new(),
+            loops: Vec::new(),
+            dependencies: Vec::new(),
             scales: Scales::default(),
             period,
         };
@@ -173,6 +180,8 @@ impl System {
                 "model: its sizes, stiffnesses and masses are too far apart to compute with",
             ));
         }
+        system.loops = constraints::constraint_loops(&system);
+        system.dependencies = constraints::dependencies(&system)?;
         Ok(system)
     }
 

@@ -1,0 +1,251 @@
+//! Which constraints depend on others: closed loops of joints, and the rank of their gradient.
+//!
+//! Constraints of different elements can only depend on each other if they act on the same nodes all
+//! around a loop. So the gradient is looked at loop by loop, densely.
+
+use super::{Conditions, ElementRole, OwnValues, Placed, System};
+use crate::elements::{Measure, NodeState, Unknown};
+use crate::error::Result;
+use faer::Mat;
+use faer::linalg::solvers::Svd;
+use std::collections::{BTreeMap, BTreeSet};
+
+/// A singular value below this, relative to the largest, is one of constraints that depend on each
+/// other: geometry given with rounding leaves less, and no working joint comes near.
+const DEPENDENT: f64 = 1e-7;
+
+/// Loops with more constraints than this are not looked at: their dense factorisation would take longer
+/// than the solve.
+const MOST_ROWS: usize = 1500;
+
+/// Constraints coupled through common nodes that close at least one loop, the ground included.
+#[derive(Debug, Clone)]
+pub struct ConstraintLoop {
+    /// Elements, by index in the system.
+    elements: Vec<usize>,
+    /// First row of each element.
+    first_rows: Vec<usize>,
+    rows: usize,
+    /// Nodes, ascending.
+    nodes: Vec<usize>,
+}
+
+/// Constraints of a loop that depend on each other.
+#[derive(Debug, Clone)]
+pub struct Dependency {
+    /// Number of constraints more than there can be independent ones.
+    pub count: usize,
+    /// What takes part.
+    pub roles: Vec<ElementRole>,
+}
+
+/// All loops of a system.
+pub(super) fn constraint_loops(system: &System) -> Vec<ConstraintLoop> {
+    // Groups of nodes connected by constraints; the ground connects nothing.
+    let mut group: Vec<usize> = (0..system.nodes()).collect();
+    fn root(group: &mut [usize], mut n: usize) -> usize {
+        while group[n] != n {
+            group[n] = group[group[n]];
+            n = group[n];
+        }
+        n
+    }
+    let constraining: Vec<usize> = (0..system.elements().len())
+        .filter(|&e| {
+            let placed = &system.elements()[e];
+            placed.element.multipliers() > 0 && !placed.has_states
+        })
+        .collect();
+    for &e in &constraining {
+        let nodes = system.elements()[e].element.nodes();
+        for pair in nodes.windows(2) {
+            let (a, b) = (root(&mut group, pair[0]), root(&mut group, pair[1]));
+            group[a] = b;
+        }
+    }
+    let mut members: BTreeMap<usize, Vec<usize>> = BTreeMap::new();
+    for &e in &constraining {
+        if let Some(&node) = system.elements()[e].element.nodes().first() {
+            members.entry(root(&mut group, node)).or_default().push(e);
+        }
+    }
+    members
+        .into_values()
+        .filter(|elements| closes_loop(system, elements))
+        .map(|elements| {
+            let mut rows = 0;
+            let mut first_rows = Vec::new();
+            let mut nodes = BTreeSet::new();
+            for &e in &elements {
+                first_rows.push(rows);
+                rows += system.elements()[e].element.multipliers();
+                nodes.extend(system.elements()[e].element.nodes());
+            }
+            ConstraintLoop {
+                elements,
+                first_rows,
+                rows,
+                nodes: nodes.into_iter().collect(),
+            }
+        })
+        .filter(|l| l.rows <= MOST_ROWS)
+        .collect()
+}
+
+/// Whether connected constraints are more than a tree of joints, each with at most one driven coordinate.
+fn closes_loop(system: &System, elements: &[usize]) -> bool {
+    let mut vertices = BTreeSet::new();
+    let mut joined = BTreeSet::new();
+    let mut driven = BTreeSet::new();
+    let mut edges = 0;
+    for &e in elements {
+        let placed = &system.elements()[e];
+        let nodes = placed.element.nodes();
+        // The ground is a vertex too.
+        let ends = [nodes[0], nodes.get(1).copied().unwrap_or(usize::MAX)];
+        vertices.extend(ends);
+        let repeated = match placed.role {
+            ElementRole::Prescribed(_) => !driven.insert(ends),
+            _ => {
+                edges += 1;
+                !joined.insert(ends)
+            }
+        };
+        if repeated {
+            return true;
+        }
+    }
+    edges += driven.difference(&joined).count();
+    edges + 1 > vertices.len()
+}
+
+/// Dependencies of constraints in the reference configuration, one for each loop that has some.
+pub(super) fn dependencies(system: &System) -> Result<Vec<Dependency>> {
+    let at_rest = |node: usize| NodeState::at_rest(system.reference[node]);
+    let mut found = Vec::new();
+    for l in &system.loops {
+        let null = l.null_space(system, &at_rest)?;
+        if null.ncols() > 0 {
+            found.push(l.describe(system, &null));
+        }
+    }
+    Ok(found)
+}
+
+impl ConstraintLoop {
+    /// Null space of the transposed, scaled gradient at the given states: multipliers without effect.
+    fn null_space(&self, system: &System, state: &impl Fn(usize) -> NodeState) -> Result<Mat<f64>> {
+        let length = system.scales().length;
+        let mut gradient = Mat::<f64>::zeros(self.rows, 6 * self.nodes.len());
+        let mut workspace = system.workspace(true);
+        // Neither signals nor turns change a gradient.
+        let signals = vec![0.0; system.signals()];
+        let coordinates = vec![0.0; system.tracked()];
+        let conditions = Conditions {
+            signals: &signals,
+            coordinates: &coordinates,
+            inertia_factor: 0.0,
+        };
+        for (&e, &first) in self.elements.iter().zip(&self.first_rows) {
+            let placed = &system.elements()[e];
+            let zeros = vec![0.0; placed.element.multipliers()];
+            let own = OwnValues {
+                values: &zeros,
+                rates: &zeros,
+            };
+            let out = system.evaluate(placed, state, &conditions, own, &mut workspace)?;
+            for (local, node) in placed.element.nodes().iter().enumerate() {
+                let column = 6 * self.nodes.partition_point(|n| n < node);
+                for row in 0..zeros.len() {
+                    let scale = match system.unknown(placed.first_multiplier + row) {
+                        Unknown::Multiplier(Measure::Length) => 1.0 / length,
+                        _ => 1.0,
+                    };
+                    for k in 0..6 {
+                        let unit = if k < 3 { length } else { 1.0 };
+                        gradient[(first + row, column + k)] +=
+                            scale * unit * out.gradient[(row, 6 * local + k)];
+                    }
+                }
+            }
+        }
+        let finite =
+            (0..gradient.ncols()).all(|j| gradient.col_as_slice(j).iter().all(|x| x.is_finite()));
+        let Some(svd) = finite.then(|| Svd::new(gradient.as_ref()).ok()).flatten() else {
+            return Ok(Mat::zeros(self.rows, 0));
+        };
+        let values = svd.S().column_vector();
+        let largest = values.iter().fold(0.0f64, |m, x| m.max(*x));
+        let rank = values.iter().filter(|x| **x > DEPENDENT * largest).count();
+        Ok(svd.U().subcols(rank, self.rows - rank).to_owned())
+    }
+
+    fn describe(&self, system: &System, null: &Mat<f64>) -> Dependency {
+        let takes_part = |first: usize, count: usize| {
+            (first..first + count).any(|row| {
+                let size: f64 = (0..null.ncols()).map(|j| null[(row, j)].powi(2)).sum();
+                size > 1e-8
+            })
+        };
+        let roles = self
+            .elements
+            .iter()
+            .zip(&self.first_rows)
+            .map(|(&e, &first)| (&system.elements()[e], first))
+            .filter(|(placed, first)| takes_part(*first, placed.element.multipliers()))
+            .map(|(placed, _)| placed.role)
+            .collect();
+        Dependency {
+            count: null.ncols(),
+            roles,
+        }
+    }
+}
+
+impl System {
+    /// Constraints that depend on each other in the reference configuration.
+    pub fn dependencies(&self) -> &[Dependency] {
+        &self.dependencies
+    }
+
+    /// Takes from the multipliers of an instant the part that has no effect, so that their norm is least;
+    /// moments count divided by the characteristic length. `at` is the place of the first
+    /// multiplier of an element, given by index, in `multipliers`.
+    pub fn reduce_to_least_norm(
+        &self,
+        state: impl Fn(usize) -> NodeState,
+        at: impl Fn(usize) -> usize,
+        multipliers: &mut [f64],
+    ) -> Result<()> {
+        for l in &self.loops {
+            let null = l.null_space(self, &state)?;
+            if null.ncols() == 0 {
+                continue;
+            }
+            let mut values = Vec::with_capacity(l.rows);
+            let unit =
+                |placed: &Placed, row: usize| match self.unknown(placed.first_multiplier + row) {
+                    Unknown::Multiplier(Measure::Length) => 1.0,
+                    _ => self.scales.length,
+                };
+            let places: Vec<(usize, f64)> = l
+                .elements
+                .iter()
+                .flat_map(|&e| {
+                    let (placed, first) = (&self.elements[e], at(e));
+                    (0..placed.element.multipliers())
+                        .map(move |row| (first + row, unit(placed, row)))
+                })
+                .collect();
+            values.extend(places.iter().map(|&(i, unit)| multipliers[i] / unit));
+            for j in 0..null.ncols() {
+                let direction = null.col_as_slice(j);
+                let part: f64 = direction.iter().zip(&values).map(|(d, v)| d * v).sum();
+                for (&(i, unit), d) in places.iter().zip(direction) {
+                    multipliers[i] -= part * d * unit;
+                }
+            }
+        }
+        Ok(())
+    }
+}
