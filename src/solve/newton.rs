@@ -15,7 +15,7 @@ pub enum Outcome {
     IterationLimit,
     /// No step along the Newton direction brings progress.
     Stalled,
-    /// The Jacobian is singular: something is free to move, or over-constrained.
+    /// The Jacobian is singular: something is free to move.
     Singular,
     /// The progress callback asked to stop.
     Cancelled,
