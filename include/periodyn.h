@@ -244,7 +244,7 @@
 #define PDN_STALLED 2
 
 /**
- * Outcome: the Jacobian is singular; something is free to move, or over-constrained.
+ * Outcome: the Jacobian is singular; something is free to move.
  */
 #define PDN_SINGULAR 3
 
@@ -257,6 +257,11 @@
  * Outcome: no initial guess could be found.
  */
 #define PDN_NO_INITIAL_GUESS 5
+
+/**
+ * Constraints that depend on each other contradict each other: the mechanism is locked, or cannot close.
+ */
+#define PDN_INCONSISTENT 6
 
 /**
  * Axes of a joint reaction: inertial.
@@ -1442,7 +1447,7 @@ void pdn_solution_free(struct pdn_solution *solution);
  *
  * @param solution  the solution; not NULL
  * @return PDN_CONVERGED, PDN_ITERATION_LIMIT, PDN_STALLED, PDN_SINGULAR, PDN_CANCELLED or
- *     PDN_NO_INITIAL_GUESS; negative, as a ::pdn_status, if the handle is not valid
+ *     PDN_NO_INITIAL_GUESS, PDN_INCONSISTENT; negative, as a ::pdn_status, if the handle is not valid
  *
  * Threads: like `const`.
  * @since 0.1
