@@ -5,40 +5,30 @@
 //! All of it is dual algebra; twists and wrenches enter as dual vectors.
 
 use super::inertia::Inertia;
+use super::section::{Section, SectionLine};
 use super::shape::{gauss_legendre, lobatto_points, shape_functions};
 use super::{Contribution, Element, Instant};
 use crate::error::{Error, ErrorKind, Result};
 use crate::motion::{DualMatrix, DualPolar, DualVector, Motion};
 use nalgebra::{DMatrix, Matrix6, Vector6};
 
-/// Properties of a beam's cross-section, per unit of length, in the order
-/// `[axial, shear 2, shear 3, torsion, bending 2, bending 3]`; axis 1 is along the beam.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Section {
-    /// Stiffness: stress resultants `[force; moment]` for unit strains `[γ; κ]`.
-    pub stiffness: Matrix6<f64>,
-    /// Mass: momentum for unit section velocity.
-    pub mass: Matrix6<f64>,
-    /// Damping: stress resultants for unit strain rates.
-    pub damping: Matrix6<f64>,
-}
-
 /// One quadrature point, or any other station, of a beam element.
 #[derive(Debug, Clone)]
-struct Station {
+pub(super) struct Station {
     /// Shape functions and their derivatives in ξ, one pair for each node.
     shapes: Vec<(f64, f64)>,
     /// Quadrature weight in ξ.
-    weight: f64,
+    pub weight: f64,
     /// Reference length for each unit of ξ.
-    stretch: f64,
+    pub stretch: f64,
+    section: Section,
     /// "Velocity in ξ" of the reference configuration.
     reference: Vector6<f64>,
 }
 
 /// Kinematics of a station: polar factors, and `G'` in the section's frame.
-struct StationMotion {
-    polar: DualPolar,
+pub(super) struct StationMotion {
+    pub polar: DualPolar,
     q: DualMatrix,
     /// "Velocity in ξ".
     e: DualVector,
@@ -47,16 +37,16 @@ struct StationMotion {
 /// What the tangent needs of one node at one station.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct NodeTerms {
-    shape: (f64, f64),
+    pub shape: (f64, f64),
     /// Motion of the node relative to the section, `X = RᵀM`.
     x: DualMatrix,
     x_axial: DualVector,
     /// `C = tr(X) I − Xᵀ`.
-    c: DualMatrix,
+    pub c: DualMatrix,
     /// Section's turn, strain, and the multipliers `μ`, `ν` for a unit increment of the node.
-    turn: DualMatrix,
+    pub turn: DualMatrix,
     strain: DualMatrix,
-    mu: DualMatrix,
+    pub mu: DualMatrix,
     nu: DualMatrix,
     /// Strain rate, at constant nodal velocities, for a unit increment of the node.
     rate: DualMatrix,
@@ -68,18 +58,24 @@ pub struct Beam {
     nodes: Vec<usize>,
     points: Vec<f64>,
     reference: Vec<Motion>,
-    section: Section,
+    sections: SectionLine,
     damped: bool,
     stations: Vec<Station>,
 }
 
 impl Beam {
     /// A beam over `nodes` (two or more, at the Gauss–Lobatto points along the beam), whose
-    /// reference shape interpolates the `reference` motions of its nodes.
+    /// reference shape interpolates the `reference` motions of its nodes, with a [`Section`] that is the
+    /// same all along, or changes.
     ///
     /// # Errors
     /// If neighbouring nodes coincide, or the reference shape is too distorted to interpolate.
-    pub fn new(nodes: Vec<usize>, reference: Vec<Motion>, section: Section) -> Result<Self> {
+    pub fn new(
+        nodes: Vec<usize>,
+        reference: Vec<Motion>,
+        sections: impl Into<SectionLine>,
+    ) -> Result<Self> {
+        let sections = sections.into();
         let count = nodes.len();
         if count < 2 || reference.len() != count {
             return Err(Error::size("nodes", "at least 2 nodes for a beam", count));
@@ -88,8 +84,8 @@ impl Beam {
             nodes,
             points: lobatto_points(count),
             reference,
-            section,
-            damped: section.damping != Matrix6::zeros(),
+            damped: sections.has(|s| &s.damping),
+            sections,
             stations: Vec::new(),
         };
         // One point fewer than nodes: no shear locking, no spurious mode.
@@ -100,11 +96,13 @@ impl Beam {
         Ok(beam)
     }
 
-    fn station(&self, xi: f64, weight: f64) -> Result<Station> {
+    /// The station at `xi`, with this weight.
+    pub(super) fn station(&self, xi: f64, weight: f64) -> Result<Station> {
         let mut station = Station {
             shapes: shape_functions(&self.points, xi),
             weight,
             stretch: 0.0,
+            section: self.sections.at(xi),
             reference: Vector6::zeros(),
         };
         let kinematics = station.motion(|a| self.reference[0].relative(&self.reference[a]))?;
@@ -143,7 +141,7 @@ impl Beam {
                 .collect();
             let length = weight * station.stretch;
             for a in 0..count {
-                let left = carry[a].transpose() * self.section.mass * length;
+                let left = carry[a].transpose() * station.section.mass * length;
                 for (b, right) in carry.iter().enumerate() {
                     let mut block = mass.fixed_view_mut::<6, 6>(6 * a, 6 * b);
                     block += left * right;
@@ -168,7 +166,7 @@ impl Beam {
         let station = self.station(xi, 0.0)?;
         let kinematics = station.motion(|a| motions[0].relative(&motions[a]))?;
         let strain = (kinematics.e.to_twist() - station.reference) / station.stretch;
-        let mut stress = self.section.stiffness * strain;
+        let mut stress = station.section.stiffness * strain;
         if self.damped {
             let terms: Vec<NodeTerms> = station
                 .node_terms(&kinematics, |a| motions[0].relative(&motions[a]))
@@ -178,20 +176,44 @@ impl Beam {
                 .zip(twists)
                 .map(|(n, v)| n.strain.to_twist_matrix() * v)
                 .sum();
-            stress += self.section.damping * rate / station.stretch;
+            stress += station.section.damping * rate / station.stretch;
         }
         Ok((strain, stress))
     }
 
-    /// Reference length for each unit of ξ at `xi`.
-    pub fn stretch(&self, xi: f64) -> Result<f64> {
-        Ok(self.station(xi, 0.0)?.stretch)
+    /// Reference length from the element's start to `xi`.
+    pub fn length_to(&self, xi: f64) -> Result<f64> {
+        let half = 0.5 * (xi + 1.0);
+        // A smooth integrand, exact for straight elements; two points more for curved ones.
+        gauss_legendre(self.nodes.len() + 2)
+            .into_iter()
+            .map(|(x, weight)| {
+                Ok(weight * half * self.station(half * (x + 1.0) - 1.0, 0.0)?.stretch)
+            })
+            .sum()
+    }
+
+    /// Where a share, from 0 to 1, of the reference length is reached.
+    pub fn xi_at(&self, share: f64) -> Result<f64> {
+        if share <= 0.0 || share >= 1.0 {
+            return Ok(2.0 * share.clamp(0.0, 1.0) - 1.0);
+        }
+        let length = self.length_to(1.0)? * share;
+        let mut xi = 2.0 * share - 1.0;
+        for _ in 0..20 {
+            let change = (self.length_to(xi)? - length) / self.station(xi, 0.0)?.stretch;
+            xi = (xi - change).clamp(-1.0, 1.0);
+            if change.abs() < 1e-14 {
+                break;
+            }
+        }
+        Ok(xi)
     }
 }
 
 impl Station {
     /// Kinematics, for node motions given relative to some common frame.
-    fn motion(&self, relative: impl Fn(usize) -> Motion) -> Result<StationMotion> {
+    pub fn motion(&self, relative: impl Fn(usize) -> Motion) -> Result<StationMotion> {
         let mut g = DualMatrix::zeros();
         let mut g_prime = DualMatrix::zeros();
         for (a, shape) in self.shapes.iter().enumerate() {
@@ -212,7 +234,7 @@ impl Station {
 
     /// First variations: section turn `A Δρ = Σ N_a C_a Δu_a` and strain
     /// `A Δe = Σ (N'_a C_a + N_a (2 e x_aᵀ − X_a ẽ)) Δu_a + ((S e)~ − tr(Q) I + Q) Δρ`.
-    fn node_terms<'a>(
+    pub fn node_terms<'a>(
         &'a self,
         at: &'a StationMotion,
         relative: impl Fn(usize) -> Motion + 'a,
@@ -249,8 +271,14 @@ impl StationMotion {
 }
 
 /// `2 w xᵀ − X w̃`: the part of `−ΔA w` that a node's own increment causes.
-fn spread_variation(node: &NodeTerms, w: &DualVector) -> DualMatrix {
+pub(super) fn spread_variation(node: &NodeTerms, w: &DualVector) -> DualMatrix {
     w.outer(&node.x_axial) * 2.0 - node.x * w.skew()
+}
+
+/// `2 w xᵀ − (X w)~`: the part of `ΔCᵀ w` that the section's turn causes; a node's own increment causes
+/// minus its [`spread_variation`].
+pub(super) fn turned(node: &NodeTerms, w: &DualVector) -> DualMatrix {
+    w.outer(&node.x_axial) * 2.0 - (node.x * *w).skew()
 }
 
 /// Second variation of `σᵀ Δe` at constant `σ`: fills `mu` and `nu` of every node and returns `(μ, ν)`.
@@ -305,10 +333,9 @@ fn geometric_row(
         c_transposed * n_prime + (node.x_axial.outer(&at.e) * 2.0 + e_skew * x_transposed) * n;
     let by_nu = c_transposed * n;
     let by_strain = (node.x_axial.outer(mu) * 2.0 - x_mu) * n;
-    // ΔCᵀ w = (2 w xᵀ − (X w)~) Δρ − (2 w xᵀ − X w̃) Δu
-    let turned = |w: &DualVector| w.outer(&node.x_axial) * 2.0 - (node.x * *w).skew();
-    let by_turn = turned(mu) * n_prime
-        + (turned(nu) - node.x.trace_minus() * mu_e - e_skew * (x_transposed * mu.skew())) * n;
+    let by_turn = turned(node, mu) * n_prime
+        + (turned(node, nu) - node.x.trace_minus() * mu_e - e_skew * (x_transposed * mu.skew()))
+            * n;
     let own = (node.c * mu_e + e_skew * x_mu - spread_variation(node, nu)) * n
         - spread_variation(node, mu) * n_prime;
     for (b, other) in nodes.iter().enumerate() {
@@ -396,13 +423,14 @@ impl Element for Beam {
 
             let length = station.stretch;
             let strain = (at.e.to_twist() - station.reference) / length;
-            let mut stress = self.section.stiffness * strain;
+            let section = &station.section;
+            let mut stress = section.stiffness * strain;
             let mut rate = DualVector::zeros();
             if self.damped {
                 for (a, node) in terms.iter().enumerate() {
                     rate += node.strain * twist(a);
                 }
-                stress += self.section.damping * (rate.to_twist() / length);
+                stress += section.damping * (rate.to_twist() / length);
             }
             let stress = DualVector::from_wrench(&stress) * station.weight;
             for (a, node) in terms.iter().enumerate() {
@@ -416,8 +444,8 @@ impl Element for Beam {
             if self.damped {
                 rate_variations(&at, &rate, twist, &mut terms);
             }
-            let stiffness = self.section.stiffness * (station.weight / length);
-            let damping = self.section.damping * (station.weight / length);
+            let stiffness = section.stiffness * (station.weight / length);
+            let damping = section.damping * (station.weight / length);
             for a in 0..terms.len() {
                 let b_a = terms[a].strain.to_twist_matrix();
                 let elastic = b_a.tr_mul(&stiffness);

@@ -4,21 +4,25 @@
 //! an entry in the test that every element passes (`tangent_test`).
 
 mod beam;
+mod distributed_load;
 mod inertia;
 mod joint;
 mod load;
 mod relative;
+mod section;
 mod shape;
 mod spring;
 #[cfg(test)]
 mod tangent_test;
 
-pub use beam::{Beam, Section};
+pub use beam::Beam;
+pub use distributed_load::DistributedLoad;
 pub use inertia::{Inertia, rigid_body_inertia};
 pub(crate) use joint::nearest_turn;
 pub use joint::{Attachment, Joint, Prescribed};
 pub use load::{LoadFrame, NodalLoad};
 pub use relative::{Coordinate, JointKind, RelativeMotion, ScalarFunction};
+pub use section::{Section, SectionLine};
 pub use shape::{gauss_legendre, lobatto_points, shape_functions};
 pub use spring::SpringDamper;
 

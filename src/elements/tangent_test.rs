@@ -86,7 +86,15 @@ fn cases() -> Vec<Case> {
             mass: random.positive_definite(),
             damping: random.positive_definite() * 0.3,
         };
-        let beam = Beam::new((0..count).collect(), reference, section).unwrap();
+        // The section changes along the element, with a corner.
+        let other = |random: &mut Random| Section {
+            stiffness: random.positive_definite() * 5.0,
+            mass: random.positive_definite(),
+            damping: random.positive_definite() * 0.2,
+        };
+        let inside = [(-0.2, other(&mut random))];
+        let sections = SectionLine::new(section, &inside, other(&mut random));
+        let beam = Beam::new((0..count).collect(), reference, sections).unwrap();
         let deformed: Vec<Motion> = deformed
             .iter()
             .map(|m| m.increment(&(random.vector() * 0.1)))
@@ -102,6 +110,17 @@ fn cases() -> Vec<Case> {
             cases.push(Case {
                 name: format!("{name}, {count} nodes"),
                 element,
+                states: states.clone(),
+                coordinates: vec![],
+            });
+        }
+        for frame in [LoadFrame::Space, LoadFrame::Follower] {
+            let signals = [0, 1, 2, 3, 4, 5].map(Some);
+            let places = [(-1.0, 0.5), (0.1, -2.0), (0.1, 1.0), (1.0, 3.0)];
+            let load = DistributedLoad::new(&beam, frame, signals, &places).unwrap();
+            cases.push(Case {
+                name: format!("distributed load {frame:?}, {count} nodes"),
+                element: Box::new(load),
                 states: states.clone(),
                 coordinates: vec![],
             });

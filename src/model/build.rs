@@ -2,8 +2,7 @@
 
 use super::{JointCoordinate, LoadDefinition, Model, Signal, SpringDefinition};
 use crate::elements::{
-    Attachment, Beam, Coordinate, Element, Inertia, Joint, JointKind, LoadFrame, Section,
-    lobatto_points,
+    Attachment, Coordinate, Element, Inertia, Joint, JointKind, LoadFrame, Section,
 };
 use crate::error::{Error, ErrorKind, Result, require_finite};
 use crate::motion::{Motion, is_rotation};
@@ -24,19 +23,6 @@ pub struct SectionInput {
     pub mass: Matrix6<f64>,
     /// Damping, symmetric and positive semi-definite.
     pub damping: Matrix6<f64>,
-}
-
-/// What a meshed beam consists of: its nodes and elements, in order and numbered consecutively.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct BeamIds {
-    /// Node at the start.
-    pub first_node: usize,
-    /// Node at the end.
-    pub last_node: usize,
-    /// First element.
-    pub first_element: usize,
-    /// Number of elements.
-    pub elements: usize,
 }
 
 fn require_symmetric(name: &str, m: &Matrix6<f64>) -> Result<()> {
@@ -108,7 +94,7 @@ impl SectionInput {
         Ok(())
     }
 
-    fn validated(&self) -> Result<Section> {
+    pub(super) fn validated(&self) -> Result<Section> {
         Ok(Section {
             stiffness: require_positive("section stiffness", &self.stiffness, true)?,
             mass: require_positive("section mass", &self.mass, false)?,
@@ -132,7 +118,7 @@ fn require_rotation(name: &str, r: &Matrix3<f64>) -> Result<Matrix3<f64>> {
 }
 
 /// A vector of the direction of `v`, of moderate length whatever that of `v`.
-fn direction(name: &str, v: &Vector3<f64>) -> Result<Vector3<f64>> {
+pub(super) fn direction(name: &str, v: &Vector3<f64>) -> Result<Vector3<f64>> {
     require_finite(name, v.as_slice())?;
     let size = v.amax();
     if size == 0.0 {
@@ -301,122 +287,6 @@ impl Model {
             total.1 += moment;
         }
         total
-    }
-
-    /// Adds one beam element over existing nodes, given in order along the beam and placed at its
-    /// Gauss–Lobatto points; axis 1 of each node's frame is along the beam. Returns its id.
-    pub fn add_beam_element(&mut self, nodes: &[usize], section: &SectionInput) -> Result<usize> {
-        Self::require_element_size("nodes", nodes.len())?;
-        for (i, &node) in nodes.iter().enumerate() {
-            self.require_node("nodes", node)?;
-            if nodes[..i].contains(&node) {
-                return Err(Error::value(
-                    "nodes",
-                    "distinct nodes",
-                    format!("node {node} twice"),
-                ));
-            }
-        }
-        let section = section.validated()?;
-        self.require_axis_along(nodes)?;
-        let reference = nodes.iter().map(|&n| self.nodes[n]).collect();
-        let beam = Beam::new(nodes.to_vec(), reference, section)?;
-        if section.mass != Matrix6::zeros() {
-            self.inertias.push(beam.inertia()?);
-        }
-        self.beams.push(beam);
-        Ok(self.beams.len() - 1)
-    }
-
-    /// Checks that axis 1 of each node points along the beam, roughly, as the beam may be curved: a
-    /// section turned by mistake would bend where it should stretch.
-    fn require_axis_along(&self, nodes: &[usize]) -> Result<()> {
-        for pair in nodes.windows(2) {
-            let chord = self.nodes[pair[1]].position - self.nodes[pair[0]].position;
-            for &node in pair {
-                let angle = self.nodes[node]
-                    .rotation
-                    .column(0)
-                    .angle(&chord)
-                    .to_degrees();
-                if angle > 60.0 {
-                    return Err(Error::value(
-                        "nodes",
-                        "axis 1 of each node's frame along the beam",
-                        format!("node {node}, whose axis 1 is {angle:.1} degrees off"),
-                    ));
-                }
-            }
-        }
-        Ok(())
-    }
-
-    /// Meshes a straight beam from `start` to `end` with `elements` elements of polynomial degree
-    /// `degree` (nodes of an element, less one). Axis 2 of the section is along the part of `axis_2`
-    /// that is perpendicular to the beam.
-    pub fn add_straight_beam(
-        &mut self,
-        start: &Vector3<f64>,
-        end: &Vector3<f64>,
-        axis_2: &Vector3<f64>,
-        section: &SectionInput,
-        elements: usize,
-        degree: usize,
-    ) -> Result<BeamIds> {
-        require_finite("start", start.as_slice())?;
-        require_finite("end", end.as_slice())?;
-        let axis_2 = direction("axis_2", axis_2)?;
-        section.validated()?;
-        Self::require_mesh(elements, degree)?;
-        let span = end - start;
-        let size = start.amax().max(end.amax());
-        if span.norm() <= 1e-12 * size || span.norm() == 0.0 {
-            return Err(Error::value(
-                "end",
-                "a point away from start",
-                "the same point",
-            ));
-        }
-        let axis_1 = span.normalize();
-        let across = axis_2 - axis_1 * axis_1.dot(&axis_2);
-        if across.norm() <= 1e-9 * axis_2.norm() {
-            return Err(Error::value(
-                "axis_2",
-                "a vector across the beam",
-                "one along it",
-            ));
-        }
-        let axis_2 = across.normalize();
-        let rotation = Matrix3::from_columns(&[axis_1, axis_2, axis_1.cross(&axis_2)]);
-
-        let before = (self.nodes.len(), self.beams.len(), self.inertias.len());
-        let mesh = |model: &mut Model| -> Result<BeamIds> {
-            let points = lobatto_points(degree + 1);
-            let first_node = model.add_node(&Motion::new(rotation, *start))?;
-            let mut previous = first_node;
-            for element in 0..elements {
-                let mut nodes = vec![previous];
-                for x in &points[1..] {
-                    let fraction = (element as f64 + 0.5 * (x + 1.0)) / elements as f64;
-                    nodes.push(model.add_node(&Motion::new(rotation, start + span * fraction))?);
-                }
-                model.add_beam_element(&nodes, section)?;
-                previous += degree;
-            }
-            Ok(BeamIds {
-                first_node,
-                last_node: previous,
-                first_element: before.1,
-                elements,
-            })
-        };
-        let ids = mesh(self);
-        if ids.is_err() {
-            self.nodes.truncate(before.0);
-            self.beams.truncate(before.1);
-            self.inertias.truncate(before.2);
-        }
-        ids
     }
 
     /// Adds a joint of `kind` between two frames, given by their reference motions in the inertial

@@ -3,10 +3,16 @@
 //! Everything is described in its reference configuration, in the inertial frame. Each call
 //! validates its arguments and leaves the model as it was if they are refused.
 
+mod beam;
 mod build;
+mod line;
+mod load;
 mod signal;
 
-pub use build::{BeamIds, SectionInput};
+pub use beam::{BeamIds, SectionStation};
+pub use build::SectionInput;
+pub use line::{circular_arc, smooth_curve, straight_line};
+pub use load::DistributedLoadDefinition;
 pub use signal::{BoundSignal, Signal};
 
 use crate::elements::{Beam, Coordinate, Inertia, Joint, LoadFrame};
@@ -55,6 +61,7 @@ pub struct Model {
     pub(crate) springs: Vec<SpringDefinition>,
     pub(crate) prescribed: Vec<(JointCoordinate, Signal)>,
     pub(crate) loads: Vec<LoadDefinition>,
+    pub(crate) distributed_loads: Vec<DistributedLoadDefinition>,
     pub(crate) gravity: Option<[Signal; 3]>,
 }
 

@@ -10,7 +10,7 @@ use crate::elements::Unknown;
 use crate::elements::{Contribution, Element, Instant, Joint, NodalLoad, NodeState, Prescribed};
 use crate::elements::{Coordinate, JointKind, SpringDamper};
 use crate::error::{Error, ErrorKind, Result};
-use crate::model::{BoundSignal, Model};
+use crate::model::{BoundSignal, Model, Signal};
 use crate::motion::Motion;
 use nalgebra::Vector3;
 use std::f64::consts::TAU;
@@ -153,16 +153,17 @@ impl System {
             system.place(Arc::new(element), ElementRole::Force);
         }
         for load in &model.loads {
-            let mut numbers = [None; 6];
-            for (number, component) in numbers.iter_mut().zip(&load.components) {
-                if let Some(signal) = component {
-                    let bound = signal.bind(period);
-                    let place = format!("load on node {}", load.node);
-                    *number = Some(system.add_signal(bound, 0.0, 0.0, place)?);
-                }
-            }
+            let place = format!("load on node {}", load.node);
+            let numbers = system.add_components(&load.components, &place)?;
             let element = NodalLoad::new(load.node, load.frame, numbers);
             system.place(Arc::new(element), ElementRole::Force);
+        }
+        for load in &model.distributed_loads {
+            let place = format!("load along beam elements {:?}", load.range());
+            let numbers = system.add_components(&load.components, &place)?;
+            for element in load.elements(&model.beams, numbers)? {
+                system.place(Arc::new(element), ElementRole::Force);
+            }
         }
         if let Some(gravity) = &model.gravity {
             let mut numbers = [0; 3];
@@ -200,6 +201,22 @@ impl System {
             place,
         });
         Ok(self.signals.len() - 1)
+    }
+
+    /// Adds the signals of a load's components.
+    fn add_components(
+        &mut self,
+        components: &[Option<Signal>; 6],
+        place: &str,
+    ) -> Result<[Option<usize>; 6]> {
+        let mut numbers = [None; 6];
+        for (number, component) in numbers.iter_mut().zip(components) {
+            if let Some(signal) = component {
+                let bound = signal.bind(self.period);
+                *number = Some(self.add_signal(bound, 0.0, 0.0, place.into())?);
+            }
+        }
+        Ok(numbers)
     }
 
     fn place(&mut self, element: Arc<dyn Element>, role: ElementRole) {

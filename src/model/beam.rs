@@ -1,0 +1,563 @@
+//! Beams: elements over nodes, and meshes along a reference line.
+
+use super::{Model, SectionInput, straight_line};
+use crate::elements::{Beam, Element, Section, SectionLine, lobatto_points};
+use crate::error::{Error, Result, require_finite};
+use crate::motion::{Motion, rotation_from_vector};
+use nalgebra::Vector3;
+
+/// What a meshed beam consists of: its nodes and elements, in order and numbered consecutively.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct BeamIds {
+    /// Node at the start.
+    pub first_node: usize,
+    /// Node at the end.
+    pub last_node: usize,
+    /// First element.
+    pub first_element: usize,
+    /// Number of elements.
+    pub elements: usize,
+}
+
+/// The cross-section at one place of a beam.
+#[derive(Debug, Clone, Copy)]
+pub struct SectionStation {
+    /// Place along the beam, from 0 at the start to 1 at the end.
+    pub fraction: f64,
+    /// The section, in its own axes.
+    pub section: SectionInput,
+    /// Angle by which its axes 2 and 3 are turned about axis 1 from those of the reference line.
+    pub twist: f64,
+}
+
+impl SectionStation {
+    /// The stations of a beam that is the same all along.
+    pub fn uniform(section: &SectionInput) -> [SectionStation; 1] {
+        [SectionStation {
+            fraction: 0.0,
+            section: *section,
+            twist: 0.0,
+        }]
+    }
+}
+
+/// Cross-sections along a whole beam, checked: sections and twists are linear between stations.
+struct Stations(Vec<(f64, Section, f64)>);
+
+impl Stations {
+    fn new(stations: &[SectionStation]) -> Result<Self> {
+        let mut checked: Vec<(f64, Section, f64)> = Vec::with_capacity(stations.len());
+        for (i, station) in stations.iter().enumerate() {
+            let SectionStation {
+                fraction, twist, ..
+            } = *station;
+            let name = format!("fractions[{i}]");
+            require_finite(&name, &[fraction])?;
+            require_finite(&format!("twists[{i}]"), &[twist])?;
+            if stations.len() > 1 {
+                let expected = match i {
+                    0 if fraction != 0.0 => Some("0 at the start".into()),
+                    _ if i + 1 == stations.len() && fraction != 1.0 => {
+                        Some("1 at the end".to_owned())
+                    }
+                    _ => None,
+                };
+                if let Some(expected) = expected {
+                    return Err(Error::value(&name, expected, fraction));
+                }
+            }
+            let section = match station.section.validated() {
+                Err(error) if stations.len() > 1 => {
+                    return Err(error.within(format!("station {i}")));
+                }
+                checked => checked?,
+            };
+            if let Some((before, _, twist_before)) = checked.last() {
+                if fraction < *before {
+                    let expected = format!("at least {before}, the one before");
+                    return Err(Error::value(&name, expected, fraction));
+                }
+                if fraction == *before && (fraction == 0.0 || fraction == 1.0) {
+                    let got = format!("{fraction} twice");
+                    return Err(Error::value(&name, "jumps inside the beam only", got));
+                }
+                if fraction == *before && twist != *twist_before {
+                    let expected = format!("{twist_before} as on the other side of the jump");
+                    return Err(Error::value(&format!("twists[{i}]"), expected, twist));
+                }
+                let jumps = checked.iter().filter(|s| s.0 == fraction).count();
+                if jumps > 1 {
+                    let got = format!("{fraction} three times");
+                    return Err(Error::value(&name, "at most two stations at a place", got));
+                }
+            }
+            checked.push((fraction, section, twist));
+        }
+        if checked.is_empty() {
+            return Err(Error::size("stations", "at least one", 0));
+        }
+        Ok(Stations(checked))
+    }
+
+    /// Section at `fraction` by the stations `i` and `i + 1`.
+    fn between(&self, i: usize, fraction: f64) -> (Section, f64) {
+        let (start, first, twist) = self.0[i];
+        match self.0.get(i + 1) {
+            Some((end, second, end_twist)) if *end > start => {
+                let t = (fraction - start) / (end - start);
+                let section = first.towards(second, t);
+                (section, twist + (end_twist - twist) * t)
+            }
+            _ => (first, twist),
+        }
+    }
+
+    /// The last station at or before `fraction`.
+    fn before(&self, fraction: f64) -> usize {
+        let next = self.0.partition_point(|s| s.0 <= fraction);
+        next.saturating_sub(1)
+    }
+
+    fn twist(&self, fraction: f64) -> f64 {
+        self.between(self.before(fraction), fraction).1
+    }
+
+    /// The sections of an element from `start` to `end`, between which there is no jump.
+    fn over(&self, start: f64, end: f64) -> SectionLine {
+        let first = self.before(start);
+        if self.0.len() == 1 {
+            return self.0[0].1.into();
+        }
+        // The last station before the end is on its near side, if there is a jump.
+        let last = self.0.partition_point(|s| s.0 < end).saturating_sub(1);
+        let inside: Vec<(f64, Section)> = self.0[first + 1..last.max(first) + 1]
+            .iter()
+            .map(|(fraction, section, _)| {
+                let xi = 2.0 * (fraction - start) / (end - start) - 1.0;
+                (xi, *section)
+            })
+            .collect();
+        let ends = (self.between(first, start).0, self.between(last, end).0);
+        SectionLine::new(ends.0, &inside, ends.1)
+    }
+
+    /// Fractions of the element boundaries: some where the section jumps, and the others so that the
+    /// elements between jumps are equally long, and all about so.
+    fn boundaries(&self, elements: usize) -> Result<Vec<f64>> {
+        let jumps = self.0.windows(2).filter(|pair| pair[0].0 == pair[1].0);
+        let mut ends: Vec<f64> = vec![0.0];
+        ends.extend(jumps.map(|pair| pair[0].0));
+        ends.push(1.0);
+        let parts: Vec<(f64, f64)> = ends.windows(2).map(|e| (e[0], e[1])).collect();
+        if elements < parts.len() {
+            let expected = format!(
+                "at least {}, as the section jumps inside the beam",
+                parts.len()
+            );
+            return Err(Error::size("elements", expected, elements));
+        }
+        let mut counts = vec![1usize; parts.len()];
+        for _ in parts.len()..elements {
+            let length = |i: usize| (parts[i].1 - parts[i].0) / counts[i] as f64;
+            let longest =
+                (0..parts.len()).fold(0, |a, b| if length(b) > length(a) { b } else { a });
+            counts[longest] += 1;
+        }
+        let mut boundaries = vec![0.0];
+        for ((start, end), &count) in parts.iter().zip(&counts) {
+            for k in 1..count {
+                boundaries.push(start + (end - start) * k as f64 / count as f64);
+            }
+            boundaries.push(*end);
+        }
+        Ok(boundaries)
+    }
+}
+
+impl Model {
+    /// Adds one beam element over existing nodes, given in order along the beam and placed at its
+    /// Gauss–Lobatto points; axis 1 of each node's frame is along the beam. Returns its id.
+    ///
+    /// Elements may share end nodes: in chains, and where beams branch.
+    ///
+    /// # Errors
+    /// If nodes do not exist, are out of order, or belong to another beam element in a way that makes
+    /// the two overlap; if the section is not valid.
+    pub fn add_beam_element(&mut self, nodes: &[usize], section: &SectionInput) -> Result<usize> {
+        Self::require_element_size("nodes", nodes.len())?;
+        for (i, &node) in nodes.iter().enumerate() {
+            self.require_node("nodes", node)?;
+            if nodes[..i].contains(&node) {
+                return Err(Error::value(
+                    "nodes",
+                    "distinct nodes",
+                    format!("node {node} twice"),
+                ));
+            }
+        }
+        let section = section.validated()?;
+        self.require_not_shared(nodes)?;
+        self.place_beam_element(nodes, section.into())
+    }
+
+    fn place_beam_element(&mut self, nodes: &[usize], sections: SectionLine) -> Result<usize> {
+        self.require_axis_along(nodes)?;
+        let reference = nodes.iter().map(|&n| self.nodes[n]).collect();
+        let has_mass = sections.has(|s| &s.mass);
+        let beam = Beam::new(nodes.to_vec(), reference, sections)?;
+        if has_mass {
+            self.inertias.push(beam.inertia()?);
+        }
+        self.beams.push(beam);
+        Ok(self.beams.len() - 1)
+    }
+
+    /// Checks that axis 1 of each node points along the beam, roughly, as the beam may be curved: a
+    /// section turned by mistake would bend where it should stretch.
+    fn require_axis_along(&self, nodes: &[usize]) -> Result<()> {
+        for pair in nodes.windows(2) {
+            let chord = self.nodes[pair[1]].position - self.nodes[pair[0]].position;
+            for &node in pair {
+                let angle = self.nodes[node]
+                    .rotation
+                    .column(0)
+                    .angle(&chord)
+                    .to_degrees();
+                if angle > 60.0 {
+                    return Err(Error::value(
+                        "nodes",
+                        "axis 1 of each node's frame along the beam",
+                        format!("node {node}, whose axis 1 is {angle:.1} degrees off"),
+                    ));
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// Checks that a new element over `nodes` shares no more than an end node with each element that is
+    /// there, and does not run along it.
+    fn require_not_shared(&self, nodes: &[usize]) -> Result<()> {
+        let new = self.beams.len();
+        let ends = |nodes: &[usize]| (nodes[0], nodes[nodes.len() - 1]);
+        let refuse = |node: usize, element: usize, how: &str| {
+            let got = format!("node {node}, {how}: elements {element} and {new} would overlap");
+            let expected = "nodes that share no more than an end with another beam element";
+            Err(Error::value("nodes", expected, got))
+        };
+        for (element, beam) in self.beams.iter().enumerate() {
+            let there = beam.nodes();
+            let end_of_there = ends(there);
+            let inner = |nodes: &[usize], node: usize| nodes[1..nodes.len() - 1].contains(&node);
+            for &node in nodes {
+                if inner(there, node) {
+                    return refuse(node, element, &format!("inside beam element {element}"));
+                }
+                if inner(nodes, node) && (node == end_of_there.0 || node == end_of_there.1) {
+                    return refuse(node, element, &format!("an end of beam element {element}"));
+                }
+            }
+            if end_of_there == ends(nodes) {
+                let how = format!("where beam element {element} starts, with the same end");
+                return refuse(nodes[0], element, &how);
+            }
+            // Two that leave a node in the same direction, one beyond the other.
+            let direction = |from: usize, to: usize| {
+                let span = self.nodes[to].position - self.nodes[from].position;
+                span.normalize()
+            };
+            let (a, b) = (end_of_there, ends(nodes));
+            let leaving = [(a.0 == b.0, there[1], nodes[1], b.0), {
+                let last = |nodes: &[usize]| nodes[nodes.len() - 2];
+                (a.1 == b.1, last(there), last(nodes), b.1)
+            }];
+            for (meet, one, other, node) in leaving {
+                if meet && (direction(node, one) - direction(node, other)).norm() < 1e-6 {
+                    let how = format!("which beam element {element} leaves in the same direction");
+                    return refuse(node, element, &how);
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// Meshes a beam along a reference line with `elements` elements of polynomial degree `degree`
+    /// (nodes of an element, less one).
+    ///
+    /// `line` gives, for each fraction of the span from 0 to 1, a frame with axis 1 along the line, such as
+    /// [`straight_line`], [`circular_arc`](super::circular_arc) and [`smooth_curve`](super::smooth_curve) make. Sections and twist
+    /// are linear in the fraction between `stations`, which ascend from 0 to 1; two stations at the same
+    /// fraction make a jump of the section, where the mesh gets a boundary. One station alone stands for all.
+    /// Where the slope of section or twist jumps inside an element, convergence with the degree is slower.
+    ///
+    /// # Errors
+    /// If the line, the stations or the numbers of the mesh are not valid; the model is then as it was.
+    pub fn add_beam_along(
+        &mut self,
+        line: impl Fn(f64) -> Result<Motion>,
+        stations: &[SectionStation],
+        elements: usize,
+        degree: usize,
+    ) -> Result<BeamIds> {
+        Self::require_mesh(elements, degree)?;
+        let stations = Stations::new(stations)?;
+        let boundaries = stations.boundaries(elements)?;
+        let before = (self.nodes.len(), self.beams.len(), self.inertias.len());
+        let mesh = |model: &mut Model| -> Result<BeamIds> {
+            let node_at = |model: &mut Model, fraction: f64| -> Result<usize> {
+                let frame = line(fraction)?;
+                let twist = Vector3::x() * stations.twist(fraction);
+                let rotation = frame.rotation * rotation_from_vector(&twist);
+                model.add_node(&Motion::new(rotation, frame.position))
+            };
+            let points = lobatto_points(degree + 1);
+            let first_node = node_at(model, 0.0)?;
+            let mut previous = first_node;
+            for ends in boundaries.windows(2) {
+                let (start, end) = (ends[0], ends[1]);
+                let mut nodes = vec![previous];
+                for x in &points[1..degree] {
+                    nodes.push(node_at(model, start + 0.5 * (x + 1.0) * (end - start))?);
+                }
+                nodes.push(node_at(model, end)?);
+                model.place_beam_element(&nodes, stations.over(start, end))?;
+                previous += degree;
+            }
+            Ok(BeamIds {
+                first_node,
+                last_node: previous,
+                first_element: before.1,
+                elements,
+            })
+        };
+        let ids = mesh(self);
+        if ids.is_err() {
+            self.nodes.truncate(before.0);
+            self.beams.truncate(before.1);
+            self.inertias.truncate(before.2);
+        }
+        ids
+    }
+
+    /// Meshes a straight beam of the same section all along; see [`Model::add_beam_along`].
+    pub fn add_straight_beam(
+        &mut self,
+        start: &Vector3<f64>,
+        end: &Vector3<f64>,
+        axis_2: &Vector3<f64>,
+        section: &SectionInput,
+        elements: usize,
+        degree: usize,
+    ) -> Result<BeamIds> {
+        let line = straight_line(start, end, axis_2)?;
+        self.add_beam_along(line, &SectionStation::uniform(section), elements, degree)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use nalgebra::Matrix3;
+
+    fn section(scale: f64) -> SectionInput {
+        SectionInput::diagonal(&[scale; 6], &[scale; 4]).unwrap()
+    }
+
+    fn station(fraction: f64, scale: f64, twist: f64) -> SectionStation {
+        SectionStation {
+            fraction,
+            section: section(scale),
+            twist,
+        }
+    }
+
+    /// Nodes along axis 1 at these places.
+    fn nodes(places: &[f64]) -> Model {
+        let mut model = Model::new();
+        for &x in places {
+            let motion = Motion::new(Matrix3::identity(), Vector3::x() * x);
+            model.add_node(&motion).unwrap();
+        }
+        model
+    }
+
+    #[test]
+    fn elements_may_share_ends_but_not_overlap() {
+        let mut model = nodes(&[0.0, 1.0, 2.0, 3.0, 4.0]);
+        let uniform = section(1.0);
+        let mut add = |nodes: &[usize]| {
+            let added = model.add_beam_element(nodes, &uniform);
+            added.map_err(|e| e.to_string())
+        };
+        let overlap = |nodes: &str, element: usize, new: usize| {
+            format!("{nodes}: elements {element} and {new} would overlap")
+        };
+        assert_eq!(add(&[0, 1, 2]), Ok(0));
+        let inside = add(&[1, 3]).unwrap_err();
+        assert!(inside.ends_with(&overlap("node 1, inside beam element 0", 0, 1)));
+        assert_eq!(add(&[2, 3]), Ok(1));
+        let through = add(&[1, 2, 3]).unwrap_err();
+        assert!(
+            through.contains("node 1, inside beam element 0"),
+            "{through}"
+        );
+        let twice = add(&[2, 3]).unwrap_err();
+        let how = "node 2, where beam element 1 starts, with the same end";
+        assert!(twice.ends_with(&overlap(how, 1, 2)), "{twice}");
+        let beyond = add(&[2, 4]).unwrap_err();
+        let how = "node 2, which beam element 1 leaves in the same direction";
+        assert!(beyond.ends_with(&overlap(how, 1, 2)), "{beyond}");
+        assert_eq!(add(&[3, 4]), Ok(2));
+        let end = add(&[2, 3, 4]).unwrap_err();
+        assert!(end.contains("node 3, an end of beam element 1"), "{end}");
+
+        // A branch, and the same pair of ends the other way round as a ring needs them, are allowed.
+        let aside = Motion::new(Matrix3::identity(), Vector3::new(3.0, 0.4, 0.0));
+        let aside = model.add_node(&aside).unwrap();
+        assert_eq!(model.add_beam_element(&[2, aside], &uniform), Ok(3));
+    }
+
+    #[test]
+    fn a_ring_of_two_half_circles_shares_both_ends() {
+        let on = |x: f64| Vector3::new(x.cos(), x.sin(), 0.0);
+        let mut model = Model::new();
+        let points = lobatto_points(9);
+        let mut half = |start: f64, first: Option<usize>, last: Option<usize>| -> Vec<usize> {
+            (0..9)
+                .map(|i| {
+                    let x = start + std::f64::consts::FRAC_PI_2 * (points[i] + 1.0);
+                    let along = Vector3::new(-x.sin(), x.cos(), 0.0);
+                    let axes = Matrix3::from_columns(&[along, -on(x), Vector3::z()]);
+                    match (i, first, last) {
+                        (0, Some(node), _) | (8, _, Some(node)) => node,
+                        _ => model.add_node(&Motion::new(axes, on(x))).unwrap(),
+                    }
+                })
+                .collect()
+        };
+        let upper = half(0.0, None, None);
+        let lower = half(std::f64::consts::PI, Some(upper[8]), Some(upper[0]));
+        assert_eq!(model.add_beam_element(&upper, &section(1.0)), Ok(0));
+        assert_eq!(model.add_beam_element(&lower, &section(1.0)), Ok(1));
+        let mass = model.mass_and_moment().0;
+        assert!((mass - std::f64::consts::TAU).abs() < 1e-9, "{mass}");
+    }
+
+    #[test]
+    fn stations_must_be_in_order_from_end_to_end() {
+        let refusal = |stations: &[SectionStation]| match Stations::new(stations) {
+            Ok(_) => String::new(),
+            Err(error) => error.to_string(),
+        };
+        let at = |fractions: &[f64]| {
+            let stations: Vec<_> = fractions.iter().map(|&f| station(f, 1.0, 0.0)).collect();
+            refusal(&stations)
+        };
+        assert_eq!(at(&[0.0, 0.5, 0.5, 1.0]), "");
+        assert_eq!(at(&[0.0]), "");
+        assert!(at(&[]).starts_with("stations: expected at least one"));
+        assert!(at(&[0.1, 1.0]).starts_with("fractions[0]: expected 0 at the start"));
+        assert!(at(&[0.0, 0.9]).starts_with("fractions[1]: expected 1 at the end"));
+        assert!(at(&[0.0, 0.6, 0.5, 1.0]).starts_with("fractions[2]: expected at least 0.6"));
+        assert!(at(&[0.0, 1.5, 1.0]).starts_with("fractions[2]: expected at least 1.5"));
+        assert!(at(&[0.0, f64::NAN, 1.0]).starts_with("fractions[1]: expected a finite"));
+        assert!(at(&[0.0, 0.0, 1.0]).starts_with("fractions[1]: expected jumps inside"));
+        assert!(at(&[0.0, 1.0, 1.0]).starts_with("fractions[2]: expected jumps inside"));
+        assert!(at(&[0.0, 0.5, 0.5, 0.5, 1.0]).starts_with("fractions[3]: expected at most two"));
+        let mut stations = [station(0.0, 1.0, 0.3), station(1.0, 1.0, f64::INFINITY)];
+        assert!(refusal(&stations).starts_with("twists[1]: expected a finite"));
+        stations[1].twist = 0.0;
+        stations[1].section.stiffness[(2, 2)] = -1.0;
+        assert!(refusal(&stations).starts_with("station 1: section stiffness"));
+        let twisted = [
+            station(0.0, 1.0, 0.0),
+            station(0.5, 1.0, 0.1),
+            station(0.5, 2.0, 0.2),
+            station(1.0, 1.0, 0.0),
+        ];
+        assert!(refusal(&twisted).starts_with("twists[2]: expected 0.1"));
+    }
+
+    #[test]
+    fn sections_are_linear_between_stations_and_jumps_are_element_boundaries() {
+        let stations = [
+            station(0.0, 1.0, 0.0),
+            station(0.2, 3.0, 0.4),
+            station(0.4, 2.0, 0.2),
+            station(0.4, 5.0, 0.2),
+            station(1.0, 8.0, 0.8),
+        ];
+        let stations = Stations::new(&stations).unwrap();
+        assert!(stations.boundaries(1).is_err());
+        let close = |a: &[f64], b: &[f64]| {
+            assert_eq!(a.len(), b.len());
+            assert!(a.iter().zip(b).all(|(a, b)| (a - b).abs() < 1e-15), "{a:?}");
+        };
+        close(&stations.boundaries(2).unwrap(), &[0.0, 0.4, 1.0]);
+        close(&stations.boundaries(3).unwrap(), &[0.0, 0.4, 0.7, 1.0]);
+        close(
+            &stations.boundaries(5).unwrap(),
+            &[0.0, 0.2, 0.4, 0.6, 0.8, 1.0],
+        );
+        let scale = |line: &SectionLine, xi: f64| line.at(xi).stiffness[(3, 3)];
+        let first = stations.over(0.0, 0.4);
+        let second = stations.over(0.4, 1.0);
+        for (line, xi, exact) in [
+            (&first, -1.0, 1.0),
+            (&first, -0.5, 2.0),
+            (&first, 0.0, 3.0),
+            (&first, 1.0, 2.0),
+            (&second, -1.0, 5.0),
+            (&second, 0.5, 7.25),
+            (&second, 1.0, 8.0),
+            (&stations.over(0.1, 0.3), -1.0, 2.0),
+            (&stations.over(0.1, 0.3), 0.0, 3.0),
+            (&stations.over(0.1, 0.3), 1.0, 2.5),
+            (&stations.over(0.5, 0.6), 0.0, 5.75),
+        ] {
+            assert!((scale(line, xi) - exact).abs() < 1e-14, "{xi} {exact}");
+        }
+        for (fraction, twist) in [(0.0, 0.0), (0.1, 0.2), (0.3, 0.3), (0.4, 0.2), (1.0, 0.8)] {
+            assert!((stations.twist(fraction) - twist).abs() < 1e-15);
+        }
+    }
+
+    #[test]
+    fn a_tapered_beam_has_its_mass() {
+        let mut model = Model::new();
+        let line = straight_line(&Vector3::zeros(), &(Vector3::x() * 3.0), &Vector3::y()).unwrap();
+        let stations = [
+            station(0.0, 4.0, 0.0),
+            station(0.5, 2.0, 0.0),
+            station(0.5, 1.0, 0.0),
+            station(1.0, 0.0001, 0.0),
+        ];
+        model.add_beam_along(&line, &stations, 4, 2).unwrap();
+        let (mass, moment) = model.mass_and_moment();
+        assert!(
+            (mass - 3.0 * (0.5 * 3.0 + 0.25 * 1.0001)).abs() < 1e-13,
+            "{mass}"
+        );
+        // ∫ (4 − 4 s) s ds to 1/2, and ∫ (1 − 0.9999 (2 s − 1)) s ds from there, times length squared.
+        let exact = 9.0 * ((0.5 - 1.0 / 6.0) + (0.375 - 0.9999 * 5.0 / 24.0));
+        assert!((moment.x - exact).abs() < 1e-12, "{moment} {exact}");
+        // Refused lines leave the model as it was.
+        let count = model.node_count();
+        let broken = |fraction: f64| {
+            let motion = line(fraction)?;
+            Ok(if fraction > 0.8 {
+                turned_across(&motion)
+            } else {
+                motion
+            })
+        };
+        assert!(model.add_beam_along(broken, &stations, 4, 2).is_err());
+        assert_eq!((model.node_count(), model.beam_element_count()), (count, 4));
+    }
+
+    /// Turned by a right angle: axis 1 is across the line.
+    fn turned_across(motion: &Motion) -> Motion {
+        let turn = rotation_from_vector(&(Vector3::y() * std::f64::consts::FRAC_PI_2));
+        Motion::new(motion.rotation * turn, motion.position)
+    }
+}
