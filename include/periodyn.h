@@ -174,17 +174,52 @@
 #define PDN_JOINT_SPHERICAL 3
 
 /**
- * Joint coordinate: the angle of a revolute joint, the first angle of others.
+ * Joint that allows a displacement along axis 3 of its frames.
+ */
+#define PDN_JOINT_PRISMATIC 4
+
+/**
+ * Joint that allows a displacement along axis 3 of its frames and a rotation about it.
+ */
+#define PDN_JOINT_CYLINDRICAL 5
+
+/**
+ * Joint that allows displacements along axes 1 and 2 of its first frame and a rotation about axis 3.
+ */
+#define PDN_JOINT_PLANAR 6
+
+/**
+ * Joint that allows everything: it carries springs, prescribed coordinates and measures.
+ */
+#define PDN_JOINT_FREE 7
+
+/**
+ * Joint coordinate: the displacement, or the first of several.
+ */
+#define PDN_DISPLACEMENT 0
+
+/**
+ * Joint coordinate: second displacement of a planar or free joint.
+ */
+#define PDN_DISPLACEMENT_2 1
+
+/**
+ * Joint coordinate: third displacement of a free joint.
+ */
+#define PDN_DISPLACEMENT_3 2
+
+/**
+ * Joint coordinate: the angle, or the first of several.
  */
 #define PDN_ROTATION 3
 
 /**
- * Joint coordinate: second angle of a universal or spherical joint.
+ * Joint coordinate: second angle of a universal, spherical or free joint.
  */
 #define PDN_ROTATION_2 4
 
 /**
- * Joint coordinate: third angle of a spherical joint.
+ * Joint coordinate: third angle of a spherical or free joint.
  */
 #define PDN_ROTATION_3 5
 
@@ -1148,6 +1183,53 @@ pdn_status pdn_model_add_inertia(struct pdn_model *model,
                                  const double *matrix);
 
 /**
+ * Adds a linear spring with a damper on a joint coordinate, in addition to those that are there.
+ *
+ * It resists with stiffness * (coordinate - rest) + damping * its rate; whole turns count.
+ *
+ * @param model  the model; not NULL
+ * @param joint  id of the joint
+ * @param coordinate  PDN_DISPLACEMENT ... PDN_ROTATION_3; one that the joint has
+ * @param stiffness  force for a unit of displacement [force / length], or moment for a unit of angle
+ *     [force * length]; may be negative
+ * @param damping  force or moment for a unit rate [force * time / length, or force * length * time]; may be
+ *     negative
+ * @param rest  coordinate at which the spring is free of force or moment [length, or radian]
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_ID, PDN_ERR_VALUE, PDN_ERR_NOT_AVAILABLE
+ *
+ * Threads: exclusive use of `model`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_model_add_spring_damper(struct pdn_model *model,
+                                       int32_t joint,
+                                       int32_t coordinate,
+                                       double stiffness,
+                                       double damping,
+                                       double rest);
+
+/**
+ * Makes a joint coordinate follow a signal. Each coordinate can be prescribed once.
+ *
+ * The signal of an angle may grow by whole turns in a period, save that of a screw.
+ *
+ * @param model  the model; not NULL
+ * @param joint  id of the joint
+ * @param coordinate  PDN_DISPLACEMENT ... PDN_ROTATION_3; one that the joint has
+ * @param signal  the coordinate in time [length, or radian], copied; not NULL
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_SIZE, PDN_ERR_ID, PDN_ERR_VALUE,
+ *     PDN_ERR_STRUCT_SIZE, PDN_ERR_NOT_AVAILABLE
+ *
+ * Threads: exclusive use of `model`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_model_prescribe(struct pdn_model *model,
+                               int32_t joint,
+                               int32_t coordinate,
+                               const struct pdn_signal *signal);
+
+/**
  * Fixes two bodies to each other.
  *
  * Its frames are at the point, with axes parallel to the global ones in the reference configuration. It
@@ -1195,6 +1277,141 @@ pdn_status pdn_model_add_revolute(struct pdn_model *model,
                                   const double *point,
                                   const double *axis,
                                   int32_t *joint);
+
+/**
+ * Joins two bodies by a slider.
+ *
+ * Its frames are at the point, with axis 3 along the axis. Its coordinate PDN_DISPLACEMENT is the distance by
+ * which the second body has moved relative to the first, along the axis, since the reference configuration,
+ * where it is zero. The bodies do not turn relative to each other.
+ *
+ * @param model  the model; not NULL
+ * @param first  id of the first node, or PDN_GROUND
+ * @param second  id of the second node, or PDN_GROUND; not the same body
+ * @param point  array of length 3: a point of the axis, global coordinates [length]
+ * @param axis  array of length 3: direction of the axis, global coordinates, of any nonzero length
+ * @param joint  the joint's id; written on success only
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_ID, PDN_ERR_VALUE
+ *
+ * Threads: exclusive use of `model`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_model_add_prismatic(struct pdn_model *model,
+                                   int32_t first,
+                                   int32_t second,
+                                   const double *point,
+                                   const double *axis,
+                                   int32_t *joint);
+
+/**
+ * Joins two bodies by a shaft in a sleeve: one slides along the axis and turns about it.
+ *
+ * Its frames are at the point, with axis 3 along the axis. Its coordinates PDN_DISPLACEMENT and PDN_ROTATION are
+ * the distance and the angle by which the second body has moved relative to the first, along the axis and about
+ * it by the right-hand rule, since the reference configuration, where they are zero.
+ *
+ * @param model  the model; not NULL
+ * @param first  id of the first node, or PDN_GROUND
+ * @param second  id of the second node, or PDN_GROUND; not the same body
+ * @param point  array of length 3: a point of the axis, global coordinates [length]
+ * @param axis  array of length 3: direction of the axis, global coordinates, of any nonzero length
+ * @param joint  the joint's id; written on success only
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_ID, PDN_ERR_VALUE
+ *
+ * Threads: exclusive use of `model`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_model_add_cylindrical(struct pdn_model *model,
+                                     int32_t first,
+                                     int32_t second,
+                                     const double *point,
+                                     const double *axis,
+                                     int32_t *joint);
+
+/**
+ * Joins two bodies by a screw: the second advances along the axis as it turns about it.
+ *
+ * Its frames are at the point, with axis 3 along the axis. Its coordinates are those of a cylindrical joint, and
+ * PDN_DISPLACEMENT = pitch PDN_ROTATION / (2 pi). The displacement tells the whole turns of the angle, so that
+ * unlike other angles it cannot gain any in a period.
+ *
+ * @param model  the model; not NULL
+ * @param first  id of the first node, or PDN_GROUND
+ * @param second  id of the second node, or PDN_GROUND; not the same body
+ * @param point  array of length 3: a point of the axis, global coordinates [length]
+ * @param axis  array of length 3: direction of the axis, global coordinates, of any nonzero length
+ * @param pitch  advance for one turn [length]; positive for a right-handed thread, negative for a left-handed
+ *     one, not zero
+ * @param joint  the joint's id; written on success only
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_ID, PDN_ERR_VALUE
+ *
+ * Threads: exclusive use of `model`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_model_add_screw(struct pdn_model *model,
+                               int32_t first,
+                               int32_t second,
+                               const double *point,
+                               const double *axis,
+                               double pitch,
+                               int32_t *joint);
+
+/**
+ * Joins two bodies by a pair of planes that slide and turn on each other.
+ *
+ * Its frames are at the point, with axis 3 along the normal; axes 1 and 2 are found by the library, see
+ * ::pdn_model_add_joint to choose them. Its coordinates are the displacements of the second body along axes 1
+ * and 2 of the first frame (PDN_DISPLACEMENT, PDN_DISPLACEMENT_2) and the angle by which it has turned relative
+ * to the first, about the normal by the right-hand rule (PDN_ROTATION), since the reference configuration, where
+ * they are zero.
+ *
+ * @param model  the model; not NULL
+ * @param first  id of the first node, or PDN_GROUND
+ * @param second  id of the second node, or PDN_GROUND; not the same body
+ * @param point  array of length 3: a point of the plane, whose displacement is measured, global coordinates
+ *     [length]
+ * @param normal  array of length 3: normal of the plane, global coordinates, of any nonzero length
+ * @param joint  the joint's id; written on success only
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_ID, PDN_ERR_VALUE
+ *
+ * Threads: exclusive use of `model`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_model_add_planar(struct pdn_model *model,
+                                int32_t first,
+                                int32_t second,
+                                const double *point,
+                                const double *normal,
+                                int32_t *joint);
+
+/**
+ * Joins two bodies by nothing: a joint that constrains no motion, but has coordinates.
+ *
+ * It carries springs and dampers, prescribed coordinates and measures between any two bodies. Its frames are at
+ * the point, with axes parallel to the global ones in the reference configuration. Its coordinates are the
+ * displacements of the second body along axes 1, 2, 3 of the first frame (PDN_DISPLACEMENT, PDN_DISPLACEMENT_2,
+ * PDN_DISPLACEMENT_3), and the angles of a spherical joint (PDN_ROTATION, PDN_ROTATION_2, PDN_ROTATION_3).
+ *
+ * @param model  the model; not NULL
+ * @param first  id of the first node, or PDN_GROUND
+ * @param second  id of the second node, or PDN_GROUND; not the same body
+ * @param point  array of length 3: whose displacement is measured, global coordinates [length]
+ * @param joint  the joint's id; written on success only
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_ID, PDN_ERR_VALUE
+ *
+ * Threads: exclusive use of `model`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_model_add_free_joint(struct pdn_model *model,
+                                    int32_t first,
+                                    int32_t second,
+                                    const double *point,
+                                    int32_t *joint);
 
 /**
  * Joins two bodies by a ball.
@@ -1256,20 +1473,25 @@ pdn_status pdn_model_add_universal(struct pdn_model *model,
  * Joins two bodies by a joint of any kind, between a frame fixed to each.
  *
  * The frames need not fit each other in the reference configuration: the solver closes the joint. With
- * r and R the position and rotation of the second frame relative to the first, the closed joint has
- * r = 0, and
+ * r = (r1, r2, r3) and R the position and rotation of the second frame relative to the first, and resolved in
+ * it, the closed joint has
  *
- * | kind | R | coordinates |
- * |---|---|---|
- * | PDN_JOINT_RIGID | I | none |
- * | PDN_JOINT_REVOLUTE | R3(a) | a = PDN_ROTATION |
- * | PDN_JOINT_UNIVERSAL | R1(a) R2(b) | a = PDN_ROTATION, b = PDN_ROTATION_2 |
- * | PDN_JOINT_SPHERICAL | R1(a) R2(b) R3(c) | and c = PDN_ROTATION_3 |
+ * | kind | r | R | coordinates |
+ * |---|---|---|---|
+ * | PDN_JOINT_RIGID | 0 | I | none |
+ * | PDN_JOINT_REVOLUTE | 0 | R3(a) | a = PDN_ROTATION |
+ * | PDN_JOINT_PRISMATIC | (0, 0, z) | I | z = PDN_DISPLACEMENT |
+ * | PDN_JOINT_CYLINDRICAL | (0, 0, z) | R3(a) | z = PDN_DISPLACEMENT, a = PDN_ROTATION |
+ * | PDN_JOINT_PLANAR | (x, y, 0) | R3(a) | x = PDN_DISPLACEMENT, y = PDN_DISPLACEMENT_2, a = PDN_ROTATION |
+ * | PDN_JOINT_UNIVERSAL | 0 | R1(a) R2(b) | a = PDN_ROTATION, b = PDN_ROTATION_2 |
+ * | PDN_JOINT_SPHERICAL | 0 | R1(a) R2(b) R3(c) | and c = PDN_ROTATION_3 |
+ * | PDN_JOINT_FREE | (x, y, z) | R1(a) R2(b) R3(c) | all of these, z = PDN_DISPLACEMENT_3 |
  *
- * where Rk(x) turns by x about axis k, right-handed. Angles count whole turns.
+ * where Rk(x) turns by x about axis k, right-handed. Angles count whole turns. A screw has a pitch besides:
+ * ::pdn_model_add_screw_between.
  *
  * @param model  the model; not NULL
- * @param kind  PDN_JOINT_RIGID, PDN_JOINT_REVOLUTE, PDN_JOINT_UNIVERSAL or PDN_JOINT_SPHERICAL
+ * @param kind  PDN_JOINT_RIGID ... PDN_JOINT_FREE
  * @param first  id of the first node, or PDN_GROUND
  * @param second  id of the second node, or PDN_GROUND; not the same body
  * @param first_frame  frame fixed to the first body, where it is in the reference configuration; not NULL
@@ -1290,49 +1512,33 @@ pdn_status pdn_model_add_joint(struct pdn_model *model,
                                int32_t *joint);
 
 /**
- * Adds a linear spring with a damper on a joint coordinate, in addition to those that are there.
+ * Joins two bodies by a screw, between a frame fixed to each.
  *
- * It resists with stiffness * (coordinate - rest) + damping * its rate; whole turns count.
+ * As ::pdn_model_add_joint with frames: the closed joint has r = (0, 0, pitch a / (2 pi)) and R = R3(a), with
+ * the coordinates PDN_DISPLACEMENT = r3 and PDN_ROTATION = a. Where the frames do not fit each other in the
+ * reference configuration, the solver takes the thread's turn that is nearest.
  *
  * @param model  the model; not NULL
- * @param joint  id of the joint
- * @param coordinate  PDN_ROTATION, PDN_ROTATION_2 or PDN_ROTATION_3; one that the joint has
- * @param stiffness  moment for a unit of angle [force * length]; may be negative
- * @param damping  moment for a unit rate of angle [force * length * time]; may be negative
- * @param rest  angle at which the spring is free of moment [radian]
- * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_ID, PDN_ERR_VALUE, PDN_ERR_NOT_AVAILABLE
+ * @param first  id of the first node, or PDN_GROUND
+ * @param second  id of the second node, or PDN_GROUND; not the same body
+ * @param first_frame  frame fixed to the first body, where it is in the reference configuration; not NULL
+ * @param second_frame  frame fixed to the second body, likewise; not NULL
+ * @param pitch  advance for one turn [length]; positive for a right-handed thread, negative for a left-handed
+ *     one, not zero
+ * @param joint  the joint's id; written on success only
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_ID, PDN_ERR_VALUE
  *
  * Threads: exclusive use of `model`.
  * @since 0.1
  */
 PDN_API
-pdn_status pdn_model_add_spring_damper(struct pdn_model *model,
-                                       int32_t joint,
-                                       int32_t coordinate,
-                                       double stiffness,
-                                       double damping,
-                                       double rest);
-
-/**
- * Makes a joint coordinate follow a signal. Each coordinate can be prescribed once.
- *
- * The signal may grow by whole turns in a period.
- *
- * @param model  the model; not NULL
- * @param joint  id of the joint
- * @param coordinate  PDN_ROTATION, PDN_ROTATION_2 or PDN_ROTATION_3; one that the joint has
- * @param signal  the coordinate in time [radian], copied; not NULL
- * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_SIZE, PDN_ERR_ID, PDN_ERR_VALUE,
- *     PDN_ERR_STRUCT_SIZE, PDN_ERR_NOT_AVAILABLE
- *
- * Threads: exclusive use of `model`.
- * @since 0.1
- */
-PDN_API
-pdn_status pdn_model_prescribe(struct pdn_model *model,
-                               int32_t joint,
-                               int32_t coordinate,
-                               const struct pdn_signal *signal);
+pdn_status pdn_model_add_screw_between(struct pdn_model *model,
+                                       int32_t first,
+                                       int32_t second,
+                                       const struct pdn_frame *first_frame,
+                                       const struct pdn_frame *second_frame,
+                                       double pitch,
+                                       int32_t *joint);
 
 /**
  * Adds a beam element over nodes that are there; it may be curved and twisted.
@@ -1670,14 +1876,14 @@ pdn_status pdn_solution_node_acceleration(const struct pdn_solution *solution,
                                           double *out);
 
 /**
- * Joint coordinate at any times: an angle, followed continuously through whole turns.
+ * Joint coordinate at any times: a displacement, or an angle, followed continuously through whole turns.
  *
  * @param solution  the solution; not NULL
  * @param joint  id of the joint
- * @param coordinate  PDN_ROTATION, PDN_ROTATION_2 or PDN_ROTATION_3; see the joint
+ * @param coordinate  PDN_DISPLACEMENT ... PDN_ROTATION_3; see the joint
  * @param times  array of length [count]: times, also outside the first period
  * @param count  number of times
- * @param out  array of length [count] \[rad\]
+ * @param out  array of length [count] \[length, or rad\]
  * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_ID, PDN_ERR_VALUE,
  *     PDN_ERR_NOT_AVAILABLE (the joint has no such coordinate),
  *     PDN_ERR_OVERFLOW
@@ -1698,10 +1904,10 @@ pdn_status pdn_solution_joint_coordinate(const struct pdn_solution *solution,
  *
  * @param solution  the solution; not NULL
  * @param joint  id of the joint
- * @param coordinate  PDN_ROTATION, PDN_ROTATION_2 or PDN_ROTATION_3; see the joint
+ * @param coordinate  PDN_DISPLACEMENT ... PDN_ROTATION_3; see the joint
  * @param times  array of length [count]: times, also outside the first period
  * @param count  number of times
- * @param out  array of length [count] \[rad per unit of time\]
+ * @param out  array of length [count] \[length or rad per unit of time\]
  * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_ID, PDN_ERR_VALUE,
  *     PDN_ERR_NOT_AVAILABLE (the joint has no such coordinate),
  *     PDN_ERR_OVERFLOW
@@ -1722,10 +1928,10 @@ pdn_status pdn_solution_joint_rate(const struct pdn_solution *solution,
  *
  * @param solution  the solution; not NULL
  * @param joint  id of the joint
- * @param coordinate  PDN_ROTATION, PDN_ROTATION_2 or PDN_ROTATION_3; see the joint
+ * @param coordinate  PDN_DISPLACEMENT ... PDN_ROTATION_3; see the joint
  * @param times  array of length [count]: times, also outside the first period
  * @param count  number of times
- * @param out  array of length [count] \[rad per unit of time squared\]
+ * @param out  array of length [count] \[length or rad per unit of time squared\]
  * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_ID, PDN_ERR_VALUE,
  *     PDN_ERR_NOT_AVAILABLE (the joint has no such coordinate),
  *     PDN_ERR_OVERFLOW
@@ -1742,7 +1948,7 @@ pdn_status pdn_solution_joint_acceleration(const struct pdn_solution *solution,
                                            double *out);
 
 /**
- * Torque that drives a prescribed coordinate, at any times.
+ * Force or torque that drives a prescribed coordinate, at any times.
  *
  * It acts on the second body, and its reaction on the first; positive where it does work on a growing
  * coordinate. Interpolated from the multipliers at the grid points.
@@ -1752,7 +1958,7 @@ pdn_status pdn_solution_joint_acceleration(const struct pdn_solution *solution,
  * @param coordinate  the prescribed coordinate, as given to ::pdn_model_prescribe
  * @param times  array of length [count]: times, also outside the first period
  * @param count  number of times
- * @param out  array of length [count] \[force x length\]
+ * @param out  array of length [count] \[force, or force x length\]
  * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_ID, PDN_ERR_VALUE,
  *     PDN_ERR_NOT_AVAILABLE (no such coordinate, or it is not prescribed),
  *     PDN_ERR_OVERFLOW
@@ -1881,7 +2087,7 @@ pdn_status pdn_solution_node_harmonics(const struct pdn_solution *solution,
  * @param solution  the solution; not NULL
  * @param joint  id of the joint
  * @param quantity  PDN_JOINT_COORDINATE, ...; it has C components
- * @param detail  the coordinate (PDN_ROTATION, ...) or, for PDN_JOINT_REACTION, the axes (PDN_AXES_SPACE, ...)
+ * @param detail  the coordinate (PDN_DISPLACEMENT, ...) or, for PDN_JOINT_REACTION, the axes (PDN_AXES_SPACE, ...)
  * @param harmonics  number of harmonics wanted, at most (N - 1) / 2
  * @param mean  array of length C; may be NULL
  * @param rate  array of length C: growth per unit of time, of an angle that gains turns; may be NULL

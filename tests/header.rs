@@ -13,6 +13,7 @@ const FILES: &[&str] = &[
     "section",
     "signal",
     "model",
+    "joint",
     "beam",
     "load",
     "solution",

@@ -70,6 +70,7 @@
 pub mod beam;
 pub mod callback;
 pub mod guard;
+pub mod joint;
 pub mod last_error;
 pub mod load;
 pub mod model;

@@ -2,10 +2,10 @@
 
 use super::call::Call;
 use super::guard::guard;
-use super::handle::{self, Exclusive, Handle};
+use super::handle::{self, Handle};
+use super::joint;
 use super::signal::{self, pdn_signal};
 use super::status::pdn_status;
-use crate::elements::{Coordinate, JointKind};
 use crate::error::{Error, ErrorKind, Result, require_finite};
 use crate::model::{JointCoordinate, Model, SpringDefinition};
 use crate::motion::Motion;
@@ -13,22 +13,6 @@ use nalgebra::{Matrix3, Matrix6, Vector3};
 
 /// In place of a node's id: the ground, which does not move.
 pub const PDN_GROUND: i32 = -1;
-
-/// Joint that allows no relative motion.
-pub const PDN_JOINT_RIGID: i32 = 0;
-/// Joint that allows a rotation about axis 3 of its frames.
-pub const PDN_JOINT_REVOLUTE: i32 = 1;
-/// Joint that allows a rotation about axis 1 of its first frame, then about axis 2 of its second.
-pub const PDN_JOINT_UNIVERSAL: i32 = 2;
-/// Joint that allows all rotations.
-pub const PDN_JOINT_SPHERICAL: i32 = 3;
-
-/// Joint coordinate: the angle of a revolute joint, the first angle of others.
-pub const PDN_ROTATION: i32 = 3;
-/// Joint coordinate: second angle of a universal or spherical joint.
-pub const PDN_ROTATION_2: i32 = 4;
-/// Joint coordinate: third angle of a spherical joint.
-pub const PDN_ROTATION_3: i32 = 5;
 
 /// A mechanism. Made by ::pdn_model_new, freed by ::pdn_model_free.
 ///
@@ -75,7 +59,7 @@ pub(super) fn node(model: &Model, id: i32, name: &str) -> Result<usize> {
 }
 
 /// The node that an id names, or the ground.
-fn body(model: &Model, id: i32, name: &str) -> Result<Option<usize>> {
+pub(super) fn body(model: &Model, id: i32, name: &str) -> Result<Option<usize>> {
     if id == PDN_GROUND {
         return Ok(None);
     }
@@ -114,32 +98,6 @@ pub(super) fn choose<T: Copy>(
         .find(|(code, _)| *code == given)
         .map(|(_, item)| *item)
         .ok_or_else(|| Error::value(name, expected, given))
-}
-
-/// The joint coordinate that a `PDN_ROTATION...` names; whether the joint has it is for the core.
-pub(super) fn coordinate(given: i32, name: &str) -> Result<Coordinate> {
-    let table = [
-        (PDN_ROTATION, Coordinate::Rotation1),
-        (PDN_ROTATION_2, Coordinate::Rotation2),
-        (PDN_ROTATION_3, Coordinate::Rotation3),
-    ];
-    let expected = "PDN_ROTATION, PDN_ROTATION_2 or PDN_ROTATION_3";
-    choose(&table, given, name, expected)
-}
-
-fn joint_kind(given: i32) -> Result<JointKind> {
-    let table = [
-        (PDN_JOINT_RIGID, JointKind::Rigid),
-        (PDN_JOINT_REVOLUTE, JointKind::Revolute),
-        (PDN_JOINT_UNIVERSAL, JointKind::Universal),
-        (PDN_JOINT_SPHERICAL, JointKind::Spherical),
-    ];
-    choose(
-        &table,
-        given,
-        "kind",
-        "PDN_JOINT_RIGID, _REVOLUTE, _UNIVERSAL or _SPHERICAL",
-    )
 }
 
 pub(super) fn vector(call: &Call, x: *const f64, name: &str) -> Result<Vector3<f64>> {
@@ -448,213 +406,10 @@ pub unsafe extern "C" fn pdn_model_add_inertia(
     })
 }
 
-/// The bodies of a joint, by the ids that C gave.
-struct Bodies {
-    first: i32,
-    second: i32,
-}
-
-/// Body of a function that adds a joint, between the two frames that `frames` gives.
-fn add_joint(
-    model: *mut pdn_model,
-    bodies: Bodies,
-    joint: *mut i32,
-    frames: impl FnOnce(&Call) -> Result<(JointKind, Motion, Motion)>,
-) -> pdn_status {
-    guard(|call| {
-        let mut model: Exclusive<Model> = call.exclusive(model, "model")?;
-        let first = body(&model, bodies.first, "first")?;
-        let second = body(&model, bodies.second, "second")?;
-        let (kind, first_frame, second_frame) = frames(call)?;
-        let joint = call.out(joint, "joint")?;
-        let id = next_id(model.joint_count(), 1, "joint")?;
-        model.add_joint(kind, first, second, &first_frame, &second_frame)?;
-        joint.set(id);
-        Ok(())
-    })
-}
-
-/// Fixes two bodies to each other.
-///
-/// Its frames are at the point, with axes parallel to the global ones in the reference configuration. It
-/// has no coordinates.
-///
-/// @param model  the model; not NULL
-/// @param first  id of the first node, or PDN_GROUND
-/// @param second  id of the second node, or PDN_GROUND; not the same body
-/// @param point  array of length 3: where the reaction is reported, global coordinates [length]
-/// @param joint  the joint's id; written on success only
-/// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_ID, PDN_ERR_VALUE
-///
-/// Threads: exclusive use of `model`.
-/// @since 0.1
-#[unsafe(no_mangle)]
-pub unsafe extern "C" fn pdn_model_add_rigid_joint(
-    model: *mut pdn_model,
-    first: i32,
-    second: i32,
-    point: *const f64,
-    joint: *mut i32,
-) -> pdn_status {
-    add_joint(model, Bodies { first, second }, joint, |call| {
-        let point = vector(call, point, "point")?;
-        let frame = Motion::new(Matrix3::identity(), point);
-        Ok((JointKind::Rigid, frame, frame))
-    })
-}
-
-/// Joins two bodies by a hinge.
-///
-/// Its frames are at the point, with axis 3 along the axis. Its coordinate PDN_ROTATION is the angle by
-/// which the second body has turned relative to the first, about the axis by the right-hand rule, since
-/// the reference configuration, where it is zero; it counts whole turns.
-///
-/// @param model  the model; not NULL
-/// @param first  id of the first node, or PDN_GROUND
-/// @param second  id of the second node, or PDN_GROUND; not the same body
-/// @param point  array of length 3: a point of the axis, global coordinates [length]
-/// @param axis  array of length 3: direction of the axis, global coordinates, of any nonzero length
-/// @param joint  the joint's id; written on success only
-/// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_ID, PDN_ERR_VALUE
-///
-/// Threads: exclusive use of `model`.
-/// @since 0.1
-#[unsafe(no_mangle)]
-pub unsafe extern "C" fn pdn_model_add_revolute(
-    model: *mut pdn_model,
-    first: i32,
-    second: i32,
-    point: *const f64,
-    axis: *const f64,
-    joint: *mut i32,
-) -> pdn_status {
-    add_joint(model, Bodies { first, second }, joint, |call| {
-        let point = vector(call, point, "point")?;
-        let axis = vector(call, axis, "axis")?;
-        let frame = Model::frame_at("axis", &point, &axis)?;
-        Ok((JointKind::Revolute, frame, frame))
-    })
-}
-
-/// Joins two bodies by a ball.
-///
-/// Its frames are at the point, with axes parallel to the global ones in the reference configuration.
-/// Its coordinates PDN_ROTATION, PDN_ROTATION_2, PDN_ROTATION_3 are the angles by which the second frame
-/// comes from the first by turning about axis 1, then about its own axis 2, then about its own axis 3;
-/// zero in the reference configuration. The second must stay between -pi/2 and pi/2.
-///
-/// @param model  the model; not NULL
-/// @param first  id of the first node, or PDN_GROUND
-/// @param second  id of the second node, or PDN_GROUND; not the same body
-/// @param point  array of length 3: centre of the ball, global coordinates [length]
-/// @param joint  the joint's id; written on success only
-/// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_ID, PDN_ERR_VALUE
-///
-/// Threads: exclusive use of `model`.
-/// @since 0.1
-#[unsafe(no_mangle)]
-pub unsafe extern "C" fn pdn_model_add_spherical(
-    model: *mut pdn_model,
-    first: i32,
-    second: i32,
-    point: *const f64,
-    joint: *mut i32,
-) -> pdn_status {
-    add_joint(model, Bodies { first, second }, joint, |call| {
-        let point = vector(call, point, "point")?;
-        let frame = Motion::new(Matrix3::identity(), point);
-        Ok((JointKind::Spherical, frame, frame))
-    })
-}
-
-/// Joins two bodies by a cross (Cardan, Hooke).
-///
-/// One arm of the cross turns in the first body, the other in the second. Its frames are at the point,
-/// with axis 1 along the first arm, axis 2 along the second, in the reference configuration. Its
-/// coordinates are the angle of the cross relative to the first body about first_arm (PDN_ROTATION), and
-/// of the second body relative to the cross about second_arm (PDN_ROTATION_2), both by the right-hand
-/// rule and zero in the reference configuration.
-///
-/// @param model  the model; not NULL
-/// @param first  id of the first node, or PDN_GROUND
-/// @param second  id of the second node, or PDN_GROUND; not the same body
-/// @param point  array of length 3: centre of the cross, global coordinates [length]
-/// @param first_arm  array of length 3: direction of the arm fixed to the first body, global coordinates,
-///     of any nonzero length
-/// @param second_arm  array of length 3: that of the arm fixed to the second body, perpendicular
-/// @param joint  the joint's id; written on success only
-/// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_ID, PDN_ERR_VALUE
-///
-/// Threads: exclusive use of `model`.
-/// @since 0.1
-#[unsafe(no_mangle)]
-pub unsafe extern "C" fn pdn_model_add_universal(
-    model: *mut pdn_model,
-    first: i32,
-    second: i32,
-    point: *const f64,
-    first_arm: *const f64,
-    second_arm: *const f64,
-    joint: *mut i32,
-) -> pdn_status {
-    add_joint(model, Bodies { first, second }, joint, |call| {
-        let point = vector(call, point, "point")?;
-        let first_arm = vector(call, first_arm, "first_arm")?;
-        let second_arm = vector(call, second_arm, "second_arm")?;
-        let frame = Model::cross_frame(&point, &first_arm, &second_arm)?;
-        Ok((JointKind::Universal, frame, frame))
-    })
-}
-
-/// Joins two bodies by a joint of any kind, between a frame fixed to each.
-///
-/// The frames need not fit each other in the reference configuration: the solver closes the joint. With
-/// r and R the position and rotation of the second frame relative to the first, the closed joint has
-/// r = 0, and
-///
-/// | kind | R | coordinates |
-/// |---|---|---|
-/// | PDN_JOINT_RIGID | I | none |
-/// | PDN_JOINT_REVOLUTE | R3(a) | a = PDN_ROTATION |
-/// | PDN_JOINT_UNIVERSAL | R1(a) R2(b) | a = PDN_ROTATION, b = PDN_ROTATION_2 |
-/// | PDN_JOINT_SPHERICAL | R1(a) R2(b) R3(c) | and c = PDN_ROTATION_3 |
-///
-/// where Rk(x) turns by x about axis k, right-handed. Angles count whole turns.
-///
-/// @param model  the model; not NULL
-/// @param kind  PDN_JOINT_RIGID, PDN_JOINT_REVOLUTE, PDN_JOINT_UNIVERSAL or PDN_JOINT_SPHERICAL
-/// @param first  id of the first node, or PDN_GROUND
-/// @param second  id of the second node, or PDN_GROUND; not the same body
-/// @param first_frame  frame fixed to the first body, where it is in the reference configuration; not NULL
-/// @param second_frame  frame fixed to the second body, likewise; not NULL
-/// @param joint  the joint's id; written on success only
-/// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_ID, PDN_ERR_VALUE
-///
-/// Threads: exclusive use of `model`.
-/// @since 0.1
-#[unsafe(no_mangle)]
-pub unsafe extern "C" fn pdn_model_add_joint(
-    model: *mut pdn_model,
-    kind: i32,
-    first: i32,
-    second: i32,
-    first_frame: *const pdn_frame,
-    second_frame: *const pdn_frame,
-    joint: *mut i32,
-) -> pdn_status {
-    add_joint(model, Bodies { first, second }, joint, |call| {
-        Ok((
-            joint_kind(kind)?,
-            motion(call, first_frame, "first_frame")?,
-            motion(call, second_frame, "second_frame")?,
-        ))
-    })
-}
-
 fn joint_coordinate(model: &Model, joint: i32, coordinate: i32) -> Result<JointCoordinate> {
     Ok(JointCoordinate {
         joint: self::joint(model, joint, "joint")?,
-        coordinate: self::coordinate(coordinate, "coordinate")?,
+        coordinate: joint::coordinate(coordinate, "coordinate")?,
     })
 }
 
@@ -664,10 +419,12 @@ fn joint_coordinate(model: &Model, joint: i32, coordinate: i32) -> Result<JointC
 ///
 /// @param model  the model; not NULL
 /// @param joint  id of the joint
-/// @param coordinate  PDN_ROTATION, PDN_ROTATION_2 or PDN_ROTATION_3; one that the joint has
-/// @param stiffness  moment for a unit of angle [force * length]; may be negative
-/// @param damping  moment for a unit rate of angle [force * length * time]; may be negative
-/// @param rest  angle at which the spring is free of moment [radian]
+/// @param coordinate  PDN_DISPLACEMENT ... PDN_ROTATION_3; one that the joint has
+/// @param stiffness  force for a unit of displacement [force / length], or moment for a unit of angle
+///     [force * length]; may be negative
+/// @param damping  force or moment for a unit rate [force * time / length, or force * length * time]; may be
+///     negative
+/// @param rest  coordinate at which the spring is free of force or moment [length, or radian]
 /// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_ID, PDN_ERR_VALUE, PDN_ERR_NOT_AVAILABLE
 ///
 /// Threads: exclusive use of `model`.
@@ -695,12 +452,12 @@ pub unsafe extern "C" fn pdn_model_add_spring_damper(
 
 /// Makes a joint coordinate follow a signal. Each coordinate can be prescribed once.
 ///
-/// The signal may grow by whole turns in a period.
+/// The signal of an angle may grow by whole turns in a period, save that of a screw.
 ///
 /// @param model  the model; not NULL
 /// @param joint  id of the joint
-/// @param coordinate  PDN_ROTATION, PDN_ROTATION_2 or PDN_ROTATION_3; one that the joint has
-/// @param signal  the coordinate in time [radian], copied; not NULL
+/// @param coordinate  PDN_DISPLACEMENT ... PDN_ROTATION_3; one that the joint has
+/// @param signal  the coordinate in time [length, or radian], copied; not NULL
 /// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_SIZE, PDN_ERR_ID, PDN_ERR_VALUE,
 ///     PDN_ERR_STRUCT_SIZE, PDN_ERR_NOT_AVAILABLE
 ///

@@ -3,9 +3,9 @@
 use super::call::Call;
 use super::guard::{guard, guard_or};
 use super::handle;
+use super::joint::coordinate;
 use super::last_error::copy_message;
 use super::load::{PDN_FRAME_MATERIAL, PDN_FRAME_SPACE};
-use super::model::coordinate;
 use super::options::Options;
 use super::section::init_struct;
 use super::status::pdn_status;
@@ -634,14 +634,14 @@ fn joint_sampled(
     sampled(solution, times, count, out, sample, components)
 }
 
-/// Joint coordinate at any times: an angle, followed continuously through whole turns.
+/// Joint coordinate at any times: a displacement, or an angle, followed continuously through whole turns.
 ///
 /// @param solution  the solution; not NULL
 /// @param joint  id of the joint
-/// @param coordinate  PDN_ROTATION, PDN_ROTATION_2 or PDN_ROTATION_3; see the joint
+/// @param coordinate  PDN_DISPLACEMENT ... PDN_ROTATION_3; see the joint
 /// @param times  array of length [count]: times, also outside the first period
 /// @param count  number of times
-/// @param out  array of length [count] \[rad\]
+/// @param out  array of length [count] \[length, or rad\]
 /// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_ID, PDN_ERR_VALUE,
 ///     PDN_ERR_NOT_AVAILABLE (the joint has no such coordinate),
 ///     PDN_ERR_OVERFLOW
@@ -673,10 +673,10 @@ pub unsafe extern "C" fn pdn_solution_joint_coordinate(
 ///
 /// @param solution  the solution; not NULL
 /// @param joint  id of the joint
-/// @param coordinate  PDN_ROTATION, PDN_ROTATION_2 or PDN_ROTATION_3; see the joint
+/// @param coordinate  PDN_DISPLACEMENT ... PDN_ROTATION_3; see the joint
 /// @param times  array of length [count]: times, also outside the first period
 /// @param count  number of times
-/// @param out  array of length [count] \[rad per unit of time\]
+/// @param out  array of length [count] \[length or rad per unit of time\]
 /// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_ID, PDN_ERR_VALUE,
 ///     PDN_ERR_NOT_AVAILABLE (the joint has no such coordinate),
 ///     PDN_ERR_OVERFLOW
@@ -708,10 +708,10 @@ pub unsafe extern "C" fn pdn_solution_joint_rate(
 ///
 /// @param solution  the solution; not NULL
 /// @param joint  id of the joint
-/// @param coordinate  PDN_ROTATION, PDN_ROTATION_2 or PDN_ROTATION_3; see the joint
+/// @param coordinate  PDN_DISPLACEMENT ... PDN_ROTATION_3; see the joint
 /// @param times  array of length [count]: times, also outside the first period
 /// @param count  number of times
-/// @param out  array of length [count] \[rad per unit of time squared\]
+/// @param out  array of length [count] \[length or rad per unit of time squared\]
 /// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_ID, PDN_ERR_VALUE,
 ///     PDN_ERR_NOT_AVAILABLE (the joint has no such coordinate),
 ///     PDN_ERR_OVERFLOW
@@ -739,7 +739,7 @@ pub unsafe extern "C" fn pdn_solution_joint_acceleration(
     )
 }
 
-/// Torque that drives a prescribed coordinate, at any times.
+/// Force or torque that drives a prescribed coordinate, at any times.
 ///
 /// It acts on the second body, and its reaction on the first; positive where it does work on a growing
 /// coordinate. Interpolated from the multipliers at the grid points.
@@ -749,7 +749,7 @@ pub unsafe extern "C" fn pdn_solution_joint_acceleration(
 /// @param coordinate  the prescribed coordinate, as given to ::pdn_model_prescribe
 /// @param times  array of length [count]: times, also outside the first period
 /// @param count  number of times
-/// @param out  array of length [count] \[force x length\]
+/// @param out  array of length [count] \[force, or force x length\]
 /// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_ID, PDN_ERR_VALUE,
 ///     PDN_ERR_NOT_AVAILABLE (no such coordinate, or it is not prescribed),
 ///     PDN_ERR_OVERFLOW
@@ -1005,7 +1005,7 @@ pub unsafe extern "C" fn pdn_solution_node_harmonics(
 /// @param solution  the solution; not NULL
 /// @param joint  id of the joint
 /// @param quantity  PDN_JOINT_COORDINATE, ...; it has C components
-/// @param detail  the coordinate (PDN_ROTATION, ...) or, for PDN_JOINT_REACTION, the axes (PDN_AXES_SPACE, ...)
+/// @param detail  the coordinate (PDN_DISPLACEMENT, ...) or, for PDN_JOINT_REACTION, the axes (PDN_AXES_SPACE, ...)
 /// @param harmonics  number of harmonics wanted, at most (N - 1) / 2
 /// @param mean  array of length C; may be NULL
 /// @param rate  array of length C: growth per unit of time, of an angle that gains turns; may be NULL

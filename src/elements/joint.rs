@@ -5,7 +5,6 @@ use super::{Contribution, Element, Instant, NodeState, Unknown};
 use crate::error::Result;
 use crate::motion::{DualVector, Motion};
 use nalgebra::{Matrix6, Vector6};
-use std::f64::consts::TAU;
 
 /// A joint frame fixed to a node or, without one, to the ground.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -253,11 +252,6 @@ impl Prescribed {
     }
 }
 
-/// The angle that differs from `angle` by whole turns and lies within half a turn of `near`.
-pub(crate) fn nearest_turn(angle: f64, near: f64) -> f64 {
-    angle + TAU * ((near - angle) / TAU).round()
-}
-
 impl Element for Prescribed {
     fn nodes(&self) -> &[usize] {
         self.pair.nodes()
@@ -275,7 +269,7 @@ impl Element for Prescribed {
         let state = self.pair.state(instant.nodes);
         let mut function = self.kind.coordinate(self.coordinate, &state.z);
         let target = instant.signals[self.signal];
-        function.value = nearest_turn(function.value, target) - target;
+        function.value = self.kind.follow(self.coordinate, function.value, target) - target;
         state.add_constraint(0, &function, instant.multipliers[0], out);
         Ok(())
     }

@@ -1,6 +1,6 @@
 //! Linear spring-damper on a joint coordinate.
 
-use super::joint::{FramePair, Joint, nearest_turn};
+use super::joint::{FramePair, Joint};
 use super::relative::{Coordinate, JointKind};
 use super::{Contribution, Element, Instant};
 use crate::error::Result;
@@ -52,9 +52,10 @@ impl Element for SpringDamper {
     fn evaluate(&self, instant: &Instant, out: &mut Contribution) -> Result<()> {
         let state = self.pair.state(instant.nodes);
         let q = self.kind.coordinate(self.coordinate, &state.z);
-        let angle = nearest_turn(q.value, instant.coordinates[self.tracked]);
+        let last = instant.coordinates[self.tracked];
+        let value = self.kind.follow(self.coordinate, q.value, last);
         let rate = q.gradient.dot(&state.rate);
-        let effort = self.stiffness * (angle - self.rest) + self.damping * rate;
+        let effort = self.stiffness * (value - self.rest) + self.damping * rate;
         let rate_variation =
             q.gradient.transpose() * state.rate_variation() + state.rate.transpose() * q.hessian;
         let variation = q.hessian * effort

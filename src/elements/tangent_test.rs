@@ -128,12 +128,7 @@ fn cases() -> Vec<Case> {
     }
 
     // Every joint, and what attaches to its coordinates, between two nodes or a node and the ground.
-    for kind in [
-        JointKind::Rigid,
-        JointKind::Revolute,
-        JointKind::Universal,
-        JointKind::Spherical,
-    ] {
+    for kind in relative::ALL_KINDS {
         for (first, second) in [(Some(0), Some(1)), (None, Some(0)), (Some(0), None)] {
             let offsets = [random.motion(), random.motion()];
             let joint = Joint::new(

@@ -318,6 +318,12 @@ impl Model {
             let got = first.map_or("the ground twice".into(), |n| format!("node {n} twice"));
             return Err(Error::value("first, second", "two different bodies", got));
         }
+        if let JointKind::Screw { pitch } = kind {
+            require_finite("pitch", &[pitch])?;
+            if pitch == 0.0 {
+                return Err(Error::value("pitch", "a number other than zero", pitch));
+            }
+        }
         self.joints.push(Joint::new(kind, pair.0, pair.1));
         Ok(self.joints.len() - 1)
     }

@@ -23,7 +23,7 @@ pub enum ResolvedIn {
 /// What can be asked of a joint.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum JointQuantity {
-    /// Relative angle, followed continuously through whole turns.
+    /// Relative displacement, or angle, followed continuously through whole turns.
     Coordinate(Coordinate),
     /// Its first derivative in time.
     Rate(Coordinate),
@@ -144,6 +144,12 @@ impl Solution {
                 .value
         };
 
+        if !kind.leaves_turns_open(which) {
+            let values: Vec<f64> = (0..points)
+                .map(|k| value(&self.states_of(definition, k)))
+                .collect();
+            return Ok(PeriodicSeries::interpolate(grid, &values, 0.0));
+        }
         let mut angle = nearest_turn(value(&self.states_of(definition, 0)), 0.0);
         let mut values = vec![angle];
         for k in 1..=points {

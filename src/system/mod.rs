@@ -46,7 +46,7 @@ pub struct Placed {
     shape: usize,
 }
 
-/// A coordinate whose turns are followed, because a spring acts on it.
+/// A coordinate whose whole turns are followed, because a spring acts on it.
 #[derive(Debug, Clone)]
 struct Tracked {
     joint: Joint,
@@ -130,9 +130,11 @@ impl System {
             let place = format!("prescribed {} of joint {}", at.coordinate, at.joint);
             let start = model.reference_coordinate(at.joint, at.coordinate);
             let bound = signal.bind(period);
-            // An angle may gain whole turns.
-            let signal = system.add_signal(bound, start, TAU, place)?;
             let joint = &model.joints[at.joint];
+            // An angle may gain whole turns.
+            let turns = joint.kind().leaves_turns_open(at.coordinate);
+            let unit = if turns { TAU } else { 0.0 };
+            let signal = system.add_signal(bound, start, unit, place)?;
             let element = Prescribed::new(joint, at.coordinate, signal);
             system.place(Arc::new(element), ElementRole::Prescribed(index));
         }
@@ -358,12 +360,12 @@ impl System {
 
     /// Follows the tracked coordinates from their last values to those of the given states.
     pub fn track(&self, state: impl Fn(usize) -> NodeState, coordinates: &mut [f64]) {
-        use crate::elements::nearest_turn;
         for (tracked, last) in self.tracked.iter().zip(coordinates) {
             let states: Vec<NodeState> = tracked.joint.nodes().iter().map(|&n| state(n)).collect();
             let z = tracked.joint.relative_motion(&states);
             let kind: JointKind = tracked.joint.kind();
-            *last = nearest_turn(kind.coordinate(tracked.coordinate, &z).value, *last);
+            let value = kind.coordinate(tracked.coordinate, &z).value;
+            *last = kind.follow(tracked.coordinate, value, *last);
         }
     }
 }
