@@ -18,6 +18,7 @@ const FILES: &[&str] = &[
     "load",
     "solution",
     "periodic",
+    "statics",
     "motion",
 ];
 

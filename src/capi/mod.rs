@@ -79,6 +79,7 @@ pub mod periodic;
 pub mod section;
 pub mod signal;
 pub mod solution;
+pub mod statics;
 pub mod status;
 pub mod version;
 

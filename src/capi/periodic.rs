@@ -149,20 +149,28 @@ pub unsafe extern "C" fn pdn_solve_periodic(
         let given = call.options(options, "options")?;
         let out = call.out(out, "out")?;
         let options = read_options(call, &given, &model, period)?;
-        // Asked once, never asked again: an iteration that converges goes on to the next stage.
-        let mut cancelled = false;
-        let mut observe = |stage: Stage, iteration: &Iteration| match given.progress {
-            Some(function) if !cancelled => {
-                let progress = progress(stage, iteration);
-                // SAFETY: the caller gave the function for this data; `progress` outlives the call.
-                cancelled = unsafe { function(&progress, given.progress_data) != 0 };
-                !cancelled
-            }
-            _ => !cancelled,
-        };
+        let mut observe = observer(given.progress, given.progress_data);
         out.give(Solution::solve(&model, period, &options, &mut observe)?);
         Ok(())
     })
+}
+
+/// Tells `function` of each iteration.
+pub(super) fn observer(
+    function: pdn_progress_fn,
+    data: *mut c_void,
+) -> impl FnMut(Stage, &Iteration) -> bool {
+    // Asked once, never asked again: an iteration that converges goes on to the next stage.
+    let mut cancelled = false;
+    move |stage, iteration| match function {
+        Some(function) if !cancelled => {
+            let progress = progress(stage, iteration);
+            // SAFETY: the caller gave the function for this data; `progress` outlives the call.
+            cancelled = unsafe { function(&progress, data) != 0 };
+            !cancelled
+        }
+        _ => !cancelled,
+    }
 }
 
 fn progress(stage: Stage, iteration: &Iteration) -> pdn_progress {

@@ -14,7 +14,8 @@ use crate::output::{BeamQuantity, JointQuantity, NodeQuantity, ResolvedIn, Solut
 use crate::solve::{Iteration, Outcome};
 use std::ffi::c_char;
 
-/// A periodic solution, converged or not. Made by ::pdn_solve_periodic, freed by ::pdn_solution_free.
+/// A solution, converged or not. Made by ::pdn_solve_periodic or ::pdn_solve_static, freed by
+/// ::pdn_solution_free.
 pub struct pdn_solution {
     _private: [u8; 0],
 }

@@ -219,6 +219,11 @@ impl Collocation {
         largest
     }
 
+    /// Leaves marching: derivatives are those of the grid again.
+    pub fn clear_past(&mut self) {
+        self.past = None;
+    }
+
     /// `D_ℓk` and `T_ℓk`.
     fn weights(&self, l: usize, k: usize) -> (f64, f64) {
         match &self.past {

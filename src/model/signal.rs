@@ -129,6 +129,23 @@ impl fmt::Debug for BoundSignal {
 }
 
 impl BoundSignal {
+    /// A constant.
+    pub fn constant(value: f64) -> Self {
+        BoundSignal::Series(PeriodicSeries::new(1.0, value, 0.0, Vec::new(), Vec::new()))
+    }
+
+    /// Whether the value depends on the period.
+    pub fn has_harmonics(&self) -> bool {
+        match self {
+            BoundSignal::Series(series) => series
+                .cosines
+                .iter()
+                .chain(&series.sines)
+                .any(|c| *c != 0.0),
+            BoundSignal::Function { .. } => false,
+        }
+    }
+
     /// Value at `time`.
     pub fn value(&self, time: f64) -> Result<f64> {
         match self {

@@ -101,7 +101,8 @@ impl Solution {
         let mut out = Vec::with_capacity(times.len() * quantity.components());
         let mut last = None;
         self.each_node_state(node, times, |state| {
-            quantity.push(state, &mut last, &mut out)
+            let state = self.solve.system.inertial_state(state);
+            quantity.push(&state, &mut last, &mut out)
         })?;
         Self::finite("node", out)
     }
@@ -117,7 +118,8 @@ impl Solution {
         let mut rows = Vec::with_capacity(points);
         for state in &self.solve.node_states[node * points..][..points] {
             let mut row = Vec::new();
-            quantity.push(state, &mut last, &mut row);
+            let state = self.solve.system.inertial_state(state);
+            quantity.push(&state, &mut last, &mut row);
             rows.push(row);
         }
         if quantity == NodeQuantity::Quaternion {

@@ -28,17 +28,32 @@ impl Solution {
         let mut line = |arguments: std::fmt::Arguments| {
             let _ = writeln!(text, "{arguments}");
         };
-        line(format_args!(
-            "Periodic solve: {}",
-            self.outcome().describe()
-        ));
+        let standstill = solve.system.standstill();
+        let kind = if standstill.is_some() {
+            "Static"
+        } else {
+            "Periodic"
+        };
+        line(format_args!("{kind} solve: {}", self.outcome().describe()));
+        if let Some(standstill) = standstill {
+            let w = standstill.angular_velocity;
+            line(format_args!(
+                "  at time {}, in a frame with the angular velocity ({}, {}, {})",
+                standstill.time, w.x, w.y, w.z
+            ));
+        }
         if !solve.report.explanation.is_empty() {
             line(format_args!("  {}", solve.report.explanation));
         }
+        let points = match solve.grid.points() {
+            1 => String::new(),
+            points => format!(
+                "{points} grid points over the period {}, ",
+                solve.grid.period()
+            ),
+        };
         line(format_args!(
-            "  {} grid points over the period {}, {} nodes, {} unknowns",
-            solve.grid.points(),
-            solve.grid.period(),
+            "  {points}{} nodes, {} unknowns",
             solve.system.nodes(),
             self.unknowns()
         ));

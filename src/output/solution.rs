@@ -6,9 +6,16 @@ use crate::elements::{Element, NodeState};
 use crate::error::{Error, ErrorKind, Result};
 use crate::fourier::{PeriodicSeries, TimeGrid};
 use crate::model::Model;
-use crate::solve::{Iteration, Outcome, PeriodicOptions, PeriodicSolve, Stage, solve_periodic};
+use crate::solve::{
+    Iteration, Outcome, PeriodicOptions, PeriodicSolve, Stage, StaticOptions, solve_periodic,
+    solve_static,
+};
 
-/// Result of a periodic solve, converged or not; otherwise it holds the last iterate.
+/// Result of a periodic or static solve, converged or not; otherwise it holds the last iterate.
+///
+/// That of a static solve has a grid of one point, and the same values at any time. If the frame turns,
+/// positions and directions are those in it, velocities and accelerations those in the inertial frame,
+/// resolved along its axes.
 #[derive(Debug, Clone)]
 pub struct Solution {
     pub(super) model: Model,
@@ -26,20 +33,33 @@ impl Solution {
         options: &PeriodicOptions,
         observe: &mut dyn FnMut(Stage, &Iteration) -> bool,
     ) -> Result<Self> {
-        let solve = solve_periodic(model, period, options, observe)?;
+        let solution = Self::of(model, solve_periodic(model, period, options, observe)?)?;
+        solution.require_periodic_springs()?;
+        Ok(solution)
+    }
+
+    /// Finds an equilibrium of `model`, see [`solve_static`].
+    pub fn solve_static(
+        model: &Model,
+        options: &StaticOptions,
+        observe: &mut dyn FnMut(Stage, &Iteration) -> bool,
+    ) -> Result<Self> {
+        Self::of(model, solve_static(model, options, observe)?)
+    }
+
+    pub(super) fn of(model: &Model, solve: PeriodicSolve) -> Result<Self> {
         let diagnostics = Diagnostics::of(&solve)?;
+        let start = solve.system.standstill().map_or(0.0, |s| s.time);
         let starts = model
             .prescribed
             .iter()
-            .map(|(_, signal)| signal.bind(period).value(0.0));
-        let solution = Solution {
+            .map(|(_, signal)| signal.bind(solve.grid.period()).value(start));
+        Ok(Solution {
             prescribed_start: starts.collect::<Result<_>>()?,
             model: model.clone(),
             solve,
             diagnostics,
-        };
-        solution.require_periodic_springs()?;
-        Ok(solution)
+        })
     }
 
     /// A spring on an angle that gains turns would pull ever harder.
@@ -113,16 +133,22 @@ impl Solution {
     }
 
     /// This solution at the points of another grid of the same period: where a solve may start.
+    /// On a grid of one point that is the start of the period.
     ///
     /// # Errors
     /// [`ErrorKind::GridTooCoarse`] if a motion cannot be interpolated.
     pub fn prolonged(&self, grid: TimeGrid) -> Result<GridState> {
+        self.prolonged_from(0.0, grid)
+    }
+
+    /// The same for a grid whose first point is at the time `start` of this solution.
+    pub fn prolonged_from(&self, start: f64, grid: TimeGrid) -> Result<GridState> {
         let system = &self.solve.system;
         let mut state = GridState::reference(system, grid);
         let old = self.solve.grid;
         let times: Vec<f64> = grid
             .times()
-            .map(|t| t * (old.period() / grid.period()))
+            .map(|t| start + t * (old.period() / grid.period()))
             .collect();
         for node in 0..system.nodes() {
             let mut k = 0;
@@ -145,7 +171,10 @@ impl Solution {
         }
         // The turns of tracked angles are those of the old grid point before.
         for k in 0..grid.points() {
-            let before = k * old.points() / grid.points();
+            let turns = times[k] / old.period();
+            // Written so that rounding does not go a point back.
+            let place = (turns - turns.floor()) * old.points() as f64 * (1.0 + 1e-12);
+            let before = (place as usize).min(old.points() - 1);
             let count = system.tracked();
             state.coordinates[k * count..][..count]
                 .copy_from_slice(self.solve.state.tracked(system, before));

@@ -29,19 +29,47 @@ pub(super) struct Guess {
 }
 
 /// Static equilibrium at one time, tracked from one set of conditions to the next.
-struct Tracker<'a> {
-    newton: Newton,
-    state: GridState,
-    observe: &'a mut dyn FnMut(&Iteration) -> bool,
-    failure: Option<(Outcome, String)>,
+pub(super) struct Tracker<'a> {
+    pub newton: Newton,
+    pub state: GridState,
+    pub observe: &'a mut dyn FnMut(&Iteration) -> bool,
+    /// Why the last way was not followed to its end.
+    pub failure: Option<(Outcome, String)>,
+    /// How far the last way was followed, from 0 to 1.
+    pub reached: f64,
 }
 
-impl Tracker<'_> {
-    /// Goes from parameter 0 to 1 in adaptive steps, with conditions `(time, load factor)` at each.
-    fn follow(&mut self, conditions: impl Fn(f64) -> (f64, f64)) -> Result<bool> {
-        let (mut reached, mut step) = (0.0, 1.0f64);
+impl<'a> Tracker<'a> {
+    /// At rest in the reference configuration.
+    pub fn new(
+        system: &Arc<System>,
+        instant: TimeGrid,
+        observe: &'a mut dyn FnMut(&Iteration) -> bool,
+    ) -> Result<Self> {
+        Ok(Tracker {
+            newton: Newton::new(Collocation::new(system.clone(), instant)?)?,
+            state: GridState::reference(system, instant),
+            observe,
+            failure: None,
+            reached: 0.0,
+        })
+    }
+
+    /// Goes from parameter 0 to 1 in adaptive steps of at most `largest_step`, with conditions
+    /// `(time, load factor)` at each.
+    pub fn follow(
+        &mut self,
+        largest_step: f64,
+        conditions: impl Fn(f64) -> (f64, f64),
+    ) -> Result<bool> {
+        let (mut reached, mut step) = (0.0, largest_step);
         while reached < 1.0 {
-            let next = (reached + step).min(1.0);
+            self.reached = reached;
+            // The last of equal steps is no rounding short.
+            let next = match reached + step {
+                next if next < 1.0 - 1e-9 => next,
+                _ => 1.0,
+            };
             let (time, load_factor) = conditions(next);
             self.newton.equations.set_conditions(time, load_factor)?;
             let mut trial = self.state.clone();
@@ -59,7 +87,7 @@ impl Tracker<'_> {
                     self.state = trial;
                     reached = next;
                     if taken <= EASY_ITERATIONS {
-                        step *= 2.0;
+                        step = (2.0 * step).min(largest_step);
                     }
                 }
                 Outcome::Cancelled => {
@@ -77,6 +105,7 @@ impl Tracker<'_> {
                 }
             }
         }
+        self.reached = reached;
         Ok(true)
     }
 }
@@ -88,16 +117,11 @@ pub(super) fn quasi_static(
     observe: &mut dyn FnMut(&Iteration) -> bool,
 ) -> Result<Guess> {
     let instant = TimeGrid::new(1, grid.period())?;
-    let mut tracker = Tracker {
-        newton: Newton::new(Collocation::new(system.clone(), instant)?)?,
-        state: GridState::reference(system, instant),
-        observe,
-        failure: None,
-    };
+    let mut tracker = Tracker::new(system, instant, observe)?;
     let mut state = GridState::reference(system, grid);
 
     // From the unloaded reference configuration to time zero, then from grid point to grid point.
-    let mut complete = tracker.follow(|fraction| (0.0, fraction))?;
+    let mut complete = tracker.follow(1.0, |fraction| (0.0, fraction))?;
     let parts = LEAST_STEPS.div_ceil(grid.points());
     for k in 0..grid.points() {
         if !complete {
@@ -108,7 +132,8 @@ pub(super) fn quasi_static(
         for part in 0..if k + 1 < grid.points() { parts } else { 0 } {
             let start = grid.time(k) + interval * part as f64 / parts as f64;
             let length = interval / parts as f64;
-            complete = complete && tracker.follow(|fraction| (start + fraction * length, 1.0))?;
+            complete =
+                complete && tracker.follow(1.0, |fraction| (start + fraction * length, 1.0))?;
         }
     }
     let (outcome, explanation) = tracker

@@ -7,8 +7,11 @@ mod march;
 mod newton;
 mod ordering;
 mod periodic;
+mod settle;
+mod statics;
 
 pub use diagnosis::describe_dependencies;
 pub use direct::DirectSolver;
 pub use newton::{Iteration, Newton, NewtonOptions, NewtonReport, Outcome, Timings};
 pub use periodic::{InitialGuess, PeriodicOptions, PeriodicSolve, Stage, solve_periodic};
+pub use statics::{StaticOptions, solve_static};

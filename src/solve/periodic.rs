@@ -56,7 +56,20 @@ impl PeriodicOptions {
     }
 }
 
-/// Result of a periodic solve: the last state, converged or not, and how it was reached.
+impl NewtonOptions {
+    pub(super) fn validate(&self) -> Result<()> {
+        if !(self.tolerance.is_finite() && self.tolerance > 0.0) {
+            let expected = "a positive, finite number";
+            return Err(Error::value("options.tolerance", expected, self.tolerance));
+        }
+        if self.iteration_limit == 0 {
+            return Err(Error::value("options.iteration_limit", "at least 1", 0));
+        }
+        Ok(())
+    }
+}
+
+/// Result of a periodic or static solve: the last state, converged or not, and how it was reached.
 #[derive(Debug, Clone)]
 pub struct PeriodicSolve {
     /// The system.
@@ -107,17 +120,7 @@ pub fn solve_periodic(
     options: &PeriodicOptions,
     observe: &mut dyn FnMut(Stage, &Iteration) -> bool,
 ) -> Result<PeriodicSolve> {
-    if !(options.newton.tolerance.is_finite() && options.newton.tolerance > 0.0) {
-        let got = options.newton.tolerance;
-        return Err(Error::value(
-            "options.tolerance",
-            "a positive, finite number",
-            got,
-        ));
-    }
-    if options.newton.iteration_limit == 0 {
-        return Err(Error::value("options.iteration_limit", "at least 1", 0));
-    }
+    options.newton.validate()?;
     let grid = TimeGrid::new(options.grid_points, period)?;
     let system = Arc::new(System::new(model, period)?);
     let mut attempts = Attempts {

@@ -2,6 +2,7 @@
 
 mod constraints;
 mod scales;
+mod turning;
 
 pub use constraints::{ConstraintLoop, Dependency};
 pub use scales::Scales;
@@ -62,6 +63,38 @@ struct DrivenSignal {
     place: String,
 }
 
+/// A time at which everything stands still, in a frame that may turn steadily.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Standstill {
+    /// The time: signals keep the values that they have then.
+    pub time: f64,
+    /// Period that harmonics of signals refer to. It may be left out if no harmonics matter: at time
+    /// zero, or if there are none.
+    pub period: Option<f64>,
+    /// Angular velocity of the frame, in which positions, directions and the ground are described.
+    pub angular_velocity: Vector3<f64>,
+    /// A point of the axis it turns about.
+    pub axis_point: Vector3<f64>,
+}
+
+impl Default for Standstill {
+    fn default() -> Self {
+        Standstill {
+            time: 0.0,
+            period: None,
+            angular_velocity: Vector3::zeros(),
+            axis_point: Vector3::zeros(),
+        }
+    }
+}
+
+impl Standstill {
+    /// The period, 1 where none matters.
+    pub fn period(&self) -> f64 {
+        self.period.unwrap_or(1.0)
+    }
+}
+
 /// A model made ready for a given period.
 #[derive(Debug, Clone)]
 pub struct System {
@@ -73,6 +106,10 @@ pub struct System {
     multipliers: usize,
     signals: Vec<DrivenSignal>,
     gravity: Option<[usize; 3]>,
+    /// Where set, all signals are constant.
+    standstill: Option<Standstill>,
+    /// Signals of the frame's angular velocity, if it turns.
+    turning: Option<[usize; 3]>,
     tracked: Vec<Tracked>,
     /// What each own unknown of the elements is.
     unknowns: Vec<Unknown>,
@@ -96,6 +133,19 @@ impl System {
     /// # Errors
     /// If the model has no nodes, or a prescribed motion or load does not repeat after one period.
     pub fn new(model: &Model, period: f64) -> Result<Self> {
+        Self::build(model, period, None)
+    }
+
+    /// Makes `model` ready as it is at one time.
+    ///
+    /// # Errors
+    /// If the model has no nodes, the period is needed and not given, or gravity is across the axis
+    /// of a turning frame.
+    pub fn at_standstill(model: &Model, standstill: &Standstill) -> Result<Self> {
+        Self::build(model, standstill.period(), Some(*standstill))
+    }
+
+    fn build(model: &Model, period: f64, standstill: Option<Standstill>) -> Result<Self> {
         if model.nodes.is_empty() {
             let message = "model: expected at least one node, got none";
             return Err(Error::new(ErrorKind::Model, message));
@@ -110,6 +160,8 @@ impl System {
             multipliers: 0,
             signals: Vec::new(),
             gravity: None,
+            standstill,
+            turning: None,
             tracked: Vec::new(),
             unknowns: Vec::new(),
             loops: Vec::new(),
@@ -175,6 +227,7 @@ impl System {
             }
             system.gravity = Some(numbers);
         }
+        system.add_turning()?;
         system.scales = Scales::of(&system)?;
         let Scales { length, force, .. } = system.scales;
         if !(length.is_finite() && force.is_finite() && force * length < f64::MAX) {
@@ -196,6 +249,10 @@ impl System {
         unit: f64,
         place: String,
     ) -> Result<usize> {
+        let signal = match &self.standstill {
+            Some(standstill) => constant(&signal, standstill, &place)?,
+            None => signal,
+        };
         require_periodic(&signal, unit).map_err(|e| e.within(&place))?;
         self.signals.push(DrivenSignal {
             signal,
@@ -333,10 +390,18 @@ impl System {
         own: OwnValues,
         workspace: &'w mut Workspace,
     ) -> Result<&'w Contribution> {
+        // Forces of inertia alone know of a turning frame; to all others it is at rest.
+        let frame = match placed.element.has_mass() {
+            true => self.frame_twist(conditions.signals),
+            false => None,
+        };
         workspace.states.clear();
         workspace
             .states
-            .extend(placed.element.nodes().iter().map(|&n| state(n)));
+            .extend(placed.element.nodes().iter().map(|&n| match &frame {
+                Some(frame) => turning::inertial(&state(n), frame),
+                None => state(n),
+            }));
         let out = &mut workspace.contributions[placed.shape];
         out.clear();
         let instant = Instant {
@@ -355,6 +420,13 @@ impl System {
                 ElementRole::Beam(index) => e.within(format!("beam element {index}")),
                 _ => e,
             })?;
+        if let Some(frame) = &frame
+            && out.with_tangents
+        {
+            for (b, &node) in placed.element.nodes().iter().enumerate() {
+                turning::add_variation(&state(node), frame, b, out);
+            }
+        }
         Ok(out)
     }
 
@@ -388,6 +460,22 @@ pub struct Conditions<'a> {
     pub coordinates: &'a [f64],
     /// Factor of the inertial forces.
     pub inertia_factor: f64,
+}
+
+/// A signal that keeps the value it has at the time of `standstill`.
+fn constant(signal: &BoundSignal, standstill: &Standstill, place: &str) -> Result<BoundSignal> {
+    let time = standstill.time;
+    if standstill.period.is_none() && time != 0.0 && signal.has_harmonics() {
+        return Err(Error::value(
+            "options.period",
+            format_args!(
+                "the period of the harmonics of the signal of {place}, as options.time is not zero"
+            ),
+            "none",
+        ));
+    }
+    let value = signal.value(time).map_err(|e| e.within(place))?;
+    Ok(BoundSignal::constant(value))
 }
 
 /// Checks that a signal returns to itself, or gains whole multiples of `unit` (if not zero).

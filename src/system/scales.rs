@@ -12,7 +12,8 @@ pub struct Scales {
     pub length: f64,
     /// Total mass.
     pub mass: f64,
-    /// The largest force that a displacement of `length` or an acceleration of `length Ω²` can cause.
+    /// The largest force that a displacement of `length` or an acceleration of `length Ω²` can cause; at
+    /// a standstill, the largest force that such a displacement or the loads can cause.
     pub force: f64,
 }
 
@@ -29,7 +30,10 @@ impl Default for Scales {
 impl Scales {
     /// Scales of `system`.
     pub(super) fn of(system: &System) -> Result<Self> {
-        let signals = vec![0.0; system.signals()];
+        let mut signals = vec![0.0; system.signals()];
+        if system.standstill.is_some() {
+            system.signal_values(0.0, 1.0, &mut signals)?;
+        }
         let coordinates = vec![0.0; system.tracked()];
         let conditions = Conditions {
             signals: &signals,
@@ -40,6 +44,7 @@ impl Scales {
         let mut workspace = system.workspace(true);
         let (mut mass, mut gyration2) = (0.0, 0.0f64);
         let (mut linear, mut angular) = (0.0f64, 0.0f64);
+        let (mut load_force, mut load_moment) = (0.0f64, 0.0f64);
         for placed in system.elements() {
             let zeros = vec![0.0; placed.element.multipliers()];
             let own = OwnValues {
@@ -50,6 +55,8 @@ impl Scales {
             let nodes = placed.element.nodes().len();
             for a in 0..nodes {
                 for k in 0..3 {
+                    load_force = load_force.max(out.force[6 * a + k].abs());
+                    load_moment = load_moment.max(out.force[6 * a + 3 + k].abs());
                     linear = linear.max(out.stiffness[(6 * a + k, 6 * a + k)].abs());
                     angular = angular.max(out.stiffness[(6 * a + 3 + k, 6 * a + 3 + k)].abs());
                     let m = out.mass[(6 * a + k, 6 * a + k)];
@@ -70,10 +77,14 @@ impl Scales {
         if length <= 0.0 {
             length = 1.0;
         }
-        let rate = TAU / system.period();
-        let mut force = (linear * length)
-            .max(angular / length)
-            .max(mass * length * rate * rate);
+        // At a standstill no time is characteristic, but the loads are known.
+        let other = if system.standstill.is_some() {
+            load_force.max(load_moment / length)
+        } else {
+            let rate = TAU / system.period();
+            mass * length * rate * rate
+        };
+        let mut force = (linear * length).max(angular / length).max(other);
         if force <= 0.0 {
             force = 1.0;
         }

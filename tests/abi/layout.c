@@ -162,3 +162,16 @@ IS(PDN_BEAM_FORCE, 1);
 
 IS(PDN_STAGE_INITIAL_GUESS, 0);
 IS(PDN_STAGE_NEWTON, 1);
+
+SIZE(pdn_static_options, 120);
+AT(pdn_static_options, struct_size, 0);
+AT(pdn_static_options, time, 8);
+AT(pdn_static_options, period, 16);
+AT(pdn_static_options, load_steps, 24);
+AT(pdn_static_options, tolerance, 32);
+AT(pdn_static_options, iteration_limit, 40);
+AT(pdn_static_options, angular_velocity, 48);
+AT(pdn_static_options, axis_point, 72);
+AT(pdn_static_options, initial, 96);
+AT(pdn_static_options, progress, 104);
+AT(pdn_static_options, progress_data, 112);

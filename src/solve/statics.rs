@@ -1,0 +1,192 @@
+//! Equilibrium at one time, at rest or turning steadily: collocation on a grid of one point.
+
+use super::guess::Tracker;
+use super::newton::{Iteration, NewtonOptions, NewtonReport, Outcome};
+use super::periodic::{InitialGuess, PeriodicSolve, Stage};
+use crate::error::{Error, ErrorKind, Result, require_finite};
+use crate::fourier::TimeGrid;
+use crate::model::Model;
+use crate::system::{Standstill, System};
+use std::sync::Arc;
+use std::time::Instant;
+
+/// Largest relative residual of a state that is taken for an equilibrium although it may drift.
+const INDIFFERENT: f64 = 1e-9;
+
+/// Options of a static solve.
+#[derive(Debug, Clone)]
+pub struct StaticOptions {
+    /// When, and in which frame, everything stands still.
+    pub standstill: Standstill,
+    /// Load steps taken at least, from the unloaded reference configuration. Steps that do not
+    /// converge are halved.
+    pub least_load_steps: usize,
+    /// When to stop.
+    pub newton: NewtonOptions,
+    /// Where to start: by default in the reference configuration, with load steps.
+    pub guess: InitialGuess,
+}
+
+impl Default for StaticOptions {
+    fn default() -> Self {
+        StaticOptions {
+            standstill: Standstill::default(),
+            least_load_steps: 1,
+            newton: NewtonOptions {
+                tolerance: 1e-9,
+                iteration_limit: 30,
+            },
+            guess: InitialGuess::Default,
+        }
+    }
+}
+
+impl StaticOptions {
+    /// Checks the options.
+    pub(crate) fn validate(&self) -> Result<()> {
+        self.newton.validate()?;
+        let Standstill {
+            time,
+            period,
+            angular_velocity,
+            axis_point,
+        } = &self.standstill;
+        require_finite("options.time", &[*time])?;
+        if let Some(period) = period
+            && !(period.is_finite() && *period > 0.0)
+        {
+            let expected = "a positive, finite number";
+            return Err(Error::value("options.period", expected, period));
+        }
+        require_finite("options.angular_velocity", angular_velocity.as_slice())?;
+        require_finite("options.axis_point", axis_point.as_slice())?;
+        const MOST: usize = 1_000_000;
+        if !(1..=MOST).contains(&self.least_load_steps) {
+            let expected = format!("1 to {MOST}");
+            return Err(Error::new(
+                ErrorKind::Value,
+                format!(
+                    "options.load_steps: expected {expected}, got {}",
+                    self.least_load_steps
+                ),
+            ));
+        }
+        Ok(())
+    }
+}
+
+/// Whether states that a free motion may carry off are accepted.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Indifferent {
+    /// They are: modes tell of the free motion.
+    Accepted,
+    /// They are not: the position is not determined.
+    Singular,
+}
+
+/// Finds an equilibrium of `model` at one time, at rest or in steady rotation.
+///
+/// The state is followed from the unloaded reference configuration by load steps. Where that leads
+/// nowhere, and for mechanisms, which nothing but the loads holds, the masses creep downhill under the full
+/// loads. The solve that is returned has a grid of one point.
+///
+/// `observe` sees each iteration and returns `false` to cancel.
+///
+/// # Errors
+/// If options or model are not valid. Not converging is an outcome, not an error.
+pub fn solve_static(
+    model: &Model,
+    options: &StaticOptions,
+    observe: &mut dyn FnMut(Stage, &Iteration) -> bool,
+) -> Result<PeriodicSolve> {
+    find_equilibrium(model, options, Indifferent::Singular, observe)
+}
+
+/// Looks for an equilibrium from the reference configuration.
+fn find_start(tracker: &mut Tracker, system: &System, least_load_steps: usize) -> Result<bool> {
+    // Where nothing holds the unloaded mechanism, small loads move it far, and load steps lead nowhere.
+    let held = tracker.is_held()?;
+    if !held && tracker.settle(system)? {
+        return Ok(true);
+    }
+    if tracker.was_cancelled() {
+        return Ok(false);
+    }
+    let largest_step = 1.0 / least_load_steps as f64;
+    if tracker.follow(largest_step, |fraction| (0.0, fraction))? {
+        return Ok(true);
+    }
+    Ok(held && tracker.settle(system)?)
+}
+
+pub(super) fn find_equilibrium(
+    model: &Model,
+    options: &StaticOptions,
+    indifferent: Indifferent,
+    observe: &mut dyn FnMut(Stage, &Iteration) -> bool,
+) -> Result<PeriodicSolve> {
+    options.validate()?;
+    let system = Arc::new(System::at_standstill(model, &options.standstill)?);
+    let grid = TimeGrid::new(1, options.standstill.period())?;
+    let start = Instant::now();
+    let mut guess_iterations = 0;
+    let mut observe_steps = |iteration: &Iteration| {
+        guess_iterations += 1;
+        observe(Stage::InitialGuess, iteration)
+    };
+    let mut tracker = Tracker::new(&system, grid, &mut observe_steps)?;
+    let mut failure = None;
+    match &options.guess {
+        InitialGuess::State(state) => tracker.state = state.clone(),
+        InitialGuess::Default => {
+            if !find_start(&mut tracker, &system, options.least_load_steps)? {
+                failure = tracker.failure.take();
+            }
+        }
+    }
+    let Tracker {
+        mut newton,
+        mut state,
+        reached,
+        ..
+    } = tracker;
+    let guess_time = start.elapsed();
+    let report = match failure {
+        Some((outcome, explanation)) => NewtonReport {
+            outcome: match outcome {
+                Outcome::IterationLimit => Outcome::Stalled,
+                other => other,
+            },
+            iterations: Vec::new(),
+            explanation: format!(
+                "load steps ended at the fraction {reached:.4} of loads and prescribed motions: {explanation}"
+            ),
+        },
+        None => {
+            let mut observe_newton = |iteration: &Iteration| observe(Stage::Newton, iteration);
+            newton.solve(&mut state, &options.newton, &mut observe_newton)?
+        }
+    };
+    let mut solve = PeriodicSolve {
+        node_states: Vec::new(),
+        system,
+        grid,
+        state,
+        report,
+        guess_iterations,
+        guess_time,
+        timings: newton.timings,
+    };
+    if solve.report.outcome == Outcome::Singular && indifferent == Indifferent::Accepted {
+        newton.equations.set_conditions(0.0, 1.0)?;
+        let mut residual = vec![0.0; newton.equations.size()];
+        newton.equations.residual(&solve.state, &mut residual)?;
+        // Written so that NaN fails too.
+        if residual.iter().all(|r| r.abs() <= INDIFFERENT) {
+            solve.report.outcome = Outcome::Converged;
+        }
+    }
+    newton.equations.update_kinematics(&solve.state);
+    solve.node_states = newton.equations.node_states().to_vec();
+    Ok(solve)
+}

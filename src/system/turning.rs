@@ -1,0 +1,229 @@
+//! A frame that turns steadily, in which motions are described and the ground is at rest.
+//!
+//! With `W` the twist of the frame and `M` a motion in it, the material velocity is
+//! `V = v + U`, `U = Ad(M⁻¹) W`, where `v` is that of `M`. So `V̇ = v̇ + Ũ v`, and a material increment
+//! `Δu` of `M` causes `ΔV = Δv + Ũ Δu`, `ΔV̇ = Δv̇ + Ũ Δv − ṽ Ũ Δu`.
+
+use super::System;
+use crate::elements::{Contribution, NodeState};
+use crate::error::{Error, ErrorKind, Result};
+use crate::model::BoundSignal;
+use crate::motion::DualVector;
+use nalgebra::{Matrix6, Vector3, Vector6};
+
+/// How far gravity may be off the axis: components written with 9 digits pass.
+const PARALLEL: f64 = 1e-8;
+
+/// `Ṽ`, the 6×6 matrix of a twist.
+fn tilde(twist: &Vector6<f64>) -> Matrix6<f64> {
+    DualVector::from_twist(twist).skew().to_twist_matrix()
+}
+
+/// A state in the inertial frame, from one in a frame with the twist `frame`.
+pub(super) fn inertial(state: &NodeState, frame: &Vector6<f64>) -> NodeState {
+    let carried = state.motion.inverse().adjoint() * frame;
+    NodeState {
+        motion: state.motion,
+        twist: state.twist + carried,
+        twist_rate: state.twist_rate + tilde(&carried) * state.twist,
+    }
+}
+
+/// Makes tangents with respect to inertial velocities and accelerations those with respect to the
+/// velocities and accelerations in the frame: the columns of node `b`, which is at `state` in it.
+pub(super) fn add_variation(
+    state: &NodeState,
+    frame: &Vector6<f64>,
+    b: usize,
+    out: &mut Contribution,
+) {
+    let carried = tilde(&(state.motion.inverse().adjoint() * frame));
+    let twist = tilde(&state.twist);
+    for a in 0..out.force.len() / 6 {
+        let at = (6 * a, 6 * b);
+        let mass: Matrix6<f64> = out.mass.fixed_view::<6, 6>(at.0, at.1).into_owned();
+        let damping: Matrix6<f64> = out.damping.fixed_view::<6, 6>(at.0, at.1).into_owned();
+        let mut view = out.damping.fixed_view_mut::<6, 6>(at.0, at.1);
+        view += mass * carried;
+        let mut view = out.stiffness.fixed_view_mut::<6, 6>(at.0, at.1);
+        view += (damping - mass * twist) * carried;
+    }
+}
+
+impl System {
+    /// Adds the frame's angular velocity, which grows with the loads.
+    ///
+    /// # Errors
+    /// If gravity is not along the axis, so that nothing could stand still.
+    pub(super) fn add_turning(&mut self) -> Result<()> {
+        let velocity = match &self.standstill {
+            Some(standstill) if standstill.angular_velocity != Vector3::zeros() => {
+                standstill.angular_velocity
+            }
+            _ => return Ok(()),
+        };
+        let mut values = vec![0.0; self.signals()];
+        self.signal_values(0.0, 1.0, &mut values)?;
+        let gravity = self.gravity(&values);
+        let across = gravity.cross(&velocity.normalize()).norm();
+        if across > PARALLEL * gravity.norm() {
+            return Err(Error::new(
+                ErrorKind::NotPeriodic,
+                format!(
+                    "gravity: expected a direction along the axis of a steady rotation, got ({}, {}, {}), of \
+                     which {across:.3e} is across it; solve for the periodic response instead",
+                    gravity.x, gravity.y, gravity.z
+                ),
+            ));
+        }
+        let mut numbers = [0; 3];
+        for (number, component) in numbers.iter_mut().zip(velocity.iter()) {
+            let place = "angular velocity".into();
+            *number = self.add_signal(BoundSignal::constant(*component), 0.0, 0.0, place)?;
+        }
+        self.turning = Some(numbers);
+        Ok(())
+    }
+
+    /// Twist of the frame that motions are described in, if it turns.
+    pub(super) fn frame_twist(&self, signals: &[f64]) -> Option<Vector6<f64>> {
+        let [x, y, z] = self.turning?;
+        Some(self.twist_about_axis(&Vector3::new(signals[x], signals[y], signals[z])))
+    }
+
+    /// Twist of a frame at the origin that turns with `angular` about the axis.
+    fn twist_about_axis(&self, angular: &Vector3<f64>) -> Vector6<f64> {
+        let point = self.standstill.map_or(Vector3::zeros(), |s| s.axis_point);
+        let twist = DualVector {
+            primal: *angular,
+            dual: point.cross(angular),
+        };
+        twist.to_twist()
+    }
+
+    /// Where all signals are constant: the time and the frame.
+    pub fn standstill(&self) -> Option<&super::Standstill> {
+        self.standstill.as_ref()
+    }
+
+    /// State in the inertial frame, from one in the frame that motions are described in; resolved along
+    /// the same axes.
+    pub fn inertial_state(&self, state: &NodeState) -> NodeState {
+        match &self.standstill {
+            Some(standstill) if self.turning.is_some() => {
+                inertial(state, &self.twist_about_axis(&standstill.angular_velocity))
+            }
+            _ => *state,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::elements::{Element, Inertia, Instant, rigid_body_inertia};
+    use crate::motion::{Motion, rotation_from_vector};
+    use nalgebra::Matrix3;
+
+    const FRAME: [f64; 6] = [0.4, -0.3, 0.9, 0.5, 1.1, -0.7];
+
+    fn state() -> NodeState {
+        let turn = rotation_from_vector(&Vector3::new(0.4, 1.0, -0.3));
+        NodeState {
+            motion: Motion::new(turn, Vector3::new(1.0, 2.0, -0.5)),
+            twist: Vector6::new(0.3, -0.8, 0.1, 0.6, 0.2, -0.4),
+            twist_rate: Vector6::new(-0.2, 0.5, 0.7, -0.3, 0.8, 0.1),
+        }
+    }
+
+    #[test]
+    fn inertial_velocity_is_that_of_the_composed_motion() {
+        let frame = Vector6::from(FRAME);
+        let at = state();
+        let found = inertial(&at, &frame);
+        // F(t) M(t) with F = exp(W t), M = M₀ exp(v t + ½ v̇ t²), which has twist v and rate v̇ at 0.
+        let motion = |t: f64| {
+            Motion::identity().increment(&(frame * t)).compose(
+                &at.motion
+                    .increment(&(at.twist * t + at.twist_rate * (0.5 * t * t))),
+            )
+        };
+        let twist = |t: f64| {
+            let h = 1e-3;
+            let relative = |s: f64| motion(t).relative(&motion(t + s)).to_dual();
+            let slope = ((relative(h) - relative(-h)) * 8.0
+                - (relative(2.0 * h) - relative(-2.0 * h)))
+                * (1.0 / (12.0 * h));
+            slope.axial().to_twist()
+        };
+        // Rounding of the differences.
+        assert!((found.twist - twist(0.0)).amax() < 1e-11);
+        let rate = (twist(1e-4) - twist(-1e-4)) / 2e-4;
+        assert!((found.twist_rate - rate).amax() < 1e-7);
+    }
+
+    #[test]
+    fn tangents_are_exact() {
+        let frame = Vector6::from(FRAME);
+        let inertia = rigid_body_inertia(
+            2.0,
+            &Vector3::new(0.1, -0.2, 0.3),
+            &Matrix3::from_diagonal(&Vector3::new(1.0, 2.0, 2.5)),
+        );
+        let body = Inertia::rigid_body(0, &Motion::identity(), &inertia);
+        let evaluate = |at: &NodeState, with_tangents: bool| {
+            let mut out = Contribution::new(1, 0, with_tangents);
+            let instant = Instant {
+                nodes: &[inertial(at, &frame)],
+                multipliers: &[],
+                multiplier_rates: &[],
+                signals: &[],
+                coordinates: &[],
+                gravity: Vector3::new(1.0, -2.0, 0.5),
+                inertia_factor: 1.0,
+            };
+            body.evaluate(&instant, &mut out).unwrap();
+            if with_tangents {
+                add_variation(at, &frame, 0, &mut out);
+            }
+            out
+        };
+        let exact = evaluate(&state(), true);
+        let h = 1e-3;
+        for component in 0..6 {
+            let mut unit = Vector6::zeros();
+            unit[component] = 1.0;
+            type Move<'a> = &'a dyn Fn(f64) -> NodeState;
+            let moves: [(Move, &nalgebra::DMatrix<f64>); 3] = [
+                (
+                    &|x| NodeState {
+                        motion: state().motion.increment(&(unit * x)),
+                        ..state()
+                    },
+                    &exact.stiffness,
+                ),
+                (
+                    &|x| NodeState {
+                        twist: state().twist + unit * x,
+                        ..state()
+                    },
+                    &exact.damping,
+                ),
+                (
+                    &|x| NodeState {
+                        twist_rate: state().twist_rate + unit * x,
+                        ..state()
+                    },
+                    &exact.mass,
+                ),
+            ];
+            for (moved, tangent) in moves {
+                let force = |x: f64| evaluate(&moved(x), false).force;
+                let slope = ((force(h) - force(-h)) * 8.0 - (force(2.0 * h) - force(-2.0 * h)))
+                    / (12.0 * h);
+                // Fourth-order differences: h⁴ times fifth derivatives of order 10.
+                assert!((slope - tangent.column(component)).amax() < 1e-10);
+            }
+        }
+    }
+}
