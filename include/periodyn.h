@@ -406,7 +406,8 @@
 typedef struct pdn_model pdn_model;
 
 /**
- * A periodic solution, converged or not. Made by ::pdn_solve_periodic, freed by ::pdn_solution_free.
+ * A solution, converged or not. Made by ::pdn_solve_periodic or ::pdn_solve_static, freed by
+ * ::pdn_solution_free.
  */
 typedef struct pdn_solution pdn_solution;
 
@@ -730,6 +731,61 @@ typedef struct pdn_periodic_options {
      */
     void *progress_data;
 } pdn_periodic_options;
+
+/**
+ * Options of ::pdn_solve_static. Set the defaults by `PDN_INIT(pdn_static_options, &options)`.
+ */
+typedef struct pdn_static_options {
+    /**
+     * Set by the initialiser.
+     */
+    size_t struct_size;
+    /**
+     * Loads and prescribed motions have their values at this time. Default 0.
+     */
+    double time;
+    /**
+     * Period that harmonics and samples of signals refer to; 0 if not given, as at time 0, where it
+     * does not matter. Default 0.
+     */
+    double period;
+    /**
+     * Load steps taken at least, from the unloaded reference configuration; a step that does not
+     * converge is halved. More than one keeps to the branch that grows from the reference
+     * configuration, where there are several. Not used with an initial solution. Default 1.
+     */
+    size_t load_steps;
+    /**
+     * As in ::pdn_periodic_options. Default 1e-9.
+     */
+    double tolerance;
+    /**
+     * Most Newton iterations at the full loads. Default 30.
+     */
+    size_t iteration_limit;
+    /**
+     * Angular velocity of the frame that everything turns with steadily, the ground too, inertial
+     * frame \[angle/time\]. Default 0.
+     */
+    double angular_velocity[3];
+    /**
+     * A point of the axis it turns about \[length\]. Default 0.
+     */
+    double axis_point[3];
+    /**
+     * Start from this solution, at `time`, of a model with the same nodes and joints; NULL to start
+     * from the reference configuration. Default NULL.
+     */
+    const struct pdn_solution *initial;
+    /**
+     * Told of each iteration; may cancel. Default NULL.
+     */
+    pdn_progress_fn progress;
+    /**
+     * Handed to progress.
+     */
+    void *progress_data;
+} pdn_static_options;
 
 #ifdef __cplusplus
 extern "C" {
@@ -2177,6 +2233,55 @@ pdn_status pdn_solve_periodic(const struct pdn_model *model,
                               double period,
                               const struct pdn_periodic_options *options,
                               struct pdn_solution **out);
+
+/**
+ * Sets default options; use `PDN_INIT(pdn_static_options, &options)`.
+ *
+ * @param options  the options; not NULL
+ * @param struct_size  `sizeof *options`
+ *
+ * Threads: any.
+ * @since 0.1
+ */
+PDN_API
+void pdn_static_options_init(struct pdn_static_options *options,
+                             size_t struct_size);
+
+/**
+ * Finds an equilibrium at one time: of forces at rest, or in steady rotation.
+ *
+ * Newton's method with the exact tangent, after load steps from the unloaded reference configuration.
+ * Where these lead nowhere, as for a pendulum that is not in a position of equilibrium yet, the masses
+ * creep downhill. Not converging is no error: PDN_OK says that the solve was carried out,
+ * ::pdn_solution_outcome how it ended, ::pdn_solution_report why. A position that nothing
+ * determines, such as that of a free body, is PDN_SINGULAR.
+ *
+ * The solution has a grid of one point and the same values at any time.
+ *
+ * With options.angular_velocity everything turns steadily, the ground too: the solution is the
+ * equilibrium in the turning frame, under centrifugal and gyroscopic forces. Positions and directions
+ * are those in that frame, at a moment at which its axes are the inertial ones; velocities and
+ * accelerations of nodes are those in the inertial frame; rates of joints, and dampers, know the
+ * motion in the frame only. Loads with PDN_FRAME_SPACE keep their directions in the turning frame, as the
+ * ground does. Gravity must be along the axis.
+ *
+ * @param model  the model; it is copied, so that later changes do not touch the solution
+ * @param options  may be NULL for the defaults
+ * @param out  the solution, also if it has not converged; free it with ::pdn_solution_free; written
+ *     on success only
+ * @return PDN_OK; PDN_ERR_NULL; PDN_ERR_NOT_FINITE; PDN_ERR_VALUE (no load step, a period that is needed but
+ *     not given, an initial solution of another model); PDN_ERR_STRUCT_SIZE; PDN_ERR_MODEL (no node, a
+ *     beam too distorted); PDN_ERR_NOT_PERIODIC (gravity across the axis of rotation);
+ *     PDN_ERR_GRID_TOO_COARSE (of the initial solution); PDN_ERR_CALLBACK (of a signal); PDN_ERR_MEMORY
+ *
+ * Threads: like a `const` use of `model` and of `options.initial`. Signals' functions and `progress` are
+ * called on this thread.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_solve_static(const struct pdn_model *model,
+                            const struct pdn_static_options *options,
+                            struct pdn_solution **out);
 
 /**
  * Interpolates a periodic motion given at N equispaced times, by dual polar decomposition.
