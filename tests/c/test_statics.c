@@ -121,7 +121,9 @@ static void steady_rotation(void)
           1e-12 * WEIGHT);
     CHECK(q > 0.1);
     CHECK_STATUS(pdn_solution_node_position(solution, body, &time, 1, position), PDN_OK);
-    CHECK_STATUS(pdn_solution_node_velocity(solution, body, &time, 1, velocity), PDN_OK);
+    CHECK_STATUS(pdn_solution_node_velocity(solution, body, PDN_FRAME_SPACE, &time, 1,
+                                            velocity),
+                 PDN_OK);
     CHECK(fabs(velocity[1] - speed * position[0]) < 1e-13 && fabs(velocity[0]) < 1e-13);
     CHECK(fabs(velocity[5] - speed) < 1e-13);
     pdn_solution_free(solution);
