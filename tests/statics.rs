@@ -414,7 +414,7 @@ fn a_turning_rod_stretches() {
     let (length, stiffness, mass) = (2.0, 5e4, 3.0);
     let speed = 40.0;
     // EA X'' + m Ω² X = 0, X(0) = 0, X'(L) = 1.
-    let k = speed * (mass / stiffness as f64).sqrt();
+    let k = speed * (mass / stiffness).sqrt();
     assert!(k * length > 0.6);
     let place = Vector3::new(0.3, -2.0, 0.7);
     let axis = Vector3::new(0.0, 0.6, 0.8);

@@ -170,8 +170,8 @@ impl Solution {
             }
         }
         // The turns of tracked angles are those of the old grid point before.
-        for k in 0..grid.points() {
-            let turns = times[k] / old.period();
+        for (k, time) in times.iter().enumerate() {
+            let turns = time / old.period();
             // Written so that rounding does not go a point back.
             let place = (turns - turns.floor()) * old.points() as f64 * (1.0 + 1e-12);
             let before = (place as usize).min(old.points() - 1);
