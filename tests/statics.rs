@@ -411,7 +411,7 @@ fn loads_are_those_of_the_time() {
 
 #[test]
 fn a_turning_rod_stretches() {
-    let (length, stiffness, mass) = (2.0, 5e4, 3.0);
+    let (length, stiffness, mass): (f64, f64, f64) = (2.0, 5e4, 3.0);
     let speed = 40.0;
     // EA X'' + m Ω² X = 0, X(0) = 0, X'(L) = 1.
     let k = speed * (mass / stiffness).sqrt();
