@@ -87,6 +87,7 @@ fn beam_element(bencher: Bencher, (count, with_tangents): (usize, bool)) {
             coordinates: &[],
             gravity: Vector3::zeros(),
             inertia_factor: 1.0,
+            time: 0.0,
         };
         beam.evaluate(&instant, &mut out).unwrap();
     });

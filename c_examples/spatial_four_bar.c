@@ -54,7 +54,7 @@ int main(int argc, char **argv)
     TRY(pdn_model_add_universal(model, coupler.last, crank.first, C, cross, i1, &cardan_C));
     TRY(pdn_model_add_revolute(model, PDN_GROUND, crank.last, D, i1, &motor_D));
 
-    TRY(pdn_model_add_spring_damper(model, hinge_A, PDN_ROTATION, 18.0, 0.0, 0.0));
+    TRY(pdn_model_add_spring_damper(model, hinge_A, PDN_ROTATION, 18.0, 0.0, 0.0, NULL));
 
     /* theta(t) = 0.3 t + (1 - cos 0.3 t) / 3 + sin(0.6 t) / 10 + (1 - cos 0.9 t) / 21 */
     const double omega = 0.3, period = 20.943951023931954923; /* 2 pi / omega */

@@ -204,7 +204,7 @@ fn a_spring_that_winds_up_is_not_periodic() {
     assert_error(
         result,
         ErrorKind::NotPeriodic,
-        &["spring on joint 0", "1 turn"],
+        &["force 1 on joint 0", "1 turn"],
     );
 }
 

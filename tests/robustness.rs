@@ -145,12 +145,14 @@ fn add_something(model: &mut Model, random: &mut Random) -> Result<()> {
             let (first, second) = (random.body(nodes), random.body(nodes));
             model.add_joint(kind, first, second, &frame, &other)?;
         }
-        5 => model.add_spring_damper(SpringDefinition {
-            at: at(random, model.joint_count()),
-            stiffness: random.number(),
-            damping: random.number(),
-            rest: random.number(),
-        })?,
+        5 => {
+            model.add_spring_damper(SpringDefinition {
+                at: at(random, model.joint_count()),
+                stiffness: random.number(),
+                damping: random.number(),
+                rest: random.number(),
+            })?;
+        }
         6 => model.prescribe(at(random, model.joint_count()), &random.signal()?)?,
         7 => {
             let mut components: [Option<Signal>; 6] = Default::default();

@@ -26,7 +26,7 @@ pub const PDN_MOMENT_2: i32 = 4;
 /// Component of a load: moment about axis 3.
 pub const PDN_MOMENT_3: i32 = 5;
 
-fn load_frame(given: i32) -> Result<LoadFrame> {
+pub(super) fn load_frame(given: i32) -> Result<LoadFrame> {
     let table = [
         (PDN_FRAME_SPACE, LoadFrame::Space),
         (PDN_FRAME_MATERIAL, LoadFrame::Follower),

@@ -69,6 +69,8 @@
 
 pub mod beam;
 pub mod callback;
+pub mod force;
+pub mod force_solution;
 pub mod guard;
 pub mod joint;
 pub mod last_error;
@@ -81,6 +83,7 @@ pub mod signal;
 pub mod solution;
 pub mod statics;
 pub mod status;
+pub mod user_force;
 pub mod version;
 
 mod call;

@@ -7,7 +7,7 @@ use super::joint;
 use super::signal::{self, pdn_signal};
 use super::status::pdn_status;
 use crate::error::{Error, ErrorKind, Result, require_finite};
-use crate::model::{JointCoordinate, Model, SpringDefinition};
+use crate::model::{JointCoordinate, Model};
 use crate::motion::Motion;
 use nalgebra::{Matrix3, Matrix6, Vector3};
 
@@ -152,7 +152,7 @@ pub unsafe extern "C" fn pdn_model_free(model: *mut pdn_model) {
 }
 
 /// Body of a function that gives a count.
-fn count(
+pub(super) fn count(
     model: *const pdn_model,
     out: *mut i32,
     counted: impl FnOnce(&Model) -> usize,
@@ -406,47 +406,15 @@ pub unsafe extern "C" fn pdn_model_add_inertia(
     })
 }
 
-fn joint_coordinate(model: &Model, joint: i32, coordinate: i32) -> Result<JointCoordinate> {
+/// The joint coordinate that two arguments give.
+pub(super) fn joint_coordinate(
+    model: &Model,
+    joint: i32,
+    coordinate: i32,
+) -> Result<JointCoordinate> {
     Ok(JointCoordinate {
         joint: self::joint(model, joint, "joint")?,
         coordinate: joint::coordinate(coordinate, "coordinate")?,
-    })
-}
-
-/// Adds a linear spring with a damper on a joint coordinate, in addition to those that are there.
-///
-/// It resists with stiffness * (coordinate - rest) + damping * its rate; whole turns count.
-///
-/// @param model  the model; not NULL
-/// @param joint  id of the joint
-/// @param coordinate  PDN_DISPLACEMENT ... PDN_ROTATION_3; one that the joint has
-/// @param stiffness  force for a unit of displacement [force / length], or moment for a unit of angle
-///     [force * length]; may be negative
-/// @param damping  force or moment for a unit rate [force * time / length, or force * length * time]; may be
-///     negative
-/// @param rest  coordinate at which the spring is free of force or moment [length, or radian]
-/// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_ID, PDN_ERR_VALUE, PDN_ERR_NOT_AVAILABLE
-///
-/// Threads: exclusive use of `model`.
-/// @since 0.1
-#[unsafe(no_mangle)]
-pub unsafe extern "C" fn pdn_model_add_spring_damper(
-    model: *mut pdn_model,
-    joint: i32,
-    coordinate: i32,
-    stiffness: f64,
-    damping: f64,
-    rest: f64,
-) -> pdn_status {
-    guard(|call| {
-        let mut model = call.exclusive(model, "model")?;
-        let spring = SpringDefinition {
-            at: joint_coordinate(&model, joint, coordinate)?,
-            stiffness: call.number(stiffness, "stiffness")?,
-            damping: call.number(damping, "damping")?,
-            rest: call.number(rest, "rest")?,
-        };
-        model.add_spring_damper(spring)
     })
 }
 

@@ -359,7 +359,7 @@ pub unsafe extern "C" fn pdn_solution_grid_times(
 }
 
 /// An id of C as an index of the core.
-fn index(id: i32, name: &str) -> Result<usize> {
+pub(super) fn index(id: i32, name: &str) -> Result<usize> {
     usize::try_from(id).map_err(|_| {
         Error::new(
             ErrorKind::Identifier,
@@ -375,12 +375,12 @@ fn require_count(count: usize, expected: usize) -> Result<()> {
     Ok(())
 }
 
-fn unknown(name: &str, expected: &str, got: i32) -> Error {
+pub(super) fn unknown(name: &str, expected: &str, got: i32) -> Error {
     Error::value(name, expected, got)
 }
 
 /// Samples at `times` into `out`, both checked before anything is computed.
-fn sampled(
+pub(super) fn sampled(
     solution: *const pdn_solution,
     times: *const f64,
     count: usize,
@@ -889,15 +889,15 @@ pub unsafe extern "C" fn pdn_solution_beam_force(
 }
 
 /// Where the coefficients of a quantity's series go.
-struct SeriesOut {
-    harmonics: usize,
-    mean: *mut f64,
-    rate: *mut f64,
-    cosines: *mut f64,
-    sines: *mut f64,
+pub(super) struct SeriesOut {
+    pub harmonics: usize,
+    pub mean: *mut f64,
+    pub rate: *mut f64,
+    pub cosines: *mut f64,
+    pub sines: *mut f64,
 }
 
-fn harmonics_of(
+pub(super) fn harmonics_of(
     solution: *const pdn_solution,
     to: &SeriesOut,
     components: impl FnOnce() -> Result<usize>,

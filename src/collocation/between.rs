@@ -131,6 +131,7 @@ pub fn residual_between(
         }
         sums.fill(nalgebra::Vector6::zeros());
         let conditions = Conditions {
+            time,
             signals: &signals,
             coordinates: state.tracked(system, k),
             inertia_factor: 1.0,

@@ -44,6 +44,8 @@ pub struct Collocation {
 struct Instants {
     system: Arc<System>,
     points: usize,
+    /// Times of the grid points.
+    times: Vec<f64>,
     /// Signal `s` at grid point `k`, at `k × count + s`.
     signals: Vec<f64>,
     inertia_factor: f64,
@@ -64,6 +66,7 @@ impl Instants {
     ) -> Result<&'w Contribution> {
         let signal_count = self.system.signals();
         let conditions = Conditions {
+            time: self.times[k],
             signals: &self.signals[k * signal_count..][..signal_count],
             coordinates: state.tracked(&self.system, k),
             inertia_factor: self.inertia_factor,
@@ -129,6 +132,7 @@ impl Collocation {
             instants: Instants {
                 system: system.clone(),
                 points,
+                times: vec![0.0; points],
                 signals: vec![0.0; system.signals() * points],
                 inertia_factor: 1.0,
                 states: Vec::new(),
@@ -178,8 +182,9 @@ impl Collocation {
         let count = self.system.signals();
         for k in 0..self.grid.points() {
             let values = &mut self.instants.signals[k * count..][..count];
-            self.system
-                .signal_values(start + self.grid.time(k), load_factor, values)?;
+            let time = start + self.grid.time(k);
+            self.instants.times[k] = time;
+            self.system.signal_values(time, load_factor, values)?;
         }
         Ok(())
     }

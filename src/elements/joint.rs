@@ -146,6 +146,14 @@ impl RelativeState {
         }
     }
 
+    /// Adds the gradient of own equation `row`, which is also that of the forces by own unknown `row`.
+    pub fn add_gradient(&self, row: usize, gradient: &Vector6<f64>, out: &mut Contribution) {
+        for (a, jacobian) in self.local_jacobians() {
+            let mut columns = out.gradient.fixed_view_mut::<1, 6>(row, 6 * a);
+            columns += gradient.transpose() * jacobian;
+        }
+    }
+
     /// Adds constraint `row`: violation, gradient, and the forces of its multiplier.
     pub fn add_constraint(
         &self,
@@ -156,10 +164,7 @@ impl RelativeState {
     ) {
         out.constraint[row] += function.value;
         if out.with_tangents {
-            for (a, jacobian) in self.local_jacobians() {
-                let mut columns = out.gradient.fixed_view_mut::<1, 6>(row, 6 * a);
-                columns += function.gradient.transpose() * jacobian;
-            }
+            self.add_gradient(row, &function.gradient, out);
         }
         let wrench = function.gradient * multiplier;
         self.add_wrench(&wrench, &(function.hessian * multiplier), None, out);

@@ -4,6 +4,8 @@
 //! an entry in the test that every element passes (`tangent_test`).
 
 mod beam;
+mod coordinate_force;
+mod damper;
 mod distributed_load;
 mod inertia;
 mod joint;
@@ -11,11 +13,16 @@ mod load;
 mod relative;
 mod section;
 mod shape;
-mod spring;
 #[cfg(test)]
 mod tangent_test;
+mod user_force;
+mod viscoelastic;
 
 pub use beam::Beam;
+pub use coordinate_force::{
+    CoordinateForce, CoordinateFunction, CoordinateLaw, CoordinateState, Effort, Law,
+};
+pub use damper::ViscousDamper;
 pub use distributed_load::DistributedLoad;
 pub use inertia::{Inertia, rigid_body_inertia};
 pub use joint::{Attachment, Joint, Prescribed};
@@ -24,7 +31,11 @@ pub(crate) use relative::nearest_turn;
 pub use relative::{Coordinate, JointKind, RelativeMotion, ScalarFunction};
 pub use section::{Section, SectionLine};
 pub use shape::{gauss_legendre, lobatto_points, shape_functions};
-pub use spring::SpringDamper;
+pub use user_force::{
+    NodeForceFunction, NodeForceInput, NodeForceLaw, NodeForceOutput, Tangent, TangentPairs,
+    UserForce,
+};
+pub use viscoelastic::{MaxwellBranch, Viscoelastic};
 
 use crate::error::Result;
 use crate::motion::Motion;
@@ -55,6 +66,8 @@ impl NodeState {
 /// What an element sees of the system at one instant.
 #[derive(Debug, Clone, Copy)]
 pub struct Instant<'a> {
+    /// Time.
+    pub time: f64,
     /// The element's nodes, in its own order.
     pub nodes: &'a [NodeState],
     /// The element's own unknowns: Lagrange multipliers or internal states.
@@ -121,6 +134,8 @@ pub struct Contribution {
     pub own_rate: DMatrix<f64>,
     /// Scratch of the beam kernel.
     beam_terms: Vec<beam::NodeTerms>,
+    /// Scratch of user's forces.
+    user_force: user_force::Scratch,
 }
 
 impl Contribution {
@@ -138,6 +153,7 @@ impl Contribution {
             own: DMatrix::zeros(multipliers, multipliers),
             own_rate: DMatrix::zeros(multipliers, multipliers),
             beam_terms: Vec::new(),
+            user_force: user_force::Scratch::default(),
         }
     }
 
@@ -196,6 +212,14 @@ pub trait Element: Send + Sync + std::fmt::Debug {
     /// # Errors
     /// If the element is too distorted for its strains to be defined.
     fn evaluate(&self, instant: &Instant, out: &mut Contribution) -> Result<()>;
+
+    /// Appends what can be read of the element besides its forces, such as its effort.
+    ///
+    /// # Errors
+    /// As [`Element::evaluate`].
+    fn outputs(&self, _instant: &Instant, _out: &mut Vec<f64>) -> Result<()> {
+        Ok(())
+    }
 
     /// Whether the forces depend on the acceleration.
     fn has_mass(&self) -> bool {

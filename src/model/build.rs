@@ -1,6 +1,6 @@
 //! Building a model: one validated call for each thing it has.
 
-use super::{JointCoordinate, LoadDefinition, Model, Signal, SpringDefinition};
+use super::{JointCoordinate, LoadDefinition, Model, Signal};
 use crate::elements::{
     Attachment, Coordinate, Element, Inertia, Joint, JointKind, LoadFrame, Section,
 };
@@ -47,7 +47,11 @@ fn smallest_scaled_eigenvalue(m: &Matrix6<f64>) -> f64 {
     (scale * m * scale).symmetric_eigenvalues().min()
 }
 
-fn require_positive(name: &str, m: &Matrix6<f64>, definite: bool) -> Result<Matrix6<f64>> {
+pub(super) fn require_positive(
+    name: &str,
+    m: &Matrix6<f64>,
+    definite: bool,
+) -> Result<Matrix6<f64>> {
     require_symmetric(name, m)?;
     let smallest = smallest_scaled_eigenvalue(m);
     let (wrong, expected) = if definite {
@@ -147,10 +151,19 @@ fn central_inertia(mass: f64, inertia: &Matrix3<f64>) -> Result<Matrix6<f64>> {
 }
 
 /// Checks a motion and removes the rounding of its rotation.
-fn require_motion(name: &str, motion: &Motion) -> Result<Motion> {
+pub(super) fn require_motion(name: &str, motion: &Motion) -> Result<Motion> {
     require_finite(&format!("{name} position"), motion.position.as_slice())?;
     let rotation = require_rotation(&format!("{name} rotation"), &motion.rotation)?;
     Ok(Motion::new(rotation, motion.position))
+}
+
+/// Checks that something connects two bodies.
+pub(super) fn require_two_bodies(first: Option<usize>, second: Option<usize>) -> Result<()> {
+    if first != second {
+        return Ok(());
+    }
+    let got = first.map_or("the ground twice".into(), |n| format!("node {n} twice"));
+    Err(Error::value("first, second", "two different bodies", got))
 }
 
 impl Model {
@@ -314,10 +327,7 @@ impl Model {
             attach("first", first, first_frame)?,
             attach("second", second, second_frame)?,
         );
-        if first == second {
-            let got = first.map_or("the ground twice".into(), |n| format!("node {n} twice"));
-            return Err(Error::value("first, second", "two different bodies", got));
-        }
+        require_two_bodies(first, second)?;
         if let JointKind::Screw { pitch } = kind {
             require_finite("pitch", &[pitch])?;
             if pitch == 0.0 {
@@ -326,16 +336,6 @@ impl Model {
         }
         self.joints.push(Joint::new(kind, pair.0, pair.1));
         Ok(self.joints.len() - 1)
-    }
-
-    /// Adds a linear spring-damper on a joint coordinate.
-    pub fn add_spring_damper(&mut self, spring: SpringDefinition) -> Result<()> {
-        self.require_coordinate(&spring.at)?;
-        require_finite("stiffness", &[spring.stiffness])?;
-        require_finite("damping", &[spring.damping])?;
-        require_finite("rest", &[spring.rest])?;
-        self.springs.push(spring);
-        Ok(())
     }
 
     /// Makes a joint coordinate follow a signal.

@@ -5,12 +5,14 @@
 
 mod beam;
 mod build;
+mod force;
 mod line;
 mod load;
 mod signal;
 
 pub use beam::{BeamIds, SectionStation};
 pub use build::SectionInput;
+pub use force::{ForceDefinition, SpringDefinition};
 pub use line::{circular_arc, smooth_curve, straight_line};
 pub use load::DistributedLoadDefinition;
 pub use signal::{BoundSignal, Signal};
@@ -25,19 +27,6 @@ pub struct JointCoordinate {
     pub joint: usize,
     /// Which of its coordinates.
     pub coordinate: Coordinate,
-}
-
-/// Linear spring-damper on a joint coordinate.
-#[derive(Debug, Clone, Copy)]
-pub struct SpringDefinition {
-    /// Where it acts.
-    pub at: JointCoordinate,
-    /// Effort for a unit of the coordinate.
-    pub stiffness: f64,
-    /// Effort for a unit rate of the coordinate.
-    pub damping: f64,
-    /// Coordinate at which the spring is free of effort.
-    pub rest: f64,
 }
 
 /// Force and moment on a node.
@@ -58,7 +47,7 @@ pub struct Model {
     pub(crate) beams: Vec<Beam>,
     pub(crate) inertias: Vec<Inertia>,
     pub(crate) joints: Vec<Joint>,
-    pub(crate) springs: Vec<SpringDefinition>,
+    pub(crate) forces: Vec<ForceDefinition>,
     pub(crate) prescribed: Vec<(JointCoordinate, Signal)>,
     pub(crate) loads: Vec<LoadDefinition>,
     pub(crate) distributed_loads: Vec<DistributedLoadDefinition>,

@@ -2,6 +2,7 @@
 
 mod beam;
 mod diagnostics;
+mod force;
 mod joint;
 mod node;
 mod report;
@@ -9,6 +10,7 @@ mod solution;
 
 pub use beam::BeamQuantity;
 pub use diagnostics::Diagnostics;
+pub use force::ForceQuantity;
 pub use joint::{JointQuantity, ResolvedIn};
 pub use node::NodeQuantity;
 pub use solution::Solution;

@@ -1,6 +1,7 @@
 //! A periodic solution: the state at the grid points and what is needed to evaluate it anywhere.
 
 use super::diagnostics::Diagnostics;
+use super::force::{ForceRecord, record_forces};
 use crate::collocation::GridState;
 use crate::elements::{Element, NodeState};
 use crate::error::{Error, ErrorKind, Result};
@@ -23,6 +24,8 @@ pub struct Solution {
     /// Value of each prescribed coordinate at time zero: a signal's function is not called any more.
     pub(super) prescribed_start: Vec<f64>,
     diagnostics: Diagnostics,
+    /// What each force did: a user's function is not called any more.
+    pub(super) forces: Vec<Result<ForceRecord>>,
 }
 
 impl Solution {
@@ -34,7 +37,7 @@ impl Solution {
         observe: &mut dyn FnMut(Stage, &Iteration) -> bool,
     ) -> Result<Self> {
         let solution = Self::of(model, solve_periodic(model, period, options, observe)?)?;
-        solution.require_periodic_springs()?;
+        solution.require_periodic_forces()?;
         Ok(solution)
     }
 
@@ -57,32 +60,10 @@ impl Solution {
         Ok(Solution {
             prescribed_start: starts.collect::<Result<_>>()?,
             model: model.clone(),
+            forces: record_forces(&solve)?,
             solve,
             diagnostics,
         })
-    }
-
-    /// A spring on an angle that gains turns would pull ever harder.
-    fn require_periodic_springs(&self) -> Result<()> {
-        for spring in &self.model.springs {
-            if spring.stiffness == 0.0 || self.outcome() != Outcome::Converged {
-                continue;
-            }
-            let series = self.coordinate(spring.at.joint, spring.at.coordinate)?;
-            if series.rate != 0.0 {
-                let turns = series.rate * series.period() / std::f64::consts::TAU;
-                let plural = if turns.abs() < 1.5 { "" } else { "s" };
-                return Err(Error::new(
-                    ErrorKind::NotPeriodic,
-                    format!(
-                        "spring on joint {}: its angle gains {turns:.0} turn{plural} in one period, so that its \
-                         moment is not periodic; use stiffness 0 or another joint",
-                        spring.at.joint
-                    ),
-                ));
-            }
-        }
-        Ok(())
     }
 
     /// How the solve ended.
@@ -114,14 +95,14 @@ impl Solution {
     pub fn require_same_shape(&self, model: &Model) -> Result<()> {
         let shape = |m: &Model| {
             let kinds: Vec<_> = m.joints.iter().map(|j| j.kind()).collect();
-            (m.nodes.len(), kinds, m.prescribed.len(), m.springs.len())
+            (m.nodes.len(), kinds, m.prescribed.len(), m.forces.len())
         };
         if shape(&self.model) == shape(model) {
             return Ok(());
         }
         Err(Error::value(
             "options.initial",
-            "a solution of a model with the same nodes, joints, springs and prescribed coordinates",
+            "a solution of a model with the same nodes, joints, forces and prescribed coordinates",
             format!(
                 "one with {} nodes and {} joints, for a model with {} and {}",
                 self.model.nodes.len(),

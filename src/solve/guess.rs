@@ -2,7 +2,7 @@
 
 use super::newton::{Iteration, Newton, NewtonOptions, Outcome};
 use crate::collocation::{Collocation, GridState};
-use crate::error::Result;
+use crate::error::{ErrorKind, Result};
 use crate::fourier::TimeGrid;
 use crate::system::System;
 use std::sync::Arc;
@@ -80,6 +80,7 @@ impl<'a> Tracker<'a> {
             let report = self.newton.solve(&mut trial, &options, self.observe);
             let (outcome, taken, explanation) = match report {
                 Ok(report) => (report.outcome, report.iterations.len(), report.explanation),
+                Err(error) if error.kind() == ErrorKind::Callback => return Err(error),
                 Err(error) => (Outcome::Stalled, ITERATION_LIMIT, error.to_string()),
             };
             match outcome {

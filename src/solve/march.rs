@@ -3,7 +3,7 @@
 
 use super::newton::{Iteration, Newton, NewtonOptions, Outcome};
 use crate::collocation::{BackwardRule, Collocation, GridState};
-use crate::error::Result;
+use crate::error::{ErrorKind, Result};
 use crate::fourier::TimeGrid;
 use crate::system::System;
 use std::collections::VecDeque;
@@ -81,6 +81,7 @@ fn march(
                 let mut next = past[0].clone();
                 let report = match newton.solve(&mut next, &NEWTON, observe) {
                     Ok(report) => report,
+                    Err(error) if error.kind() == ErrorKind::Callback => return Err(error),
                     Err(error) => return Ok(Err((Outcome::Stalled, error.to_string()))),
                 };
                 if report.outcome != Outcome::Converged {

@@ -3,7 +3,7 @@
 use super::diagnosis::{Singularity, describe_inconsistency, describe_open_joint, diagnose};
 use super::direct::DirectSolver;
 use crate::collocation::{Collocation, GridState, Pattern, TangentBlocks};
-use crate::error::Result;
+use crate::error::{ErrorKind, Result};
 use std::time::{Duration, Instant};
 
 /// How a solve ended. Only [`Outcome::Converged`] is a solution.
@@ -244,6 +244,12 @@ impl Newton {
                 let evaluated = timed(&mut self.timings.assembly, || {
                     self.equations.residual(&trial, &mut trial_residual)
                 });
+                // A failing callback ends the solve; what is distorted only shortens the step.
+                if let Err(error) = &evaluated
+                    && error.kind() == ErrorKind::Callback
+                {
+                    return Err(error.clone());
+                }
                 if evaluated.is_ok() && trial_residual.iter().all(|x| x.is_finite()) {
                     if converged {
                         break Some(trial);

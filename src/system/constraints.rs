@@ -142,6 +142,7 @@ impl ConstraintLoop {
         let signals = vec![0.0; system.signals()];
         let coordinates = vec![0.0; system.tracked()];
         let conditions = Conditions {
+            time: 0.0,
             signals: &signals,
             coordinates: &coordinates,
             inertia_factor: 0.0,

@@ -1,19 +1,21 @@
 //! One instant of the whole mechanism: its elements, unknowns, signals and characteristic scales.
 
+mod check;
 mod constraints;
 mod scales;
 mod turning;
 
+pub use check::{TangentCheck, check_tangents};
 pub use constraints::{ConstraintLoop, Dependency};
 pub use scales::Scales;
 
-use crate::elements::Unknown;
 use crate::elements::{Contribution, Element, Instant, Joint, NodalLoad, NodeState, Prescribed};
-use crate::elements::{Coordinate, JointKind, SpringDamper};
+use crate::elements::{Coordinate, CoordinateForce, JointKind, Law, UserForce, ViscousDamper};
+use crate::elements::{Measure, Unknown, Viscoelastic};
 use crate::error::{Error, ErrorKind, Result};
-use crate::model::{BoundSignal, Model, Signal};
+use crate::model::{BoundSignal, ForceDefinition, JointCoordinate, Model, Signal};
 use crate::motion::Motion;
-use nalgebra::Vector3;
+use nalgebra::{DVector, Vector3};
 use std::f64::consts::TAU;
 use std::sync::Arc;
 
@@ -28,8 +30,10 @@ pub enum ElementRole {
     Joint(usize),
     /// Prescribed coordinate of this index.
     Prescribed(usize),
-    /// Spring, damper or load.
-    Force,
+    /// Force of this index.
+    Force(usize),
+    /// Load.
+    Load,
 }
 
 /// An element with the place of its multipliers.
@@ -47,7 +51,7 @@ pub struct Placed {
     shape: usize,
 }
 
-/// A coordinate whose whole turns are followed, because a spring acts on it.
+/// A coordinate whose whole turns are followed, because a force acts on it.
 #[derive(Debug, Clone)]
 struct Tracked {
     joint: Joint,
@@ -116,6 +120,8 @@ pub struct System {
     /// Loops of constraints, where some may depend on others.
     loops: Vec<ConstraintLoop>,
     dependencies: Vec<Dependency>,
+    /// Whether forces come from functions of the user.
+    calls_functions: bool,
     scales: Scales,
     period: f64,
 }
@@ -166,6 +172,7 @@ impl System {
             unknowns: Vec::new(),
             loops: Vec::new(),
             dependencies: Vec::new(),
+            calls_functions: model.forces.iter().any(ForceDefinition::calls_function),
             scales: Scales::default(),
             period,
         };
@@ -190,33 +197,23 @@ impl System {
             let element = Prescribed::new(joint, at.coordinate, signal);
             system.place(Arc::new(element), ElementRole::Prescribed(index));
         }
-        for spring in &model.springs {
-            let joint = &model.joints[spring.at.joint];
-            let element = SpringDamper::new(
-                joint,
-                spring.at.coordinate,
-                system.tracked.len(),
-                spring.stiffness,
-                spring.damping,
-                spring.rest,
-            );
-            system.tracked.push(Tracked {
-                joint: joint.clone(),
-                coordinate: spring.at.coordinate,
-            });
-            system.place(Arc::new(element), ElementRole::Force);
+        // Of inertias, beams and joints, which give it; forces only need its order.
+        let length = Scales::of(&system)?.length;
+        for (index, force) in model.forces.iter().enumerate() {
+            let element = system.force(model, index, force, length)?;
+            system.place(element, ElementRole::Force(index));
         }
         for load in &model.loads {
             let place = format!("load on node {}", load.node);
             let numbers = system.add_components(&load.components, &place)?;
             let element = NodalLoad::new(load.node, load.frame, numbers);
-            system.place(Arc::new(element), ElementRole::Force);
+            system.place(Arc::new(element), ElementRole::Load);
         }
         for load in &model.distributed_loads {
             let place = format!("load along beam elements {:?}", load.range());
             let numbers = system.add_components(&load.components, &place)?;
             for element in load.elements(&model.beams, numbers)? {
-                system.place(Arc::new(element), ElementRole::Force);
+                system.place(Arc::new(element), ElementRole::Load);
             }
         }
         if let Some(gravity) = &model.gravity {
@@ -239,6 +236,86 @@ impl System {
         system.loops = constraints::constraint_loops(&system);
         system.dependencies = constraints::dependencies(&system)?;
         Ok(system)
+    }
+
+    /// The element of a force. Motions are of the order of `length`.
+    fn force(
+        &mut self,
+        model: &Model,
+        index: usize,
+        force: &ForceDefinition,
+        length: f64,
+    ) -> Result<Arc<dyn Element>> {
+        let frequency = TAU / self.period;
+        let (at, law) = match force {
+            ForceDefinition::SpringDamper {
+                at,
+                stiffness,
+                damping,
+                rest,
+            } => {
+                let (stiffness, damping) = (stiffness.clone(), damping.clone());
+                let law = Law::Polynomial {
+                    stiffness,
+                    damping,
+                    rest: *rest,
+                };
+                (at, law)
+            }
+            ForceDefinition::Actuator { at, signal } => {
+                let place = format!("force {index}");
+                let signal = self.add_signal(signal.bind(self.period), 0.0, 0.0, place)?;
+                (at, Law::Actuator { signal })
+            }
+            ForceDefinition::CoordinateLaw { at, law } => {
+                let size = coordinate_size(at.coordinate, length);
+                let law = Law::Function {
+                    law: law.clone(),
+                    scales: [size, size * frequency],
+                };
+                (at, law)
+            }
+            ForceDefinition::Viscoelastic {
+                at,
+                stiffness,
+                rest,
+                branches,
+            } => {
+                let tracked = self.track_coordinate(model, at);
+                let joint = &model.joints[at.joint];
+                let coordinate = at.coordinate;
+                let branches = branches.clone();
+                let element =
+                    Viscoelastic::new(joint, coordinate, tracked, *stiffness, *rest, branches);
+                return Ok(Arc::new(element));
+            }
+            ForceDefinition::ViscousDamper {
+                first,
+                second,
+                matrix,
+            } => return Ok(Arc::new(ViscousDamper::new(*first, *second, *matrix))),
+            ForceDefinition::NodeForces { nodes, law } => {
+                let (nodes, law) = (nodes.clone(), law.clone());
+                return Ok(Arc::new(UserForce::new(nodes, law, length, frequency)));
+            }
+        };
+        let tracked = self.track_coordinate(model, at);
+        let joint = &model.joints[at.joint];
+        Ok(Arc::new(CoordinateForce::new(
+            joint,
+            at.coordinate,
+            tracked,
+            law,
+        )))
+    }
+
+    /// Follows the whole turns of a joint coordinate; its place among the tracked ones.
+    fn track_coordinate(&mut self, model: &Model, at: &JointCoordinate) -> usize {
+        self.tracked.push(Tracked {
+            joint: model.joints[at.joint].clone(),
+            coordinate: at.coordinate,
+        });
+        self.tracked.len() - 1
     }
 
     /// Adds a signal that repeats itself, or gains whole multiples of `unit` in a period.
@@ -335,6 +412,11 @@ impl System {
         self.unknowns[index]
     }
 
+    /// Whether forces come from functions of the user.
+    pub fn calls_functions(&self) -> bool {
+        self.calls_functions
+    }
+
     /// Characteristic length, mass, time and force.
     pub fn scales(&self) -> &Scales {
         &self.scales
@@ -405,6 +487,7 @@ impl System {
         let out = &mut workspace.contributions[placed.shape];
         out.clear();
         let instant = Instant {
+            time: conditions.time,
             nodes: &workspace.states,
             multipliers: own.values,
             multiplier_rates: own.rates,
@@ -418,6 +501,7 @@ impl System {
             .evaluate(&instant, out)
             .map_err(|e| match placed.role {
                 ElementRole::Beam(index) => e.within(format!("beam element {index}")),
+                ElementRole::Force(index) => e.within(format!("force {index}")),
                 _ => e,
             })?;
         if let Some(frame) = &frame
@@ -430,6 +514,32 @@ impl System {
         Ok(out)
     }
 
+    /// Forces that one element exerts on its nodes, in their own axes, and its outputs.
+    pub fn outputs(
+        &self,
+        placed: &Placed,
+        states: &[NodeState],
+        conditions: &Conditions,
+        own: OwnValues,
+    ) -> Result<(DVector<f64>, Vec<f64>)> {
+        let instant = Instant {
+            time: conditions.time,
+            nodes: states,
+            multipliers: own.values,
+            multiplier_rates: own.rates,
+            signals: conditions.signals,
+            coordinates: conditions.coordinates,
+            gravity: self.gravity(conditions.signals),
+            inertia_factor: conditions.inertia_factor,
+        };
+        let mut contribution = Contribution::new(states.len(), own.values.len(), false);
+        placed.element.evaluate(&instant, &mut contribution)?;
+        let mut outputs = Vec::new();
+        placed.element.outputs(&instant, &mut outputs)?;
+        // Forces count on the left-hand side of the equations.
+        Ok((-contribution.force, outputs))
+    }
+
     /// Follows the tracked coordinates from their last values to those of the given states.
     pub fn track(&self, state: impl Fn(usize) -> NodeState, coordinates: &mut [f64]) {
         for (tracked, last) in self.tracked.iter().zip(coordinates) {
@@ -439,6 +549,14 @@ impl System {
             let value = kind.coordinate(tracked.coordinate, &z).value;
             *last = kind.follow(tracked.coordinate, value, *last);
         }
+    }
+}
+
+/// What a joint coordinate is of the order of, in a mechanism of this length.
+pub(crate) fn coordinate_size(coordinate: Coordinate, length: f64) -> f64 {
+    match coordinate.measure() {
+        Measure::Angle => 1.0,
+        Measure::Length => length,
     }
 }
 
@@ -454,6 +572,8 @@ pub struct OwnValues<'a> {
 /// What is the same for all elements at one instant.
 #[derive(Debug, Clone, Copy)]
 pub struct Conditions<'a> {
+    /// Time.
+    pub time: f64,
     /// Values of all signals.
     pub signals: &'a [f64],
     /// Last values of the tracked coordinates.

@@ -36,6 +36,7 @@ impl Scales {
         }
         let coordinates = vec![0.0; system.tracked()];
         let conditions = Conditions {
+            time: 0.0,
             signals: &signals,
             coordinates: &coordinates,
             inertia_factor: 1.0,

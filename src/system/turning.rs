@@ -181,6 +181,7 @@ mod tests {
                 coordinates: &[],
                 gravity: Vector3::new(1.0, -2.0, 0.5),
                 inertia_factor: 1.0,
+                time: 0.0,
             };
             body.evaluate(&instant, &mut out).unwrap();
             if with_tangents {

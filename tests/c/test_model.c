@@ -280,10 +280,10 @@ static void spatial_mechanism(void)
     CHECK(free_joint == 8 && joints(model) == 9);
 
     /* Springs, drives, loads. */
-    CHECK_STATUS(pdn_model_add_spring_damper(model, hinge_A, PDN_ROTATION, 18.0, 0.1, 0.2), PDN_OK);
-    CHECK_STATUS(pdn_model_add_spring_damper(model, hinge_A, PDN_ROTATION, 1.0, 0, 0), PDN_OK);
-    CHECK_STATUS(pdn_model_add_spring_damper(model, ball_B, PDN_ROTATION_3, 1.0, 0, 0), PDN_OK);
-    CHECK_STATUS(pdn_model_add_spring_damper(model, cardan_C, PDN_ROTATION_2, 1.0, 0, 0), PDN_OK);
+    CHECK_STATUS(pdn_model_add_spring_damper(model, hinge_A, PDN_ROTATION, 18.0, 0.1, 0.2, NULL), PDN_OK);
+    CHECK_STATUS(pdn_model_add_spring_damper(model, hinge_A, PDN_ROTATION, 1.0, 0, 0, NULL), PDN_OK);
+    CHECK_STATUS(pdn_model_add_spring_damper(model, ball_B, PDN_ROTATION_3, 1.0, 0, 0, NULL), PDN_OK);
+    CHECK_STATUS(pdn_model_add_spring_damper(model, cardan_C, PDN_ROTATION_2, 1.0, 0, 0, NULL), PDN_OK);
     PDN_INIT(pdn_signal, &signal);
     CHECK_STATUS(pdn_signal_set_harmonics(&signal, 0.4, 0.3, cosines, sines, 3), PDN_OK);
     CHECK_STATUS(pdn_model_prescribe(model, motor_D, PDN_ROTATION, &signal), PDN_OK);

@@ -525,19 +525,19 @@ static void forces(void)
 {
     pdn_model *const model = in.model;
 
-#define CALL pdn_model_add_spring_damper(in.model, in.joint, in.coordinate, in.number, 0, 0)
-    REFUSES_NULL(pdn_model_add_spring_damper(NULL, 0, in.coordinate, 1, 0, 0), "model");
+#define CALL pdn_model_add_spring_damper(in.model, in.joint, in.coordinate, in.number, 0, 0, NULL)
+    REFUSES_NULL(pdn_model_add_spring_damper(NULL, 0, in.coordinate, 1, 0, 0, NULL), "model");
     REFUSES_IDS(in.joint, bad_ids, CALL, "joint");
     REFUSES_ENUMS(in.coordinate, CALL, "coordinate");
     REFUSES_NOT_FINITE(in.number, CALL, "stiffness");
     REFUSES_NOT_FINITE(in.number,
-                       pdn_model_add_spring_damper(model, 0, in.coordinate, 1, in.number, 0),
+                       pdn_model_add_spring_damper(model, 0, in.coordinate, 1, in.number, 0, NULL),
                        "damping");
     REFUSES_NOT_FINITE(
-        in.number, pdn_model_add_spring_damper(model, 0, in.coordinate, 1, 0, in.number), "rest");
-    REFUSED(pdn_model_add_spring_damper(model, 0, PDN_ROTATION_2, 1, 0, 0), PDN_ERR_NOT_AVAILABLE,
+        in.number, pdn_model_add_spring_damper(model, 0, in.coordinate, 1, 0, in.number, NULL), "rest");
+    REFUSED(pdn_model_add_spring_damper(model, 0, PDN_ROTATION_2, 1, 0, 0, NULL), PDN_ERR_NOT_AVAILABLE,
             "coordinate: expected one of a revolute joint ");
-    REFUSED(pdn_model_add_spring_damper(model, in.rigid, PDN_ROTATION, 1, 0, 0),
+    REFUSED(pdn_model_add_spring_damper(model, in.rigid, PDN_ROTATION, 1, 0, 0, NULL),
             PDN_ERR_NOT_AVAILABLE, "coordinate: expected one of a rigid joint ");
 #undef CALL
 

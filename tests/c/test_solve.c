@@ -37,7 +37,7 @@ static pdn_model *pendulum_with(const pdn_signal *signal)
     CHECK_STATUS(pdn_model_new(&model), PDN_OK);
     CHECK_STATUS(pdn_model_add_rigid_body(model, MASS, CENTRE, MOMENTS_OF_INERTIA, &node), PDN_OK);
     CHECK_STATUS(pdn_model_add_revolute(model, PDN_GROUND, node, ORIGIN, AXIS, &joint), PDN_OK);
-    CHECK_STATUS(pdn_model_add_spring_damper(model, joint, PDN_ROTATION, STIFFNESS, DAMPING, 0.0),
+    CHECK_STATUS(pdn_model_add_spring_damper(model, joint, PDN_ROTATION, STIFFNESS, DAMPING, 0.0, NULL),
                  PDN_OK);
     CHECK_STATUS(pdn_model_add_load(model, node, PDN_FRAME_SPACE, PDN_MOMENT_3, signal), PDN_OK);
     return model;
@@ -566,7 +566,7 @@ static void a_solution_outlives_its_model(void)
 
     angles(solution, PERIOD, times, before);
     CHECK_STATUS(pdn_model_set_gravity(model, gravity), PDN_OK);
-    CHECK_STATUS(pdn_model_add_spring_damper(model, 0, PDN_ROTATION, 100, 0, 0.4), PDN_OK);
+    CHECK_STATUS(pdn_model_add_spring_damper(model, 0, PDN_ROTATION, 100, 0, 0.4, NULL), PDN_OK);
     CHECK_STATUS(pdn_model_add_rigid_body(model, MASS, CENTRE, MOMENTS_OF_INERTIA, &node), PDN_OK);
     CHECK_STATUS(pdn_model_add_rigid_joint(model, 0, node, CENTRE, &joint), PDN_OK);
     angles(solution, PERIOD, times, after);

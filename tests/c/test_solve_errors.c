@@ -95,7 +95,7 @@ static void set_up(void)
     CHECK_STATUS(pdn_model_add_straight_beam(model, origin, end, up, &section, 1, 1, &beam),
                  PDN_OK);
     CHECK_STATUS(pdn_model_add_revolute(model, PDN_GROUND, 0, origin, axis, &joint), PDN_OK);
-    CHECK_STATUS(pdn_model_add_spring_damper(model, 0, PDN_ROTATION, 10, 1, 0), PDN_OK);
+    CHECK_STATUS(pdn_model_add_spring_damper(model, 0, PDN_ROTATION, 10, 1, 0, NULL), PDN_OK);
     CHECK_STATUS(pdn_model_add_load(model, 1, PDN_FRAME_MATERIAL, PDN_FORCE_2, &signal), PDN_OK);
     CHECK_STATUS(pdn_model_add_rigid_body(model, 1, end, inertia, &node), PDN_OK);
     CHECK_STATUS(pdn_model_add_revolute(model, PDN_GROUND, node, end, axis, &joint), PDN_OK);
@@ -221,7 +221,7 @@ static pdn_model *wheel(const pdn_signal *motor, const pdn_signal *load, double 
     CHECK_STATUS(pdn_model_new(&made), PDN_OK);
     CHECK_STATUS(pdn_model_add_rigid_body(made, 1, origin, inertia, &node), PDN_OK);
     CHECK_STATUS(pdn_model_add_revolute(made, PDN_GROUND, node, origin, axis, &joint), PDN_OK);
-    CHECK_STATUS(pdn_model_add_spring_damper(made, joint, PDN_ROTATION, stiffness, 1, 0), PDN_OK);
+    CHECK_STATUS(pdn_model_add_spring_damper(made, joint, PDN_ROTATION, stiffness, 1, 0, NULL), PDN_OK);
     if (motor != NULL)
         CHECK_STATUS(pdn_model_prescribe(made, joint, PDN_ROTATION, motor), PDN_OK);
     if (load != NULL)

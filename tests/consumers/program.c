@@ -32,7 +32,7 @@ int main(void)
     TRY(pdn_model_new(&model));
     TRY(pdn_model_add_rigid_body(model, 2, origin, inertia, &body));
     TRY(pdn_model_add_revolute(model, PDN_GROUND, body, origin, axis, &hinge));
-    TRY(pdn_model_add_spring_damper(model, hinge, PDN_ROTATION, stiffness, damping, 0));
+    TRY(pdn_model_add_spring_damper(model, hinge, PDN_ROTATION, stiffness, damping, 0, NULL));
     PDN_INIT(pdn_signal, &moment);
     TRY(pdn_signal_set_harmonics(&moment, 0, 0, &cosine, &sine, 1));
     TRY(pdn_model_add_load(model, body, PDN_FRAME_SPACE, PDN_MOMENT_3, &moment));

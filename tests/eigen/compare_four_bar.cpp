@@ -49,7 +49,7 @@ void join(Mechanism &m, const FourBar &data) {
     must(pdn_model_add_spherical(model, m.last[0], m.first[1], data.b0.data(), &ball));
     must(pdn_model_add_universal(model, m.last[1], m.first[2], data.c0.data(), arm.data(), i1.data(), &cardan));
     must(pdn_model_add_revolute(model, PDN_GROUND, m.last[2], data.d0.data(), i1.data(), &m.motor));
-    must(pdn_model_add_spring_damper(model, m.hinge, PDN_ROTATION, data.spring_stiffness, 0.0, 0.0));
+    must(pdn_model_add_spring_damper(model, m.hinge, PDN_ROTATION, data.spring_stiffness, 0.0, 0.0, NULL));
 
     pdn_signal turn;
     PDN_INIT(pdn_signal, &turn);

@@ -1,0 +1,445 @@
+//! Forces that functions of the caller compute, and the check of their tangents.
+
+use super::call::{Call, check_pointer};
+use super::callback::Callback;
+use super::force::add_force;
+use super::guard::guard;
+use super::load::load_frame;
+use super::model::{index, joint_coordinate, node, pdn_model};
+use super::options::Options;
+use super::section::init_struct;
+use super::status::pdn_status;
+use crate::elements::{
+    CoordinateLaw, Effort, NodeForceInput, NodeForceLaw, NodeForceOutput, Tangent,
+};
+use crate::error::{Error, Result};
+use crate::model::Model;
+use crate::system::{TangentCheck, check_tangents};
+use std::ffi::c_void;
+use std::sync::Arc;
+
+/// Tangents of a user's function: it gives none, and the library finds them by differences of its forces.
+pub const PDN_TANGENTS_DIFFERENCED: i32 = 0;
+/// Tangents of a user's function: it gives them.
+pub const PDN_TANGENTS_GIVEN: i32 = 1;
+
+/// Which tangent: derivative by a motion or coordinate.
+pub const PDN_TANGENT_MOTION: i32 = 0;
+/// Which tangent: derivative by a velocity or rate.
+pub const PDN_TANGENT_VELOCITY: i32 = 1;
+
+/// A law of effort on a joint coordinate, to be written by the caller.
+///
+/// Called on the thread that solves, with times in [0, T) of the period T of the solve; if two threads solve at
+/// once, on both at once. The same arguments must give the same values; over time the law must repeat with the
+/// period, and where its coordinate gains whole turns in a period, with these. It must neither throw nor jump
+/// out, nor use the model it belongs to.
+///
+/// @param time  in [0, T)
+/// @param coordinate  of the joint, an angle with its whole turns [length or radian]
+/// @param rate  its rate
+/// @param effort  where the effort goes that resists growth of the coordinate [force on a displacement,
+///     force * length on an angle]; not NULL
+/// @param derivatives  array of length 2: where the derivatives of the effort by coordinate and rate go. NULL if
+///     they are not wanted, or the law was said to give none
+/// @param user_data  as given to ::pdn_model_add_coordinate_law
+/// @return 0 for success; anything else makes the solve fail with PDN_ERR_CALLBACK (see
+///     ::pdn_set_callback_error and ::pdn_last_callback_code), as does a value that is not finite
+pub type pdn_coordinate_law_fn = Option<
+    unsafe extern "C" fn(
+        time: f64,
+        coordinate: f64,
+        rate: f64,
+        effort: *mut f64,
+        derivatives: *mut f64,
+        user_data: *mut c_void,
+    ) -> i32,
+>;
+
+type CoordinateFunction =
+    unsafe extern "C" fn(f64, f64, f64, *mut f64, *mut f64, *mut c_void) -> i32;
+
+/// What a user's forces on nodes may depend on. The library makes it; a later one may add fields at its end.
+///
+/// Nodes are in the order they were given to ::pdn_model_add_user_force.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct pdn_force_state {
+    /// Size of the struct that the library knows.
+    pub struct_size: usize,
+    /// Time, in [0, T) of the period T of the solve.
+    pub time: f64,
+    /// Number of nodes.
+    pub node_count: usize,
+    /// Array of shape 3 x [node_count]: positions, global coordinates [length].
+    pub positions: *const f64,
+    /// Array of shape 9 x [node_count]: rotation matrices, column by column; the columns are the nodes' axes
+    /// in global coordinates.
+    pub rotations: *const f64,
+    /// Array of shape 6 x [node_count]: velocity and angular velocity of each node, along the global axes
+    /// (PDN_FRAME_SPACE) or the node's own (PDN_FRAME_MATERIAL).
+    pub velocities: *const f64,
+}
+
+/// Where a user's forces go. The library makes it, with all arrays set to zero; a later one may add fields.
+///
+/// Everything is along the same axes as the velocities. Row and column of the tangents count force 1, 2, 3,
+/// moment 1, 2, 3 and displacement 1, 2, 3, turn 1, 2, 3 of each node together; a turn is an infinitesimal
+/// rotation. Derivatives by motion are at fixed components of the velocities.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct pdn_force_values {
+    /// Size of the struct that the library knows.
+    pub struct_size: usize,
+    /// Array of shape 6 x [node_count]: force on each node and moment about it [force, force * length].
+    pub forces: *mut f64,
+    /// Array of shape 6 [node_count] x 6 [node_count], column by column: derivatives of forces by displacements
+    /// and turns. NULL if tangents are not wanted, or were said not to be given.
+    pub by_motion: *mut f64,
+    /// The same by velocities and angular velocities; NULL where by_motion is.
+    pub by_velocity: *mut f64,
+}
+
+const _: () = assert!(size_of::<pdn_force_state>() == 48 && size_of::<pdn_force_values>() == 32);
+
+/// Forces on nodes, to be computed by the caller.
+///
+/// Called on the thread that solves; if two threads solve at once, on both at once. The same state must give
+/// the same forces, and over time they must repeat with the period. It must neither throw nor jump out, nor use
+/// the model it belongs to. It is called many times at trial motions, which may be far from the solution.
+///
+/// @param state  time and motions of the nodes; valid during the call only
+/// @param values  where the forces go, all zero at first; valid during the call only
+/// @param user_data  as given to ::pdn_model_add_user_force
+/// @return 0 for success; anything else makes the solve fail with PDN_ERR_CALLBACK (see
+///     ::pdn_set_callback_error and ::pdn_last_callback_code), as does a value that is not finite
+pub type pdn_user_force_fn = Option<
+    unsafe extern "C" fn(
+        state: *const pdn_force_state,
+        values: *mut pdn_force_values,
+        user_data: *mut c_void,
+    ) -> i32,
+>;
+
+type UserForceFunction = unsafe extern "C" fn(
+    state: *const pdn_force_state,
+    values: *mut pdn_force_values,
+    user_data: *mut c_void,
+) -> i32;
+
+/// Disposes of the `user_data` of a force; see ::pdn_model_add_user_force for when it is called.
+pub type pdn_destroy_fn = Option<unsafe extern "C" fn(user_data: *mut c_void)>;
+
+fn gives_tangents(given: i32) -> Result<bool> {
+    match given {
+        PDN_TANGENTS_DIFFERENCED => Ok(false),
+        PDN_TANGENTS_GIVEN => Ok(true),
+        _ => {
+            let expected = "PDN_TANGENTS_DIFFERENCED or PDN_TANGENTS_GIVEN";
+            Err(Error::value("tangents", expected, given))
+        }
+    }
+}
+
+/// Adds a spring-damper on a joint coordinate whose law is a function of the caller.
+///
+/// Its effort, a force on a displacement or a moment on an angle, resists growth of the coordinate as that of
+/// ::pdn_model_add_spring_damper does. It may depend on coordinate, rate and time.
+///
+/// @param model  the model; not NULL
+/// @param joint  id of the joint
+/// @param coordinate  PDN_DISPLACEMENT, ... or PDN_ROTATION, ...; one that the joint has
+/// @param tangents  PDN_TANGENTS_GIVEN if the function writes derivatives, which ::pdn_model_check_tangents
+///     checks; PDN_TANGENTS_DIFFERENCED if the library is to find them by differences
+/// @param function  the law, see ::pdn_coordinate_law_fn for when it is called; not NULL
+/// @param user_data  handed to the function; may be NULL
+/// @param destroy  called once with user_data when the model, its copies in solutions included, no longer needs
+///     it, on the thread that frees the last; may be NULL. It is not called if this call fails
+/// @param force  the force's id; may be NULL if it is not wanted; written on success only
+/// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_ID, PDN_ERR_VALUE, PDN_ERR_NOT_AVAILABLE
+///
+/// Threads: exclusive use of `model`.
+/// @since 0.1
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn pdn_model_add_coordinate_law(
+    model: *mut pdn_model,
+    joint: i32,
+    coordinate: i32,
+    tangents: i32,
+    function: pdn_coordinate_law_fn,
+    user_data: *mut c_void,
+    destroy: pdn_destroy_fn,
+    force: *mut i32,
+) -> pdn_status {
+    let read = |call: &Call, model: &Model| {
+        let at = joint_coordinate(model, joint, coordinate)?;
+        // All that could be refused comes before `user_data` is taken over.
+        model.require_coordinate(&at)?;
+        let gives_derivatives = gives_tangents(tangents)?;
+        Ok((at, gives_derivatives, call.function(function, "function")?))
+    };
+    add_force(
+        model,
+        force,
+        read,
+        |model, (at, gives_derivatives, function)| {
+            let callback = Callback::<CoordinateFunction>::new(function, user_data, destroy);
+            let function = move |at: &crate::elements::CoordinateState| {
+                // What the function leaves unwritten is found out.
+                let mut effort = f64::NAN;
+                let mut derivatives = [f64::NAN; 2];
+                callback.invoke("coordinate law", |function, user_data| {
+                    let wanted = if gives_derivatives {
+                        derivatives.as_mut_ptr()
+                    } else {
+                        std::ptr::null_mut()
+                    };
+                    // SAFETY: the caller gave the function with its `user_data`; it writes three numbers.
+                    unsafe {
+                        function(
+                            at.time,
+                            at.value,
+                            at.rate,
+                            &raw mut effort,
+                            wanted,
+                            user_data,
+                        )
+                    }
+                })?;
+                Ok(Effort {
+                    value: effort,
+                    by_coordinate: derivatives[0],
+                    by_rate: derivatives[1],
+                })
+            };
+            let function = Arc::new(function);
+            let law = CoordinateLaw {
+                function,
+                gives_derivatives,
+            };
+            model.add_coordinate_law(at, law)
+        },
+    )
+}
+
+/// Adds forces on nodes that a function of the caller computes.
+///
+/// @param model  the model; not NULL
+/// @param nodes  array of length [count]: ids of the nodes, all different
+/// @param count  number of nodes, at least 1
+/// @param frame  PDN_FRAME_SPACE: velocities, forces and tangents are along the global axes;
+///     PDN_FRAME_MATERIAL: along those of each node
+/// @param tangents  PDN_TANGENTS_GIVEN if the function writes tangents, which ::pdn_model_check_tangents checks;
+///     PDN_TANGENTS_DIFFERENCED if the library is to find them by differences, at the price of 24 calls a node
+/// @param function  the forces, see ::pdn_user_force_fn for when it is called; not NULL
+/// @param user_data  handed to the function; may be NULL
+/// @param destroy  called once with user_data when the model, its copies in solutions included, no longer needs
+///     it, on the thread that frees the last; may be NULL. It is not called if this call fails
+/// @param force  the force's id; may be NULL if it is not wanted; written on success only
+/// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_SIZE, PDN_ERR_ID, PDN_ERR_VALUE
+///
+/// Threads: exclusive use of `model`.
+/// @since 0.1
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn pdn_model_add_user_force(
+    model: *mut pdn_model,
+    nodes: *const i32,
+    count: usize,
+    frame: i32,
+    tangents: i32,
+    function: pdn_user_force_fn,
+    user_data: *mut c_void,
+    destroy: pdn_destroy_fn,
+    force: *mut i32,
+) -> pdn_status {
+    let read = |call: &Call, model: &Model| {
+        check_pointer(nodes, 1, "nodes")?;
+        if count == 0 || count > model.node_count() {
+            let expected = format!("1 to {} (the number of nodes)", model.node_count());
+            return Err(Error::size("count", expected, count));
+        }
+        let nodes = call
+            .slice(nodes, count, "nodes")?
+            .iter()
+            .enumerate()
+            .map(|(i, &id)| node(model, id, &format!("nodes[{i}]")))
+            .collect::<Result<Vec<_>>>()?;
+        // All that could be refused comes before `user_data` is taken over.
+        model.require_distinct_nodes(&nodes)?;
+        let frame = load_frame(frame)?;
+        let gives_tangents = gives_tangents(tangents)?;
+        let function = call.function(function, "function")?;
+        Ok((nodes, frame, gives_tangents, function))
+    };
+    add_force(
+        model,
+        force,
+        read,
+        |model, (nodes, frame, gives_tangents, function)| {
+            let callback = Callback::<UserForceFunction>::new(function, user_data, destroy);
+            let law = NodeForceLaw {
+                function: Arc::new(move |input, output| call_back(&callback, input, output)),
+                gives_tangents,
+                frame,
+            };
+            model.add_node_forces(&nodes, law)
+        },
+    )
+}
+
+fn call_back(
+    callback: &Callback<UserForceFunction>,
+    input: &NodeForceInput,
+    output: &mut NodeForceOutput,
+) -> Result<()> {
+    let state = pdn_force_state {
+        struct_size: size_of::<pdn_force_state>(),
+        time: input.time,
+        node_count: input.positions.len(),
+        positions: input.positions.as_ptr().cast(),
+        rotations: input.rotations.as_ptr().cast(),
+        velocities: input.velocities.as_ptr().cast(),
+    };
+    let (by_motion, by_velocity) = match &mut output.tangents {
+        Some((motion, velocity)) => (
+            motion.as_mut_slice().as_mut_ptr(),
+            velocity.as_mut_slice().as_mut_ptr(),
+        ),
+        None => (std::ptr::null_mut(), std::ptr::null_mut()),
+    };
+    let mut values = pdn_force_values {
+        struct_size: size_of::<pdn_force_values>(),
+        forces: output.forces.as_mut_ptr().cast(),
+        by_motion,
+        by_velocity,
+    };
+    callback.invoke("user force", |function, user_data| {
+        // SAFETY: the caller gave the function with its `user_data`; vectors and matrices of fixed size are
+        // their numbers column by column, those of a slice one after the other.
+        unsafe { function(&raw const state, &raw mut values, user_data) }
+    })
+}
+
+/// Where the tangents of a user's function differ most from differences of its forces.
+///
+/// Initialise with `PDN_INIT(pdn_tangent_check, &check)`.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct pdn_tangent_check {
+    /// Set by the initialiser.
+    pub struct_size: usize,
+    /// Largest difference, relative to the largest tangent; lengths, angles and velocities are taken relative to
+    /// what is characteristic of the model and the period. Tangents that are right leave about 1e-8.
+    pub error: f64,
+    /// Time of the state it was found at.
+    pub time: f64,
+    /// The derivative that the function gives there.
+    pub given: f64,
+    /// What differences of its forces give.
+    pub differenced: f64,
+    /// PDN_TANGENT_MOTION or PDN_TANGENT_VELOCITY.
+    pub tangent: i32,
+    /// Node of the force that is differentiated; -1 for an effort on a joint coordinate.
+    pub row_node: i32,
+    /// Its component, PDN_FORCE_1, ... PDN_MOMENT_3; 0 for an effort.
+    pub row_component: i32,
+    /// Node of the motion or velocity that it is differentiated by; -1 for a joint coordinate.
+    pub column_node: i32,
+    /// Its component: 0, 1, 2 linear, 3, 4, 5 angular; 0 for a joint coordinate.
+    pub column_component: i32,
+    /// Zero.
+    pub reserved: i32,
+}
+
+// SAFETY: all fields are plain numbers, `struct_size` is the first, no padding.
+unsafe impl Options for pdn_tangent_check {
+    const SIZES: &'static [usize] = &[64];
+
+    fn defaults() -> Self {
+        pdn_tangent_check {
+            struct_size: size_of::<Self>(),
+            error: 0.0,
+            time: 0.0,
+            given: 0.0,
+            differenced: 0.0,
+            tangent: 0,
+            row_node: 0,
+            row_component: 0,
+            column_node: 0,
+            column_component: 0,
+            reserved: 0,
+        }
+    }
+}
+
+/// Prepares a struct for ::pdn_model_check_tangents; use `PDN_INIT(pdn_tangent_check, &check)`.
+///
+/// @param check  the struct; not NULL
+/// @param struct_size  `sizeof *check`
+///
+/// Threads: any.
+/// @since 0.1
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn pdn_tangent_check_init(check: *mut pdn_tangent_check, struct_size: usize) {
+    init_struct(check, struct_size, "check");
+}
+
+/// Compares the tangents that a user's function gives with differences of its forces.
+///
+/// At a few states: nodes near their reference configuration, or a coordinate near its own, with velocities as
+/// they are in motions of the period; the same states in each call. Wrong tangents do not make solutions wrong,
+/// but Newton's method slow, or fail.
+///
+/// @param model  the model; not NULL
+/// @param force  id of a force by ::pdn_model_add_coordinate_law or ::pdn_model_add_user_force
+/// @param period  the period that the model is to be solved for, positive [time]
+/// @param check  initialised by PDN_INIT; filled on success only
+/// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_STRUCT_SIZE, PDN_ERR_ID, PDN_ERR_VALUE, PDN_ERR_NOT_FINITE,
+///     PDN_ERR_MODEL, PDN_ERR_NOT_PERIODIC (as for a solve), PDN_ERR_NOT_AVAILABLE (it gives no tangents),
+///     PDN_ERR_CALLBACK
+///
+/// Threads: like `const`.
+/// @since 0.1
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn pdn_model_check_tangents(
+    model: *const pdn_model,
+    force: i32,
+    period: f64,
+    check: *mut pdn_tangent_check,
+) -> pdn_status {
+    guard(|call| {
+        let model = call.shared(model, "model")?;
+        let force = index(force, model.force_count(), "force", "a force id")?;
+        let period = call.number(period, "period")?;
+        let out = call.out_struct(check, "check")?;
+        let TangentCheck {
+            error,
+            time,
+            tangent,
+            row,
+            column,
+            given,
+            differenced,
+        } = check_tangents(&model, force, period)?;
+        // Ids are in range, as they were given out.
+        let place = |at: Option<(usize, usize)>| at.map_or((-1, 0), |(n, i)| (n as i32, i as i32));
+        let ((row_node, row_component), (column_node, column_component)) =
+            (place(row), place(column));
+        out.set(pdn_tangent_check {
+            error,
+            time,
+            given,
+            differenced,
+            tangent: match tangent {
+                Tangent::Stiffness => PDN_TANGENT_MOTION,
+                Tangent::Damping => PDN_TANGENT_VELOCITY,
+            },
+            row_node,
+            row_component,
+            column_node,
+            column_component,
+            ..pdn_tangent_check::defaults()
+        });
+        Ok(())
+    })
+}

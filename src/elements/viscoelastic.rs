@@ -1,0 +1,105 @@
+//! Generalised Maxwell model on a joint coordinate: a spring and branches of spring and dashpot in series.
+
+use super::coordinate_force::{ActedCoordinate, ActedState, Effort};
+use super::joint::Joint;
+use super::relative::Coordinate;
+use super::{Contribution, Element, Instant, Unknown};
+use crate::error::Result;
+
+/// A Maxwell branch: spring and dashpot in series.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct MaxwellBranch {
+    /// Stiffness `K_b` of its spring.
+    pub stiffness: f64,
+    /// Relaxation time `τ_b`; its dashpot has the damping `K_b τ_b`.
+    pub relaxation_time: f64,
+}
+
+/// Effort `K∞ (q − q₀) + Σ K_b (q − β_b)` on a joint coordinate `q`, against its growth.
+///
+/// `β_b`, the elongation of the dashpot of branch b, is an internal state: the dashpot carries what the
+/// spring does, `K_b τ_b β̇_b = K_b (q − β_b)`. With `α_b = q − β_b` this is `τ_b α̇_b + α_b = τ_b q̇`. Without
+/// branches that move it is the spring alone; one branch makes it a Zener element.
+#[derive(Debug, Clone)]
+pub struct Viscoelastic {
+    at: ActedCoordinate,
+    stiffness: f64,
+    rest: f64,
+    branches: Vec<MaxwellBranch>,
+}
+
+impl Viscoelastic {
+    /// On `coordinate` of `joint`, which is tracked coordinate number `tracked`.
+    pub fn new(
+        joint: &Joint,
+        coordinate: Coordinate,
+        tracked: usize,
+        stiffness: f64,
+        rest: f64,
+        branches: Vec<MaxwellBranch>,
+    ) -> Self {
+        Viscoelastic {
+            at: ActedCoordinate::new(joint, coordinate, tracked),
+            stiffness,
+            rest,
+            branches,
+        }
+    }
+
+    fn effort(&self, state: &ActedState, dashpots: &[f64]) -> Effort {
+        let q = state.q.value;
+        let mut effort = Effort {
+            value: self.stiffness * (q - self.rest),
+            by_coordinate: self.stiffness,
+            by_rate: 0.0,
+        };
+        for (branch, beta) in self.branches.iter().zip(dashpots) {
+            effort.value += branch.stiffness * (q - beta);
+            effort.by_coordinate += branch.stiffness;
+        }
+        effort
+    }
+}
+
+impl Element for Viscoelastic {
+    fn nodes(&self) -> &[usize] {
+        self.at.nodes()
+    }
+
+    fn multipliers(&self) -> usize {
+        self.branches.len()
+    }
+
+    fn unknown(&self, _index: usize) -> Unknown {
+        self.at.internal_state()
+    }
+
+    fn evaluate(&self, instant: &Instant, out: &mut Contribution) -> Result<()> {
+        let state = self.at.state(instant)?;
+        let (dashpots, rates) = (instant.multipliers, instant.multiplier_rates);
+        state.add_effort(&self.effort(&state, dashpots), out);
+        for (b, branch) in self.branches.iter().enumerate() {
+            let stiffness = branch.stiffness;
+            let damping = stiffness * branch.relaxation_time;
+            out.constraint[b] += damping * rates[b] - stiffness * (state.q.value - dashpots[b]);
+            if out.with_tangents {
+                state
+                    .relative
+                    .add_gradient(b, &(state.q.gradient * -stiffness), out);
+                out.own[(b, b)] += stiffness;
+                out.own_rate[(b, b)] += damping;
+            }
+        }
+        Ok(())
+    }
+
+    /// The effort, then for each branch its effort and the elongation of its dashpot.
+    fn outputs(&self, instant: &Instant, out: &mut Vec<f64>) -> Result<()> {
+        let state = self.at.state(instant)?;
+        out.push(self.effort(&state, instant.multipliers).value);
+        for (branch, beta) in self.branches.iter().zip(instant.multipliers) {
+            out.extend([branch.stiffness * (state.q.value - beta), *beta]);
+        }
+        Ok(())
+    }
+}

@@ -1,0 +1,254 @@
+//! Forces that attach to joint coordinates and nodes; each has an id, in the order they are added.
+
+use super::build::{require_motion, require_positive};
+use super::{JointCoordinate, Model, Signal};
+use crate::elements::{Attachment, CoordinateLaw, MaxwellBranch, NodeForceLaw};
+use crate::error::{Error, ErrorKind, Result, require_finite};
+use crate::motion::Motion;
+use nalgebra::Matrix6;
+
+/// Linear spring-damper on a joint coordinate: effort `stiffness (q − rest) + damping q̇` against growth.
+#[derive(Debug, Clone, Copy)]
+pub struct SpringDefinition {
+    /// Where it acts.
+    pub at: JointCoordinate,
+    /// Effort for a unit of the coordinate.
+    pub stiffness: f64,
+    /// Effort for a unit rate of the coordinate.
+    pub damping: f64,
+    /// Coordinate at which the spring is free of effort.
+    pub rest: f64,
+}
+
+/// A force of the model.
+#[derive(Debug, Clone)]
+pub enum ForceDefinition {
+    /// Effort `Σ stiffness[i−1] (q − rest)ⁱ + Σ damping[i−1] q̇ⁱ` on a joint coordinate, against growth.
+    SpringDamper {
+        /// Where it acts.
+        at: JointCoordinate,
+        /// Coefficients of the powers of `q − rest`, from the first.
+        stiffness: Vec<f64>,
+        /// Coefficients of the powers of `q̇`, from the first.
+        damping: Vec<f64>,
+        /// Coordinate at which the springs are free of effort.
+        rest: f64,
+    },
+    /// Effort on a joint coordinate that follows a signal, towards growth.
+    Actuator {
+        /// Where it acts.
+        at: JointCoordinate,
+        /// The effort.
+        signal: Signal,
+    },
+    /// Effort of a user's law on a joint coordinate, against growth.
+    CoordinateLaw {
+        /// Where it acts.
+        at: JointCoordinate,
+        /// The law.
+        law: CoordinateLaw,
+    },
+    /// Generalised Maxwell model on a joint coordinate, see [`crate::elements::Viscoelastic`].
+    Viscoelastic {
+        /// Where it acts.
+        at: JointCoordinate,
+        /// Long-term stiffness `K∞`.
+        stiffness: f64,
+        /// Coordinate at which the long-term spring is free of effort.
+        rest: f64,
+        /// The branches.
+        branches: Vec<MaxwellBranch>,
+    },
+    /// Wrench `−C ż` between two bodies.
+    ViscousDamper {
+        /// First body; where its frame is does not matter.
+        first: Attachment,
+        /// Second body, and the frame that twist, wrench and matrix are about and resolved in.
+        second: Attachment,
+        /// The coefficients.
+        matrix: Matrix6<f64>,
+    },
+    /// A user's forces on nodes.
+    NodeForces {
+        /// The nodes.
+        nodes: Vec<usize>,
+        /// The law.
+        law: NodeForceLaw,
+    },
+}
+
+impl ForceDefinition {
+    /// The joint coordinate it acts on, if it does on one.
+    pub fn at(&self) -> Option<JointCoordinate> {
+        match self {
+            ForceDefinition::SpringDamper { at, .. }
+            | ForceDefinition::Actuator { at, .. }
+            | ForceDefinition::CoordinateLaw { at, .. }
+            | ForceDefinition::Viscoelastic { at, .. } => Some(*at),
+            ForceDefinition::ViscousDamper { .. } | ForceDefinition::NodeForces { .. } => None,
+        }
+    }
+
+    /// Whether it is a function of the user.
+    pub fn calls_function(&self) -> bool {
+        matches!(
+            self,
+            ForceDefinition::CoordinateLaw { .. } | ForceDefinition::NodeForces { .. }
+        )
+    }
+}
+
+impl Model {
+    /// Number of forces: springs, dampers, actuators and user's forces, but not loads.
+    pub fn force_count(&self) -> usize {
+        self.forces.len()
+    }
+
+    pub(crate) fn require_force(&self, name: &str, force: usize) -> Result<&ForceDefinition> {
+        self.forces.get(force).ok_or_else(|| {
+            let count = self.forces.len();
+            let message = format!("{name}: expected a force id below {count}, got {force}");
+            Error::new(ErrorKind::Identifier, message)
+        })
+    }
+
+    fn add_force(&mut self, force: ForceDefinition) -> usize {
+        self.forces.push(force);
+        self.forces.len() - 1
+    }
+
+    /// Adds a linear spring-damper on a joint coordinate; returns the force's id.
+    pub fn add_spring_damper(&mut self, spring: SpringDefinition) -> Result<usize> {
+        require_finite("stiffness", &[spring.stiffness])?;
+        require_finite("damping", &[spring.damping])?;
+        let (stiffness, damping) = ([spring.stiffness], [spring.damping]);
+        self.add_polynomial_spring_damper(spring.at, &stiffness, &damping, spring.rest)
+    }
+
+    /// Adds a nonlinear spring-damper on a joint coordinate `q`: effort
+    /// `Σ stiffness[i−1] (q − rest)ⁱ + Σ damping[i−1] q̇ⁱ` against growth. Returns the force's id.
+    pub fn add_polynomial_spring_damper(
+        &mut self,
+        at: JointCoordinate,
+        stiffness: &[f64],
+        damping: &[f64],
+        rest: f64,
+    ) -> Result<usize> {
+        self.require_coordinate(&at)?;
+        require_finite("stiffness", stiffness)?;
+        require_finite("damping", damping)?;
+        require_finite("rest", &[rest])?;
+        Ok(self.add_force(ForceDefinition::SpringDamper {
+            at,
+            stiffness: stiffness.to_vec(),
+            damping: damping.to_vec(),
+            rest,
+        }))
+    }
+
+    /// Adds a force or torque on a joint coordinate that follows a signal and is positive towards growth;
+    /// returns the force's id.
+    pub fn add_actuator(&mut self, at: JointCoordinate, signal: &Signal) -> Result<usize> {
+        self.require_coordinate(&at)?;
+        let signal = signal.clone();
+        Ok(self.add_force(ForceDefinition::Actuator { at, signal }))
+    }
+
+    /// Adds a user's law for the effort on a joint coordinate, against growth; returns the force's id.
+    pub fn add_coordinate_law(&mut self, at: JointCoordinate, law: CoordinateLaw) -> Result<usize> {
+        self.require_coordinate(&at)?;
+        Ok(self.add_force(ForceDefinition::CoordinateLaw { at, law }))
+    }
+
+    /// Adds a generalised Maxwell model on a joint coordinate `q`, against growth: effort
+    /// `K∞ (q − rest) + Σ K_b α_b`, `τ_b α̇_b + α_b = τ_b q̇`. Stiffnesses of the branches and relaxation times
+    /// are positive. One branch makes it a Zener element. Returns the force's id.
+    pub fn add_viscoelastic(
+        &mut self,
+        at: JointCoordinate,
+        stiffness: f64,
+        rest: f64,
+        branches: &[MaxwellBranch],
+    ) -> Result<usize> {
+        self.require_coordinate(&at)?;
+        require_finite("stiffness", &[stiffness])?;
+        require_finite("rest", &[rest])?;
+        for (b, branch) in branches.iter().enumerate() {
+            for (name, value) in [
+                ("branch_stiffness", branch.stiffness),
+                ("relaxation_times", branch.relaxation_time),
+            ] {
+                let name = format!("{name}[{b}]");
+                require_finite(&name, &[value])?;
+                if value <= 0.0 {
+                    return Err(Error::value(&name, "a positive number", value));
+                }
+            }
+        }
+        let branches = branches.to_vec();
+        Ok(self.add_force(ForceDefinition::Viscoelastic {
+            at,
+            stiffness,
+            rest,
+            branches,
+        }))
+    }
+
+    /// Adds a viscous damper between two bodies (`None` is the ground): the wrench on the second is `−C ż`,
+    /// with the twist `ż` of the second relative to the first. Both are about and resolved in a frame that
+    /// is fixed to the second body and given where it is in the reference configuration (`None`: the second
+    /// node's own, or the inertial frame). `matrix` is symmetric and positive semi-definite. Returns the
+    /// force's id.
+    pub fn add_viscous_damper(
+        &mut self,
+        first: Option<usize>,
+        second: Option<usize>,
+        frame: Option<&Motion>,
+        matrix: &Matrix6<f64>,
+    ) -> Result<usize> {
+        for (name, node) in [("first", first), ("second", second)] {
+            if let Some(node) = node {
+                self.require_node(name, node)?;
+            }
+        }
+        super::build::require_two_bodies(first, second)?;
+        let place = |node: Option<usize>| node.map_or(Motion::identity(), |n| self.nodes[n]);
+        let frame = match frame {
+            None => place(second),
+            Some(frame) => require_motion("frame", frame)?,
+        };
+        let attach = |node: Option<usize>| Attachment {
+            node,
+            offset: place(node).relative(&frame),
+        };
+        let (first, second) = (attach(first), attach(second));
+        let matrix = require_positive("matrix", matrix, false)?;
+        Ok(self.add_force(ForceDefinition::ViscousDamper {
+            first,
+            second,
+            matrix,
+        }))
+    }
+
+    /// Checks the nodes of a user's force: at least one, and all different.
+    pub(crate) fn require_distinct_nodes(&self, nodes: &[usize]) -> Result<()> {
+        if nodes.is_empty() {
+            return Err(Error::size("nodes", "at least one node", 0));
+        }
+        for (i, &node) in nodes.iter().enumerate() {
+            self.require_node("nodes", node)?;
+            if nodes[..i].contains(&node) {
+                let got = format!("node {node} twice");
+                return Err(Error::value("nodes", "distinct nodes", got));
+            }
+        }
+        Ok(())
+    }
+
+    /// Adds forces on nodes that a user's function computes; returns the force's id.
+    pub fn add_node_forces(&mut self, nodes: &[usize], law: NodeForceLaw) -> Result<usize> {
+        self.require_distinct_nodes(nodes)?;
+        let nodes = nodes.to_vec();
+        Ok(self.add_force(ForceDefinition::NodeForces { nodes, law }))
+    }
+}

@@ -1,0 +1,257 @@
+//! What forces do: efforts, and what they exert on nodes.
+
+use super::joint::sample;
+use super::solution::Solution;
+use crate::elements::{LoadFrame, NodeState};
+use crate::error::{Error, ErrorKind, Result};
+use crate::fourier::PeriodicSeries;
+use crate::solve::{Outcome, PeriodicSolve};
+use crate::system::{Conditions, ElementRole, OwnValues, Placed};
+use nalgebra::{DVector, Vector3};
+
+/// What can be asked of a force.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum ForceQuantity {
+    /// Effort on its joint coordinate: of an actuator towards growth, of all others against it.
+    Effort,
+    /// Effort of a branch of a generalised Maxwell model, against the growth of its coordinate.
+    BranchEffort(usize),
+    /// Elongation (or turn) of the dashpot of such a branch.
+    BranchElongation(usize),
+    /// Force and moment that it exerts on one of its nodes, along the inertial axes or those of the node.
+    OnNode(usize, LoadFrame),
+}
+
+impl ForceQuantity {
+    /// Number of components.
+    pub fn components(self) -> usize {
+        match self {
+            ForceQuantity::OnNode(..) => 6,
+            _ => 1,
+        }
+    }
+}
+
+/// A force at the grid points.
+#[derive(Debug, Clone)]
+pub(super) struct ForceRecord {
+    nodes: Vec<usize>,
+    /// Forces on the nodes, in their own axes.
+    on_nodes: Vec<DVector<f64>>,
+    /// The element's outputs.
+    outputs: Vec<Vec<f64>>,
+    /// What its internal states gain in a period.
+    gain: f64,
+}
+
+/// States of an element's nodes at grid point `k`.
+fn states_of(solve: &PeriodicSolve, placed: &Placed, k: usize) -> Vec<NodeState> {
+    let nodes = placed.element.nodes().iter();
+    nodes
+        .map(|&n| solve.node_states[n * solve.grid.points() + k])
+        .collect()
+}
+
+/// What the internal states of an element gain in a period.
+fn gain_of(solve: &PeriodicSolve, placed: &Placed) -> f64 {
+    if placed.has_states {
+        solve.state.gain(&solve.system, placed, 0)
+    } else {
+        0.0
+    }
+}
+
+/// Values of all signals at each grid point.
+fn signals_of(solve: &PeriodicSolve) -> Result<Vec<Vec<f64>>> {
+    let times = solve.grid.times();
+    times
+        .map(|time| {
+            let mut values = vec![0.0; solve.system.signals()];
+            solve.system.signal_values(time, 1.0, &mut values)?;
+            Ok(values)
+        })
+        .collect()
+}
+
+/// All forces of a solve; those that cannot be evaluated where it ended tell why.
+pub(super) fn record_forces(solve: &PeriodicSolve) -> Result<Vec<Result<ForceRecord>>> {
+    let signals = signals_of(solve)?;
+    let record = |placed: &Placed| -> Result<ForceRecord> {
+        let mut record = ForceRecord {
+            nodes: placed.element.nodes().to_vec(),
+            on_nodes: Vec::new(),
+            outputs: Vec::new(),
+            gain: gain_of(solve, placed),
+        };
+        for (k, time) in solve.grid.times().enumerate() {
+            let conditions = Conditions {
+                time,
+                signals: &signals[k],
+                coordinates: solve.state.tracked(&solve.system, k),
+                inertia_factor: 1.0,
+            };
+            let values = solve.state.multipliers_of(placed, k);
+            // What is read does not depend on rates.
+            let rates = vec![0.0; values.len()];
+            let own = OwnValues {
+                values,
+                rates: &rates,
+            };
+            let states = states_of(solve, placed, k);
+            let (on_nodes, outputs) = solve.system.outputs(placed, &states, &conditions, own)?;
+            record.on_nodes.push(on_nodes);
+            record.outputs.push(outputs);
+        }
+        Ok(record)
+    };
+    let elements = solve.system.elements().iter();
+    Ok(elements
+        .filter(|placed| matches!(placed.role, ElementRole::Force(_)))
+        .map(record)
+        .collect())
+}
+
+impl Solution {
+    /// A quantity of a force at `times`; components of each time together.
+    ///
+    /// # Errors
+    /// An unknown force, or a quantity that it does not have.
+    pub fn force(&self, force: usize, quantity: ForceQuantity, times: &[f64]) -> Result<Vec<f64>> {
+        let series = self.force_series(force, quantity)?;
+        Self::finite("force", sample(&series, times, 0))
+    }
+
+    /// Fourier series of each component of a quantity of a force, through its values on the grid.
+    ///
+    /// # Errors
+    /// An unknown force, or a quantity that it does not have.
+    pub fn force_series(
+        &self,
+        force: usize,
+        quantity: ForceQuantity,
+    ) -> Result<Vec<PeriodicSeries>> {
+        self.model.require_force("force", force)?;
+        let record = self.forces[force].as_ref().map_err(Error::clone)?;
+        match quantity {
+            ForceQuantity::Effort => {
+                if record.outputs.iter().any(Vec::is_empty) {
+                    let message =
+                        format!("force {force} is not on a joint coordinate: it has no effort");
+                    return Err(Error::new(ErrorKind::NotAvailable, message));
+                }
+                self.series_of(1, |k| Ok(vec![record.outputs[k][0]]))
+            }
+            ForceQuantity::BranchEffort(branch) => {
+                let place = self.branch_output(force, record, branch)?;
+                self.series_of(1, |k| Ok(vec![record.outputs[k][place]]))
+            }
+            ForceQuantity::BranchElongation(branch) => {
+                let place = self.branch_output(force, record, branch)? + 1;
+                let values: Vec<f64> = record.outputs.iter().map(|row| row[place]).collect();
+                // A dashpot on an angle that gains turns gains them too.
+                let rate = record.gain / self.grid().period();
+                Ok(vec![PeriodicSeries::interpolate(
+                    self.grid(),
+                    &values,
+                    rate,
+                )])
+            }
+            ForceQuantity::OnNode(node, frame) => {
+                self.model.require_node("node", node)?;
+                let local = record.nodes.iter().position(|&n| n == node);
+                let local = local.ok_or_else(|| {
+                    let message = format!("force {force} does not act on node {node}");
+                    Error::new(ErrorKind::NotAvailable, message)
+                })?;
+                let points = self.grid().points();
+                self.series_of(6, |k| {
+                    let own = record.on_nodes[k].fixed_rows::<6>(6 * local);
+                    let turn = match frame {
+                        LoadFrame::Space => {
+                            self.solve.node_states[node * points + k].motion.rotation
+                        }
+                        LoadFrame::Follower => nalgebra::Matrix3::identity(),
+                    };
+                    let force: Vector3<f64> = turn * own.fixed_rows::<3>(0);
+                    let moment: Vector3<f64> = turn * own.fixed_rows::<3>(3);
+                    Ok(force.iter().chain(moment.iter()).copied().collect())
+                })
+            }
+        }
+    }
+
+    /// Place of a Maxwell branch's effort among the outputs.
+    fn branch_output(&self, force: usize, record: &ForceRecord, branch: usize) -> Result<usize> {
+        let count = record.outputs.first().map_or(0, |row| row.len() / 2);
+        if branch < count {
+            return Ok(1 + 2 * branch);
+        }
+        let message = format!("branch: force {force} has {count} Maxwell branches, got {branch}");
+        Err(Error::new(ErrorKind::NotAvailable, message))
+    }
+
+    /// A spring on an angle that gains turns would pull ever harder; what depends on such an angle must
+    /// repeat with its turns.
+    pub(super) fn require_periodic_forces(&self) -> Result<()> {
+        if self.outcome() != Outcome::Converged {
+            return Ok(());
+        }
+        let system = &self.solve.system;
+        let mut signals = None;
+        for placed in system.elements() {
+            let ElementRole::Force(index) = placed.role else {
+                continue;
+            };
+            let Some(at) = self.model.forces[index].at() else {
+                continue;
+            };
+            let series = self.coordinate(at.joint, at.coordinate)?;
+            if series.rate == 0.0 {
+                continue;
+            }
+            if signals.is_none() {
+                signals = Some(signals_of(&self.solve)?);
+            }
+            let gain = series.rate * series.period();
+            let (mut change, mut size) = (0.0f64, 0.0f64);
+            for (k, time) in self.solve.grid.times().enumerate() {
+                let states = states_of(&self.solve, placed, k);
+                let own = self.solve.state.multipliers_of(placed, k);
+                let here = self.solve.state.tracked(system, k);
+                let later: Vec<f64> = here.iter().map(|q| q + gain).collect();
+                let state_gain = gain_of(&self.solve, placed);
+                let own_later: Vec<f64> = own.iter().map(|x| x + state_gain).collect();
+                let rates = vec![0.0; own.len()];
+                let at = |coordinates: &[f64], values: &[f64]| {
+                    let own = OwnValues {
+                        values,
+                        rates: &rates,
+                    };
+                    let conditions = Conditions {
+                        time,
+                        signals: signals.as_ref().map_or(&[], |s| &s[k]),
+                        coordinates,
+                        inertia_factor: 1.0,
+                    };
+                    system.outputs(placed, &states, &conditions, own)
+                };
+                let (now, then) = (at(here, own)?.0, at(&later, &own_later)?.0);
+                size = size.max(now.amax());
+                change = change.max((then - now).amax());
+            }
+            if change > 1e-9 * size {
+                let turns = gain / std::f64::consts::TAU;
+                let plural = if turns.abs() < 1.5 { "" } else { "s" };
+                return Err(Error::new(
+                    ErrorKind::NotPeriodic,
+                    format!(
+                        "force {index} on joint {}: its angle gains {turns:.0} turn{plural} in one period, so that \
+                         its moment is not periodic; use stiffness 0 or another joint",
+                        at.joint
+                    ),
+                ));
+            }
+        }
+        Ok(())
+    }
+}

@@ -1,0 +1,196 @@
+//! Compares the tangents that a user's function gives with differences of its forces.
+
+use super::{System, coordinate_size};
+use crate::elements::{CoordinateLaw, CoordinateState, NodeState, Tangent, UserForce};
+use crate::error::{Error, ErrorKind, Result};
+use crate::model::{ForceDefinition, Model};
+use nalgebra::{DMatrix, Vector6};
+use std::f64::consts::TAU;
+
+/// States that tangents are compared at.
+const STATES: usize = 4;
+
+/// Where the tangents of a user's function differ most from differences of its forces.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct TangentCheck {
+    /// Largest difference, relative to the largest tangent; forces and motions are taken relative to what
+    /// is characteristic of the model. What is right leaves some 1e-8, the error of the differences.
+    pub error: f64,
+    /// Time of the state that it was found at.
+    pub time: f64,
+    /// Which tangent.
+    pub tangent: Tangent,
+    /// Node and component of the force; none for an effort on a joint coordinate.
+    pub row: Option<(usize, usize)>,
+    /// Node and component of the motion or velocity; likewise.
+    pub column: Option<(usize, usize)>,
+    /// The derivative that the function gives.
+    pub given: f64,
+    /// That by differences.
+    pub differenced: f64,
+}
+
+/// Reproducible numbers from −1 to 1 that are spread evenly.
+fn spread(count: &mut usize) -> f64 {
+    *count += 1;
+    2.0 * (*count as f64 * 0.618_033_988_75).fract() - 1.0
+}
+
+/// One tangent's derivatives, side by side, with what makes them comparable.
+struct Entries<'a> {
+    tangent: Tangent,
+    given: &'a DMatrix<f64>,
+    differenced: &'a DMatrix<f64>,
+}
+
+/// The worst entry so far.
+struct Worst {
+    check: TangentCheck,
+    difference: f64,
+    largest: f64,
+}
+
+impl Worst {
+    /// Compares derivatives; `weights` of rows and columns make them comparable.
+    fn compare(
+        &mut self,
+        time: f64,
+        entries: &Entries,
+        weights: impl Fn(usize, usize) -> f64,
+        place: impl Fn(usize) -> Option<(usize, usize)>,
+    ) {
+        for (row, column) in
+            (0..entries.given.nrows()).flat_map(|i| (0..entries.given.ncols()).map(move |j| (i, j)))
+        {
+            let given = entries.given[(row, column)];
+            let differenced = entries.differenced[(row, column)];
+            let weight = weights(row, column);
+            let difference = (given - differenced).abs() * weight;
+            self.largest = self
+                .largest
+                .max(given.abs().max(differenced.abs()) * weight);
+            if difference >= self.difference {
+                self.difference = difference;
+                self.check = TangentCheck {
+                    error: 0.0,
+                    time,
+                    tangent: entries.tangent,
+                    row: place(row),
+                    column: place(column),
+                    given,
+                    differenced,
+                };
+            }
+        }
+    }
+}
+
+/// Compares the tangents of force `force`, at a few states near the reference configuration with random
+/// velocities, as they are in motions of period `period`.
+///
+/// # Errors
+/// [`ErrorKind::NotAvailable`] if the force is no function of the user that gives tangents, and what
+/// [`System::new`] refuses.
+pub fn check_tangents(model: &Model, force: usize, period: f64) -> Result<TangentCheck> {
+    let definition = model.require_force("force", force)?;
+    let unavailable = |why: &str| {
+        let message = format!("force {force}: {why}");
+        Error::new(ErrorKind::NotAvailable, message)
+    };
+    let length = System::new(model, period)?.scales().length;
+    let frequency = TAU / period;
+    let mut count = 0;
+    let mut worst = Worst {
+        check: TangentCheck {
+            error: 0.0,
+            time: 0.0,
+            tangent: Tangent::Stiffness,
+            row: None,
+            column: None,
+            given: 0.0,
+            differenced: 0.0,
+        },
+        difference: 0.0,
+        largest: 0.0,
+    };
+    let differenced = "its tangents are found by differences: there is nothing to compare";
+    let times = (0..STATES).map(|s| period * (s as f64 + 0.37) / STATES as f64);
+    match definition {
+        ForceDefinition::CoordinateLaw { at, law } => {
+            if !law.gives_derivatives {
+                return Err(unavailable(differenced));
+            }
+            let size = coordinate_size(at.coordinate, length);
+            let reference = model.reference_coordinate(at.joint, at.coordinate);
+            let scales = [size, size * frequency];
+            for time in times {
+                let state = CoordinateState {
+                    time,
+                    value: reference + 0.3 * size * spread(&mut count),
+                    rate: scales[1] * spread(&mut count),
+                };
+                let effort = law
+                    .call(&state)
+                    .map_err(|e| e.within(format!("force {force}")))?;
+                let steps = CoordinateLaw::steps(&state, scales);
+                let found = law.differenced(&state, steps)?;
+                let pairs = [
+                    (Tangent::Stiffness, effort.by_coordinate, found[0]),
+                    (Tangent::Damping, effort.by_rate, found[1]),
+                ];
+                for ((tangent, given, found), scale) in pairs.into_iter().zip(scales) {
+                    let entries = Entries {
+                        tangent,
+                        given: &DMatrix::from_element(1, 1, given),
+                        differenced: &DMatrix::from_element(1, 1, found),
+                    };
+                    worst.compare(time, &entries, |_, _| scale, |_| None);
+                }
+            }
+        }
+        ForceDefinition::NodeForces { nodes, law } => {
+            if !law.gives_tangents {
+                return Err(unavailable(differenced));
+            }
+            let element = UserForce::new(nodes.clone(), law.clone(), length, frequency);
+            let sizes = |component: usize| if component < 3 { length } else { 1.0 };
+            for time in times {
+                let mut random =
+                    |factor: f64| Vector6::from_fn(|i, _| factor * sizes(i) * spread(&mut count));
+                let mut states = Vec::new();
+                for &node in nodes {
+                    states.push(NodeState {
+                        twist: random(frequency),
+                        ..NodeState::at_rest(model.nodes[node].increment(&random(0.1)))
+                    });
+                }
+                let pairs = element
+                    .tangent_pairs(time, &states)
+                    .map_err(|e| e.within(format!("force {force}")))?;
+                for (i, tangent) in [Tangent::Stiffness, Tangent::Damping]
+                    .into_iter()
+                    .enumerate()
+                {
+                    let entries = Entries {
+                        tangent,
+                        given: &pairs.given[i],
+                        differenced: &pairs.differenced[i],
+                    };
+                    let rate = if i == 0 { 1.0 } else { frequency };
+                    let weight = |row: usize, column: usize| {
+                        let force = if row % 6 < 3 { 1.0 } else { 1.0 / length };
+                        force * sizes(column % 6) * rate
+                    };
+                    let place = |at: usize| Some((nodes[at / 6], at % 6));
+                    worst.compare(time, &entries, weight, place);
+                }
+            }
+        }
+        _ => return Err(unavailable("it is not a function of the user")),
+    }
+    let mut check = worst.check;
+    if worst.largest > 0.0 {
+        check.error = worst.difference / worst.largest;
+    }
+    Ok(check)
+}
