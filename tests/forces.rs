@@ -167,7 +167,7 @@ fn a_users_drag_is_what_its_equation_integrated_gives_with_and_without_derivativ
         let solution = check_arm(&mut model, 3.0, 121, 1e-9, |q, v| 3.0 * q + drag(v).0);
         let iterations = &solution.details().report.iterations;
         let increments: Vec<f64> = iterations.iter().map(|i| i.increment).collect();
-        println!("increments, derivatives {gives_derivatives}: {increments:.1e?}");
+        println!("increments, derivatives {gives_derivatives}: {increments:?}");
         steps.push(increments.len());
     }
     assert_eq!(steps[0], steps[1], "differences cost no iteration");
@@ -410,14 +410,14 @@ fn users_forces_converge_quadratically_to_the_same_motion_in_every_frame_and_way
             let solution = solve(&model, 2.0, 41);
             let iterations = &solution.details().report.iterations;
             let increments: Vec<f64> = iterations.iter().map(|i| i.increment).collect();
-            println!("{frame:?}, tangents {gives_tangents}: increments {increments:.1e?}");
+            println!("{frame:?}, tangents {gives_tangents}: increments {increments:?}");
             // Once below 0.03 each increment is of the order of the square of the one before; differenced
             // tangents leave 1e-9 of it, and rounding what it leaves.
             for pair in increments.windows(2).filter(|pair| pair[0] < 0.03) {
                 let left = if gives_tangents { 0.0 } else { 1e-8 * pair[0] };
                 assert!(
                     pair[1] < 30.0 * pair[0] * pair[0] + left + 1e-12,
-                    "{increments:e?}"
+                    "{increments:?}"
                 );
             }
             let position = solution.node(1, NodeQuantity::Position, &times).unwrap();
