@@ -66,7 +66,7 @@ pub enum ForceDefinition {
         /// Second body, and the frame that twist, wrench and matrix are about and resolved in.
         second: Attachment,
         /// The coefficients.
-        matrix: Matrix6<f64>,
+        matrix: Box<Matrix6<f64>>,
     },
     /// A user's forces on nodes.
     NodeForces {
@@ -226,7 +226,7 @@ impl Model {
         Ok(self.add_force(ForceDefinition::ViscousDamper {
             first,
             second,
-            matrix,
+            matrix: Box::new(matrix),
         }))
     }
 

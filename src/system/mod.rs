@@ -293,7 +293,7 @@ impl System {
                 first,
                 second,
                 matrix,
-            } => return Ok(Arc::new(ViscousDamper::new(*first, *second, *matrix))),
+            } => return Ok(Arc::new(ViscousDamper::new(*first, *second, **matrix))),
             ForceDefinition::NodeForces { nodes, law } => {
                 let (nodes, law) = (nodes.clone(), law.clone());
                 return Ok(Arc::new(UserForce::new(nodes, law, length, frequency)));
