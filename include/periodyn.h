@@ -264,6 +264,26 @@
 #define PDN_MOMENT_3 5
 
 /**
+ * Tangents of a user's function: it gives none, and the library finds them by differences of its forces.
+ */
+#define PDN_TANGENTS_DIFFERENCED 0
+
+/**
+ * Tangents of a user's function: it gives them.
+ */
+#define PDN_TANGENTS_GIVEN 1
+
+/**
+ * Which tangent: derivative by a motion or coordinate.
+ */
+#define PDN_TANGENT_MOTION 0
+
+/**
+ * Which tangent: derivative by a velocity or rate.
+ */
+#define PDN_TANGENT_VELOCITY 1
+
+/**
  * Outcome: converged; the only outcome that is a solution.
  */
 #define PDN_CONVERGED 0
@@ -382,6 +402,31 @@
  * Quantity of a beam: internal forces and moments; 6 components.
  */
 #define PDN_BEAM_FORCE 1
+
+/**
+ * Quantity of a force on a joint coordinate: its effort; 1 component.
+ */
+#define PDN_FORCE_EFFORT 0
+
+/**
+ * Quantity of a viscoelastic element: effort of one of its branches; 1 component.
+ */
+#define PDN_FORCE_BRANCH_EFFORT 1
+
+/**
+ * Quantity of a viscoelastic element: elongation of the dashpot of one of its branches; 1 component.
+ */
+#define PDN_FORCE_BRANCH_ELONGATION 2
+
+/**
+ * Quantity of a force: force and moment on one of its nodes, along the inertial axes; 6 components.
+ */
+#define PDN_FORCE_ON_NODE 3
+
+/**
+ * Quantity of a force: force and moment on one of its nodes, along the node's own axes; 6 components.
+ */
+#define PDN_FORCE_ON_NODE_MATERIAL 4
 
 /**
  * Stage of a solve: finding the initial guess, each iteration at a single instant.
@@ -569,6 +614,168 @@ typedef struct pdn_beam {
 } pdn_beam;
 
 /**
+ * A law of effort on a joint coordinate, to be written by the caller.
+ *
+ * Called on the thread that solves, with times in [0, T) of the period T of the solve; if two threads solve at
+ * once, on both at once. The same arguments must give the same values; over time the law must repeat with the
+ * period, and where its coordinate gains whole turns in a period, with these. It must neither throw nor jump
+ * out, nor use the model it belongs to.
+ *
+ * @param time  in [0, T)
+ * @param coordinate  of the joint, an angle with its whole turns [length or radian]
+ * @param rate  its rate
+ * @param effort  where the effort goes that resists growth of the coordinate [force on a displacement,
+ *     force * length on an angle]; not NULL
+ * @param derivatives  array of length 2: where the derivatives of the effort by coordinate and rate go. NULL if
+ *     they are not wanted, or the law was said to give none
+ * @param user_data  as given to ::pdn_model_add_coordinate_law
+ * @return 0 for success; anything else makes the solve fail with PDN_ERR_CALLBACK (see
+ *     ::pdn_set_callback_error and ::pdn_last_callback_code), as does a value that is not finite
+ */
+typedef int32_t (*pdn_coordinate_law_fn)(double time,
+                                         double coordinate,
+                                         double rate,
+                                         double *effort,
+                                         double *derivatives,
+                                         void *user_data);
+
+/**
+ * Disposes of the `user_data` of a force; see ::pdn_model_add_user_force for when it is called.
+ */
+typedef void (*pdn_destroy_fn)(void *user_data);
+
+/**
+ * What a user's forces on nodes may depend on. The library makes it; a later one may add fields at its end.
+ *
+ * Nodes are in the order they were given to ::pdn_model_add_user_force.
+ */
+typedef struct pdn_force_state {
+    /**
+     * Size of the struct that the library knows.
+     */
+    size_t struct_size;
+    /**
+     * Time, in [0, T) of the period T of the solve.
+     */
+    double time;
+    /**
+     * Number of nodes.
+     */
+    size_t node_count;
+    /**
+     * Array of shape 3 x [node_count]: positions, global coordinates [length].
+     */
+    const double *positions;
+    /**
+     * Array of shape 9 x [node_count]: rotation matrices, column by column; the columns are the nodes' axes
+     * in global coordinates.
+     */
+    const double *rotations;
+    /**
+     * Array of shape 6 x [node_count]: velocity and angular velocity of each node, along the global axes
+     * (PDN_FRAME_SPACE) or the node's own (PDN_FRAME_MATERIAL).
+     */
+    const double *velocities;
+} pdn_force_state;
+
+/**
+ * Where a user's forces go. The library makes it, with all arrays set to zero; a later one may add fields.
+ *
+ * Everything is along the same axes as the velocities. Row and column of the tangents count force 1, 2, 3,
+ * moment 1, 2, 3 and displacement 1, 2, 3, turn 1, 2, 3 of each node together; a turn is an infinitesimal
+ * rotation. Derivatives by motion are at fixed components of the velocities.
+ */
+typedef struct pdn_force_values {
+    /**
+     * Size of the struct that the library knows.
+     */
+    size_t struct_size;
+    /**
+     * Array of shape 6 x [node_count]: force on each node and moment about it [force, force * length].
+     */
+    double *forces;
+    /**
+     * Array of shape 6 [node_count] x 6 [node_count], column by column: derivatives of forces by displacements
+     * and turns. NULL if tangents are not wanted, or were said not to be given.
+     */
+    double *by_motion;
+    /**
+     * The same by velocities and angular velocities; NULL where by_motion is.
+     */
+    double *by_velocity;
+} pdn_force_values;
+
+/**
+ * Forces on nodes, to be computed by the caller.
+ *
+ * Called on the thread that solves; if two threads solve at once, on both at once. The same state must give
+ * the same forces, and over time they must repeat with the period. It must neither throw nor jump out, nor use
+ * the model it belongs to. It is called many times at trial motions, which may be far from the solution.
+ *
+ * @param state  time and motions of the nodes; valid during the call only
+ * @param values  where the forces go, all zero at first; valid during the call only
+ * @param user_data  as given to ::pdn_model_add_user_force
+ * @return 0 for success; anything else makes the solve fail with PDN_ERR_CALLBACK (see
+ *     ::pdn_set_callback_error and ::pdn_last_callback_code), as does a value that is not finite
+ */
+typedef int32_t (*pdn_user_force_fn)(const struct pdn_force_state *state,
+                                     struct pdn_force_values *values,
+                                     void *user_data);
+
+/**
+ * Where the tangents of a user's function differ most from differences of its forces.
+ *
+ * Initialise with `PDN_INIT(pdn_tangent_check, &check)`.
+ */
+typedef struct pdn_tangent_check {
+    /**
+     * Set by the initialiser.
+     */
+    size_t struct_size;
+    /**
+     * Largest difference, relative to the largest tangent; lengths, angles and velocities are taken relative to
+     * what is characteristic of the model and the period. Tangents that are right leave about 1e-8.
+     */
+    double error;
+    /**
+     * Time of the state it was found at.
+     */
+    double time;
+    /**
+     * The derivative that the function gives there.
+     */
+    double given;
+    /**
+     * What differences of its forces give.
+     */
+    double differenced;
+    /**
+     * PDN_TANGENT_MOTION or PDN_TANGENT_VELOCITY.
+     */
+    int32_t tangent;
+    /**
+     * Node of the force that is differentiated; -1 for an effort on a joint coordinate.
+     */
+    int32_t row_node;
+    /**
+     * Its component, PDN_FORCE_1, ... PDN_MOMENT_3; 0 for an effort.
+     */
+    int32_t row_component;
+    /**
+     * Node of the motion or velocity that it is differentiated by; -1 for a joint coordinate.
+     */
+    int32_t column_node;
+    /**
+     * Its component: 0, 1, 2 linear, 3, 4, 5 angular; 0 for a joint coordinate.
+     */
+    int32_t column_component;
+    /**
+     * Zero.
+     */
+    int32_t reserved;
+} pdn_tangent_check;
+
+/**
  * Figures of a solve. Initialise with `PDN_INIT(pdn_diagnostics, &diagnostics)`.
  */
 typedef struct pdn_diagnostics {
@@ -589,9 +796,9 @@ typedef struct pdn_diagnostics {
      */
     int32_t guess_iterations;
     /**
-     * Zero.
+     * Constraints that depend on others, and are tolerated: the reactions given are those of least norm.
      */
-    int32_t reserved;
+    int32_t redundant_constraints;
     /**
      * Number of grid points.
      */
@@ -786,6 +993,73 @@ typedef struct pdn_static_options {
      */
     void *progress_data;
 } pdn_static_options;
+
+/**
+ * Counts, mass and mobility of a model. Initialise with `PDN_INIT(pdn_summary, &summary)`.
+ */
+typedef struct pdn_summary {
+    /**
+     * Set by the initialiser.
+     */
+    size_t struct_size;
+    /**
+     * Number of nodes.
+     */
+    int32_t nodes;
+    /**
+     * Number of beam elements.
+     */
+    int32_t beam_elements;
+    /**
+     * Number of joints.
+     */
+    int32_t joints;
+    /**
+     * Number of prescribed joint coordinates.
+     */
+    int32_t prescribed;
+    /**
+     * Number of constraints: those of the joints, and one for each prescribed coordinate.
+     */
+    int32_t constraints;
+    /**
+     * Number of these that depend on others in the reference configuration.
+     */
+    int32_t redundant_constraints;
+    /**
+     * Degrees of freedom: six for each node, less the independent constraints.
+     */
+    int32_t degrees_of_freedom;
+    /**
+     * Number of members: bodies, and connected beams, each taken as one rigid body.
+     */
+    int32_t members;
+    /**
+     * Degrees of freedom that were left if all members were rigid: 0 is a structure, or a mechanism
+     * whose motion is prescribed; 6 more for each free body.
+     */
+    int32_t mobility;
+    /**
+     * Constraints that would depend on others if all members were rigid.
+     */
+    int32_t redundant_if_rigid;
+    /**
+     * Number of parts that nothing connects to each other, neither directly nor through the ground.
+     */
+    int32_t parts;
+    /**
+     * Number of warnings, which ::pdn_model_describe writes out.
+     */
+    int32_t warnings;
+    /**
+     * Total mass.
+     */
+    double mass;
+    /**
+     * Centre of mass, in global coordinates; zero if there is no mass.
+     */
+    double centre[3];
+} pdn_summary;
 
 #ifdef __cplusplus
 extern "C" {
@@ -1239,32 +1513,6 @@ pdn_status pdn_model_add_inertia(struct pdn_model *model,
                                  const double *matrix);
 
 /**
- * Adds a linear spring with a damper on a joint coordinate, in addition to those that are there.
- *
- * It resists with stiffness * (coordinate - rest) + damping * its rate; whole turns count.
- *
- * @param model  the model; not NULL
- * @param joint  id of the joint
- * @param coordinate  PDN_DISPLACEMENT ... PDN_ROTATION_3; one that the joint has
- * @param stiffness  force for a unit of displacement [force / length], or moment for a unit of angle
- *     [force * length]; may be negative
- * @param damping  force or moment for a unit rate [force * time / length, or force * length * time]; may be
- *     negative
- * @param rest  coordinate at which the spring is free of force or moment [length, or radian]
- * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_ID, PDN_ERR_VALUE, PDN_ERR_NOT_AVAILABLE
- *
- * Threads: exclusive use of `model`.
- * @since 0.1
- */
-PDN_API
-pdn_status pdn_model_add_spring_damper(struct pdn_model *model,
-                                       int32_t joint,
-                                       int32_t coordinate,
-                                       double stiffness,
-                                       double damping,
-                                       double rest);
-
-/**
  * Makes a joint coordinate follow a signal. Each coordinate can be prescribed once.
  *
  * The signal of an angle may grow by whole turns in a period, save that of a screw.
@@ -1690,6 +1938,266 @@ pdn_status pdn_model_add_load(struct pdn_model *model,
 PDN_API
 pdn_status pdn_model_set_gravity(struct pdn_model *model,
                                  const double *acceleration);
+
+/**
+ * Number of forces: springs, dampers, actuators and the like, but not loads; their ids are 0 ... count - 1.
+ *
+ * @param model  the model; not NULL
+ * @param count  the number; written on success only
+ * @return PDN_OK, PDN_ERR_NULL
+ *
+ * Threads: `model` is `const`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_model_force_count(const struct pdn_model *model,
+                                 int32_t *count);
+
+/**
+ * Adds a linear spring with a damper on a joint coordinate, in addition to those that are there.
+ *
+ * It resists with stiffness * (coordinate - rest) + damping * its rate: with a force on a displacement, with
+ * a moment on an angle. Whole turns count.
+ *
+ * @param model  the model; not NULL
+ * @param joint  id of the joint
+ * @param coordinate  PDN_DISPLACEMENT, ... or PDN_ROTATION, ...; one that the joint has
+ * @param stiffness  effort for a unit of the coordinate [force / length, or force * length]; may be negative
+ * @param damping  effort for a unit of its rate [force * time / length, or force * length * time]; may be
+ *     negative
+ * @param rest  coordinate at which the spring is free of effort [length or radian]
+ * @param force  the force's id; may be NULL if it is not wanted; written on success only
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_ID, PDN_ERR_VALUE, PDN_ERR_NOT_AVAILABLE
+ *
+ * Threads: exclusive use of `model`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_model_add_spring_damper(struct pdn_model *model,
+                                       int32_t joint,
+                                       int32_t coordinate,
+                                       double stiffness,
+                                       double damping,
+                                       double rest,
+                                       int32_t *force);
+
+/**
+ * Adds a nonlinear spring with a damper on a joint coordinate: polynomials of the coordinate and its rate.
+ *
+ * With u = coordinate - rest it resists with stiffness[0] u + stiffness[1] u^2 + ... + damping[0] u' +
+ * damping[1] u'^2 + ..., so that {k, 0, k3} is a cubic spring. Whole turns count.
+ *
+ * @param model  the model; not NULL
+ * @param joint  id of the joint
+ * @param coordinate  PDN_DISPLACEMENT, ... or PDN_ROTATION, ...; one that the joint has
+ * @param stiffness  array of length [stiffness_count], copied; may be NULL if there are none
+ * @param stiffness_count  number of powers of the coordinate, from the first
+ * @param damping  array of length [damping_count], copied; may be NULL if there are none
+ * @param damping_count  number of powers of its rate, from the first
+ * @param rest  coordinate at which the spring is free of effort [length or radian]
+ * @param force  the force's id; may be NULL if it is not wanted; written on success only
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_SIZE, PDN_ERR_NOT_FINITE, PDN_ERR_ID, PDN_ERR_VALUE,
+ *     PDN_ERR_NOT_AVAILABLE
+ *
+ * Threads: exclusive use of `model`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_model_add_nonlinear_spring_damper(struct pdn_model *model,
+                                                 int32_t joint,
+                                                 int32_t coordinate,
+                                                 const double *stiffness,
+                                                 size_t stiffness_count,
+                                                 const double *damping,
+                                                 size_t damping_count,
+                                                 double rest,
+                                                 int32_t *force);
+
+/**
+ * Adds an actuator: a force on a displacement, or a torque on an angle, that follows a signal.
+ *
+ * It acts on the second body of the joint towards growth of the coordinate, and its reaction on the first.
+ * To prescribe the coordinate itself, see ::pdn_model_prescribe.
+ *
+ * @param model  the model; not NULL
+ * @param joint  id of the joint
+ * @param coordinate  PDN_DISPLACEMENT, ... or PDN_ROTATION, ...; one that the joint has
+ * @param signal  the effort in time [force, or force * length], copied; not NULL
+ * @param force  the force's id; may be NULL if it is not wanted; written on success only
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_SIZE, PDN_ERR_ID, PDN_ERR_VALUE,
+ *     PDN_ERR_STRUCT_SIZE, PDN_ERR_NOT_AVAILABLE
+ *
+ * Threads: exclusive use of `model`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_model_add_actuator(struct pdn_model *model,
+                                  int32_t joint,
+                                  int32_t coordinate,
+                                  const struct pdn_signal *signal,
+                                  int32_t *force);
+
+/**
+ * Adds a viscoelastic element on a joint coordinate: a generalised Maxwell model.
+ *
+ * A spring, and beside it branches of spring and dashpot in series. With coordinate q it resists with
+ * stiffness * (q - rest) + the sum over the branches b of branch_stiffness[b] a_b, where a_b, the elongation
+ * of the branch's spring, relaxes: t_b a_b' + a_b = t_b q', with relaxation time t_b. One branch makes it a
+ * Zener element, or standard linear solid. The internal states are solved for with the motion, at the same
+ * grid points. Whole turns count; a coordinate that gains turns needs stiffness 0.
+ *
+ * @param model  the model; not NULL
+ * @param joint  id of the joint
+ * @param coordinate  PDN_DISPLACEMENT, ... or PDN_ROTATION, ...; one that the joint has
+ * @param stiffness  that of the spring alone, the long-term stiffness [force / length, or force * length]; may
+ *     be negative
+ * @param rest  coordinate at which it is free of effort [length or radian]
+ * @param branch_stiffness  array of length [branches]: stiffness of each branch's spring, positive
+ * @param relaxation_times  array of length [branches]: relaxation time of each branch, positive [time]
+ * @param branches  number of branches, at least 1
+ * @param force  the force's id; may be NULL if it is not wanted; written on success only
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_SIZE, PDN_ERR_NOT_FINITE, PDN_ERR_ID, PDN_ERR_VALUE,
+ *     PDN_ERR_NOT_AVAILABLE
+ *
+ * Threads: exclusive use of `model`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_model_add_viscoelastic(struct pdn_model *model,
+                                      int32_t joint,
+                                      int32_t coordinate,
+                                      double stiffness,
+                                      double rest,
+                                      const double *branch_stiffness,
+                                      const double *relaxation_times,
+                                      size_t branches,
+                                      int32_t *force);
+
+/**
+ * Adds a viscous damper between two bodies, with a full matrix of coefficients.
+ *
+ * It exerts -matrix * v on the second body, and the reaction on the first, where v is the velocity (linear 1,
+ * 2, 3, angular 1, 2, 3) of the second body relative to the first, at the origin of a frame that is fixed to
+ * the second body. Velocity, force and moment are about and resolved in that frame, wherever it moves.
+ *
+ * @param model  the model; not NULL
+ * @param first  id of the first node, or PDN_GROUND
+ * @param second  id of the second node, or PDN_GROUND; not the same body
+ * @param frame  the frame, where it is in the reference configuration; NULL for the second node's own
+ * @param matrix  array of length 36: 6 x 6, symmetric and positive semi-definite [force * time / length,
+ *     force * time, force * length * time]
+ * @param force  the force's id; may be NULL if it is not wanted; written on success only
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_ID, PDN_ERR_VALUE
+ *
+ * Threads: exclusive use of `model`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_model_add_viscous_damper(struct pdn_model *model,
+                                        int32_t first,
+                                        int32_t second,
+                                        const struct pdn_frame *frame,
+                                        const double *matrix,
+                                        int32_t *force);
+
+/**
+ * Adds a spring-damper on a joint coordinate whose law is a function of the caller.
+ *
+ * Its effort, a force on a displacement or a moment on an angle, resists growth of the coordinate as that of
+ * ::pdn_model_add_spring_damper does. It may depend on coordinate, rate and time.
+ *
+ * @param model  the model; not NULL
+ * @param joint  id of the joint
+ * @param coordinate  PDN_DISPLACEMENT, ... or PDN_ROTATION, ...; one that the joint has
+ * @param tangents  PDN_TANGENTS_GIVEN if the function writes derivatives, which ::pdn_model_check_tangents
+ *     checks; PDN_TANGENTS_DIFFERENCED if the library is to find them by differences
+ * @param function  the law, see ::pdn_coordinate_law_fn for when it is called; not NULL
+ * @param user_data  handed to the function; may be NULL
+ * @param destroy  called once with user_data when the model, its copies in solutions included, no longer needs
+ *     it, on the thread that frees the last; may be NULL. It is not called if this call fails
+ * @param force  the force's id; may be NULL if it is not wanted; written on success only
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_ID, PDN_ERR_VALUE, PDN_ERR_NOT_AVAILABLE
+ *
+ * Threads: exclusive use of `model`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_model_add_coordinate_law(struct pdn_model *model,
+                                        int32_t joint,
+                                        int32_t coordinate,
+                                        int32_t tangents,
+                                        pdn_coordinate_law_fn function,
+                                        void *user_data,
+                                        pdn_destroy_fn destroy,
+                                        int32_t *force);
+
+/**
+ * Adds forces on nodes that a function of the caller computes.
+ *
+ * @param model  the model; not NULL
+ * @param nodes  array of length [count]: ids of the nodes, all different
+ * @param count  number of nodes, at least 1
+ * @param frame  PDN_FRAME_SPACE: velocities, forces and tangents are along the global axes;
+ *     PDN_FRAME_MATERIAL: along those of each node
+ * @param tangents  PDN_TANGENTS_GIVEN if the function writes tangents, which ::pdn_model_check_tangents checks;
+ *     PDN_TANGENTS_DIFFERENCED if the library is to find them by differences, at the price of 24 calls a node
+ * @param function  the forces, see ::pdn_user_force_fn for when it is called; not NULL
+ * @param user_data  handed to the function; may be NULL
+ * @param destroy  called once with user_data when the model, its copies in solutions included, no longer needs
+ *     it, on the thread that frees the last; may be NULL. It is not called if this call fails
+ * @param force  the force's id; may be NULL if it is not wanted; written on success only
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_SIZE, PDN_ERR_ID, PDN_ERR_VALUE
+ *
+ * Threads: exclusive use of `model`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_model_add_user_force(struct pdn_model *model,
+                                    const int32_t *nodes,
+                                    size_t count,
+                                    int32_t frame,
+                                    int32_t tangents,
+                                    pdn_user_force_fn function,
+                                    void *user_data,
+                                    pdn_destroy_fn destroy,
+                                    int32_t *force);
+
+/**
+ * Prepares a struct for ::pdn_model_check_tangents; use `PDN_INIT(pdn_tangent_check, &check)`.
+ *
+ * @param check  the struct; not NULL
+ * @param struct_size  `sizeof *check`
+ *
+ * Threads: any.
+ * @since 0.1
+ */
+PDN_API
+void pdn_tangent_check_init(struct pdn_tangent_check *check,
+                            size_t struct_size);
+
+/**
+ * Compares the tangents that a user's function gives with differences of its forces.
+ *
+ * At a few states: nodes near their reference configuration, or a coordinate near its own, with velocities as
+ * they are in motions of the period; the same states in each call. Wrong tangents do not make solutions wrong,
+ * but Newton's method slow, or fail.
+ *
+ * @param model  the model; not NULL
+ * @param force  id of a force by ::pdn_model_add_coordinate_law or ::pdn_model_add_user_force
+ * @param period  the period that the model is to be solved for, positive [time]
+ * @param check  initialised by PDN_INIT; filled on success only
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_STRUCT_SIZE, PDN_ERR_ID, PDN_ERR_VALUE, PDN_ERR_NOT_FINITE,
+ *     PDN_ERR_MODEL, PDN_ERR_NOT_PERIODIC (as for a solve), PDN_ERR_NOT_AVAILABLE (it gives no tangents),
+ *     PDN_ERR_CALLBACK
+ *
+ * Threads: like `const`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_model_check_tangents(const struct pdn_model *model,
+                                    int32_t force,
+                                    double period,
+                                    struct pdn_tangent_check *check);
 
 /**
  * Frees a solution; NULL does nothing.
@@ -2194,6 +2702,138 @@ pdn_status pdn_solution_beam_harmonics(const struct pdn_solution *solution,
                                        double *sines);
 
 /**
+ * Effort of a force on a joint coordinate, at any times.
+ *
+ * The effort of an actuator is positive where it acts towards growth of the coordinate; that of all others
+ * (springs, dampers, viscoelastic elements, the user's laws) where it acts against. Interpolated from its
+ * values at the grid points.
+ *
+ * @param solution  the solution; not NULL
+ * @param force  id of the force
+ * @param times  array of length [count]: times, also outside the first period
+ * @param count  number of times
+ * @param out  array of length [count] \[force on a displacement, force x length on an angle\]
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_ID, PDN_ERR_NOT_AVAILABLE (the force is not on
+ *     a joint coordinate), PDN_ERR_OVERFLOW
+ *
+ * Threads: like `const`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_solution_force_effort(const struct pdn_solution *solution,
+                                     int32_t force,
+                                     const double *times,
+                                     size_t count,
+                                     double *out);
+
+/**
+ * Effort of one branch of a viscoelastic element, at any times: positive against growth.
+ *
+ * @param solution  the solution; not NULL
+ * @param force  id of the viscoelastic element
+ * @param branch  number of the branch, from 0, in the order they were given
+ * @param times  array of length [count]: times, also outside the first period
+ * @param count  number of times
+ * @param out  array of length [count] \[force on a displacement, force x length on an angle\]
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_ID, PDN_ERR_NOT_AVAILABLE (there is no such
+ *     branch), PDN_ERR_OVERFLOW
+ *
+ * Threads: like `const`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_solution_force_branch_effort(const struct pdn_solution *solution,
+                                            int32_t force,
+                                            int32_t branch,
+                                            const double *times,
+                                            size_t count,
+                                            double *out);
+
+/**
+ * Elongation of the dashpot of one branch of a viscoelastic element, at any times: its internal state.
+ *
+ * The branch's spring is elongated by the coordinate less this.
+ *
+ * @param solution  the solution; not NULL
+ * @param force  id of the viscoelastic element
+ * @param branch  number of the branch, from 0, in the order they were given
+ * @param times  array of length [count]: times, also outside the first period
+ * @param count  number of times
+ * @param out  array of length [count] \[length or radian\]
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_ID, PDN_ERR_NOT_AVAILABLE (there is no such
+ *     branch), PDN_ERR_OVERFLOW
+ *
+ * Threads: like `const`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_solution_force_branch_elongation(const struct pdn_solution *solution,
+                                                int32_t force,
+                                                int32_t branch,
+                                                const double *times,
+                                                size_t count,
+                                                double *out);
+
+/**
+ * What a force exerts on one of its nodes, at any times: force, and moment about the node.
+ *
+ * Interpolated from its values at the grid points. For forces of all kinds: those on a joint coordinate act
+ * on the nodes of the joint.
+ *
+ * @param solution  the solution; not NULL
+ * @param force  id of the force
+ * @param node  id of a node that it acts on
+ * @param frame  PDN_FRAME_SPACE: components along the inertial axes; PDN_FRAME_MATERIAL: along the node's own
+ * @param times  array of length [count]: times, also outside the first period
+ * @param count  number of times
+ * @param out  array of shape 6 x [count]: force, then moment of each time
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_ID, PDN_ERR_VALUE, PDN_ERR_NOT_AVAILABLE (it
+ *     does not act on the node), PDN_ERR_OVERFLOW
+ *
+ * Threads: like `const`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_solution_force_on_node(const struct pdn_solution *solution,
+                                      int32_t force,
+                                      int32_t node,
+                                      int32_t frame,
+                                      const double *times,
+                                      size_t count,
+                                      double *out);
+
+/**
+ * Fourier coefficients of a force's quantity: mean + rate t + sum of cosines[j] cos jwt + sines[j] sin jwt.
+ *
+ * Those of the trigonometric polynomial through the values at the grid points.
+ *
+ * @param solution  the solution; not NULL
+ * @param force  id of the force
+ * @param quantity  PDN_FORCE_EFFORT, ...; it has C components
+ * @param detail  the branch (PDN_FORCE_BRANCH_...) or the node (PDN_FORCE_ON_NODE...); otherwise 0
+ * @param harmonics  number of harmonics wanted, at most (N - 1) / 2
+ * @param mean  array of length C; may be NULL
+ * @param rate  array of length C: growth per unit of time, of a dashpot that gains turns; may be NULL
+ * @param cosines  array of shape C x [harmonics], components of each harmonic together; may be NULL
+ * @param sines  as cosines; may be NULL
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_SIZE, PDN_ERR_ID, PDN_ERR_VALUE, PDN_ERR_NOT_AVAILABLE,
+ *     PDN_ERR_OVERFLOW
+ *
+ * Threads: like `const`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_solution_force_harmonics(const struct pdn_solution *solution,
+                                        int32_t force,
+                                        int32_t quantity,
+                                        int32_t detail,
+                                        size_t harmonics,
+                                        double *mean,
+                                        double *rate,
+                                        double *cosines,
+                                        double *sines);
+
+/**
  * Sets default options; use `PDN_INIT(pdn_periodic_options, &options)`.
  *
  * @param options  the options; not NULL
@@ -2347,6 +2987,53 @@ pdn_status pdn_motion_grid_kinematics(double period,
                                       double *acceleration,
                                       double *velocity_tangent,
                                       double *acceleration_tangent);
+
+/**
+ * Prepares a struct for ::pdn_model_summary; use `PDN_INIT(pdn_summary, &summary)`.
+ *
+ * @param summary  the struct; not NULL
+ * @param struct_size  `sizeof *summary`
+ *
+ * Threads: any.
+ * @since 0.1
+ */
+PDN_API
+void pdn_summary_init(struct pdn_summary *summary,
+                      size_t struct_size);
+
+/**
+ * Counts, mass, degrees of freedom and mobility of a model in its reference configuration.
+ *
+ * @param model  the model
+ * @param out  initialised by PDN_INIT; filled on success only
+ * @return PDN_OK; PDN_ERR_NULL; PDN_ERR_STRUCT_SIZE; PDN_ERR_MODEL (no node, a beam too distorted);
+ *     PDN_ERR_CALLBACK (of a signal)
+ *
+ * Threads: like `const`. Signals' functions are called on this thread.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_model_summary(const struct pdn_model *model,
+                             struct pdn_summary *out);
+
+/**
+ * The same in readable lines, with warnings: unconnected parts, nodes without inertia, joints open in the
+ * reference configuration, impossible moments of inertia, sections very stiff or very soft.
+ *
+ * @param model  the model; not NULL
+ * @param buffer  array of length [capacity] for the text, UTF-8, always ended by NUL; may be NULL if
+ *     capacity is 0
+ * @param capacity  size of buffer in bytes
+ * @return length of the whole text without the NUL, as snprintf does; 0 if the handle is not valid or
+ *     ::pdn_model_summary fails, see ::pdn_last_error
+ *
+ * Threads: like `const`. Signals' functions are called on this thread.
+ * @since 0.1
+ */
+PDN_API
+size_t pdn_model_describe(const struct pdn_model *model,
+                          char *buffer,
+                          size_t capacity);
 
 #ifdef __cplusplus
 }  // extern "C"

@@ -23,6 +23,7 @@ const FILES: &[&str] = &[
     "periodic",
     "statics",
     "motion",
+    "summary",
 ];
 
 fn root() -> &'static Path {

@@ -83,6 +83,7 @@ pub mod signal;
 pub mod solution;
 pub mod statics;
 pub mod status;
+pub mod summary;
 pub mod user_force;
 pub mod version;
 

@@ -151,8 +151,8 @@ pub struct pdn_diagnostics {
     pub iterations: i32,
     /// Newton iterations of the initial guess, each at a single instant.
     pub guess_iterations: i32,
-    /// Zero.
-    pub reserved: i32,
+    /// Constraints that depend on others, and are tolerated: the reactions given are those of least norm.
+    pub redundant_constraints: i32,
     /// Number of grid points.
     pub grid_points: usize,
     /// Number of unknowns of the periodic problem.
@@ -190,7 +190,7 @@ unsafe impl Options for pdn_diagnostics {
             outcome: 0,
             iterations: 0,
             guess_iterations: 0,
-            reserved: 0,
+            redundant_constraints: 0,
             grid_points: 0,
             unknowns: 0,
             last_increment: 0.0,
@@ -246,6 +246,7 @@ pub unsafe extern "C" fn pdn_solution_diagnostics(
             outcome: outcome_code(solution.outcome()),
             iterations: count(iterations.len()),
             guess_iterations: count(details.guess_iterations),
+            redundant_constraints: count(details.system.redundant_constraints()),
             grid_points: details.grid.points(),
             unknowns: solution.unknowns(),
             last_increment: iterations.last().map_or(f64::INFINITY, |i| i.increment),

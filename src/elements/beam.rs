@@ -122,6 +122,16 @@ impl Beam {
         Ok(station)
     }
 
+    /// Length of the reference line.
+    pub fn length(&self) -> f64 {
+        self.stations.iter().map(|s| s.weight * s.stretch).sum()
+    }
+
+    /// The section half-way along the element.
+    pub fn middle_section(&self) -> Section {
+        self.sections.at(0.0)
+    }
+
     /// The element's inertia, integrated by one quadrature point for each node.
     ///
     /// Nodal velocities are first carried to the section's reference frame, then interpolated, so

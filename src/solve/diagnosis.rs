@@ -1,7 +1,7 @@
 //! Why a Jacobian is singular: what is free to move, and which constraints say the same thing twice.
 
 use crate::collocation::{Collocation, GridState, Pattern};
-use crate::system::{Dependency, ElementRole, System};
+use crate::system::{Dependency, ElementRole, System, name_all, name_constraints};
 use faer::MatMut;
 use faer::linalg::solvers::Solve;
 use faer::sparse::{SparseColMat, Triplet};
@@ -92,9 +92,10 @@ fn describe_freedom(motions: &[f64], largest: f64, points: usize, state: &GridSt
         format!("turn about {}", direction(&angular))
     };
     format!(
-        "{} free to move: nothing resists a motion in which node {worst} can {how}. \
+        "{} {} free to move: nothing resists a motion in which node {worst} can {how}. \
          Add a joint, a spring, a damper or inertia, or prescribe a coordinate",
-        list("node", "is", "are", &free)
+        name_all("node", &free),
+        if free.len() == 1 { "is" } else { "are" }
     )
 }
 
@@ -119,49 +120,16 @@ fn describe_redundancy(equations: &Collocation, multipliers: &[f64]) -> String {
     )
 }
 
-/// "joints 0, 1, 2 and prescribed coordinate 0".
-fn name_constraints(joints: &[usize], prescribed: &[usize]) -> String {
-    let mut what = Vec::new();
-    if !joints.is_empty() {
-        what.push(list("joint", "", "", joints));
-    }
-    if !prescribed.is_empty() {
-        what.push(list("prescribed coordinate", "", "", prescribed));
-    }
-    what.join(" and ")
-}
-
-/// Joints and prescribed coordinates of a dependency.
-fn constraints_of(dependency: &Dependency) -> (Vec<usize>, Vec<usize>) {
-    let (mut joints, mut prescribed) = (Vec::new(), Vec::new());
-    for role in &dependency.roles {
-        match role {
-            ElementRole::Joint(index) => joints.push(*index),
-            ElementRole::Prescribed(index) => prescribed.push(*index),
-            _ => {}
-        }
-    }
-    (joints, prescribed)
-}
-
 /// Says which constraints are redundant; empty if none is.
 pub fn describe_dependencies(system: &System) -> String {
-    let parts = system.dependencies().iter().map(|dependency| {
-        let (joints, prescribed) = constraints_of(dependency);
-        let plural = if dependency.count == 1 { "" } else { "s" };
-        format!(
-            "{} redundant constraint{plural} among {}",
-            dependency.count,
-            name_constraints(&joints, &prescribed)
-        )
-    });
+    let parts = system.dependencies().iter().map(Dependency::to_string);
     parts.collect::<Vec<_>>().join("; ")
 }
 
 /// Names constraints that cannot all hold.
 pub(super) fn describe_inconsistency(equations: &Collocation, residual: &[f64]) -> String {
     let parts = equations.system().dependencies().iter().map(|dependency| {
-        let (joints, prescribed) = constraints_of(dependency);
+        let (joints, prescribed) = dependency.joints_and_prescribed();
         if prescribed.is_empty() {
             format!(
                 "the constraints of {} contradict each other: they depend on each other, and do not all close",
@@ -213,22 +181,4 @@ pub(super) fn describe_open_joint(equations: &Collocation, residual: &[f64]) -> 
 fn direction(v: &Vector3<f64>) -> String {
     let v = v.normalize();
     format!("({:.3}, {:.3}, {:.3})", v.x, v.y, v.z)
-}
-
-/// "node 3 is", or "nodes 3, 4, 5 and 2 more are".
-fn list(noun: &str, one: &str, many: &str, ids: &[usize]) -> String {
-    const MOST: usize = 6;
-    let names: Vec<String> = ids.iter().take(MOST).map(usize::to_string).collect();
-    let more = match ids.len().saturating_sub(MOST) {
-        0 => String::new(),
-        n => format!(" and {n} more"),
-    };
-    let (plural, verb) = if ids.len() == 1 {
-        ("", one)
-    } else {
-        ("s", many)
-    };
-    format!("{noun}{plural} {}{more} {verb}", names.join(", "))
-        .trim_end()
-        .to_string()
 }

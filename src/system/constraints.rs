@@ -9,6 +9,7 @@ use crate::error::Result;
 use faer::Mat;
 use faer::linalg::solvers::Svd;
 use std::collections::{BTreeMap, BTreeSet};
+use std::fmt;
 
 /// A singular value below this, relative to the largest, is one of constraints that depend on each
 /// other: geometry given with rounding leaves less, and no working joint comes near.
@@ -18,6 +19,58 @@ const DEPENDENT: f64 = 1e-7;
 /// than the solve.
 const MOST_ROWS: usize = 1500;
 
+impl Dependency {
+    /// Indices of the joints and of the prescribed coordinates that take part.
+    pub fn joints_and_prescribed(&self) -> (Vec<usize>, Vec<usize>) {
+        let (mut joints, mut prescribed) = (Vec::new(), Vec::new());
+        for role in &self.roles {
+            match role {
+                ElementRole::Joint(index) => joints.push(*index),
+                ElementRole::Prescribed(index) => prescribed.push(*index),
+                _ => {}
+            }
+        }
+        (joints, prescribed)
+    }
+}
+
+impl fmt::Display for Dependency {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let plural = if self.count == 1 { "" } else { "s" };
+        let (joints, prescribed) = self.joints_and_prescribed();
+        let names = name_constraints(&joints, &prescribed);
+        write!(
+            f,
+            "{} redundant constraint{plural} among {names}",
+            self.count
+        )
+    }
+}
+
+/// "joints 0, 1, 2 and prescribed coordinate 0".
+pub fn name_constraints(joints: &[usize], prescribed: &[usize]) -> String {
+    let mut what = Vec::new();
+    if !joints.is_empty() {
+        what.push(name_all("joint", joints));
+    }
+    if !prescribed.is_empty() {
+        what.push(name_all("prescribed coordinate", prescribed));
+    }
+    what.join(" and ")
+}
+
+/// "node 3", or "nodes 3, 4, 5 and 2 more".
+pub fn name_all(noun: &str, ids: &[usize]) -> String {
+    const MOST: usize = 6;
+    let names: Vec<String> = ids.iter().take(MOST).map(usize::to_string).collect();
+    let more = match ids.len().saturating_sub(MOST) {
+        0 => String::new(),
+        n => format!(" and {n} more"),
+    };
+    let plural = if ids.len() == 1 { "" } else { "s" };
+    format!("{noun}{plural} {}{more}", names.join(", "))
+}
+
 /// Constraints coupled through common nodes that close at least one loop, the ground included.
 #[derive(Debug, Clone)]
 pub struct ConstraintLoop {
@@ -26,7 +79,7 @@ pub struct ConstraintLoop {
     /// First row of each element.
     first_rows: Vec<usize>,
     rows: usize,
-    /// Nodes, ascending.
+    /// Nodes that represent the members, ascending.
     nodes: Vec<usize>,
 }
 
@@ -39,9 +92,9 @@ pub struct Dependency {
     pub roles: Vec<ElementRole>,
 }
 
-/// All loops of a system.
-pub(super) fn constraint_loops(system: &System) -> Vec<ConstraintLoop> {
-    // Groups of nodes connected by constraints; the ground connects nothing.
+/// All loops of a system whose node `n` moves as one with node `members[n]`, which represents its member.
+fn constraint_loops(system: &System, members: &[usize]) -> Vec<ConstraintLoop> {
+    // Members connected by constraints; the ground connects nothing.
     let mut group: Vec<usize> = (0..system.nodes()).collect();
     fn root(group: &mut [usize], mut n: usize) -> usize {
         while group[n] != n {
@@ -59,19 +112,21 @@ pub(super) fn constraint_loops(system: &System) -> Vec<ConstraintLoop> {
     for &e in &constraining {
         let nodes = system.elements()[e].element.nodes();
         for pair in nodes.windows(2) {
-            let (a, b) = (root(&mut group, pair[0]), root(&mut group, pair[1]));
+            let (a, b) = (members[pair[0]], members[pair[1]]);
+            let (a, b) = (root(&mut group, a), root(&mut group, b));
             group[a] = b;
         }
     }
-    let mut members: BTreeMap<usize, Vec<usize>> = BTreeMap::new();
+    let mut groups: BTreeMap<usize, Vec<usize>> = BTreeMap::new();
     for &e in &constraining {
         if let Some(&node) = system.elements()[e].element.nodes().first() {
-            members.entry(root(&mut group, node)).or_default().push(e);
+            let root = root(&mut group, members[node]);
+            groups.entry(root).or_default().push(e);
         }
     }
-    members
+    groups
         .into_values()
-        .filter(|elements| closes_loop(system, elements))
+        .filter(|elements| closes_loop(system, members, elements))
         .map(|elements| {
             let mut rows = 0;
             let mut first_rows = Vec::new();
@@ -79,7 +134,8 @@ pub(super) fn constraint_loops(system: &System) -> Vec<ConstraintLoop> {
             for &e in &elements {
                 first_rows.push(rows);
                 rows += system.elements()[e].element.multipliers();
-                nodes.extend(system.elements()[e].element.nodes());
+                let own = system.elements()[e].element.nodes();
+                nodes.extend(own.iter().map(|&n| members[n]));
             }
             ConstraintLoop {
                 elements,
@@ -93,7 +149,7 @@ pub(super) fn constraint_loops(system: &System) -> Vec<ConstraintLoop> {
 }
 
 /// Whether connected constraints are more than a tree of joints, each with at most one driven coordinate.
-fn closes_loop(system: &System, elements: &[usize]) -> bool {
+fn closes_loop(system: &System, members: &[usize], elements: &[usize]) -> bool {
     let mut vertices = BTreeSet::new();
     let mut joined = BTreeSet::new();
     let mut driven = BTreeSet::new();
@@ -102,7 +158,9 @@ fn closes_loop(system: &System, elements: &[usize]) -> bool {
         let placed = &system.elements()[e];
         let nodes = placed.element.nodes();
         // The ground is a vertex too.
-        let ends = [nodes[0], nodes.get(1).copied().unwrap_or(usize::MAX)];
+        let vertex = |end: usize| nodes.get(end).map_or(usize::MAX, |&n| members[n]);
+        let mut ends = [vertex(0), vertex(1)];
+        ends.sort_unstable();
         vertices.extend(ends);
         let repeated = match placed.role {
             ElementRole::Prescribed(_) => !driven.insert(ends),
@@ -119,22 +177,14 @@ fn closes_loop(system: &System, elements: &[usize]) -> bool {
     edges + 1 > vertices.len()
 }
 
-/// Dependencies of constraints in the reference configuration, one for each loop that has some.
-pub(super) fn dependencies(system: &System) -> Result<Vec<Dependency>> {
-    let at_rest = |node: usize| NodeState::at_rest(system.reference[node]);
-    let mut found = Vec::new();
-    for l in &system.loops {
-        let null = l.null_space(system, &at_rest)?;
-        if null.ncols() > 0 {
-            found.push(l.describe(system, &null));
-        }
-    }
-    Ok(found)
-}
-
 impl ConstraintLoop {
     /// Null space of the transposed, scaled gradient at the given states: multipliers without effect.
-    fn null_space(&self, system: &System, state: &impl Fn(usize) -> NodeState) -> Result<Mat<f64>> {
+    fn null_space(
+        &self,
+        system: &System,
+        members: &[usize],
+        state: &impl Fn(usize) -> NodeState,
+    ) -> Result<Mat<f64>> {
         let length = system.scales().length;
         let mut gradient = Mat::<f64>::zeros(self.rows, 6 * self.nodes.len());
         let mut workspace = system.workspace(true);
@@ -155,8 +205,11 @@ impl ConstraintLoop {
                 rates: &zeros,
             };
             let out = system.evaluate(placed, state, &conditions, own, &mut workspace)?;
-            for (local, node) in placed.element.nodes().iter().enumerate() {
-                let column = 6 * self.nodes.partition_point(|n| n < node);
+            for (local, &node) in placed.element.nodes().iter().enumerate() {
+                let member = members[node];
+                let column = 6 * self.nodes.partition_point(|&n| n < member);
+                let carry = state(node).motion.relative(&state(member).motion).adjoint();
+                let own = out.gradient.columns(6 * local, 6) * carry;
                 for row in 0..zeros.len() {
                     let scale = match system.unknown(placed.first_multiplier + row) {
                         Unknown::Multiplier(Measure::Length) => 1.0 / length,
@@ -164,8 +217,7 @@ impl ConstraintLoop {
                     };
                     for k in 0..6 {
                         let unit = if k < 3 { length } else { 1.0 };
-                        gradient[(first + row, column + k)] +=
-                            scale * unit * out.gradient[(row, 6 * local + k)];
+                        gradient[(first + row, column + k)] += scale * unit * own[(row, k)];
                     }
                 }
             }
@@ -204,9 +256,49 @@ impl ConstraintLoop {
 }
 
 impl System {
+    /// Looks for constraints that depend on each other in the reference configuration.
+    pub(super) fn find_dependencies(&mut self) -> Result<()> {
+        let members: Vec<usize> = (0..self.nodes()).collect();
+        self.loops = constraint_loops(self, &members);
+        self.dependencies = self.dependencies_of(&self.loops, &members)?;
+        Ok(())
+    }
+
+    fn dependencies_of(
+        &self,
+        loops: &[ConstraintLoop],
+        members: &[usize],
+    ) -> Result<Vec<Dependency>> {
+        let at_rest = |node: usize| NodeState::at_rest(self.reference[node]);
+        let mut found = Vec::new();
+        for l in loops {
+            let null = l.null_space(self, members, &at_rest)?;
+            if null.ncols() > 0 {
+                found.push(l.describe(self, &null));
+            }
+        }
+        Ok(found)
+    }
+
     /// Constraints that depend on each other in the reference configuration.
     pub fn dependencies(&self) -> &[Dependency] {
         &self.dependencies
+    }
+
+    /// Constraints that would depend on each other if every node `n` moved as one with `members[n]`.
+    pub(super) fn dependencies_if_rigid(&self, members: &[usize]) -> Result<Vec<Dependency>> {
+        self.dependencies_of(&constraint_loops(self, members), members)
+    }
+
+    /// Number of constraints that depend on others in the reference configuration.
+    pub fn redundant_constraints(&self) -> usize {
+        self.dependencies.iter().map(|d| d.count).sum()
+    }
+
+    /// Number of constraints.
+    pub fn constraint_count(&self) -> usize {
+        let constrain = self.elements.iter().filter(|p| !p.has_states);
+        constrain.map(|p| p.element.multipliers()).sum()
     }
 
     /// Takes from the multipliers of an instant the part that has no effect, so that their norm is least;
@@ -218,8 +310,9 @@ impl System {
         at: impl Fn(usize) -> usize,
         multipliers: &mut [f64],
     ) -> Result<()> {
+        let members: Vec<usize> = (0..self.nodes()).collect();
         for l in &self.loops {
-            let null = l.null_space(self, &state)?;
+            let null = l.null_space(self, &members, &state)?;
             if null.ncols() == 0 {
                 continue;
             }

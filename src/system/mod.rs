@@ -3,11 +3,13 @@
 mod check;
 mod constraints;
 mod scales;
+mod summary;
 mod turning;
 
 pub use check::{TangentCheck, check_tangents};
-pub use constraints::{ConstraintLoop, Dependency};
+pub use constraints::{ConstraintLoop, Dependency, name_all, name_constraints};
 pub use scales::Scales;
+pub use summary::Summary;
 
 use crate::elements::{Contribution, Element, Instant, Joint, NodalLoad, NodeState, Prescribed};
 use crate::elements::{Coordinate, CoordinateForce, JointKind, Law, UserForce, ViscousDamper};
@@ -233,8 +235,7 @@ impl System {
                 "model: its sizes, stiffnesses and masses are too far apart to compute with",
             ));
         }
-        system.loops = constraints::constraint_loops(&system);
-        system.dependencies = constraints::dependencies(&system)?;
+        system.find_dependencies()?;
         Ok(system)
     }
 

@@ -1,0 +1,208 @@
+//! The model summary: counts, mobility and warnings of known mechanisms.
+
+mod common;
+
+use common::*;
+use nalgebra::{Matrix3, Vector3};
+use periodyn::elements::JointKind;
+use periodyn::model::{Model, SectionInput, Signal};
+use periodyn::system::Summary;
+
+fn ball(model: &mut Model, at: Vector3<f64>) -> usize {
+    model
+        .add_rigid_body(2.0, &at, &(0.1 * Matrix3::identity()))
+        .unwrap()
+}
+
+fn summary(model: &Model) -> Summary {
+    let summary = Summary::of(model).unwrap();
+    println!("{summary}");
+    summary
+}
+
+#[test]
+fn the_flexible_four_bar_has_one_freedom_if_rigid() {
+    // 7.2: revolute, spherical, universal, revolute: 5 + 3 + 4 + 5 constraints on three bars, one drive.
+    let mechanism = FourBar {
+        elements: 4,
+        ..FourBar::default()
+    }
+    .build();
+    let found = summary(&mechanism.model);
+    assert_eq!(
+        (found.nodes, found.beam_elements, found.joints),
+        (15, 12, 4)
+    );
+    assert_eq!(
+        (found.prescribed, found.constraints, found.redundant),
+        (1, 18, 0)
+    );
+    assert_eq!(found.freedoms, 6 * 15 - 18);
+    assert_eq!(
+        (found.members, found.mobility, found.redundant_if_rigid),
+        (3, 0, 0)
+    );
+    assert_eq!((found.parts, found.warnings.len()), (1, 0));
+    // Mass of the bars: 1.997 kg/m and 0.4992 kg/m.
+    let length = |v: [f64; 3]| Vector3::from(v).norm();
+    let mass = 1.997 * (length([0.35, 0.0, 0.652]) + length([0.75, 0.85, 0.452])) + 0.4992 * 0.2;
+    assert!(
+        (found.mass - mass).abs() < 1e-12 * mass,
+        "{}",
+        found.mass - mass
+    );
+}
+
+#[test]
+fn planar_loops_of_revolutes_are_mechanisms_with_redundancy() {
+    // Rigid: Grübler counts 6·3 − 20 = −2, the loop moves all the same: three constraints are redundant.
+    let points = [(0.0, 0.0), (0.2, 1.0), (2.2, 1.4), (2.0, 0.0)];
+    let points = points.map(|(x, y)| Vector3::new(x, y, 0.0));
+    let section = SectionInput::diagonal(&[1e6, 4e5, 4e5, 50.0, 80.0, 80.0], &[1.0; 4]).unwrap();
+    for flexible in [false, true] {
+        let mut model = Model::new();
+        let mut ends = Vec::new();
+        for pair in points.windows(2) {
+            if flexible {
+                let beam = model
+                    .add_straight_beam(&pair[0], &pair[1], &Vector3::z(), &section, 2, 2)
+                    .unwrap();
+                ends.push((Some(beam.first_node), Some(beam.last_node)));
+            } else {
+                let bar = Some(ball(&mut model, 0.5 * (pair[0] + pair[1])));
+                ends.push((bar, bar));
+            }
+        }
+        let z = Vector3::z();
+        revolute(&mut model, None, ends[0].0, &points[0], &z);
+        revolute(&mut model, ends[0].1, ends[1].0, &points[1], &z);
+        revolute(&mut model, ends[1].1, ends[2].0, &points[2], &z);
+        revolute(&mut model, ends[2].1, None, &points[3], &z);
+        let found = summary(&model);
+        assert_eq!(found.redundant, if flexible { 0 } else { 3 });
+        assert_eq!(
+            (found.members, found.mobility, found.redundant_if_rigid),
+            (3, 1, 3)
+        );
+    }
+}
+
+#[test]
+fn free_bodies_and_unconnected_parts_are_named() {
+    let mut model = Model::new();
+    let held = ball(&mut model, Vector3::zeros());
+    let (a, b) = (
+        ball(&mut model, Vector3::x()),
+        ball(&mut model, 2.0 * Vector3::x()),
+    );
+    revolute(
+        &mut model,
+        None,
+        Some(held),
+        &Vector3::zeros(),
+        &Vector3::z(),
+    );
+    let frame = Model::frame_at("axis", &Vector3::x(), &Vector3::z()).unwrap();
+    model
+        .add_joint(JointKind::Spherical, Some(a), Some(b), &frame, &frame)
+        .unwrap();
+    let found = summary(&model);
+    assert_eq!((found.parts, found.mobility), (2, 1 + 9));
+    assert!(
+        found.warnings[0].contains("nodes 1, 2"),
+        "{:?}",
+        found.warnings
+    );
+    // A satellite is one part, with nothing to warn of.
+    let mut model = Model::new();
+    ball(&mut model, Vector3::zeros());
+    let found = summary(&model);
+    assert_eq!(
+        (found.parts, found.mobility, found.warnings.len()),
+        (1, 6, 0)
+    );
+    assert_eq!((found.mass, found.centre), (2.0, Vector3::zeros()));
+}
+
+#[test]
+fn likely_mistakes_are_warned_of() {
+    let warns_of = |model: &Model, words: &[&str]| {
+        let found = summary(model);
+        assert_eq!(found.warnings.len(), 1, "{:?}", found.warnings);
+        for word in words {
+            assert!(found.warnings[0].contains(word), "{:?}", found.warnings);
+        }
+    };
+    let beam = |stiffness: [f64; 6], mass: [f64; 4]| {
+        let section = SectionInput::diagonal(&stiffness, &mass).unwrap();
+        let mut model = Model::new();
+        model
+            .add_straight_beam(
+                &Vector3::zeros(),
+                &Vector3::x(),
+                &Vector3::y(),
+                &section,
+                1,
+                2,
+            )
+            .unwrap();
+        model
+    };
+    let good = [1e6, 4e5, 4e5, 50.0, 80.0, 80.0];
+    assert!(summary(&beam(good, [1.0; 4])).warnings.is_empty());
+    warns_of(&beam(good, [0.0; 4]), &["beam element 0", "no mass"]);
+    // Second moments of area in the wrong unit.
+    let soft = [1e6, 4e5, 4e5, 5e-5, 8e-5, 8e-5];
+    warns_of(
+        &beam(soft, [1.0; 4]),
+        &["beam element 0", "bending", "units"],
+    );
+    let no_shear = [1e6, 4.0, 4.0, 50.0, 80.0, 80.0];
+    warns_of(&beam(no_shear, [1.0; 4]), &["beam element 0", "shear"]);
+
+    let mut model = Model::new();
+    let impossible = Matrix3::from_diagonal(&Vector3::new(1.0, 1.0, 2.5));
+    model
+        .add_rigid_body(1.0, &Vector3::x(), &impossible)
+        .unwrap();
+    warns_of(&model, &["node 0", "moments of inertia"]);
+
+    let mut model = Model::new();
+    let body = ball(&mut model, Vector3::x());
+    let at = |x: f64| Model::frame_at("axis", &Vector3::new(x, 0.0, 0.0), &Vector3::z()).unwrap();
+    model
+        .add_joint(JointKind::Revolute, None, Some(body), &at(0.0), &at(0.01))
+        .unwrap();
+    warns_of(&model, &["joint 0", "open"]);
+
+    let mut model = Model::new();
+    ball(&mut model, Vector3::x());
+    let bare = model
+        .add_node(&periodyn::motion::Motion::identity())
+        .unwrap();
+    let frame = at(0.5);
+    model
+        .add_joint(JointKind::Rigid, Some(0), Some(bare), &frame, &frame)
+        .unwrap();
+    warns_of(&model, &["node 1", "neither inertia nor a beam"]);
+}
+
+#[test]
+fn motions_that_need_their_own_period_are_no_obstacle() {
+    let mut model = Model::new();
+    let body = ball(&mut model, Vector3::x());
+    revolute(
+        &mut model,
+        None,
+        Some(body),
+        &Vector3::zeros(),
+        &Vector3::z(),
+    );
+    let turn = Signal::harmonics(0.0, 17.3, &[0.1], &[0.2]).unwrap();
+    model.prescribe(rotation1(0), &turn).unwrap();
+    let found = summary(&model);
+    assert_eq!(
+        (found.mobility, found.freedoms, found.constraints),
+        (0, 0, 6)
+    );
+}
