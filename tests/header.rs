@@ -14,6 +14,7 @@ const FILES: &[&str] = &[
     "signal",
     "model",
     "joint",
+    "line",
     "beam",
     "load",
     "force",

@@ -1,12 +1,13 @@
 //! Loads: forces and moments on nodes, and gravity.
 
+use super::call::Call;
 use super::guard::guard;
 use super::model::{self, choose, pdn_model};
 use super::signal::{self, pdn_signal};
 use super::status::pdn_status;
 use crate::elements::LoadFrame;
 use crate::error::{Error, Result};
-use crate::model::Signal;
+use crate::model::{DistributedLoadDefinition, Signal};
 
 /// Directions of a load: the global axes.
 pub const PDN_FRAME_SPACE: i32 = 0;
@@ -39,6 +40,24 @@ pub(super) fn load_frame(given: i32) -> Result<LoadFrame> {
     )
 }
 
+/// A load with one component, that a `PDN_FORCE_...` or `PDN_MOMENT_...` names.
+fn components(
+    call: &Call,
+    component: i32,
+    signal: *const pdn_signal,
+) -> Result<[Option<Signal>; 6]> {
+    let mut components = [const { None }; 6];
+    let place = usize::try_from(component)
+        .ok()
+        .and_then(|index| components.get_mut(index))
+        .ok_or_else(|| {
+            let expected = "PDN_FORCE_1 to PDN_FORCE_3 or PDN_MOMENT_1 to PDN_MOMENT_3";
+            Error::value("component", expected, component)
+        })?;
+    *place = Some(signal::read(call, signal, "signal")?);
+    Ok(components)
+}
+
 /// Adds one component of a force or moment on a node, in addition to those that are there.
 ///
 /// A force acts at the node's origin.
@@ -67,15 +86,7 @@ pub unsafe extern "C" fn pdn_model_add_load(
         let mut model = call.exclusive(model, "model")?;
         let node = model::node(&model, node, "node")?;
         let frame = load_frame(frame)?;
-        let mut components = [const { None }; 6];
-        let place = usize::try_from(component)
-            .ok()
-            .and_then(|index| components.get_mut(index))
-            .ok_or_else(|| {
-                let expected = "PDN_FORCE_1 to PDN_FORCE_3 or PDN_MOMENT_1 to PDN_MOMENT_3";
-                Error::value("component", expected, component)
-            })?;
-        *place = Some(signal::read(call, signal, "signal")?);
+        let components = components(call, component, signal)?;
         model.add_load(node, frame, components)
     })
 }
@@ -102,5 +113,104 @@ pub unsafe extern "C" fn pdn_model_set_gravity(
             Signal::constant(z)?,
         ]);
         Ok(())
+    })
+}
+
+/// Sets an acceleration of gravity that varies in time, in place of any set before.
+///
+/// So a shaking ground can be described in axes that shake with it.
+///
+/// @param model  the model; not NULL
+/// @param acceleration_1  component along global axis 1 [length / time^2], copied; NULL for none
+/// @param acceleration_2  component along global axis 2, likewise
+/// @param acceleration_3  component along global axis 3, likewise
+/// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_SIZE, PDN_ERR_VALUE, PDN_ERR_STRUCT_SIZE
+///
+/// Threads: exclusive use of `model`.
+/// @since 0.1
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn pdn_model_set_gravity_signals(
+    model: *mut pdn_model,
+    acceleration_1: *const pdn_signal,
+    acceleration_2: *const pdn_signal,
+    acceleration_3: *const pdn_signal,
+) -> pdn_status {
+    guard(|call| {
+        let mut model = call.exclusive(model, "model")?;
+        let component = |given: *const pdn_signal, name: &str| {
+            if given.is_null() {
+                Signal::constant(0.0)
+            } else {
+                signal::read(call, given, name)
+            }
+        };
+        model.set_gravity([
+            component(acceleration_1, "acceleration_1")?,
+            component(acceleration_2, "acceleration_2")?,
+            component(acceleration_3, "acceleration_3")?,
+        ]);
+        Ok(())
+    })
+}
+
+/// Adds one component of a force or moment distributed along beam elements, in addition to those that
+/// are there.
+///
+/// It acts on the line of the beam, for each unit of its reference length, and moves with the sections:
+/// signal times factor.
+///
+/// @param model  the model; not NULL
+/// @param first_element  id of the first beam element, such as the first_element of a ::pdn_beam
+/// @param elements  number of elements, from the first on, such as the elements of a ::pdn_beam; at
+///     least 1
+/// @param frame  PDN_FRAME_SPACE: directions of the global axes; PDN_FRAME_MATERIAL: of the sections' axes,
+///     which the load follows
+/// @param component  PDN_FORCE_1, PDN_FORCE_2, PDN_FORCE_3 [force / length], PDN_MOMENT_1, PDN_MOMENT_2
+///     or PDN_MOMENT_3 [force]
+/// @param signal  the component in time, copied; not NULL
+/// @param fractions  array of length [count]: places, as fractions of the reference length of these
+///     elements, ascending from 0 to 1; two at the same place make a jump. NULL if count is 0
+/// @param factors  array of length [count]: factors of the signal at these places, linear in between;
+///     NULL if count is 0
+/// @param count  0 for a factor of 1 all along; or at least 2
+/// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_SIZE, PDN_ERR_ID, PDN_ERR_VALUE,
+///     PDN_ERR_STRUCT_SIZE
+///
+/// Threads: exclusive use of `model`.
+/// @since 0.1
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn pdn_model_add_distributed_load(
+    model: *mut pdn_model,
+    first_element: i32,
+    elements: i32,
+    frame: i32,
+    component: i32,
+    signal: *const pdn_signal,
+    fractions: *const f64,
+    factors: *const f64,
+    count: usize,
+) -> pdn_status {
+    guard(|call| {
+        let mut model = call.exclusive(model, "model")?;
+        let there = model.beam_element_count();
+        let first_element =
+            model::index(first_element, there, "first_element", "a beam element id")?;
+        let elements = usize::try_from(elements)
+            .map_err(|_| Error::size("elements", "at least 1", elements))?;
+        let frame = load_frame(frame)?;
+        let components = components(call, component, signal)?;
+        let fractions = call.numbers(fractions, count, "fractions")?;
+        let factors = call.numbers(factors, count, "factors")?;
+        model.add_distributed_load(DistributedLoadDefinition {
+            first_element,
+            elements,
+            frame,
+            components,
+            factors: fractions
+                .iter()
+                .copied()
+                .zip(factors.iter().copied())
+                .collect(),
+        })
     })
 }

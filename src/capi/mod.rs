@@ -74,6 +74,7 @@ pub mod force_solution;
 pub mod guard;
 pub mod joint;
 pub mod last_error;
+pub mod line;
 pub mod load;
 pub mod model;
 pub mod motion;

@@ -4,7 +4,7 @@ use super::call::{Call, check_pointer, null};
 use super::guard::guard;
 use super::options::{self, Options};
 use super::status::pdn_status;
-use crate::error::Result;
+use crate::error::{Error, ErrorKind, Result};
 use crate::model::SectionInput;
 use nalgebra::Matrix6;
 use std::mem::offset_of;
@@ -64,6 +64,30 @@ impl pdn_section {
 /// The section that an argument gives; what its matrices must be is for the core to check.
 pub(super) fn read(call: &Call, section: *const pdn_section, name: &str) -> Result<SectionInput> {
     Ok(read_struct(call, section, name)?.input())
+}
+
+/// An array of sections: those of a caller compiled with another release have another size.
+pub(super) fn read_array(
+    call: &Call,
+    sections: *const pdn_section,
+    count: usize,
+    name: &str,
+) -> Result<Vec<SectionInput>> {
+    let size = read_struct(call, sections, name)?.struct_size;
+    (0..count)
+        .map(|i| {
+            let name = format!("{name}[{i}]");
+            let section = sections.wrapping_byte_add(i * size);
+            let given = read_struct(call, section, &name)?;
+            if given.struct_size != size {
+                let got = given.struct_size;
+                let message =
+                    format!("{name}: expected struct_size {size} as the first, got {got}");
+                return Err(Error::new(ErrorKind::StructSize, message));
+            }
+            Ok(given.input())
+        })
+        .collect()
 }
 
 /// A struct with a `struct_size` that must be given.

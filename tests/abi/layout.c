@@ -12,6 +12,7 @@
 SIZE(pdn_status, 4);
 SIZE(pdn_signal_fn, sizeof(void *));
 SIZE(pdn_progress_fn, sizeof(void *));
+SIZE(pdn_curve_fn, sizeof(void *));
 
 SIZE(pdn_section, 872);
 AT(pdn_section, struct_size, 0);
@@ -43,6 +44,24 @@ AT(pdn_beam, last, 4);
 AT(pdn_beam, first_element, 8);
 AT(pdn_beam, elements, 12);
 AT(pdn_beam, reserved, 16);
+
+SIZE(pdn_line, 128);
+AT(pdn_line, struct_size, 0);
+AT(pdn_line, kind, 8);
+AT(pdn_line, reserved, 12);
+AT(pdn_line, start, 16);
+AT(pdn_line, point, 40);
+AT(pdn_line, end, 64);
+AT(pdn_line, axis_2, 88);
+AT(pdn_line, curve, 112);
+AT(pdn_line, user_data, 120);
+
+SIZE(pdn_stations, 40);
+AT(pdn_stations, struct_size, 0);
+AT(pdn_stations, count, 8);
+AT(pdn_stations, fractions, 16);
+AT(pdn_stations, sections, 24);
+AT(pdn_stations, twists, 32);
 
 SIZE(pdn_diagnostics, 112);
 AT(pdn_diagnostics, struct_size, 0);
@@ -99,6 +118,9 @@ IS(PDN_ERR_MEMORY, -900);
 IS(PDN_ERR_PANIC, -901);
 IS(PDN_ERR_POISONED, -902);
 
+IS(PDN_LINE_STRAIGHT, 0);
+IS(PDN_LINE_ARC, 1);
+IS(PDN_LINE_CURVE, 2);
 IS(PDN_SIGNAL_HARMONICS, 0);
 IS(PDN_SIGNAL_SAMPLES, 1);
 IS(PDN_SIGNAL_FUNCTION, 2);
