@@ -224,6 +224,21 @@
 #define PDN_ROTATION_3 5
 
 /**
+ * Kind of a line: straight.
+ */
+#define PDN_LINE_STRAIGHT 0
+
+/**
+ * Kind of a line: circular arc.
+ */
+#define PDN_LINE_ARC 1
+
+/**
+ * Kind of a line: a curve that the caller computes.
+ */
+#define PDN_LINE_CURVE 2
+
+/**
  * Directions of a load: the global axes.
  */
 #define PDN_FRAME_SPACE 0
@@ -583,6 +598,103 @@ typedef struct pdn_frame {
      */
     double rotation[9];
 } pdn_frame;
+
+/**
+ * A smooth curve in space, to be written by the caller.
+ *
+ * Called only during the call that takes the line, on its thread, many times and in any order. It must
+ * neither throw nor jump out, nor use the model that the beam is added to.
+ *
+ * @param fraction  place along the curve, from 0 at its start to 1 at its end
+ * @param position  array of length 3: where the position goes, global coordinates \[length\]; valid
+ *     during the call only
+ * @param axis_2  array of length 3: where a direction goes, of any nonzero length, not along the curve;
+ *     the part of it that is perpendicular to the curve is axis 2 of the line's frame there
+ * @param user_data  as given to ::pdn_line_set_curve
+ * @return 0 for success; anything else makes the call fail with PDN_ERR_CALLBACK (see
+ *     ::pdn_set_callback_error and ::pdn_last_callback_code)
+ */
+typedef int32_t (*pdn_curve_fn)(double fraction,
+                                double *position,
+                                double *axis_2,
+                                void *user_data);
+
+/**
+ * Reference line of a beam: a frame at each fraction of the span, with axis 1 along the line.
+ *
+ * Start with `PDN_INIT(pdn_line, &line)`; then one of the `pdn_line_set_...`, each of which
+ * replaces all that was set before. Leave the fields to them.
+ */
+typedef struct pdn_line {
+    /**
+     * Set by the initialiser.
+     */
+    size_t struct_size;
+    /**
+     * PDN_LINE_STRAIGHT, PDN_LINE_ARC or PDN_LINE_CURVE.
+     */
+    int32_t kind;
+    /**
+     * Leave it zero.
+     */
+    int32_t reserved;
+    /**
+     * Start of a straight line or an arc.
+     */
+    double start[3];
+    /**
+     * A point of an arc.
+     */
+    double point[3];
+    /**
+     * End of a straight line or an arc.
+     */
+    double end[3];
+    /**
+     * Direction of axis 2 at the start of a straight line or an arc.
+     */
+    double axis_2[3];
+    /**
+     * The curve.
+     */
+    pdn_curve_fn curve;
+    /**
+     * Handed to the curve.
+     */
+    void *user_data;
+} pdn_line;
+
+/**
+ * Cross-sections along a beam, at stations; linear in between, entry by entry.
+ *
+ * Start with `PDN_INIT(pdn_stations, &stations)`, then set the fields. The library reads the arrays
+ * during the call that takes the stations.
+ */
+typedef struct pdn_stations {
+    /**
+     * Set by the initialiser.
+     */
+    size_t struct_size;
+    /**
+     * Number of stations; one alone stands for all of the beam.
+     */
+    size_t count;
+    /**
+     * Array of length [count]: places along the span, from 0 at the start to 1 at the end, ascending;
+     * two stations at the same place make a jump. May be NULL if count is 1.
+     */
+    const double *fractions;
+    /**
+     * Array of length [count]: the sections, each initialised.
+     */
+    const struct pdn_section *sections;
+    /**
+     * Array of length [count]: structural twist, the angles by which axes 2 and 3 of the sections are
+     * turned about axis 1 from those of the line, right-handed, linear between stations [radian]. NULL
+     * for none. It has no jumps.
+     */
+    const double *twists;
+} pdn_stations;
 
 /**
  * What a beam was made of; written by the library. This struct will never change its size.
@@ -1845,11 +1957,103 @@ pdn_status pdn_model_add_screw_between(struct pdn_model *model,
                                        int32_t *joint);
 
 /**
+ * Makes a line that is still to be set. Use it as `PDN_INIT(pdn_line, &line)`.
+ *
+ * @param line  the line; not NULL
+ * @param struct_size  sizeof(pdn_line)
+ *
+ * Threads: any.
+ * @since 0.1
+ */
+PDN_API
+void pdn_line_init(struct pdn_line *line,
+                   size_t struct_size);
+
+/**
+ * Makes a line straight. Its axes are the same all along.
+ *
+ * @param line  an initialised line; not NULL
+ * @param start  array of length 3: where it starts, global coordinates [length]
+ * @param end  array of length 3: where it ends, not at start
+ * @param axis_2  array of length 3: axis 2 is the part of this direction that is perpendicular to the
+ *     line; of any nonzero length, not along the line
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_STRUCT_SIZE, PDN_ERR_NOT_FINITE
+ *
+ * Threads: exclusive use of `line`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_line_set_straight(struct pdn_line *line,
+                                 const double *start,
+                                 const double *end,
+                                 const double *axis_2);
+
+/**
+ * Makes a line the circular arc from start through point to end, of up to a whole turn.
+ *
+ * Fractions are of its length. Its axes turn with it about the arc's own axis, so that their
+ * curvature is constant.
+ *
+ * @param line  an initialised line; not NULL
+ * @param start  array of length 3: where it starts, global coordinates [length]
+ * @param point  array of length 3: a point between start and end; the three not on a straight line
+ * @param end  array of length 3: where it ends, not at start
+ * @param axis_2  array of length 3: axis 2 at the start is the part of this direction that is
+ *     perpendicular to the arc there; of any nonzero length, not along the arc there
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_STRUCT_SIZE, PDN_ERR_NOT_FINITE
+ *
+ * Threads: exclusive use of `line`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_line_set_arc(struct pdn_line *line,
+                            const double *start,
+                            const double *point,
+                            const double *end,
+                            const double *axis_2);
+
+/**
+ * Makes a line a curve that the caller computes.
+ *
+ * The curve must be smooth, and its fraction advance steadily: it is differentiated by the library, to
+ * rounding if it turns by less than half a radian in each 1/16 of the fraction. Join pieces that meet
+ * in a corner by ::pdn_model_add_rigid_joint.
+ *
+ * @param line  an initialised line; not NULL
+ * @param curve  the curve, see ::pdn_curve_fn for when it is called; not NULL
+ * @param user_data  handed to the curve; may be NULL. Must be valid until the line is no longer used
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_STRUCT_SIZE
+ *
+ * Threads: exclusive use of `line`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_line_set_curve(struct pdn_line *line,
+                              pdn_curve_fn curve,
+                              void *user_data);
+
+/**
+ * Makes stations that are still to be set. Use it as `PDN_INIT(pdn_stations, &stations)`.
+ *
+ * @param stations  the stations; not NULL
+ * @param struct_size  sizeof(pdn_stations)
+ *
+ * Threads: any.
+ * @since 0.1
+ */
+PDN_API
+void pdn_stations_init(struct pdn_stations *stations,
+                       size_t struct_size);
+
+/**
  * Adds a beam element over nodes that are there; it may be curved and twisted.
  *
  * The nodes stand, in order, at the Gauss-Lobatto points along the beam; two are its ends. Axis 1 of
  * each node is along the beam (to within 60 degrees, for curved ones), axes 2 and 3 are those of the
  * section. The element's reference shape interpolates them, and is free of stress.
+ *
+ * Elements may share end nodes, in chains and where beams branch, but not otherwise; elements that
+ * would lie on each other are refused.
  *
  * @param model  the model; not NULL
  * @param nodes  array of length [count]: ids of the nodes, all different
@@ -1899,6 +2103,37 @@ pdn_status pdn_model_add_straight_beam(struct pdn_model *model,
                                        size_t elements,
                                        size_t degree,
                                        struct pdn_beam *beam);
+
+/**
+ * Adds a beam along a line, with sections that may vary: its nodes and elements.
+ *
+ * Axis 1 of every node is along the line; axes 2 and 3 are those of the line, turned by the twist. The
+ * mesh is even but for jumps of the section, where an element ends and the next begins; so there must
+ * be more elements than jumps. Where slopes of section or twist jump inside an element, degrees gain
+ * less accuracy.
+ *
+ * Beams are joined by joints between their nodes. To fix a beam's end to a body at a distance, use
+ * ::pdn_model_add_rigid_joint between the two nodes: they need not be at the same place.
+ *
+ * @param model  the model; not NULL
+ * @param line  reference line; not NULL
+ * @param stations  cross-sections along it; not NULL
+ * @param elements  number of elements, 1 to 1000000
+ * @param degree  polynomial degree of the elements, 1 to 24; an element has degree + 1 nodes
+ * @param beam  ids of what was made; written on success only
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_SIZE, PDN_ERR_STRUCT_SIZE, PDN_ERR_VALUE,
+ *     PDN_ERR_CALLBACK, PDN_ERR_MODEL (nodes that turn too much from one to the next)
+ *
+ * Threads: exclusive use of `model`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_model_add_beam(struct pdn_model *model,
+                              const struct pdn_line *line,
+                              const struct pdn_stations *stations,
+                              size_t elements,
+                              size_t degree,
+                              struct pdn_beam *beam);
 
 /**
  * Adds one component of a force or moment on a node, in addition to those that are there.
@@ -1968,6 +2203,15 @@ pdn_status pdn_model_force_count(const struct pdn_model *model,
  * @param rest  coordinate at which the spring is free of effort [length or radian]
  * @param force  the force's id; may be NULL if it is not wanted; written on success only
  * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_ID, PDN_ERR_VALUE, PDN_ERR_NOT_AVAILABLE
+ * Sets an acceleration of gravity that varies in time, in place of any set before.
+ *
+ * So a shaking ground can be described in axes that shake with it.
+ *
+ * @param model  the model; not NULL
+ * @param acceleration_1  component along global axis 1 [length / time^2], copied; NULL for none
+ * @param acceleration_2  component along global axis 2, likewise
+ * @param acceleration_3  component along global axis 3, likewise
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_SIZE, PDN_ERR_VALUE, PDN_ERR_STRUCT_SIZE
  *
  * Threads: exclusive use of `model`.
  * @since 0.1
@@ -2026,6 +2270,34 @@ pdn_status pdn_model_add_nonlinear_spring_damper(struct pdn_model *model,
  * @param force  the force's id; may be NULL if it is not wanted; written on success only
  * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_SIZE, PDN_ERR_ID, PDN_ERR_VALUE,
  *     PDN_ERR_STRUCT_SIZE, PDN_ERR_NOT_AVAILABLE
+pdn_status pdn_model_set_gravity_signals(struct pdn_model *model,
+                                         const struct pdn_signal *acceleration_1,
+                                         const struct pdn_signal *acceleration_2,
+                                         const struct pdn_signal *acceleration_3);
+
+/**
+ * Adds one component of a force or moment distributed along beam elements, in addition to those that
+ * are there.
+ *
+ * It acts on the line of the beam, for each unit of its reference length, and moves with the sections:
+ * signal times factor.
+ *
+ * @param model  the model; not NULL
+ * @param first_element  id of the first beam element, such as the first_element of a ::pdn_beam
+ * @param elements  number of elements, from the first on, such as the elements of a ::pdn_beam; at
+ *     least 1
+ * @param frame  PDN_FRAME_SPACE: directions of the global axes; PDN_FRAME_MATERIAL: of the sections' axes,
+ *     which the load follows
+ * @param component  PDN_FORCE_1, PDN_FORCE_2, PDN_FORCE_3 [force / length], PDN_MOMENT_1, PDN_MOMENT_2
+ *     or PDN_MOMENT_3 [force]
+ * @param signal  the component in time, copied; not NULL
+ * @param fractions  array of length [count]: places, as fractions of the reference length of these
+ *     elements, ascending from 0 to 1; two at the same place make a jump. NULL if count is 0
+ * @param factors  array of length [count]: factors of the signal at these places, linear in between;
+ *     NULL if count is 0
+ * @param count  0 for a factor of 1 all along; or at least 2
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_SIZE, PDN_ERR_ID, PDN_ERR_VALUE,
+ *     PDN_ERR_STRUCT_SIZE
  *
  * Threads: exclusive use of `model`.
  * @since 0.1
@@ -2198,6 +2470,15 @@ pdn_status pdn_model_check_tangents(const struct pdn_model *model,
                                     int32_t force,
                                     double period,
                                     struct pdn_tangent_check *check);
+pdn_status pdn_model_add_distributed_load(struct pdn_model *model,
+                                          int32_t first_element,
+                                          int32_t elements,
+                                          int32_t frame,
+                                          int32_t component,
+                                          const struct pdn_signal *signal,
+                                          const double *fractions,
+                                          const double *factors,
+                                          size_t count);
 
 /**
  * Frees a solution; NULL does nothing.
