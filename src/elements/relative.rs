@@ -390,7 +390,8 @@ pub(super) const ALL_KINDS: [JointKind; 9] = [
     JointKind::Revolute,
     JointKind::Prismatic,
     JointKind::Cylindrical,
-    JointKind::Screw { pitch: -0.7 },
+    // Coarse, so that an open joint is far from where its angle jumps by a turn.
+    JointKind::Screw { pitch: -4.7 },
     JointKind::Planar,
     JointKind::Universal,
     JointKind::Spherical,
