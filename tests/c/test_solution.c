@@ -716,7 +716,7 @@ static void history_and_decay_are_told(void)
 
     PDN_INIT(pdn_diagnostics, &diagnostics);
     CHECK_STATUS(pdn_solution_diagnostics(solution, &diagnostics), PDN_OK);
-    CHECK(diagnostics.struct_size == sizeof diagnostics && diagnostics.reserved == 0);
+    CHECK(diagnostics.struct_size == sizeof diagnostics && diagnostics.redundant_constraints == 0);
     CHECK(diagnostics.outcome == PDN_CONVERGED && diagnostics.grid_points == POINTS);
     /* 5 nodes; 5 + 6 + 3 constraints of joints, 1 + 3 of prescribed angles. */
     CHECK(diagnostics.unknowns == POINTS * (5 * 6 + 14 + 4));
