@@ -50,8 +50,7 @@ def draw(files, image):
         axis.spines[["top", "right"]].set_visible(False)
     axes[-1, 0].set_xlabel(names[0])
     if len(files) > 1:
-        figure.legend(*axes[0, 0].get_legend_handles_labels(), loc="outside upper center", ncols=len(files),
-                      frameon=False)
+        axes[0, 0].legend(loc="lower right", bbox_to_anchor=(1, 1), ncols=len(files), frameon=False)
     figure.savefig(image, dpi=160)
     plt.close(figure)
 

@@ -178,7 +178,8 @@ impl Setting {
         })
     }
 
-    fn section(&self, s: &SectionInput) -> SectionInput {
+    /// A section given in SI units.
+    pub fn section(&self, s: &SectionInput) -> SectionInput {
         let (f, l) = (self.force(), self.length);
         let m = self.mass / l;
         SectionInput {
