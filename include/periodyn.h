@@ -2175,6 +2175,64 @@ pdn_status pdn_model_set_gravity(struct pdn_model *model,
                                  const double *acceleration);
 
 /**
+ * Sets an acceleration of gravity that varies in time, in place of any set before.
+ *
+ * So a shaking ground can be described in axes that shake with it.
+ *
+ * @param model  the model; not NULL
+ * @param acceleration_1  component along global axis 1 [length / time^2], copied; NULL for none
+ * @param acceleration_2  component along global axis 2, likewise
+ * @param acceleration_3  component along global axis 3, likewise
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_SIZE, PDN_ERR_VALUE, PDN_ERR_STRUCT_SIZE
+ *
+ * Threads: exclusive use of `model`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_model_set_gravity_signals(struct pdn_model *model,
+                                         const struct pdn_signal *acceleration_1,
+                                         const struct pdn_signal *acceleration_2,
+                                         const struct pdn_signal *acceleration_3);
+
+/**
+ * Adds one component of a force or moment distributed along beam elements, in addition to those that
+ * are there.
+ *
+ * It acts on the line of the beam, for each unit of its reference length, and moves with the sections:
+ * signal times factor.
+ *
+ * @param model  the model; not NULL
+ * @param first_element  id of the first beam element, such as the first_element of a ::pdn_beam
+ * @param elements  number of elements, from the first on, such as the elements of a ::pdn_beam; at
+ *     least 1
+ * @param frame  PDN_FRAME_SPACE: directions of the global axes; PDN_FRAME_MATERIAL: of the sections' axes,
+ *     which the load follows
+ * @param component  PDN_FORCE_1, PDN_FORCE_2, PDN_FORCE_3 [force / length], PDN_MOMENT_1, PDN_MOMENT_2
+ *     or PDN_MOMENT_3 [force]
+ * @param signal  the component in time, copied; not NULL
+ * @param fractions  array of length [count]: places, as fractions of the reference length of these
+ *     elements, ascending from 0 to 1; two at the same place make a jump. NULL if count is 0
+ * @param factors  array of length [count]: factors of the signal at these places, linear in between;
+ *     NULL if count is 0
+ * @param count  0 for a factor of 1 all along; or at least 2
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_SIZE, PDN_ERR_ID, PDN_ERR_VALUE,
+ *     PDN_ERR_STRUCT_SIZE
+ *
+ * Threads: exclusive use of `model`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_model_add_distributed_load(struct pdn_model *model,
+                                          int32_t first_element,
+                                          int32_t elements,
+                                          int32_t frame,
+                                          int32_t component,
+                                          const struct pdn_signal *signal,
+                                          const double *fractions,
+                                          const double *factors,
+                                          size_t count);
+
+/**
  * Number of forces: springs, dampers, actuators and the like, but not loads; their ids are 0 ... count - 1.
  *
  * @param model  the model; not NULL
@@ -2203,15 +2261,6 @@ pdn_status pdn_model_force_count(const struct pdn_model *model,
  * @param rest  coordinate at which the spring is free of effort [length or radian]
  * @param force  the force's id; may be NULL if it is not wanted; written on success only
  * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_ID, PDN_ERR_VALUE, PDN_ERR_NOT_AVAILABLE
- * Sets an acceleration of gravity that varies in time, in place of any set before.
- *
- * So a shaking ground can be described in axes that shake with it.
- *
- * @param model  the model; not NULL
- * @param acceleration_1  component along global axis 1 [length / time^2], copied; NULL for none
- * @param acceleration_2  component along global axis 2, likewise
- * @param acceleration_3  component along global axis 3, likewise
- * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_SIZE, PDN_ERR_VALUE, PDN_ERR_STRUCT_SIZE
  *
  * Threads: exclusive use of `model`.
  * @since 0.1
@@ -2270,34 +2319,6 @@ pdn_status pdn_model_add_nonlinear_spring_damper(struct pdn_model *model,
  * @param force  the force's id; may be NULL if it is not wanted; written on success only
  * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_SIZE, PDN_ERR_ID, PDN_ERR_VALUE,
  *     PDN_ERR_STRUCT_SIZE, PDN_ERR_NOT_AVAILABLE
-pdn_status pdn_model_set_gravity_signals(struct pdn_model *model,
-                                         const struct pdn_signal *acceleration_1,
-                                         const struct pdn_signal *acceleration_2,
-                                         const struct pdn_signal *acceleration_3);
-
-/**
- * Adds one component of a force or moment distributed along beam elements, in addition to those that
- * are there.
- *
- * It acts on the line of the beam, for each unit of its reference length, and moves with the sections:
- * signal times factor.
- *
- * @param model  the model; not NULL
- * @param first_element  id of the first beam element, such as the first_element of a ::pdn_beam
- * @param elements  number of elements, from the first on, such as the elements of a ::pdn_beam; at
- *     least 1
- * @param frame  PDN_FRAME_SPACE: directions of the global axes; PDN_FRAME_MATERIAL: of the sections' axes,
- *     which the load follows
- * @param component  PDN_FORCE_1, PDN_FORCE_2, PDN_FORCE_3 [force / length], PDN_MOMENT_1, PDN_MOMENT_2
- *     or PDN_MOMENT_3 [force]
- * @param signal  the component in time, copied; not NULL
- * @param fractions  array of length [count]: places, as fractions of the reference length of these
- *     elements, ascending from 0 to 1; two at the same place make a jump. NULL if count is 0
- * @param factors  array of length [count]: factors of the signal at these places, linear in between;
- *     NULL if count is 0
- * @param count  0 for a factor of 1 all along; or at least 2
- * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_SIZE, PDN_ERR_ID, PDN_ERR_VALUE,
- *     PDN_ERR_STRUCT_SIZE
  *
  * Threads: exclusive use of `model`.
  * @since 0.1
@@ -2470,15 +2491,6 @@ pdn_status pdn_model_check_tangents(const struct pdn_model *model,
                                     int32_t force,
                                     double period,
                                     struct pdn_tangent_check *check);
-pdn_status pdn_model_add_distributed_load(struct pdn_model *model,
-                                          int32_t first_element,
-                                          int32_t elements,
-                                          int32_t frame,
-                                          int32_t component,
-                                          const struct pdn_signal *signal,
-                                          const double *fractions,
-                                          const double *factors,
-                                          size_t count);
 
 /**
  * Frees a solution; NULL does nothing.
