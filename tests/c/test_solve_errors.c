@@ -247,7 +247,7 @@ static void what_does_not_repeat(void)
 
     CHECK_STATUS(pdn_signal_set_harmonics(&signal, 0, 2 * PI / in.period, NULL, NULL, 0), PDN_OK);
     in.model = made = wheel(&signal, NULL, 1); /* a whole turn, against a spring */
-    REFUSED(solve(), PDN_ERR_NOT_PERIODIC, "spring on joint 0");
+    REFUSED(solve(), PDN_ERR_NOT_PERIODIC, "force 0 on joint 0");
     pdn_model_free(made);
     in.model = saved;
 }

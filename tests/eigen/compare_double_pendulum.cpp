@@ -76,7 +76,7 @@ Pendulum pendulum() {
         const Matrix3d inertia = rod.inertia * (Matrix3d::Identity() - 0.7 * along);
         must(pdn_model_add_rigid_body(model, rod.mass, centre.data(), inertia.data(), &p.body[i]));
         must(pdn_model_add_revolute(model, previous, p.body[i], pivot.data(), p.axis.data(), &p.hinge[i]));
-        must(pdn_model_add_spring_damper(model, p.hinge[i], PDN_ROTATION, 0, rod.damping, 0));
+        must(pdn_model_add_spring_damper(model, p.hinge[i], PDN_ROTATION, 0, rod.damping, 0, nullptr));
         previous = p.body[i], pivot += rod.length * p.down;
     }
     for (int c = 0; c < 3; ++c) {

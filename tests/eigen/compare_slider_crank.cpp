@@ -125,8 +125,8 @@ SliderCrank slider_crank() {
     must(pdn_model_add_spherical(model, m.crank, m.rod, point(pin).data(), &ball));
     must(pdn_model_add_universal(model, m.rod, m.slider, point(wrist).data(), arm.data(), normal.data(), &cross));
     must(pdn_model_add_prismatic(model, PDN_GROUND, m.slider, point(wrist).data(), along.data(), &m.slide));
-    must(pdn_model_add_spring_damper(model, m.slide, PDN_DISPLACEMENT, spring, slide_damping, 0));
-    must(pdn_model_add_spring_damper(model, m.shaft, PDN_ROTATION, 0, shaft_damping, 0));
+    must(pdn_model_add_spring_damper(model, m.slide, PDN_DISPLACEMENT, spring, slide_damping, 0, nullptr));
+    must(pdn_model_add_spring_damper(model, m.shaft, PDN_ROTATION, 0, shaft_damping, 0, nullptr));
     add_load(model, m.slider, PDN_FORCE_1, along, load);
     return m;
 }
