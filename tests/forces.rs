@@ -661,3 +661,110 @@ fn what_is_no_damper_or_user_force_is_refused() {
     );
     refused(7, ForceQuantity::Effort, ErrorKind::Identifier);
 }
+
+/// A body that slides along x, held by struts from points off the line.
+fn slider(points: &[Vector3<f64>]) -> (Model, Vec<usize>) {
+    let mut model = Model::new();
+    let start = Vector3::new(0.3, 0.0, 0.0);
+    let body = model
+        .add_rigid_body(MASS, &start, &Matrix3::identity())
+        .unwrap();
+    let frame = Model::frame_at("axis", &start, &Vector3::x()).unwrap();
+    model
+        .add_joint(JointKind::Prismatic, None, Some(body), &frame, &frame)
+        .unwrap();
+    let struts = points
+        .iter()
+        .map(|point| model.add_strut(None, Some(body), point, &start).unwrap())
+        .collect();
+    (model, struts)
+}
+
+fn along(joint: usize) -> periodyn::model::JointCoordinate {
+    periodyn::model::JointCoordinate {
+        joint,
+        coordinate: Coordinate::Displacement1,
+    }
+}
+
+#[test]
+fn a_strut_has_the_tension_of_its_length_and_rate() {
+    // Driven along x = 0.3 + s, from a point above: length ℓ = √(x² + h²), tension T = k (ℓ − ℓ₀) + c ℓ̇.
+    let (k, c, free, h, a) = (40.0, 3.0, 0.6, 0.5, 0.4);
+    let (mut model, struts) = slider(&[Vector3::new(0.0, 0.0, h)]);
+    model.prescribe(along(0), &cosine(a)).unwrap();
+    let definition = SpringDefinition {
+        at: along(struts[0]),
+        stiffness: k,
+        damping: c,
+        rest: free,
+    };
+    let force = model.add_spring_damper(definition).unwrap();
+    let solution = solve(&model, PERIOD, 101);
+    let times = times(PERIOD, 50);
+    let length = |t: f64| (0.3 + a * (OMEGA * t).cos()).hypot(h);
+    let stretch =
+        |t: f64| -(0.3 + a * (OMEGA * t).cos()) * a * OMEGA * (OMEGA * t).sin() / length(t);
+    let tension = |t: f64| k * (length(t) - free) + c * stretch(t);
+    let each = |f: &dyn Fn(f64) -> f64| -> Vec<f64> { times.iter().map(|&t| f(t)).collect() };
+    let displacement = Coordinate::Displacement1;
+    let of = |joint, quantity| solution.joint(joint, quantity, &times).unwrap();
+    // The length is not band-limited: 101 points resolve it to some 1e-12.
+    let found = of(struts[0], JointQuantity::Coordinate(displacement));
+    assert_near(&found, &each(&length), 1e-10, "length");
+    let found = of(struts[0], JointQuantity::Rate(displacement));
+    assert_near(&found, &each(&stretch), 1e-9, "rate");
+    let found = solution
+        .force(force, ForceQuantity::Effort, &times)
+        .unwrap();
+    assert_near(&found, &each(&tension), 1e-9, "tension");
+    let drive = |t: f64| {
+        let x = 0.3 + a * (OMEGA * t).cos();
+        -MASS * a * OMEGA * OMEGA * (OMEGA * t).cos() + tension(t) * x / length(t)
+    };
+    let found = of(0, JointQuantity::DrivingEffort(displacement));
+    assert_near(&found, &each(&drive), 1e-9, "drive");
+}
+
+#[test]
+fn a_rod_of_prescribed_length_moves_the_slider_by_pythagoras() {
+    let h = 0.5;
+    let (mut model, struts) = slider(&[Vector3::new(0.0, 0.0, h)]);
+    let start = 0.3f64.hypot(h);
+    let length = Signal::harmonics(start + 0.2, 0.0, &[0.0], &[0.15]).unwrap();
+    model.prescribe(along(struts[0]), &length).unwrap();
+    let solution = solve(&model, PERIOD, 81);
+    let times = times(PERIOD, 50);
+    let exact: Vec<f64> = times
+        .iter()
+        .map(|t| {
+            let length = start + 0.2 + 0.15 * (OMEGA * t).sin();
+            (length * length - h * h).sqrt() - 0.3
+        })
+        .collect();
+    let quantity = JointQuantity::Coordinate(Coordinate::Displacement1);
+    let found = solution.joint(0, quantity, &times).unwrap();
+    assert_near(&found, &exact, 1e-10, "position");
+}
+
+#[test]
+fn struts_need_points_apart() {
+    let (mut model, struts) = slider(&[Vector3::new(0.0, 0.0, 0.0)]);
+    let point = Vector3::new(0.3, 0.0, 0.0);
+    let error = model.add_strut(None, Some(0), &point, &point).unwrap_err();
+    assert!(error.to_string().starts_with("second_point: "), "{error}");
+    // The slider starts at 0.3, and its drive takes it through the strut's fixed point at once.
+    let signal = Signal::harmonics(-0.3, 0.0, &[0.0], &[0.0]).unwrap();
+    model.prescribe(along(0), &signal).unwrap();
+    let definition = SpringDefinition {
+        at: along(struts[0]),
+        stiffness: 1.0,
+        damping: 0.0,
+        rest: 0.1,
+    };
+    model.add_spring_damper(definition).unwrap();
+    match try_solve(&model, PERIOD, 5) {
+        Ok(solution) => assert_ne!(solution.outcome(), periodyn::solve::Outcome::Converged),
+        Err(error) => assert!(error.to_string().contains("coincide"), "{error}"),
+    }
+}

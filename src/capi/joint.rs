@@ -394,6 +394,47 @@ pub unsafe extern "C" fn pdn_model_add_universal(
     })
 }
 
+/// Adds a strut: the line between a point of each of two bodies. It constrains nothing.
+///
+/// Its coordinate PDN_DISPLACEMENT is the distance of the points. Springs, dampers, actuators and other forces
+/// on that coordinate act along the line: an effort against its growth is a tension, and the rest of a spring
+/// its free length. Prescribed, it is a rod without mass, of constant or varying length. The points must not
+/// meet while a force acts.
+///
+/// @param model  the model; not NULL
+/// @param first  id of the first node, or PDN_GROUND
+/// @param second  id of the second node, or PDN_GROUND; not the same body
+/// @param first_point  array of length 3: the point of the first body in the reference configuration, global
+///     coordinates [length]
+/// @param second_point  array of length 3: that of the second body, not the same
+/// @param joint  the joint's id; written on success only
+/// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_ID, PDN_ERR_VALUE
+///
+/// Threads: exclusive use of `model`.
+/// @since 0.1
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn pdn_model_add_strut(
+    model: *mut pdn_model,
+    first: i32,
+    second: i32,
+    first_point: *const f64,
+    second_point: *const f64,
+    joint: *mut i32,
+) -> pdn_status {
+    guard(|call| {
+        let mut model: Exclusive<Model> = call.exclusive(model, "model")?;
+        let first = body(&model, first, "first")?;
+        let second = body(&model, second, "second")?;
+        let first_point = vector(call, first_point, "first_point")?;
+        let second_point = vector(call, second_point, "second_point")?;
+        let joint = call.out(joint, "joint")?;
+        let id = next_id(model.joint_count(), 1, "joint")?;
+        model.add_strut(first, second, &first_point, &second_point)?;
+        joint.set(id);
+        Ok(())
+    })
+}
+
 /// Joins two bodies by a joint of any kind, between a frame fixed to each.
 ///
 /// The frames need not fit each other in the reference configuration: the solver closes the joint. With

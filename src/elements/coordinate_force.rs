@@ -53,6 +53,10 @@ impl ActedCoordinate {
         let mut q = self.kind.coordinate(self.coordinate, &relative.z);
         let last = instant.coordinates[self.tracked];
         q.value = self.kind.follow(self.coordinate, q.value, last);
+        if self.kind == JointKind::Strut && q.value == 0.0 {
+            let message = "the points of its strut coincide: its force has no direction";
+            return Err(Error::new(ErrorKind::Model, message));
+        }
         let rate = q.gradient.dot(&relative.rate);
         Ok(ActedState { relative, q, rate })
     }

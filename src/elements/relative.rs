@@ -5,7 +5,7 @@
 
 use super::Measure;
 use crate::motion::{Motion, skew};
-use nalgebra::{Matrix6, Vector3, Vector6};
+use nalgebra::{Matrix3, Matrix6, Vector3, Vector6};
 use std::f64::consts::TAU;
 use std::fmt;
 
@@ -51,6 +51,21 @@ impl ScalarFunction {
             .hessian
             .fixed_view_mut::<3, 3>(3, 3)
             .copy_from(&(b_skew * skew(&row)));
+        function
+    }
+
+    /// Distance `|r|` between the origins.
+    pub fn distance(z: &RelativeMotion) -> Self {
+        let mut function = Self::constant(z.position.norm());
+        // Where the origins coincide it has no direction, and gets no gradient.
+        let length = function.value.max(f64::MIN_POSITIVE.sqrt());
+        let along = z.rotation.tr_mul(&z.position) / length;
+        let across = Matrix3::identity() - along * along.transpose();
+        function.gradient.fixed_rows_mut::<3>(0).copy_from(&along);
+        let mut linear = function.hessian.fixed_view_mut::<3, 3>(0, 0);
+        linear.copy_from(&(across / length));
+        let mut angular = function.hessian.fixed_view_mut::<3, 3>(0, 3);
+        angular.copy_from(&skew(&along));
         function
     }
 
@@ -171,6 +186,7 @@ pub(crate) fn nearest_turn(angle: f64, near: f64) -> f64 {
 /// | universal | `r = 0`, `e₁ᵀR e₂ = 0` | `R = R₁(θ₁) R₂(θ₂)` |
 /// | spherical | `r = 0` | `R = R₁(θ₁) R₂(θ₂) R₃(θ₃)` |
 /// | free | none | displacements `r`, `R = R₁(θ₁) R₂(θ₂) R₃(θ₃)` |
+/// | strut | none | distance `\|r\|`, displacement 1 |
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum JointKind {
     /// No relative motion.
@@ -195,6 +211,8 @@ pub enum JointKind {
     /// All relative motions: nothing is constrained. Coordinates are the displacements along the axes of
     /// the first frame and the Cardan angles of the sequence 1-2-3.
     Free,
+    /// The line between two points, which constrains nothing; its coordinate is their distance.
+    Strut,
 }
 
 /// What a constraint sets to zero.
@@ -223,6 +241,7 @@ impl JointKind {
             JointKind::Universal => "universal",
             JointKind::Spherical => "spherical",
             JointKind::Free => "free",
+            JointKind::Strut => "strut",
         }
     }
 
@@ -240,7 +259,7 @@ impl JointKind {
             JointKind::Planar => &[R[2], AXES[0], AXES[1]],
             JointKind::Universal => &[R[0], R[1], R[2], Cosine(0, 1)],
             JointKind::Spherical => &R,
-            JointKind::Free => &[],
+            JointKind::Free | JointKind::Strut => &[],
         }
     }
 
@@ -252,7 +271,7 @@ impl JointKind {
         match self {
             JointKind::Rigid => &[],
             JointKind::Revolute => &[Rotation1],
-            JointKind::Prismatic => &[Displacement1],
+            JointKind::Prismatic | JointKind::Strut => &[Displacement1],
             JointKind::Cylindrical | JointKind::Screw { .. } => &[Displacement1, Rotation1],
             JointKind::Planar => &[Displacement1, Displacement2, Rotation1],
             JointKind::Universal => &[Rotation1, Rotation2],
@@ -315,6 +334,7 @@ impl JointKind {
         let cosine = |a, b| ScalarFunction::cosine(z, a, b);
         let minus = |f: ScalarFunction| f.combine(-1.0, &f, 0.0);
         match (self, which) {
+            (JointKind::Strut, _) => ScalarFunction::distance(z),
             (
                 JointKind::Prismatic | JointKind::Cylindrical | JointKind::Screw { .. },
                 Coordinate::Displacement1,
@@ -376,7 +396,7 @@ impl JointKind {
             | JointKind::Cylindrical
             | JointKind::Screw { .. }
             | JointKind::Planar => &[2],
-            JointKind::Universal | JointKind::Spherical | JointKind::Free => &[],
+            JointKind::Universal | JointKind::Spherical | JointKind::Free | JointKind::Strut => &[],
         };
         let against = |&&k: &&usize| z.rotation[(k, k)] < 0.0;
         aligned.iter().find(against).copied()
@@ -385,7 +405,7 @@ impl JointKind {
 
 /// One joint of each kind, for tests.
 #[cfg(test)]
-pub(super) const ALL_KINDS: [JointKind; 9] = [
+pub(super) const ALL_KINDS: [JointKind; 10] = [
     JointKind::Rigid,
     JointKind::Revolute,
     JointKind::Prismatic,
@@ -396,6 +416,7 @@ pub(super) const ALL_KINDS: [JointKind; 9] = [
     JointKind::Universal,
     JointKind::Spherical,
     JointKind::Free,
+    JointKind::Strut,
 ];
 
 #[cfg(test)]
@@ -462,7 +483,10 @@ mod tests {
             assert!(matches!(kind, JointKind::Screw { .. }) || closed(&over));
             let expected = match kind {
                 JointKind::Rigid | JointKind::Prismatic => (Some(1), Some(0)),
-                JointKind::Universal | JointKind::Spherical | JointKind::Free => (None, None),
+                JointKind::Universal
+                | JointKind::Spherical
+                | JointKind::Free
+                | JointKind::Strut => (None, None),
                 _ => (Some(2), None),
             };
             let found = (kind.turned_over(&over), kind.turned_over(&about));

@@ -143,6 +143,11 @@ fn cases() -> Vec<Case> {
                 },
             );
             let matrix = random.positive_definite();
+            // The points of a strut are apart.
+            let gap = match kind {
+                JointKind::Strut => Vector6::x() * 1.2,
+                _ => Vector6::zeros(),
+            };
             let mut add = |name: &str, element: Box<dyn Element>| {
                 // Open by half a unit: far from closed, but not near where angles are undefined.
                 let frame = if first.is_none() {
@@ -153,10 +158,10 @@ fn cases() -> Vec<Case> {
                 let other = if second.is_none() {
                     offsets[1]
                 } else {
-                    frame.increment(&(random.vector() * 0.5))
+                    frame.increment(&(random.vector() * 0.5 + gap))
                 };
                 let frame = if second.is_none() {
-                    other.increment(&(random.vector() * 0.5))
+                    other.increment(&(random.vector() * 0.5 + gap))
                 } else {
                     frame
                 };

@@ -2,10 +2,10 @@
 
 use super::build::{require_motion, require_positive};
 use super::{JointCoordinate, Model, Signal};
-use crate::elements::{Attachment, CoordinateLaw, MaxwellBranch, NodeForceLaw};
+use crate::elements::{Attachment, CoordinateLaw, JointKind, MaxwellBranch, NodeForceLaw};
 use crate::error::{Error, ErrorKind, Result, require_finite};
 use crate::motion::Motion;
-use nalgebra::Matrix6;
+use nalgebra::{Matrix3, Matrix6, Vector3};
 
 /// Linear spring-damper on a joint coordinate: effort `stiffness (q − rest) + damping q̇` against growth.
 #[derive(Debug, Clone, Copy)]
@@ -115,6 +115,29 @@ impl Model {
     fn add_force(&mut self, force: ForceDefinition) -> usize {
         self.forces.push(force);
         self.forces.len() - 1
+    }
+
+    /// Adds a strut: the line between a point of each of two bodies (`None` is the ground), given in the
+    /// reference configuration. It is a joint that constrains nothing, with the distance of the points as
+    /// its coordinate [`Coordinate::Displacement1`](crate::elements::Coordinate); springs, dampers and
+    /// actuators act along it. Returns the joint's id.
+    pub fn add_strut(
+        &mut self,
+        first: Option<usize>,
+        second: Option<usize>,
+        first_point: &Vector3<f64>,
+        second_point: &Vector3<f64>,
+    ) -> Result<usize> {
+        require_finite("first_point", first_point.as_slice())?;
+        require_finite("second_point", second_point.as_slice())?;
+        let size = first_point.amax().max(second_point.amax());
+        if (second_point - first_point).amax() <= 1e-12 * size {
+            let expected = "a point away from first_point";
+            return Err(Error::value("second_point", expected, "the same point"));
+        }
+        let frame = |point: &Vector3<f64>| Motion::new(Matrix3::identity(), *point);
+        let frames = (frame(first_point), frame(second_point));
+        self.add_joint(JointKind::Strut, first, second, &frames.0, &frames.1)
     }
 
     /// Adds a linear spring-damper on a joint coordinate; returns the force's id.

@@ -464,6 +464,25 @@ impl System {
         })
     }
 
+    /// What an element sees whose nodes are at `states`.
+    fn instant<'a>(
+        &self,
+        states: &'a [NodeState],
+        conditions: &Conditions<'a>,
+        own: OwnValues<'a>,
+    ) -> Instant<'a> {
+        Instant {
+            time: self.standstill.map_or(conditions.time, |s| s.time),
+            nodes: states,
+            multipliers: own.values,
+            multiplier_rates: own.rates,
+            signals: conditions.signals,
+            coordinates: conditions.coordinates,
+            gravity: self.gravity(conditions.signals),
+            inertia_factor: conditions.inertia_factor,
+        }
+    }
+
     /// Evaluates one element for node states given by index, and returns its contribution.
     pub fn evaluate<'w>(
         &self,
@@ -487,16 +506,7 @@ impl System {
             }));
         let out = &mut workspace.contributions[placed.shape];
         out.clear();
-        let instant = Instant {
-            time: conditions.time,
-            nodes: &workspace.states,
-            multipliers: own.values,
-            multiplier_rates: own.rates,
-            signals: conditions.signals,
-            coordinates: conditions.coordinates,
-            gravity: self.gravity(conditions.signals),
-            inertia_factor: conditions.inertia_factor,
-        };
+        let instant = self.instant(&workspace.states, conditions, own);
         placed
             .element
             .evaluate(&instant, out)
@@ -523,16 +533,7 @@ impl System {
         conditions: &Conditions,
         own: OwnValues,
     ) -> Result<(DVector<f64>, Vec<f64>)> {
-        let instant = Instant {
-            time: conditions.time,
-            nodes: states,
-            multipliers: own.values,
-            multiplier_rates: own.rates,
-            signals: conditions.signals,
-            coordinates: conditions.coordinates,
-            gravity: self.gravity(conditions.signals),
-            inertia_factor: conditions.inertia_factor,
-        };
+        let instant = self.instant(states, conditions, own);
         let mut contribution = Contribution::new(states.len(), own.values.len(), false);
         placed.element.evaluate(&instant, &mut contribution)?;
         let mut outputs = Vec::new();
