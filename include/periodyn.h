@@ -1886,6 +1886,34 @@ pdn_status pdn_model_add_universal(struct pdn_model *model,
                                    int32_t *joint);
 
 /**
+ * Adds a strut: the line between a point of each of two bodies. It constrains nothing.
+ *
+ * Its coordinate PDN_DISPLACEMENT is the distance of the points. Springs, dampers, actuators and other forces
+ * on that coordinate act along the line: an effort against its growth is a tension, and the rest of a spring
+ * its free length. Prescribed, it is a rod without mass, of constant or varying length. The points must not
+ * meet while a force acts.
+ *
+ * @param model  the model; not NULL
+ * @param first  id of the first node, or PDN_GROUND
+ * @param second  id of the second node, or PDN_GROUND; not the same body
+ * @param first_point  array of length 3: the point of the first body in the reference configuration, global
+ *     coordinates [length]
+ * @param second_point  array of length 3: that of the second body, not the same
+ * @param joint  the joint's id; written on success only
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_ID, PDN_ERR_VALUE
+ *
+ * Threads: exclusive use of `model`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_model_add_strut(struct pdn_model *model,
+                               int32_t first,
+                               int32_t second,
+                               const double *first_point,
+                               const double *second_point,
+                               int32_t *joint);
+
+/**
  * Joins two bodies by a joint of any kind, between a frame fixed to each.
  *
  * The frames need not fit each other in the reference configuration: the solver closes the joint. With

@@ -95,7 +95,7 @@ fn coordinates(kind: JointKind) -> &'static [Coordinate] {
     match kind {
         JointKind::Rigid => &[],
         JointKind::Revolute | JointKind::Screw { .. } => &[Rotation1],
-        JointKind::Prismatic => &[Displacement1],
+        JointKind::Prismatic | JointKind::Strut => &[Displacement1],
         JointKind::Cylindrical => &[Displacement1, Rotation1],
         JointKind::Planar => &[Displacement1, Displacement2, Rotation1],
         JointKind::Universal => &[Rotation1, Rotation2],

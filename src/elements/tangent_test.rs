@@ -145,7 +145,7 @@ fn cases() -> Vec<Case> {
             let matrix = random.positive_definite();
             // The points of a strut are apart.
             let gap = match kind {
-                JointKind::Strut => Vector6::x() * 1.2,
+                JointKind::Strut => Vector6::x() * 2.0,
                 _ => Vector6::zeros(),
             };
             let mut add = |name: &str, element: Box<dyn Element>| {
