@@ -66,12 +66,14 @@ int main(int argc, char **argv)
     }
 
     pdn_beam blade;
-    int32_t hub, bearing, clamp;
+    int32_t hub, bearing, clamp, gauge;
     TRY(pdn_model_new(&model));
     TRY(pdn_model_add_node(model, centre, NULL, &hub));
     TRY(pdn_model_add_straight_beam(model, root, tip, flapwise, &profile, elements, order, &blade));
     TRY(pdn_model_add_revolute(model, PDN_GROUND, hub, centre, shaft, &bearing));
     TRY(pdn_model_add_rigid_joint(model, hub, blade.first, root, &clamp));
+    /* holds nothing: measures where the tip is in the hub's axes */
+    TRY(pdn_model_add_free_joint(model, hub, blade.last, tip, &gauge));
     TRY(pdn_model_set_gravity(model, gravity));
 
     pdn_signal turn, lift;
@@ -95,17 +97,17 @@ int main(int argc, char **argv)
         goto done;
     }
 
-    static double t[TIMES], position[TIMES][3], reaction[TIMES][6];
+    static double t[TIMES], flap[TIMES], lag[TIMES], reaction[TIMES][6];
     static curves y;
     for (int i = 0; i < TIMES; ++i) {
         t[i] = period * i / (TIMES - 1);
     }
-    TRY(pdn_solution_node_position(solution, blade.last, t, TIMES, position[0]));
+    TRY(pdn_solution_joint_coordinate(solution, gauge, PDN_DISPLACEMENT, t, TIMES, flap));
+    TRY(pdn_solution_joint_coordinate(solution, gauge, PDN_DISPLACEMENT_2, t, TIMES, lag));
     TRY(pdn_solution_joint_reaction(solution, clamp, PDN_AXES_FIRST, t, TIMES, reaction[0]));
     for (int i = 0; i < TIMES; ++i) {
-        y[i][0] = position[i][0];
-        /* the tip along the hub's axis 2, which was horizontal */
-        y[i][1] = cos(omega * t[i]) * position[i][1] + sin(omega * t[i]) * position[i][2];
+        y[i][0] = flap[i];
+        y[i][1] = lag[i];
         y[i][2] = -reaction[i][4];
         y[i][3] = reaction[i][3];
         y[i][4] = reaction[i][5];
