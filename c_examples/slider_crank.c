@@ -7,7 +7,7 @@
  *
  *   slider_crank [--grid N] [--elements E] [--order P] [--out FILE]
  *
- * FILE gets times, slider's acceleration and torque on the crank with either rod, and the
+ * FILE gets times, acceleration of the slider and torque on the crank with either rod, and the
  * deflection of the flexible one's middle, at 401 times from 0 to T. */
 
 #include <math.h>
@@ -134,8 +134,8 @@ int main(int argc, char **argv)
         }
     }
     if (!failed && file) {
-        fputs("time [s],slider's acceleration with rigid rod [m/s^2],with flexible rod [m/s^2],"
-              "torque with rigid rod [N m],with flexible rod [N m],deflection of the rod [m]\n",
+        fputs("time [s],acceleration with rigid rod [m/s^2],acceleration with flexible rod [m/s^2],"
+              "torque with rigid rod [N m],torque with flexible rod [N m],deflection of the rod [m]\n",
               file);
         for (int i = 0; i < TIMES; ++i) {
             fprintf(file, "%.17g,%.17g,%.17g,%.17g,%.17g,%.17g\n", t[i],

@@ -151,15 +151,14 @@ int main(int argc, char **argv)
                "       0 %14.4f %16.4f\n",
                1e3 * with[0].mean, 1e3 * with[1].mean);
         for (int h = 0; h < HARMONICS; ++h) {
-            printf("%8d %14.4f %16.4f\n", h + 1,
-                   1e3 * hypot(with[0].cosines[h], with[0].sines[h]),
+            printf("%8d %14.4f %16.4f\n", h + 1, 1e3 * hypot(with[0].cosines[h], with[0].sines[h]),
                    1e3 * hypot(with[1].cosines[h], with[1].sines[h]));
         }
     }
     if (!failed && file) {
-        fputs("time [s],height with even absorber [m],with biased absorber [m],"
-              "acceleration with even absorber [m/s^2],with biased absorber [m/s^2],"
-              "upward force of the even absorber [N],of the biased absorber [N]\n",
+        fputs("time [s],height with even absorber [m],height with biased absorber [m],"
+              "acceleration with even absorber [m/s^2],acceleration with biased absorber [m/s^2],"
+              "upward force of the even absorber [N],upward force of the biased absorber [N]\n",
               file);
         for (int i = 0; i < TIMES; ++i) {
             fprintf(file, "%.17g,%.17g,%.17g,%.17g,%.17g,%.17g,%.17g\n", t[i], with[0].height[i],
