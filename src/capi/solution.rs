@@ -34,6 +34,8 @@ pub const PDN_CANCELLED: i32 = 4;
 pub const PDN_NO_INITIAL_GUESS: i32 = 5;
 /// Constraints that depend on each other contradict each other: the mechanism is locked, or cannot close.
 pub const PDN_INCONSISTENT: i32 = 6;
+/// Outcome: a joint has closed turned over, its axes against each other; the report names it.
+pub const PDN_WRONG_ASSEMBLY: i32 = 7;
 
 /// Axes of a joint reaction: inertial.
 pub const PDN_AXES_SPACE: i32 = 0;
@@ -93,6 +95,7 @@ fn outcome_code(outcome: Outcome) -> i32 {
         Outcome::Cancelled => PDN_CANCELLED,
         Outcome::NoInitialGuess => PDN_NO_INITIAL_GUESS,
         Outcome::Inconsistent => PDN_INCONSISTENT,
+        Outcome::WrongAssembly => PDN_WRONG_ASSEMBLY,
     }
 }
 
@@ -102,7 +105,7 @@ fn outcome_code(outcome: Outcome) -> i32 {
 ///
 /// @param solution  the solution; not NULL
 /// @return PDN_CONVERGED, PDN_ITERATION_LIMIT, PDN_STALLED, PDN_SINGULAR, PDN_CANCELLED or
-///     PDN_NO_INITIAL_GUESS, PDN_INCONSISTENT; negative, as a ::pdn_status, if the handle is not valid
+///     PDN_NO_INITIAL_GUESS, PDN_INCONSISTENT, PDN_WRONG_ASSEMBLY; negative, as a ::pdn_status, if the handle is not valid
 ///
 /// Threads: like `const`.
 /// @since 0.1

@@ -14,6 +14,7 @@ impl Outcome {
             Outcome::Singular => "not converged: the Jacobian is singular",
             Outcome::Cancelled => "cancelled",
             Outcome::Inconsistent => "not converged: constraints contradict each other",
+            Outcome::WrongAssembly => "not converged: a joint has closed turned over",
             Outcome::NoInitialGuess => "not started: no initial guess found",
         }
     }

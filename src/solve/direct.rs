@@ -16,6 +16,14 @@ use std::ops::Range;
 
 /// A pivot smaller than this, relative to its column, waits for constraints to be eliminated with.
 const SMALLEST_PIVOT: f64 = 1e-9;
+/// The same, once a solve was not accurate enough: more waits, and larger fronts are factored.
+const SMALLEST_SAFE_PIVOT: f64 = 1e-5;
+/// Residual of a solve, relative to its right-hand side, that needs no refinement.
+const ACCURATE: f64 = 1e-13;
+/// Residual of a refined solve that calls for safer pivots.
+const INACCURATE: f64 = 1e-9;
+/// Most refinements of a solve.
+const REFINEMENTS: usize = 4;
 
 /// Consecutive entries of one column within one block.
 #[derive(Debug, Clone)]
@@ -52,6 +60,7 @@ pub struct DirectSolver {
     fronts: Vec<FrontPlan>,
     runs: Vec<Vec<Run>>,
     factors: Vec<FrontFactors>,
+    smallest_pivot: f64,
 }
 
 impl DirectSolver {
@@ -86,6 +95,7 @@ impl DirectSolver {
             fronts,
             runs: runs_of,
             factors: Vec::new(),
+            smallest_pivot: SMALLEST_PIVOT,
         }
     }
 
@@ -129,7 +139,8 @@ impl DirectSolver {
             let boundary = plan.boundary.clone();
             let is_root = plan.parent.is_none();
             let count = self.size_of(&pivots);
-            match eliminate(&front, count, is_root)? {
+            let smallest_pivot = if is_root { 0.0 } else { self.smallest_pivot };
+            match eliminate(&front, count, smallest_pivot)? {
                 Some((factors, schur)) => {
                     self.factors.push(FrontFactors { pivots, ..factors });
                     remainders.push(Some(Remainder {
@@ -231,6 +242,67 @@ impl DirectSolver {
         rhs.iter().all(|x| x.is_finite())
     }
 
+    /// As [`DirectSolver::solve`], and refines the result by its residual, for the `values` of the matrix that
+    /// was factored. Pivots are sought within a front only: where that has cost too many digits, the matrix is
+    /// factored again with more of them waiting.
+    ///
+    /// # Errors
+    /// If memory runs out.
+    pub fn solve_refined(&mut self, values: &[f64], rhs: &mut [f64]) -> Result<bool> {
+        let wanted = rhs.to_vec();
+        if !self.solve(rhs) {
+            return Ok(false);
+        }
+        let left = self.refine(values, &wanted, rhs);
+        if left > INACCURATE * largest(&wanted) && self.smallest_pivot < SMALLEST_SAFE_PIVOT {
+            self.smallest_pivot = SMALLEST_SAFE_PIVOT;
+            rhs.copy_from_slice(&wanted);
+            if !self.factor(values)? || !self.solve(rhs) {
+                return Ok(false);
+            }
+            self.refine(values, &wanted, rhs);
+        }
+        Ok(true)
+    }
+
+    /// Refines the solution `x` of `A x = b`; returns the largest residual that is left.
+    fn refine(&self, values: &[f64], b: &[f64], x: &mut [f64]) -> f64 {
+        let mut rest = self.residual(values, b, x);
+        for _ in 0..REFINEMENTS {
+            if largest(&rest) <= ACCURATE * largest(b) {
+                break;
+            }
+            let mut better = rest.clone();
+            if !self.solve(&mut better) {
+                break;
+            }
+            better.iter_mut().zip(&*x).for_each(|(b, x)| *b += x);
+            let left = self.residual(values, b, &better);
+            // Written so that NaN ends it too.
+            let improved = largest(&left) < largest(&rest);
+            if !improved {
+                break;
+            }
+            x.copy_from_slice(&better);
+            rest = left;
+        }
+        largest(&rest)
+    }
+
+    /// `b − A x`.
+    fn residual(&self, values: &[f64], b: &[f64], x: &[f64]) -> Vec<f64> {
+        let mut rest = b.to_vec();
+        for run in self.runs.iter().flatten() {
+            let (row, column) = (
+                self.groups[run.row.0].start + run.row.1,
+                self.groups[run.column.0].start + run.column.1,
+            );
+            let entries = &values[run.value..][..run.length];
+            subtract(&mut rest[row..][..run.length], entries, x[column]);
+        }
+        rest
+    }
+
     fn gather(&self, groups: &[usize], from: &[f64], to: &mut Vec<f64>) {
         to.clear();
         for &g in groups {
@@ -246,6 +318,10 @@ impl DirectSolver {
             first += length;
         }
     }
+}
+
+fn largest(values: &[f64]) -> f64 {
+    values.iter().fold(0.0, |m: f64, x| m.max(x.abs()))
 }
 
 /// `y −= a x`, entry by entry.
@@ -292,11 +368,11 @@ fn all_runs(pattern: &Pattern, groups: &[Range<usize>], group_of: &[usize]) -> V
 
 /// Eliminates the first `count` unknowns of a front: its factors, and the Schur complement of the rest.
 ///
-/// `None` if the leading block is singular; unless `force`d, also if it nearly is.
+/// `None` if the leading block is singular, or has a pivot below `smallest_pivot`, relative to its column.
 fn eliminate(
     front: &Mat<f64>,
     count: usize,
-    force: bool,
+    smallest_pivot: f64,
 ) -> Result<Option<(FrontFactors, Mat<f64>)>> {
     let size = front.nrows();
     let rest = size - count;
@@ -329,11 +405,10 @@ fn eliminate(
         MemStack::new(&mut memory),
         Default::default(),
     );
-    let smallest = if force { 0.0 } else { SMALLEST_PIVOT };
     for (j, size) in column_size.iter().enumerate() {
         let pivot = upper[(j, j)].abs();
         // Written so that NaN fails too.
-        let good = pivot > smallest * size && pivot.is_finite();
+        let good = pivot > smallest_pivot * size && pivot.is_finite();
         if !good {
             return Ok(None);
         }

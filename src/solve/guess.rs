@@ -15,6 +15,8 @@ const ITERATION_LIMIT: usize = 12;
 const EASY_ITERATIONS: usize = 5;
 /// Steps taken over a period at least: an angle of a turn a period moves 15 degrees.
 const LEAST_STEPS: usize = 24;
+/// A prescribed angle that turns a screw moves by no more in a step, so that no turn is lost.
+const LARGEST_TURN: f64 = 1.0;
 /// Smallest fraction of a step before giving up.
 const SMALLEST_FRACTION: f64 = 1.0 / 1024.0;
 
@@ -62,6 +64,7 @@ impl<'a> Tracker<'a> {
         largest_step: f64,
         conditions: impl Fn(f64) -> (f64, f64),
     ) -> Result<bool> {
+        let system = self.newton.equations.system().clone();
         let (mut reached, mut step) = (0.0, largest_step);
         while reached < 1.0 {
             self.reached = reached;
@@ -69,6 +72,12 @@ impl<'a> Tracker<'a> {
             let next = match reached + step {
                 next if next < 1.0 - 1e-9 => next,
                 _ => 1.0,
+            };
+            let turn = system.turn_between(conditions(reached), conditions(next))?;
+            let next = if turn > LARGEST_TURN {
+                reached + (next - reached) * (LARGEST_TURN / turn).max(SMALLEST_FRACTION)
+            } else {
+                next
             };
             let (time, load_factor) = conditions(next);
             self.newton.equations.set_conditions(time, load_factor)?;

@@ -46,7 +46,9 @@ pub(super) fn march_to_periodic(
     let mut last = march(system, grid, parts, observe)?;
     for _ in 0..REFINEMENTS {
         match &last {
-            Err((Outcome::Stalled | Outcome::IterationLimit, _)) => parts *= 2,
+            Err((Outcome::Stalled | Outcome::IterationLimit | Outcome::WrongAssembly, _)) => {
+                parts *= 2
+            }
             _ => break,
         }
         last = march(system, grid, parts, observe)?;

@@ -1,5 +1,6 @@
 //! The periodic solve: initial guess, Newton with line search, direct linear solver, diagnostics.
 
+mod assembly;
 mod diagnosis;
 mod direct;
 mod guess;

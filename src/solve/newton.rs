@@ -1,5 +1,6 @@
 //! Newton's method with the exact tangent and a line search that does not depend on scaling.
 
+use super::assembly::describe_turned_over;
 use super::diagnosis::{Singularity, describe_inconsistency, describe_open_joint, diagnose};
 use super::direct::DirectSolver;
 use crate::collocation::{Collocation, GridState, Pattern, TangentBlocks};
@@ -23,6 +24,8 @@ pub enum Outcome {
     NoInitialGuess,
     /// Constraints that depend on each other contradict each other: the mechanism is locked.
     Inconsistent,
+    /// A joint has closed turned over, its axes against each other.
+    WrongAssembly,
 }
 
 /// One iteration, as reported to the progress callback and kept in the history.
@@ -169,6 +172,22 @@ impl Newton {
         options: &NewtonOptions,
         observe: &mut dyn FnMut(&Iteration) -> bool,
     ) -> Result<NewtonReport> {
+        let mut report = self.iterate(state, options, observe)?;
+        if report.outcome == Outcome::Converged
+            && let Some(why) = describe_turned_over(self.equations.system(), state)
+        {
+            report.outcome = Outcome::WrongAssembly;
+            report.explanation = why;
+        }
+        Ok(report)
+    }
+
+    fn iterate(
+        &mut self,
+        state: &mut GridState,
+        options: &NewtonOptions,
+        observe: &mut dyn FnMut(&Iteration) -> bool,
+    ) -> Result<NewtonReport> {
         let size = self.equations.size();
         let mut residual = vec![0.0; size];
         let mut trial_residual = vec![0.0; size];
@@ -195,8 +214,8 @@ impl Newton {
                 .for_each(|(s, r)| *s = -r);
             let solved = factored
                 && timed(&mut self.timings.substitution, || {
-                    self.solver.solve(&mut step_vector)
-                });
+                    self.solver.solve_refined(&self.values, &mut step_vector)
+                })?;
             if !solved || (number == 1 && self.growth() > SINGULAR_GROWTH) {
                 match diagnose(&self.equations, &self.pattern, &self.values, state) {
                     Singularity::Redundant(_) if !self.equations.is_regularised() => {
@@ -256,8 +275,8 @@ impl Newton {
                     }
                     step_vector.copy_from_slice(&trial_residual);
                     let solved = timed(&mut self.timings.substitution, || {
-                        self.solver.solve(&mut step_vector)
-                    });
+                        self.solver.solve_refined(&self.values, &mut step_vector)
+                    })?;
                     let bound = ((1.0 - 0.25 * step) * increment).max(options.tolerance);
                     if solved && self.motion_norm(&step_vector) <= bound {
                         break Some(trial);

@@ -199,7 +199,10 @@ impl Attempts<'_> {
             first
         } else {
             let outcome = match guess.outcome {
-                Outcome::Cancelled | Outcome::Singular | Outcome::Inconsistent => guess.outcome,
+                Outcome::Cancelled
+                | Outcome::Singular
+                | Outcome::Inconsistent
+                | Outcome::WrongAssembly => guess.outcome,
                 _ => Outcome::NoInitialGuess,
             };
             let report = NewtonReport {

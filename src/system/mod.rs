@@ -114,6 +114,9 @@ pub struct System {
     gravity: Option<[usize; 3]>,
     /// Where set, all signals are constant.
     standstill: Option<Standstill>,
+    joints: Vec<Joint>,
+    /// Signals that prescribe angles whose whole turns matter, as they turn a screw.
+    counted_turns: Vec<usize>,
     /// Signals of the frame's angular velocity, if it turns.
     turning: Option<[usize; 3]>,
     tracked: Vec<Tracked>,
@@ -169,6 +172,8 @@ impl System {
             signals: Vec::new(),
             gravity: None,
             standstill,
+            joints: model.joints.clone(),
+            counted_turns: Vec::new(),
             turning: None,
             tracked: Vec::new(),
             unknowns: Vec::new(),
@@ -187,6 +192,8 @@ impl System {
         for (index, joint) in model.joints.iter().enumerate() {
             system.place(Arc::new(joint.clone()), ElementRole::Joint(index));
         }
+        let is_screw = |joint: &Joint| matches!(joint.kind(), JointKind::Screw { .. });
+        let has_screw = model.joints.iter().any(is_screw);
         for (index, (at, signal)) in model.prescribed.iter().enumerate() {
             let place = format!("prescribed {} of joint {}", at.coordinate, at.joint);
             let start = model.reference_coordinate(at.joint, at.coordinate);
@@ -196,6 +203,9 @@ impl System {
             let turns = joint.kind().leaves_turns_open(at.coordinate);
             let unit = if turns { TAU } else { 0.0 };
             let signal = system.add_signal(bound, start, unit, place)?;
+            if turns && has_screw {
+                system.counted_turns.push(signal);
+            }
             let element = Prescribed::new(joint, at.coordinate, signal);
             system.place(Arc::new(element), ElementRole::Prescribed(index));
         }
@@ -393,6 +403,11 @@ impl System {
         self.multipliers
     }
 
+    /// The joints.
+    pub fn joints(&self) -> &[Joint] {
+        &self.joints
+    }
+
     /// Number of signals.
     pub fn signals(&self) -> usize {
         self.signals.len()
@@ -455,6 +470,20 @@ impl System {
             };
         }
         Ok(())
+    }
+
+    /// Largest change of a prescribed angle whose whole turns matter, between two conditions
+    /// `(time, load factor)`.
+    pub fn turn_between(&self, from: (f64, f64), to: (f64, f64)) -> Result<f64> {
+        if self.counted_turns.is_empty() {
+            return Ok(0.0);
+        }
+        let mut values = [vec![0.0; self.signals()], vec![0.0; self.signals()]];
+        for (values, (time, load_factor)) in values.iter_mut().zip([from, to]) {
+            self.signal_values(time, load_factor, values)?;
+        }
+        let change = |&signal: &usize| (values[1][signal] - values[0][signal]).abs();
+        Ok(self.counted_turns.iter().map(change).fold(0.0, f64::max))
     }
 
     /// Acceleration of gravity, given the values of all signals.

@@ -1,6 +1,6 @@
 //! Screws, cylindrical and planar pairs, and the joint that constrains nothing, under loads.
 
-use super::common::{add_load, column, solve, times};
+use super::common::{add_load, column, times};
 use super::*;
 use periodyn::elements::Coordinate::{
     Displacement1, Displacement2, Displacement3, Rotation1, Rotation2, Rotation3,

@@ -13,6 +13,7 @@ use nalgebra::{Matrix3, Vector3};
 use periodyn::elements::{Coordinate, JointKind};
 use periodyn::model::{JointCoordinate, Model, Signal, SpringDefinition};
 use periodyn::output::{JointQuantity, NodeQuantity, ResolvedIn, Solution};
+use periodyn::solve::Outcome;
 
 /// Relative tolerance of everything: the acceptance limit. What is reached, mostly 1e-12, is printed.
 const TOLERANCE: f64 = 1e-9;
@@ -45,6 +46,16 @@ fn universal(
     model
         .add_joint(JointKind::Universal, first, second, &frame, &frame)
         .unwrap()
+}
+
+/// A solve that must converge, to rounding also of second derivatives, which amplify errors by some 10³.
+fn solve(model: &Model, period: f64, grid_points: usize) -> Solution {
+    let mut options = common::options(grid_points);
+    options.newton.tolerance = 1e-12;
+    let solution = Solution::solve(model, period, &options, &mut |_, _| true).unwrap();
+    let report = &solution.details().report;
+    assert_eq!(solution.outcome(), Outcome::Converged, "{report:#?}");
+    solution
 }
 
 fn at(joint: usize, coordinate: Coordinate) -> JointCoordinate {

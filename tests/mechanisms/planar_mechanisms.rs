@@ -1,6 +1,6 @@
 //! Slider-cranks and a Scotch yoke.
 
-use super::common::{solve, times};
+use super::common::times;
 use super::jet::{Jet, Point, second_rate};
 use super::*;
 use periodyn::elements::Coordinate::{Displacement1, Rotation1};
