@@ -3,6 +3,8 @@
 #[path = "../common/mod.rs"]
 mod common;
 
+mod assembly;
+mod closed_chains;
 mod jet;
 mod lower_pairs;
 mod planar_mechanisms;

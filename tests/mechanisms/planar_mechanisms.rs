@@ -102,7 +102,7 @@ fn check_slider_crank(offset: f64) {
     };
     let reference = 0.7;
     let (model, [block, motor, guide]) = mechanism.build(reference, &turning);
-    let solution = solve(&model, turning.period(), 45);
+    let solution = solve(&model, turning.period(), 65);
     let times = times(turning.period(), 57);
     let slider = |t: f64| {
         let [angle, rate, acceleration] = turning.at(t);

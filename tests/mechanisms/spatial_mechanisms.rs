@@ -42,7 +42,7 @@ fn check_hooke(bend: f64) {
     let moment = axis * -load;
     let constant = [0.0, 0.0, 0.0, moment.x, moment.y, moment.z];
     add_load(m, second, LoadFrame::Space, &constant, &[0.0; 6]);
-    let solution = solve(&model, turning.period(), 91);
+    let solution = solve(&model, turning.period(), 121);
 
     // The Jacobian's blocks of this model are close to singular; yet each increment is exact enough.
     let iterations = &solution.details().report.iterations;
@@ -180,7 +180,7 @@ fn a_spatial_four_bar_with_two_balls_has_its_closed_form() {
     let lower = joint(m, JointKind::Spherical, coupler, rocker, &ball, &axis);
     let pivot = joint(m, JointKind::Revolute, None, rocker, &mechanism.foot, &axis);
     prescribe(m, motor, Rotation1, &turning.signal(reference));
-    let solution = solve(&model, turning.period(), 91);
+    let solution = solve(&model, turning.period(), 121);
 
     let times = times(turning.period(), 71);
     let start = mechanism.output(reference).0[0];
