@@ -104,8 +104,8 @@ fn outcome_code(outcome: Outcome) -> i32 {
 /// Unless it is PDN_CONVERGED the solution's quantities are those of the last iterate.
 ///
 /// @param solution  the solution; not NULL
-/// @return PDN_CONVERGED, PDN_ITERATION_LIMIT, PDN_STALLED, PDN_SINGULAR, PDN_CANCELLED or
-///     PDN_NO_INITIAL_GUESS, PDN_INCONSISTENT, PDN_WRONG_ASSEMBLY; negative, as a ::pdn_status, if the handle is not valid
+/// @return PDN_CONVERGED, PDN_ITERATION_LIMIT, PDN_STALLED, PDN_SINGULAR, PDN_CANCELLED, PDN_NO_INITIAL_GUESS,
+///     PDN_INCONSISTENT or PDN_WRONG_ASSEMBLY; negative, as a ::pdn_status, if the handle is not valid
 ///
 /// Threads: like `const`.
 /// @since 0.1

@@ -211,6 +211,19 @@ impl Collocation {
         self.regularisation = REGULARISATION;
     }
 
+    /// What a scaled increment of multipliers, by their compliance in the Jacobian, leaves of the constraints.
+    pub fn compliance_of(&self, increment: &[f64], rest: &mut [f64]) {
+        rest.fill(0.0);
+        let points = self.grid.points();
+        let first = 6 * points * self.system.nodes();
+        for placed in self.system.elements().iter().filter(|p| !p.has_states) {
+            let start = first + placed.first_multiplier * points;
+            for i in start..start + placed.element.multipliers() * points {
+                rest[i] = -self.regularisation * increment[i];
+            }
+        }
+    }
+
     /// Largest violation of the constraints in a scaled residual.
     pub fn violation(&self, residual: &[f64]) -> f64 {
         let points = self.grid.points();

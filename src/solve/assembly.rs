@@ -4,10 +4,20 @@
 //! axes against each other. From a start far off, Newton's method may find that assembly. It is none.
 
 use crate::collocation::GridState;
-use crate::elements::{Element, NodeState};
+use crate::elements::{Element, JointKind, Measure, NodeState, RelativeMotion};
 use crate::system::System;
 
-/// Names the first joint that is turned over at some grid point of a converged state.
+/// Largest cosine of a constraint of a joint that counts as closed.
+const CLOSED: f64 = 1e-3;
+
+/// Whether the angles that the joint holds are where it holds them.
+fn is_closed(kind: JointKind, relative: &RelativeMotion) -> bool {
+    (0..kind.constraints())
+        .filter(|&index| kind.measure(index) == Measure::Angle)
+        .all(|index| kind.constraint(index, relative).value.abs() < CLOSED)
+}
+
+/// Names the first joint that is closed, but turned over, at some grid point.
 pub(super) fn describe_turned_over(system: &System, state: &GridState) -> Option<String> {
     let mut states = Vec::new();
     for (index, joint) in system.joints().iter().enumerate() {
@@ -16,7 +26,9 @@ pub(super) fn describe_turned_over(system: &System, state: &GridState) -> Option
             let motions = joint.nodes().iter().map(|&n| state.node(n)[k]);
             states.extend(motions.map(NodeState::at_rest));
             let relative = joint.relative_motion(&states);
-            if let Some(axis) = joint.kind().turned_over(&relative) {
+            if let Some(axis) = joint.kind().turned_over(&relative)
+                && is_closed(joint.kind(), &relative)
+            {
                 return Some(format!(
                     "joint {index} ({}) has closed turned over: axis {} of its second frame points against that \
                      of its first, at grid point {k}. Start nearer to the assembled mechanism, or turn the frame",

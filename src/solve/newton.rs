@@ -173,13 +173,35 @@ impl Newton {
         observe: &mut dyn FnMut(&Iteration) -> bool,
     ) -> Result<NewtonReport> {
         let mut report = self.iterate(state, options, observe)?;
-        if report.outcome == Outcome::Converged
+        // Some are singular where they are turned over.
+        if matches!(report.outcome, Outcome::Converged | Outcome::Singular)
             && let Some(why) = describe_turned_over(self.equations.system(), state)
         {
             report.outcome = Outcome::WrongAssembly;
             report.explanation = why;
         }
         Ok(report)
+    }
+
+    /// Solves with the factored Jacobian.
+    ///
+    /// Where constraints have a compliance, takes back what that lets them open: motions are then those of the
+    /// exact Jacobian, and the line search, which looks at motions only, does not take compliance for distance.
+    fn solve_linear(&mut self, rhs: &mut [f64]) -> Result<bool> {
+        timed(&mut self.timings.substitution, || {
+            if !self.solver.solve_refined(&self.values, rhs)? {
+                return Ok(false);
+            }
+            if self.equations.is_regularised() {
+                let mut rest = vec![0.0; rhs.len()];
+                self.equations.compliance_of(rhs, &mut rest);
+                if !self.solver.solve_refined(&self.values, &mut rest)? {
+                    return Ok(false);
+                }
+                rhs.iter_mut().zip(&rest).for_each(|(x, d)| *x += d);
+            }
+            Ok(true)
+        })
     }
 
     fn iterate(
@@ -212,10 +234,7 @@ impl Newton {
                 .iter_mut()
                 .zip(&residual)
                 .for_each(|(s, r)| *s = -r);
-            let solved = factored
-                && timed(&mut self.timings.substitution, || {
-                    self.solver.solve_refined(&self.values, &mut step_vector)
-                })?;
+            let solved = factored && self.solve_linear(&mut step_vector)?;
             if !solved || (number == 1 && self.growth() > SINGULAR_GROWTH) {
                 match diagnose(&self.equations, &self.pattern, &self.values, state) {
                     Singularity::Redundant(_) if !self.equations.is_regularised() => {
@@ -274,9 +293,7 @@ impl Newton {
                         break Some(trial);
                     }
                     step_vector.copy_from_slice(&trial_residual);
-                    let solved = timed(&mut self.timings.substitution, || {
-                        self.solver.solve_refined(&self.values, &mut step_vector)
-                    })?;
+                    let solved = self.solve_linear(&mut step_vector)?;
                     let bound = ((1.0 - 0.25 * step) * increment).max(options.tolerance);
                     if solved && self.motion_norm(&step_vector) <= bound {
                         break Some(trial);
@@ -333,6 +350,7 @@ impl Newton {
             if step == 1.0
                 && simplified.max(left) <= options.tolerance
                 && number < options.iteration_limit
+                && !self.is_contradicted(&residual, options)
             {
                 let scales = self.equations.column_scale();
                 let last: Vec<f64> = step_vector

@@ -77,12 +77,24 @@ struct Chain<'a> {
     /// Of each moving link, at its middle.
     masses: Vec<f64>,
     turning: Turning,
+    /// Whether the first hinge turns round, not only to and fro.
+    turns: bool,
     reference: f64,
     points: usize,
     redundant: usize,
 }
 
 impl Chain<'_> {
+    /// Angle of the first hinge, with its rate and acceleration.
+    fn at(&self, t: f64) -> [f64; 3] {
+        let [angle, rate, acceleration] = self.turning.at(t);
+        if self.turns {
+            return [angle, rate, acceleration];
+        }
+        let omega = self.turning.omega;
+        [angle - omega * t, rate - omega, acceleration]
+    }
+
     fn frames(&self, angle: f64) -> Vec<Frame> {
         let mut frames = vec![Frame::ground()];
         for (angle, link) in (self.angles)(angle).into_iter().zip(&self.links) {
@@ -133,12 +145,14 @@ impl Chain<'_> {
                 .unwrap()
             })
             .collect();
-        prescribe(
-            m,
-            joints[0],
-            Rotation1,
-            &self.turning.signal(self.reference),
-        );
+        let Turning {
+            offset,
+            omega,
+            swing,
+        } = self.turning;
+        let rate = if self.turns { omega } else { 0.0 };
+        let signal = Signal::harmonics(offset - self.reference, rate, &[0.0], &[swing]);
+        prescribe(m, joints[0], Rotation1, &signal.unwrap());
         gravity(m, &weight);
         let period = self.turning.period();
         let solution = solve(&model, period, self.points);
@@ -148,14 +162,14 @@ impl Chain<'_> {
         let times = times(period, 61);
         times
             .iter()
-            .for_each(|&t| self.check_closure(self.turning.at(t)[0]));
+            .for_each(|&t| self.check_closure(self.at(t)[0]));
         let name = |what: &str| format!("{}: {what}", self.name);
         let of = |joint, quantity| of_joint(&solution, joint, quantity, &times);
         let start = (self.angles)(self.reference);
         for (i, &joint) in joints.iter().enumerate() {
             let exact = |order: usize| {
                 along(&times, |t| {
-                    let [angle, rate, acceleration] = self.turning.at(t);
+                    let [angle, rate, acceleration] = self.at(t);
                     let turned = (self.angles)(angle)[i];
                     match order {
                         0 => turned.0[0] - start[i].0[0],
@@ -175,11 +189,11 @@ impl Chain<'_> {
             }
         }
         let point = |i: usize, t: f64| {
-            let frames = self.frames(self.turning.at(t)[0]);
+            let frames = self.frames(self.at(t)[0]);
             frames[i].middle(&frames[i + 1])
         };
         let force = |i: usize, t: f64| {
-            let [_, rate, acceleration] = self.turning.at(t);
+            let [_, rate, acceleration] = self.at(t);
             (point(i, t).acceleration(rate, acceleration) - weight) * self.masses[i]
         };
         for i in 0..count - 1 {
@@ -221,8 +235,7 @@ fn a_bennett_linkage_turns_round_and_round() {
     let angles = |angle: f64| {
         let first = Jet::variable(angle);
         let less = ratio - 1.0;
-        let delta =
-            (first.sin() * less).atan2(Jet::constant(ratio + 1.0) + first.cos() * less);
+        let delta = (first.sin() * less).atan2(Jet::constant(ratio + 1.0) + first.cos() * less);
         let second = Jet::constant(std::f64::consts::PI) - first + delta * 2.0;
         let half = 0.5 * angle;
         let product = half.tan() * (0.5 * second.0[0]).tan();
@@ -239,6 +252,7 @@ fn a_bennett_linkage_turns_round_and_round() {
             omega: 3.0,
             swing: 0.15,
         },
+        turns: true,
         reference: 0.4,
         points: 81,
         redundant: 3,
@@ -270,9 +284,10 @@ fn a_bricard_linkage_swings() {
         masses: vec![1.0, 2.0, 0.7, 1.5, 0.4],
         turning: Turning {
             offset: 0.7,
-            omega: 0.0,
+            omega: 2.0,
             swing: 0.6,
         },
+        turns: false,
         reference: 0.7,
         points: 61,
         redundant: 1,

@@ -17,7 +17,7 @@ use periodyn::model::{JointCoordinate, Model, Signal, SpringDefinition};
 use periodyn::output::{JointQuantity, NodeQuantity, ResolvedIn, Solution};
 use periodyn::solve::Outcome;
 
-/// Relative tolerance of everything: the acceptance limit. What is reached, mostly 1e-12, is printed.
+/// Relative tolerance of everything: the acceptance limit. What is reached, 5e-12, is printed.
 const TOLERANCE: f64 = 1e-9;
 
 const SPACE_REACTION: JointQuantity = JointQuantity::Reaction(ResolvedIn::Space);
