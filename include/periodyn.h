@@ -334,6 +334,11 @@
 #define PDN_INCONSISTENT 6
 
 /**
+ * Outcome: a joint has closed turned over, its axes against each other; the report names it.
+ */
+#define PDN_WRONG_ASSEMBLY 7
+
+/**
  * Axes of a joint reaction: inertial.
  */
 #define PDN_AXES_SPACE 0
@@ -2537,8 +2542,8 @@ void pdn_solution_free(struct pdn_solution *solution);
  * Unless it is PDN_CONVERGED the solution's quantities are those of the last iterate.
  *
  * @param solution  the solution; not NULL
- * @return PDN_CONVERGED, PDN_ITERATION_LIMIT, PDN_STALLED, PDN_SINGULAR, PDN_CANCELLED or
- *     PDN_NO_INITIAL_GUESS, PDN_INCONSISTENT; negative, as a ::pdn_status, if the handle is not valid
+ * @return PDN_CONVERGED, PDN_ITERATION_LIMIT, PDN_STALLED, PDN_SINGULAR, PDN_CANCELLED, PDN_NO_INITIAL_GUESS,
+ *     PDN_INCONSISTENT or PDN_WRONG_ASSEMBLY; negative, as a ::pdn_status, if the handle is not valid
  *
  * Threads: like `const`.
  * @since 0.1
