@@ -161,7 +161,8 @@ fn a_spatial_four_bar_with_two_balls_has_its_closed_form() {
     let m = &mut model;
     let spin = Matrix3::identity() * inertias[0];
     let crank = Some(m.add_rigid_body(1.0, &Vector3::zeros(), &spin).unwrap());
-    let coupler = Some(particle(m, masses[0], &((pin + ball) * 0.5)));
+    let mass = particle(m, masses[0], &((pin + ball) * 0.5));
+    let coupler = Some(mass);
     let spin = Matrix3::identity() * inertias[1];
     let rocker = Some(m.add_rigid_body(masses[1], &mechanism.foot, &spin).unwrap());
     let motor = joint(
@@ -210,7 +211,7 @@ fn a_spatial_four_bar_with_two_balls_has_its_closed_form() {
         (half.0[0], half.acceleration(rate, acceleration), half.0[1])
     };
     let exact = along_vectors(&times, |t| middle(t).0);
-    let found = position(&solution, coupler.unwrap(), &times);
+    let found = position(&solution, mass, &times);
     assert_near(&found, &exact, "RSSR: coupler");
     let torque = along(&times, |t| {
         let ratio = output(t)[1] / turning.at(t)[1];
