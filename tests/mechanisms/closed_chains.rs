@@ -196,9 +196,9 @@ impl Chain<'_> {
             let [_, rate, acceleration] = self.at(t);
             (point(i, t).acceleration(rate, acceleration) - weight) * self.masses[i]
         };
-        for i in 0..count - 1 {
+        for (i, body) in bodies.iter().enumerate() {
             let exact = along_vectors(&times, |t| point(i, t).0[0]);
-            let found = position(&solution, bodies[i].unwrap(), &times);
+            let found = position(&solution, body.unwrap(), &times);
             assert_near(&found, &exact, &name(&format!("place of link {i}")));
         }
         let torque = along(&times, |t| {
