@@ -133,7 +133,9 @@ pub fn check_tangents(model: &Model, force: usize, period: f64) -> Result<Tangen
                     .call(&state)
                     .map_err(|e| e.within(format!("force {force}")))?;
                 let steps = CoordinateLaw::steps(&state, scales);
-                let found = law.differenced(&state, steps)?;
+                let found = law
+                    .differenced(&state, steps)
+                    .map_err(|e| e.within(format!("force {force}")))?;
                 let pairs = [
                     (Tangent::Stiffness, effort.by_coordinate, found[0]),
                     (Tangent::Damping, effort.by_rate, found[1]),

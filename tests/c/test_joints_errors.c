@@ -341,7 +341,7 @@ int main(void)
     a_joint_turned_over_is_named();
     a_strut_without_length_is_named();
     /* The tables above were gone through. */
-    CHECK(refusals >= 180);
+    CHECK(refusals >= 280);
     CHECK_STATUS(pdn_model_add_screw(in.model, in.node, in.other, in.point, in.axis, in.pitch,
                                      &out.id),
                  PDN_OK);
