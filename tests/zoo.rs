@@ -1,15 +1,20 @@
-//! A zoo of random mechanisms: trees and loops of rigid bodies and beams, with joints, springs, dampers,
+//! A zoo of random mechanisms: trees and loops of rigid bodies and beams, with joints, forces of all kinds,
 //! drives and loads. Each, moved as a whole or written in other units, does the same.
 
 mod common;
 
 use common::*;
 use nalgebra::{Matrix3, Matrix6, Vector3, Vector6};
-use periodyn::elements::{Coordinate, JointKind, LoadFrame};
+use periodyn::elements::{
+    Coordinate, CoordinateLaw, CoordinateState, Effort, JointKind, LoadFrame, MaxwellBranch,
+    NodeForceInput, NodeForceLaw, NodeForceOutput,
+};
 use periodyn::model::*;
 use periodyn::motion::{Motion, rotation_from_vector};
-use periodyn::output::{BeamQuantity, JointQuantity, NodeQuantity, ResolvedIn};
-use std::collections::BTreeMap;
+use periodyn::output::{BeamQuantity, ForceQuantity, JointQuantity, NodeQuantity, ResolvedIn};
+use std::collections::{BTreeMap, BTreeSet};
+use std::f64::consts::TAU;
+use std::sync::Arc;
 
 const MODELS: u64 = 40;
 const POINTS: usize = 9;
@@ -70,7 +75,25 @@ struct Zoo {
     model: Model,
     /// Joints with their coordinates.
     joints: Vec<(usize, &'static [Coordinate])>,
+    /// Efforts of forces, with their units.
+    efforts: Vec<(usize, f64)>,
+    /// Forces on nodes.
+    on_nodes: Vec<(usize, usize)>,
+    /// What there is in the model.
+    kinds: BTreeSet<&'static str>,
 }
+
+/// All kinds of forces.
+const FORCES: [&str; 8] = [
+    "actuator",
+    "polynomial spring",
+    "coordinate law",
+    "differenced law",
+    "viscoelastic",
+    "viscous damper",
+    "user force",
+    "strut",
+];
 
 const KINDS: [JointKind; 9] = [
     JointKind::Rigid,
@@ -119,6 +142,9 @@ impl Zoo {
             setting,
             model: Model::new(),
             joints: Vec::new(),
+            efforts: Vec::new(),
+            on_nodes: Vec::new(),
+            kinds: BTreeSet::new(),
         };
         let gravity = zoo.random.vector() * 5.0 * setting.length / setting.time.powi(2);
         let gravity = setting.turned(&gravity);
@@ -144,6 +170,8 @@ impl Zoo {
             let kind = KINDS[self.random.below(KINDS.len())];
             self.add_joint(kind, parent.last, member.first, &start);
             self.add_load(member);
+            self.add_force_on_joint();
+            self.add_force_on_member(member, parent);
             members.push(member);
         }
     }
@@ -161,6 +189,126 @@ impl Zoo {
         self.add_joint(JointKind::Universal, coupler.last, right.last, &other);
         self.add_joint(JointKind::Revolute, right.first, None, &base);
         self.add_load(coupler);
+        self.add_force_on_joint();
+        self.add_force_on_member(coupler, left);
+    }
+
+    /// Units of a coordinate, and of an effort on it.
+    fn units(&self, coordinate: Coordinate) -> (f64, f64) {
+        if is_rotation(coordinate) {
+            (1.0, self.setting.moment())
+        } else {
+            (self.setting.length, self.setting.force())
+        }
+    }
+
+    /// A force on the last joint's first coordinate, beside its spring.
+    fn add_force_on_joint(&mut self) {
+        let (joint, coordinates) = self.joints[self.joints.len() - 1];
+        let Some(&coordinate) = coordinates.first() else {
+            return;
+        };
+        let at = JointCoordinate { joint, coordinate };
+        let (unit, effort) = self.units(coordinate);
+        let time = self.setting.time;
+        let (k, c) = (effort / unit, effort / unit * time);
+        let which = FORCES[self.random.below(5)];
+        let model = &mut self.model;
+        let force = match which {
+            "actuator" => {
+                let signal = Signal::harmonics(effort, 0.0, &[3.0 * effort], &[-2.0 * effort]);
+                model.add_actuator(at, &signal.unwrap())
+            }
+            "polynomial spring" => {
+                let stiffness = [50.0 * k, 20.0 * k / unit, 100.0 * k / (unit * unit)];
+                let damping = [2.0 * c, 0.1 * c * time / unit];
+                model.add_polynomial_spring_damper(at, &stiffness, &damping, 0.1 * unit)
+            }
+            "viscoelastic" => {
+                let branch = |stiffness: f64, relaxation_time: f64| MaxwellBranch {
+                    stiffness: stiffness * k,
+                    relaxation_time: relaxation_time * time,
+                };
+                model.add_viscoelastic(
+                    at,
+                    50.0 * k,
+                    0.1 * unit,
+                    &[branch(80.0, 0.1), branch(40.0, 1.5)],
+                )
+            }
+            _ => {
+                let function = move |s: &CoordinateState| {
+                    let q = s.value / unit;
+                    let wave = (TAU * s.time / (PERIOD * time)).cos();
+                    Ok(Effort {
+                        value: effort * (30.0 * q.sin() + 2.0 * wave) + 1.5 * c * s.rate,
+                        by_coordinate: 30.0 * k * q.cos(),
+                        by_rate: 1.5 * c,
+                    })
+                };
+                let law = CoordinateLaw {
+                    function: Arc::new(function),
+                    gives_derivatives: which == "coordinate law",
+                };
+                model.add_coordinate_law(at, law)
+            }
+        };
+        self.efforts.push((force.unwrap(), effort));
+        self.kinds.insert(which);
+    }
+
+    /// A force between the ends of two members, or of a member and the ground.
+    fn add_force_on_member(&mut self, member: Member, other: Member) {
+        let set = self.setting;
+        let node = member.last.unwrap();
+        let which = FORCES[5 + self.random.below(3)];
+        self.kinds.insert(which);
+        match which {
+            "viscous damper" => {
+                let sizes = Vector6::new(5.0, 4.0, 6.0, 0.5, 0.4, 0.6);
+                let (unit, l) = (set.force() / set.length * set.time, set.length);
+                let matrix = self.random.coupled(&sizes);
+                let matrix = Setting::scaled(&matrix, unit, unit * l, unit * l * l);
+                let axes = rotation_from_vector(&self.random.vector());
+                let point = member.end + 0.2 * self.random.vector();
+                let frame = Motion::new(set.place.rotation * axes, set.point(&point));
+                let damper =
+                    self.model
+                        .add_viscous_damper(other.last, Some(node), Some(&frame), &matrix);
+                self.on_nodes.push((damper.unwrap(), node));
+            }
+            "user force" => {
+                let frame = [LoadFrame::Space, LoadFrame::Follower][self.random.below(2)];
+                let both = other.last.filter(|_| frame == LoadFrame::Space);
+                let nodes: Vec<usize> = both.into_iter().chain([node]).collect();
+                let law = NodeForceLaw {
+                    function: Arc::new(move |input, output| {
+                        node_forces(&set, input, output);
+                        Ok(())
+                    }),
+                    gives_tangents: false,
+                    frame,
+                };
+                let force = self.model.add_node_forces(&nodes, law).unwrap();
+                self.on_nodes.push((force, node));
+            }
+            _ => {
+                let foot = member.end + self.random.vector().normalize() * 0.7;
+                let (foot, end) = (set.point(&foot), set.point(&member.end));
+                let strut = self.model.add_strut(None, Some(node), &foot, &end);
+                let spring = SpringDefinition {
+                    at: JointCoordinate {
+                        joint: strut.unwrap(),
+                        coordinate: Coordinate::Displacement1,
+                    },
+                    stiffness: 40.0 * set.force() / set.length,
+                    damping: 2.0 * set.force() / set.length * set.time,
+                    rest: 0.8 * set.length,
+                };
+                let force = self.model.add_spring_damper(spring).unwrap();
+                self.efforts.push((force, set.force()));
+            }
+        }
     }
 
     /// A rigid body or a beam.
@@ -241,6 +389,7 @@ impl Zoo {
             };
             self.model.add_spring_damper(spring).unwrap();
         }
+        self.kinds.insert(kind.name());
         self.joints.push((joint, coordinates(kind)));
     }
 
@@ -339,6 +488,25 @@ impl Zoo {
                 }
             }
         }
+        for &(force, unit) in &self.efforts {
+            for x in solution
+                .force(force, ForceQuantity::Effort, &times)
+                .unwrap()
+            {
+                keep("effort", &[x, 0.0, 0.0], false, unit);
+            }
+        }
+        for &(force, node) in &self.on_nodes {
+            let quantity = ForceQuantity::OnNode(node, LoadFrame::Space);
+            for f in solution
+                .force(force, quantity, &times)
+                .unwrap()
+                .chunks_exact(6)
+            {
+                keep("force on a node", &f[..3], true, set.force());
+                keep("moment on a node", &f[3..], true, set.moment());
+            }
+        }
         for element in 0..self.model.beam_element_count() {
             let force = solution
                 .beam(element, 0.3, BeamQuantity::Force, &times)
@@ -352,10 +520,36 @@ impl Zoo {
     }
 }
 
+/// A spring between two nodes, or none, and what resists the velocity of the last.
+fn node_forces(set: &Setting, input: &NodeForceInput, output: &mut NodeForceOutput) {
+    let (force, length) = (set.force(), set.length);
+    let (k, c) = (60.0 * force / length, 3.0 * force / length * set.time);
+    let last = input.positions.len() - 1;
+    let wave = 1.0 + 0.5 * (TAU * input.time / (PERIOD * set.time)).cos();
+    let v = &input.velocities[last];
+    let resistance = Vector6::from_fn(|i, _| {
+        let unit = if i < 3 { 1.0 } else { 0.1 * length * length };
+        -c * unit * v[i]
+    });
+    output.forces[last] = resistance;
+    if last == 1 {
+        let between = input.positions[1] - input.positions[0];
+        let distance = between.norm();
+        let pull = between * (k * (1.0 - 0.8 * length / distance) * wave);
+        for (node, sign) in [(0, 1.0), (1, -1.0)] {
+            let mut part = output.forces[node].fixed_rows_mut::<3>(0);
+            part += pull * sign;
+        }
+    }
+}
+
 fn assert_same(other: Setting) {
+    let mut kinds = BTreeSet::new();
     let mut worst: BTreeMap<String, f64> = BTreeMap::new();
     for seed in 1..=MODELS {
-        let own = Zoo::build(seed, Setting::default()).response();
+        let model = Zoo::build(seed, Setting::default());
+        kinds.extend(model.kinds.iter().copied());
+        let own = model.response();
         let moved = Zoo::build(seed, other).response();
         assert_eq!(own.len(), moved.len());
         for (kind, a) in &own {
@@ -370,6 +564,9 @@ fn assert_same(other: Setting) {
         }
     }
     println!("{worst:?}");
+    for name in KINDS.iter().map(|kind| kind.name()).chain(FORCES) {
+        assert!(kinds.contains(name), "no {name} among the models");
+    }
 }
 
 #[test]

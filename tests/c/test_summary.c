@@ -68,10 +68,19 @@ static void what_is_refused(void)
     pdn_model *model = NULL;
     pdn_summary summary, before;
     char text[8] = "keep me";
+    const size_t sizes[] = {0, 7, 5000, SIZE_MAX};
+    size_t k;
     PDN_INIT(pdn_summary, &summary);
     memset((char *)&summary + sizeof summary.struct_size, 0x5a,
            sizeof summary - sizeof summary.struct_size);
     before = summary;
+    pdn_summary_init(NULL, sizeof summary);
+    CHECK_MESSAGE("summary: expected a pointer, got NULL");
+    for (k = 0; k < sizeof sizes / sizeof *sizes; k++) {
+        pdn_summary_init(&summary, sizes[k]);
+        CHECK_MESSAGE("struct_size: expected between");
+        CHECK(memcmp(&summary, &before, sizeof summary) == 0);
+    }
     CHECK_STATUS(pdn_model_new(&model), PDN_OK);
     CHECK_STATUS(pdn_model_summary(model, &summary), PDN_ERR_MODEL);
     CHECK_MESSAGE("at least one node");

@@ -167,7 +167,7 @@ impl Setting {
     }
 
     /// Per-length section matrices: `linear`, `mixed` and `angular` factors of their blocks.
-    fn scaled(m: &Matrix6<f64>, linear: f64, mixed: f64, angular: f64) -> Matrix6<f64> {
+    pub fn scaled(m: &Matrix6<f64>, linear: f64, mixed: f64, angular: f64) -> Matrix6<f64> {
         Matrix6::from_fn(|i, j| {
             m[(i, j)]
                 * match (i < 3, j < 3) {
