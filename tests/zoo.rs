@@ -61,12 +61,15 @@ struct Member {
     first: Option<usize>,
     last: Option<usize>,
     end: Vector3<f64>,
+    /// First beam element and number of elements, of a beam.
+    beam: Option<(usize, usize)>,
 }
 
 const GROUND: Member = Member {
     first: None,
     last: None,
     end: Vector3::new(0.0, 0.0, 0.0),
+    beam: None,
 };
 
 struct Zoo {
@@ -317,7 +320,7 @@ impl Zoo {
         let across = self.random.vector();
         let (from, to) = (set.point(start), set.point(end));
         let flexible = self.random.below(2) == 0;
-        let (first, last) = if flexible {
+        let (first, last, beam) = if flexible {
             let sizes = Vector6::new(1e5, 4e4, 4e4, 200.0, 300.0, 500.0);
             let stiffness = self.random.coupled(&sizes);
             let mass = Vector6::new(1.0, 1.0, 1.0, 0.02, 0.01, 0.01);
@@ -332,7 +335,8 @@ impl Zoo {
                 .model
                 .add_straight_beam(&from, &to, &across, &section, elements, degree)
                 .unwrap();
-            (beam.first_node, beam.last_node)
+            let elements = (beam.first_element, beam.elements);
+            (beam.first_node, beam.last_node, Some(elements))
         } else {
             let mass = self.random.between(0.5, 2.0);
             let turn = rotation_from_vector(&across);
@@ -345,12 +349,13 @@ impl Zoo {
                 .model
                 .add_rigid_body(mass * set.mass, &centre, &inertia);
             let node = node.unwrap();
-            (node, node)
+            (node, node, None)
         };
         Member {
             first: Some(first),
             last: Some(last),
             end: *end,
+            beam,
         }
     }
 
@@ -419,6 +424,34 @@ impl Zoo {
         self.model
             .add_load(node, frame, std::array::from_fn(component))
             .unwrap();
+        if let Some((first_element, elements)) = member.beam {
+            self.add_distributed_load(first_element, elements);
+        }
+    }
+
+    /// Forces along a beam, in space, and a moment about its axis that follows its sections.
+    fn add_distributed_load(&mut self, first_element: usize, elements: usize) {
+        let set = self.setting;
+        let force = set.turned(&self.random.vector()) * (4.0 * set.force() / set.length);
+        let wave = |x: f64| Some(Signal::harmonics(0.2 * x, 0.0, &[x], &[-0.5 * x]).unwrap());
+        let [x, y, z] = [force.x, force.y, force.z].map(wave);
+        let torque = wave(0.8 * set.moment() / set.length);
+        let shape = vec![(0.0, 0.5), (0.4, 2.0), (1.0, 1.0)];
+        for (frame, components) in [
+            (LoadFrame::Space, [x, y, z, None, None, None]),
+            (LoadFrame::Follower, [None, None, None, torque, None, None]),
+        ] {
+            self.model
+                .add_distributed_load(DistributedLoadDefinition {
+                    first_element,
+                    elements,
+                    frame,
+                    components,
+                    factors: shape.clone(),
+                })
+                .unwrap();
+        }
+        self.kinds.insert("distributed load");
     }
 
     /// Prescribes the first coordinate of some joint, in half of the models.
@@ -564,7 +597,12 @@ fn assert_same(other: Setting) {
         }
     }
     println!("{worst:?}");
-    for name in KINDS.iter().map(|kind| kind.name()).chain(FORCES) {
+    for name in KINDS
+        .iter()
+        .map(|kind| kind.name())
+        .chain(FORCES)
+        .chain(["distributed load"])
+    {
         assert!(kinds.contains(name), "no {name} among the models");
     }
 }
