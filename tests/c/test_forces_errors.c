@@ -393,6 +393,51 @@ static void solves_with_forces_that_go_wrong(void)
     expected_forces = saved_count;
 }
 
+static int32_t no_number(double time, double *value, void *user_data)
+{
+    (void)user_data;
+    *value = time > 0.5 ? (double)NAN : 0.0;
+    return 0;
+}
+
+/* Signals that are no number at times: of an actuator, a drive and a load. */
+static void signals_that_go_wrong(void)
+{
+    static const double origin[3] = {0, 0, 0}, eye[9] = {1, 0, 0, 0, 1, 0, 0, 0, 1};
+    static const double up[3] = {0, 0, 1};
+    static const char *const messages[] = {
+        "force 0: signal callback: expected a finite number at t = ",
+        "prescribed rotation 1 of joint 0: signal callback: expected a finite number at t = ",
+        "load on node 0: signal callback: expected a finite number at t = "};
+    pdn_model *const saved = in.model;
+    const int32_t saved_count = expected_forces;
+    pdn_signal signal;
+    size_t k;
+    PDN_INIT(pdn_signal, &signal);
+    CHECK_STATUS(pdn_signal_set_function(&signal, no_number, NULL), PDN_OK);
+    for (k = 0; k < LENGTH(messages); k++) {
+        int32_t node, joint;
+        CHECK_STATUS(pdn_model_new(&in.model), PDN_OK);
+        CHECK_STATUS(pdn_model_add_rigid_body(in.model, 1, origin, eye, &node), PDN_OK);
+        CHECK_STATUS(pdn_model_add_revolute(in.model, PDN_GROUND, node, origin, up, &joint),
+                     PDN_OK);
+        if (k == 0)
+            CHECK_STATUS(pdn_model_add_actuator(in.model, joint, PDN_ROTATION, &signal, NULL),
+                         PDN_OK);
+        else if (k == 1)
+            CHECK_STATUS(pdn_model_prescribe(in.model, joint, PDN_ROTATION, &signal), PDN_OK);
+        else
+            CHECK_STATUS(
+                pdn_model_add_load(in.model, node, PDN_FRAME_SPACE, PDN_MOMENT_3, &signal),
+                PDN_OK);
+        expected_forces = k == 0;
+        REFUSED(SOLVE, PDN_ERR_CALLBACK, messages[k]);
+        pdn_model_free(in.model);
+    }
+    in.model = saved;
+    expected_forces = saved_count;
+}
+
 static void checks_of_tangents(void)
 {
     static const size_t bad_struct_sizes[] = {0, 7, 8, 5000, (size_t)-1};
@@ -517,10 +562,11 @@ int main(void)
     laws_that_go_wrong();
     user_forces_that_go_wrong();
     solves_with_forces_that_go_wrong();
+    signals_that_go_wrong();
     checks_of_tangents();
     readings();
     /* The tables above were gone through. */
-    CHECK(refusals >= 400);
+    CHECK(refusals >= 460);
     /* And the model can be solved. */
     CHECK_STATUS(SOLVE, PDN_OK);
     CHECK(pdn_solution_outcome(out.solution) == PDN_CONVERGED);

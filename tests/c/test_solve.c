@@ -470,7 +470,7 @@ static void a_failing_function_fails_the_solve(void)
         function.writes = cases[i].writes;
         CHECK_STATUS(pdn_solve_periodic(model, PERIOD, &options, &out), PDN_ERR_CALLBACK);
         CHECK_MESSAGE(cases[i].said);
-        CHECK_MESSAGE("signal");
+        CHECK_MESSAGE("load on node 0: signal");
         CHECK(out == untouched && function.calls == 1);
         CHECK(pdn_last_callback_code() == (function.code != 0 ? function.code : before));
     }
