@@ -119,6 +119,16 @@
 #define PDN_ERR_OVERFLOW -202
 
 /**
+ * A file could not be read or written.
+ */
+#define PDN_ERR_IO -300
+
+/**
+ * A file is damaged, or not of the format or version expected.
+ */
+#define PDN_ERR_FORMAT -301
+
+/**
  * Out of memory.
  */
 #define PDN_ERR_MEMORY -900
@@ -475,6 +485,11 @@ typedef struct pdn_model pdn_model;
  * ::pdn_solution_free.
  */
 typedef struct pdn_solution pdn_solution;
+
+/**
+ * Columns of numbers over the same times. Made by ::pdn_table_new, freed by ::pdn_table_free.
+ */
+typedef struct pdn_table pdn_table;
 
 /**
  * What a call returns: PDN_OK, or the negative code of a failure.
@@ -3360,6 +3375,210 @@ PDN_API
 size_t pdn_model_describe(const struct pdn_model *model,
                           char *buffer,
                           size_t capacity);
+
+/**
+ * A table over these times, to choose columns for and to write as CSV.
+ *
+ * Its first column, `t`, are the times. Columns come from one solution or from several, which are sampled
+ * as they are added and may then be freed.
+ *
+ * @param times  array of length [count]: times, also outside the first period, in any order
+ * @param count  number of times, at least 1
+ * @param out  the table; free it with ::pdn_table_free; written on success only
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_SIZE
+ *
+ * Threads: any.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_table_new(const double *times,
+                         size_t count,
+                         struct pdn_table **out);
+
+/**
+ * Frees a table; NULL does nothing.
+ *
+ * @param table  the table, not to be used any more
+ *
+ * Threads: exclusive use of `table`.
+ * @since 0.1
+ */
+PDN_API
+void pdn_table_free(struct pdn_table *table);
+
+/**
+ * Adds the columns of a quantity of a node, named by the label and the component.
+ *
+ * Components are x, y, z (position, and along the inertial axes), 1, 2, 3 (along the node's own), 11, 21, 31,
+ * 12, ... (rotation matrix, row and column), w, x, y, z (quaternion); angular_x, ... of velocities and
+ * accelerations.
+ *
+ * @param table  the table; not NULL
+ * @param solution  the solution; not NULL
+ * @param node  id of the node
+ * @param quantity  PDN_NODE_POSITION, ...; one column for each component
+ * @param label  columns are called `label.x` and so on; NULL for a name such as `node3.position`
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_ID, PDN_ERR_VALUE (no such quantity; a name that a column has
+ *     already), PDN_ERR_GRID_TOO_COARSE, PDN_ERR_OVERFLOW
+ *
+ * Threads: exclusive use of `table`; like `const` of `solution`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_table_add_node(struct pdn_table *table,
+                              const struct pdn_solution *solution,
+                              int32_t node,
+                              int32_t quantity,
+                              const char *label);
+
+/**
+ * Adds the columns of a quantity of a joint: one of that name or, for reactions, six with components
+ * force_x, ..., moment_x, ... (force_1, ... along joint frames).
+ *
+ * @param table  the table; not NULL
+ * @param solution  the solution; not NULL
+ * @param joint  id of the joint
+ * @param quantity  PDN_JOINT_COORDINATE, ...
+ * @param detail  the coordinate (PDN_DISPLACEMENT, ...) or, for PDN_JOINT_REACTION, the axes (PDN_AXES_SPACE, ...)
+ * @param label  name of the column or, followed by a dot and the component, of the columns; NULL for a name
+ *     such as `joint2.rotation_1.rate`
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_ID, PDN_ERR_VALUE (no such quantity; a name that a column has
+ *     already), PDN_ERR_NOT_AVAILABLE, PDN_ERR_OVERFLOW
+ *
+ * Threads: exclusive use of `table`; like `const` of `solution`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_table_add_joint(struct pdn_table *table,
+                               const struct pdn_solution *solution,
+                               int32_t joint,
+                               int32_t quantity,
+                               int32_t detail,
+                               const char *label);
+
+/**
+ * Adds the six columns of strains or internal forces of a beam element at a station.
+ *
+ * Components are axial, shear_2, shear_3, and twist, curvature_2, curvature_3 of strains or torque, bending_2,
+ * bending_3 of forces.
+ *
+ * @param table  the table; not NULL
+ * @param solution  the solution; not NULL
+ * @param element  id of the beam element
+ * @param station  place along the element, from -1 at its first to 1 at its last node
+ * @param quantity  PDN_BEAM_STRAIN or PDN_BEAM_FORCE
+ * @param label  columns are called `label.axial` and so on; NULL for a name such as `beam4(0.5).force`
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_ID, PDN_ERR_VALUE (no such quantity or station; a
+ *     name that a column has already), PDN_ERR_OVERFLOW
+ *
+ * Threads: exclusive use of `table`; like `const` of `solution`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_table_add_beam(struct pdn_table *table,
+                              const struct pdn_solution *solution,
+                              int32_t element,
+                              double station,
+                              int32_t quantity,
+                              const char *label);
+
+/**
+ * Adds the columns of a quantity of a force: one of that name or, for what it exerts on a node, six with
+ * components force_x, ..., moment_x, ... (force_1, ... along the node's own axes).
+ *
+ * @param table  the table; not NULL
+ * @param solution  the solution; not NULL
+ * @param force  id of the force
+ * @param quantity  PDN_FORCE_EFFORT, ...
+ * @param detail  the branch (PDN_FORCE_BRANCH_...) or the node (PDN_FORCE_ON_NODE...); otherwise 0
+ * @param label  name of the column or, followed by a dot and the component, of the columns; NULL for a name
+ *     such as `force1.effort`
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_ID, PDN_ERR_VALUE (no such quantity; a name that a column has
+ *     already), PDN_ERR_NOT_AVAILABLE, PDN_ERR_OVERFLOW
+ *
+ * Threads: exclusive use of `table`; like `const` of `solution`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_table_add_force(struct pdn_table *table,
+                               const struct pdn_solution *solution,
+                               int32_t force,
+                               int32_t quantity,
+                               int32_t detail,
+                               const char *label);
+
+/**
+ * Adds a column of values of your own, such as one computed from several quantities.
+ *
+ * @param table  the table; not NULL
+ * @param label  name of the column; not NULL
+ * @param values  array of length [count]: a value for each time
+ * @param count  number of values: that of the times
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_SIZE, PDN_ERR_VALUE (a name that a column has
+ *     already)
+ *
+ * Threads: exclusive use of `table`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_table_add_values(struct pdn_table *table,
+                                const char *label,
+                                const double *values,
+                                size_t count);
+
+/**
+ * Writes a table as a CSV file: a line of names, then a line for each time.
+ *
+ * Columns are separated by commas, names with commas or quotes are quoted. Numbers have as many digits as it
+ * takes to read them back exactly.
+ *
+ * @param table  the table; not NULL
+ * @param path  where to, UTF-8. A file that is there is replaced when all is written; if that fails it
+ *     stays as it was. A terminal or pipe, such as "/dev/stdout", is written to directly
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_VALUE (text that is not UTF-8), PDN_ERR_IO
+ *
+ * Threads: like a `const` use of `table`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_table_write_csv(const struct pdn_table *table,
+                               const char *path);
+
+/**
+ * Writes an animation of a solution that ParaView opens: VTK's XML files, and a list of them.
+ *
+ * `path` names the list; the files are put into a directory beside it that has its name without `.pvd`. For
+ * each time there is one file for each of these parts that the model has:
+ *
+ * - `beams`: a line of `points_per_element` points for each beam element (draw it with the filter Tube). Each
+ *   point has displacement, axes of the section (axis_1, axis_2, axis_3), and force, moment, strain,
+ *   curvature along these axes; each line its element;
+ * - `bodies`: the nodes that carry a rigid body or belong to no beam, with node, displacement, axes,
+ *   velocity, angular_velocity;
+ * - `joints`: the origins of the joint frames on the second bodies, with joint, displacement, axes,
+ *   reaction_force, reaction_moment.
+ *
+ * Displacements are from the reference configuration. Vectors are along the inertial axes, but for the
+ * internal forces and strains of beams.
+ *
+ * @param solution  the solution; not NULL
+ * @param times  array of length [count]: times of the animation, ascending, also outside the first period
+ * @param count  number of times, at least 1
+ * @param points_per_element  points along each beam element, 2 to 1000
+ * @param path  where to, UTF-8, ending in `.pvd`. Files of these names are replaced; if writing fails,
+ *     they stay as they were
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_SIZE, PDN_ERR_VALUE (times that do not ascend,
+ *     a path that does not end in `.pvd`), PDN_ERR_GRID_TOO_COARSE, PDN_ERR_OVERFLOW, PDN_ERR_IO
+ *
+ * Threads: like a `const` use of `solution`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_solution_write_vtk(const struct pdn_solution *solution,
+                                  const double *times,
+                                  size_t count,
+                                  size_t points_per_element,
+                                  const char *path);
 
 #ifdef __cplusplus
 }  // extern "C"

@@ -31,6 +31,10 @@ pub enum ErrorKind {
     Callback,
     /// A result is too large to be a number.
     Overflow,
+    /// A file could not be read or written.
+    Io,
+    /// A file is damaged, or not of the format or version expected.
+    Format,
     /// Memory could not be had.
     OutOfMemory,
     /// A defect of the library: a panic was caught at the C boundary.
@@ -41,7 +45,7 @@ pub enum ErrorKind {
 
 impl ErrorKind {
     /// All kinds, in the order of their codes.
-    pub const ALL: [ErrorKind; 15] = [
+    pub const ALL: [ErrorKind; 17] = [
         ErrorKind::Null,
         ErrorKind::NotFinite,
         ErrorKind::Size,
@@ -54,6 +58,8 @@ impl ErrorKind {
         ErrorKind::GridTooCoarse,
         ErrorKind::Callback,
         ErrorKind::Overflow,
+        ErrorKind::Io,
+        ErrorKind::Format,
         ErrorKind::OutOfMemory,
         ErrorKind::Panic,
         ErrorKind::Poisoned,
@@ -105,6 +111,12 @@ impl ErrorKind {
                 -202,
                 "PDN_ERR_OVERFLOW",
                 "a result is too large to be a number",
+            ),
+            ErrorKind::Io => (-300, "PDN_ERR_IO", "a file could not be read or written"),
+            ErrorKind::Format => (
+                -301,
+                "PDN_ERR_FORMAT",
+                "a file is damaged, or not of the format or version expected",
             ),
             ErrorKind::OutOfMemory => (-900, "PDN_ERR_MEMORY", "out of memory"),
             ErrorKind::Panic => (

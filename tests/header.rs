@@ -25,6 +25,8 @@ const FILES: &[&str] = &[
     "statics",
     "motion",
     "summary",
+    "table",
+    "files",
 ];
 
 fn root() -> &'static Path {

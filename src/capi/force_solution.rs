@@ -3,6 +3,7 @@
 use super::load::load_frame;
 use super::solution::{SeriesOut, harmonics_of, index, pdn_solution, sampled, unknown};
 use super::status::pdn_status;
+use crate::elements::LoadFrame;
 use crate::error::Result;
 use crate::output::ForceQuantity;
 
@@ -30,6 +31,23 @@ fn force_sampled(
         solution.force(index(force, "force")?, quantity()?, times)
     };
     sampled(solution, times, count, out, sample, components)
+}
+
+/// The quantity of a force that C means.
+pub(super) fn force_quantity(quantity: i32, detail: i32) -> Result<ForceQuantity> {
+    let place = index(detail, "detail")?;
+    match quantity {
+        PDN_FORCE_EFFORT if detail != 0 => Err(unknown("detail", "zero", detail)),
+        PDN_FORCE_EFFORT => Ok(ForceQuantity::Effort),
+        PDN_FORCE_BRANCH_EFFORT => Ok(ForceQuantity::BranchEffort(place)),
+        PDN_FORCE_BRANCH_ELONGATION => Ok(ForceQuantity::BranchElongation(place)),
+        PDN_FORCE_ON_NODE => Ok(ForceQuantity::OnNode(place, LoadFrame::Space)),
+        PDN_FORCE_ON_NODE_MATERIAL => Ok(ForceQuantity::OnNode(place, LoadFrame::Follower)),
+        _ => {
+            let expected = "PDN_FORCE_EFFORT to PDN_FORCE_ON_NODE_MATERIAL";
+            Err(unknown("quantity", expected, quantity))
+        }
+    }
 }
 
 /// Effort of a force on a joint coordinate, at any times.
@@ -187,7 +205,6 @@ pub unsafe extern "C" fn pdn_solution_force_harmonics(
     cosines: *mut f64,
     sines: *mut f64,
 ) -> pdn_status {
-    use crate::elements::LoadFrame;
     let to = SeriesOut {
         harmonics,
         mean,
@@ -195,21 +212,7 @@ pub unsafe extern "C" fn pdn_solution_force_harmonics(
         cosines,
         sines,
     };
-    let which = || {
-        let place = index(detail, "detail")?;
-        match quantity {
-            PDN_FORCE_EFFORT if detail != 0 => Err(unknown("detail", "zero", detail)),
-            PDN_FORCE_EFFORT => Ok(ForceQuantity::Effort),
-            PDN_FORCE_BRANCH_EFFORT => Ok(ForceQuantity::BranchEffort(place)),
-            PDN_FORCE_BRANCH_ELONGATION => Ok(ForceQuantity::BranchElongation(place)),
-            PDN_FORCE_ON_NODE => Ok(ForceQuantity::OnNode(place, LoadFrame::Space)),
-            PDN_FORCE_ON_NODE_MATERIAL => Ok(ForceQuantity::OnNode(place, LoadFrame::Follower)),
-            _ => {
-                let expected = "PDN_FORCE_EFFORT to PDN_FORCE_ON_NODE_MATERIAL";
-                Err(unknown("quantity", expected, quantity))
-            }
-        }
-    };
+    let which = || force_quantity(quantity, detail);
     let components = || Ok(which()?.components());
     harmonics_of(solution, &to, components, |s| {
         s.force_series(index(force, "force")?, which()?)

@@ -69,6 +69,7 @@
 
 pub mod beam;
 pub mod callback;
+pub mod files;
 pub mod force;
 pub mod force_solution;
 pub mod guard;
@@ -85,6 +86,7 @@ pub mod solution;
 pub mod statics;
 pub mod status;
 pub mod summary;
+pub mod table;
 pub mod user_force;
 pub mod version;
 

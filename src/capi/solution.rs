@@ -592,7 +592,37 @@ pub unsafe extern "C" fn pdn_solution_node_acceleration(
     node_sampled(solution, node, quantity, 6, times, count, out)
 }
 
-fn joint_quantity(quantity: i32, detail: i32, name: &str) -> Result<JointQuantity> {
+/// The quantity of a node that C means.
+pub(super) fn node_quantity(quantity: i32) -> Result<NodeQuantity> {
+    match quantity {
+        PDN_NODE_POSITION => Ok(NodeQuantity::Position),
+        PDN_NODE_ROTATION => Ok(NodeQuantity::RotationMatrix),
+        PDN_NODE_QUATERNION => Ok(NodeQuantity::Quaternion),
+        PDN_NODE_VELOCITY => Ok(NodeQuantity::Velocity),
+        PDN_NODE_ACCELERATION => Ok(NodeQuantity::Acceleration),
+        PDN_NODE_MATERIAL_VELOCITY => Ok(NodeQuantity::MaterialVelocity),
+        PDN_NODE_MATERIAL_ACCELERATION => Ok(NodeQuantity::MaterialAcceleration),
+        _ => {
+            let expected = "PDN_NODE_POSITION to PDN_NODE_MATERIAL_ACCELERATION";
+            Err(unknown("quantity", expected, quantity))
+        }
+    }
+}
+
+/// The quantity of a beam that C means.
+pub(super) fn beam_quantity(quantity: i32) -> Result<BeamQuantity> {
+    match quantity {
+        PDN_BEAM_STRAIN => Ok(BeamQuantity::Strain),
+        PDN_BEAM_FORCE => Ok(BeamQuantity::Force),
+        _ => {
+            let expected = "PDN_BEAM_STRAIN or PDN_BEAM_FORCE";
+            Err(unknown("quantity", expected, quantity))
+        }
+    }
+}
+
+/// The quantity of a joint that C means; `name` is that of the detail.
+pub(super) fn joint_quantity(quantity: i32, detail: i32, name: &str) -> Result<JointQuantity> {
     match quantity {
         PDN_JOINT_COORDINATE => Ok(JointQuantity::Coordinate(coordinate(detail, name)?)),
         PDN_JOINT_RATE => Ok(JointQuantity::Rate(coordinate(detail, name)?)),
@@ -986,22 +1016,9 @@ pub unsafe extern "C" fn pdn_solution_node_harmonics(
         cosines,
         sines,
     };
-    let which = || match quantity {
-        PDN_NODE_POSITION => Ok(NodeQuantity::Position),
-        PDN_NODE_ROTATION => Ok(NodeQuantity::RotationMatrix),
-        PDN_NODE_QUATERNION => Ok(NodeQuantity::Quaternion),
-        PDN_NODE_VELOCITY => Ok(NodeQuantity::Velocity),
-        PDN_NODE_ACCELERATION => Ok(NodeQuantity::Acceleration),
-        PDN_NODE_MATERIAL_VELOCITY => Ok(NodeQuantity::MaterialVelocity),
-        PDN_NODE_MATERIAL_ACCELERATION => Ok(NodeQuantity::MaterialAcceleration),
-        _ => {
-            let expected = "PDN_NODE_POSITION to PDN_NODE_MATERIAL_ACCELERATION";
-            Err(unknown("quantity", expected, quantity))
-        }
-    };
-    let components = || Ok(which()?.components());
+    let components = || Ok(node_quantity(quantity)?.components());
     harmonics_of(solution, &to, components, |s| {
-        s.node_series(index(node, "node")?, which()?)
+        s.node_series(index(node, "node")?, node_quantity(quantity)?)
     })
 }
 
@@ -1087,18 +1104,11 @@ pub unsafe extern "C" fn pdn_solution_beam_harmonics(
         &to,
         || Ok(6),
         |s| {
-            let which = match quantity {
-                PDN_BEAM_STRAIN => BeamQuantity::Strain,
-                PDN_BEAM_FORCE => BeamQuantity::Force,
-                _ => {
-                    return Err(unknown(
-                        "quantity",
-                        "PDN_BEAM_STRAIN or PDN_BEAM_FORCE",
-                        quantity,
-                    ));
-                }
-            };
-            s.beam_series(index(element, "element")?, station, which)
+            s.beam_series(
+                index(element, "element")?,
+                station,
+                beam_quantity(quantity)?,
+            )
         },
     )
 }

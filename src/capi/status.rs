@@ -35,6 +35,10 @@ pub const PDN_ERR_GRID_TOO_COARSE: i32 = -200;
 pub const PDN_ERR_CALLBACK: i32 = -201;
 /// A result is too large to be a number.
 pub const PDN_ERR_OVERFLOW: i32 = -202;
+/// A file could not be read or written.
+pub const PDN_ERR_IO: i32 = -300;
+/// A file is damaged, or not of the format or version expected.
+pub const PDN_ERR_FORMAT: i32 = -301;
 /// Out of memory.
 pub const PDN_ERR_MEMORY: i32 = -900;
 /// Internal error, a defect of the library.

@@ -165,6 +165,18 @@ impl Beam {
         ))
     }
 
+    /// Reference motions of the nodes.
+    pub fn reference(&self) -> &[Motion] {
+        &self.reference
+    }
+
+    /// Frame of the section at `xi` in `[−1, 1]`, for the element's nodes at `motions`.
+    pub fn section_motion(&self, xi: f64, motions: &[Motion]) -> Result<Motion> {
+        let station = self.station(xi, 0.0)?;
+        let kinematics = station.motion(|a| motions[0].relative(&motions[a]))?;
+        Ok(motions[0].compose(&kinematics.polar.motion()))
+    }
+
     /// Strains `[γ; κ]` per unit of reference length, and stress resultants `[force; moment]`, in the
     /// section's frame at `xi` in `[−1, 1]`, for the element's nodes at `motions` with `twists`.
     pub fn strain_and_stress(

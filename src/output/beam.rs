@@ -16,7 +16,7 @@ pub enum BeamQuantity {
 }
 
 impl Solution {
-    fn beam_definition(&self, element: usize, station: f64) -> Result<&Beam> {
+    pub(super) fn beam_definition(&self, element: usize, station: f64) -> Result<&Beam> {
         require_finite("station", &[station])?;
         if !(-1.0..=1.0).contains(&station) {
             return Err(Error::value("station", "a number from −1 to 1", station));

@@ -7,6 +7,9 @@ mod joint;
 mod node;
 mod report;
 mod solution;
+mod table;
+mod vtk;
+mod write;
 
 pub use beam::BeamQuantity;
 pub use diagnostics::Diagnostics;
@@ -14,3 +17,4 @@ pub use force::ForceQuantity;
 pub use joint::{JointQuantity, ResolvedIn};
 pub use node::NodeQuantity;
 pub use solution::Solution;
+pub use table::Table;

@@ -1,0 +1,407 @@
+//! Animations for ParaView and other programs that read VTK's XML files.
+//!
+//! A collection (`.pvd`) lists the times, and for each up to three parts, each a file of its own (`.vtp`):
+//! beams as lines, bodies and joints as points.
+
+use super::write::{directory_of, plain, refused, write_file};
+use super::{BeamQuantity, JointQuantity, NodeQuantity, ResolvedIn, Solution};
+use crate::elements::{Element, NodeState};
+use crate::error::{Error, Result, require_finite};
+use crate::motion::Motion;
+use nalgebra::{Matrix3, Vector3};
+use quick_xml::Writer;
+use quick_xml::events::{BytesDecl, BytesEnd, BytesStart, Event};
+use std::fs;
+use std::io::{self, BufWriter, Write};
+use std::path::Path;
+use vtkio::model::{
+    Attribute, Attributes, ByteOrder, DataArray, DataSet, IOBuffer, PolyDataPiece, Version,
+    VertexNumbers,
+};
+use vtkio::{Vtk, model};
+
+/// Most points drawn on one beam element.
+const MOST_POINTS: usize = 1000;
+
+/// What is drawn of a beam element at one time: points in a row.
+struct BeamPoints {
+    /// Section frames of each time together.
+    frames: Vec<Motion>,
+    /// Strains and stress resultants at each point, six components of each time together.
+    strains: Vec<Vec<f64>>,
+    stresses: Vec<Vec<f64>>,
+}
+
+/// A point with its frame at each time, and vectors that belong to it.
+struct DrawnPoint {
+    id: usize,
+    reference: Motion,
+    frames: Vec<Motion>,
+    /// Two vectors of each time together.
+    vectors: Vec<f64>,
+}
+
+impl Solution {
+    /// Writes an animation over `times`, which ascend: a collection at `path`, which ends in `.pvd`, and
+    /// the files that it lists in a directory beside it, which has its name without the ending.
+    ///
+    /// | part | point data |
+    /// |---|---|
+    /// | `beams`: a line of `points_per_element` points for each element; cell data `element` | `displacement`, section axes `axis_1` to `axis_3`, `force`, `moment`, `strain`, `curvature`; components of the last four along the section's axes |
+    /// | `bodies`: the nodes that carry a body or belong to no beam | `node`, `displacement`, `axis_1` to `axis_3`, `velocity`, `angular_velocity` |
+    /// | `joints`: the origins of the joint frames on the second bodies | `joint`, `displacement`, `axis_1` to `axis_3` of these frames, `reaction_force`, `reaction_moment` |
+    ///
+    /// All vectors but the internal forces and strains are along the inertial axes.
+    ///
+    /// # Errors
+    /// Times that are not finite or do not ascend, a path that does not end in `.pvd`, a quantity that is
+    /// too large to be a number, [`ErrorKind::Io`](crate::error::ErrorKind::Io); then nothing has been written.
+    pub fn write_vtk(&self, times: &[f64], points_per_element: usize, path: &Path) -> Result<()> {
+        require_finite("times", times)?;
+        if times.is_empty() {
+            return Err(Error::size("count", "at least one time", 0));
+        }
+        if let Some(k) = times.windows(2).position(|pair| pair[0] >= pair[1]) {
+            let (name, expected) = (format!("times[{}]", k + 1), "a time after the one before");
+            return Err(Error::value(&name, expected, times[k + 1]));
+        }
+        if !(2..=MOST_POINTS).contains(&points_per_element) {
+            let expected = format!("2 to {MOST_POINTS}");
+            return Err(Error::size(
+                "points_per_element",
+                expected,
+                points_per_element,
+            ));
+        }
+        let names = (
+            path.file_stem().and_then(|name| name.to_str()),
+            path.extension().and_then(|name| name.to_str()),
+        );
+        let (Some(stem), Some("pvd")) = names else {
+            let got = format!("\"{}\"", path.display());
+            return Err(Error::value("path", "a name that ends in .pvd", got));
+        };
+        let mut parts = vec![
+            ("beams", self.beams_drawn(times, points_per_element)?),
+            ("bodies", self.bodies_drawn(times)?),
+            ("joints", self.joints_drawn(times)?),
+        ];
+        parts.retain(|(_, pieces)| !pieces.is_empty());
+        let names: Vec<&str> = parts.iter().map(|part| part.0).collect();
+        let written = write_pieces(path, stem, parts);
+        written.map_err(|e| refused("write", path, e))?;
+        write_file(path, |file| {
+            let written = write_collection(file, stem, times, &names);
+            written.map_err(|error| match error {
+                quick_xml::Error::Io(reason) => io::Error::new(reason.kind(), reason),
+                other => io::Error::other(other),
+            })
+        })
+    }
+
+    /// Motions of a node, as its public quantities tell.
+    fn node_motions(&self, node: usize, times: &[f64]) -> Result<Vec<Motion>> {
+        let positions = self.node(node, NodeQuantity::Position, times)?;
+        let rotations = self.node(node, NodeQuantity::RotationMatrix, times)?;
+        let pairs = positions.chunks_exact(3).zip(rotations.chunks_exact(9));
+        Ok(pairs
+            .map(|(r, axes)| {
+                let rotation = Matrix3::from_column_slice(axes);
+                Motion::new(rotation, Vector3::from_column_slice(r))
+            })
+            .collect())
+    }
+
+    /// Section frames of a beam element at `stations` in `[−1, 1]`; those of each time together.
+    ///
+    /// # Errors
+    /// An unknown element, or a motion that cannot be interpolated.
+    pub fn beam_frames(
+        &self,
+        element: usize,
+        stations: &[f64],
+        times: &[f64],
+    ) -> Result<Vec<Motion>> {
+        let mut frames = Vec::with_capacity(stations.len() * times.len());
+        let beam = self.beam_definition(element, 0.0)?;
+        let nodes = beam.nodes().iter();
+        let nodes: Vec<Vec<Motion>> = nodes
+            .map(|&n| self.node_motions(n, times))
+            .collect::<Result<_>>()?;
+        for k in 0..times.len() {
+            let motions: Vec<Motion> = nodes.iter().map(|node| node[k]).collect();
+            for &station in stations {
+                self.beam_definition(element, station)?;
+                let frame = beam.section_motion(station, &motions);
+                frames.push(frame.map_err(|e| e.within(format!("beam element {element}")))?);
+            }
+        }
+        Ok(frames)
+    }
+
+    fn beams_drawn(&self, times: &[f64], points: usize) -> Result<Vec<PolyDataPiece>> {
+        let elements = self.model().beam_element_count();
+        if elements == 0 {
+            return Ok(Vec::new());
+        }
+        let last = (points - 1) as f64;
+        let stations: Vec<f64> = (0..points).map(|i| 2.0 * i as f64 / last - 1.0).collect();
+        let mut reference = Vec::with_capacity(elements * points);
+        let mut drawn = Vec::with_capacity(elements);
+        for element in 0..elements {
+            let beam = self.beam_definition(element, 0.0)?;
+            for &station in &stations {
+                reference.push(beam.section_motion(station, beam.reference())?);
+            }
+            let each = |quantity| -> Result<Vec<Vec<f64>>> {
+                let stations = stations.iter();
+                stations
+                    .map(|&s| self.beam(element, s, quantity, times))
+                    .collect()
+            };
+            drawn.push(BeamPoints {
+                frames: self.beam_frames(element, &stations, times)?,
+                strains: each(BeamQuantity::Strain)?,
+                stresses: each(BeamQuantity::Force)?,
+            });
+        }
+        let connectivity = (0..(elements * points) as u64).collect();
+        let lines = VertexNumbers::XML {
+            connectivity,
+            offsets: (1..=elements).map(|e| (e * points) as u64).collect(),
+        };
+        let ids: Vec<i64> = (0..elements).map(|e| e as i64).collect();
+        let frame_of = |k: usize| {
+            let of_beam = |beam: &BeamPoints| beam.frames[k * points..][..points].to_vec();
+            let frames: Vec<Motion> = drawn.iter().flat_map(of_beam).collect();
+            let half = |six: &dyn Fn(&BeamPoints) -> &[Vec<f64>], first: usize| -> Vec<f64> {
+                let of_beam = |beam| six(beam).iter().flat_map(|x| &x[6 * k + first..][..3]);
+                drawn.iter().flat_map(of_beam).copied().collect()
+            };
+            let mut data = frame_data(&reference, &frames);
+            data.extend([
+                vectors("force", half(&|b| &b.stresses, 0)),
+                vectors("moment", half(&|b| &b.stresses, 3)),
+                vectors("strain", half(&|b| &b.strains, 0)),
+                vectors("curvature", half(&|b| &b.strains, 3)),
+            ]);
+            PolyDataPiece {
+                points: positions(&frames),
+                lines: Some(lines.clone()),
+                data: Attributes {
+                    point: data,
+                    cell: vec![scalars("element", &ids)],
+                },
+                ..Default::default()
+            }
+        };
+        Ok((0..times.len()).map(frame_of).collect())
+    }
+
+    fn bodies_drawn(&self, times: &[f64]) -> Result<Vec<PolyDataPiece>> {
+        let model = self.model();
+        let mut shown = vec![true; model.nodes.len()];
+        for &node in model.beams.iter().flat_map(|beam| beam.nodes()) {
+            shown[node] = false;
+        }
+        for inertia in &model.inertias {
+            if let [node] = inertia.nodes() {
+                shown[*node] = true;
+            }
+        }
+        let nodes = (0..shown.len()).filter(|&node| shown[node]);
+        let drawn = nodes
+            .map(|id| {
+                Ok(DrawnPoint {
+                    id,
+                    reference: model.nodes[id],
+                    frames: self.node_motions(id, times)?,
+                    vectors: self.node(id, NodeQuantity::Velocity, times)?,
+                })
+            })
+            .collect::<Result<Vec<_>>>()?;
+        Ok(points_drawn(
+            times,
+            &drawn,
+            "node",
+            ["velocity", "angular_velocity"],
+        ))
+    }
+
+    fn joints_drawn(&self, times: &[f64]) -> Result<Vec<PolyDataPiece>> {
+        let joints = self.model().joints.iter().enumerate();
+        let drawn = joints
+            .map(|(id, joint)| {
+                let nodes = joint.nodes().iter();
+                let nodes: Vec<Vec<Motion>> = nodes
+                    .map(|&n| self.node_motions(n, times))
+                    .collect::<Result<_>>()?;
+                let frame = |motions: &mut dyn Iterator<Item = Motion>| {
+                    joint.second_frame(&motions.map(NodeState::at_rest).collect::<Vec<_>>())
+                };
+                let reference = &self.model().nodes;
+                let times_of = 0..times.len();
+                Ok(DrawnPoint {
+                    id,
+                    reference: frame(&mut joint.nodes().iter().map(|&n| reference[n])),
+                    frames: times_of
+                        .map(|k| frame(&mut nodes.iter().map(|node| node[k])))
+                        .collect(),
+                    vectors: self.joint(id, JointQuantity::Reaction(ResolvedIn::Space), times)?,
+                })
+            })
+            .collect::<Result<Vec<_>>>()?;
+        let names = ["reaction_force", "reaction_moment"];
+        Ok(points_drawn(times, &drawn, "joint", names))
+    }
+}
+
+/// A piece for each time; none if there are no points.
+fn points_drawn(
+    times: &[f64],
+    drawn: &[DrawnPoint],
+    id: &str,
+    names: [&str; 2],
+) -> Vec<PolyDataPiece> {
+    if drawn.is_empty() {
+        return Vec::new();
+    }
+    let ids: Vec<i64> = drawn.iter().map(|point| point.id as i64).collect();
+    let reference: Vec<Motion> = drawn.iter().map(|point| point.reference).collect();
+    let verts = VertexNumbers::XML {
+        connectivity: (0..drawn.len() as u64).collect(),
+        offsets: (1..=drawn.len() as u64).collect(),
+    };
+    let frame_of = |k: usize| {
+        let frames: Vec<Motion> = drawn.iter().map(|point| point.frames[k]).collect();
+        let half = |first: usize| {
+            let of_point = |point: &'_ DrawnPoint| {
+                <[f64; 3]>::try_from(&point.vectors[6 * k + first..][..3]).unwrap_or_default()
+            };
+            drawn.iter().flat_map(of_point).collect()
+        };
+        let mut data = vec![scalars(id, &ids)];
+        data.extend(frame_data(&reference, &frames));
+        data.extend([vectors(names[0], half(0)), vectors(names[1], half(3))]);
+        PolyDataPiece {
+            points: positions(&frames),
+            verts: Some(verts.clone()),
+            data: Attributes {
+                point: data,
+                cell: Vec::new(),
+            },
+            ..Default::default()
+        }
+    };
+    (0..times.len()).map(frame_of).collect()
+}
+
+fn positions(frames: &[Motion]) -> IOBuffer {
+    let coordinates = frames.iter().flat_map(|m| m.position.data.0[0]);
+    IOBuffer::F64(coordinates.collect())
+}
+
+/// Displacements from the reference, and axes.
+fn frame_data(reference: &[Motion], frames: &[Motion]) -> Vec<Attribute> {
+    let moved = frames.iter().zip(reference);
+    let displacement = moved.flat_map(|(m, r)| (m.position - r.position).data.0[0]);
+    let mut data = vec![vectors("displacement", displacement.collect())];
+    for (column, name) in ["axis_1", "axis_2", "axis_3"].into_iter().enumerate() {
+        let axes = frames.iter().flat_map(|m| m.rotation.data.0[column]);
+        data.push(vectors(name, axes.collect()));
+    }
+    data
+}
+
+fn vectors(name: &str, data: Vec<f64>) -> Attribute {
+    Attribute::DataArray(DataArray::vectors(name).with_vec(data))
+}
+
+fn scalars(name: &str, data: &[i64]) -> Attribute {
+    Attribute::DataArray(DataArray::scalars(name, 1).with_vec(data.to_vec()))
+}
+
+fn file_name(part: &str, k: usize) -> String {
+    format!("{part}_{k:06}.vtp")
+}
+
+/// Writes all pieces, of each part one for each time, to a temporary directory, and moves them to that of
+/// the collection when all are there.
+fn write_pieces(path: &Path, stem: &str, parts: Vec<(&str, Vec<PolyDataPiece>)>) -> io::Result<()> {
+    let parent = directory_of(path);
+    let temporary = tempfile::Builder::new()
+        .prefix(&format!(".{stem}."))
+        .tempdir_in(&parent)
+        .map_err(plain)?;
+    let mut names = Vec::new();
+    for (part, pieces) in parts {
+        for (k, piece) in pieces.into_iter().enumerate() {
+            let name = file_name(part, k);
+            write_piece(&temporary.path().join(&name), piece)?;
+            names.push(name);
+        }
+    }
+    let directory = parent.join(stem);
+    match fs::create_dir(&directory) {
+        Err(e) if e.kind() == io::ErrorKind::AlreadyExists && directory.is_dir() => {}
+        other => other?,
+    }
+    for name in names {
+        fs::rename(temporary.path().join(&name), directory.join(&name))?;
+    }
+    Ok(())
+}
+
+fn write_piece(path: &Path, piece: PolyDataPiece) -> io::Result<()> {
+    let file = Vtk {
+        version: Version::Auto,
+        title: String::new(),
+        byte_order: ByteOrder::LittleEndian,
+        data: DataSet::PolyData {
+            meta: None,
+            pieces: vec![model::Piece::Inline(Box::new(piece))],
+        },
+        file_path: None,
+    };
+    let mut buffer = BufWriter::new(fs::File::create(path)?);
+    file.write_xml(&mut buffer).map_err(|error| match error {
+        vtkio::Error::IO(reason) => reason,
+        other => io::Error::other(other.to_string()),
+    })?;
+    buffer.flush()
+}
+
+/// The list of files and times, in the format of ParaView's data files.
+fn write_collection(
+    file: &mut dyn Write,
+    stem: &str,
+    times: &[f64],
+    parts: &[&str],
+) -> quick_xml::Result<()> {
+    let mut xml = Writer::new_with_indent(file, b' ', 2);
+    xml.write_event(Event::Decl(BytesDecl::new("1.0", Some("UTF-8"), None)))?;
+    let kind = [
+        ("type", "Collection"),
+        ("version", "1.0"),
+        ("byte_order", "LittleEndian"),
+    ];
+    xml.write_event(Event::Start(
+        BytesStart::new("VTKFile").with_attributes(kind),
+    ))?;
+    xml.write_event(Event::Start(BytesStart::new("Collection")))?;
+    for (k, time) in times.iter().enumerate() {
+        for (number, part) in parts.iter().enumerate() {
+            let (time, number) = (format!("{time:?}"), number.to_string());
+            let file = format!("{stem}/{}", file_name(part, k));
+            xml.create_element("DataSet")
+                .with_attribute(("timestep", time.as_str()))
+                .with_attribute(("part", number.as_str()))
+                .with_attribute(("name", *part))
+                .with_attribute(("file", file.as_str()))
+                .write_empty()?;
+        }
+    }
+    xml.write_event(Event::End(BytesEnd::new("Collection")))?;
+    xml.write_event(Event::End(BytesEnd::new("VTKFile")))?;
+    Ok(())
+}

@@ -1,0 +1,396 @@
+//! Solutions in files: tables as CSV, animations for ParaView.
+
+mod common;
+
+use common::*;
+use nalgebra::{Matrix3, Vector3};
+use periodyn::elements::{Coordinate, JointKind, LoadFrame};
+use periodyn::error::ErrorKind;
+use periodyn::output::*;
+use std::fs;
+use std::path::Path;
+use vtkio::Vtk;
+use vtkio::model::{Attribute, DataSet, IOBuffer, PolyDataPiece, VertexNumbers};
+
+/// The four-bar, with a body fixed to its node B.
+fn mechanism() -> (FourBarModel, Solution) {
+    let mut mechanism = FourBar::default().build();
+    let model = &mut mechanism.model;
+    let at = *model.node(mechanism.b).unwrap();
+    let centre = at.position + Vector3::new(0.02, 0.0, 0.03);
+    let inertia = Matrix3::identity() * 1e-3;
+    let body = model.add_rigid_body(0.2, &centre, &inertia).unwrap();
+    let bodies = (Some(mechanism.b), Some(body));
+    let fixed = model.add_joint(JointKind::Rigid, bodies.0, bodies.1, &at, &at);
+    fixed.unwrap();
+    let solution = mechanism.solve(9);
+    (mechanism, solution)
+}
+
+/// Names in a directory, in order.
+fn names(directory: &Path) -> Vec<String> {
+    let entries = fs::read_dir(directory).unwrap();
+    let mut names: Vec<String> = entries
+        .map(|e| e.unwrap().file_name().into_string().unwrap())
+        .collect();
+    names.sort();
+    names
+}
+
+#[test]
+fn tables_hold_what_the_solution_gives_to_the_last_bit() {
+    let (mechanism, solution) = mechanism();
+    let coarse = mechanism.solve(7);
+    let times = times(1.3 * mechanism.period, 14);
+    let (b, motor, bar) = (mechanism.b, mechanism.joints[3], mechanism.bars[1]);
+    let rate = JointQuantity::Rate(Coordinate::Rotation1);
+    let reaction = JointQuantity::Reaction(ResolvedIn::First);
+    let position = NodeQuantity::Position;
+    let mut table = Table::new(&times).unwrap();
+    table
+        .add_node(&solution, b, position, Some("B, \"left\""))
+        .unwrap();
+    table
+        .add_node(&coarse, b, NodeQuantity::Quaternion, None)
+        .unwrap();
+    table.add_joint(&solution, motor, rate, None).unwrap();
+    table.add_joint(&solution, motor, reaction, None).unwrap();
+    let strain = BeamQuantity::Strain;
+    table.add_beam(&solution, bar, -0.5, strain, None).unwrap();
+    table
+        .add_force(&solution, 0, ForceQuantity::Effort, None)
+        .unwrap();
+    let on_node = ForceQuantity::OnNode(0, LoadFrame::Space);
+    table
+        .add_force(&solution, 0, on_node, Some("spring"))
+        .unwrap();
+    let own: Vec<f64> = times.iter().map(|t| (1e-30 * t).exp() / 3e-200).collect();
+    table.add_values("own", &own).unwrap();
+
+    let directory = tempfile::tempdir().unwrap();
+    let path = directory.path().join("curves.csv");
+    table.write_csv(&path).unwrap();
+    let mut file = csv::Reader::from_path(&path).unwrap();
+    let header: Vec<String> = file.headers().unwrap().iter().map(str::to_owned).collect();
+    let mut expected = vec!["t".to_owned()];
+    expected.extend(["x", "y", "z"].map(|c| format!("B, \"left\".{c}")));
+    expected.extend(["w", "x", "y", "z"].map(|c| format!("node{b}.quaternion.{c}")));
+    expected.push(format!("joint{motor}.rotation_1.rate"));
+    for part in ["force", "moment"] {
+        expected.extend([1, 2, 3].map(|c| format!("joint{motor}.reaction.first.{part}_{c}")));
+    }
+    let strains = [
+        "axial",
+        "shear_2",
+        "shear_3",
+        "twist",
+        "curvature_2",
+        "curvature_3",
+    ];
+    expected.extend(strains.map(|c| format!("beam{bar}(-0.5).strain.{c}")));
+    expected.push("force0.effort".into());
+    for part in ["force", "moment"] {
+        expected.extend(["x", "y", "z"].map(|c| format!("spring.{part}_{c}")));
+    }
+    expected.push("own".into());
+    assert_eq!(header, expected);
+
+    let rows: Vec<Vec<f64>> = file
+        .records()
+        .map(|row| row.unwrap().iter().map(|x| x.parse().unwrap()).collect())
+        .collect();
+    assert_eq!(rows.len(), times.len());
+    let sampled = [
+        (3, solution.node(b, position, &times)),
+        (4, coarse.node(b, NodeQuantity::Quaternion, &times)),
+        (1, solution.joint(motor, rate, &times)),
+        (6, solution.joint(motor, reaction, &times)),
+        (6, solution.beam(bar, -0.5, strain, &times)),
+        (1, solution.force(0, ForceQuantity::Effort, &times)),
+        (6, solution.force(0, on_node, &times)),
+        (1, Ok(own)),
+    ];
+    for (k, row) in rows.iter().enumerate() {
+        let mut exact = vec![times[k]];
+        for (components, values) in &sampled {
+            exact.extend(&values.as_ref().unwrap()[components * k..][..*components]);
+        }
+        assert_eq!(row, &exact);
+    }
+}
+
+#[test]
+fn what_a_table_refuses_leaves_it_as_it_was() {
+    let (mechanism, solution) = mechanism();
+    let (b, position) = (mechanism.b, NodeQuantity::Position);
+    assert_eq!(Table::new(&[]).unwrap_err().kind(), ErrorKind::Size);
+    let error = Table::new(&[0.0, f64::NAN]).unwrap_err();
+    assert_eq!(error.kind(), ErrorKind::NotFinite);
+    let mut table = Table::new(&[0.0, 1.0]).unwrap();
+    table.add_values("p.y", &[1.0, 2.0]).unwrap();
+    let error = table
+        .add_node(&solution, b, position, Some("p"))
+        .unwrap_err();
+    assert_eq!(error.kind(), ErrorKind::Value);
+    assert!(error.to_string().contains("\"p.y\" again"), "{error}");
+    assert!(table.add_values("t", &[1.0, 2.0]).is_err());
+    assert!(table.add_values("", &[1.0, 2.0]).is_err());
+    let error = table.add_values("q", &[1.0]).unwrap_err();
+    assert_eq!(error.kind(), ErrorKind::Size);
+    let error = table.add_values("q", &[1.0, f64::INFINITY]).unwrap_err();
+    assert_eq!(error.kind(), ErrorKind::NotFinite);
+    let error = table.add_node(&solution, 999, position, None).unwrap_err();
+    assert_eq!(error.kind(), ErrorKind::Identifier);
+    let directory = tempfile::tempdir().unwrap();
+    let path = directory.path().join("small.csv");
+    table.write_csv(&path).unwrap();
+    assert_eq!(
+        fs::read_to_string(&path).unwrap(),
+        "t,p.y\n0.0,1.0\n1.0,2.0\n"
+    );
+}
+
+#[test]
+fn files_come_whole_or_not_at_all() {
+    let mut table = Table::new(&[0.0]).unwrap();
+    table.add_values("x", &[1.0]).unwrap();
+    let directory = tempfile::tempdir().unwrap();
+    let at = |name: &str| directory.path().join(name);
+
+    // A directory that is not there, one in place of the file, no name.
+    for path in [at("none/x.csv"), directory.path().to_owned(), "".into()] {
+        let error = table.write_csv(&path).unwrap_err();
+        assert_eq!(error.kind(), ErrorKind::Io);
+        let named = format!("path: cannot write \"{}\": ", path.display());
+        assert!(error.to_string().starts_with(&named), "{error}");
+    }
+    assert!(names(directory.path()).is_empty());
+
+    // What is there is replaced, through a link too, and nothing is left beside it.
+    fs::write(at("x.csv"), "old").unwrap();
+    table.write_csv(&at("x.csv")).unwrap();
+    assert_eq!(fs::read_to_string(at("x.csv")).unwrap(), "t,x\n0.0,1.0\n");
+    #[cfg(unix)]
+    {
+        use std::os::unix::fs::{MetadataExt, symlink};
+        fs::write(at("target.csv"), "old").unwrap();
+        symlink(at("target.csv"), at("link.csv")).unwrap();
+        table.write_csv(&at("link.csv")).unwrap();
+        assert!(fs::symlink_metadata(at("link.csv")).unwrap().is_symlink());
+        assert_eq!(
+            fs::read_to_string(at("target.csv")).unwrap(),
+            "t,x\n0.0,1.0\n"
+        );
+        // A new file has the permissions of new files.
+        fs::File::create(at("plain")).unwrap();
+        table.write_csv(&at("new.csv")).unwrap();
+        let mode = |name: &str| fs::metadata(at(name)).unwrap().mode();
+        assert_eq!(mode("new.csv"), mode("plain"));
+        // A device is written to, not replaced.
+        table.write_csv(Path::new("/dev/null")).unwrap();
+        assert!(!fs::metadata("/dev/null").unwrap().is_file());
+        // A disk without room: the file stays as it was.
+        if Path::new("/dev/full").exists() {
+            let error = table.write_csv(Path::new("/dev/full")).unwrap_err();
+            assert_eq!(error.kind(), ErrorKind::Io);
+        }
+    }
+    assert!(
+        names(directory.path())
+            .iter()
+            .all(|name| !name.starts_with('.'))
+    );
+}
+
+/// The only piece of a file, read by the library that wrote it.
+fn piece(path: &Path) -> PolyDataPiece {
+    let DataSet::PolyData { pieces, .. } = Vtk::import(path).unwrap().data else {
+        panic!("{path:?} is no polygonal data");
+    };
+    let piece = pieces.into_iter().next().unwrap();
+    piece.into_loaded_piece_data(None).unwrap()
+}
+
+fn numbers(buffer: &IOBuffer) -> Vec<f64> {
+    match buffer {
+        IOBuffer::F64(values) => values.clone(),
+        IOBuffer::I64(values) => values.iter().map(|x| *x as f64).collect(),
+        _ => panic!("{buffer:?}"),
+    }
+}
+
+fn array(attributes: &[Attribute], name: &str) -> Vec<f64> {
+    let found = attributes.iter().find_map(|a| match a {
+        Attribute::DataArray(a) if a.name == name => Some(numbers(&a.data)),
+        _ => None,
+    });
+    found.unwrap_or_else(|| panic!("no {name}"))
+}
+
+#[test]
+fn an_animation_shows_what_the_solution_gives() {
+    let (mechanism, solution) = mechanism();
+    let directory = tempfile::tempdir().unwrap();
+    let path = directory.path().join("four bar & co.pvd");
+    const POINTS: usize = 5;
+    let times = times(mechanism.period, 4);
+    // Written twice: what was there is replaced.
+    solution.write_vtk(&times[..2], POINTS, &path).unwrap();
+    solution.write_vtk(&times, POINTS, &path).unwrap();
+
+    let files = directory.path().join("four bar & co");
+    assert_eq!(
+        names(directory.path()),
+        ["four bar & co", "four bar & co.pvd"]
+    );
+    assert_eq!(names(&files).len(), 3 * times.len());
+    let list = fs::read_to_string(&path).unwrap();
+    assert_eq!(list.matches("<DataSet ").count(), 3 * times.len());
+    assert!(list.contains("file=\"four bar &amp; co/beams_000003.vtp\""));
+    assert!(list.contains(&format!(
+        "timestep=\"{:?}\" part=\"2\" name=\"joints\"",
+        times[2]
+    )));
+
+    let model = &mechanism.model;
+    let elements = model.beam_element_count();
+    for (k, time) in times.iter().enumerate() {
+        let at = [*time];
+        let beams = piece(&files.join(format!("beams_{k:06}.vtp")));
+        let points = numbers(&beams.points);
+        assert_eq!(points.len(), 3 * elements * POINTS);
+        let Some(VertexNumbers::XML { offsets, .. }) = &beams.lines else {
+            panic!("{:?}", beams.lines);
+        };
+        assert_eq!(offsets.len(), elements);
+        let expected: Vec<f64> = (0..elements).map(|e| e as f64).collect();
+        assert_eq!(array(&beams.data.cell, "element"), expected);
+        let names = [
+            "axis_1",
+            "axis_2",
+            "axis_3",
+            "force",
+            "moment",
+            "strain",
+            "curvature",
+        ];
+        let vectors = names.map(|name| array(&beams.data.point, name));
+        let displacements = array(&beams.data.point, "displacement");
+        for element in 0..elements {
+            for i in 0..POINTS {
+                let station = -1.0 + 2.0 * i as f64 / (POINTS - 1) as f64;
+                let at_point = |values: &[f64]| values[3 * (element * POINTS + i)..][..3].to_vec();
+                let force = solution
+                    .beam(element, station, BeamQuantity::Force, &at)
+                    .unwrap();
+                let strain = solution
+                    .beam(element, station, BeamQuantity::Strain, &at)
+                    .unwrap();
+                assert_eq!(
+                    [at_point(&vectors[3]), at_point(&vectors[4])].concat(),
+                    force
+                );
+                assert_eq!(
+                    [at_point(&vectors[5]), at_point(&vectors[6])].concat(),
+                    strain
+                );
+                let frame = solution.beam_frames(element, &[station], &at).unwrap()[0];
+                assert_eq!(at_point(&points), frame.position.as_slice());
+                for (axis, drawn) in vectors[..3].iter().enumerate() {
+                    let column = frame.rotation.column(axis).into_owned();
+                    assert_eq!(at_point(drawn), column.as_slice());
+                }
+            }
+        }
+        // Ends of elements are at their nodes: B is the last of bar 1.
+        let b = solution
+            .node(mechanism.b, NodeQuantity::Position, &at)
+            .unwrap();
+        let last = 3 * (mechanism.bars[1] * POINTS - 1);
+        assert!(largest_difference(&points[last..][..3], &b) < 1e-14);
+        let moved = Vector3::from_row_slice(&b) - model.node(mechanism.b).unwrap().position;
+        let drawn = &displacements[last..][..3];
+        assert!(largest_difference(drawn, moved.as_slice()) < 1e-14);
+
+        let joints = piece(&files.join(format!("joints_{k:06}.vtp")));
+        assert_eq!(
+            array(&joints.data.point, "joint"),
+            [0.0, 1.0, 2.0, 3.0, 4.0]
+        );
+        let positions = numbers(&joints.points);
+        assert!(largest_difference(&positions[3..6], &b) < 1e-12);
+        let (forces, moments) = (
+            array(&joints.data.point, "reaction_force"),
+            array(&joints.data.point, "reaction_moment"),
+        );
+        for joint in 0..5 {
+            let space = JointQuantity::Reaction(ResolvedIn::Space);
+            let reaction = solution.joint(joint, space, &at).unwrap();
+            let drawn = [&forces[3 * joint..][..3], &moments[3 * joint..][..3]].concat();
+            assert_eq!(drawn, reaction);
+        }
+        let bodies = piece(&files.join(format!("bodies_{k:06}.vtp")));
+        let ids = array(&bodies.data.point, "node");
+        assert_eq!(ids, [(model.node_count() - 1) as f64]);
+        let velocities = array(&bodies.data.point, "velocity");
+        let turning = array(&bodies.data.point, "angular_velocity");
+        for (i, id) in ids.iter().enumerate() {
+            let node = *id as usize;
+            let exact = solution.node(node, NodeQuantity::Velocity, &at).unwrap();
+            let drawn = [&velocities[3 * i..][..3], &turning[3 * i..][..3]].concat();
+            assert_eq!(drawn, exact);
+        }
+    }
+}
+
+#[test]
+fn what_an_animation_refuses_writes_nothing() {
+    let (_, solution) = mechanism();
+    let directory = tempfile::tempdir().unwrap();
+    let path = directory.path().join("x.pvd");
+    let refused = |times: &[f64], points: usize, path: &Path, kind: ErrorKind, part: &str| {
+        let error = solution.write_vtk(times, points, path).unwrap_err();
+        assert_eq!(error.kind(), kind, "{error}");
+        assert!(error.to_string().starts_with(part), "{error}");
+        assert!(names(directory.path()).is_empty());
+    };
+    refused(
+        &[],
+        5,
+        &path,
+        ErrorKind::Size,
+        "count: expected at least one",
+    );
+    refused(&[f64::NAN], 5, &path, ErrorKind::NotFinite, "times: ");
+    refused(
+        &[0.0, 0.0],
+        5,
+        &path,
+        ErrorKind::Value,
+        "times[1]: expected a time after",
+    );
+    refused(
+        &[0.0],
+        1,
+        &path,
+        ErrorKind::Size,
+        "points_per_element: expected 2 to",
+    );
+    refused(&[0.0], 1001, &path, ErrorKind::Size, "points_per_element: ");
+    let vtk = directory.path().join("x.vtk");
+    refused(
+        &[0.0],
+        5,
+        &vtk,
+        ErrorKind::Value,
+        "path: expected a name that ends in .pvd",
+    );
+    refused(&[0.0], 5, Path::new(".pvd"), ErrorKind::Value, "path: ");
+    let nowhere = directory.path().join("none").join("x.pvd");
+    refused(&[0.0], 5, &nowhere, ErrorKind::Io, "path: cannot write \"");
+    // A file where the directory should be.
+    fs::write(directory.path().join("x"), "mine").unwrap();
+    let error = solution.write_vtk(&[0.0], 5, &path).unwrap_err();
+    assert_eq!(error.kind(), ErrorKind::Io);
+    assert_eq!(names(directory.path()), ["x"]);
+}
