@@ -44,6 +44,19 @@ static inline size_t option_count(int argc, char **argv, const char *name, size_
     return (size_t)value;
 }
 
+/* The number after option `name`, or `fallback`; ends the program if it is none. */
+static inline double option_number(int argc, char **argv, const char *name, double fallback)
+{
+    const char *text = option_text(argc, argv, name, NULL);
+    char *end = NULL;
+    const double value = text ? strtod(text, &end) : fallback;
+    if (text && (end == text || *end != '\0')) {
+        fprintf(stderr, "%s: expected a number, got %s\n", name, text);
+        exit(2);
+    }
+    return value;
+}
+
 /* Ends the program unless each argument is one of `names` (separated by spaces) with its value. */
 static inline void check_options(int argc, char **argv, const char *names)
 {

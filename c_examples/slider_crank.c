@@ -135,7 +135,8 @@ int main(int argc, char **argv)
     }
     if (!failed && file) {
         fputs("time [s],acceleration with rigid rod [m/s^2],acceleration with flexible rod [m/s^2],"
-              "torque with rigid rod [N m],torque with flexible rod [N m],deflection of the rod [m]\n",
+              "torque with rigid rod [N m],torque with flexible rod [N m],deflection of the rod "
+              "[m]\n",
               file);
         for (int i = 0; i < TIMES; ++i) {
             fprintf(file, "%.17g,%.17g,%.17g,%.17g,%.17g,%.17g\n", t[i],

@@ -138,4 +138,19 @@ impl GridState {
         next.track(system);
         next
     }
+
+    /// The state that follows `before` and this one by the fraction `ratio` of the step between them.
+    pub fn extrapolated(&self, system: &System, before: &Self, ratio: f64) -> Self {
+        let mut next = self.clone();
+        for (motion, earlier) in next.motions.iter_mut().zip(&before.motions) {
+            let step = earlier.relative(motion).logarithm();
+            *motion = motion.increment(&(step * ratio)).renormalised();
+        }
+        let values = next.multipliers.iter_mut().zip(&before.multipliers);
+        for (value, earlier) in values {
+            *value += ratio * (*value - earlier);
+        }
+        next.track(system);
+        next
+    }
 }

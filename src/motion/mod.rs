@@ -5,12 +5,14 @@
 
 mod dual;
 mod interpolation;
+mod logarithm;
 mod polar;
 mod rigid;
 mod rotation;
 
 pub use dual::{Dual, DualMatrix, DualVector};
 pub use interpolation::DualPolar;
+pub use logarithm::inverse_tangent;
 pub use polar::{polar_rotation, spread_matrix, symmetric_factor_is_admissible};
 pub use rigid::Motion;
 pub use rotation::{

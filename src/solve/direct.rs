@@ -195,6 +195,22 @@ impl DirectSolver {
         }
     }
 
+    /// Sign and logarithm of the size of the determinant of the matrix that was factored.
+    pub fn determinant(&self) -> (f64, f64) {
+        let (mut sign, mut logarithm) = (1.0, 0.0);
+        for front in &self.factors {
+            for j in 0..front.permutation.len() {
+                let pivot = front.upper[(j, j)];
+                sign *= pivot.signum();
+                logarithm += pivot.abs().ln();
+            }
+            if is_odd(&front.permutation) {
+                sign = -sign;
+            }
+        }
+        (sign, logarithm)
+    }
+
     /// Solves in place. `false` if there are no factors or the result is not finite.
     pub fn solve(&self, rhs: &mut [f64]) -> bool {
         if self.factors.is_empty() {
@@ -329,6 +345,24 @@ fn subtract(y: &mut [f64], x: &[f64], a: f64) {
     for (y, x) in y.iter_mut().zip(x) {
         *y -= a * x;
     }
+}
+
+/// Whether a permutation takes an odd number of exchanges.
+fn is_odd(permutation: &[usize]) -> bool {
+    let mut seen = vec![false; permutation.len()];
+    let mut odd = false;
+    for start in 0..permutation.len() {
+        // A cycle of length l takes l - 1 exchanges.
+        let mut next = start;
+        let mut length = 0;
+        while !seen[next] {
+            seen[next] = true;
+            next = permutation[next];
+            length += 1;
+        }
+        odd ^= length > 0 && length % 2 == 0;
+    }
+    odd
 }
 
 fn zeros(rows: usize, columns: usize) -> Result<Mat<f64>> {

@@ -1,5 +1,6 @@
 //! The default initial guess: quasi-static equilibrium, followed once around the period (section 8).
 
+use super::branch::Branch;
 use super::newton::{Iteration, Newton, NewtonOptions, Outcome};
 use crate::collocation::{Collocation, GridState};
 use crate::error::{ErrorKind, Result};
@@ -39,6 +40,10 @@ pub(super) struct Tracker<'a> {
     pub failure: Option<(Outcome, String)>,
     /// How far the last way was followed, from 0 to 1.
     pub reached: f64,
+    /// The branch that is followed.
+    branch: Branch,
+    /// State before the present one, and time since.
+    before: Option<(GridState, f64)>,
 }
 
 impl<'a> Tracker<'a> {
@@ -54,47 +59,87 @@ impl<'a> Tracker<'a> {
             observe,
             failure: None,
             reached: 0.0,
+            branch: Branch::default(),
+            before: None,
         })
     }
 
     /// Goes from parameter 0 to 1 in adaptive steps of at most `largest_step`, with conditions
     /// `(time, load factor)` at each.
+    ///
+    /// Keeps to its branch of equilibria. Where that ends in time, it snaps to what Newton's method finds
+    /// beyond.
     pub fn follow(
         &mut self,
         largest_step: f64,
         conditions: impl Fn(f64) -> (f64, f64),
     ) -> Result<bool> {
+        let start = self.state.clone();
+        let span = conditions(1.0).0 - conditions(0.0).0;
+        if self.advance(largest_step, &conditions, true)? {
+            return Ok(true);
+        }
+        if span <= 0.0 || self.was_cancelled() {
+            return Ok(false);
+        }
+        self.failure = None;
+        self.state = start;
+        self.branch = Branch::default();
+        self.before = None;
+        self.advance(largest_step, &conditions, false)
+    }
+
+    fn advance(
+        &mut self,
+        largest_step: f64,
+        conditions: &impl Fn(f64) -> (f64, f64),
+        keeps_branch: bool,
+    ) -> Result<bool> {
         let system = self.newton.equations.system().clone();
+        let span = conditions(1.0).0 - conditions(0.0).0;
         let (mut reached, mut step) = (0.0, largest_step);
         while reached < 1.0 {
             self.reached = reached;
-            // The last of equal steps is no rounding short.
-            let next = match reached + step {
-                next if next < 1.0 - 1e-9 => next,
-                _ => 1.0,
-            };
-            let turn = system.turn_between(conditions(reached), conditions(next))?;
-            let next = if turn > LARGEST_TURN {
-                reached + (next - reached) * (LARGEST_TURN / turn).max(SMALLEST_FRACTION)
+            let safe = (self.branch.longest_step() / span).max(SMALLEST_FRACTION);
+            // Equal steps over what is left; the last is no rounding short.
+            let left = ((1.0 - reached) / step.min(safe) - 1e-9).ceil();
+            let next = if left > 1.0 {
+                reached + (1.0 - reached) / left
             } else {
-                next
+                1.0
             };
+            let passed = span * (next - reached);
             let (time, load_factor) = conditions(next);
             self.newton.equations.set_conditions(time, load_factor)?;
-            let mut trial = self.state.clone();
+            let mut trial = match &self.before {
+                Some((before, since)) if passed > 0.0 => {
+                    self.state.extrapolated(&system, before, passed / since)
+                }
+                _ => self.state.clone(),
+            };
             let options = NewtonOptions {
                 tolerance: TOLERANCE,
                 iteration_limit: ITERATION_LIMIT,
             };
             let report = self.newton.solve(&mut trial, &options, self.observe);
-            let (outcome, taken, explanation) = match report {
+            let (mut outcome, taken, mut explanation) = match report {
                 Ok(report) => (report.outcome, report.iterations.len(), report.explanation),
                 Err(error) if error.kind() == ErrorKind::Callback => return Err(error),
                 Err(error) => (Outcome::Stalled, ITERATION_LIMIT, error.to_string()),
             };
+            if keeps_branch && outcome == Outcome::Converged {
+                let determinant = self.newton.determinant(&trial)?;
+                if self.branch.continues(determinant) {
+                    self.branch.advance(time, determinant);
+                } else {
+                    outcome = Outcome::Stalled;
+                    explanation = "the equilibrium that was followed ends".into();
+                }
+            }
             match outcome {
                 Outcome::Converged => {
-                    self.state = trial;
+                    let before = std::mem::replace(&mut self.state, trial);
+                    self.before = (keeps_branch && passed > 0.0).then_some((before, passed));
                     reached = next;
                     if taken <= EASY_ITERATIONS {
                         step = (2.0 * step).min(largest_step);

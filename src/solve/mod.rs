@@ -1,6 +1,7 @@
 //! The periodic solve: initial guess, Newton with line search, direct linear solver, diagnostics.
 
 mod assembly;
+mod branch;
 mod diagnosis;
 mod direct;
 mod guess;

@@ -183,6 +183,14 @@ impl Newton {
         Ok(report)
     }
 
+    /// Sign of the Jacobian's determinant at `state`, and logarithm of its size.
+    pub(super) fn determinant(&mut self, state: &GridState) -> Result<(f64, f64)> {
+        self.equations
+            .jacobian(state, &self.pattern, &mut self.blocks, &mut self.values)?;
+        self.solver.factor(&self.values)?;
+        Ok(self.solver.determinant())
+    }
+
     /// Solves with the factored Jacobian.
     ///
     /// Where constraints have a compliance, takes back what that lets them open: motions are then those of the
