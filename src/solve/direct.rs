@@ -19,7 +19,7 @@ const SMALLEST_PIVOT: f64 = 1e-9;
 /// The same, once a solve was not accurate enough: more waits, and larger fronts are factored.
 const SMALLEST_SAFE_PIVOT: f64 = 1e-5;
 /// Residual of a solve, relative to its right-hand side, that needs no refinement.
-const ACCURATE: f64 = 1e-13;
+const ACCURATE: f64 = 1e-10;
 /// Residual of a refined solve that calls for safer pivots.
 const INACCURATE: f64 = 1e-9;
 /// Most refinements of a solve.
