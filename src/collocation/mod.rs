@@ -5,12 +5,14 @@
 
 mod between;
 mod kinematics;
+mod linearisation;
 mod pattern;
 mod problem;
 mod state;
 
 pub use between::{NodeInterpolation, ResidualBetween, residual_between, too_coarse};
 pub use kinematics::{BackwardRule, NodeKinematics};
+pub use linearisation::Linearisation;
 pub use pattern::Pattern;
 pub use problem::{Collocation, TangentBlocks};
 pub use state::GridState;

@@ -237,6 +237,12 @@ impl Pattern {
         self.first_pair[column] + place
     }
 
+    /// The pair of nodes `(row, column)`, which must be coupled.
+    pub fn pair(&self, row: usize, column: usize) -> &NodePair {
+        let place = self.pairs[column].partition_point(|p| p.row < row);
+        &self.pairs[column][place]
+    }
+
     /// Position of the first value of `pair` in column `component` of node `column` at point `k`.
     pub fn pair_value(&self, column: usize, pair: &NodePair, k: usize, component: usize) -> usize {
         let group = &self.nodes[column];

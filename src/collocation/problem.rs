@@ -25,12 +25,12 @@ pub struct Collocation {
     system: Arc<System>,
     grid: TimeGrid,
     operators: Differentiation,
-    instants: Instants,
+    pub(super) instants: Instants,
     /// On a grid of one point: rule and past states of marching in time, latest first.
     past: Option<(BackwardRule, Vec<GridState>)>,
     kinematics: Vec<NodeKinematics>,
     forces_only: Workspace,
-    with_tangents: Workspace,
+    pub(super) with_tangents: Workspace,
     /// Scale of each row: residuals are multiplied by it.
     row_scale: Vec<f64>,
     /// Scale of each column: scaled unknowns times it are the unknowns.
@@ -41,7 +41,7 @@ pub struct Collocation {
 
 /// The system at each grid point.
 #[derive(Debug, Clone)]
-struct Instants {
+pub(super) struct Instants {
     system: Arc<System>,
     points: usize,
     /// Times of the grid points.
@@ -57,7 +57,7 @@ struct Instants {
 
 impl Instants {
     /// Evaluates an element at grid point `k`.
-    fn evaluate<'w>(
+    pub(super) fn evaluate<'w>(
         &self,
         placed: &Placed,
         k: usize,
@@ -373,6 +373,13 @@ impl Collocation {
         for node in 0..self.system.nodes() {
             self.write_node_columns(node, pattern, blocks, values);
         }
+        self.scale(pattern, values);
+        self.add_compliance(pattern, values);
+        Ok(())
+    }
+
+    /// Scales rows and columns.
+    pub(super) fn scale(&self, pattern: &Pattern, values: &mut [f64]) {
         let scaled_columns = pattern.column_pointers().windows(2).zip(&self.column_scale);
         for (range, column_scale) in scaled_columns {
             let rows = &pattern.row_indices()[range[0]..range[1]];
@@ -380,6 +387,10 @@ impl Collocation {
                 *value *= column_scale * self.row_scale[row];
             }
         }
+    }
+
+    /// Writes the compliance of constraints that may depend on each other into a scaled matrix.
+    pub(super) fn add_compliance(&self, pattern: &Pattern, values: &mut [f64]) {
         if self.regularisation != 0.0 {
             for (index, placed) in self.system.elements().iter().enumerate() {
                 let count = placed.element.multipliers();
@@ -393,7 +404,6 @@ impl Collocation {
                 }
             }
         }
-        Ok(())
     }
 
     /// Sums tangents over the elements; writes those of constraints straight into `values`.

@@ -30,12 +30,12 @@ impl Solution {
             let _ = writeln!(text, "{arguments}");
         };
         let standstill = solve.system.standstill();
-        let kind = if standstill.is_some() {
-            "Static"
-        } else {
-            "Periodic"
-        };
-        line(format_args!("{kind} solve: {}", self.outcome().describe()));
+        let outcome = self.outcome().describe();
+        match standstill {
+            None => line(format_args!("Periodic solve: {outcome}")),
+            Some(_) if solve.grid.points() == 1 => line(format_args!("Static solve: {outcome}")),
+            Some(_) => line(format_args!("Small motion")),
+        }
         if let Some(standstill) = standstill {
             let w = standstill.angular_velocity;
             line(format_args!(

@@ -66,19 +66,29 @@ pub struct DirectSolver {
 impl DirectSolver {
     /// Orders and analyses matrices of `pattern`.
     pub fn new(pattern: &Pattern) -> Self {
-        let groups = pattern.groups();
-        let mut group_of = vec![0; pattern.size()];
+        let structure = (pattern.column_pointers(), pattern.row_indices());
+        Self::with_structure(pattern.groups(), pattern.node_groups(), structure)
+    }
+
+    /// The same for matrices with these column pointers and row indices, whose unknowns are kept together
+    /// in `groups`; the first `node_groups` of them are those of nodes.
+    pub fn with_structure(
+        groups: Vec<Range<usize>>,
+        node_groups: usize,
+        (column_pointers, row_indices): (&[usize], &[usize]),
+    ) -> Self {
+        let mut group_of = vec![0; column_pointers.len() - 1];
         for (g, range) in groups.iter().enumerate() {
             group_of[range.clone()].fill(g);
         }
-        let runs = all_runs(pattern, &groups, &group_of);
+        let runs = all_runs(column_pointers, row_indices, &groups, &group_of);
         let mut coupled = vec![BTreeSet::new(); groups.len()];
         for run in &runs {
             coupled[run.row.0].insert(run.column.0);
             coupled[run.column.0].insert(run.row.0);
         }
         let sizes: Vec<usize> = groups.iter().map(ExactSizeIterator::len).collect();
-        let fronts = plan(&sizes, &coupled, pattern.node_groups());
+        let fronts = plan(&sizes, &coupled, node_groups);
         let mut front_of = vec![0; groups.len()];
         for (f, front) in fronts.iter().enumerate() {
             for &g in &front.own {
@@ -376,10 +386,14 @@ fn zeros(rows: usize, columns: usize) -> Result<Mat<f64>> {
 }
 
 /// All entries of the matrix as runs.
-fn all_runs(pattern: &Pattern, groups: &[Range<usize>], group_of: &[usize]) -> Vec<Run> {
-    let rows = pattern.row_indices();
+fn all_runs(
+    column_pointers: &[usize],
+    rows: &[usize],
+    groups: &[Range<usize>],
+    group_of: &[usize],
+) -> Vec<Run> {
     let mut runs: Vec<Run> = Vec::new();
-    for (column, range) in pattern.column_pointers().windows(2).enumerate() {
+    for (column, range) in column_pointers.windows(2).enumerate() {
         let column_group = group_of[column];
         let mut start = range[0];
         while start < range[1] {

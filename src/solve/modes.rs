@@ -1,0 +1,322 @@
+//! Natural modes and damped eigenvalues about an equilibrium, at rest or in steady rotation.
+
+use super::eigen::{EigenPair, Search, Target};
+use super::newton::{Iteration, Outcome};
+use super::pencil::{C64, Pencil};
+use super::periodic::{PeriodicSolve, Stage};
+use super::statics::{Indifferent, StaticOptions, find_equilibrium};
+use crate::collocation::{Collocation, Pattern};
+use crate::error::{Error, ErrorKind, Result, require_finite};
+use crate::model::Model;
+use nalgebra::{Complex, DMatrix};
+
+/// Relative residual of `K x` below which `x` is free to move.
+const FREE: f64 = 1e-13;
+/// Largest share of a vector outside the free motions for one that is a combination of them.
+const OUTSIDE: f64 = 1e-3;
+
+/// Options of a modal analysis.
+#[derive(Debug, Clone)]
+pub struct ModesOptions {
+    /// The equilibrium, and how to find it.
+    pub equilibrium: StaticOptions,
+    /// Number of modes wanted.
+    pub count: usize,
+    /// Angular frequency near which they are wanted; those of the smallest eigenvalues otherwise.
+    pub near: Option<f64>,
+}
+
+impl Default for ModesOptions {
+    fn default() -> Self {
+        ModesOptions {
+            equilibrium: StaticOptions::default(),
+            count: 10,
+            near: None,
+        }
+    }
+}
+
+/// A small motion `Re(x exp(st))`.
+#[derive(Debug, Clone)]
+pub struct Mode {
+    /// `s`, of a conjugate pair that with the positive imaginary part.
+    pub eigenvalue: Complex<f64>,
+    /// Largest entry of the equations of small motions, relative to the largest sum of the sizes of their
+    /// terms.
+    pub residual: f64,
+    /// `φᴴ M φ`, with the shape as it is scaled here.
+    pub modal_mass: f64,
+    /// Material increments `[linear; angular]` of each node. The largest is 1, of displacements relative to
+    /// the size of the mechanism and of turns in radians.
+    pub shape: Vec<[Complex<f64>; 6]>,
+    /// Multipliers and internal states, in the order of those of an instant.
+    pub(crate) own: Vec<Complex<f64>>,
+}
+
+impl Mode {
+    /// Oscillations per unit of time, `|Im s| / 2π`.
+    pub fn frequency(&self) -> f64 {
+        self.eigenvalue.im.abs() / std::f64::consts::TAU
+    }
+
+    /// `−Re s / |s|`; zero for a free motion.
+    pub fn damping_ratio(&self) -> f64 {
+        match self.eigenvalue.norm() {
+            0.0 => 0.0,
+            size => -self.eigenvalue.re / size,
+        }
+    }
+}
+
+/// Result of a modal analysis.
+#[derive(Debug, Clone)]
+pub struct ModesSolve {
+    /// The equilibrium, converged or not.
+    pub equilibrium: PeriodicSolve,
+    /// The modes, the smallest eigenvalue or that nearest to the wanted frequency first; none if there is no
+    /// equilibrium.
+    pub modes: Vec<Mode>,
+    /// Whether the wanted number was found, or all that there are.
+    pub complete: bool,
+}
+
+/// Finds an equilibrium of `model` and the modes of small motions about it.
+///
+/// The equations of motion with their exact tangents, constraints included, are linearised to
+/// `(s² M + s C + K) x = 0`; in a turning frame `C` and `K` contain gyroscopic and centrifugal terms.
+///
+/// `observe` sees each iteration of the equilibrium and returns `false` to cancel.
+///
+/// # Errors
+/// If options or model are not valid, memory runs out or numbers overflow. Where there is no equilibrium there
+/// are no modes; that is an outcome, not an error.
+pub fn solve_modes(
+    model: &Model,
+    options: &ModesOptions,
+    observe: &mut dyn FnMut(Stage, &Iteration) -> bool,
+) -> Result<ModesSolve> {
+    const MOST: usize = 100_000;
+    if !(1..=MOST).contains(&options.count) {
+        return Err(Error::size(
+            "options.count",
+            format!("1 to {MOST}"),
+            options.count,
+        ));
+    }
+    if let Some(near) = options.near {
+        require_finite("options.near", &[near])?;
+        if near <= 0.0 {
+            return Err(Error::value(
+                "options.near",
+                "a positive angular frequency",
+                near,
+            ));
+        }
+    }
+    let equilibrium =
+        find_equilibrium(model, &options.equilibrium, Indifferent::Accepted, observe)?;
+    let mut solve = ModesSolve {
+        equilibrium,
+        modes: Vec::new(),
+        complete: false,
+    };
+    if solve.equilibrium.report.outcome != Outcome::Converged {
+        return Ok(solve);
+    }
+    let PeriodicSolve {
+        system,
+        grid,
+        state,
+        ..
+    } = &solve.equilibrium;
+    let mut equations = Collocation::new(system.clone(), *grid)?;
+    let pattern = Pattern::new(system, 1);
+    let pencil = Pencil {
+        matrices: equations.linearise(state, &pattern)?,
+        pattern,
+    };
+    let numbers = [
+        &pencil.matrices.stiffness,
+        &pencil.matrices.damping,
+        &pencil.matrices.mass,
+    ];
+    if numbers
+        .iter()
+        .any(|values| values.iter().any(|v| !v.is_finite()))
+    {
+        let message = "modes: the model's stiffnesses and masses are too far apart to compute with";
+        return Err(Error::new(ErrorKind::Overflow, message));
+    }
+    let target = options.near.map_or(Target::Smallest, Target::Near);
+    let search = Search::new(&pencil)?;
+    let found = search.run(target, options.count)?;
+    solve.complete = found.complete;
+    let mut pairs = without_free_motions(&pencil, found.pairs, search.highest());
+    pairs.sort_by(|a, b| {
+        target
+            .distance(a.value)
+            .total_cmp(&target.distance(b.value))
+    });
+    pairs.truncate(options.count);
+    let energy = system.scales().force * system.scales().length;
+    let modes = pairs.into_iter().map(|pair| {
+        mode(
+            &pencil,
+            pair,
+            6 * system.nodes(),
+            equations.column_scale(),
+            energy,
+        )
+    });
+    solve.modes = modes.collect();
+    Ok(solve)
+}
+
+/// Unscaled mode of a scaled pair.
+fn mode(pencil: &Pencil, pair: EigenPair, motions: usize, scales: &[f64], energy: f64) -> Mode {
+    let EigenPair { value, mut vector } = pair;
+    let largest = vector[..motions].iter().fold(C64::default(), |m, x| {
+        // Of equal ones the first, whatever their rounding.
+        if x.norm() > m.norm() * (1.0 + 1e-6) {
+            *x
+        } else {
+            m
+        }
+    });
+    if largest.norm() > 0.0 {
+        vector.iter_mut().for_each(|x| *x /= largest);
+    }
+    let mut momentum = vec![C64::default(); vector.len()];
+    pencil.add_product(
+        &pencil.matrices.mass,
+        C64::from(1.0),
+        &vector,
+        &mut momentum,
+    );
+    let modal_mass = vector
+        .iter()
+        .zip(&momentum)
+        .map(|(x, p)| (x.conj() * p).re)
+        .sum::<f64>();
+    let residual = pencil.relative_residual(value, &vector);
+    let unscaled: Vec<C64> = vector.iter().zip(scales).map(|(x, s)| x * *s).collect();
+    let (motion, own) = unscaled.split_at(motions);
+    let node = |u: &[C64]| std::array::from_fn(|i| u[i]);
+    Mode {
+        eigenvalue: value,
+        residual,
+        modal_mass: modal_mass * energy,
+        shape: motion.chunks_exact(6).map(node).collect(),
+        own: own.to_vec(),
+    }
+}
+
+/// Replaces the eigenvalues that rounding makes of zero by zeros, one for each free motion.
+///
+/// A free motion is a double eigenvalue with one vector, or a simple one if something damps it: in the first
+/// case rounding splits it into two of the order of its square root.
+fn without_free_motions(pencil: &Pencil, pairs: Vec<EigenPair>, highest: f64) -> Vec<EigenPair> {
+    let slow = |pair: &EigenPair| pair.value.norm() <= 1e-5 * highest;
+    let vectors: Vec<&[C64]> = pairs
+        .iter()
+        .filter(|p| slow(p))
+        .map(|p| &p.vector[..])
+        .collect();
+    let free = free_motions(pencil, &vectors);
+    if free.ncols() == 0 {
+        return pairs;
+    }
+    let rounding = FREE.sqrt() * highest;
+    let mut kept: Vec<EigenPair> = pairs
+        .into_iter()
+        .filter(|pair| pair.value.norm() > rounding || share_outside(&free, &pair.vector) > OUTSIDE)
+        .collect();
+    kept.extend(free.column_iter().map(|column| EigenPair {
+        value: C64::default(),
+        vector: column.iter().map(|x| C64::from(*x)).collect(),
+    }));
+    kept
+}
+
+/// Orthonormal vectors of the null space of `K` within the span of `vectors`.
+fn free_motions(pencil: &Pencil, vectors: &[&[C64]]) -> DMatrix<f64> {
+    let size = pencil.size();
+    let mut columns = Vec::new();
+    for vector in vectors {
+        let length = vector.iter().map(|x| x.norm_sqr()).sum::<f64>().sqrt();
+        if length > 0.0 {
+            columns.push(DMatrix::from_iterator(
+                size,
+                1,
+                vector.iter().map(|x| x.re / length),
+            ));
+            columns.push(DMatrix::from_iterator(
+                size,
+                1,
+                vector.iter().map(|x| x.im / length),
+            ));
+        }
+    }
+    if columns.is_empty() {
+        return DMatrix::zeros(size, 0);
+    }
+    let span = DMatrix::from_fn(size, columns.len(), |i, j| columns[j][i]);
+    let Some(span) = orthonormal(span, 1e-4) else {
+        return DMatrix::zeros(size, 0);
+    };
+    // K U, and the size of its terms.
+    let count = span.ncols();
+    let mut forces = DMatrix::zeros(size, count);
+    let mut sizes = vec![0.0f64; size];
+    let (pointers, rows) = (
+        pencil.pattern.column_pointers(),
+        pencil.pattern.row_indices(),
+    );
+    for column in 0..size {
+        let part = span.row(column).norm();
+        for at in pointers[column]..pointers[column + 1] {
+            let (row, value) = (rows[at], pencil.matrices.stiffness[at]);
+            sizes[row] += value.abs() * part;
+            for j in 0..count {
+                forces[(row, j)] += value * span[(column, j)];
+            }
+        }
+    }
+    let size_of_terms = sizes.iter().copied().fold(0.0, f64::max);
+    let small = forces.tr_mul(&forces).symmetric_eigen();
+    let free: Vec<usize> = (0..count)
+        .filter(|&j| {
+            let force = &forces * small.eigenvectors.column(j);
+            force.amax() <= FREE * size_of_terms
+        })
+        .collect();
+    let combined = &span * &small.eigenvectors;
+    DMatrix::from_fn(size, free.len(), |i, j| combined[(i, free[j])])
+}
+
+/// Orthonormal basis of the columns, but for parts smaller than `tolerance`.
+fn orthonormal(span: DMatrix<f64>, tolerance: f64) -> Option<DMatrix<f64>> {
+    let svd = span.svd(true, false);
+    let rank = svd
+        .singular_values
+        .iter()
+        .filter(|s| **s > tolerance)
+        .count();
+    Some(svd.u?.columns(0, rank).into_owned())
+}
+
+/// Share of `vector` that is no combination of the orthonormal columns of `basis`.
+fn share_outside(basis: &DMatrix<f64>, vector: &[C64]) -> f64 {
+    let part = |part: fn(&C64) -> f64| {
+        let v = nalgebra::DVector::from_iterator(vector.len(), vector.iter().map(part));
+        let rest = &v - basis * basis.tr_mul(&v);
+        (rest.norm_squared(), v.norm_squared())
+    };
+    let (re, im) = (part(|x| x.re), part(|x| x.im));
+    let whole = re.1 + im.1;
+    if whole > 0.0 {
+        ((re.0 + im.0) / whole).sqrt()
+    } else {
+        0.0
+    }
+}
