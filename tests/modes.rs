@@ -7,7 +7,6 @@ use nalgebra::{Complex, Matrix3, Vector3};
 use periodyn::elements::{Coordinate, JointKind, LoadFrame};
 use periodyn::error::ErrorKind;
 use periodyn::model::*;
-use periodyn::motion::Motion;
 use periodyn::output::{BeamQuantity, JointQuantity, Modes, NodeQuantity};
 use periodyn::solve::*;
 use periodyn::system::Standstill;
@@ -280,7 +279,7 @@ fn free_free_beam_has_six_free_motions() {
 #[test]
 fn turning_blade() {
     // Wright et al. 1982: hub radius zero, flap frequencies for η = Ω √(mL⁴/EI); here m = L = EI = 1.
-    let r = 1e-3;
+    let r = 3e-4;
     let table = [
         (2.0, [4.13732, 22.61492, 62.27318]),
         (6.0, [7.36037, 26.80908, 66.68391]),
@@ -335,7 +334,6 @@ fn whirling_shaft() {
     let ids = model
         .add_straight_beam(&start, &end, &Vector3::y(), &section, 3, 8)
         .unwrap();
-    let frame = Motion::identity();
     let node = Some(ids.first_node);
     // Held against turning about its axis and moving along it at one end.
     model
@@ -686,7 +684,7 @@ fn overdamped_and_free_motions_have_solutions() {
     assert_eq!(motion.grid().period(), 1.0);
     let angle = JointQuantity::Coordinate(Coordinate::Rotation1);
     let values_at = motion.joint(joint, angle, &[0.0, 0.5]).unwrap();
-    assert!((values_at[0] + values_at[1]).abs() < 1e-12 && values_at[0].abs() > 0.05);
+    assert!((values_at[0] + values_at[1]).abs() < 1e-12 && values_at[0].abs() > 0.02);
 
     model
         .add_spring_damper(SpringDefinition {

@@ -24,7 +24,12 @@ const SECOND_STEPS: usize = 16;
 /// A new direction smaller than this, relative to what it was before, is rounding.
 const DEPENDENT: f64 = 1e-11;
 /// Relative residual of an eigenvalue that is found.
-const CONVERGED: f64 = 1e-11;
+const CONVERGED: f64 = 1e-13;
+
+/// Relative residual of `K x` below which `x` is free to move.
+pub(super) const FREE: f64 = 1e-13;
+/// Steps that leave nothing but free motions.
+const FREE_STEPS: usize = 20;
 
 /// An eigenvalue with its vector of all unknowns.
 pub(super) struct EigenPair {
@@ -132,6 +137,14 @@ struct Space {
 }
 
 impl Space {
+    fn empty() -> Self {
+        Space {
+            basis: Vec::new(),
+            columns: Vec::new(),
+            random: 0x9e37_79b9_7f4a_7c15,
+        }
+    }
+
     /// Takes from `w` its part in the basis; returns the coefficients.
     fn project_out(&self, w: &mut [f64]) -> Vec<f64> {
         let mut coefficients = vec![0.0; self.basis.len()];
@@ -339,11 +352,7 @@ impl<'a> Search<'a> {
 
     /// A space of random vectors that obey the constraints.
     fn space(&self) -> Result<Space> {
-        let mut space = Space {
-            basis: Vec::new(),
-            columns: Vec::new(),
-            random: 0x9e37_79b9_7f4a_7c15,
-        };
+        let mut space = Space::empty();
         self.seed(&mut space, BLOCK)?;
         Ok(space)
     }
@@ -490,6 +499,44 @@ impl<'a> Search<'a> {
         }
     }
 
+    /// Orthonormal vectors of the null space of `K`.
+    ///
+    /// `Q(σ)⁻¹ (σ C + σ² M)` keeps them, and shrinks all others.
+    pub fn free_motions(&self) -> Result<Vec<Vec<f64>>> {
+        let shift = self.shift_for_smallest()?;
+        let mut free = Space::empty();
+        let Some(inverse) = Inverse::new(self.pencil, C64::from(shift))? else {
+            return Ok(Vec::new());
+        };
+        let (matrices, size) = (&self.pencil.matrices, self.pencil.size());
+        while free.basis.len() < self.x.len() {
+            let mut w: Vec<f64> = (0..size).map(|_| free.next_random()).collect();
+            for _ in 0..FREE_STEPS {
+                let old: Vec<C64> = w.iter().map(|w| C64::from(*w)).collect();
+                let mut b = vec![C64::default(); size];
+                let (first, second) = (C64::from(shift), C64::from(shift * shift));
+                self.pencil
+                    .add_product(&matrices.damping, first, &old, &mut b);
+                self.pencil
+                    .add_product(&matrices.mass, second, &old, &mut b);
+                let next = inverse.solve(self.pencil, &b).ok_or_else(overflow)?;
+                w = next.iter().map(|x| x.re).collect();
+                free.project_out(&mut w);
+                let length = norm(&w);
+                if length == 0.0 {
+                    return Ok(free.basis);
+                }
+                w.iter_mut().for_each(|w| *w /= length);
+            }
+            let complex: Vec<C64> = w.iter().map(|w| C64::from(*w)).collect();
+            if self.pencil.relative_residual(C64::default(), &complex) > FREE {
+                break;
+            }
+            free.basis.push(w);
+        }
+        Ok(free.basis)
+    }
+
     /// Eigenvectors of what was found, one of each conjugate pair.
     fn pairs(
         &self,
@@ -501,7 +548,11 @@ impl<'a> Search<'a> {
         let mut pairs = Vec::new();
         for (value, y) in found {
             if value.im >= 0.0 {
-                let vector = map.vector(value, &space.combine(&y))?;
+                // Once more from a state that has `y = s x / ω` exactly.
+                let rough = map.vector(value, &space.combine(&y))?;
+                let state = self.x.iter().map(|&i| rough[i]);
+                let rates = self.y.iter().map(|&i| rough[i] * value / map.unit);
+                let vector = map.vector(value, &state.chain(rates).collect::<Vec<_>>())?;
                 if vector.iter().all(|v| v.re.is_finite() && v.im.is_finite()) {
                     pairs.push(EigenPair { value, vector });
                 }

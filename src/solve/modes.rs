@@ -1,6 +1,6 @@
 //! Natural modes and damped eigenvalues about an equilibrium, at rest or in steady rotation.
 
-use super::eigen::{EigenPair, Search, Target};
+use super::eigen::{EigenPair, FREE, Search, Target};
 use super::newton::{Iteration, Outcome};
 use super::pencil::{C64, Pencil};
 use super::periodic::{PeriodicSolve, Stage};
@@ -8,10 +8,10 @@ use super::statics::{Indifferent, StaticOptions, find_equilibrium};
 use crate::collocation::{Collocation, Pattern};
 use crate::error::{Error, ErrorKind, Result, require_finite};
 use crate::model::Model;
-use nalgebra::{Complex, DMatrix};
+use nalgebra::Complex;
 
-/// Relative residual of `K x` below which `x` is free to move.
-const FREE: f64 = 1e-13;
+/// Eigenvalues this small, relative to the highest, may be those of free motions.
+const SLOW: f64 = 1e-5;
 /// Largest share of a vector outside the free motions for one that is a combination of them.
 const OUTSIDE: f64 = 1e-3;
 
@@ -151,7 +151,7 @@ pub fn solve_modes(
     let search = Search::new(&pencil)?;
     let found = search.run(target, options.count)?;
     solve.complete = found.complete;
-    let mut pairs = without_free_motions(&pencil, found.pairs, search.highest());
+    let mut pairs = without_free_motions(&search, found.pairs)?;
     pairs.sort_by(|a, b| {
         target
             .distance(a.value)
@@ -215,107 +215,37 @@ fn mode(pencil: &Pencil, pair: EigenPair, motions: usize, scales: &[f64], energy
 ///
 /// A free motion is a double eigenvalue with one vector, or a simple one if something damps it: in the first
 /// case rounding splits it into two of the order of its square root.
-fn without_free_motions(pencil: &Pencil, pairs: Vec<EigenPair>, highest: f64) -> Vec<EigenPair> {
-    let slow = |pair: &EigenPair| pair.value.norm() <= 1e-5 * highest;
-    let vectors: Vec<&[C64]> = pairs
+fn without_free_motions(search: &Search, pairs: Vec<EigenPair>) -> Result<Vec<EigenPair>> {
+    if pairs
         .iter()
-        .filter(|p| slow(p))
-        .map(|p| &p.vector[..])
-        .collect();
-    let free = free_motions(pencil, &vectors);
-    if free.ncols() == 0 {
-        return pairs;
+        .all(|pair| pair.value.norm() > SLOW * search.highest())
+    {
+        return Ok(pairs);
     }
-    let rounding = FREE.sqrt() * highest;
+    let free = search.free_motions()?;
+    let rounding = FREE.sqrt() * search.highest();
     let mut kept: Vec<EigenPair> = pairs
         .into_iter()
         .filter(|pair| pair.value.norm() > rounding || share_outside(&free, &pair.vector) > OUTSIDE)
         .collect();
-    kept.extend(free.column_iter().map(|column| EigenPair {
+    kept.extend(free.iter().map(|vector| EigenPair {
         value: C64::default(),
-        vector: column.iter().map(|x| C64::from(*x)).collect(),
+        vector: vector.iter().map(|x| C64::from(*x)).collect(),
     }));
-    kept
+    Ok(kept)
 }
 
-/// Orthonormal vectors of the null space of `K` within the span of `vectors`.
-fn free_motions(pencil: &Pencil, vectors: &[&[C64]]) -> DMatrix<f64> {
-    let size = pencil.size();
-    let mut columns = Vec::new();
-    for vector in vectors {
-        let length = vector.iter().map(|x| x.norm_sqr()).sum::<f64>().sqrt();
-        if length > 0.0 {
-            columns.push(DMatrix::from_iterator(
-                size,
-                1,
-                vector.iter().map(|x| x.re / length),
-            ));
-            columns.push(DMatrix::from_iterator(
-                size,
-                1,
-                vector.iter().map(|x| x.im / length),
-            ));
-        }
+/// Share of `vector` that is no combination of the orthonormal vectors of `basis`.
+fn share_outside(basis: &[Vec<f64>], vector: &[C64]) -> f64 {
+    let mut rest = vector.to_vec();
+    for v in basis {
+        let part: C64 = rest.iter().zip(v).map(|(x, v)| x * *v).sum();
+        rest.iter_mut().zip(v).for_each(|(x, v)| *x -= part * *v);
     }
-    if columns.is_empty() {
-        return DMatrix::zeros(size, 0);
-    }
-    let span = DMatrix::from_fn(size, columns.len(), |i, j| columns[j][i]);
-    let Some(span) = orthonormal(span, 1e-4) else {
-        return DMatrix::zeros(size, 0);
-    };
-    // K U, and the size of its terms.
-    let count = span.ncols();
-    let mut forces = DMatrix::zeros(size, count);
-    let mut sizes = vec![0.0f64; size];
-    let (pointers, rows) = (
-        pencil.pattern.column_pointers(),
-        pencil.pattern.row_indices(),
-    );
-    for column in 0..size {
-        let part = span.row(column).norm();
-        for at in pointers[column]..pointers[column + 1] {
-            let (row, value) = (rows[at], pencil.matrices.stiffness[at]);
-            sizes[row] += value.abs() * part;
-            for j in 0..count {
-                forces[(row, j)] += value * span[(column, j)];
-            }
-        }
-    }
-    let size_of_terms = sizes.iter().copied().fold(0.0, f64::max);
-    let small = forces.tr_mul(&forces).symmetric_eigen();
-    let free: Vec<usize> = (0..count)
-        .filter(|&j| {
-            let force = &forces * small.eigenvectors.column(j);
-            force.amax() <= FREE * size_of_terms
-        })
-        .collect();
-    let combined = &span * &small.eigenvectors;
-    DMatrix::from_fn(size, free.len(), |i, j| combined[(i, free[j])])
-}
-
-/// Orthonormal basis of the columns, but for parts smaller than `tolerance`.
-fn orthonormal(span: DMatrix<f64>, tolerance: f64) -> Option<DMatrix<f64>> {
-    let svd = span.svd(true, false);
-    let rank = svd
-        .singular_values
-        .iter()
-        .filter(|s| **s > tolerance)
-        .count();
-    Some(svd.u?.columns(0, rank).into_owned())
-}
-
-/// Share of `vector` that is no combination of the orthonormal columns of `basis`.
-fn share_outside(basis: &DMatrix<f64>, vector: &[C64]) -> f64 {
-    let part = |part: fn(&C64) -> f64| {
-        let v = nalgebra::DVector::from_iterator(vector.len(), vector.iter().map(part));
-        let rest = &v - basis * basis.tr_mul(&v);
-        (rest.norm_squared(), v.norm_squared())
-    };
-    let (re, im) = (part(|x| x.re), part(|x| x.im));
-    let whole = re.1 + im.1;
+    let square = |x: &[C64]| x.iter().map(|x| x.norm_sqr()).sum::<f64>();
+    let whole = square(vector);
     if whole > 0.0 {
-        ((re.0 + im.0) / whole).sqrt()
+        (square(&rest) / whole).sqrt()
     } else {
         0.0
     }

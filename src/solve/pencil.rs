@@ -170,7 +170,11 @@ impl Inverse {
     /// `None` if that overflows.
     pub fn solve(&self, pencil: &Pencil, b: &[C64]) -> Option<Vec<C64>> {
         let mut x = self.solve_once(b)?;
-        let steps = if pencil.matrices.compliance.is_some() { 3 } else { 1 };
+        let steps = if pencil.matrices.compliance.is_some() {
+            3
+        } else {
+            1
+        };
         for _ in 0..steps {
             let mut rest = pencil.product(self.shift, &x);
             rest.iter_mut().zip(b).for_each(|(r, b)| *r = b - *r);
