@@ -336,13 +336,14 @@ fn whirling_shaft() {
         .unwrap();
     let node = Some(ids.first_node);
     // Held against turning about its axis and moving along it at one end.
+    let frame = Model::frame_at("axis", &start, &Vector3::x()).unwrap();
     model
         .add_joint(JointKind::Universal, None, node, &frame, &frame)
         .unwrap();
     let axis = Model::frame_at("axis", &end, &Vector3::x()).unwrap();
     let node = Some(ids.last_node);
     let ball = model
-        .add_rigid_body(1e-9, &end, &(Matrix3::identity() * 1e-12))
+        .add_rigid_body(1.0, &end, &Matrix3::identity())
         .unwrap();
     model
         .add_joint(JointKind::Spherical, Some(ball), node, &axis, &axis)

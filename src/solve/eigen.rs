@@ -1,19 +1,8 @@
-//! Eigenvalues of the quadratic pencil near a shift: band Arnoldi on its inverted linearisation.
-//!
-//! With `y = s x / ω` (`ω` a unit of frequency) the pencil is linear in `z = [x; y]`, and the map `z ↦ z'`
-//!
-//! ```text
-//! u = −Q(σ)⁻¹ (C x + M (ω y + σ x)),     x' = u,     y' = (x + σ u) / ω
-//! ```
-//!
-//! has the eigenvalues `θ = 1/(s − σ)`. Constraints have infinite `s`, so `θ = 0`: they are far from all
-//! that is sought. For a complex shift the real part of the map serves, with
-//! `θ = ½ (1/(s − σ) + 1/(s − σ̄))`. The state holds only unknowns that `C` or `M` know of.
+//! Eigenvalues of the quadratic pencil near a shift.
 
+use super::krylov::{Map, Random, Ritz, Space, norm, overflow};
 use super::pencil::{C64, Inverse, Pencil};
-use crate::error::{Error, ErrorKind, Result};
-use faer::Mat;
-use faer::linalg::solvers::Eigen;
+use crate::error::Result;
 
 /// Vectors that the space grows from at once: eigenvalues of this multiplicity are found at once.
 const BLOCK: usize = 4;
@@ -21,11 +10,16 @@ const BLOCK: usize = 4;
 const SECOND_BLOCK: usize = 2;
 /// Steps taken with these at least.
 const SECOND_STEPS: usize = 16;
-/// A new direction smaller than this, relative to what it was before, is rounding.
-const DEPENDENT: f64 = 1e-11;
 /// Relative residual of an eigenvalue that is found.
 const CONVERGED: f64 = 1e-13;
 
+/// Relative residual of the equations of a mode that needs no polishing.
+const ACCURATE: f64 = 1e-14;
+/// Distance of the shift for polishing, relative to the eigenvalue.
+const NEXT_TO: f64 = 1e-7;
+/// Most that polishing may change an eigenvalue, relative to it.
+const NEARBY: f64 = 1e-6;
+const POLISHING_STEPS: usize = 4;
 /// Relative residual of `K x` below which `x` is free to move.
 pub(super) const FREE: f64 = 1e-13;
 /// Steps that leave nothing but free motions.
@@ -56,215 +50,6 @@ impl Target {
             }
         }
     }
-}
-
-/// The map `z ↦ z'`.
-struct Map<'a> {
-    pencil: &'a Pencil,
-    inverse: &'a Inverse,
-    /// Unit of frequency.
-    unit: f64,
-    /// Unknowns in `x`, and those in `y`.
-    x: &'a [usize],
-    y: &'a [usize],
-}
-
-impl Map<'_> {
-    /// `−(C x + M (ω y + σ x))` over all unknowns.
-    fn right_side(&self, z: &[C64]) -> Vec<C64> {
-        let size = self.pencil.size();
-        let (zx, zy) = z.split_at(self.x.len());
-        let (mut x, mut y) = (vec![C64::default(); size], vec![C64::default(); size]);
-        for (&i, value) in self.x.iter().zip(zx) {
-            x[i] = *value;
-            y[i] = self.inverse.shift() * value;
-        }
-        for (&i, value) in self.y.iter().zip(zy) {
-            y[i] += value * self.unit;
-        }
-        let mut b = vec![C64::default(); size];
-        let minus = C64::from(-1.0);
-        self.pencil
-            .add_product(&self.pencil.matrices.damping, minus, &x, &mut b);
-        self.pencil
-            .add_product(&self.pencil.matrices.mass, minus, &y, &mut b);
-        b
-    }
-
-    fn apply(&self, z: &[f64]) -> Result<Vec<f64>> {
-        let complex: Vec<C64> = z.iter().map(|z| C64::from(*z)).collect();
-        let u = self
-            .inverse
-            .solve(self.pencil, &self.right_side(&complex))
-            .ok_or_else(overflow)?;
-        let mut next: Vec<f64> = self.x.iter().map(|&i| u[i].re).collect();
-        let mut x = vec![0.0; self.pencil.size()];
-        for (&i, value) in self.x.iter().zip(z) {
-            x[i] = *value;
-        }
-        let shift = self.inverse.shift();
-        next.extend(
-            self.y
-                .iter()
-                .map(|&i| (x[i] + (shift * u[i]).re) / self.unit),
-        );
-        Ok(next)
-    }
-
-    /// All unknowns of an eigenvector, from its state.
-    fn vector(&self, s: C64, z: &[C64]) -> Result<Vec<C64>> {
-        let u = self
-            .inverse
-            .solve(self.pencil, &self.right_side(z))
-            .ok_or_else(overflow)?;
-        Ok(u.iter().map(|u| u * (s - self.inverse.shift())).collect())
-    }
-}
-
-fn overflow() -> Error {
-    Error::new(
-        ErrorKind::Overflow,
-        "modes: the result is too large to be a number",
-    )
-}
-
-/// An orthonormal basis, and the map in it as far as it was applied.
-struct Space {
-    basis: Vec<Vec<f64>>,
-    /// Column `j`: the image of basis vector `j`, in the basis.
-    columns: Vec<Vec<f64>>,
-    random: u64,
-}
-
-impl Space {
-    fn empty() -> Self {
-        Space {
-            basis: Vec::new(),
-            columns: Vec::new(),
-            random: 0x9e37_79b9_7f4a_7c15,
-        }
-    }
-
-    /// Takes from `w` its part in the basis; returns the coefficients.
-    fn project_out(&self, w: &mut [f64]) -> Vec<f64> {
-        let mut coefficients = vec![0.0; self.basis.len()];
-        // Twice is enough.
-        for _ in 0..2 {
-            let parts: Vec<f64> = self.basis.iter().map(|v| dot(v, w)).collect();
-            for (v, part) in self.basis.iter().zip(&parts) {
-                w.iter_mut().zip(v).for_each(|(w, v)| *w -= part * v);
-            }
-            coefficients
-                .iter_mut()
-                .zip(&parts)
-                .for_each(|(c, p)| *c += p);
-        }
-        coefficients
-    }
-
-    /// Applies the map to the next basis vector.
-    fn grow(&mut self, map: &Map) -> Result<()> {
-        let mut w = map.apply(&self.basis[self.columns.len()])?;
-        let before = norm(&w);
-        let mut column = self.project_out(&mut w);
-        let size = norm(&w);
-        if size > DEPENDENT * before {
-            w.iter_mut().for_each(|w| *w /= size);
-            self.basis.push(w);
-            column.push(size);
-        }
-        self.columns.push(column);
-        Ok(())
-    }
-
-    /// Adds a random vector that obeys the constraints; `false` if there is no more.
-    fn seed(&mut self, start: &Map) -> Result<bool> {
-        let size = start.x.len() + start.y.len();
-        let mut w: Vec<f64> = (0..size).map(|_| self.next_random()).collect();
-        for _ in 0..2 {
-            w = start.apply(&w)?;
-            let size = norm(&w);
-            if size == 0.0 {
-                return Ok(false);
-            }
-            w.iter_mut().for_each(|w| *w /= size);
-        }
-        self.project_out(&mut w);
-        let rest = norm(&w);
-        if rest < 1e3 * DEPENDENT {
-            return Ok(false);
-        }
-        w.iter_mut().for_each(|w| *w /= rest);
-        self.basis.push(w);
-        Ok(true)
-    }
-
-    /// Uniform in −1 to 1, always the same sequence.
-    fn next_random(&mut self) -> f64 {
-        self.random ^= self.random << 13;
-        self.random ^= self.random >> 7;
-        self.random ^= self.random << 17;
-        (self.random >> 11) as f64 / (1u64 << 52) as f64 - 1.0
-    }
-
-    /// Eigenvalues `θ` of the map in the space, with their vectors and relative residuals.
-    fn ritz(&self) -> Result<Vec<Ritz>> {
-        let size = self.columns.len();
-        let at = |i: usize, j: usize| self.columns[j].get(i).copied().unwrap_or(0.0);
-        let square = Mat::from_fn(size, size, at);
-        let eigen = Eigen::new_from_real(square.as_ref()).map_err(|_| {
-            Error::new(
-                ErrorKind::Overflow,
-                "modes: the small eigenproblem cannot be solved",
-            )
-        })?;
-        let mut found = Vec::with_capacity(size);
-        for j in 0..size {
-            let theta = eigen.S()[j];
-            let mut y: Vec<C64> = (0..size).map(|i| eigen.U()[(i, j)]).collect();
-            let length = y.iter().map(|y| y.norm_sqr()).sum::<f64>().sqrt();
-            if !(length > 0.0 && theta.norm().is_finite() && length.is_finite()) {
-                continue;
-            }
-            y.iter_mut().for_each(|y| *y /= length);
-            let mut residual = 0.0;
-            for i in size..self.basis.len() {
-                let rest: C64 = y.iter().enumerate().map(|(k, y)| y * at(i, k)).sum();
-                residual += rest.norm_sqr();
-            }
-            found.push(Ritz {
-                theta,
-                residual: residual.sqrt() / theta.norm(),
-                y,
-            });
-        }
-        found.sort_by(|a, b| b.theta.norm().total_cmp(&a.theta.norm()));
-        Ok(found)
-    }
-
-    /// A vector of the space.
-    fn combine(&self, y: &[C64]) -> Vec<C64> {
-        let mut z = vec![C64::default(); self.basis[0].len()];
-        for (v, y) in self.basis.iter().zip(y) {
-            z.iter_mut().zip(v).for_each(|(z, v)| *z += y * *v);
-        }
-        z
-    }
-}
-
-/// An eigenvalue of the map in a subspace.
-struct Ritz {
-    theta: C64,
-    residual: f64,
-    y: Vec<C64>,
-}
-
-fn dot(a: &[f64], b: &[f64]) -> f64 {
-    a.iter().zip(b).map(|(a, b)| a * b).sum()
-}
-
-fn norm(a: &[f64]) -> f64 {
-    dot(a, a).sqrt()
 }
 
 /// The search for eigenvalues of one pencil.
@@ -307,7 +92,7 @@ impl<'a> Search<'a> {
     /// A shift near the lowest frequencies but not zero, so that free motions do no harm.
     fn shift_for_smallest(&self) -> Result<f64> {
         let mut shift = 1e-3 * self.highest;
-        for _ in 0..4 {
+        for _ in 0..10 {
             let Some(inverse) = Inverse::new(self.pencil, C64::from(shift))? else {
                 shift *= 1.37;
                 continue;
@@ -331,7 +116,7 @@ impl<'a> Search<'a> {
                 break;
             }
             let better = 0.314 * lowest;
-            let done = better > 0.1 * shift;
+            let done = better > 0.5 * shift;
             shift = better;
             if done {
                 break;
@@ -504,13 +289,13 @@ impl<'a> Search<'a> {
     /// `Q(σ)⁻¹ (σ C + σ² M)` keeps them, and shrinks all others.
     pub fn free_motions(&self) -> Result<Vec<Vec<f64>>> {
         let shift = self.shift_for_smallest()?;
-        let mut free = Space::empty();
+        let (mut free, mut random) = (Space::empty(), Random::new(1));
         let Some(inverse) = Inverse::new(self.pencil, C64::from(shift))? else {
             return Ok(Vec::new());
         };
         let (matrices, size) = (&self.pencil.matrices, self.pencil.size());
         while free.basis.len() < self.x.len() {
-            let mut w: Vec<f64> = (0..size).map(|_| free.next_random()).collect();
+            let mut w: Vec<f64> = (0..size).map(|_| random.next()).collect();
             for _ in 0..FREE_STEPS {
                 let old: Vec<C64> = w.iter().map(|w| C64::from(*w)).collect();
                 let mut b = vec![C64::default(); size];
@@ -546,18 +331,76 @@ impl<'a> Search<'a> {
         complete: bool,
     ) -> Result<Found> {
         let mut pairs = Vec::new();
-        for (value, y) in found {
-            if value.im >= 0.0 {
-                // Once more from a state that has `y = s x / ω` exactly.
-                let rough = map.vector(value, &space.combine(&y))?;
-                let state = self.x.iter().map(|&i| rough[i]);
-                let rates = self.y.iter().map(|&i| rough[i] * value / map.unit);
-                let vector = map.vector(value, &state.chain(rates).collect::<Vec<_>>())?;
-                if vector.iter().all(|v| v.re.is_finite() && v.im.is_finite()) {
-                    pairs.push(EigenPair { value, vector });
-                }
+        for (value, y) in found.into_iter().filter(|(value, _)| value.im >= 0.0) {
+            let state = space.combine(&y);
+            let (u, _) = map.image(&state)?;
+            let mut pair = Candidate::new(self.pencil, value, u);
+            if pair.residual > ACCURATE {
+                pair = self.polished(pair)?;
             }
+            pairs.push(EigenPair {
+                value: pair.value,
+                vector: pair.vector,
+            });
         }
         Ok(Found { pairs, complete })
+    }
+
+    /// The pair after inverse iteration at a shift next to it.
+    ///
+    /// The common shift enlarges what a vector has of modes that are nearer to it.
+    fn polished(&self, start: Candidate) -> Result<Candidate> {
+        let shift = start.value * (1.0 + NEXT_TO);
+        let Some(inverse) = Inverse::new(self.pencil, shift)? else {
+            return Ok(start);
+        };
+        let map = self.map(&inverse, shift.norm());
+        // The state in the unit of this map.
+        let x = self.x.iter().map(|&i| start.vector[i]);
+        let y = self
+            .y
+            .iter()
+            .map(|&i| start.vector[i] * start.value / map.unit);
+        let mut state: Vec<C64> = x.chain(y).collect();
+        let first = start.value;
+        let mut best = start;
+        for _ in 0..POLISHING_STEPS {
+            let (u, next) = map.image(&state)?;
+            let square = state.iter().map(|z| z.norm_sqr()).sum::<f64>();
+            let product: C64 = state.iter().zip(&next).map(|(z, n)| z.conj() * n).sum();
+            let value = shift + C64::from(square) / product;
+            let pair = Candidate::new(self.pencil, value, u);
+            // Written so that NaN ends it.
+            let nearby = (value - first).norm() <= NEARBY * first.norm();
+            if !(nearby && pair.residual < best.residual) {
+                break;
+            }
+            best = pair;
+            if best.residual <= ACCURATE {
+                break;
+            }
+            let size = next.iter().map(|z| z.norm_sqr()).sum::<f64>().sqrt();
+            state = next.iter().map(|z| z / size).collect();
+        }
+        Ok(best)
+    }
+}
+
+/// A pair with what it leaves of the equations.
+struct Candidate {
+    value: C64,
+    vector: Vec<C64>,
+    residual: f64,
+}
+
+impl Candidate {
+    fn new(pencil: &Pencil, value: C64, mut vector: Vec<C64>) -> Self {
+        let largest = vector.iter().fold(0.0, |m: f64, x| m.max(x.norm()));
+        vector.iter_mut().for_each(|x| *x /= largest);
+        Candidate {
+            residual: pencil.relative_residual(value, &vector),
+            value,
+            vector,
+        }
     }
 }

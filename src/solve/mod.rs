@@ -6,6 +6,7 @@ mod diagnosis;
 mod direct;
 mod eigen;
 mod guess;
+mod krylov;
 mod march;
 mod modes;
 mod newton;
