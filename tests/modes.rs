@@ -555,7 +555,7 @@ fn nearest_to_a_frequency() {
     let mut model = Model::new();
     let ids = beam.add(&mut model, 1e-4);
     weld(&mut model, ids.first_node);
-    let all = modes(&model, 14);
+    let all = modes(&model, 18);
     let wanted = 150.0;
     let options = ModesOptions {
         count: 4,

@@ -20,6 +20,8 @@ const NEXT_TO: f64 = 1e-7;
 /// Most that polishing may change an eigenvalue, relative to it.
 const NEARBY: f64 = 1e-6;
 const POLISHING_STEPS: usize = 4;
+/// Slower modes than this, relative to the highest frequency, are not told from free motions.
+const SLOWEST: f64 = 1e-7;
 /// Relative residual of `K x` below which `x` is free to move.
 pub(super) const FREE: f64 = 1e-13;
 /// Steps that leave nothing but free motions.
@@ -91,38 +93,43 @@ impl<'a> Search<'a> {
 
     /// A shift near the lowest frequencies but not zero, so that free motions do no harm.
     fn shift_for_smallest(&self) -> Result<f64> {
-        let mut shift = 1e-3 * self.highest;
-        for _ in 0..10 {
-            let Some(inverse) = Inverse::new(self.pencil, C64::from(shift))? else {
-                shift *= 1.37;
+        let first = 1e-3 * self.highest;
+        let mut shift = first;
+        while shift > SLOWEST * self.highest {
+            let lowest = match Inverse::new(self.pencil, C64::from(shift))? {
+                Some(inverse) => self.lowest(&inverse, shift)?,
+                None => None,
+            };
+            // What is much slower than the shift is not seen from there.
+            let Some(lowest) = lowest else {
+                shift *= 0.1;
                 continue;
             };
-            let map = self.map(&inverse, shift);
-            let mut space = self.space()?;
-            for _ in 0..6 * BLOCK {
-                if space.columns.len() < space.basis.len() {
-                    space.grow(&map)?;
-                }
-            }
-            // Roughly the lowest that is no free motion.
-            let lowest = space
-                .ritz()?
-                .iter()
-                .filter(|r| r.residual < 1e-2)
-                .map(|r| (C64::from(shift) + r.theta.inv()).norm())
-                .filter(|s| *s > 1e-4 * shift && *s > 1e-7 * self.highest)
-                .fold(f64::INFINITY, f64::min);
-            if !lowest.is_finite() {
-                break;
-            }
             let better = 0.314 * lowest;
-            let done = better > 0.5 * shift;
+            if better > 0.5 * shift {
+                return Ok(better);
+            }
             shift = better;
-            if done {
-                break;
+        }
+        Ok(first)
+    }
+
+    /// Roughly the smallest eigenvalue that is not of a free motion, if a few steps show any.
+    fn lowest(&self, inverse: &Inverse, shift: f64) -> Result<Option<f64>> {
+        let map = self.map(inverse, shift);
+        let mut space = self.space()?;
+        for _ in 0..6 * BLOCK {
+            if space.columns.len() < space.basis.len() {
+                space.grow(&map)?;
             }
         }
-        Ok(shift)
+        let sizes = space.ritz()?;
+        Ok(sizes
+            .iter()
+            .filter(|r| r.residual < 1e-2)
+            .map(|r| (C64::from(shift) + r.theta.inv()).norm())
+            .filter(|s| *s > 1e-4 * shift && *s > SLOWEST * self.highest)
+            .reduce(f64::min))
     }
 
     fn map<'b>(&'b self, inverse: &'b Inverse, unit: f64) -> Map<'b> {

@@ -18,7 +18,7 @@ use faer::linalg::solvers::{Eigen, PartialPivLu, Solve};
 /// A new direction smaller than this, relative to what it was before, is rounding.
 const DEPENDENT: f64 = 1e-11;
 /// Relative residual in the space of an eigenvector that needs no improvement.
-const INSIDE: f64 = 1e-12;
+const INSIDE: f64 = 1e-10;
 
 /// The map `z ↦ z'`.
 pub(super) struct Map<'a> {
@@ -199,7 +199,7 @@ impl Space {
             if inside.is_finite() && outside.is_finite() {
                 found.push(Ritz {
                     theta,
-                    residual: inside.max(outside),
+                    residual: if inside <= INSIDE { outside } else { inside },
                     y,
                 });
             }
