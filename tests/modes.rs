@@ -4,7 +4,7 @@ mod common;
 
 use common::*;
 use nalgebra::{Complex, Matrix3, Vector3};
-use periodyn::elements::{Coordinate, JointKind, LoadFrame};
+use periodyn::elements::{Coordinate, JointKind, LoadFrame, MaxwellBranch};
 use periodyn::error::ErrorKind;
 use periodyn::model::*;
 use periodyn::output::{BeamQuantity, JointQuantity, Modes, NodeQuantity};
@@ -793,5 +793,156 @@ fn no_equilibrium_no_modes() {
     ] {
         let error = try_modes(&model, &options).unwrap_err();
         assert!(error.to_string().starts_with(name), "{error}");
+    }
+}
+
+#[test]
+fn a_maxwell_branch_makes_a_cubic() {
+    let (k, kb, j) = (2.2, 3.1, 1.1);
+    for tau in [0.05, 0.7, 8.0] {
+        let mut model = Model::new();
+        let body = model
+            .add_rigid_body(1.0, &Vector3::x(), &(Matrix3::identity() * (j - 1.0)))
+            .unwrap();
+        let z = Vector3::z();
+        let joint = revolute(&mut model, None, Some(body), &Vector3::zeros(), &z);
+        let branch = MaxwellBranch {
+            stiffness: kb,
+            relaxation_time: tau,
+        };
+        model
+            .add_viscoelastic(rotation1(joint), k, 0.0, &[branch])
+            .unwrap();
+        // (J s² + K∞ + K_b) (1 + τ s) − K_b = 0.
+        let found = modes(&model, 5);
+        assert_eigenvalues(&found, &roots(&[j * tau, j, (k + kb) * tau, k]), 1e-12);
+    }
+}
+
+#[test]
+fn a_spinning_body_nutates() {
+    // Held at its centre, A ≠ B: in the frame that turns with it the axis of spin turns by −Ω, and the body
+    // nutates by Ω √((C − A) (C − B) / (A B)), Euler's equations; or falls over if C is the middle one.
+    let speed = 7.0;
+    for (a, b, c) in [(1.0, 1.4, 2.1), (1.6, 1.9, 0.5), (1.0, 2.0, 1.5)] {
+        let mut model = Model::new();
+        let inertia = Matrix3::from_diagonal(&Vector3::new(a, b, c));
+        let place = Vector3::new(0.3, 0.0, 0.2);
+        let body = model.add_rigid_body(3.0, &place, &inertia).unwrap();
+        let frame = *model.node(body).unwrap();
+        model
+            .add_joint(JointKind::Spherical, None, Some(body), &frame, &frame)
+            .unwrap();
+        let mut options = turning(Vector3::z() * speed, 6);
+        options.equilibrium.standstill.axis_point = place;
+        let found = modes_with(&model, &options);
+        let square: f64 = speed * speed * (c - a) * (c - b) / (a * b);
+        let mut expected = vec![Complex::from(0.0), Complex::new(0.0, speed)];
+        if square > 0.0 {
+            expected.push(Complex::new(0.0, square.sqrt()));
+        } else {
+            expected.extend([1.0, -1.0].map(|sign| Complex::from(sign * (-square).sqrt())));
+        }
+        assert_eq!(found.modes().len(), expected.len(), "{}", found.report());
+        for s in expected {
+            let nearest = values(&found)
+                .iter()
+                .map(|v| (v - s).norm())
+                .fold(f64::INFINITY, f64::min);
+            assert!(nearest < 1e-12 * speed, "{s}: {}", found.report());
+        }
+    }
+}
+
+#[test]
+fn redundant_and_driven_joints_leave_no_spurious_modes() {
+    // A planar four-bar of revolutes: three constraints too many.
+    let [a, b, c, d] =
+        [(0.0, 0.0), (0.2, 1.0), (2.2, 1.4), (2.0, 0.0)].map(|(x, y)| Vector3::new(x, y, 0.0));
+    let mut model = Model::new();
+    let (mass, inertia, z) = (1.3, 0.15, Vector3::z());
+    let bars = [(a, b), (b, c), (c, d)].map(|(p, q)| {
+        let centre = 0.5 * (p + q);
+        let body = model.add_rigid_body(mass, &centre, &(Matrix3::identity() * inertia));
+        Some(body.unwrap())
+    });
+    let crank = revolute(&mut model, None, bars[0], &a, &z);
+    revolute(&mut model, bars[0], bars[1], &b, &z);
+    revolute(&mut model, bars[1], bars[2], &c, &z);
+    revolute(&mut model, bars[2], None, &d, &z);
+    let stiffness = 40.0;
+    let damping = 3.0;
+    model
+        .add_spring_damper(SpringDefinition {
+            at: rotation1(crank),
+            stiffness,
+            damping,
+            rest: 0.0,
+        })
+        .unwrap();
+    // Velocities for a unit rate of the crank: z × (b − a) + w₂ z × (c − b) = w₃ z × (c − d).
+    let solved = nalgebra::Matrix2::new(c.x - b.x, d.x - c.x, c.y - b.y, d.y - c.y)
+        .lu()
+        .solve(&nalgebra::Vector2::new(a.x - b.x, a.y - b.y))
+        .unwrap();
+    let (w2, w3) = (solved[0], solved[1]);
+    let speeds = [
+        (0.5 * (b - a)).norm(),
+        ((b - a) + 0.5 * w2 * (c - b)).norm(),
+        (0.5 * w3 * (c - d)).norm(),
+    ];
+    let kinetic: f64 = speeds.iter().map(|v| mass * v * v).sum();
+    let effective = kinetic + inertia * (1.0 + w2 * w2 + w3 * w3);
+    let found = modes(&model, 20);
+    assert!(found.is_complete());
+    assert_eigenvalues(&found, &roots(&[effective, damping, stiffness]), 1e-12);
+    // Driven, nothing can move.
+    model
+        .prescribe(rotation1(crank), &Signal::constant(0.2).unwrap())
+        .unwrap();
+    let found = modes(&model, 20);
+    assert!(found.is_complete());
+    assert_eq!(found.modes().len(), 0, "{}", found.report());
+
+    // A pendulum on a driven arm, which stands still at 90 degrees.
+    let (m, l, j, g) = (0.8, 0.6, 0.02, 9.81);
+    let mut model = Model::new();
+    model.set_gravity([0.0, -g, 0.0].map(|g| Signal::constant(g).unwrap()));
+    let arm = model
+        .add_rigid_body(1.0, &Vector3::x(), &Matrix3::identity())
+        .unwrap();
+    let bob = model
+        .add_rigid_body(m, &Vector3::new(2.0, -l, 0.0), &(Matrix3::identity() * j))
+        .unwrap();
+    let top = revolute(&mut model, None, Some(arm), &Vector3::zeros(), &z);
+    revolute(&mut model, Some(arm), Some(bob), &(2.0 * Vector3::x()), &z);
+    let swing = Signal::harmonics(0.5 * PI, 0.0, &[0.0], &[0.3]).unwrap();
+    model.prescribe(rotation1(top), &swing).unwrap();
+    let found = modes(&model, 5);
+    let expected = (m * g * l / (j + m * l * l)).sqrt();
+    assert_eigenvalues(&found, &[Complex::new(0.0, expected)], 1e-11);
+}
+
+#[test]
+fn many_free_motions_are_all_found() {
+    // Three equal beams that nothing holds: 18 free motions, and elastic modes of multiplicity six.
+    let r = 5e-3;
+    let mut model = Model::new();
+    for _ in 0..3 {
+        Slender {
+            r,
+            soft: 1.0,
+            elements: 2,
+            degree: 7,
+        }
+        .add(&mut model, 0.0);
+    }
+    let found = modes(&model, 24);
+    let zeros = values(&found).iter().filter(|s| s.norm() == 0.0).count();
+    assert_eq!((zeros, found.modes().len()), (18, 24), "{}", found.report());
+    let elastic = &frequencies(&found)[18..];
+    for w in elastic {
+        assert!((w / elastic[0] - 1.0).abs() < 1e-9, "{}", found.report());
+        assert!((w / 4.730040744863f64.powi(2) - 1.0).abs() < 5.0 * (4.73 * r).powi(2));
     }
 }

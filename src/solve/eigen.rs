@@ -1,6 +1,6 @@
 //! Eigenvalues of the quadratic pencil near a shift.
 
-use super::krylov::{Map, Random, Ritz, Space, norm, overflow};
+use super::krylov::{Map, Random, Ritz, Space, complex, norm, overflow};
 use super::pencil::{C64, Inverse, Pencil};
 use crate::error::Result;
 
@@ -22,10 +22,10 @@ const NEARBY: f64 = 1e-6;
 const POLISHING_STEPS: usize = 4;
 /// Slower modes than this, relative to the highest frequency, are not told from free motions.
 const SLOWEST: f64 = 1e-7;
-/// Relative residual of `K x` below which `x` is free to move.
+/// Relative resistance `K x` below which `x` is free to move.
 pub(super) const FREE: f64 = 1e-13;
 /// Steps that leave nothing but free motions.
-const FREE_STEPS: usize = 20;
+const FREE_STEPS: usize = 40;
 
 /// An eigenvalue with its vector of all unknowns.
 pub(super) struct EigenPair {
@@ -100,36 +100,39 @@ impl<'a> Search<'a> {
                 Some(inverse) => self.lowest(&inverse, shift)?,
                 None => None,
             };
-            // What is much slower than the shift is not seen from there.
-            let Some(lowest) = lowest else {
-                shift *= 0.1;
-                continue;
-            };
-            let better = 0.314 * lowest;
-            if better > 0.5 * shift {
-                return Ok(better);
+            // What is slower than the shift is not told apart from there.
+            match lowest {
+                Some(lowest) if lowest > 2.5 * shift => return Ok(0.314 * lowest),
+                Some(lowest) => shift = (0.314 * lowest).min(0.5 * shift),
+                None => shift *= 0.1,
             }
-            shift = better;
         }
         Ok(first)
     }
 
-    /// Roughly the smallest eigenvalue that is not of a free motion, if a few steps show any.
+    /// Roughly the smallest eigenvalue that is not far below the shift, as those of free motions are, if
+    /// a few steps show any.
     fn lowest(&self, inverse: &Inverse, shift: f64) -> Result<Option<f64>> {
         let map = self.map(inverse, shift);
         let mut space = self.space()?;
-        for _ in 0..6 * BLOCK {
-            if space.columns.len() < space.basis.len() {
-                space.grow(&map)?;
+        for _ in 0..10 {
+            for _ in 0..6 * BLOCK {
+                if space.columns.len() < space.basis.len() {
+                    space.grow(&map)?;
+                }
+            }
+            let values = space.ritz()?;
+            let lowest = values
+                .iter()
+                .take_while(|r| r.residual < 1e-2)
+                .map(|r| (C64::from(shift) + r.theta.inv()).norm())
+                .filter(|s| *s > 0.1 * shift)
+                .reduce(f64::min);
+            if lowest.is_some() || space.columns.len() == space.basis.len() {
+                return Ok(lowest);
             }
         }
-        let sizes = space.ritz()?;
-        Ok(sizes
-            .iter()
-            .filter(|r| r.residual < 1e-2)
-            .map(|r| (C64::from(shift) + r.theta.inv()).norm())
-            .filter(|s| *s > 1e-4 * shift && *s > SLOWEST * self.highest)
-            .reduce(f64::min))
+        Ok(None)
     }
 
     fn map<'b>(&'b self, inverse: &'b Inverse, unit: f64) -> Map<'b> {
@@ -295,7 +298,8 @@ impl<'a> Search<'a> {
     ///
     /// `Q(σ)⁻¹ (σ C + σ² M)` keeps them, and shrinks all others.
     pub fn free_motions(&self) -> Result<Vec<Vec<f64>>> {
-        let shift = self.shift_for_smallest()?;
+        // Well below all others, so that these shrink fast.
+        let shift = 0.1 * self.shift_for_smallest()?;
         let (mut free, mut random) = (Space::empty(), Random::new(1));
         let Some(inverse) = Inverse::new(self.pencil, C64::from(shift))? else {
             return Ok(Vec::new());
@@ -304,7 +308,7 @@ impl<'a> Search<'a> {
         while free.basis.len() < self.x.len() {
             let mut w: Vec<f64> = (0..size).map(|_| random.next()).collect();
             for _ in 0..FREE_STEPS {
-                let old: Vec<C64> = w.iter().map(|w| C64::from(*w)).collect();
+                let old = complex(&w);
                 let mut b = vec![C64::default(); size];
                 let (first, second) = (C64::from(shift), C64::from(shift * shift));
                 self.pencil
@@ -319,9 +323,11 @@ impl<'a> Search<'a> {
                     return Ok(free.basis);
                 }
                 w.iter_mut().for_each(|w| *w /= length);
+                if self.pencil.resistance(&complex(&w)) <= 1e-2 * FREE {
+                    break;
+                }
             }
-            let complex: Vec<C64> = w.iter().map(|w| C64::from(*w)).collect();
-            if self.pencil.relative_residual(C64::default(), &complex) > FREE {
+            if self.pencil.resistance(&complex(&w)) > FREE {
                 break;
             }
             free.basis.push(w);

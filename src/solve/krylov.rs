@@ -72,8 +72,7 @@ impl Map<'_> {
 
     /// Real part of the image of a real state.
     fn apply(&self, z: &[f64]) -> Result<Vec<f64>> {
-        let complex: Vec<C64> = z.iter().map(|z| C64::from(*z)).collect();
-        Ok(self.image(&complex)?.1.iter().map(|z| z.re).collect())
+        Ok(self.image(&complex(z))?.1.iter().map(|z| z.re).collect())
     }
 }
 
@@ -260,6 +259,10 @@ fn inverse_iteration(matrix: &Mat<f64>, theta: C64, seed: usize) -> Vec<C64> {
         y.col_as_slice_mut(0).iter_mut().for_each(|y| *y /= size);
     }
     y.col_as_slice(0).to_vec()
+}
+
+pub(super) fn complex(real: &[f64]) -> Vec<C64> {
+    real.iter().map(|x| C64::from(*x)).collect()
 }
 
 fn length(y: &[C64]) -> f64 {

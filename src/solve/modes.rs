@@ -1,6 +1,7 @@
 //! Natural modes and damped eigenvalues about an equilibrium, at rest or in steady rotation.
 
 use super::eigen::{EigenPair, FREE, Search, Target};
+use super::krylov::complex;
 use super::newton::{Iteration, Outcome};
 use super::pencil::{C64, Pencil};
 use super::periodic::{PeriodicSolve, Stage};
@@ -42,7 +43,7 @@ pub struct Mode {
     /// `s`, of a conjugate pair that with the positive imaginary part.
     pub eigenvalue: Complex<f64>,
     /// Largest entry of the equations of small motions, relative to the largest sum of the sizes of their
-    /// terms.
+    /// terms; for a free motion relative to the largest stiffness.
     pub residual: f64,
     /// `φᴴ M φ`, with the shape as it is scaled here.
     pub modal_mass: f64,
@@ -198,7 +199,11 @@ fn mode(pencil: &Pencil, pair: EigenPair, motions: usize, scales: &[f64], energy
         .zip(&momentum)
         .map(|(x, p)| (x.conj() * p).re)
         .sum::<f64>();
-    let residual = pencil.relative_residual(value, &vector);
+    let residual = if value == C64::default() {
+        pencil.resistance(&vector)
+    } else {
+        pencil.relative_residual(value, &vector)
+    };
     let unscaled: Vec<C64> = vector.iter().zip(scales).map(|(x, s)| x * *s).collect();
     let (motion, own) = unscaled.split_at(motions);
     let node = |u: &[C64]| std::array::from_fn(|i| u[i]);
@@ -230,7 +235,7 @@ fn without_free_motions(search: &Search, pairs: Vec<EigenPair>) -> Result<Vec<Ei
         .collect();
     kept.extend(free.iter().map(|vector| EigenPair {
         value: C64::default(),
-        vector: vector.iter().map(|x| C64::from(*x)).collect(),
+        vector: complex(vector),
     }));
     Ok(kept)
 }

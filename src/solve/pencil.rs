@@ -58,15 +58,25 @@ impl Pencil {
             }
         }
         let size = sizes.iter().copied().fold(0.0, f64::max);
-        let residual = self
-            .product(s, x)
-            .iter()
-            .fold(0.0, |m: f64, r| m.max(r.norm()));
+        let residual = largest(&self.product(s, x));
         if size > 0.0 {
             residual / size
         } else {
             residual
         }
+    }
+
+    /// Largest entry of `K x`, relative to the largest ones of `K` and `x`: for a free motion, all terms of
+    /// which may vanish.
+    pub fn resistance(&self, x: &[C64]) -> f64 {
+        let stiffest = self
+            .matrices
+            .stiffness
+            .iter()
+            .fold(0.0, |m: f64, v| m.max(v.abs()));
+        let size = stiffest * largest(x);
+        let resisted = largest(&self.product(C64::default(), x));
+        if size > 0.0 { resisted / size } else { 0.0 }
     }
 
     /// Unknowns whose columns of `C` or `M` are not zero, and those of `M` alone.
@@ -121,6 +131,11 @@ impl Pencil {
             1.0
         }
     }
+}
+
+/// Size of the largest entry.
+fn largest(x: &[C64]) -> f64 {
+    x.iter().fold(0.0, |m: f64, x| m.max(x.norm()))
 }
 
 /// `Q(σ)⁻¹` for a real or complex shift `σ`.
