@@ -1,6 +1,6 @@
 //! Eigenvalues of the quadratic pencil near a shift.
 
-use super::krylov::{Map, Random, Ritz, Space, complex, norm, overflow};
+use super::krylov::{Map, Ritz, Space};
 use super::pencil::{C64, Inverse, Pencil};
 use crate::error::Result;
 
@@ -22,10 +22,6 @@ const NEARBY: f64 = 1e-6;
 const POLISHING_STEPS: usize = 4;
 /// Slower modes than this, relative to the highest frequency, are not told from free motions.
 const SLOWEST: f64 = 1e-7;
-/// Relative resistance `K x` below which `x` is free to move.
-pub(super) const FREE: f64 = 1e-13;
-/// Steps that leave nothing but free motions.
-const FREE_STEPS: usize = 40;
 
 /// An eigenvalue with its vector of all unknowns.
 pub(super) struct EigenPair {
@@ -56,7 +52,7 @@ impl Target {
 
 /// The search for eigenvalues of one pencil.
 pub(super) struct Search<'a> {
-    pencil: &'a Pencil,
+    pub pencil: &'a Pencil,
     x: Vec<usize>,
     y: Vec<usize>,
     highest: f64,
@@ -91,8 +87,13 @@ impl<'a> Search<'a> {
         self.highest
     }
 
+    /// Number of unknowns that move against inertia or damping.
+    pub fn motions(&self) -> usize {
+        self.x.len()
+    }
+
     /// A shift near the lowest frequencies but not zero, so that free motions do no harm.
-    fn shift_for_smallest(&self) -> Result<f64> {
+    pub fn shift_for_smallest(&self) -> Result<f64> {
         let first = 1e-3 * self.highest;
         let mut shift = first;
         while shift > SLOWEST * self.highest {
@@ -292,47 +293,6 @@ impl<'a> Search<'a> {
         } else {
             roots[1]
         }
-    }
-
-    /// Orthonormal vectors of the null space of `K`.
-    ///
-    /// `Q(σ)⁻¹ (σ C + σ² M)` keeps them, and shrinks all others.
-    pub fn free_motions(&self) -> Result<Vec<Vec<f64>>> {
-        // Well below all others, so that these shrink fast.
-        let shift = 0.1 * self.shift_for_smallest()?;
-        let (mut free, mut random) = (Space::empty(), Random::new(1));
-        let Some(inverse) = Inverse::new(self.pencil, C64::from(shift))? else {
-            return Ok(Vec::new());
-        };
-        let (matrices, size) = (&self.pencil.matrices, self.pencil.size());
-        while free.basis.len() < self.x.len() {
-            let mut w: Vec<f64> = (0..size).map(|_| random.next()).collect();
-            for _ in 0..FREE_STEPS {
-                let old = complex(&w);
-                let mut b = vec![C64::default(); size];
-                let (first, second) = (C64::from(shift), C64::from(shift * shift));
-                self.pencil
-                    .add_product(&matrices.damping, first, &old, &mut b);
-                self.pencil
-                    .add_product(&matrices.mass, second, &old, &mut b);
-                let next = inverse.solve(self.pencil, &b).ok_or_else(overflow)?;
-                w = next.iter().map(|x| x.re).collect();
-                free.project_out(&mut w);
-                let length = norm(&w);
-                if length == 0.0 {
-                    return Ok(free.basis);
-                }
-                w.iter_mut().for_each(|w| *w /= length);
-                if self.pencil.resistance(&complex(&w)) <= 1e-2 * FREE {
-                    break;
-                }
-            }
-            if self.pencil.resistance(&complex(&w)) > FREE {
-                break;
-            }
-            free.basis.push(w);
-        }
-        Ok(free.basis)
     }
 
     /// Eigenvectors of what was found, one of each conjugate pair.

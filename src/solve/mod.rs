@@ -5,6 +5,7 @@ mod branch;
 mod diagnosis;
 mod direct;
 mod eigen;
+mod free_motions;
 mod guess;
 mod krylov;
 mod march;

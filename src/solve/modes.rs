@@ -1,7 +1,7 @@
 //! Natural modes and damped eigenvalues about an equilibrium, at rest or in steady rotation.
 
-use super::eigen::{EigenPair, FREE, Search, Target};
-use super::krylov::complex;
+use super::eigen::{EigenPair, Search, Target};
+use super::free_motions::without_free_motions;
 use super::newton::{Iteration, Outcome};
 use super::pencil::{C64, Pencil};
 use super::periodic::{PeriodicSolve, Stage};
@@ -10,11 +10,6 @@ use crate::collocation::{Collocation, Pattern};
 use crate::error::{Error, ErrorKind, Result, require_finite};
 use crate::model::Model;
 use nalgebra::Complex;
-
-/// Eigenvalues this small, relative to the highest, may be those of free motions.
-const SLOW: f64 = 1e-5;
-/// Largest share of a vector outside the free motions for one that is a combination of them.
-const OUTSIDE: f64 = 1e-3;
 
 /// Options of a modal analysis.
 #[derive(Debug, Clone)]
@@ -213,45 +208,5 @@ fn mode(pencil: &Pencil, pair: EigenPair, motions: usize, scales: &[f64], energy
         modal_mass: modal_mass * energy,
         shape: motion.chunks_exact(6).map(node).collect(),
         own: own.to_vec(),
-    }
-}
-
-/// Replaces the eigenvalues that rounding makes of zero by zeros, one for each free motion.
-///
-/// A free motion is a double eigenvalue with one vector, or a simple one if something damps it: in the first
-/// case rounding splits it into two of the order of its square root.
-fn without_free_motions(search: &Search, pairs: Vec<EigenPair>) -> Result<Vec<EigenPair>> {
-    if pairs
-        .iter()
-        .all(|pair| pair.value.norm() > SLOW * search.highest())
-    {
-        return Ok(pairs);
-    }
-    let free = search.free_motions()?;
-    let rounding = FREE.sqrt() * search.highest();
-    let mut kept: Vec<EigenPair> = pairs
-        .into_iter()
-        .filter(|pair| pair.value.norm() > rounding || share_outside(&free, &pair.vector) > OUTSIDE)
-        .collect();
-    kept.extend(free.iter().map(|vector| EigenPair {
-        value: C64::default(),
-        vector: complex(vector),
-    }));
-    Ok(kept)
-}
-
-/// Share of `vector` that is no combination of the orthonormal vectors of `basis`.
-fn share_outside(basis: &[Vec<f64>], vector: &[C64]) -> f64 {
-    let mut rest = vector.to_vec();
-    for v in basis {
-        let part: C64 = rest.iter().zip(v).map(|(x, v)| x * *v).sum();
-        rest.iter_mut().zip(v).for_each(|(x, v)| *x -= part * *v);
-    }
-    let square = |x: &[C64]| x.iter().map(|x| x.norm_sqr()).sum::<f64>();
-    let whole = square(vector);
-    if whole > 0.0 {
-        (square(&rest) / whole).sqrt()
-    } else {
-        0.0
     }
 }

@@ -257,7 +257,7 @@ fn factor_complex(
                         .iter()
                         .take_while(|r| group_of[**r] == row_group);
                     let next = at + length.count();
-                    for row_part in 0..2 {
+                    for row_part in [0, 1] {
                         for entry in at..next {
                             row_indices.push(places[rows[entry]][row_part]);
                             doubled.push(match (row_part, column_part) {
