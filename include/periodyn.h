@@ -481,8 +481,13 @@
 typedef struct pdn_model pdn_model;
 
 /**
- * A solution, converged or not. Made by ::pdn_solve_periodic or ::pdn_solve_static, freed by
- * ::pdn_solution_free.
+ * An equilibrium and the modes about it. Made by ::pdn_solve_modes, freed by ::pdn_modes_free.
+ */
+typedef struct pdn_modes pdn_modes;
+
+/**
+ * A solution, converged or not. Made by ::pdn_solve_periodic, ::pdn_solve_static and
+ * ::pdn_modes_motion, freed by ::pdn_solution_free.
  */
 typedef struct pdn_solution pdn_solution;
 
@@ -1125,6 +1130,65 @@ typedef struct pdn_static_options {
      */
     void *progress_data;
 } pdn_static_options;
+
+/**
+ * Options of ::pdn_solve_modes. Set the defaults by `PDN_INIT(pdn_modes_options, &options)`.
+ */
+typedef struct pdn_modes_options {
+    /**
+     * Set by the initialiser.
+     */
+    size_t struct_size;
+    /**
+     * The equilibrium, at rest or in steady rotation, how to find it, and who is told of the
+     * iterations; NULL for the defaults of ::pdn_static_options. Default NULL.
+     */
+    const struct pdn_static_options *equilibrium;
+    /**
+     * Number of modes wanted. Default 10.
+     */
+    size_t count;
+    /**
+     * Angular frequency near which modes are wanted \[angle/time\]; 0 for those of the smallest
+     * eigenvalues. Default 0.
+     */
+    double near_frequency;
+} pdn_modes_options;
+
+/**
+ * A small motion `Re(x exp(s t))`. Initialise with `PDN_INIT(pdn_mode, &mode)`.
+ */
+typedef struct pdn_mode {
+    /**
+     * Set by the initialiser.
+     */
+    size_t struct_size;
+    /**
+     * Real part of the eigenvalue s \[1/time\]; negative if the motion decays.
+     */
+    double eigenvalue_real;
+    /**
+     * Imaginary part of s \[angle/time\], not negative.
+     */
+    double eigenvalue_imaginary;
+    /**
+     * Oscillations per unit of time, Im s / 2π.
+     */
+    double frequency;
+    /**
+     * Damping ratio, -Re s / |s|; 0 for a free motion.
+     */
+    double damping_ratio;
+    /**
+     * Product of the shape with M and its own conjugate, with the shape as ::pdn_modes_shape gives it.
+     */
+    double modal_mass;
+    /**
+     * Largest entry of the equations of small motions, relative to the largest sum of the sizes of
+     * their terms: rounding, if all is well.
+     */
+    double residual;
+} pdn_mode;
 
 /**
  * Counts, mass and mobility of a model. Initialise with `PDN_INIT(pdn_summary, &summary)`.
@@ -3263,6 +3327,195 @@ PDN_API
 pdn_status pdn_solve_static(const struct pdn_model *model,
                             const struct pdn_static_options *options,
                             struct pdn_solution **out);
+
+/**
+ * Sets default options; use `PDN_INIT(pdn_modes_options, &options)`.
+ *
+ * @param options  the options; not NULL
+ * @param struct_size  `sizeof *options`
+ *
+ * Threads: any.
+ * @since 0.1
+ */
+PDN_API
+void pdn_modes_options_init(struct pdn_modes_options *options,
+                            size_t struct_size);
+
+/**
+ * Finds an equilibrium and the modes of small motions `Re(x exp(s t))` about it.
+ *
+ * The equations of motion with their exact tangents are linearised to `(s² M + s C + K) x = 0`,
+ * constraints, internal states of viscoelastic forces, and in a turning frame gyroscopic and
+ * centrifugal terms included. Of conjugate pairs of eigenvalues s one is given; constraints make no
+ * modes. Each free motion is a mode whose s is exactly 0.
+ *
+ * That there is no equilibrium is no error: ::pdn_modes_outcome tells, and there are no modes.
+ *
+ * @param model  the model; it is copied, so that later changes do not touch the modes
+ * @param options  may be NULL for the defaults
+ * @param out  the modes; free them with ::pdn_modes_free; written on success only
+ * @return PDN_OK; PDN_ERR_SIZE (no modes or too many wanted); PDN_ERR_OVERFLOW (stiffnesses and
+ *     masses too far apart); else as ::pdn_solve_static
+ *
+ * Threads: like a `const` use of `model` and of `options.equilibrium.initial`. Signals' functions and
+ * `progress` are called on this thread.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_solve_modes(const struct pdn_model *model,
+                           const struct pdn_modes_options *options,
+                           struct pdn_modes **out);
+
+/**
+ * Frees modes; NULL does nothing. Solutions made from them stay.
+ *
+ * @param modes  the modes, not to be used any more
+ *
+ * Threads: exclusive use of `modes`.
+ * @since 0.1
+ */
+PDN_API
+void pdn_modes_free(struct pdn_modes *modes);
+
+/**
+ * How the search for the equilibrium ended.
+ *
+ * @param modes  the modes; not NULL
+ * @return as ::pdn_solution_outcome; unless it is PDN_CONVERGED there are no modes
+ *
+ * Threads: like `const`.
+ * @since 0.1
+ */
+PDN_API
+int32_t pdn_modes_outcome(const struct pdn_modes *modes);
+
+/**
+ * A readable report: outcome of the equilibrium and why, and a table of the modes.
+ *
+ * @param modes  the modes; not NULL
+ * @param buffer  array of length [capacity] for the text, UTF-8, always ended by NUL; may be NULL if
+ *     capacity is 0
+ * @param capacity  size of buffer in bytes
+ * @return length of the whole report without the NUL, as snprintf does; 0 if the handle is not valid
+ *
+ * Threads: like `const`.
+ * @since 0.1
+ */
+PDN_API
+size_t pdn_modes_report(const struct pdn_modes *modes,
+                        char *buffer,
+                        size_t capacity);
+
+/**
+ * Number of modes: as many as were wanted, if there are and they were found.
+ *
+ * @param modes  the modes; not NULL
+ * @param out  the number; written on success only
+ * @param complete  1 if the wanted number was found, or all that there are, else 0; may be NULL;
+ *     written on success only
+ * @return PDN_OK, PDN_ERR_NULL
+ *
+ * Threads: like `const`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_modes_count(const struct pdn_modes *modes,
+                           int32_t *out,
+                           int32_t *complete);
+
+/**
+ * Prepares a struct for ::pdn_modes_get; use `PDN_INIT(pdn_mode, &mode)`.
+ *
+ * @param mode  the struct; not NULL
+ * @param struct_size  `sizeof *mode`
+ *
+ * Threads: any.
+ * @since 0.1
+ */
+PDN_API
+void pdn_mode_init(struct pdn_mode *mode,
+                   size_t struct_size);
+
+/**
+ * Eigenvalue, frequency and damping of a mode.
+ *
+ * @param modes  the modes; not NULL
+ * @param mode  number of the mode, from 0; the smallest eigenvalue, or the nearest to the wanted
+ *     frequency, is first
+ * @param out  initialised by PDN_INIT; filled on success only
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_ID, PDN_ERR_STRUCT_SIZE
+ *
+ * Threads: like `const`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_modes_get(const struct pdn_modes *modes,
+                         int32_t mode,
+                         struct pdn_mode *out);
+
+/**
+ * Shape x of a mode at some nodes.
+ *
+ * For each node its small displacement and rotation along the node's own axes, as they are in the
+ * equilibrium. The largest component of all nodes is 1, with displacements relative to the size of
+ * the mechanism and rotations in radians.
+ *
+ * @param modes  the modes; not NULL
+ * @param mode  number of the mode, from 0
+ * @param nodes  array of length [count]: ids of the nodes
+ * @param count  number of nodes
+ * @param real  array of length [6 x count]: real part, components fastest
+ * @param imaginary  array of length [6 x count]: imaginary part; may be NULL
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_ID, PDN_ERR_SIZE
+ *
+ * Threads: like `const`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_modes_shape(const struct pdn_modes *modes,
+                           int32_t mode,
+                           const int32_t *nodes,
+                           size_t count,
+                           double *real,
+                           double *imaginary);
+
+/**
+ * The motion in a mode, to be looked at as any other solution.
+ *
+ * From the equilibrium each node moves by the exponential of `amplitude Re(x exp(i ω t))`, with ω = Im s: it
+ * neither decays nor grows, and repeats after 2π/ω. For a real s, ω is its size; for a free
+ * motion the period is that of the options, or 1. The equations hold but for the square of the amplitude.
+ *
+ * @param modes  the modes; not NULL
+ * @param mode  number of the mode, from 0
+ * @param amplitude  factor of the shape
+ * @param out  the solution; free it with ::pdn_solution_free; written on success only
+ * @return PDN_OK; PDN_ERR_NULL; PDN_ERR_ID; PDN_ERR_NOT_FINITE; PDN_ERR_MODEL or
+ *     PDN_ERR_GRID_TOO_COARSE (an amplitude so large that beams fold or turns cannot be followed);
+ *     PDN_ERR_CALLBACK; PDN_ERR_MEMORY
+ *
+ * Threads: like `const`; signals' functions are called on this thread.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_modes_motion(const struct pdn_modes *modes,
+                            int32_t mode,
+                            double amplitude,
+                            struct pdn_solution **out);
+
+/**
+ * The equilibrium, as ::pdn_solve_static gives it, converged or not.
+ *
+ * @param modes  the modes; not NULL
+ * @param out  the solution; free it with ::pdn_solution_free; written on success only
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_CALLBACK, PDN_ERR_MEMORY
+ *
+ * Threads: like `const`; signals' functions are called on this thread.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_modes_equilibrium(const struct pdn_modes *modes,
+                                 struct pdn_solution **out);
 
 /**
  * Interpolates a periodic motion given at N equispaced times, by dual polar decomposition.

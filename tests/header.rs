@@ -23,6 +23,7 @@ const FILES: &[&str] = &[
     "force_solution",
     "periodic",
     "statics",
+    "modes",
     "motion",
     "summary",
     "table",

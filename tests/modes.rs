@@ -45,7 +45,7 @@ fn turning(angular_velocity: Vector3<f64>, count: usize) -> ModesOptions {
             ..StaticOptions::default()
         },
         count,
-        near: None,
+        near_frequency: None,
     }
 }
 
@@ -565,7 +565,7 @@ fn nearest_to_a_frequency() {
     let wanted = 150.0;
     let options = ModesOptions {
         count: 4,
-        near: Some(wanted),
+        near_frequency: Some(wanted),
         ..ModesOptions::default()
     };
     let near = modes_with(&model, &options);
@@ -784,17 +784,17 @@ fn no_equilibrium_no_modes() {
         ),
         (
             ModesOptions {
-                near: Some(-1.0),
+                near_frequency: Some(-1.0),
                 ..ModesOptions::default()
             },
-            "options.near",
+            "options.near_frequency",
         ),
         (
             ModesOptions {
-                near: Some(f64::NAN),
+                near_frequency: Some(f64::NAN),
                 ..ModesOptions::default()
             },
-            "options.near",
+            "options.near_frequency",
         ),
     ] {
         let error = try_modes(&model, &options).unwrap_err();

@@ -78,6 +78,7 @@ pub mod last_error;
 pub mod line;
 pub mod load;
 pub mod model;
+pub mod modes;
 pub mod motion;
 pub mod periodic;
 pub mod section;

@@ -14,8 +14,8 @@ use crate::output::{BeamQuantity, JointQuantity, NodeQuantity, ResolvedIn, Solut
 use crate::solve::{Iteration, Outcome};
 use std::ffi::c_char;
 
-/// A solution, converged or not. Made by ::pdn_solve_periodic or ::pdn_solve_static, freed by
-/// ::pdn_solution_free.
+/// A solution, converged or not. Made by ::pdn_solve_periodic, ::pdn_solve_static and
+/// ::pdn_modes_motion, freed by ::pdn_solution_free.
 pub struct pdn_solution {
     _private: [u8; 0],
 }
@@ -86,7 +86,7 @@ pub unsafe extern "C" fn pdn_solution_free(solution: *mut pdn_solution) {
     handle::free(solution);
 }
 
-fn outcome_code(outcome: Outcome) -> i32 {
+pub(super) fn outcome_code(outcome: Outcome) -> i32 {
     match outcome {
         Outcome::Converged => PDN_CONVERGED,
         Outcome::IterationLimit => PDN_ITERATION_LIMIT,

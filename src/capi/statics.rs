@@ -7,7 +7,7 @@ use super::options::{self, Options};
 use super::periodic::{observer, pdn_progress_fn};
 use super::solution::pdn_solution;
 use super::status::pdn_status;
-use crate::error::Result;
+use crate::error::{Error, Result};
 use crate::fourier::TimeGrid;
 use crate::model::Model;
 use crate::output::Solution;
@@ -157,13 +157,14 @@ pub(super) fn read_static_options(
         },
         guess: InitialGuess::Default,
     };
-    options.validate().map_err(|e| match name {
+    let within = |e: Error| match name {
         "options" => e,
         _ => e.within(name),
-    })?;
+    };
+    options.validate().map_err(within)?;
     if !given.initial.is_null() {
         let initial = call.shared(given.initial, &field("initial"))?;
-        initial.require_same_shape(model)?;
+        initial.require_same_shape(model).map_err(within)?;
         let grid = TimeGrid::new(1, options.standstill.period())?;
         options.guess = InitialGuess::State(initial.prolonged_from(given.time, grid)?);
     }

@@ -19,7 +19,7 @@ pub struct ModesOptions {
     /// Number of modes wanted.
     pub count: usize,
     /// Angular frequency near which they are wanted; those of the smallest eigenvalues otherwise.
-    pub near: Option<f64>,
+    pub near_frequency: Option<f64>,
 }
 
 impl Default for ModesOptions {
@@ -27,7 +27,7 @@ impl Default for ModesOptions {
         ModesOptions {
             equilibrium: StaticOptions::default(),
             count: 10,
-            near: None,
+            near_frequency: None,
         }
     }
 }
@@ -99,11 +99,11 @@ pub fn solve_modes(
             options.count,
         ));
     }
-    if let Some(near) = options.near {
-        require_finite("options.near", &[near])?;
+    if let Some(near) = options.near_frequency {
+        require_finite("options.near_frequency", &[near])?;
         if near <= 0.0 {
             return Err(Error::value(
-                "options.near",
+                "options.near_frequency",
                 "a positive angular frequency",
                 near,
             ));
@@ -143,7 +143,9 @@ pub fn solve_modes(
         let message = "modes: the model's stiffnesses and masses are too far apart to compute with";
         return Err(Error::new(ErrorKind::Overflow, message));
     }
-    let target = options.near.map_or(Target::Smallest, Target::Near);
+    let target = options
+        .near_frequency
+        .map_or(Target::Smallest, Target::Near);
     let search = Search::new(&pencil)?;
     let found = search.run(target, options.count)?;
     solve.complete = found.complete;
