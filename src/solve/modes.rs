@@ -109,8 +109,21 @@ pub fn solve_modes(
             ));
         }
     }
-    let equilibrium =
-        find_equilibrium(model, &options.equilibrium, Indifferent::Accepted, observe)?;
+    let mut cancelled = false;
+    let mut watch = |stage, iteration: &Iteration| {
+        cancelled |= !observe(stage, iteration);
+        !cancelled
+    };
+    let mut equilibrium = find_equilibrium(
+        model,
+        &options.equilibrium,
+        Indifferent::Accepted,
+        &mut watch,
+    )?;
+    if cancelled {
+        // Also if the iteration was the last one: the modes are not wanted any more.
+        equilibrium.report.outcome = Outcome::Cancelled;
+    }
     let mut solve = ModesSolve {
         equilibrium,
         modes: Vec::new(),
