@@ -1,11 +1,12 @@
 //! The one error type of the library: what kind of failure, and a message for the engineer.
 
+use serde::{Deserialize, Serialize};
 use std::fmt;
 
 /// Kinds of failed calls. Each has one status code in the C ABI, see [`ErrorKind::code`].
 ///
 /// Not converging is *not* an error: it is the outcome of a solve, with diagnostics.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize, Deserialize)]
 pub enum ErrorKind {
     /// A pointer that must not be NULL is NULL.
     Null,
@@ -149,7 +150,7 @@ impl ErrorKind {
 }
 
 /// A failed call: its kind, and a message that names the argument, what was expected and what came.
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Error {
     kind: ErrorKind,
     message: String,

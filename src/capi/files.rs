@@ -1,8 +1,10 @@
 //! Solutions in files.
 
 use super::guard::guard;
+use super::model::pdn_model;
 use super::solution::pdn_solution;
 use super::status::pdn_status;
+use crate::output::Solution;
 use std::ffi::c_char;
 use std::path::Path;
 
@@ -46,5 +48,77 @@ pub unsafe extern "C" fn pdn_solution_write_vtk(
         let times = call.numbers(times, count, "times")?;
         let path = call.text(path, "path")?;
         solution.write_vtk(times, points_per_element, Path::new(path))
+    })
+}
+
+/// Saves a solution with its model, whether it has converged or not.
+///
+/// ::pdn_solution_load gives it back, to the last bit. Callbacks cannot be saved: see there. The format is the
+/// same on all platforms, and later versions of the library read it.
+///
+/// @param solution  the solution; not NULL
+/// @param path  where to, UTF-8. A file that is there is replaced when all is written; if that fails it
+///     stays as it was
+/// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_VALUE (text that is not UTF-8), PDN_ERR_IO
+///
+/// Threads: like a `const` use of `solution`.
+/// @since 0.1
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn pdn_solution_save(
+    solution: *const pdn_solution,
+    path: *const c_char,
+) -> pdn_status {
+    guard(|call| {
+        let solution = call.shared(solution, "solution")?;
+        let path = call.text(path, "path")?;
+        solution.save(Path::new(path))
+    })
+}
+
+/// Loads a solution that ::pdn_solution_save saved: its quantities, diagnostics and report are what they were.
+///
+/// A solve may start from it (the option `initial`), of your model or of the one that ::pdn_solution_model
+/// gives. If the solved model had callbacks, in signals or forces, the quantities of the solution are there all
+/// the same; but a solve of the model that was loaded with it fails with PDN_ERR_CALLBACK, as its callbacks
+/// are not.
+///
+/// @param path  the file, UTF-8. It need not be trusted: its checksum and everything in it are checked
+/// @param out  the solution; free it with ::pdn_solution_free; written on success only
+/// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_VALUE (text that is not UTF-8), PDN_ERR_IO, PDN_ERR_FORMAT (not a saved
+///     solution, cut off, damaged, or of a newer version), PDN_ERR_MEMORY
+///
+/// Threads: any.
+/// @since 0.1
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn pdn_solution_load(
+    path: *const c_char,
+    out: *mut *mut pdn_solution,
+) -> pdn_status {
+    guard(|call| {
+        let path = call.text(path, "path")?;
+        let out = call.out(out, "out")?;
+        out.give(Solution::load(Path::new(path))?);
+        Ok(())
+    })
+}
+
+/// A copy of the model that a solution is of, as it was when it was solved.
+///
+/// @param solution  the solution; not NULL
+/// @param out  the model; free it with ::pdn_model_free; written on success only
+/// @return PDN_OK, PDN_ERR_NULL
+///
+/// Threads: like a `const` use of `solution`.
+/// @since 0.1
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn pdn_solution_model(
+    solution: *const pdn_solution,
+    out: *mut *mut pdn_model,
+) -> pdn_status {
+    guard(|call| {
+        let solution = call.shared(solution, "solution")?;
+        let out = call.out(out, "out")?;
+        out.give(solution.model().clone());
+        Ok(())
     })
 }

@@ -7,6 +7,7 @@ use crate::fourier::{CardinalWeights, TimeGrid};
 use crate::motion::{DualMatrix, DualPolar, Motion};
 use crate::system::{Conditions, OwnValues, System};
 use nalgebra::Vector3;
+use serde::{Deserialize, Serialize};
 
 /// A node's motions over the grid, ready to be interpolated (section 4).
 #[derive(Debug, Clone)]
@@ -62,7 +63,7 @@ pub fn too_coarse(node: usize, time: f64, points: usize) -> Error {
 }
 
 /// Largest residuals half-way between grid points.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct ResidualBetween {
     /// Of forces (moments divided by the characteristic length), relative to the largest force that
     /// any element exerts on a node.

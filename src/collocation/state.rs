@@ -4,12 +4,13 @@ use crate::elements::{Measure, NodeState, Unknown, nearest_turn};
 use crate::fourier::TimeGrid;
 use crate::motion::Motion;
 use crate::system::{Placed, System};
+use serde::{Deserialize, Serialize};
 
 /// Motions of all nodes and multipliers of all joints over the grid.
 ///
 /// For `n` nodes and `N` grid points the unknowns are, in order: for each node and grid point the six
 /// increments of its motion, then, for each element with `m` multipliers and each grid point, those.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct GridState {
     points: usize,
     /// Motion of node `a` at grid point `k`, at `a N + k`.

@@ -8,9 +8,10 @@ use super::inertia::Inertia;
 use super::section::{Section, SectionLine};
 use super::shape::{gauss_legendre, lobatto_points, shape_functions};
 use super::{Contribution, Element, Instant};
-use crate::error::{Error, ErrorKind, Result};
+use crate::error::{Error, ErrorKind, Result, require_finite};
 use crate::motion::{DualMatrix, DualPolar, DualVector, Motion};
 use nalgebra::{DMatrix, Matrix6, Vector6};
+use serde::{Deserialize, Serialize};
 
 /// One quadrature point, or any other station, of a beam element.
 #[derive(Debug, Clone)]
@@ -53,7 +54,8 @@ pub(super) struct NodeTerms {
 }
 
 /// Elastic and damping forces of one beam element with nodes at the Gauss–Lobatto points.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, Serialize, Deserialize)]
+#[serde(try_from = "BeamRecord", into = "BeamRecord")]
 pub struct Beam {
     nodes: Vec<usize>,
     points: Vec<f64>,
@@ -61,6 +63,43 @@ pub struct Beam {
     sections: SectionLine,
     damped: bool,
     stations: Vec<Station>,
+}
+
+/// No beam has more nodes: where a file says so, it is wrong.
+const MOST_NODES: usize = 100;
+
+/// What a beam is made from.
+#[derive(Serialize, Deserialize)]
+struct BeamRecord {
+    nodes: Vec<usize>,
+    reference: Vec<Motion>,
+    sections: SectionLine,
+}
+
+impl From<Beam> for BeamRecord {
+    fn from(beam: Beam) -> Self {
+        BeamRecord {
+            nodes: beam.nodes,
+            reference: beam.reference,
+            sections: beam.sections,
+        }
+    }
+}
+
+impl TryFrom<BeamRecord> for Beam {
+    type Error = Error;
+
+    fn try_from(record: BeamRecord) -> Result<Self> {
+        if record.nodes.len() > MOST_NODES {
+            let expected = format!("at most {MOST_NODES}");
+            return Err(Error::size("beam nodes", expected, record.nodes.len()));
+        }
+        for motion in &record.reference {
+            require_finite("beam", motion.position.as_slice())?;
+            require_finite("beam", motion.rotation.as_slice())?;
+        }
+        Beam::new(record.nodes, record.reference, record.sections)
+    }
 }
 
 impl Beam {

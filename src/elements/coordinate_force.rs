@@ -1,9 +1,11 @@
 //! Springs, dampers, actuators and laws of the user on a joint coordinate.
 
+use super::absent;
 use super::joint::{FramePair, Joint, RelativeState};
 use super::relative::{Coordinate, JointKind, ScalarFunction};
 use super::{Contribution, Element, Instant, Unknown};
 use crate::error::{Error, ErrorKind, Result};
+use serde::{Deserialize, Serialize};
 use std::fmt;
 use std::sync::Arc;
 
@@ -103,9 +105,13 @@ pub struct CoordinateState {
 pub type CoordinateFunction = Arc<dyn Fn(&CoordinateState) -> Result<Effort> + Send + Sync>;
 
 /// A user's law, and how its derivatives are had.
-#[derive(Clone)]
+#[derive(Clone, Serialize, Deserialize)]
 pub struct CoordinateLaw {
     /// The function.
+    #[serde(
+        serialize_with = "absent::serialize",
+        deserialize_with = "absent::coordinate_function"
+    )]
     pub function: CoordinateFunction,
     /// Whether it gives derivatives; otherwise they are differenced.
     pub gives_derivatives: bool,

@@ -5,9 +5,10 @@ use super::{Contribution, Element, Instant, NodeState, Unknown};
 use crate::error::Result;
 use crate::motion::{DualVector, Motion};
 use nalgebra::{Matrix6, Vector6};
+use serde::{Deserialize, Serialize};
 
 /// A joint frame fixed to a node or, without one, to the ground.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Attachment {
     /// Index of the node; `None` for the ground.
     pub node: Option<usize>,
@@ -172,10 +173,36 @@ impl RelativeState {
 }
 
 /// A joint: its kind and two frames.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, Serialize, Deserialize)]
+#[serde(from = "JointRecord", into = "JointRecord")]
 pub struct Joint {
     pub(super) pair: FramePair,
     kind: JointKind,
+}
+
+/// What a joint is made from.
+#[derive(Serialize, Deserialize)]
+struct JointRecord {
+    kind: JointKind,
+    first: Attachment,
+    second: Attachment,
+}
+
+impl From<Joint> for JointRecord {
+    fn from(joint: Joint) -> Self {
+        let (first, second) = joint.attachments();
+        JointRecord {
+            kind: joint.kind,
+            first,
+            second,
+        }
+    }
+}
+
+impl From<JointRecord> for Joint {
+    fn from(record: JointRecord) -> Self {
+        Joint::new(record.kind, record.first, record.second)
+    }
 }
 
 impl Joint {
@@ -185,6 +212,11 @@ impl Joint {
             pair: FramePair::new(first, second),
             kind,
         }
+    }
+
+    /// Its two frames.
+    pub fn attachments(&self) -> (Attachment, Attachment) {
+        (self.pair.first, self.pair.second)
     }
 
     /// Kind of the joint.

@@ -4,9 +4,10 @@ use super::{Contribution, Element, Instant};
 use crate::error::Result;
 use crate::motion::skew;
 use nalgebra::{Vector3, Vector6};
+use serde::{Deserialize, Serialize};
 
 /// How a load's components are directed.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize, Deserialize)]
 pub enum LoadFrame {
     /// Along the inertial axes.
     Space,

@@ -3,6 +3,7 @@
 //! An element knows nothing of the period or of other elements. Adding one takes a file here and
 //! an entry in the test that every element passes (`tangent_test`).
 
+mod absent;
 mod beam;
 mod coordinate_force;
 mod damper;
@@ -18,6 +19,7 @@ mod tangent_test;
 mod user_force;
 mod viscoelastic;
 
+pub(crate) use absent::{call_absent, serialize as serialize_absent, with_zero_for_absent};
 pub use beam::Beam;
 pub use coordinate_force::{
     CoordinateForce, CoordinateFunction, CoordinateLaw, CoordinateState, Effort, Law,
@@ -40,9 +42,10 @@ pub use viscoelastic::{MaxwellBranch, Viscoelastic};
 use crate::error::Result;
 use crate::motion::Motion;
 use nalgebra::{DMatrix, DVector, Matrix6, Vector3, Vector6};
+use serde::{Deserialize, Serialize};
 
 /// State of one node at one instant.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone, Copy, Serialize, Deserialize)]
 pub struct NodeState {
     /// Motion from the inertial frame.
     pub motion: Motion,

@@ -6,6 +6,7 @@
 use super::Measure;
 use crate::motion::{Motion, skew};
 use nalgebra::{Matrix3, Matrix6, Vector3, Vector6};
+use serde::{Deserialize, Serialize};
 use std::f64::consts::TAU;
 use std::fmt;
 
@@ -126,7 +127,7 @@ impl ScalarFunction {
 }
 
 /// Coordinates that a joint leaves free; "1" is the first or only one of its sort.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize, Deserialize)]
 pub enum Coordinate {
     /// First (or only) relative displacement.
     Displacement1,
@@ -187,7 +188,7 @@ pub(crate) fn nearest_turn(angle: f64, near: f64) -> f64 {
 /// | spherical | `r = 0` | `R = R₁(θ₁) R₂(θ₂) R₃(θ₃)` |
 /// | free | none | displacements `r`, `R = R₁(θ₁) R₂(θ₂) R₃(θ₃)` |
 /// | strut | none | distance `\|r\|`, displacement 1 |
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub enum JointKind {
     /// No relative motion.
     Rigid,

@@ -1,10 +1,12 @@
 //! Cross-sections, and how they change along a beam element.
 
+use crate::error::{Error, ErrorKind, Result, require_finite};
 use nalgebra::Matrix6;
+use serde::{Deserialize, Serialize};
 
 /// Properties of a beam's cross-section, per unit of length, in the order
 /// `[axial, shear 2, shear 3, torsion, bending 2, bending 3]`; axis 1 is along the beam.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Section {
     /// Stiffness: stress resultants `[force; moment]` for unit strains `[γ; κ]`.
     pub stiffness: Matrix6<f64>,
@@ -28,12 +30,38 @@ impl Section {
 
 /// The cross-section along an element: given at places in `[−1, 1]`, linear between neighbours, and
 /// constant beyond the first and the last.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(try_from = "Vec<(f64, Section)>", into = "Vec<(f64, Section)>")]
 pub struct SectionLine(Vec<(f64, Section)>);
 
 impl From<Section> for SectionLine {
     fn from(section: Section) -> Self {
         SectionLine(vec![(0.0, section)])
+    }
+}
+
+impl From<SectionLine> for Vec<(f64, Section)> {
+    fn from(line: SectionLine) -> Self {
+        line.0
+    }
+}
+
+impl TryFrom<Vec<(f64, Section)>> for SectionLine {
+    type Error = Error;
+
+    /// From what a file says, which may be anything.
+    fn try_from(places: Vec<(f64, Section)>) -> Result<Self> {
+        if places.is_empty() || !places.is_sorted_by(|a, b| a.0 <= b.0) {
+            let message = "sections: not at one or more ascending places";
+            return Err(Error::new(ErrorKind::Value, message));
+        }
+        for (place, section) in &places {
+            require_finite("section", &[*place])?;
+            require_finite("section stiffness", section.stiffness.as_slice())?;
+            require_finite("section mass", section.mass.as_slice())?;
+            require_finite("section damping", section.damping.as_slice())?;
+        }
+        Ok(SectionLine(places))
     }
 }
 

@@ -5,9 +5,10 @@ use super::joint::Joint;
 use super::relative::Coordinate;
 use super::{Contribution, Element, Instant, Unknown};
 use crate::error::Result;
+use serde::{Deserialize, Serialize};
 
 /// A Maxwell branch: spring and dashpot in series.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct MaxwellBranch {
     /// Stiffness `K_b` of its spring.
     pub stiffness: f64,

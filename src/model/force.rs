@@ -6,6 +6,7 @@ use crate::elements::{Attachment, CoordinateLaw, JointKind, MaxwellBranch, NodeF
 use crate::error::{Error, ErrorKind, Result, require_finite};
 use crate::motion::Motion;
 use nalgebra::{Matrix3, Matrix6, Vector3};
+use serde::{Deserialize, Serialize};
 
 /// Linear spring-damper on a joint coordinate: effort `stiffness (q − rest) + damping q̇` against growth.
 #[derive(Debug, Clone, Copy)]
@@ -21,7 +22,7 @@ pub struct SpringDefinition {
 }
 
 /// A force of the model.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, Serialize, Deserialize)]
 pub enum ForceDefinition {
     /// Effort `Σ stiffness[i−1] (q − rest)ⁱ + Σ damping[i−1] q̇ⁱ` on a joint coordinate, against growth.
     SpringDamper {
@@ -112,7 +113,7 @@ impl Model {
         })
     }
 
-    fn add_force(&mut self, force: ForceDefinition) -> usize {
+    pub(super) fn add_force(&mut self, force: ForceDefinition) -> usize {
         self.forces.push(force);
         self.forces.len() - 1
     }

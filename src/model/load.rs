@@ -3,10 +3,11 @@
 use super::{Model, Signal};
 use crate::elements::{Beam, DistributedLoad, LoadFrame};
 use crate::error::{Error, ErrorKind, Result, require_finite};
+use serde::{Deserialize, Serialize};
 use std::ops::Range;
 
 /// Force and moment per unit of reference length, along consecutive beam elements.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, Serialize, Deserialize)]
 pub struct DistributedLoadDefinition {
     /// First beam element.
     pub first_element: usize,

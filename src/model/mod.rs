@@ -8,6 +8,7 @@ mod build;
 mod force;
 mod line;
 mod load;
+mod loaded;
 mod signal;
 
 pub use beam::{BeamIds, SectionStation};
@@ -19,9 +20,10 @@ pub use signal::{BoundSignal, Signal};
 
 use crate::elements::{Beam, Coordinate, Inertia, Joint, LoadFrame};
 use crate::motion::Motion;
+use serde::{Deserialize, Serialize};
 
 /// A joint coordinate of a model.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 pub struct JointCoordinate {
     /// Index of the joint.
     pub joint: usize,
@@ -30,7 +32,7 @@ pub struct JointCoordinate {
 }
 
 /// Force and moment on a node.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, Serialize, Deserialize)]
 pub struct LoadDefinition {
     /// Node.
     pub node: usize,
@@ -41,7 +43,7 @@ pub struct LoadDefinition {
 }
 
 /// A mechanism in its reference configuration.
-#[derive(Debug, Clone, Default)]
+#[derive(Debug, Clone, Default, Serialize, Deserialize)]
 pub struct Model {
     pub(crate) nodes: Vec<Motion>,
     pub(crate) beams: Vec<Beam>,

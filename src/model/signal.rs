@@ -1,27 +1,74 @@
 //! Signals: scalar functions of time that drive loads and prescribed motions.
 
+use crate::elements::{call_absent, serialize_absent};
 use crate::error::{Error, ErrorKind, Result, require_finite};
 use crate::fourier::PeriodicSeries;
+use serde::{Deserialize, Deserializer, Serialize};
 use std::fmt;
 use std::sync::Arc;
 
 /// A user's function of time.
 pub type SignalFunction = Arc<dyn Fn(f64) -> Result<f64> + Send + Sync>;
 
-#[derive(Clone)]
+#[derive(Clone, Serialize, Deserialize)]
 enum Shape {
-    Harmonics { cosines: Vec<f64>, sines: Vec<f64> },
+    Harmonics {
+        cosines: Vec<f64>,
+        sines: Vec<f64>,
+    },
     Samples(Vec<f64>),
-    Function(SignalFunction),
+    Function(
+        #[serde(
+            serialize_with = "serialize_absent",
+            deserialize_with = "absent_function"
+        )]
+        SignalFunction,
+    ),
+}
+
+/// Puts a function that fails in the place of one that was not saved.
+fn absent_function<'de, D: Deserializer<'de>>(
+    deserializer: D,
+) -> std::result::Result<SignalFunction, D::Error> {
+    <()>::deserialize(deserializer)?;
+    Ok(Arc::new(|_| call_absent().map(|()| 0.0)))
 }
 
 /// A scalar function of time: mean, secular rate, and harmonics of the period, samples over the
 /// period, or a function.
-#[derive(Clone)]
+#[derive(Clone, Serialize, Deserialize)]
+#[serde(try_from = "SignalRecord")]
 pub struct Signal {
     mean: f64,
     rate: f64,
     shape: Shape,
+}
+
+/// A signal as a file has it, which may be anything.
+#[derive(Deserialize)]
+struct SignalRecord {
+    mean: f64,
+    rate: f64,
+    shape: Shape,
+}
+
+impl TryFrom<SignalRecord> for Signal {
+    type Error = Error;
+
+    fn try_from(record: SignalRecord) -> Result<Self> {
+        let SignalRecord { mean, rate, shape } = record;
+        match &shape {
+            Shape::Harmonics { cosines, sines } => {
+                Signal::harmonics(mean, rate, cosines, sines)?;
+            }
+            Shape::Samples(samples) => {
+                require_finite("mean", &[mean])?;
+                Signal::samples(rate, samples)?;
+            }
+            Shape::Function(_) => require_finite("signal", &[mean, rate])?,
+        }
+        Ok(Signal { mean, rate, shape })
+    }
 }
 
 impl fmt::Debug for Signal {

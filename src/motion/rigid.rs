@@ -3,9 +3,10 @@
 use super::dual::{DualMatrix, DualVector};
 use super::rotation::{rotation_from_vector, skew};
 use nalgebra::{Matrix3, Matrix6, Vector3, Vector6};
+use serde::{Deserialize, Serialize};
 
 /// A motion: rotation and position of a frame, `R` and `r`, both with respect to the inertial frame.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Motion {
     /// Rotation matrix; its columns are the frame's axes.
     pub rotation: Matrix3<f64>,

@@ -5,9 +5,10 @@ use crate::error::{ErrorKind, Result};
 use crate::fourier::{PeriodicSeries, TimeGrid};
 use crate::motion::Motion;
 use crate::solve::{Outcome, PeriodicSolve};
+use serde::{Deserialize, Serialize};
 
 /// Error estimates of a solution. Those that cannot be had are infinite.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Diagnostics {
     /// Largest amplitude of each harmonic, from 0, over all nodes: positions relative to the
     /// characteristic length, entries of rotation matrices.

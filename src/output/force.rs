@@ -7,7 +7,8 @@ use crate::error::{Error, ErrorKind, Result};
 use crate::fourier::PeriodicSeries;
 use crate::solve::{Outcome, PeriodicSolve};
 use crate::system::{Conditions, ElementRole, OwnValues, Placed};
-use nalgebra::{DVector, Vector3};
+use nalgebra::{Vector3, Vector6};
+use serde::{Deserialize, Serialize};
 
 /// What can be asked of a force.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -33,15 +34,29 @@ impl ForceQuantity {
 }
 
 /// A force at the grid points.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, Serialize, Deserialize)]
 pub(super) struct ForceRecord {
     nodes: Vec<usize>,
     /// Forces on the nodes, in their own axes.
-    on_nodes: Vec<DVector<f64>>,
+    on_nodes: Vec<Vec<f64>>,
     /// The element's outputs.
     outputs: Vec<Vec<f64>>,
     /// What its internal states gain in a period.
     gain: f64,
+}
+
+impl ForceRecord {
+    /// Whether its values are as many as a grid of `points` needs.
+    pub(super) fn fits(&self, points: usize) -> bool {
+        let outputs = self.outputs.first().map_or(0, Vec::len);
+        self.on_nodes.len() == points
+            && self.outputs.len() == points
+            && self
+                .on_nodes
+                .iter()
+                .all(|x| x.len() / 6 == self.nodes.len())
+            && self.outputs.iter().all(|x| x.len() == outputs)
+    }
 }
 
 /// States of an element's nodes at grid point `k`.
@@ -99,7 +114,7 @@ pub(super) fn record_forces(solve: &PeriodicSolve) -> Result<Vec<Result<ForceRec
             };
             let states = states_of(solve, placed, k);
             let (on_nodes, outputs) = solve.system.outputs(placed, &states, &conditions, own)?;
-            record.on_nodes.push(on_nodes);
+            record.on_nodes.push(on_nodes.as_slice().to_vec());
             record.outputs.push(outputs);
         }
         Ok(record)
@@ -165,7 +180,7 @@ impl Solution {
                 })?;
                 let points = self.grid().points();
                 self.series_of(6, |k| {
-                    let own = record.on_nodes[k].fixed_rows::<6>(6 * local);
+                    let own = Vector6::from_column_slice(&record.on_nodes[k][6 * local..][..6]);
                     let turn = match frame {
                         LoadFrame::Space => {
                             self.solve.node_states[node * points + k].motion.rotation

@@ -2,6 +2,7 @@
 
 mod beam;
 mod diagnostics;
+mod file;
 mod force;
 mod joint;
 mod modes;

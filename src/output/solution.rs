@@ -23,7 +23,7 @@ pub struct Solution {
     pub(super) solve: PeriodicSolve,
     /// Value of each prescribed coordinate at time zero: a signal's function is not called any more.
     pub(super) prescribed_start: Vec<f64>,
-    diagnostics: Diagnostics,
+    pub(super) diagnostics: Diagnostics,
     /// What each force did: a user's function is not called any more.
     pub(super) forces: Vec<Result<ForceRecord>>,
 }

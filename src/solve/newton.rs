@@ -5,10 +5,11 @@ use super::diagnosis::{Singularity, describe_inconsistency, describe_open_joint,
 use super::direct::DirectSolver;
 use crate::collocation::{Collocation, GridState, Pattern, TangentBlocks};
 use crate::error::{ErrorKind, Result};
+use serde::{Deserialize, Serialize};
 use std::time::{Duration, Instant};
 
 /// How a solve ended. Only [`Outcome::Converged`] is a solution.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Outcome {
     /// The last increment is below the tolerance.
     Converged,
@@ -29,7 +30,7 @@ pub enum Outcome {
 }
 
 /// One iteration, as reported to the progress callback and kept in the history.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Iteration {
     /// Number of the iteration, from 1.
     pub number: usize,
@@ -53,7 +54,7 @@ pub struct NewtonOptions {
 }
 
 /// Time spent, by kind of work.
-#[derive(Debug, Clone, Copy, Default, PartialEq)]
+#[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
 pub struct Timings {
     /// Elements and assembly: residuals and Jacobians.
     pub assembly: Duration,
@@ -66,7 +67,7 @@ pub struct Timings {
 }
 
 /// Outcome and history of a Newton solve.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, Serialize, Deserialize)]
 pub struct NewtonReport {
     /// How it ended.
     pub outcome: Outcome,

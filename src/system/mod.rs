@@ -18,6 +18,7 @@ use crate::error::{Error, ErrorKind, Result};
 use crate::model::{BoundSignal, ForceDefinition, JointCoordinate, Model, Signal};
 use crate::motion::Motion;
 use nalgebra::{DVector, Vector3};
+use serde::{Deserialize, Serialize};
 use std::f64::consts::TAU;
 use std::sync::Arc;
 
@@ -70,7 +71,7 @@ struct DrivenSignal {
 }
 
 /// A time at which everything stands still, in a frame that may turn steadily.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Standstill {
     /// The time: signals keep the values that they have then.
     pub time: f64,
