@@ -3833,6 +3833,58 @@ pdn_status pdn_solution_write_vtk(const struct pdn_solution *solution,
                                   size_t points_per_element,
                                   const char *path);
 
+/**
+ * Saves a solution with its model, whether it has converged or not.
+ *
+ * ::pdn_solution_load gives it back, to the last bit. Callbacks cannot be saved: see there. The format is the
+ * same on all platforms, and later versions of the library read it.
+ *
+ * @param solution  the solution; not NULL
+ * @param path  where to, UTF-8. A file that is there is replaced when all is written; if that fails it
+ *     stays as it was
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_VALUE (text that is not UTF-8), PDN_ERR_IO
+ *
+ * Threads: like a `const` use of `solution`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_solution_save(const struct pdn_solution *solution,
+                             const char *path);
+
+/**
+ * Loads a solution that ::pdn_solution_save saved: its quantities, diagnostics and report are what they were.
+ *
+ * A solve may start from it (the option `initial`), of your model or of the one that ::pdn_solution_model
+ * gives. If the solved model had callbacks, in signals or forces, the quantities of the solution are there all
+ * the same; but a solve of the model that was loaded with it fails with PDN_ERR_CALLBACK, as its callbacks
+ * are not.
+ *
+ * @param path  the file, UTF-8. It need not be trusted: its checksum and everything in it are checked
+ * @param out  the solution; free it with ::pdn_solution_free; written on success only
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_VALUE (text that is not UTF-8), PDN_ERR_IO, PDN_ERR_FORMAT (not a saved
+ *     solution, cut off, damaged, or of a newer version), PDN_ERR_MEMORY
+ *
+ * Threads: any.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_solution_load(const char *path,
+                             struct pdn_solution **out);
+
+/**
+ * A copy of the model that a solution is of, as it was when it was solved.
+ *
+ * @param solution  the solution; not NULL
+ * @param out  the model; free it with ::pdn_model_free; written on success only
+ * @return PDN_OK, PDN_ERR_NULL
+ *
+ * Threads: like a `const` use of `solution`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_solution_model(const struct pdn_solution *solution,
+                              struct pdn_model **out);
+
 #ifdef __cplusplus
 }  // extern "C"
 #endif  // __cplusplus

@@ -47,7 +47,9 @@ fn mechanism(elements: usize, with_functions: bool) -> FourBarModel {
     let samples = Signal::samples(0.0, &[0.1, 0.2, -0.3, 0.05]).unwrap();
     model.add_actuator(hinge, &samples).unwrap();
     let matrix = Matrix6::identity() * 0.02;
-    model.add_viscous_damper(None, second, Some(&at), &matrix).unwrap();
+    model
+        .add_viscous_damper(None, second, Some(&at), &matrix)
+        .unwrap();
     let mut components = [const { None }; 6];
     components[1] = Some(cosine(0.7));
     let along = DistributedLoadDefinition {
@@ -62,7 +64,9 @@ fn mechanism(elements: usize, with_functions: bool) -> FourBarModel {
         let frequency = std::f64::consts::TAU / mechanism.period;
         let wave = move |t: f64| Ok(0.4 * (frequency * t).sin());
         components[1] = Some(Signal::function(Arc::new(wave)));
-        model.add_load(middle, LoadFrame::Space, components).unwrap();
+        model
+            .add_load(middle, LoadFrame::Space, components)
+            .unwrap();
         let law = CoordinateLaw {
             function: Arc::new(|at| {
                 Ok(Effort {
@@ -90,7 +94,10 @@ fn mechanism(elements: usize, with_functions: bool) -> FourBarModel {
 fn everything(solution: &Solution) -> Vec<u64> {
     let model = solution.model();
     let period = solution.grid().period();
-    let times: Vec<f64> = [-0.7, 0.0, 0.31, 0.5, 1.9].iter().map(|t| t * period).collect();
+    let times: Vec<f64> = [-0.7, 0.0, 0.31, 0.5, 1.9]
+        .iter()
+        .map(|t| t * period)
+        .collect();
     let mut bits = Vec::new();
     let mut add = |values: periodyn::error::Result<Vec<f64>>| match values {
         Ok(values) => bits.extend(values.iter().map(|x| x.to_bits())),
@@ -98,14 +105,27 @@ fn everything(solution: &Solution) -> Vec<u64> {
     };
     use NodeQuantity::*;
     for node in 0..model.node_count() {
-        for quantity in [Position, RotationMatrix, Quaternion, Velocity, MaterialAcceleration] {
+        for quantity in [
+            Position,
+            RotationMatrix,
+            Quaternion,
+            Velocity,
+            MaterialAcceleration,
+        ] {
             add(solution.node(node, quantity, &times));
         }
     }
     use Coordinate::*;
     for joint in 0..model.joint_count() {
         add(solution.joint(joint, JointQuantity::Reaction(ResolvedIn::Second), &times));
-        for c in [Displacement1, Displacement2, Displacement3, Rotation1, Rotation2, Rotation3] {
+        for c in [
+            Displacement1,
+            Displacement2,
+            Displacement3,
+            Rotation1,
+            Rotation2,
+            Rotation3,
+        ] {
             add(solution.joint(joint, JointQuantity::Coordinate(c), &times));
             add(solution.joint(joint, JointQuantity::Acceleration(c), &times));
             add(solution.joint(joint, JointQuantity::DrivingEffort(c), &times));
@@ -144,7 +164,10 @@ fn assert_same(loaded: &Solution, solution: &Solution) {
     assert!(everything(loaded) == everything(solution));
     assert_eq!(loaded.report(), solution.report());
     assert_eq!(loaded.outcome(), solution.outcome());
-    assert_eq!(loaded.details().report.iterations, solution.details().report.iterations);
+    assert_eq!(
+        loaded.details().report.iterations,
+        solution.details().report.iterations
+    );
 }
 
 #[test]
@@ -165,7 +188,10 @@ fn a_loaded_solution_is_the_saved_one() {
     let from = |start: &Solution| {
         let mut options = options(15);
         options.guess = InitialGuess::State(start.prolonged(grid).unwrap());
-        Solution::solve(&mechanism.model, mechanism.period, &options, &mut |_, _| true).unwrap()
+        Solution::solve(&mechanism.model, mechanism.period, &options, &mut |_, _| {
+            true
+        })
+        .unwrap()
     };
     let (first, second) = (from(&loaded), from(&solution));
     assert_eq!(first.outcome(), Outcome::Converged);
@@ -183,7 +209,12 @@ fn without_its_functions_a_solution_is_whole_and_its_model_is_not() {
 
     let refused = try_solve(loaded.model(), mechanism.period, 9).unwrap_err();
     assert_eq!(refused.kind(), ErrorKind::Callback);
-    assert!(refused.to_string().contains("the model was loaded from a file"), "{refused}");
+    assert!(
+        refused
+            .to_string()
+            .contains("the model was loaded from a file"),
+        "{refused}"
+    );
 
     // With the functions it is solved at once.
     let mut options = options(9);
@@ -204,10 +235,14 @@ fn steady_rotations_and_failures_come_back_too() {
         .unwrap();
     let frame = Model::frame_at("axis", &origin, &Vector3::z()).unwrap();
     let root = Some(blade.first_node);
-    model.add_joint(JointKind::Rigid, None, root, &frame, &frame).unwrap();
+    model
+        .add_joint(JointKind::Rigid, None, root, &frame, &frame)
+        .unwrap();
     let push = Signal::function(Arc::new(|t| Ok(3.0 + t)));
     let components = [None, None, Some(push), None, None, None];
-    model.add_load(blade.last_node, LoadFrame::Follower, components).unwrap();
+    model
+        .add_load(blade.last_node, LoadFrame::Follower, components)
+        .unwrap();
     let options = StaticOptions {
         standstill: Standstill {
             time: 0.5,
@@ -240,7 +275,10 @@ fn assert_refused(path: &Path, bytes: &[u8], part: &str) {
     assert_eq!(error.kind(), ErrorKind::Format, "{error}");
     let start = format!("path: \"{}\" ", path.display());
     let message = error.to_string();
-    assert!(message.starts_with(&start) && message.contains(part), "{message}");
+    assert!(
+        message.starts_with(&start) && message.contains(part),
+        "{message}"
+    );
 }
 
 #[test]
@@ -250,7 +288,10 @@ fn damaged_and_foreign_files_are_refused() {
     let error = Solution::load(&path).unwrap_err();
     assert_eq!(error.kind(), ErrorKind::Io);
     assert!(error.to_string().contains("cannot read"), "{error}");
-    assert_eq!(Solution::load(directory.path()).unwrap_err().kind(), ErrorKind::Io);
+    assert_eq!(
+        Solution::load(directory.path()).unwrap_err().kind(),
+        ErrorKind::Io
+    );
 
     mechanism(1, true).solve(3).save(&path).unwrap();
     let good = fs::read(&path).unwrap();
@@ -259,7 +300,11 @@ fn damaged_and_foreign_files_are_refused() {
     assert_refused(&path, &vec![0; 1 << 20], "is not a saved solution");
     assert_refused(&path, &[&good[..], b"x"].concat(), "goes on after its end");
     let newer = [&good[..8], &2u32.to_le_bytes(), &good[12..]].concat();
-    assert_refused(&path, &newer, "version 2 of the format; this library reads up to 1");
+    assert_refused(
+        &path,
+        &newer,
+        "version 2 of the format; this library reads up to 1",
+    );
     // As long as it gets: nothing is set aside for what is not there.
     let endless = [&good[..16], &u64::MAX.to_le_bytes(), &good[24..]].concat();
     assert_refused(&path, &endless, "is cut off");
@@ -268,7 +313,11 @@ fn damaged_and_foreign_files_are_refused() {
     assert_refused(&path, &as_text, "is not a saved solution");
 
     for length in (1..good.len()).step_by(1 + good.len() / 500) {
-        assert_refused(&path, &good[..length], if length < 24 { "" } else { "is cut off" });
+        assert_refused(
+            &path,
+            &good[..length],
+            if length < 24 { "" } else { "is cut off" },
+        );
     }
     for bit in (0..8 * good.len()).step_by(1 + 8 * good.len() / 2000) {
         let mut bytes = good.clone();
@@ -292,14 +341,20 @@ fn files_of_version_1_are_read() {
     }
     let solution = Solution::load(&path).unwrap();
     assert_eq!(solution.outcome(), Outcome::Converged);
-    assert_eq!(solution.model().force_count(), mechanism.model.force_count());
+    assert_eq!(
+        solution.model().force_count(),
+        mechanism.model.force_count()
+    );
     // The motor turned with the prescribed angle, whatever computes the rest today.
     let angle = JointQuantity::Coordinate(Coordinate::Rotation1);
     let period = solution.grid().period();
     let turn = four_bar_input(1.0).bind(period);
     for time in solution.grid().times().collect::<Vec<_>>() {
         let found = solution.joint(mechanism.joints[3], angle, &[time]).unwrap()[0];
-        assert!((found - turn.value(time).unwrap()).abs() < 1e-9, "{time} {found}");
+        assert!(
+            (found - turn.value(time).unwrap()).abs() < 1e-9,
+            "{time} {found}"
+        );
     }
     // And so did the rest: the same model, solved today.
     let today = mechanism.solve(5);

@@ -95,7 +95,9 @@ impl Solution {
             Error::new(ErrorKind::Format, message)
         };
         let mut header = Vec::new();
-        let head = Read::by_ref(&mut file).take(HEADER as u64).read_to_end(&mut header);
+        let head = Read::by_ref(&mut file)
+            .take(HEADER as u64)
+            .read_to_end(&mut header);
         head.map_err(|e| refused("read", path, e))?;
         let (checksum, length) = read_header(&header).map_err(file_of)?;
         // As long as the file is, whatever its header says.

@@ -1,0 +1,226 @@
+/* Files: tables as CSV, animations, and solutions that are saved and loaded. */
+#include "check.h"
+#include <math.h>
+
+#define PI 3.14159265358979323846
+
+enum { TIMES = 5 };
+
+static const double PERIOD = 2.0;
+static const double times[TIMES] = {0, 0.4, 1.0, 1.7, 2.9};
+
+static int32_t body, hinge, spring;
+static pdn_beam beam;
+
+static int32_t push_signal(double time, double *value, void *user_data)
+{
+    *value = *(double *)user_data * sin(PI * time);
+    return 0;
+}
+
+/* A driven arm with a spring at its hinge, and a clamped beam that a callback's force bends. */
+static pdn_model *arm(double *size)
+{
+    const double centre[3] = {0.5, 0, 0}, inertia[9] = {0.1, 0, 0, 0, 0.1, 0, 0, 0, 0.1};
+    const double origin[3] = {0, 0, 0}, z[3] = {0, 0, 1}, y[3] = {0, 1, 0};
+    const double start[3] = {3, 0, 0}, end[3] = {5, 0, 0};
+    const double stiffness[6] = {1e6, 5e5, 5e5, 1e3, 2e3, 2e3}, mass[4] = {0.5, 1e-3, 1e-3, 1e-3};
+    const double cosines[1] = {0}, sines[1] = {0.3};
+    pdn_model *model = NULL;
+    pdn_section section;
+    pdn_signal swing, force;
+    int32_t clamp;
+    CHECK_STATUS(pdn_model_new(&model), PDN_OK);
+    CHECK_STATUS(pdn_model_add_rigid_body(model, 2.0, centre, inertia, &body), PDN_OK);
+    CHECK_STATUS(pdn_model_add_revolute(model, PDN_GROUND, body, origin, z, &hinge), PDN_OK);
+    PDN_INIT(pdn_signal, &swing);
+    CHECK_STATUS(pdn_signal_set_harmonics(&swing, 0, 0, cosines, sines, 1), PDN_OK);
+    CHECK_STATUS(pdn_model_prescribe(model, hinge, PDN_ROTATION, &swing), PDN_OK);
+    CHECK_STATUS(pdn_model_add_spring_damper(model, hinge, PDN_ROTATION, 7.0, 0.2, 0.0, &spring),
+                 PDN_OK);
+    PDN_INIT(pdn_section, &section);
+    CHECK_STATUS(pdn_section_set_diagonal(&section, stiffness, mass), PDN_OK);
+    CHECK_STATUS(pdn_model_add_straight_beam(model, start, end, y, &section, 2, 2, &beam), PDN_OK);
+    CHECK_STATUS(pdn_model_add_rigid_joint(model, PDN_GROUND, beam.first, start, &clamp), PDN_OK);
+    PDN_INIT(pdn_signal, &force);
+    CHECK_STATUS(pdn_signal_set_function(&force, push_signal, size), PDN_OK);
+    CHECK_STATUS(pdn_model_add_load(model, beam.last, PDN_FRAME_SPACE, PDN_FORCE_2, &force), PDN_OK);
+    return model;
+}
+
+static pdn_solution *solved(const pdn_model *model, const pdn_solution *initial)
+{
+    pdn_periodic_options options;
+    pdn_solution *solution = NULL;
+    PDN_INIT(pdn_periodic_options, &options);
+    options.grid_points = 9;
+    options.initial = initial;
+    CHECK_STATUS(pdn_solve_periodic(model, PERIOD, &options, &solution), PDN_OK);
+    CHECK(pdn_solution_outcome(solution) == PDN_CONVERGED);
+    return solution;
+}
+
+/* The whole of a text file. */
+static char *text_of(const char *path)
+{
+    static char text[1 << 16];
+    FILE *file = fopen(path, "rb");
+    size_t length;
+    CHECK(file != NULL);
+    length = fread(text, 1, sizeof text - 1, file);
+    CHECK(length < sizeof text - 1 && fclose(file) == 0);
+    text[length] = '\0';
+    return text;
+}
+
+static void a_table(const pdn_solution *solution)
+{
+    static const char header[] =
+        "t,p.x,p.y,p.z,joint0.rotation_1,torque,"
+        "joint0.reaction.force_x,joint0.reaction.force_y,joint0.reaction.force_z,"
+        "joint0.reaction.moment_x,joint0.reaction.moment_y,joint0.reaction.moment_z,"
+        "root.axial,root.shear_2,root.shear_3,root.torque,root.bending_2,root.bending_3,"
+        "force0.effort,\"mine, \"\"own\"\"\"\n";
+    pdn_table *table = NULL;
+    double position[3 * TIMES], angle[TIMES], torque[TIMES], reaction[6 * TIMES];
+    double root[6 * TIMES], effort[TIMES], own[TIMES];
+    char *line;
+    int k, i;
+    for (k = 0; k < TIMES; k++) {
+        own[k] = 1.0 / (3.0 + k);
+    }
+    CHECK_STATUS(pdn_table_new(times, TIMES, &table), PDN_OK);
+    CHECK_STATUS(pdn_table_add_node(table, solution, body, PDN_NODE_POSITION, "p"), PDN_OK);
+    CHECK_STATUS(
+        pdn_table_add_joint(table, solution, hinge, PDN_JOINT_COORDINATE, PDN_ROTATION, NULL),
+        PDN_OK);
+    CHECK_STATUS(pdn_table_add_joint(table, solution, hinge, PDN_JOINT_DRIVING_EFFORT, PDN_ROTATION,
+                                     "torque"),
+                 PDN_OK);
+    CHECK_STATUS(
+        pdn_table_add_joint(table, solution, hinge, PDN_JOINT_REACTION, PDN_AXES_SPACE, NULL),
+        PDN_OK);
+    CHECK_STATUS(
+        pdn_table_add_beam(table, solution, beam.first_element, -1, PDN_BEAM_FORCE, "root"),
+        PDN_OK);
+    CHECK_STATUS(pdn_table_add_force(table, solution, spring, PDN_FORCE_EFFORT, 0, NULL), PDN_OK);
+    CHECK_STATUS(pdn_table_add_values(table, "mine, \"own\"", own, TIMES), PDN_OK);
+    CHECK_STATUS(pdn_table_write_csv(table, "test_files.csv"), PDN_OK);
+    pdn_table_free(table);
+
+    CHECK_STATUS(pdn_solution_node_position(solution, body, times, TIMES, position), PDN_OK);
+    CHECK_STATUS(
+        pdn_solution_joint_coordinate(solution, hinge, PDN_ROTATION, times, TIMES, angle), PDN_OK);
+    CHECK_STATUS(
+        pdn_solution_joint_driving_effort(solution, hinge, PDN_ROTATION, times, TIMES, torque),
+        PDN_OK);
+    CHECK_STATUS(
+        pdn_solution_joint_reaction(solution, hinge, PDN_AXES_SPACE, times, TIMES, reaction),
+        PDN_OK);
+    CHECK_STATUS(
+        pdn_solution_beam_force(solution, beam.first_element, -1, times, TIMES, root), PDN_OK);
+    CHECK_STATUS(pdn_solution_force_effort(solution, spring, times, TIMES, effort), PDN_OK);
+
+    line = text_of("test_files.csv");
+    CHECK(strncmp(line, header, sizeof header - 1) == 0);
+    line += sizeof header - 1;
+    for (k = 0; k < TIMES; k++) {
+        double expected[20];
+        size_t n = 0;
+        expected[n++] = times[k];
+        for (i = 0; i < 3; i++) {
+            expected[n++] = position[3 * k + i];
+        }
+        expected[n++] = angle[k];
+        expected[n++] = torque[k];
+        for (i = 0; i < 6; i++) {
+            expected[n++] = reaction[6 * k + i];
+        }
+        for (i = 0; i < 6; i++) {
+            expected[n++] = root[6 * k + i];
+        }
+        expected[n++] = effort[k];
+        expected[n++] = own[k];
+        CHECK(n == 20);
+        for (i = 0; i < 20; i++) {
+            /* Read back exactly. */
+            CHECK(strtod(line, &line) == expected[i]);
+            CHECK(*line++ == (i < 19 ? ',' : '\n'));
+        }
+    }
+    CHECK(*line == '\0');
+    pdn_table_free(NULL);
+}
+
+static void an_animation(const pdn_solution *solution)
+{
+    const char *list;
+    CHECK_STATUS(pdn_solution_write_vtk(solution, times, TIMES, 6, "test_files.pvd"), PDN_OK);
+    list = text_of("test_files.pvd");
+    CHECK(strstr(list, "type=\"Collection\"") != NULL);
+    CHECK(strstr(list, "timestep=\"2.9\" part=\"0\" name=\"beams\" "
+                       "file=\"test_files/beams_000004.vtp\"") != NULL);
+    CHECK(strstr(list, "file=\"test_files/bodies_000000.vtp\"") != NULL);
+    CHECK(strstr(list, "file=\"test_files/joints_000003.vtp\"") != NULL);
+    CHECK(strstr(text_of("test_files/beams_000004.vtp"), "type=\"PolyData\"") != NULL);
+}
+
+static void a_saved_solution(const pdn_model *model, pdn_solution *solution)
+{
+    pdn_solution *loaded = NULL, *again = NULL;
+    pdn_model *copy = NULL;
+    pdn_periodic_options options;
+    pdn_diagnostics diagnostics;
+    double before[12 * TIMES], after[12 * TIMES];
+    char report[2][2048];
+    CHECK_STATUS(pdn_solution_save(solution, "test_files.pdn"), PDN_OK);
+    CHECK_STATUS(pdn_solution_beam_force(solution, beam.first_element, 0.3, times, TIMES, before),
+                 PDN_OK);
+    CHECK_STATUS(pdn_solution_node_acceleration(solution, beam.last, PDN_FRAME_SPACE, times, TIMES,
+                                                before + 6 * TIMES),
+                 PDN_OK);
+    CHECK(pdn_solution_report(solution, report[0], sizeof report[0]) < sizeof report[0]);
+    pdn_solution_free(solution);
+
+    CHECK_STATUS(pdn_solution_load("test_files.pdn", &loaded), PDN_OK);
+    CHECK(pdn_solution_outcome(loaded) == PDN_CONVERGED);
+    CHECK_STATUS(pdn_solution_beam_force(loaded, beam.first_element, 0.3, times, TIMES, after),
+                 PDN_OK);
+    CHECK_STATUS(pdn_solution_node_acceleration(loaded, beam.last, PDN_FRAME_SPACE, times, TIMES,
+                                                after + 6 * TIMES),
+                 PDN_OK);
+    CHECK(memcmp(before, after, sizeof before) == 0);
+    CHECK(pdn_solution_report(loaded, report[1], sizeof report[1]) < sizeof report[1]);
+    CHECK(strcmp(report[0], report[1]) == 0);
+
+    /* A solve that starts there is done at once. */
+    again = solved(model, loaded);
+    PDN_INIT(pdn_diagnostics, &diagnostics);
+    CHECK_STATUS(pdn_solution_diagnostics(again, &diagnostics), PDN_OK);
+    CHECK(diagnostics.iterations == 1 && diagnostics.guess_iterations == 0);
+    pdn_solution_free(again);
+
+    /* The model has lost its callback, and says so. */
+    CHECK_STATUS(pdn_solution_model(loaded, &copy), PDN_OK);
+    pdn_solution_free(loaded);
+    PDN_INIT(pdn_periodic_options, &options);
+    options.grid_points = 9;
+    again = NULL;
+    CHECK_STATUS(pdn_solve_periodic(copy, PERIOD, &options, &again), PDN_ERR_CALLBACK);
+    CHECK_MESSAGE("the model was loaded from a file");
+    CHECK(again == NULL);
+    pdn_model_free(copy);
+}
+
+int main(void)
+{
+    double size = 40.0;
+    pdn_model *model = arm(&size);
+    pdn_solution *solution = solved(model, NULL);
+    a_table(solution);
+    an_animation(solution);
+    a_saved_solution(model, solution);
+    pdn_model_free(model);
+    puts("files: tables, animations and saved solutions as they should be");
+    return 0;
+}

@@ -1,0 +1,213 @@
+/* What tables, animations and saved solutions refuse. */
+#include "check.h"
+#include <math.h>
+#include <stdint.h>
+
+static struct {
+    double times[3];
+    double values[3];
+} in = {{0, 1, 2}, {3, 4, 5}};
+
+static struct {
+    pdn_table *table;
+    pdn_solution *solution;
+    pdn_model *model;
+} out;
+
+static pdn_table *table;
+static pdn_solution *solution;
+
+/* The table is written as it always was. */
+static int model_changed(void)
+{
+    char text[64];
+    size_t length;
+    FILE *file;
+    if (table == NULL) {
+        return 0;
+    }
+    if (pdn_table_write_csv(table, "test_files_errors.csv") != PDN_OK) {
+        return 1;
+    }
+    file = fopen("test_files_errors.csv", "rb");
+    length = fread(text, 1, sizeof text - 1, file);
+    fclose(file);
+    text[length] = '\0';
+    return strcmp(text, "t,own\n0.0,3.0\n1.0,4.0\n2.0,5.0\n") != 0;
+}
+
+#include "refusal.h"
+
+static int32_t body, hinge;
+
+static void make_solution(void)
+{
+    const double centre[3] = {0.5, 0, 0}, inertia[9] = {0.1, 0, 0, 0, 0.1, 0, 0, 0, 0.1};
+    const double origin[3] = {0, 0, 0}, z[3] = {0, 0, 1}, start[3] = {3, 0, 0}, end[3] = {5, 0, 0};
+    const double y[3] = {0, 1, 0}, stiffness[6] = {1e6, 5e5, 5e5, 1e3, 2e3, 2e3};
+    const double mass[4] = {0.5, 1e-3, 1e-3, 1e-3}, cosines[1] = {0}, sines[1] = {0.3};
+    pdn_model *model = NULL;
+    pdn_section section;
+    pdn_signal swing;
+    pdn_beam beam;
+    pdn_periodic_options options;
+    int32_t id;
+    CHECK_STATUS(pdn_model_new(&model), PDN_OK);
+    CHECK_STATUS(pdn_model_add_rigid_body(model, 2.0, centre, inertia, &body), PDN_OK);
+    CHECK_STATUS(pdn_model_add_revolute(model, PDN_GROUND, body, origin, z, &hinge), PDN_OK);
+    PDN_INIT(pdn_signal, &swing);
+    CHECK_STATUS(pdn_signal_set_harmonics(&swing, 0, 0, cosines, sines, 1), PDN_OK);
+    CHECK_STATUS(pdn_model_prescribe(model, hinge, PDN_ROTATION, &swing), PDN_OK);
+    CHECK_STATUS(pdn_model_add_spring_damper(model, hinge, PDN_ROTATION, 7.0, 0.2, 0.0, &id),
+                 PDN_OK);
+    PDN_INIT(pdn_section, &section);
+    CHECK_STATUS(pdn_section_set_diagonal(&section, stiffness, mass), PDN_OK);
+    CHECK_STATUS(pdn_model_add_straight_beam(model, start, end, y, &section, 1, 1, &beam), PDN_OK);
+    CHECK_STATUS(pdn_model_add_rigid_joint(model, PDN_GROUND, beam.first, start, &id), PDN_OK);
+    PDN_INIT(pdn_periodic_options, &options);
+    options.grid_points = 5;
+    CHECK_STATUS(pdn_solve_periodic(model, 2.0, &options, &solution), PDN_OK);
+    pdn_model_free(model);
+}
+
+static const int32_t bad_ids[] = {-1, 99, INT32_MAX, INT32_MIN};
+static const char not_utf8[] = "a\xff";
+
+static void new_tables(void)
+{
+    REFUSED(pdn_table_new(NULL, 3, &out.table), PDN_ERR_NULL, "times: ");
+    REFUSED(pdn_table_new(in.times, 3, NULL), PDN_ERR_NULL, "out: ");
+    REFUSED(pdn_table_new(in.times, 0, &out.table), PDN_ERR_SIZE, "count: expected at least one");
+    REFUSED(pdn_table_new(in.times, SIZE_MAX, &out.table), PDN_ERR_SIZE, "times: expected at most");
+    REFUSES_NOT_FINITE_ENTRIES(in.times, 3, pdn_table_new(in.times, 3, &out.table), "times");
+}
+
+static void columns(void)
+{
+    int32_t id, quantity, detail;
+    double station = 0;
+#define NODE(label) pdn_table_add_node(table, solution, id, quantity, label)
+    id = body, quantity = PDN_NODE_POSITION;
+    REFUSED(pdn_table_add_node(NULL, solution, id, quantity, NULL), PDN_ERR_NULL, "table: ");
+    REFUSED(pdn_table_add_node(table, NULL, id, quantity, NULL), PDN_ERR_NULL, "solution: ");
+    REFUSES_EACH(id, int32_t, bad_ids, NODE(NULL), PDN_ERR_ID, "node: expected ");
+    REFUSES_EACH(quantity, int32_t, bad_enums, NODE(NULL), PDN_ERR_VALUE, "quantity: expected ");
+    REFUSED(NODE(""), PDN_ERR_VALUE, "label: expected a name");
+    REFUSED(NODE(not_utf8), PDN_ERR_VALUE, "label: expected text in UTF-8");
+
+#define JOINT(label) pdn_table_add_joint(table, solution, id, quantity, detail, label)
+    id = hinge, quantity = PDN_JOINT_COORDINATE, detail = PDN_ROTATION;
+    REFUSED(pdn_table_add_joint(NULL, solution, id, quantity, detail, NULL), PDN_ERR_NULL, "table");
+    REFUSED(pdn_table_add_joint(table, NULL, id, quantity, detail, NULL), PDN_ERR_NULL, "solution");
+    REFUSES_EACH(id, int32_t, bad_ids, JOINT(NULL), PDN_ERR_ID, "joint: expected ");
+    REFUSES_EACH(quantity, int32_t, bad_enums, JOINT(NULL), PDN_ERR_VALUE, "quantity: expected ");
+    REFUSES_EACH(detail, int32_t, bad_enums, JOINT(NULL), PDN_ERR_VALUE, "detail: expected ");
+    REFUSED(JOINT("own"), PDN_ERR_VALUE, "label: expected names that no column has, got \"own\"");
+    REFUSED(JOINT("t"), PDN_ERR_VALUE, "label: ");
+    REFUSED(JOINT(not_utf8), PDN_ERR_VALUE, "label: expected text in UTF-8");
+    detail = PDN_DISPLACEMENT;
+    REFUSED(JOINT(NULL), PDN_ERR_NOT_AVAILABLE, "coordinate: ");
+
+#define BEAM(label) pdn_table_add_beam(table, solution, id, station, quantity, label)
+    id = 0, quantity = PDN_BEAM_FORCE;
+    REFUSED(pdn_table_add_beam(NULL, solution, 0, 0, quantity, NULL), PDN_ERR_NULL, "table: ");
+    REFUSED(pdn_table_add_beam(table, NULL, 0, 0, quantity, NULL), PDN_ERR_NULL, "solution: ");
+    REFUSES_EACH(id, int32_t, bad_ids, BEAM(NULL), PDN_ERR_ID, "element: expected ");
+    REFUSES_EACH(quantity, int32_t, bad_enums, BEAM(NULL), PDN_ERR_VALUE, "quantity: expected ");
+    REFUSES_NOT_FINITE(station, BEAM(NULL), "station");
+    station = 1.5;
+    REFUSED(BEAM(NULL), PDN_ERR_VALUE, "station: expected ");
+    station = 0;
+    REFUSED(BEAM(not_utf8), PDN_ERR_VALUE, "label: expected text in UTF-8");
+
+#define FORCE(label) pdn_table_add_force(table, solution, id, quantity, detail, label)
+    id = 0, quantity = PDN_FORCE_EFFORT, detail = 0;
+    REFUSED(pdn_table_add_force(NULL, solution, 0, quantity, 0, NULL), PDN_ERR_NULL, "table: ");
+    REFUSED(pdn_table_add_force(table, NULL, 0, quantity, 0, NULL), PDN_ERR_NULL, "solution: ");
+    REFUSES_EACH(id, int32_t, bad_ids, FORCE(NULL), PDN_ERR_ID, "force: expected ");
+    REFUSES_EACH(quantity, int32_t, bad_enums, FORCE(NULL), PDN_ERR_VALUE, "quantity: expected ");
+    REFUSED(FORCE(not_utf8), PDN_ERR_VALUE, "label: expected text in UTF-8");
+    detail = 1;
+    REFUSED(FORCE(NULL), PDN_ERR_VALUE, "detail: expected zero");
+    quantity = PDN_FORCE_BRANCH_EFFORT;
+    REFUSED(FORCE(NULL), PDN_ERR_NOT_AVAILABLE, "branch: ");
+
+    REFUSED(pdn_table_add_values(NULL, "v", in.values, 3), PDN_ERR_NULL, "table: ");
+    REFUSED(pdn_table_add_values(table, NULL, in.values, 3), PDN_ERR_NULL, "label: ");
+    REFUSED(pdn_table_add_values(table, "v", NULL, 3), PDN_ERR_NULL, "values: ");
+    REFUSED(pdn_table_add_values(table, "v", in.values, 2), PDN_ERR_SIZE, "count: expected one");
+    REFUSED(pdn_table_add_values(table, "own", in.values, 3), PDN_ERR_VALUE, "label: ");
+    REFUSES_NOT_FINITE_ENTRIES(in.values, 3, pdn_table_add_values(table, "v", in.values, 3),
+                               "values");
+}
+
+static void paths(void)
+{
+    size_t points = 5, count = 3;
+    FILE *file;
+#define VTK(path) pdn_solution_write_vtk(solution, in.times, count, points, path)
+    REFUSED(pdn_table_write_csv(NULL, "x.csv"), PDN_ERR_NULL, "table: ");
+    REFUSED(pdn_table_write_csv(table, NULL), PDN_ERR_NULL, "path: ");
+    REFUSED(pdn_table_write_csv(table, not_utf8), PDN_ERR_VALUE, "path: expected text in UTF-8");
+    REFUSED(pdn_table_write_csv(table, ""), PDN_ERR_IO, "path: cannot write \"\": ");
+    REFUSED(pdn_table_write_csv(table, "no/such/x.csv"), PDN_ERR_IO,
+            "path: cannot write \"no/such/x.csv\": ");
+
+    REFUSED(pdn_solution_write_vtk(NULL, in.times, 3, 5, "x.pvd"), PDN_ERR_NULL, "solution: ");
+    REFUSED(pdn_solution_write_vtk(solution, NULL, 3, 5, "x.pvd"), PDN_ERR_NULL, "times: ");
+    REFUSED(VTK(NULL), PDN_ERR_NULL, "path: ");
+    REFUSED(VTK(not_utf8), PDN_ERR_VALUE, "path: expected text in UTF-8");
+    REFUSED(VTK("x.vtk"), PDN_ERR_VALUE, "path: expected a name that ends in .pvd");
+    REFUSED(VTK("no/such/x.pvd"), PDN_ERR_IO, "path: cannot write \"no/such/x.pvd\": ");
+    REFUSES_NOT_FINITE_ENTRIES(in.times, 3, VTK("x.pvd"), "times");
+    count = 0;
+    REFUSED(VTK("x.pvd"), PDN_ERR_SIZE, "count: expected at least one");
+    count = 3;
+    points = 1;
+    REFUSED(VTK("x.pvd"), PDN_ERR_SIZE, "points_per_element: expected 2 to 1000");
+    points = SIZE_MAX;
+    REFUSED(VTK("x.pvd"), PDN_ERR_SIZE, "points_per_element: expected 2 to 1000");
+    points = 5;
+    in.times[1] = 3;
+    REFUSED(VTK("x.pvd"), PDN_ERR_VALUE, "times[2]: expected a time after the one before");
+    in.times[1] = 1;
+
+    REFUSED(pdn_solution_save(NULL, "x.pdn"), PDN_ERR_NULL, "solution: ");
+    REFUSED(pdn_solution_save(solution, NULL), PDN_ERR_NULL, "path: ");
+    REFUSED(pdn_solution_save(solution, not_utf8), PDN_ERR_VALUE, "path: expected text in UTF-8");
+    REFUSED(pdn_solution_save(solution, "no/such/x.pdn"), PDN_ERR_IO,
+            "path: cannot write \"no/such/x.pdn\": ");
+
+    REFUSED(pdn_solution_load(NULL, &out.solution), PDN_ERR_NULL, "path: ");
+    REFUSED(pdn_solution_load("x.pdn", NULL), PDN_ERR_NULL, "out: ");
+    REFUSED(pdn_solution_load(not_utf8, &out.solution), PDN_ERR_VALUE,
+            "path: expected text in UTF-8");
+    REFUSED(pdn_solution_load("no/such/x.pdn", &out.solution), PDN_ERR_IO,
+            "path: cannot read \"no/such/x.pdn\": ");
+    REFUSED(pdn_solution_load("test_files_errors.csv", &out.solution), PDN_ERR_FORMAT,
+            "path: \"test_files_errors.csv\" is not a saved solution");
+    CHECK_STATUS(pdn_solution_save(solution, "test_files_errors.pdn"), PDN_OK);
+    file = fopen("test_files_errors.pdn", "r+b");
+    CHECK(file != NULL && fseek(file, 200, SEEK_SET) == 0 && fputc(0xc1, file) == 0xc1);
+    CHECK(fclose(file) == 0);
+    REFUSED(pdn_solution_load("test_files_errors.pdn", &out.solution), PDN_ERR_FORMAT,
+            "path: \"test_files_errors.pdn\" is damaged: its checksum is wrong");
+
+    REFUSED(pdn_solution_model(NULL, &out.model), PDN_ERR_NULL, "solution: ");
+    REFUSED(pdn_solution_model(solution, NULL), PDN_ERR_NULL, "out: ");
+}
+
+int main(void)
+{
+    not_finite[0] = NAN, not_finite[1] = INFINITY, not_finite[2] = -INFINITY;
+    make_solution();
+    new_tables();
+    CHECK_STATUS(pdn_table_new(in.times, 3, &table), PDN_OK);
+    CHECK_STATUS(pdn_table_add_values(table, "own", in.values, 3), PDN_OK);
+    columns();
+    paths();
+    pdn_table_free(table);
+    pdn_solution_free(solution);
+    printf("%d calls refused as they should be\n", refusals);
+    return 0;
+}
