@@ -14,6 +14,9 @@ use std::fs;
 use std::path::Path;
 use std::sync::Arc;
 
+/// Forged files that are tried.
+const ROUNDS: usize = 2000;
+
 /// The loaded four-bar with a body and forces of all kinds; with functions of the user, or without.
 fn mechanism(elements: usize, with_functions: bool) -> FourBarModel {
     let bars = FourBar {
@@ -328,6 +331,66 @@ fn damaged_and_foreign_files_are_refused() {
     Solution::load(&path).unwrap();
     let error = Error::new(ErrorKind::Io, "");
     assert_eq!(error.kind().code(), -300);
+}
+
+/// Files that were changed on purpose, with a checksum that fits: refused, or harmless.
+#[test]
+fn forged_files_do_no_harm() {
+    let directory = tempfile::tempdir().unwrap();
+    let path = directory.path().join("forged.pdn");
+    mechanism(1, true).solve(3).save(&path).unwrap();
+    let original = fs::read(&path).unwrap();
+    let checked = |body: &[u8]| -> Vec<u8> {
+        let mut header = original[..24].to_vec();
+        header[16..].copy_from_slice(&(body.len() as u64).to_le_bytes());
+        let covered = [&header[8..12], &header[16..], body].concat();
+        header[12..16].copy_from_slice(&crc32fast::hash(&covered).to_le_bytes());
+        [&header, body].concat()
+    };
+    let body = &original[24..];
+    assert!(checked(body) == original, "the header is not as described");
+
+    let mut state = 1u64;
+    let mut random = |below: usize| {
+        state = state
+            .wrapping_mul(6364136223846793005)
+            .wrapping_add(1442695040888963407);
+        (state >> 33) as usize % below
+    };
+    let (mut refused, mut loaded) = (0, 0);
+    for round in 0..ROUNDS {
+        let mut forged = body.to_vec();
+        if round % 5 == 0 {
+            forged.truncate(random(body.len()));
+        }
+        for _ in 0..=random(3) {
+            let at = random(forged.len().max(1));
+            if let Some(byte) = forged.get_mut(at) {
+                *byte = match round % 2 {
+                    0 => *byte ^ (1 << random(8)),
+                    _ => random(256) as u8,
+                };
+            }
+        }
+        fs::write(&path, checked(&forged)).unwrap();
+        match Solution::load(&path) {
+            Err(error) => {
+                assert_eq!(error.kind(), ErrorKind::Format, "{error}");
+                refused += 1;
+            }
+            // Numbers may be absurd; what counts is that no call panics.
+            Ok(solution) => {
+                everything(&solution);
+                solution.report();
+                loaded += 1;
+            }
+        }
+    }
+    // Both happen, or the test tests nothing.
+    assert!(
+        refused > ROUNDS / 10 && loaded > ROUNDS / 10,
+        "{refused} {loaded}"
+    );
 }
 
 /// A file that the first version wrote can still be read. `PDN_BLESS=1` writes it anew.
