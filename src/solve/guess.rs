@@ -108,6 +108,12 @@ impl<'a> Tracker<'a> {
             } else {
                 1.0
             };
+            let turn = system.turn_between(conditions(reached), conditions(next))?;
+            let next = if turn > LARGEST_TURN {
+                reached + (next - reached) * (LARGEST_TURN / turn).max(SMALLEST_FRACTION)
+            } else {
+                next
+            };
             let passed = span * (next - reached);
             let (time, load_factor) = conditions(next);
             self.newton.equations.set_conditions(time, load_factor)?;
