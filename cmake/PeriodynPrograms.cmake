@@ -30,6 +30,7 @@ function(pdn_add_c_test name)
     if(PDN_VALGRIND)
         add_test(NAME c.${name}.valgrind
             COMMAND ${PDN_VALGRIND} --quiet --leak-check=full --error-exitcode=1
+                --suppressions=${PROJECT_SOURCE_DIR}/tests/c/valgrind.supp
                 $<TARGET_FILE:${name}> ${ARGN})
     endif()
 endfunction()

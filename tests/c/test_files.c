@@ -155,14 +155,14 @@ static void a_table(const pdn_solution *solution)
 static void an_animation(const pdn_solution *solution)
 {
     const char *list;
-    CHECK_STATUS(pdn_solution_write_vtk(solution, times, TIMES, 6, "test_files.pvd"), PDN_OK);
-    list = text_of("test_files.pvd");
+    CHECK_STATUS(pdn_solution_write_vtk(solution, times, TIMES, 6, "test_animation.pvd"), PDN_OK);
+    list = text_of("test_animation.pvd");
     CHECK(strstr(list, "type=\"Collection\"") != NULL);
     CHECK(strstr(list, "timestep=\"2.9\" part=\"0\" name=\"beams\" "
-                       "file=\"test_files/beams_000004.vtp\"") != NULL);
-    CHECK(strstr(list, "file=\"test_files/bodies_000000.vtp\"") != NULL);
-    CHECK(strstr(list, "file=\"test_files/joints_000003.vtp\"") != NULL);
-    CHECK(strstr(text_of("test_files/beams_000004.vtp"), "type=\"PolyData\"") != NULL);
+                       "file=\"test_animation/beams_000004.vtp\"") != NULL);
+    CHECK(strstr(list, "file=\"test_animation/bodies_000000.vtp\"") != NULL);
+    CHECK(strstr(list, "file=\"test_animation/joints_000003.vtp\"") != NULL);
+    CHECK(strstr(text_of("test_animation/beams_000004.vtp"), "type=\"PolyData\"") != NULL);
 }
 
 static void a_saved_solution(const pdn_model *model, pdn_solution *solution)
