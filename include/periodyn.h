@@ -469,6 +469,11 @@
 #define PDN_STAGE_NEWTON 1
 
 /**
+ * Stage of a march: a step, with the last of its iterations.
+ */
+#define PDN_STAGE_MARCH 2
+
+/**
  * A mechanism. Made by ::pdn_model_new, freed by ::pdn_model_free.
  *
  * It is described in its reference configuration: points, directions and frames are those of the
@@ -486,8 +491,11 @@ typedef struct pdn_model pdn_model;
 typedef struct pdn_modes pdn_modes;
 
 /**
- * A solution, converged or not. Made by ::pdn_solve_periodic, ::pdn_solve_static and
- * ::pdn_modes_motion, freed by ::pdn_solution_free.
+ * A solution, converged or not. Made by ::pdn_solve_periodic, ::pdn_solve_static,
+ * ::pdn_march and ::pdn_modes_motion, freed by ::pdn_solution_free.
+ *
+ * That of a march is a trajectory: the same functions give its quantities at times from its first to its
+ * last (PDN_ERR_VALUE for any other), but it has no harmonics (PDN_ERR_NOT_AVAILABLE).
  */
 typedef struct pdn_solution pdn_solution;
 
@@ -535,7 +543,8 @@ typedef struct pdn_section {
 /**
  * A function of time, to be written by the caller.
  *
- * Called on the thread that solves, with times from 0 to the period T of the solve; if two threads
+ * Called on the thread that solves, with times from 0 to the period T of the solve, or with the times of a
+ * march; if two threads
  * solve at once, on both at once. It must give the same value for the same time, and must neither
  * throw nor jump out, nor use the model it belongs to.
  *
@@ -937,11 +946,11 @@ typedef struct pdn_diagnostics {
      */
     int32_t redundant_constraints;
     /**
-     * Number of grid points.
+     * Number of grid points; of a march the number of times kept.
      */
     size_t grid_points;
     /**
-     * Number of unknowns of the periodic problem.
+     * Number of unknowns of the periodic problem, or of a step.
      */
     size_t unknowns;
     /**
@@ -994,11 +1003,11 @@ typedef struct pdn_progress {
      */
     size_t struct_size;
     /**
-     * PDN_STAGE_INITIAL_GUESS or PDN_STAGE_NEWTON.
+     * PDN_STAGE_INITIAL_GUESS, PDN_STAGE_NEWTON or PDN_STAGE_MARCH.
      */
     int32_t stage;
     /**
-     * Number of the iteration, from 1; starts again with each Newton solve.
+     * Number of the iteration, from 1; starts again with each Newton solve. In a march, number of the step.
      */
     int32_t iteration;
     /**
@@ -1015,10 +1024,14 @@ typedef struct pdn_progress {
      * Fraction of the increment that was taken.
      */
     double step;
+    /**
+     * In a march the end of the step; otherwise 0.
+     */
+    double time;
 } pdn_progress;
 
 /**
- * Called after each Newton iteration, on the solving thread.
+ * Called after each Newton iteration, or after each step of a march, on the solving thread.
  *
  * `progress` is valid during the call only. It must not use the model that is being solved, nor
  * throw or jump out. Return 0 to go on, anything else to cancel: the outcome is PDN_CANCELLED.
@@ -1054,7 +1067,7 @@ typedef struct pdn_periodic_options {
     size_t iteration_limit;
     /**
      * Start from this solution of a model with the same nodes and joints, also on another grid or of
-     * another period; NULL to start otherwise. Default NULL.
+     * another period, or from the last period of this march; NULL to start otherwise. Default NULL.
      */
     const struct pdn_solution *initial;
     /**
@@ -1189,6 +1202,154 @@ typedef struct pdn_mode {
      */
     double residual;
 } pdn_mode;
+
+/**
+ * Options of ::pdn_march. Set the defaults by `PDN_INIT(pdn_march_options, &options)`.
+ *
+ * There is no default of how long to march and in which steps: set duration or periodic_tolerance, and
+ * step or steps_per_period.
+ */
+typedef struct pdn_march_options {
+    /**
+     * Set by the initialiser.
+     */
+    size_t struct_size;
+    /**
+     * When the march starts. Default 0.
+     */
+    double start_time;
+    /**
+     * How long it is; leave it 0 to march until periodic. Default 0.
+     */
+    double duration;
+    /**
+     * Period T that harmonics and samples of signals refer to, and that the motion may repeat itself with;
+     * 0 if neither matters. Default 0.
+     */
+    double period;
+    /**
+     * Length of the steps, made shorter by what lets a whole number of them fit the duration or the
+     * period. With error_tolerance the length of the first. Default 0.
+     */
+    double step;
+    /**
+     * If not 0, the steps are period / steps_per_period. Default 0.
+     */
+    size_t steps_per_period;
+    /**
+     * Spectral radius at infinite frequency, from 0 to 1: the numerical damping. With 1 no energy is lost, but
+     * the reactions of joints oscillate; 0 removes at once what the steps do not resolve. Default 0.5.
+     */
+    double spectral_radius;
+    /**
+     * If not 0, steps are chosen so that each has at most this estimated error of a motion (lengths
+     * relative to the size of the mechanism, angles in radians). Default 0.
+     */
+    double error_tolerance;
+    /**
+     * If not 0, march until motions and velocities differ by at most this from those one period before:
+     * displacements relative to the size of the mechanism, entries of rotation matrices, velocities likewise
+     * in the time T / (2 pi). Default 0.
+     */
+    double periodic_tolerance;
+    /**
+     * Most periods of a march until periodic; then its outcome is PDN_ITERATION_LIMIT. Default 200.
+     */
+    size_t most_periods;
+    /**
+     * Keep the steps of only so many of the last periods; all steps if 0. Default 0.
+     */
+    size_t stored_periods;
+    /**
+     * Newton's method in a step has converged when the largest increment is below this, as in
+     * ::pdn_periodic_options. Default 1e-9.
+     */
+    double tolerance;
+    /**
+     * Most Newton iterations in a step. Default 20.
+     */
+    size_t iteration_limit;
+    /**
+     * Start from this solution of a model with the same nodes and joints, at start_time: an equilibrium,
+     * a periodic motion or another march; NULL to start otherwise. Default NULL.
+     */
+    const struct pdn_solution *initial;
+    /**
+     * Start from these positions, 3 x nodes; NULL for those of the reference configuration. Needs
+     * rotations. Default NULL.
+     */
+    const double *positions;
+    /**
+     * Rotation matrices of the same start, 9 x nodes, each column by column. Default NULL.
+     */
+    const double *rotations;
+    /**
+     * Velocities of the same start, 6 x nodes: velocity of each node and its angular velocity, inertial
+     * frame; NULL for none. Default NULL.
+     */
+    const double *velocities;
+    /**
+     * Told of each step; may cancel. Default NULL.
+     */
+    pdn_progress_fn progress;
+    /**
+     * Handed to progress.
+     */
+    void *progress_data;
+} pdn_march_options;
+
+/**
+ * Figures of a march. Initialise with `PDN_INIT(pdn_march_diagnostics, &diagnostics)`.
+ */
+typedef struct pdn_march_diagnostics {
+    /**
+     * Set by the initialiser.
+     */
+    size_t struct_size;
+    /**
+     * Steps taken.
+     */
+    size_t steps;
+    /**
+     * Steps that were given up for shorter ones.
+     */
+    size_t rejected_steps;
+    /**
+     * Newton iterations over all steps.
+     */
+    size_t iterations;
+    /**
+     * Whole periods marched.
+     */
+    size_t periods;
+    /**
+     * First time of the trajectory: the start, or the oldest step that was kept.
+     */
+    double first_time;
+    /**
+     * Last time of the trajectory.
+     */
+    double last_time;
+    /**
+     * How much the last period differs from the one before, as pdn_march_options.periodic_tolerance;
+     * infinite before the end of the first period.
+     */
+    double repetition;
+    /**
+     * Largest estimated error of a motion in one step, as pdn_march_options.error_tolerance.
+     */
+    double step_error;
+    /**
+     * How much motions were moved at the start to satisfy constraints and prescribed motions: lengths
+     * relative to the size of the mechanism, entries of rotation matrices.
+     */
+    double start_moved;
+    /**
+     * How much velocities were changed at the start: lengths relative to the size of the mechanism, or
+     * radians, in the unit of time.
+     */
+    double start_corrected;
+} pdn_march_diagnostics;
 
 /**
  * Counts, mass and mobility of a model. Initialise with `PDN_INIT(pdn_summary, &summary)`.
@@ -2712,11 +2873,11 @@ pdn_status pdn_solution_decay(const struct pdn_solution *solution,
                               size_t count);
 
 /**
- * Grid times t_k = k T / N.
+ * Grid times t_k = k T / N; of a march the times of its steps, from the start.
  *
  * @param solution  the solution; not NULL
  * @param times  array of length [count]
- * @param count  N, the number of grid points
+ * @param count  N, the number of grid points, as pdn_diagnostics.grid_points tells
  * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_SIZE
  *
  * Threads: like `const`.
@@ -3516,6 +3677,81 @@ pdn_status pdn_modes_motion(const struct pdn_modes *modes,
 PDN_API
 pdn_status pdn_modes_equilibrium(const struct pdn_modes *modes,
                                  struct pdn_solution **out);
+
+/**
+ * Sets default options; use `PDN_INIT(pdn_march_options, &options)`.
+ *
+ * @param options  the options; not NULL
+ * @param struct_size  `sizeof *options`
+ *
+ * Threads: any.
+ * @since 0.1
+ */
+PDN_API
+void pdn_march_options_init(struct pdn_march_options *options,
+                            size_t struct_size);
+
+/**
+ * Marches a model in time, for a given duration or until its motion repeats itself.
+ *
+ * The generalised-alpha method on SE(3) for the equations of index 3 (Arnold and Bruels 2007; Bruels, Cardona
+ * and Arnold 2012), of second order: motions are updated by the exponential map, equilibrium and constraints
+ * hold at the end of each step. It starts in the reference configuration at rest unless another start is
+ * given; motions are moved and velocities changed by the least, by inertia, that satisfies the constraints
+ * and prescribed motions, and accelerations and reactions follow. Internal states of viscoelastic
+ * elements start relaxed, or as they are in the initial solution.
+ *
+ * The solution is a trajectory: the functions of solutions give its quantities at any times from its first
+ * to its last. Between steps motions, velocities and joint coordinates are interpolated by cubic
+ * polynomials, all else linearly. It has no harmonics. Not reaching the end is no error:
+ * ::pdn_solution_outcome tells, and the trajectory is there as far as it came. It serves as
+ * `initial` of other solves; of a periodic one, its last period does.
+ *
+ * @param model  the model; it is copied, so that later changes do not touch the solution. Signals that are
+ *     functions are called with the times of the march, and need not be periodic
+ * @param options  not NULL: how long, and in which steps
+ * @param out  the solution, also if the march ended early; free it with ::pdn_solution_free; written on
+ *     success only
+ * @return PDN_OK; PDN_ERR_NULL; PDN_ERR_NOT_FINITE; PDN_ERR_VALUE (no duration or step, a period that is
+ *     needed but not given, an initial solution of another model, rotations that are none);
+ *     PDN_ERR_STRUCT_SIZE; PDN_ERR_MODEL (no node, a beam too distorted); PDN_ERR_GRID_TOO_COARSE (of the
+ *     initial solution); PDN_ERR_CALLBACK (of a signal or force); PDN_ERR_MEMORY
+ *
+ * Threads: like a `const` use of `model` and of `options.initial`. Signals' functions and `progress` are
+ * called on this thread.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_march(const struct pdn_model *model,
+                     const struct pdn_march_options *options,
+                     struct pdn_solution **out);
+
+/**
+ * Prepares a struct for ::pdn_solution_march; use `PDN_INIT(pdn_march_diagnostics, &diagnostics)`.
+ *
+ * @param diagnostics  the struct; not NULL
+ * @param struct_size  `sizeof *diagnostics`
+ *
+ * Threads: any.
+ * @since 0.1
+ */
+PDN_API
+void pdn_march_diagnostics_init(struct pdn_march_diagnostics *diagnostics,
+                                size_t struct_size);
+
+/**
+ * Figures of a march: steps, periods, how much the last of them differ, how much the start was changed.
+ *
+ * @param solution  a solution of ::pdn_march; not NULL
+ * @param out  initialised by PDN_INIT; filled on success only
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_STRUCT_SIZE, PDN_ERR_NOT_AVAILABLE (the solution is no trajectory)
+ *
+ * Threads: like `const`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_solution_march(const struct pdn_solution *solution,
+                              struct pdn_march_diagnostics *out);
 
 /**
  * Interpolates a periodic motion given at N equispaced times, by dual polar decomposition.

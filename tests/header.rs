@@ -24,6 +24,7 @@ const FILES: &[&str] = &[
     "periodic",
     "statics",
     "modes",
+    "march",
     "motion",
     "summary",
     "table",

@@ -77,6 +77,7 @@ pub mod joint;
 pub mod last_error;
 pub mod line;
 pub mod load;
+pub mod march;
 pub mod model;
 pub mod modes;
 pub mod motion;

@@ -22,6 +22,8 @@ use std::ffi::c_void;
 pub const PDN_STAGE_INITIAL_GUESS: i32 = 0;
 /// Stage of a solve: Newton iterations of the periodic problem.
 pub const PDN_STAGE_NEWTON: i32 = 1;
+/// Stage of a march: a step, with the last of its iterations.
+pub const PDN_STAGE_MARCH: i32 = 2;
 
 /// One Newton iteration, as told to a ::pdn_progress_fn.
 #[repr(C)]
@@ -29,9 +31,9 @@ pub const PDN_STAGE_NEWTON: i32 = 1;
 pub struct pdn_progress {
     /// Size of the struct in this library.
     pub struct_size: usize,
-    /// PDN_STAGE_INITIAL_GUESS or PDN_STAGE_NEWTON.
+    /// PDN_STAGE_INITIAL_GUESS, PDN_STAGE_NEWTON or PDN_STAGE_MARCH.
     pub stage: i32,
-    /// Number of the iteration, from 1; starts again with each Newton solve.
+    /// Number of the iteration, from 1; starts again with each Newton solve. In a march, number of the step.
     pub iteration: i32,
     /// Largest residual before the step: forces relative to the characteristic force (the largest
     /// stiffness times the size of the mechanism), lengths relative to its size, angles in radians.
@@ -41,9 +43,11 @@ pub struct pdn_progress {
     pub increment: f64,
     /// Fraction of the increment that was taken.
     pub step: f64,
+    /// In a march the end of the step; otherwise 0.
+    pub time: f64,
 }
 
-/// Called after each Newton iteration, on the solving thread.
+/// Called after each Newton iteration, or after each step of a march, on the solving thread.
 ///
 /// `progress` is valid during the call only. It must not use the model that is being solved, nor
 /// throw or jump out. Return 0 to go on, anything else to cancel: the outcome is PDN_CANCELLED.
@@ -67,7 +71,7 @@ pub struct pdn_periodic_options {
     /// Most Newton iterations. Default 30.
     pub iteration_limit: usize,
     /// Start from this solution of a model with the same nodes and joints, also on another grid or of
-    /// another period; NULL to start otherwise. Default NULL.
+    /// another period, or from the last period of this march; NULL to start otherwise. Default NULL.
     pub initial: *const pdn_solution,
     /// Start from these positions, 3 x N x nodes: coordinates fastest, then grid points, then nodes;
     /// NULL to start otherwise. Needs guess_rotations. Default NULL.
@@ -179,11 +183,16 @@ fn progress(stage: Stage, iteration: &Iteration) -> pdn_progress {
         stage: match stage {
             Stage::InitialGuess => PDN_STAGE_INITIAL_GUESS,
             Stage::Newton => PDN_STAGE_NEWTON,
+            Stage::March { .. } => PDN_STAGE_MARCH,
         },
         iteration: i32::try_from(iteration.number).unwrap_or(i32::MAX),
         residual: iteration.residual,
         increment: iteration.increment,
         step: iteration.step,
+        time: match stage {
+            Stage::March { time } => time,
+            _ => 0.0,
+        },
     }
 }
 

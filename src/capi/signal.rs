@@ -21,7 +21,8 @@ pub const PDN_SIGNAL_FUNCTION: i32 = 2;
 
 /// A function of time, to be written by the caller.
 ///
-/// Called on the thread that solves, with times from 0 to the period T of the solve; if two threads
+/// Called on the thread that solves, with times from 0 to the period T of the solve, or with the times of a
+/// march; if two threads
 /// solve at once, on both at once. It must give the same value for the same time, and must neither
 /// throw nor jump out, nor use the model it belongs to.
 ///

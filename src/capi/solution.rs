@@ -14,8 +14,11 @@ use crate::output::{BeamQuantity, JointQuantity, NodeQuantity, ResolvedIn, Solut
 use crate::solve::{Iteration, Outcome};
 use std::ffi::c_char;
 
-/// A solution, converged or not. Made by ::pdn_solve_periodic, ::pdn_solve_static and
-/// ::pdn_modes_motion, freed by ::pdn_solution_free.
+/// A solution, converged or not. Made by ::pdn_solve_periodic, ::pdn_solve_static,
+/// ::pdn_march and ::pdn_modes_motion, freed by ::pdn_solution_free.
+///
+/// That of a march is a trajectory: the same functions give its quantities at times from its first to its
+/// last (PDN_ERR_VALUE for any other), but it has no harmonics (PDN_ERR_NOT_AVAILABLE).
 pub struct pdn_solution {
     _private: [u8; 0],
 }
@@ -156,9 +159,9 @@ pub struct pdn_diagnostics {
     pub guess_iterations: i32,
     /// Constraints that depend on others, and are tolerated: the reactions given are those of least norm.
     pub redundant_constraints: i32,
-    /// Number of grid points.
+    /// Number of grid points; of a march the number of times kept.
     pub grid_points: usize,
-    /// Number of unknowns of the periodic problem.
+    /// Number of unknowns of the periodic problem, or of a step.
     pub unknowns: usize,
     /// Largest increment of the last iteration, as ::pdn_progress.
     pub last_increment: f64,
@@ -250,7 +253,7 @@ pub unsafe extern "C" fn pdn_solution_diagnostics(
             iterations: count(iterations.len()),
             guess_iterations: count(details.guess_iterations),
             redundant_constraints: count(details.system.redundant_constraints()),
-            grid_points: details.grid.points(),
+            grid_points: details.state.points(),
             unknowns: solution.unknowns(),
             last_increment: iterations.last().map_or(f64::INFINITY, |i| i.increment),
             error_estimate: solution.diagnostics().error_estimate,
@@ -338,11 +341,11 @@ pub unsafe extern "C" fn pdn_solution_decay(
     })
 }
 
-/// Grid times t_k = k T / N.
+/// Grid times t_k = k T / N; of a march the times of its steps, from the start.
 ///
 /// @param solution  the solution; not NULL
 /// @param times  array of length [count]
-/// @param count  N, the number of grid points
+/// @param count  N, the number of grid points, as pdn_diagnostics.grid_points tells
 /// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_SIZE
 ///
 /// Threads: like `const`.
@@ -355,7 +358,7 @@ pub unsafe extern "C" fn pdn_solution_grid_times(
 ) -> pdn_status {
     guard(|call| {
         let solution = call.shared(solution, "solution")?;
-        let grid: Vec<f64> = solution.grid().times().collect();
+        let grid = solution.times();
         require_count(count, grid.len())?;
         call.out_slice(times, count, count, "times")?.set(&grid);
         Ok(())
@@ -939,6 +942,7 @@ pub(super) fn harmonics_of(
 ) -> pdn_status {
     guard(|call| {
         let solution = call.shared(solution, "solution")?;
+        solution.require_harmonics()?;
         let most = solution.grid().harmonics();
         if to.harmonics > most {
             return Err(Error::size(

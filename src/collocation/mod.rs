@@ -9,6 +9,7 @@ mod linearisation;
 mod pattern;
 mod problem;
 mod state;
+mod step;
 
 pub use between::{NodeInterpolation, ResidualBetween, residual_between, too_coarse};
 pub use kinematics::{BackwardRule, NodeKinematics};
@@ -16,3 +17,4 @@ pub use linearisation::Linearisation;
 pub use pattern::Pattern;
 pub use problem::{Collocation, TangentBlocks};
 pub use state::GridState;
+pub use step::{AlphaStep, GeneralizedAlpha, GivenRates, MotionState};

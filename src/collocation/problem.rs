@@ -3,6 +3,7 @@
 use super::kinematics::{BackwardRule, NodeKinematics};
 use super::pattern::Pattern;
 use super::state::GridState;
+use super::step::{AlphaStep, GivenRates};
 use crate::elements::{Contribution, Measure, NodeState, Unknown};
 use crate::error::Result;
 use crate::fourier::{Differentiation, TimeGrid};
@@ -26,8 +27,7 @@ pub struct Collocation {
     grid: TimeGrid,
     operators: Differentiation,
     pub(super) instants: Instants,
-    /// On a grid of one point: rule and past states of marching in time, latest first.
-    past: Option<(BackwardRule, Vec<GridState>)>,
+    derivatives: Derivatives,
     kinematics: Vec<NodeKinematics>,
     forces_only: Workspace,
     pub(super) with_tangents: Workspace,
@@ -37,6 +37,19 @@ pub struct Collocation {
     column_scale: Vec<f64>,
     /// Scaled compliance of all constraints in the Jacobian, for redundant ones.
     regularisation: f64,
+}
+
+/// What velocities, accelerations and rates of internal states follow from.
+#[derive(Debug, Clone)]
+enum Derivatives {
+    /// The motion over the grid.
+    Grid,
+    /// On a grid of one point: backward differences, with past states, latest first.
+    Backward(BackwardRule, Vec<GridState>),
+    /// On a grid of one point: a step of the generalised-α method.
+    Step(AlphaStep),
+    /// On a grid of one point: nothing, they are given.
+    Given(GivenRates),
 }
 
 /// The system at each grid point.
@@ -143,7 +156,7 @@ impl Collocation {
             } else {
                 REGULARISATION
             },
-            past: None,
+            derivatives: Derivatives::Grid,
             kinematics: vec![NodeKinematics::default(); system.nodes()],
             forces_only: system.workspace(false),
             with_tangents: system.workspace(true),
@@ -197,7 +210,78 @@ impl Collocation {
     /// Makes a grid of one point a step of marching in time: derivatives are backward differences.
     pub fn set_past(&mut self, rule: BackwardRule, past: Vec<GridState>) {
         debug_assert_eq!(self.grid.points(), 1);
-        self.past = Some((rule, past));
+        self.derivatives = Derivatives::Backward(rule, past);
+    }
+
+    /// Makes a grid of one point the end of a step of the generalised-α method.
+    pub fn set_step(&mut self, step: AlphaStep) {
+        debug_assert_eq!(self.grid.points(), 1);
+        self.derivatives = Derivatives::Step(step);
+    }
+
+    /// The step, if [`Collocation::set_step`] was called last.
+    pub fn step(&self) -> Option<&AlphaStep> {
+        match &self.derivatives {
+            Derivatives::Step(step) => Some(step),
+            _ => None,
+        }
+    }
+
+    /// Makes the state of a grid of one point, with the node states of the last evaluation, the start of the
+    /// next step.
+    pub fn advance(&mut self, state: &GridState) {
+        if let Derivatives::Step(step) = &mut self.derivatives {
+            let system = &self.system;
+            step.advance(state, &self.instants.states, |place| {
+                matches!(system.unknown(place), Unknown::State { .. })
+            });
+        }
+    }
+
+    /// Takes the step out; derivatives are those of the grid again.
+    pub fn take_step(&mut self) -> Option<AlphaStep> {
+        match std::mem::replace(&mut self.derivatives, Derivatives::Grid) {
+            Derivatives::Step(step) => Some(step),
+            _ => None,
+        }
+    }
+
+    /// Gives a grid of one point its velocities and accelerations. The unknowns are then accelerations.
+    pub fn set_given_rates(&mut self, given: GivenRates) {
+        debug_assert_eq!(self.grid.points(), 1);
+        self.derivatives = Derivatives::Given(given);
+    }
+
+    /// Sets the values of all signals on a grid of one point.
+    pub fn set_signals(&mut self, values: &[f64]) {
+        self.instants.signals.copy_from_slice(values);
+    }
+
+    /// Scaled compliance of all constraints in the Jacobian: zero unless some depend on each other.
+    pub fn regularisation(&self) -> f64 {
+        self.regularisation
+    }
+
+    /// Writes the scaled violations of the constraints alone, at their rows of a residual.
+    pub fn constraints(&mut self, state: &GridState, out: &mut [f64]) -> Result<()> {
+        let points = self.grid.points();
+        let first_constraint = 6 * points * self.system.nodes();
+        self.update_kinematics(state);
+        for placed in self.system.elements() {
+            let count = placed.element.multipliers();
+            if count == 0 || placed.has_states {
+                continue;
+            }
+            for k in 0..points {
+                let workspace = &mut self.forces_only;
+                let contribution = self.instants.evaluate(placed, k, state, workspace)?;
+                let first = first_constraint + placed.first_multiplier * points + count * k;
+                for (row, violation) in contribution.constraint.iter().enumerate() {
+                    out[first + row] = violation * self.row_scale[first + row];
+                }
+            }
+        }
+        Ok(())
     }
 
     /// Whether constraints may depend on each other: all have then a small compliance in the Jacobian, not
@@ -239,14 +323,26 @@ impl Collocation {
 
     /// Leaves marching: derivatives are those of the grid again.
     pub fn clear_past(&mut self) {
-        self.past = None;
+        self.derivatives = Derivatives::Grid;
     }
 
-    /// `D_ℓk` and `T_ℓk`.
-    fn weights(&self, l: usize, k: usize) -> (f64, f64) {
-        match &self.past {
-            Some((rule, _)) => (rule.first[0], rule.second[0]),
-            None => (self.operators.first(l, k), self.operators.second(l, k)),
+    /// Blocks `(ℓ, k)` of `Γ_v` and `Γ_a` of a node.
+    fn kinematic_tangent(&self, node: usize, l: usize, k: usize) -> (DualMatrix, DualMatrix) {
+        let kinematics = &self.kinematics[node];
+        match &self.derivatives {
+            Derivatives::Grid => {
+                let weights = (self.operators.first(l, k), self.operators.second(l, k));
+                kinematics.tangent(weights, l, k)
+            }
+            Derivatives::Backward(rule, _) => {
+                kinematics.tangent((rule.first[0], rule.second[0]), l, k)
+            }
+            Derivatives::Step(step) => step.tangent(node),
+            Derivatives::Given(given) => {
+                let mut identity = DualMatrix::zeros();
+                identity.primal.fill_with_identity();
+                (DualMatrix::zeros(), identity * given.weight)
+            }
         }
     }
 
@@ -256,12 +352,24 @@ impl Collocation {
         self.instants.states.clear();
         for (node, kinematics) in self.kinematics.iter_mut().enumerate() {
             let motions = state.node(node);
-            match &self.past {
-                Some((rule, past)) => {
+            match &mut self.derivatives {
+                Derivatives::Backward(rule, past) => {
                     let past = past.iter().map(|state| &state.motions[node]);
                     kinematics.evaluate_backward(rule, &motions[0], past);
                 }
-                None => kinematics.evaluate(&mut self.operators, motions),
+                Derivatives::Grid => kinematics.evaluate(&mut self.operators, motions),
+                Derivatives::Step(step) => {
+                    self.instants.states.push(step.evaluate(node, &motions[0]));
+                    continue;
+                }
+                Derivatives::Given(given) => {
+                    self.instants.states.push(NodeState {
+                        motion: motions[0],
+                        twist: given.twist[node],
+                        twist_rate: given.twist_rate[node],
+                    });
+                    continue;
+                }
             }
             for (k, motion) in motions.iter().enumerate() {
                 self.instants.states.push(NodeState {
@@ -280,19 +388,28 @@ impl Collocation {
         for placed in self.system.elements().iter().filter(|p| p.has_states) {
             for row in 0..placed.element.multipliers() {
                 let value = |state: &GridState, k: usize| state.multipliers_of(placed, k)[row];
-                if let Some((rule, past)) = &self.past {
-                    rates[0] = rule.first[0] * value(state, 0);
-                    for (weight, past) in rule.first[1..].iter().zip(past) {
-                        rates[0] += weight * value(past, 0);
+                match &self.derivatives {
+                    Derivatives::Backward(rule, past) => {
+                        rates[0] = rule.first[0] * value(state, 0);
+                        for (weight, past) in rule.first[1..].iter().zip(past) {
+                            rates[0] += weight * value(past, 0);
+                        }
                     }
-                } else {
-                    let gain = state.gain(&self.system, placed, row);
-                    for (k, sample) in samples.iter_mut().enumerate() {
-                        *sample = value(state, k) - gain * k as f64 / points as f64;
+                    Derivatives::Grid => {
+                        let gain = state.gain(&self.system, placed, row);
+                        for (k, sample) in samples.iter_mut().enumerate() {
+                            *sample = value(state, k) - gain * k as f64 / points as f64;
+                        }
+                        self.operators.apply(&samples, &mut rates, &mut unused);
+                        let steady = gain / self.grid.period();
+                        rates.iter_mut().for_each(|rate| *rate += steady);
                     }
-                    self.operators.apply(&samples, &mut rates, &mut unused);
-                    let steady = gain / self.grid.period();
-                    rates.iter_mut().for_each(|rate| *rate += steady);
+                    Derivatives::Step(step) => {
+                        rates[0] = step.rate(placed.first_multiplier + row, value(state, 0));
+                    }
+                    Derivatives::Given(given) => {
+                        rates[0] = given.rates[placed.first_multiplier + row];
+                    }
                 }
                 for (k, rate) in rates.iter().enumerate() {
                     self.instants.rates[state.first_multiplier(placed, k) + row] = *rate;
@@ -443,7 +560,10 @@ impl Collocation {
                 if count == 0 {
                     continue;
                 }
-                for (local, &node) in nodes.iter().enumerate() {
+                // Rates of internal states depend neither on accelerations nor exert forces.
+                let alone = placed.has_states && matches!(self.derivatives, Derivatives::Given(_));
+                let coupled = if alone { 0 } else { nodes.len() };
+                for (local, &node) in nodes.iter().enumerate().take(coupled) {
                     for component in 0..6 {
                         let column = contribution.gradient.column(6 * local + component);
                         let first = pattern.constraint_value(index, local, node, k, component);
@@ -461,14 +581,16 @@ impl Collocation {
                     // Row ℓ is that of this grid point: ∂/∂λ_k + δ_ℓk, and D_ℓk times ∂/∂λ̇_ℓ.
                     for column in 0..count {
                         for other in 0..points {
-                            let d = match &self.past {
-                                Some((rule, _)) => rule.first[0],
-                                None => self.operators.first(k, other),
+                            let d = match &self.derivatives {
+                                Derivatives::Backward(rule, _) => rule.first[0],
+                                Derivatives::Grid => self.operators.first(k, other),
+                                Derivatives::Step(step) => step.state_weight(),
+                                Derivatives::Given(given) => given.weight,
                             };
                             let first = pattern.own_value(index, other, column, count) + count * k;
                             for row in 0..count {
                                 values[first + row] = d * contribution.own_rate[(row, column)];
-                                if other == k {
+                                if other == k && !alone {
                                     values[first + row] += contribution.own[(row, column)];
                                 }
                             }
@@ -489,15 +611,16 @@ impl Collocation {
         values: &mut [f64],
     ) {
         let points = self.grid.points();
-        let kinematics = &self.kinematics[column];
+        let given = match &self.derivatives {
+            Derivatives::Given(given) => Some(given),
+            _ => None,
+        };
         let any_dense = pattern.pairs(column).any(|(_, pair)| pair.dense);
         if any_dense {
             blocks.gammas.clear();
             for k in 0..points {
                 for l in 0..points {
-                    blocks
-                        .gammas
-                        .push(kinematics.tangent(self.weights(l, k), l, k));
+                    blocks.gammas.push(self.kinematic_tangent(column, l, k));
                 }
             }
         }
@@ -509,8 +632,12 @@ impl Collocation {
                         let (gamma_v, gamma_a) = &blocks.gammas[k * points + l];
                         let mut block = times_twist_matrix(&blocks.mass[at + l], gamma_a);
                         block += times_twist_matrix(&blocks.damping[at + l], gamma_v);
-                        if l == k {
-                            block += blocks.stiffness[at + l];
+                        match given {
+                            None if l == k => block += blocks.stiffness[at + l],
+                            Some(given) if pair.row == column => {
+                                block += self.added_inertia(given);
+                            }
+                            _ => {}
                         }
                         for component in 0..6 {
                             let first = pattern.pair_value(column, pair, k, component) + 6 * l;
@@ -519,7 +646,11 @@ impl Collocation {
                         }
                     }
                 } else {
-                    let block = &blocks.stiffness[at + k];
+                    let block = match given {
+                        None => blocks.stiffness[at + k],
+                        Some(given) if pair.row == column => self.added_inertia(given),
+                        Some(_) => Matrix6::zeros(),
+                    };
                     for component in 0..6 {
                         let first = pattern.pair_value(column, pair, k, component);
                         values[first..first + 6]
@@ -528,6 +659,18 @@ impl Collocation {
                 }
             }
         }
+    }
+}
+
+impl Collocation {
+    /// Inertia that is added to each node, with its factor.
+    fn added_inertia(&self, given: &GivenRates) -> Matrix6<f64> {
+        let (length, mass) = (self.system.scales().length, given.added_mass * given.weight);
+        Matrix6::from_fn(|i, j| match (i == j, i < 3) {
+            (true, true) => mass,
+            (true, false) => mass * length * length,
+            _ => 0.0,
+        })
     }
 }
 

@@ -6,7 +6,7 @@ use crate::motion::Motion;
 use crate::system::{Placed, System};
 use serde::{Deserialize, Serialize};
 
-/// Motions of all nodes and multipliers of all joints over the grid.
+/// Motions of all nodes and multipliers of all joints over the grid, or at the times of a march.
 ///
 /// For `n` nodes and `N` grid points the unknowns are, in order: for each node and grid point the six
 /// increments of its motion, then, for each element with `m` multipliers and each grid point, those.
@@ -24,7 +24,11 @@ pub struct GridState {
 impl GridState {
     /// All nodes at rest in their reference motions.
     pub fn reference(system: &System, grid: TimeGrid) -> Self {
-        let points = grid.points();
+        Self::at_points(system, grid.points())
+    }
+
+    /// The same at any number of times.
+    pub fn at_points(system: &System, points: usize) -> Self {
         let mut state = GridState {
             points,
             motions: system

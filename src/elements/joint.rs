@@ -229,6 +229,23 @@ impl Joint {
         self.pair.relative_motion(states)
     }
 
+    /// A coordinate, without its whole turns, and its first and second derivative in time.
+    pub fn coordinate_derivatives(&self, which: Coordinate, states: &[NodeState]) -> [f64; 3] {
+        let state = self.pair.state(states);
+        let q = self.kind.coordinate(which, &state.z);
+        // ż = J_j V_j + J_i V_i, and the carried velocity of the first frame changes with Z.
+        let own: Vector6<f64> = state
+            .local_jacobians()
+            .map(|(local, jacobian)| jacobian * states[local].twist_rate)
+            .sum();
+        let acceleration = own + state.rate_variation() * state.rate;
+        [
+            q.value,
+            q.gradient.dot(&state.rate),
+            q.gradient.dot(&acceleration) + (q.hessian * state.rate).dot(&state.rate),
+        ]
+    }
+
     /// Motion of the second joint frame.
     pub fn second_frame(&self, states: &[NodeState]) -> Motion {
         self.pair.second_frame(states)

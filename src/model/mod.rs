@@ -77,6 +77,11 @@ impl Model {
         self.beams.len()
     }
 
+    /// Reference motions of all nodes.
+    pub fn reference_motions(&self) -> &[Motion] {
+        &self.nodes
+    }
+
     /// Reference motion of a node.
     pub fn node(&self, node: usize) -> Option<&Motion> {
         self.nodes.get(node)

@@ -119,7 +119,7 @@ impl Signal {
         })
     }
 
-    /// A function of time, called with times within one period.
+    /// A function of time, called with times within one period or, in a march, with its times.
     pub fn function(function: SignalFunction) -> Self {
         Signal {
             mean: 0.0,
@@ -209,6 +209,32 @@ impl BoundSignal {
                         ),
                     ))
                 }
+            }
+        }
+    }
+
+    /// Value, first and second derivative at `time`; those of a function by differences of its values at
+    /// `time` and later times, `step` apart.
+    pub fn derivatives(&self, time: f64, step: f64) -> Result<[f64; 3]> {
+        match self {
+            BoundSignal::Series(series) => {
+                Ok([0, 1, 2].map(|order| series.derivative(time, order)))
+            }
+            BoundSignal::Function { .. } => {
+                // Of the fourth and third order in the step.
+                const FIRST: [f64; 5] = [-25.0 / 12.0, 4.0, -3.0, 4.0 / 3.0, -0.25];
+                const SECOND: [f64; 5] = [35.0 / 12.0, -26.0 / 3.0, 9.5, -14.0 / 3.0, 11.0 / 12.0];
+                let (mut value, mut sums) = (0.0, [0.0; 2]);
+                for (k, (first, second)) in FIRST.iter().zip(SECOND).enumerate() {
+                    let sample = self.value(time + step * k as f64)?;
+                    if k == 0 {
+                        value = sample;
+                    }
+                    // Relative to the first, so that a constant has no derivatives.
+                    sums[0] += first * (sample - value);
+                    sums[1] += second * (sample - value);
+                }
+                Ok([value, sums[0] / step, sums[1] / (step * step)])
             }
         }
     }

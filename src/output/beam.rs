@@ -1,7 +1,6 @@
 //! Strains and internal forces of beams.
 
-use super::joint::sample;
-use super::solution::Solution;
+use super::solution::{Samples, Solution};
 use crate::elements::Beam;
 use crate::error::{Error, ErrorKind, Result, require_finite};
 use crate::fourier::PeriodicSeries;
@@ -41,8 +40,8 @@ impl Solution {
         quantity: BeamQuantity,
         times: &[f64],
     ) -> Result<Vec<f64>> {
-        let series = self.beam_series(element, station, quantity)?;
-        Self::finite("beam", sample(&series, times, 0))
+        let samples = self.beam_samples(element, station, quantity)?;
+        Self::finite("beam", self.sample(&samples, times)?)
     }
 
     /// Fourier series of the six components of a quantity at a station of a beam element.
@@ -55,8 +54,17 @@ impl Solution {
         station: f64,
         quantity: BeamQuantity,
     ) -> Result<Vec<PeriodicSeries>> {
+        self.series(&self.beam_samples(element, station, quantity)?)
+    }
+
+    fn beam_samples(
+        &self,
+        element: usize,
+        station: f64,
+        quantity: BeamQuantity,
+    ) -> Result<Samples> {
         let beam = self.beam_definition(element, station)?;
-        self.series_of(6, |k| {
+        self.samples_of(6, |k| {
             let states = self.states_of(beam, k);
             let motions: Vec<_> = states.iter().map(|s| s.motion).collect();
             let twists: Vec<_> = states.iter().map(|s| s.twist).collect();

@@ -7,7 +7,7 @@ use crate::motion::Motion;
 use crate::solve::{Outcome, PeriodicSolve};
 use serde::{Deserialize, Serialize};
 
-/// Error estimates of a solution. Those that cannot be had are infinite.
+/// Error estimates of a solution. Those that cannot be had are infinite; of a march none can.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Diagnostics {
     /// Largest amplitude of each harmonic, from 0, over all nodes: positions relative to the
@@ -26,6 +26,13 @@ impl Diagnostics {
             force: f64::INFINITY,
             constraint: f64::INFINITY,
         };
+        if solve.march.is_some() {
+            return Ok(Diagnostics {
+                harmonics: Vec::new(),
+                error_estimate: f64::INFINITY,
+                between: infinite,
+            });
+        }
         if solve.report.outcome == Outcome::NoInitialGuess {
             return Ok(Diagnostics {
                 harmonics: vec![0.0; solve.grid.harmonics() + 1],

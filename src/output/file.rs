@@ -16,8 +16,8 @@ use crate::elements::{NodeState, with_zero_for_absent};
 use crate::error::{Error, ErrorKind, Result, require_finite};
 use crate::fourier::TimeGrid;
 use crate::model::Model;
-use crate::solve::{NewtonReport, PeriodicSolve, Timings};
-use crate::system::{Standstill, System};
+use crate::solve::{MarchRecord, NewtonReport, PeriodicSolve, Timings};
+use crate::system::{Standstill, System, Transient};
 use serde::{Deserialize, Serialize};
 use std::borrow::Cow;
 use std::fs::File;
@@ -48,6 +48,11 @@ struct Content<'a> {
     prescribed_start: Cow<'a, [f64]>,
     diagnostics: Cow<'a, Diagnostics>,
     forces: Cow<'a, [Result<ForceRecord>]>,
+    /// Of a trajectory.
+    #[serde(default)]
+    march: Option<Cow<'a, MarchRecord>>,
+    #[serde(default)]
+    transient: Option<Transient>,
 }
 
 impl Solution {
@@ -72,6 +77,8 @@ impl Solution {
             prescribed_start: Cow::Borrowed(&self.prescribed_start),
             diagnostics: Cow::Borrowed(self.diagnostics()),
             forces: Cow::Borrowed(&self.forces),
+            march: self.solve.march.as_ref().map(Cow::Borrowed),
+            transient: self.solve.system.transient().copied(),
         };
         let body = rmp_serde::to_vec_named(&content).map_err(|e| refused("write", path, e))?;
         let header = header(&body);
@@ -183,16 +190,33 @@ impl Content<'_> {
     fn into_solution(self) -> Result<Solution> {
         let model = self.model.into_owned().checked()?;
         let grid = TimeGrid::new(self.grid_points, self.period)?;
-        let system = Arc::new(with_zero_for_absent(|| match &self.standstill {
-            None => System::new(&model, self.period),
-            Some(standstill) => {
-                require_finite("time", &[standstill.time])?;
-                require_finite("angular velocity", standstill.angular_velocity.as_slice())?;
-                require_finite("axis", standstill.axis_point.as_slice())?;
-                System::at_standstill(&model, standstill)
+        let system = Arc::new(with_zero_for_absent(|| {
+            match (&self.standstill, &self.transient) {
+                (None, None) => System::new(&model, self.period),
+                (_, Some(transient)) => {
+                    transient.validate()?;
+                    System::in_transient(&model, transient)
+                }
+                (Some(standstill), None) => {
+                    require_finite("time", &[standstill.time])?;
+                    require_finite("angular velocity", standstill.angular_velocity.as_slice())?;
+                    require_finite("axis", standstill.axis_point.as_slice())?;
+                    System::at_standstill(&model, standstill)
+                }
             }
         })?);
-        let points = grid.points();
+        let march = self.march.map(Cow::into_owned);
+        require(march.is_some() == self.transient.is_some(), "steps")?;
+        let points = match &march {
+            Some(record) => {
+                let ascending = record.times.windows(2).all(|pair| pair[0] < pair[1]);
+                let known = record.times.iter().all(|t| t.is_finite());
+                require(ascending && known && !record.times.is_empty(), "times")?;
+                require(grid.points() == 1, "grid points")?;
+                record.times.len()
+            }
+            None => grid.points(),
+        };
         let times = |count: usize| count.checked_mul(points);
         let state = self.state.into_owned();
         let states = Some(self.node_states.len());
@@ -210,7 +234,12 @@ impl Content<'_> {
         require(starts == model.prescribed.len(), "prescribed coordinates")?;
         let diagnostics = self.diagnostics.into_owned();
         let harmonics = diagnostics.harmonics.len();
-        require(harmonics == grid.harmonics() + 1, "harmonics")?;
+        let expected = if march.is_some() {
+            0
+        } else {
+            grid.harmonics() + 1
+        };
+        require(harmonics == expected, "harmonics")?;
         require(self.forces.len() == model.forces.len(), "forces")?;
         for record in self.forces.iter().flatten() {
             require(record.fits(points), "values of forces")?;
@@ -225,6 +254,7 @@ impl Content<'_> {
                 guess_iterations: self.guess_iterations,
                 guess_time: self.guess_time,
                 timings: self.timings,
+                march,
             },
             model,
             prescribed_start: self.prescribed_start.into_owned(),

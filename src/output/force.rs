@@ -1,7 +1,6 @@
 //! What forces do: efforts, and what they exert on nodes.
 
-use super::joint::sample;
-use super::solution::Solution;
+use super::solution::{Samples, Solution};
 use crate::elements::{LoadFrame, NodeState};
 use crate::error::{Error, ErrorKind, Result};
 use crate::fourier::PeriodicSeries;
@@ -63,13 +62,13 @@ impl ForceRecord {
 fn states_of(solve: &PeriodicSolve, placed: &Placed, k: usize) -> Vec<NodeState> {
     let nodes = placed.element.nodes().iter();
     nodes
-        .map(|&n| solve.node_states[n * solve.grid.points() + k])
+        .map(|&n| solve.node_states[n * solve.state.points() + k])
         .collect()
 }
 
 /// What the internal states of an element gain in a period.
 fn gain_of(solve: &PeriodicSolve, placed: &Placed) -> f64 {
-    if placed.has_states {
+    if placed.has_states && solve.march.is_none() {
         solve.state.gain(&solve.system, placed, 0)
     } else {
         0.0
@@ -78,7 +77,7 @@ fn gain_of(solve: &PeriodicSolve, placed: &Placed) -> f64 {
 
 /// Values of all signals at each grid point.
 fn signals_of(solve: &PeriodicSolve) -> Result<Vec<Vec<f64>>> {
-    let times = solve.grid.times();
+    let times = solve.times().into_iter();
     times
         .map(|time| {
             let mut values = vec![0.0; solve.system.signals()];
@@ -98,7 +97,7 @@ pub(super) fn record_forces(solve: &PeriodicSolve) -> Result<Vec<Result<ForceRec
             outputs: Vec::new(),
             gain: gain_of(solve, placed),
         };
-        for (k, time) in solve.grid.times().enumerate() {
+        for (k, time) in solve.times().into_iter().enumerate() {
             let conditions = Conditions {
                 time,
                 signals: &signals[k],
@@ -132,8 +131,8 @@ impl Solution {
     /// # Errors
     /// An unknown force, or a quantity that it does not have.
     pub fn force(&self, force: usize, quantity: ForceQuantity, times: &[f64]) -> Result<Vec<f64>> {
-        let series = self.force_series(force, quantity)?;
-        Self::finite("force", sample(&series, times, 0))
+        let samples = self.force_samples(force, quantity)?;
+        Self::finite("force", self.sample(&samples, times)?)
     }
 
     /// Fourier series of each component of a quantity of a force, through its values on the grid.
@@ -145,6 +144,10 @@ impl Solution {
         force: usize,
         quantity: ForceQuantity,
     ) -> Result<Vec<PeriodicSeries>> {
+        self.series(&self.force_samples(force, quantity)?)
+    }
+
+    fn force_samples(&self, force: usize, quantity: ForceQuantity) -> Result<Samples> {
         self.model.require_force("force", force)?;
         let record = self.forces[force].as_ref().map_err(Error::clone)?;
         match quantity {
@@ -154,22 +157,20 @@ impl Solution {
                         format!("force {force} is not on a joint coordinate: it has no effort");
                     return Err(Error::new(ErrorKind::NotAvailable, message));
                 }
-                self.series_of(1, |k| Ok(vec![record.outputs[k][0]]))
+                self.samples_of(1, |k| Ok(vec![record.outputs[k][0]]))
             }
             ForceQuantity::BranchEffort(branch) => {
                 let place = self.branch_output(force, record, branch)?;
-                self.series_of(1, |k| Ok(vec![record.outputs[k][place]]))
+                self.samples_of(1, |k| Ok(vec![record.outputs[k][place]]))
             }
             ForceQuantity::BranchElongation(branch) => {
                 let place = self.branch_output(force, record, branch)? + 1;
-                let values: Vec<f64> = record.outputs.iter().map(|row| row[place]).collect();
+                let values = self.samples_of(1, |k| Ok(vec![record.outputs[k][place]]))?;
                 // A dashpot on an angle that gains turns gains them too.
-                let rate = record.gain / self.grid().period();
-                Ok(vec![PeriodicSeries::interpolate(
-                    self.grid(),
-                    &values,
-                    rate,
-                )])
+                Ok(Samples {
+                    rate: record.gain / self.grid().period(),
+                    ..values
+                })
             }
             ForceQuantity::OnNode(node, frame) => {
                 self.model.require_node("node", node)?;
@@ -178,8 +179,8 @@ impl Solution {
                     let message = format!("force {force} does not act on node {node}");
                     Error::new(ErrorKind::NotAvailable, message)
                 })?;
-                let points = self.grid().points();
-                self.series_of(6, |k| {
+                let points = self.solve.state.points();
+                self.samples_of(6, |k| {
                     let own = Vector6::from_column_slice(&record.on_nodes[k][6 * local..][..6]);
                     let turn = match frame {
                         LoadFrame::Space => {
@@ -229,7 +230,7 @@ impl Solution {
             }
             let gain = series.rate * series.period();
             let (mut change, mut size) = (0.0f64, 0.0f64);
-            for (k, time) in self.solve.grid.times().enumerate() {
+            for (k, time) in self.solve.times().into_iter().enumerate() {
                 let states = states_of(&self.solve, placed, k);
                 let own = self.solve.state.multipliers_of(placed, k);
                 let here = self.solve.state.tracked(system, k);

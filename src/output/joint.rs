@@ -1,7 +1,7 @@
 //! Joint coordinates, their rates, driving efforts and reactions.
 
-use super::solution::Solution;
-use crate::elements::{Coordinate, Element, NodeState, nearest_turn};
+use super::solution::{Samples, Solution};
+use crate::elements::{Coordinate, Element, Joint, NodeState, nearest_turn};
 use crate::error::{Error, ErrorKind, Result};
 use crate::fourier::PeriodicSeries;
 use crate::model::JointCoordinate;
@@ -59,13 +59,39 @@ impl Solution {
             JointQuantity::Acceleration(_) => 2,
             _ => 0,
         };
-        let series = match quantity {
-            JointQuantity::Rate(c) | JointQuantity::Acceleration(c) => {
-                self.joint_series(joint, JointQuantity::Coordinate(c))?
+        let values = match quantity {
+            JointQuantity::Coordinate(c)
+            | JointQuantity::Rate(c)
+            | JointQuantity::Acceleration(c) => {
+                let definition = self.require_coordinate(joint, c)?;
+                if self.is_trajectory() {
+                    let start = self.prescribed_start_of(joint, c);
+                    self.coordinate_along(definition, c, start, order, times)?
+                } else {
+                    let series = self.coordinate(joint, c)?;
+                    times.iter().map(|&t| series.derivative(t, order)).collect()
+                }
             }
-            _ => self.joint_series(joint, quantity)?,
+            JointQuantity::DrivingEffort(c) => {
+                self.sample(&self.driving_efforts(joint, c)?, times)?
+            }
+            JointQuantity::Reaction(axes) => self.sample(&self.reactions(joint, axes)?, times)?,
         };
-        Self::finite("joint", sample(&series, times, order))
+        Self::finite("joint", values)
+    }
+
+    fn require_coordinate(&self, joint: usize, coordinate: Coordinate) -> Result<&Joint> {
+        let definition = self.model.require_joint("joint", joint)?;
+        self.model
+            .require_coordinate(&JointCoordinate { joint, coordinate })?;
+        Ok(definition)
+    }
+
+    /// What the signal of a prescribed coordinate starts from.
+    fn prescribed_start_of(&self, joint: usize, coordinate: Coordinate) -> Option<f64> {
+        let at = JointCoordinate { joint, coordinate };
+        let index = self.model.prescribed_index(&at)?;
+        Some(self.prescribed_start[index])
     }
 
     /// Fourier series of each component of a quantity of a joint.
@@ -77,7 +103,6 @@ impl Solution {
         joint: usize,
         quantity: JointQuantity,
     ) -> Result<Vec<PeriodicSeries>> {
-        let definition = self.model.require_joint("joint", joint)?;
         match quantity {
             JointQuantity::Coordinate(which) => Ok(vec![self.coordinate(joint, which)?]),
             JointQuantity::Rate(which) => Ok(vec![self.coordinate(joint, which)?.differentiated()]),
@@ -86,37 +111,45 @@ impl Solution {
                     .differentiated()
                     .differentiated(),
             ]),
-            JointQuantity::DrivingEffort(coordinate) => {
-                let at = JointCoordinate { joint, coordinate };
-                self.model.require_coordinate(&at)?;
-                let index = self.model.prescribed_index(&at).ok_or_else(|| {
-                    let message =
-                        format!("coordinate: {coordinate} of joint {joint} is not prescribed");
-                    Error::new(ErrorKind::NotAvailable, message)
-                })?;
-                let placed = self.placed(ElementRole::Prescribed(index))?;
-                // The multiplier is the effort on the left-hand side: that of the drive is opposite.
-                self.series_of(1, |k| {
-                    Ok(vec![-self.solve.state.multipliers_of(placed, k)[0]])
-                })
+            JointQuantity::DrivingEffort(which) => {
+                self.series(&self.driving_efforts(joint, which)?)
             }
-            JointQuantity::Reaction(axes) => {
-                let placed = self.placed(ElementRole::Joint(joint))?;
-                self.series_of(6, |k| {
-                    let states = self.states_of(definition, k);
-                    let multipliers = self.solve.state.multipliers_of(placed, k);
-                    let wrench = definition.reaction(&states, multipliers);
-                    let turn = match axes {
-                        ResolvedIn::Second => nalgebra::Matrix3::identity(),
-                        ResolvedIn::First => definition.relative_motion(&states).rotation,
-                        ResolvedIn::Space => definition.second_frame(&states).rotation,
-                    };
-                    let force: Vector3<f64> = turn * wrench.fixed_rows::<3>(0);
-                    let moment: Vector3<f64> = turn * wrench.fixed_rows::<3>(3);
-                    Ok(force.iter().chain(moment.iter()).copied().collect())
-                })
-            }
+            JointQuantity::Reaction(axes) => self.series(&self.reactions(joint, axes)?),
         }
+    }
+
+    /// Efforts that drive a prescribed coordinate, at the grid points or steps.
+    fn driving_efforts(&self, joint: usize, coordinate: Coordinate) -> Result<Samples> {
+        self.require_coordinate(joint, coordinate)?;
+        let at = JointCoordinate { joint, coordinate };
+        let index = self.model.prescribed_index(&at).ok_or_else(|| {
+            let message = format!("coordinate: {coordinate} of joint {joint} is not prescribed");
+            Error::new(ErrorKind::NotAvailable, message)
+        })?;
+        let placed = self.placed(ElementRole::Prescribed(index))?;
+        // The multiplier is the effort on the left-hand side: that of the drive is opposite.
+        self.samples_of(1, |k| {
+            Ok(vec![-self.solve.state.multipliers_of(placed, k)[0]])
+        })
+    }
+
+    /// Reactions at the grid points or steps.
+    fn reactions(&self, joint: usize, axes: ResolvedIn) -> Result<Samples> {
+        let definition = self.model.require_joint("joint", joint)?;
+        let placed = self.placed(ElementRole::Joint(joint))?;
+        self.samples_of(6, |k| {
+            let states = self.states_of(definition, k);
+            let multipliers = self.solve.state.multipliers_of(placed, k);
+            let wrench = definition.reaction(&states, multipliers);
+            let turn = match axes {
+                ResolvedIn::Second => nalgebra::Matrix3::identity(),
+                ResolvedIn::First => definition.relative_motion(&states).rotation,
+                ResolvedIn::Space => definition.second_frame(&states).rotation,
+            };
+            let force: Vector3<f64> = turn * wrench.fixed_rows::<3>(0);
+            let moment: Vector3<f64> = turn * wrench.fixed_rows::<3>(3);
+            Ok(force.iter().chain(moment.iter()).copied().collect())
+        })
     }
 
     fn placed(&self, role: ElementRole) -> Result<&Placed> {
@@ -130,12 +163,8 @@ impl Solution {
 
     /// A joint coordinate as a series: whole turns gained in a period are its rate.
     pub(super) fn coordinate(&self, joint: usize, which: Coordinate) -> Result<PeriodicSeries> {
-        let definition = self.model.require_joint("joint", joint)?;
-        let at = JointCoordinate {
-            joint,
-            coordinate: which,
-        };
-        self.model.require_coordinate(&at)?;
+        self.require_harmonics()?;
+        let definition = self.require_coordinate(joint, which)?;
         let grid = self.grid();
         let points = grid.points();
         let kind = definition.kind();
@@ -174,19 +203,11 @@ impl Solution {
         let turns = ((angle - values[0]) / TAU).round();
         let rate = TAU * turns / grid.period();
         // Of the possible whole turns, a prescribed coordinate shows those of its signal.
-        let shift = match self.model.prescribed_index(&at) {
-            Some(index) => nearest_turn(values[0], self.prescribed_start[index]) - values[0],
+        let shift = match self.prescribed_start_of(joint, which) {
+            Some(start) => nearest_turn(values[0], start) - values[0],
             None => 0.0,
         };
         values.iter_mut().for_each(|v| *v += shift);
         Ok(PeriodicSeries::interpolate(grid, &values, rate))
     }
-}
-
-/// Derivatives of `order` of several series at `times`; components of each time together.
-pub(super) fn sample(series: &[PeriodicSeries], times: &[f64], order: u32) -> Vec<f64> {
-    times
-        .iter()
-        .flat_map(|&t| series.iter().map(move |s| s.derivative(t, order)))
-        .collect()
 }

@@ -10,6 +10,7 @@ mod node;
 mod report;
 mod solution;
 mod table;
+mod trajectory;
 mod vtk;
 mod write;
 

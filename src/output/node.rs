@@ -79,6 +79,12 @@ impl Solution {
         times: &[f64],
         mut visit: impl FnMut(&NodeState),
     ) -> Result<()> {
+        if self.is_trajectory() {
+            for place in self.places(times)? {
+                visit(&self.state_between(node, &place));
+            }
+            return Ok(());
+        }
         let grid = self.grid();
         let interpolation = NodeInterpolation::new(self.solve.state.node(node));
         let mut weights = CardinalWeights::new(grid);
@@ -112,6 +118,7 @@ impl Solution {
     /// # Errors
     /// An unknown node, or a quaternion that changes sign over the period.
     pub fn node_series(&self, node: usize, quantity: NodeQuantity) -> Result<Vec<PeriodicSeries>> {
+        self.require_harmonics()?;
         self.model.require_node("node", node)?;
         let points = self.grid().points();
         let mut last = None;
@@ -138,6 +145,6 @@ impl Solution {
                 ));
             }
         }
-        self.series_of(quantity.components(), |k| Ok(rows[k].clone()))
+        self.series(&self.samples_of(quantity.components(), |k| Ok(rows[k].clone()))?)
     }
 }

@@ -31,10 +31,13 @@ impl Solution {
         };
         let standstill = solve.system.standstill();
         let outcome = self.outcome().describe();
-        match standstill {
-            None => line(format_args!("Periodic solve: {outcome}")),
-            Some(_) if solve.grid.points() == 1 => line(format_args!("Static solve: {outcome}")),
-            Some(_) => line(format_args!("Small motion")),
+        match (standstill, &solve.march) {
+            (None, Some(_)) => line(format_args!("March: {outcome}")),
+            (None, None) => line(format_args!("Periodic solve: {outcome}")),
+            (Some(_), _) if solve.grid.points() == 1 => {
+                line(format_args!("Static solve: {outcome}"));
+            }
+            (Some(_), _) => line(format_args!("Small motion")),
         }
         if let Some(standstill) = standstill {
             let w = standstill.angular_velocity;
@@ -64,20 +67,42 @@ impl Solution {
                 "  {dependent}: the multipliers of least norm are given"
             ));
         }
-        if !solve.report.iterations.is_empty() {
+        if let Some(march) = &solve.march {
+            let (first, last) = (march.times[0], march.times[march.times.len() - 1]);
+            line(format_args!(
+                "  {} steps to t = {last} ({} given up, {} iterations), kept from t = {first}; largest error of a step {:.1e}",
+                march.steps, march.rejected, march.iterations, march.step_error
+            ));
+            line(format_args!(
+                "  start: motions moved by {:.1e}, velocities by {:.1e} to satisfy the constraints",
+                march.start_moved, march.start_corrected
+            ));
+            if march.periods > 0 {
+                line(format_args!(
+                    "  {} periods of {}; the last differs from the one before by {:.1e}",
+                    march.periods,
+                    solve.grid.period(),
+                    march.repetition
+                ));
+            }
+        } else if !solve.report.iterations.is_empty() {
             line(format_args!("  iteration   residual  increment   step"));
         }
-        for i in &solve.report.iterations {
+        if solve.march.is_none() {
+            for i in &solve.report.iterations {
+                line(format_args!(
+                    "  {:9} {:10.2e} {:10.2e} {:6.3}",
+                    i.number, i.residual, i.increment, i.step
+                ));
+            }
+            let diagnostics = self.diagnostics();
             line(format_args!(
-                "  {:9} {:10.2e} {:10.2e} {:6.3}",
-                i.number, i.residual, i.increment, i.step
+                "  estimated error of the motions {:.1e}; between grid points: residual force {:.1e}, constraints {:.1e}",
+                diagnostics.error_estimate,
+                diagnostics.between.force,
+                diagnostics.between.constraint
             ));
         }
-        let diagnostics = self.diagnostics();
-        line(format_args!(
-            "  estimated error of the motions {:.1e}; between grid points: residual force {:.1e}, constraints {:.1e}",
-            diagnostics.error_estimate, diagnostics.between.force, diagnostics.between.constraint
-        ));
         let t = solve.timings;
         line(format_args!(
             "  time: initial guess {:.4} s ({} iterations), assembly {:.4} s, analysis {:.4} s, factorisation {:.4} s, substitution {:.4} s",

@@ -12,9 +12,12 @@ use crate::solve::{
     solve_static,
 };
 
-/// Result of a periodic or static solve, converged or not; otherwise it holds the last iterate.
+/// Result of a periodic or static solve or of a march, converged or not; otherwise it holds the last iterate,
+/// or the march as far as it came.
 ///
-/// That of a static solve has a grid of one point, and the same values at any time. If the frame turns,
+/// A march is a trajectory: the same can be asked of it, at times of its own. Between its steps, motions,
+/// velocities and joint coordinates are interpolated by cubic polynomials with the right rates, all else
+/// linearly. It has no harmonics. That of a static solve has a grid of one point, and the same values at any time. If the frame turns,
 /// positions and directions are those in it, velocities and accelerations those in the inertial frame,
 /// resolved along its axes.
 #[derive(Debug, Clone)]
@@ -26,6 +29,14 @@ pub struct Solution {
     pub(super) diagnostics: Diagnostics,
     /// What each force did: a user's function is not called any more.
     pub(super) forces: Vec<Result<ForceRecord>>,
+}
+
+/// Values of a quantity at the grid points, or at the steps of a trajectory.
+pub(super) struct Samples {
+    /// Of each component.
+    pub columns: Vec<Vec<f64>>,
+    /// Growth of all of them in a unit of time; zero for a trajectory.
+    pub rate: f64,
 }
 
 impl Solution {
@@ -52,7 +63,11 @@ impl Solution {
 
     pub(super) fn of(model: &Model, solve: PeriodicSolve) -> Result<Self> {
         let diagnostics = Diagnostics::of(&solve)?;
-        let start = solve.system.standstill().map_or(0.0, |s| s.time);
+        let start = match (solve.system.standstill(), &solve.march) {
+            (Some(standstill), _) => standstill.time,
+            (None, Some(_)) => solve.times()[0],
+            (None, None) => 0.0,
+        };
         let starts = model
             .prescribed
             .iter()
@@ -81,7 +96,7 @@ impl Solution {
         &self.diagnostics
     }
 
-    /// The grid.
+    /// The grid; of one point for an equilibrium or a trajectory.
     pub fn grid(&self) -> TimeGrid {
         self.solve.grid
     }
@@ -114,16 +129,24 @@ impl Solution {
     }
 
     /// This solution at the points of another grid of the same period: where a solve may start.
-    /// On a grid of one point that is the start of the period.
+    /// On a grid of one point that is the start of the period. Of a trajectory it is the last period.
     ///
     /// # Errors
     /// [`ErrorKind::GridTooCoarse`] if a motion cannot be interpolated.
     pub fn prolonged(&self, grid: TimeGrid) -> Result<GridState> {
+        if self.is_trajectory() {
+            return self.last_period(grid);
+        }
         self.prolonged_from(0.0, grid)
     }
 
-    /// The same for a grid whose first point is at the time `start` of this solution.
+    /// The same for a grid whose first point is at the time `start` of this solution; of a trajectory for a
+    /// grid of one point only.
     pub fn prolonged_from(&self, start: f64, grid: TimeGrid) -> Result<GridState> {
+        if self.is_trajectory() && grid.points() == 1 {
+            return self.between_steps(start);
+        }
+        self.require_harmonics()?;
         let system = &self.solve.system;
         let mut state = GridState::reference(system, grid);
         let old = self.solve.grid;
@@ -166,7 +189,7 @@ impl Solution {
 
     /// States of an element's nodes at grid point `k`.
     pub(super) fn states_of(&self, element: &dyn Element, k: usize) -> Vec<NodeState> {
-        let points = self.solve.grid.points();
+        let points = self.solve.state.points();
         element
             .nodes()
             .iter()
@@ -183,21 +206,45 @@ impl Solution {
         Err(Error::new(ErrorKind::Overflow, message))
     }
 
-    /// Interpolates `components` values, given at each grid point, by one series for each component.
-    pub(super) fn series_of(
+    /// `components` values at each grid point or step.
+    pub(super) fn samples_of(
         &self,
         components: usize,
         values: impl Fn(usize) -> Result<Vec<f64>>,
-    ) -> Result<Vec<PeriodicSeries>> {
-        let points = self.solve.grid.points();
-        let rows: Vec<Vec<f64>> = (0..points)
-            .map(|k| Self::finite("harmonics", values(k)?))
-            .collect::<Result<_>>()?;
-        Ok((0..components)
-            .map(|i| {
-                let column: Vec<f64> = rows.iter().map(|row| row[i]).collect();
-                PeriodicSeries::interpolate(self.solve.grid, &column, 0.0)
-            })
+    ) -> Result<Samples> {
+        let mut columns = vec![Vec::new(); components];
+        for k in 0..self.solve.state.points() {
+            let row = Self::finite("samples", values(k)?)?;
+            for (column, x) in columns.iter_mut().zip(row) {
+                column.push(x);
+            }
+        }
+        Ok(Samples { columns, rate: 0.0 })
+    }
+
+    /// Interpolates values at grid points by one series for each component.
+    pub(super) fn series(&self, samples: &Samples) -> Result<Vec<PeriodicSeries>> {
+        self.require_harmonics()?;
+        let columns = samples.columns.iter();
+        Ok(columns
+            .map(|values| PeriodicSeries::interpolate(self.solve.grid, values, samples.rate))
+            .collect())
+    }
+
+    /// Interpolates values at grid points or steps; components of each time together.
+    pub(super) fn sample(&self, samples: &Samples, times: &[f64]) -> Result<Vec<f64>> {
+        if self.is_trajectory() {
+            let columns = &samples.columns;
+            let places = self.places(times)?;
+            return Ok(places
+                .iter()
+                .flat_map(|place| columns.iter().map(|values| place.linear(values)))
+                .collect());
+        }
+        let series = self.series(samples)?;
+        Ok(times
+            .iter()
+            .flat_map(|&t| series.iter().map(move |s| s.value(t)))
             .collect())
     }
 }

@@ -2,6 +2,7 @@
 
 mod assembly;
 mod branch;
+mod consistent;
 mod diagnosis;
 mod direct;
 mod eigen;
@@ -16,6 +17,7 @@ mod pencil;
 mod periodic;
 mod settle;
 mod statics;
+mod trajectory;
 
 pub use diagnosis::describe_dependencies;
 pub use direct::DirectSolver;
@@ -23,3 +25,4 @@ pub use modes::{Mode, ModesOptions, ModesSolve, solve_modes};
 pub use newton::{Iteration, Newton, NewtonOptions, NewtonReport, Outcome, Timings};
 pub use periodic::{InitialGuess, PeriodicOptions, PeriodicSolve, Stage, solve_periodic};
 pub use statics::{StaticOptions, solve_static};
+pub use trajectory::{MarchEnd, MarchOptions, MarchRecord, MarchStart, StartState, march};

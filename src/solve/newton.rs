@@ -44,6 +44,18 @@ pub struct Iteration {
     pub step: f64,
 }
 
+impl Iteration {
+    /// None at all.
+    pub(super) fn none() -> Self {
+        Iteration {
+            number: 0,
+            residual: 0.0,
+            increment: 0.0,
+            step: 1.0,
+        }
+    }
+}
+
 /// When to stop.
 #[derive(Debug, Clone, Copy)]
 pub struct NewtonOptions {
@@ -82,7 +94,7 @@ const SHORTEST_STEP: f64 = 1.0 / 256.0;
 /// Largest turn of a node in one step; beyond it the linearisation means little.
 const LARGEST_TURN: f64 = 1.0;
 /// Growth that means a singular matrix.
-const SINGULAR_GROWTH: f64 = 1e15;
+pub(super) const SINGULAR_GROWTH: f64 = 1e15;
 /// Growth that does so where Newton's method stalls: off the constraints by rounding, a freedom is
 /// resisted by as much.
 const STALLED_GROWTH: f64 = 1e13;
@@ -96,10 +108,10 @@ const VIOLATION: f64 = 1e-8;
 pub struct Newton {
     /// The equations.
     pub equations: Collocation,
-    pattern: Pattern,
-    solver: DirectSolver,
-    blocks: TangentBlocks,
-    values: Vec<f64>,
+    pub(super) pattern: Pattern,
+    pub(super) solver: DirectSolver,
+    pub(super) blocks: TangentBlocks,
+    pub(super) values: Vec<f64>,
     /// Time spent since this object was made.
     pub timings: Timings,
 }
@@ -401,7 +413,7 @@ impl Newton {
 
     /// Size of the inverse of the factored matrix, relative to the matrix: about the inverse of the
     /// rounding if it is singular.
-    fn growth(&self) -> f64 {
+    pub(super) fn growth(&self) -> f64 {
         // Any vector without structure has a part along the null space.
         let mut probe: Vec<f64> = (0..self.equations.size())
             .map(|i| 0.5 + (i as f64 * 0.618_033_988_75).fract())

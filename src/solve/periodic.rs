@@ -3,6 +3,7 @@
 use super::guess::quasi_static;
 use super::march::march_to_periodic;
 use super::newton::{Iteration, Newton, NewtonOptions, NewtonReport, Outcome, Timings};
+use super::trajectory::MarchRecord;
 use crate::collocation::{Collocation, GridState};
 use crate::elements::NodeState;
 use crate::error::{Error, Result};
@@ -13,12 +14,17 @@ use std::sync::Arc;
 use std::time::{Duration, Instant};
 
 /// What the solver is doing, as told to the progress callback.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Stage {
     /// Finding the initial guess.
     InitialGuess,
     /// Newton iterations of the periodic problem.
     Newton,
+    /// Marching in time, each step, which ends at this time.
+    March {
+        /// End of the step.
+        time: f64,
+    },
 }
 
 /// Where Newton starts.
@@ -69,16 +75,17 @@ impl NewtonOptions {
     }
 }
 
-/// Result of a periodic or static solve: the last state, converged or not, and how it was reached.
+/// Result of a periodic or static solve, or of a march: the last state, converged or not, and how it was
+/// reached.
 #[derive(Debug, Clone)]
 pub struct PeriodicSolve {
     /// The system.
     pub system: Arc<System>,
-    /// The grid.
+    /// The grid; of one point for an equilibrium or a march.
     pub grid: TimeGrid,
-    /// States at the grid points.
+    /// States at the grid points or, of a march, at its times.
     pub state: GridState,
-    /// Motions with their velocities and accelerations at the grid points, node by node.
+    /// Motions with their velocities and accelerations at these, node by node.
     pub node_states: Vec<NodeState>,
     /// Outcome and history of the last Newton solve of the periodic problem.
     pub report: NewtonReport,
@@ -88,6 +95,18 @@ pub struct PeriodicSolve {
     pub guess_time: Duration,
     /// Time spent on the periodic problem, by kind of work.
     pub timings: Timings,
+    /// Of a march: its times, and how it went.
+    pub march: Option<MarchRecord>,
+}
+
+impl PeriodicSolve {
+    /// The times of the states.
+    pub fn times(&self) -> Vec<f64> {
+        match &self.march {
+            Some(record) => record.times.clone(),
+            None => self.grid.times().collect(),
+        }
+    }
 }
 
 /// Smallest step of the continuation in the inertia factor.
@@ -147,6 +166,7 @@ pub fn solve_periodic(
         guess_iterations: attempts.guess_iterations,
         guess_time: attempts.guess_time,
         timings: attempts.newton.timings,
+        march: None,
     })
 }
 

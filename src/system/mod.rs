@@ -102,6 +102,34 @@ impl Standstill {
     }
 }
 
+/// What is known of a march in time.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct Transient {
+    /// Period that harmonics of signals refer to; it may be left out if there are none.
+    pub period: Option<f64>,
+    /// How long the march is.
+    pub duration: f64,
+    /// Length of its steps.
+    pub step: f64,
+}
+
+impl Transient {
+    /// Checks that all of it are positive numbers.
+    pub(crate) fn validate(&self) -> Result<()> {
+        let period = self.period.unwrap_or(1.0);
+        for (name, x) in [
+            ("period", period),
+            ("duration", self.duration),
+            ("step", self.step),
+        ] {
+            if !(x.is_finite() && x > 0.0) {
+                return Err(Error::value(name, "a positive, finite number", x));
+            }
+        }
+        Ok(())
+    }
+}
+
 /// A model made ready for a given period.
 #[derive(Debug, Clone)]
 pub struct System {
@@ -118,6 +146,8 @@ pub struct System {
     joints: Vec<Joint>,
     /// Signals that prescribe angles whose whole turns matter, as they turn a screw.
     counted_turns: Vec<usize>,
+    /// Whether the system is marched in time: nothing needs to repeat itself.
+    transient: Option<Transient>,
     /// Signals of the frame's angular velocity, if it turns.
     turning: Option<[usize; 3]>,
     tracked: Vec<Tracked>,
@@ -145,7 +175,16 @@ impl System {
     /// # Errors
     /// If the model has no nodes, or a prescribed motion or load does not repeat after one period.
     pub fn new(model: &Model, period: f64) -> Result<Self> {
-        Self::build(model, period, None)
+        Self::build(model, period, None, None)
+    }
+
+    /// Makes `model` ready for a march in time.
+    ///
+    /// # Errors
+    /// If the model has no nodes, or the period is needed and not given.
+    pub fn in_transient(model: &Model, transient: &Transient) -> Result<Self> {
+        let period = transient.period.unwrap_or(transient.duration);
+        Self::build(model, period, None, Some(*transient))
     }
 
     /// Makes `model` ready as it is at one time.
@@ -154,10 +193,15 @@ impl System {
     /// If the model has no nodes, the period is needed and not given, or gravity is across the axis
     /// of a turning frame.
     pub fn at_standstill(model: &Model, standstill: &Standstill) -> Result<Self> {
-        Self::build(model, standstill.period(), Some(*standstill))
+        Self::build(model, standstill.period(), Some(*standstill), None)
     }
 
-    fn build(model: &Model, period: f64, standstill: Option<Standstill>) -> Result<Self> {
+    fn build(
+        model: &Model,
+        period: f64,
+        standstill: Option<Standstill>,
+        transient: Option<Transient>,
+    ) -> Result<Self> {
         if model.nodes.is_empty() {
             let message = "model: expected at least one node, got none";
             return Err(Error::new(ErrorKind::Model, message));
@@ -175,6 +219,7 @@ impl System {
             standstill,
             joints: model.joints.clone(),
             counted_turns: Vec::new(),
+            transient,
             turning: None,
             tracked: Vec::new(),
             unknowns: Vec::new(),
@@ -342,7 +387,14 @@ impl System {
             Some(standstill) => constant(&signal, standstill, &place)?,
             None => signal,
         };
-        require_periodic(&signal, unit).map_err(|e| e.within(&place))?;
+        match &self.transient {
+            Some(transient) if transient.period.is_none() && signal.has_harmonics() => {
+                let expected = format!("the period of the harmonics of the signal of {place}");
+                return Err(Error::value("options.period", expected, "none"));
+            }
+            Some(_) => {}
+            None => require_periodic(&signal, unit).map_err(|e| e.within(&place))?,
+        }
         self.signals.push(DrivenSignal {
             signal,
             start,
@@ -429,6 +481,11 @@ impl System {
         self.unknowns[index]
     }
 
+    /// What is known of the march, of a system in one.
+    pub fn transient(&self) -> Option<&Transient> {
+        self.transient.as_ref()
+    }
+
     /// Whether forces come from functions of the user.
     pub fn calls_functions(&self) -> bool {
         self.calls_functions
@@ -437,6 +494,14 @@ impl System {
     /// Characteristic length, mass, time and force.
     pub fn scales(&self) -> &Scales {
         &self.scales
+    }
+
+    /// Frequency that inertial forces are characterised by: that of the period or, of a march, of a step.
+    pub(super) fn characteristic_frequency(&self) -> f64 {
+        match &self.transient {
+            Some(transient) => 1.0 / transient.step,
+            None => TAU / self.period,
+        }
     }
 
     /// The period.
@@ -485,6 +550,26 @@ impl System {
         }
         let change = |&signal: &usize| (values[1][signal] - values[0][signal]).abs();
         Ok(self.counted_turns.iter().map(change).fold(0.0, f64::max))
+    }
+
+    /// Values, first and second derivatives of all signals at `time`, see [`BoundSignal::derivatives`].
+    pub fn signal_derivatives(&self, time: f64, step: f64) -> Result<[Vec<f64>; 3]> {
+        let mut all = [(); 3].map(|()| Vec::with_capacity(self.signals.len()));
+        for driven in &self.signals {
+            let found = driven.signal.derivatives(time, step);
+            let found = found.map_err(|e| e.within(&driven.place))?;
+            all.iter_mut().zip(found).for_each(|(list, x)| list.push(x));
+        }
+        Ok(all)
+    }
+
+    /// Measures of the prescribed coordinates: their signals are the first.
+    pub fn prescribed_measures(&self) -> impl Iterator<Item = Measure> {
+        let prescribed = |placed: &&Placed| matches!(placed.role, ElementRole::Prescribed(_));
+        let placed = self.elements.iter().filter(prescribed);
+        placed.map(|placed| match placed.element.unknown(0) {
+            Unknown::Multiplier(measure) | Unknown::State { measure, .. } => measure,
+        })
     }
 
     /// Acceleration of gravity, given the values of all signals.

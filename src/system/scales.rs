@@ -3,7 +3,6 @@
 use super::{Conditions, OwnValues, System};
 use crate::elements::NodeState;
 use crate::error::Result;
-use std::f64::consts::TAU;
 
 /// Characteristic length, mass and force of a system in its reference configuration.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -12,7 +11,8 @@ pub struct Scales {
     pub length: f64,
     /// Total mass.
     pub mass: f64,
-    /// The largest force that a displacement of `length` or an acceleration of `length Ω²` can cause; at
+    /// The largest force that a displacement of `length` or an acceleration of `length Ω²` can cause, in a
+    /// march `length / h²` for steps of `h`, so that the matrices of small steps stay well scaled; at
     /// a standstill, the largest force that such a displacement or the loads can cause.
     pub force: f64,
 }
@@ -82,7 +82,7 @@ impl Scales {
         let other = if system.standstill.is_some() {
             load_force.max(load_moment / length)
         } else {
-            let rate = TAU / system.period();
+            let rate = system.characteristic_frequency();
             mass * length * rate * rate
         };
         let mut force = (linear * length).max(angular / length).max(other);

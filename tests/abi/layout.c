@@ -81,13 +81,14 @@ AT(pdn_diagnostics, analysis_seconds, 88);
 AT(pdn_diagnostics, factorisation_seconds, 96);
 AT(pdn_diagnostics, substitution_seconds, 104);
 
-SIZE(pdn_progress, 40);
+SIZE(pdn_progress, 48);
 AT(pdn_progress, struct_size, 0);
 AT(pdn_progress, stage, 8);
 AT(pdn_progress, iteration, 12);
 AT(pdn_progress, residual, 16);
 AT(pdn_progress, increment, 24);
 AT(pdn_progress, step, 32);
+AT(pdn_progress, time, 40);
 
 SIZE(pdn_periodic_options, 80);
 AT(pdn_periodic_options, struct_size, 0);
@@ -213,6 +214,42 @@ AT(pdn_mode, frequency, 24);
 AT(pdn_mode, damping_ratio, 32);
 AT(pdn_mode, modal_mass, 40);
 AT(pdn_mode, residual, 48);
+
+IS(PDN_STAGE_MARCH, 2);
+
+SIZE(pdn_march_options, 152);
+AT(pdn_march_options, struct_size, 0);
+AT(pdn_march_options, start_time, 8);
+AT(pdn_march_options, duration, 16);
+AT(pdn_march_options, period, 24);
+AT(pdn_march_options, step, 32);
+AT(pdn_march_options, steps_per_period, 40);
+AT(pdn_march_options, spectral_radius, 48);
+AT(pdn_march_options, error_tolerance, 56);
+AT(pdn_march_options, periodic_tolerance, 64);
+AT(pdn_march_options, most_periods, 72);
+AT(pdn_march_options, stored_periods, 80);
+AT(pdn_march_options, tolerance, 88);
+AT(pdn_march_options, iteration_limit, 96);
+AT(pdn_march_options, initial, 104);
+AT(pdn_march_options, positions, 112);
+AT(pdn_march_options, rotations, 120);
+AT(pdn_march_options, velocities, 128);
+AT(pdn_march_options, progress, 136);
+AT(pdn_march_options, progress_data, 144);
+
+SIZE(pdn_march_diagnostics, 88);
+AT(pdn_march_diagnostics, struct_size, 0);
+AT(pdn_march_diagnostics, steps, 8);
+AT(pdn_march_diagnostics, rejected_steps, 16);
+AT(pdn_march_diagnostics, iterations, 24);
+AT(pdn_march_diagnostics, periods, 32);
+AT(pdn_march_diagnostics, first_time, 40);
+AT(pdn_march_diagnostics, last_time, 48);
+AT(pdn_march_diagnostics, repetition, 56);
+AT(pdn_march_diagnostics, step_error, 64);
+AT(pdn_march_diagnostics, start_moved, 72);
+AT(pdn_march_diagnostics, start_corrected, 80);
 SIZE(pdn_summary, 88);
 AT(pdn_summary, struct_size, 0);
 AT(pdn_summary, nodes, 8);

@@ -1,0 +1,273 @@
+//! A step in time by the generalised-α method on SE(3), and the state of motion it starts from.
+//!
+//! After Arnold and Brüls (Multibody System Dynamics 18, 2007) and Brüls, Cardona and Arnold (Mechanism and
+//! Machine Theory 48, 2012), for the equations of index 3: with steps of `h`,
+//!
+//! ```text
+//! M₁ = M₀ exp(Ψ),  Ψ = h v₀ + h² ((½ − β) a₀ + β a₁),  v₁ = v₀ + h ((1 − γ) a₀ + γ a₁),
+//! (1 − α_m) a₁ + α_m a₀ = (1 − α_f) v̇₁ + α_f v̇₀,
+//! ```
+//!
+//! and equilibrium, constraints and multipliers at the end of the step. As `v₁` and `v̇₁` are affine in
+//! `Ψ = log(M₀⁻¹ M₁)`, a step is collocation on a grid of one point with another rule for the derivatives.
+//!
+//! Internal states follow the first-order method of the same kind (Jansen, Whiting and Hulbert, Computer
+//! Methods in Applied Mechanics and Engineering 190, 2000).
+
+use super::state::GridState;
+use crate::elements::NodeState;
+use crate::motion::{DualMatrix, Motion, inverse_tangent};
+use nalgebra::Vector6;
+
+/// Parameters of the method, all from the spectral radius at infinite frequency `ρ∞`.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct GeneralizedAlpha {
+    /// `α_m = (2ρ∞ − 1)/(ρ∞ + 1)`.
+    pub alpha_m: f64,
+    /// `α_f = ρ∞/(ρ∞ + 1)`.
+    pub alpha_f: f64,
+    /// `β = ¼ (½ + γ)²`.
+    pub beta: f64,
+    /// `γ = ½ + α_f − α_m`.
+    pub gamma: f64,
+    /// `α_m` of internal states, `½ (3ρ∞ − 1)/(ρ∞ + 1)`.
+    pub state_alpha_m: f64,
+    /// `γ` of internal states, `1/(ρ∞ + 1)`.
+    pub state_gamma: f64,
+}
+
+impl GeneralizedAlpha {
+    /// Of least low-frequency dissipation for this `ρ∞`, from 0 to 1 (Chung and Hulbert 1993).
+    pub fn new(spectral_radius: f64) -> Self {
+        let rho = spectral_radius;
+        let alpha_m = (2.0 * rho - 1.0) / (rho + 1.0);
+        let alpha_f = rho / (rho + 1.0);
+        let gamma = 0.5 + alpha_f - alpha_m;
+        GeneralizedAlpha {
+            alpha_m,
+            alpha_f,
+            beta: 0.25 * (0.5 + gamma) * (0.5 + gamma),
+            gamma,
+            state_alpha_m: 0.5 * (3.0 * rho - 1.0) / (rho + 1.0),
+            state_gamma: 1.0 / (rho + 1.0),
+        }
+    }
+
+    /// `a` stands for `v̇` this part of a step later (a negative one).
+    pub fn shift(&self) -> f64 {
+        self.alpha_m - self.alpha_f
+    }
+
+    /// Error of a position after one step, relative to `h³ v̈`.
+    pub fn error_constant(&self) -> f64 {
+        0.5 * self.shift() + self.beta - 1.0 / 6.0
+    }
+}
+
+/// Motions, velocities, accelerations and internal states at one time: all that a step starts from.
+#[derive(Debug, Clone)]
+pub struct MotionState {
+    /// The time.
+    pub time: f64,
+    /// Motions, multipliers and internal states, on a grid of one point.
+    pub state: GridState,
+    /// `v` of each node.
+    pub twist: Vec<Vector6<f64>>,
+    /// `v̇` of each node.
+    pub twist_rate: Vec<Vector6<f64>>,
+    /// `a` of each node.
+    pub averaged: Vec<Vector6<f64>>,
+    /// Rates of internal states, in the order of the multipliers.
+    pub rates: Vec<f64>,
+    /// The like of `a` for internal states.
+    pub averaged_rates: Vec<f64>,
+}
+
+impl MotionState {
+    /// At rest.
+    pub fn at_rest(time: f64, state: GridState) -> Self {
+        let (nodes, own) = (state.motions.len(), state.multipliers.len());
+        MotionState {
+            time,
+            twist: vec![Vector6::zeros(); nodes],
+            twist_rate: vec![Vector6::zeros(); nodes],
+            averaged: vec![Vector6::zeros(); nodes],
+            rates: vec![0.0; own],
+            averaged_rates: vec![0.0; own],
+            state,
+        }
+    }
+
+    /// State of one node.
+    pub fn node(&self, node: usize) -> NodeState {
+        NodeState {
+            motion: self.state.motions[node],
+            twist: self.twist[node],
+            twist_rate: self.twist_rate[node],
+        }
+    }
+
+    /// Makes it the start of steps of another length: `a` is `v̇` a part of a step earlier.
+    pub fn change_step(&mut self, ratio: f64) {
+        for (a, rate) in self.averaged.iter_mut().zip(&self.twist_rate) {
+            *a = rate + (*a - rate) * ratio;
+        }
+        for (a, rate) in self.averaged_rates.iter_mut().zip(&self.rates) {
+            *a = rate + (*a - rate) * ratio;
+        }
+    }
+}
+
+/// One step.
+#[derive(Debug, Clone)]
+pub struct AlphaStep {
+    /// The method.
+    pub method: GeneralizedAlpha,
+    /// Length `h` of the step.
+    pub length: f64,
+    /// What it starts from.
+    pub start: MotionState,
+    /// `T⁻¹(Ψ)` of each node, as of the last evaluation.
+    inverse_tangents: Vec<DualMatrix>,
+}
+
+impl AlphaStep {
+    /// A step of `length` from `start`.
+    pub fn new(method: GeneralizedAlpha, length: f64, start: MotionState) -> Self {
+        AlphaStep {
+            inverse_tangents: vec![DualMatrix::zeros(); start.twist.len()],
+            method,
+            length,
+            start,
+        }
+    }
+
+    /// `∂v₁/∂Ψ` and `∂v̇₁/∂Ψ`, both multiples of the identity.
+    pub fn weights(&self) -> (f64, f64) {
+        let GeneralizedAlpha {
+            alpha_m,
+            alpha_f,
+            beta,
+            gamma,
+            ..
+        } = self.method;
+        let h = self.length;
+        (
+            gamma / (beta * h),
+            (1.0 - alpha_m) / ((1.0 - alpha_f) * beta * h * h),
+        )
+    }
+
+    /// `∂ẋ₁/∂x₁` of internal states.
+    pub fn state_weight(&self) -> f64 {
+        let method = &self.method;
+        (1.0 - method.state_alpha_m) / ((1.0 - method.alpha_f) * method.state_gamma * self.length)
+    }
+
+    /// `a₁` of a node with the increment `Ψ`.
+    fn averaged(&self, node: usize, increment: &Vector6<f64>) -> Vector6<f64> {
+        let (h, beta) = (self.length, self.method.beta);
+        let (v, a) = (&self.start.twist[node], &self.start.averaged[node]);
+        (increment / h - v - a * ((0.5 - beta) * h)) / (beta * h)
+    }
+
+    /// `v₁` and `v̇₁` of a node that moves to `motion`.
+    pub(super) fn evaluate(&mut self, node: usize, motion: &Motion) -> NodeState {
+        let start = &self.start;
+        let increment = start.state.motions[node].relative(motion).logarithm();
+        self.inverse_tangents[node] = inverse_tangent(&increment);
+        let (method, h) = (&self.method, self.length);
+        let (v, a0) = (&start.twist[node], &start.averaged[node]);
+        let a1 = self.averaged(node, &increment);
+        NodeState {
+            motion: *motion,
+            twist: v + (a0 * (1.0 - method.gamma) + a1 * method.gamma) * h,
+            twist_rate: (a1 * (1.0 - method.alpha_m) + a0 * method.alpha_m
+                - start.twist_rate[node] * method.alpha_f)
+                / (1.0 - method.alpha_f),
+        }
+    }
+
+    /// `Γ_v` and `Γ_a` at the last evaluation: `Δv₁ = Γ_v Δu`, `Δv̇₁ = Γ_a Δu`.
+    pub(super) fn tangent(&self, node: usize) -> (DualMatrix, DualMatrix) {
+        let (first, second) = self.weights();
+        let tangent = &self.inverse_tangents[node];
+        (*tangent * first, *tangent * second)
+    }
+
+    /// The like of `a₁` for the internal state at `place`.
+    fn averaged_rate(&self, place: usize, value: f64) -> f64 {
+        let gamma = self.method.state_gamma;
+        let change = (value - self.start.state.multipliers[place]) / self.length;
+        (change - (1.0 - gamma) * self.start.averaged_rates[place]) / gamma
+    }
+
+    /// `ẋ₁` of the internal state at `place`, whose value becomes `value`.
+    pub(super) fn rate(&self, place: usize, value: f64) -> f64 {
+        let method = &self.method;
+        let (a0, a1) = (
+            self.start.averaged_rates[place],
+            self.averaged_rate(place, value),
+        );
+        ((1.0 - method.state_alpha_m) * a1 + method.state_alpha_m * a0
+            - method.alpha_f * self.start.rates[place])
+            / (1.0 - method.alpha_f)
+    }
+
+    /// Where a first guess of the end is: at unchanged accelerations.
+    pub fn predict(&self, out: &mut GridState) {
+        let (start, h) = (&self.start, self.length);
+        for (node, motion) in out.motions.iter_mut().enumerate() {
+            let increment = start.twist[node] * h + start.averaged[node] * (0.5 * h * h);
+            *motion = start.state.motions[node]
+                .increment(&increment)
+                .renormalised();
+        }
+        for (place, value) in out.multipliers.iter_mut().enumerate() {
+            *value = start.state.multipliers[place] + h * start.averaged_rates[place];
+        }
+    }
+
+    /// Makes `end`, with the node states that belong to it, the start of the next step, which is as long;
+    /// `is_state` tells internal states from multipliers.
+    pub fn advance(
+        &mut self,
+        end: &GridState,
+        node_states: &[NodeState],
+        is_state: impl Fn(usize) -> bool,
+    ) {
+        for (node, at) in node_states.iter().enumerate() {
+            let increment = self.start.state.motions[node].relative(&at.motion);
+            let averaged = self.averaged(node, &increment.logarithm());
+            self.start.averaged[node] = averaged;
+            self.start.twist[node] = at.twist;
+            self.start.twist_rate[node] = at.twist_rate;
+        }
+        for (place, &value) in end.multipliers.iter().enumerate() {
+            if is_state(place) {
+                let rate = self.rate(place, value);
+                self.start.averaged_rates[place] = self.averaged_rate(place, value);
+                self.start.rates[place] = rate;
+            }
+        }
+        self.start.state.clone_from(end);
+        self.start.time += self.length;
+    }
+}
+
+/// An instant whose velocities and accelerations are given; the unknowns are those of equations that are
+/// linear in accelerations (or in velocities): what the Jacobian holds is the inertia, constraint gradients
+/// and what balances rates of internal states.
+#[derive(Debug, Clone)]
+pub struct GivenRates {
+    /// `v` of each node.
+    pub twist: Vec<Vector6<f64>>,
+    /// `v̇` of each node.
+    pub twist_rate: Vec<Vector6<f64>>,
+    /// Rates of internal states, in the order of the multipliers.
+    pub rates: Vec<f64>,
+    /// Factor of the inertia in the Jacobian: accelerations are it times the unknowns.
+    pub weight: f64,
+    /// Inertia added to each node where some have none, that the Jacobian be regular: a mass.
+    pub added_mass: f64,
+}
