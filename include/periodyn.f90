@@ -1,0 +1,2984 @@
+! Periodyn for Fortran 2018: periodic response of flexible multibody systems.
+!
+! Compile this file with your program. It has two modules:
+!
+!   periodyn_c   the functions, structs and constants of periodyn.h, under their names; its documentation
+!                holds. Pointers that may be NULL are optional arguments; texts end with c_null_char.
+!   periodyn     the same as derived types that free themselves, with optional stat and errmsg; it
+!                passes periodyn_c on.
+
+! The next module is written by script/fortran_interface from periodyn.h; do not edit it.
+module periodyn_c
+    use, intrinsic :: iso_c_binding
+    implicit none
+    public
+
+    integer(c_int32_t), parameter :: PDN_VERSION_MAJOR = 0
+    integer(c_int32_t), parameter :: PDN_VERSION_MINOR = 1
+    integer(c_int32_t), parameter :: PDN_VERSION_PATCH = 0
+    integer(c_int32_t), parameter :: PDN_OK = 0
+    integer(c_int32_t), parameter :: PDN_ERR_NULL = -1
+    integer(c_int32_t), parameter :: PDN_ERR_NOT_FINITE = -2
+    integer(c_int32_t), parameter :: PDN_ERR_SIZE = -3
+    integer(c_int32_t), parameter :: PDN_ERR_ID = -4
+    integer(c_int32_t), parameter :: PDN_ERR_VALUE = -5
+    integer(c_int32_t), parameter :: PDN_ERR_STRUCT_SIZE = -6
+    integer(c_int32_t), parameter :: PDN_ERR_NOT_AVAILABLE = -7
+    integer(c_int32_t), parameter :: PDN_ERR_MODEL = -100
+    integer(c_int32_t), parameter :: PDN_ERR_NOT_PERIODIC = -101
+    integer(c_int32_t), parameter :: PDN_ERR_GRID_TOO_COARSE = -200
+    integer(c_int32_t), parameter :: PDN_ERR_CALLBACK = -201
+    integer(c_int32_t), parameter :: PDN_ERR_OVERFLOW = -202
+    integer(c_int32_t), parameter :: PDN_ERR_MEMORY = -900
+    integer(c_int32_t), parameter :: PDN_ERR_PANIC = -901
+    integer(c_int32_t), parameter :: PDN_ERR_POISONED = -902
+    integer(c_int32_t), parameter :: PDN_SIGNAL_HARMONICS = 0
+    integer(c_int32_t), parameter :: PDN_SIGNAL_SAMPLES = 1
+    integer(c_int32_t), parameter :: PDN_SIGNAL_FUNCTION = 2
+    integer(c_int32_t), parameter :: PDN_GROUND = -1
+    integer(c_int32_t), parameter :: PDN_JOINT_RIGID = 0
+    integer(c_int32_t), parameter :: PDN_JOINT_REVOLUTE = 1
+    integer(c_int32_t), parameter :: PDN_JOINT_UNIVERSAL = 2
+    integer(c_int32_t), parameter :: PDN_JOINT_SPHERICAL = 3
+    integer(c_int32_t), parameter :: PDN_JOINT_PRISMATIC = 4
+    integer(c_int32_t), parameter :: PDN_JOINT_CYLINDRICAL = 5
+    integer(c_int32_t), parameter :: PDN_JOINT_PLANAR = 6
+    integer(c_int32_t), parameter :: PDN_JOINT_FREE = 7
+    integer(c_int32_t), parameter :: PDN_DISPLACEMENT = 0
+    integer(c_int32_t), parameter :: PDN_DISPLACEMENT_2 = 1
+    integer(c_int32_t), parameter :: PDN_DISPLACEMENT_3 = 2
+    integer(c_int32_t), parameter :: PDN_ROTATION = 3
+    integer(c_int32_t), parameter :: PDN_ROTATION_2 = 4
+    integer(c_int32_t), parameter :: PDN_ROTATION_3 = 5
+    integer(c_int32_t), parameter :: PDN_LINE_STRAIGHT = 0
+    integer(c_int32_t), parameter :: PDN_LINE_ARC = 1
+    integer(c_int32_t), parameter :: PDN_LINE_CURVE = 2
+    integer(c_int32_t), parameter :: PDN_FRAME_SPACE = 0
+    integer(c_int32_t), parameter :: PDN_FRAME_MATERIAL = 1
+    integer(c_int32_t), parameter :: PDN_FORCE_1 = 0
+    integer(c_int32_t), parameter :: PDN_FORCE_2 = 1
+    integer(c_int32_t), parameter :: PDN_FORCE_3 = 2
+    integer(c_int32_t), parameter :: PDN_MOMENT_1 = 3
+    integer(c_int32_t), parameter :: PDN_MOMENT_2 = 4
+    integer(c_int32_t), parameter :: PDN_MOMENT_3 = 5
+    integer(c_int32_t), parameter :: PDN_TANGENTS_DIFFERENCED = 0
+    integer(c_int32_t), parameter :: PDN_TANGENTS_GIVEN = 1
+    integer(c_int32_t), parameter :: PDN_TANGENT_MOTION = 0
+    integer(c_int32_t), parameter :: PDN_TANGENT_VELOCITY = 1
+    integer(c_int32_t), parameter :: PDN_CONVERGED = 0
+    integer(c_int32_t), parameter :: PDN_ITERATION_LIMIT = 1
+    integer(c_int32_t), parameter :: PDN_STALLED = 2
+    integer(c_int32_t), parameter :: PDN_SINGULAR = 3
+    integer(c_int32_t), parameter :: PDN_CANCELLED = 4
+    integer(c_int32_t), parameter :: PDN_NO_INITIAL_GUESS = 5
+    integer(c_int32_t), parameter :: PDN_INCONSISTENT = 6
+    integer(c_int32_t), parameter :: PDN_AXES_SPACE = 0
+    integer(c_int32_t), parameter :: PDN_AXES_FIRST = 1
+    integer(c_int32_t), parameter :: PDN_AXES_SECOND = 2
+    integer(c_int32_t), parameter :: PDN_NODE_POSITION = 0
+    integer(c_int32_t), parameter :: PDN_NODE_ROTATION = 1
+    integer(c_int32_t), parameter :: PDN_NODE_QUATERNION = 2
+    integer(c_int32_t), parameter :: PDN_NODE_VELOCITY = 3
+    integer(c_int32_t), parameter :: PDN_NODE_ACCELERATION = 4
+    integer(c_int32_t), parameter :: PDN_NODE_MATERIAL_VELOCITY = 5
+    integer(c_int32_t), parameter :: PDN_NODE_MATERIAL_ACCELERATION = 6
+    integer(c_int32_t), parameter :: PDN_JOINT_COORDINATE = 0
+    integer(c_int32_t), parameter :: PDN_JOINT_RATE = 1
+    integer(c_int32_t), parameter :: PDN_JOINT_ACCELERATION = 2
+    integer(c_int32_t), parameter :: PDN_JOINT_DRIVING_EFFORT = 3
+    integer(c_int32_t), parameter :: PDN_JOINT_REACTION = 4
+    integer(c_int32_t), parameter :: PDN_BEAM_STRAIN = 0
+    integer(c_int32_t), parameter :: PDN_BEAM_FORCE = 1
+    integer(c_int32_t), parameter :: PDN_FORCE_EFFORT = 0
+    integer(c_int32_t), parameter :: PDN_FORCE_BRANCH_EFFORT = 1
+    integer(c_int32_t), parameter :: PDN_FORCE_BRANCH_ELONGATION = 2
+    integer(c_int32_t), parameter :: PDN_FORCE_ON_NODE = 3
+    integer(c_int32_t), parameter :: PDN_FORCE_ON_NODE_MATERIAL = 4
+    integer(c_int32_t), parameter :: PDN_STAGE_INITIAL_GUESS = 0
+    integer(c_int32_t), parameter :: PDN_STAGE_NEWTON = 1
+
+    type, bind(C) :: pdn_section
+        integer(c_size_t) :: struct_size = 0
+        real(c_double) :: stiffness(36)
+        real(c_double) :: mass(36)
+        real(c_double) :: damping(36)
+    end type pdn_section
+
+    type, bind(C) :: pdn_signal
+        integer(c_size_t) :: struct_size = 0
+        integer(c_int32_t) :: kind
+        integer(c_int32_t) :: reserved
+        real(c_double) :: mean
+        real(c_double) :: rate
+        type(c_ptr) :: cosines = c_null_ptr
+        type(c_ptr) :: sines = c_null_ptr
+        integer(c_size_t) :: harmonics
+        type(c_ptr) :: samples = c_null_ptr
+        integer(c_size_t) :: sample_count
+        type(c_funptr) :: function = c_null_funptr
+        type(c_ptr) :: user_data = c_null_ptr
+    end type pdn_signal
+
+    type, bind(C) :: pdn_frame
+        real(c_double) :: position(3)
+        real(c_double) :: rotation(9)
+    end type pdn_frame
+
+    type, bind(C) :: pdn_line
+        integer(c_size_t) :: struct_size = 0
+        integer(c_int32_t) :: kind
+        integer(c_int32_t) :: reserved
+        real(c_double) :: start(3)
+        real(c_double) :: point(3)
+        real(c_double) :: end(3)
+        real(c_double) :: axis_2(3)
+        type(c_funptr) :: curve = c_null_funptr
+        type(c_ptr) :: user_data = c_null_ptr
+    end type pdn_line
+
+    type, bind(C) :: pdn_stations
+        integer(c_size_t) :: struct_size = 0
+        integer(c_size_t) :: count
+        type(c_ptr) :: fractions = c_null_ptr
+        type(c_ptr) :: sections = c_null_ptr
+        type(c_ptr) :: twists = c_null_ptr
+    end type pdn_stations
+
+    type, bind(C) :: pdn_beam
+        integer(c_int32_t) :: first
+        integer(c_int32_t) :: last
+        integer(c_int32_t) :: first_element
+        integer(c_int32_t) :: elements
+        integer(c_int32_t) :: reserved(4)
+    end type pdn_beam
+
+    type, bind(C) :: pdn_force_state
+        integer(c_size_t) :: struct_size = 0
+        real(c_double) :: time
+        integer(c_size_t) :: node_count
+        type(c_ptr) :: positions = c_null_ptr
+        type(c_ptr) :: rotations = c_null_ptr
+        type(c_ptr) :: velocities = c_null_ptr
+    end type pdn_force_state
+
+    type, bind(C) :: pdn_force_values
+        integer(c_size_t) :: struct_size = 0
+        type(c_ptr) :: forces = c_null_ptr
+        type(c_ptr) :: by_motion = c_null_ptr
+        type(c_ptr) :: by_velocity = c_null_ptr
+    end type pdn_force_values
+
+    type, bind(C) :: pdn_tangent_check
+        integer(c_size_t) :: struct_size = 0
+        real(c_double) :: error
+        real(c_double) :: time
+        real(c_double) :: given
+        real(c_double) :: differenced
+        integer(c_int32_t) :: tangent
+        integer(c_int32_t) :: row_node
+        integer(c_int32_t) :: row_component
+        integer(c_int32_t) :: column_node
+        integer(c_int32_t) :: column_component
+        integer(c_int32_t) :: reserved
+    end type pdn_tangent_check
+
+    type, bind(C) :: pdn_diagnostics
+        integer(c_size_t) :: struct_size = 0
+        integer(c_int32_t) :: outcome
+        integer(c_int32_t) :: iterations
+        integer(c_int32_t) :: guess_iterations
+        integer(c_int32_t) :: redundant_constraints
+        integer(c_size_t) :: grid_points
+        integer(c_size_t) :: unknowns
+        real(c_double) :: last_increment
+        real(c_double) :: error_estimate
+        real(c_double) :: force_residual_between
+        real(c_double) :: constraint_residual_between
+        real(c_double) :: guess_seconds
+        real(c_double) :: assembly_seconds
+        real(c_double) :: analysis_seconds
+        real(c_double) :: factorisation_seconds
+        real(c_double) :: substitution_seconds
+    end type pdn_diagnostics
+
+    type, bind(C) :: pdn_progress
+        integer(c_size_t) :: struct_size = 0
+        integer(c_int32_t) :: stage
+        integer(c_int32_t) :: iteration
+        real(c_double) :: residual
+        real(c_double) :: increment
+        real(c_double) :: step
+    end type pdn_progress
+
+    type, bind(C) :: pdn_periodic_options
+        integer(c_size_t) :: struct_size = 0
+        integer(c_size_t) :: grid_points
+        integer(c_size_t) :: harmonics
+        real(c_double) :: tolerance
+        integer(c_size_t) :: iteration_limit
+        type(c_ptr) :: initial = c_null_ptr
+        type(c_ptr) :: guess_positions = c_null_ptr
+        type(c_ptr) :: guess_rotations = c_null_ptr
+        type(c_funptr) :: progress = c_null_funptr
+        type(c_ptr) :: progress_data = c_null_ptr
+    end type pdn_periodic_options
+
+    type, bind(C) :: pdn_static_options
+        integer(c_size_t) :: struct_size = 0
+        real(c_double) :: time
+        real(c_double) :: period
+        integer(c_size_t) :: load_steps
+        real(c_double) :: tolerance
+        integer(c_size_t) :: iteration_limit
+        real(c_double) :: angular_velocity(3)
+        real(c_double) :: axis_point(3)
+        type(c_ptr) :: initial = c_null_ptr
+        type(c_funptr) :: progress = c_null_funptr
+        type(c_ptr) :: progress_data = c_null_ptr
+    end type pdn_static_options
+
+    type, bind(C) :: pdn_summary
+        integer(c_size_t) :: struct_size = 0
+        integer(c_int32_t) :: nodes
+        integer(c_int32_t) :: beam_elements
+        integer(c_int32_t) :: joints
+        integer(c_int32_t) :: prescribed
+        integer(c_int32_t) :: constraints
+        integer(c_int32_t) :: redundant_constraints
+        integer(c_int32_t) :: degrees_of_freedom
+        integer(c_int32_t) :: members
+        integer(c_int32_t) :: mobility
+        integer(c_int32_t) :: redundant_if_rigid
+        integer(c_int32_t) :: parts
+        integer(c_int32_t) :: warnings
+        real(c_double) :: mass
+        real(c_double) :: centre(3)
+    end type pdn_summary
+
+    ! Functions of the caller; they are handed over as c_funloc(function).
+    abstract interface
+        ! A function of time, to be written by the caller
+        function pdn_signal_fn(time, value, user_data) bind(C)
+            import
+            real(c_double), value :: time
+            real(c_double), intent(inout) :: value
+            type(c_ptr), value :: user_data
+            integer(c_int32_t) :: pdn_signal_fn
+        end function pdn_signal_fn
+
+        ! A smooth curve in space, to be written by the caller
+        function pdn_curve_fn(fraction, position, axis_2, user_data) bind(C)
+            import
+            real(c_double), value :: fraction
+            real(c_double), intent(inout) :: position(*)
+            real(c_double), intent(inout) :: axis_2(*)
+            type(c_ptr), value :: user_data
+            integer(c_int32_t) :: pdn_curve_fn
+        end function pdn_curve_fn
+
+        ! A law of effort on a joint coordinate, to be written by the caller
+        function pdn_coordinate_law_fn(time, coordinate, rate, effort, derivatives, user_data) bind(C)
+            import
+            real(c_double), value :: time
+            real(c_double), value :: coordinate
+            real(c_double), value :: rate
+            real(c_double), intent(inout) :: effort
+            real(c_double), intent(inout), optional :: derivatives(*)
+            type(c_ptr), value :: user_data
+            integer(c_int32_t) :: pdn_coordinate_law_fn
+        end function pdn_coordinate_law_fn
+
+        ! Disposes of the `user_data` of a force; see ::pdn_model_add_user_force for when it is called
+        subroutine pdn_destroy_fn(user_data) bind(C)
+            import
+            type(c_ptr), value :: user_data
+        end subroutine pdn_destroy_fn
+
+        ! Forces on nodes, to be computed by the caller
+        function pdn_user_force_fn(state, values, user_data) bind(C)
+            import
+            type(pdn_force_state), intent(in) :: state
+            type(pdn_force_values), intent(inout) :: values
+            type(c_ptr), value :: user_data
+            integer(c_int32_t) :: pdn_user_force_fn
+        end function pdn_user_force_fn
+
+        ! Called after each Newton iteration, on the solving thread
+        function pdn_progress_fn(progress, user_data) bind(C)
+            import
+            type(pdn_progress), intent(in) :: progress
+            type(c_ptr), value :: user_data
+            integer(c_int32_t) :: pdn_progress_fn
+        end function pdn_progress_fn
+    end interface
+
+    interface
+        ! Version of the library, such as "0.1.0"
+        function pdn_version() bind(C, name="pdn_version")
+            import
+            type(c_ptr) :: pdn_version
+        end function pdn_version
+
+        ! Whether the library serves a program compiled with the header of version major.minor
+        function pdn_version_check(major, minor) bind(C, name="pdn_version_check")
+            import
+            integer(c_int32_t), value :: major
+            integer(c_int32_t), value :: minor
+            integer(c_int32_t) :: pdn_version_check
+        end function pdn_version_check
+
+        ! How the library was built: version, profile and platform, for reports of defects
+        function pdn_build_info() bind(C, name="pdn_build_info")
+            import
+            type(c_ptr) :: pdn_build_info
+        end function pdn_build_info
+
+        ! Name of a status, such as "PDN_ERR_NULL"
+        function pdn_status_name(status) bind(C, name="pdn_status_name")
+            import
+            integer(c_int32_t), value :: status
+            type(c_ptr) :: pdn_status_name
+        end function pdn_status_name
+
+        ! One-line meaning of a status
+        function pdn_status_message(status) bind(C, name="pdn_status_message")
+            import
+            integer(c_int32_t), value :: status
+            type(c_ptr) :: pdn_status_message
+        end function pdn_status_message
+
+        ! Message of the last call that failed on this thread: which argument, what was expected, what came
+        function pdn_last_error(buffer, capacity) bind(C, name="pdn_last_error")
+            import
+            character(kind=c_char), intent(inout), optional :: buffer(*)
+            integer(c_size_t), value :: capacity
+            integer(c_size_t) :: pdn_last_error
+        end function pdn_last_error
+
+        ! To be called by a callback that is about to report failure: says why
+        function pdn_set_callback_error(message) bind(C, name="pdn_set_callback_error")
+            import
+            character(kind=c_char), intent(in) :: message(*)
+            integer(c_int32_t) :: pdn_set_callback_error
+        end function pdn_set_callback_error
+
+        ! What the last failing callback on this thread returned
+        function pdn_last_callback_code() bind(C, name="pdn_last_callback_code")
+            import
+            integer(c_int32_t) :: pdn_last_callback_code
+        end function pdn_last_callback_code
+
+        ! Chooses whether internal errors are also printed to stderr
+        subroutine pdn_set_panic_printing(enabled) bind(C, name="pdn_set_panic_printing")
+            import
+            integer(c_int32_t), value :: enabled
+        end subroutine pdn_set_panic_printing
+
+        ! Makes a section with no stiffness, mass or damping
+        subroutine pdn_section_init(section, struct_size) bind(C, name="pdn_section_init")
+            import
+            type(pdn_section), intent(inout) :: section
+            integer(c_size_t), value :: struct_size
+        end subroutine pdn_section_init
+
+        ! Describes a section without couplings: centroid, shear centre and centre of mass lie on the beam's line, ...
+        function pdn_section_set_diagonal(section, stiffness, mass) bind(C, name="pdn_section_set_diagonal")
+            import
+            type(pdn_section), intent(inout) :: section
+            real(c_double), intent(in) :: stiffness(*)
+            real(c_double), intent(in) :: mass(*)
+            integer(c_int32_t) :: pdn_section_set_diagonal
+        end function pdn_section_set_diagonal
+
+        ! Gives a section damping in proportion to its stiffness, which must have been set
+        function pdn_section_set_proportional_damping(section, &
+            seconds) bind(C, name="pdn_section_set_proportional_damping")
+            import
+            type(pdn_section), intent(inout) :: section
+            real(c_double), value :: seconds
+            integer(c_int32_t) :: pdn_section_set_proportional_damping
+        end function pdn_section_set_proportional_damping
+
+        ! Makes a signal that is zero
+        subroutine pdn_signal_init(signal, struct_size) bind(C, name="pdn_signal_init")
+            import
+            type(pdn_signal), intent(inout) :: signal
+            integer(c_size_t), value :: struct_size
+        end subroutine pdn_signal_init
+
+        ! Makes a signal constant
+        function pdn_signal_set_constant(signal, value) bind(C, name="pdn_signal_set_constant")
+            import
+            type(pdn_signal), intent(inout) :: signal
+            real(c_double), value :: value
+            integer(c_int32_t) :: pdn_signal_set_constant
+        end function pdn_signal_set_constant
+
+        ! Makes a signal of harmonics, mean and rate
+        function pdn_signal_set_harmonics(signal, mean, rate, cosines, sines, &
+            count) bind(C, name="pdn_signal_set_harmonics")
+            import
+            type(pdn_signal), intent(inout) :: signal
+            real(c_double), value :: mean
+            real(c_double), value :: rate
+            real(c_double), intent(in), optional :: cosines(*)
+            real(c_double), intent(in), optional :: sines(*)
+            integer(c_size_t), value :: count
+            integer(c_int32_t) :: pdn_signal_set_harmonics
+        end function pdn_signal_set_harmonics
+
+        ! Makes a signal rate t plus the trigonometric interpolation of samples[k] at t = k T / count
+        function pdn_signal_set_samples(signal, rate, samples, count) bind(C, name="pdn_signal_set_samples")
+            import
+            type(pdn_signal), intent(inout) :: signal
+            real(c_double), value :: rate
+            real(c_double), intent(in) :: samples(*)
+            integer(c_size_t), value :: count
+            integer(c_int32_t) :: pdn_signal_set_samples
+        end function pdn_signal_set_samples
+
+        ! Makes a signal a function of the caller
+        function pdn_signal_set_function(signal, function, user_data) bind(C, name="pdn_signal_set_function")
+            import
+            type(pdn_signal), intent(inout) :: signal
+            type(c_funptr), value :: function
+            type(c_ptr), value :: user_data
+            integer(c_int32_t) :: pdn_signal_set_function
+        end function pdn_signal_set_function
+
+        ! Makes an empty model
+        function pdn_model_new(model) bind(C, name="pdn_model_new")
+            import
+            type(c_ptr), intent(inout) :: model
+            integer(c_int32_t) :: pdn_model_new
+        end function pdn_model_new
+
+        ! Frees a model
+        subroutine pdn_model_free(model) bind(C, name="pdn_model_free")
+            import
+            type(c_ptr), value :: model
+        end subroutine pdn_model_free
+
+        ! Number of nodes; their ids are 0 ..
+        function pdn_model_node_count(model, count) bind(C, name="pdn_model_node_count")
+            import
+            type(c_ptr), value :: model
+            integer(c_int32_t), intent(inout) :: count
+            integer(c_int32_t) :: pdn_model_node_count
+        end function pdn_model_node_count
+
+        ! Number of joints; their ids are 0 ..
+        function pdn_model_joint_count(model, count) bind(C, name="pdn_model_joint_count")
+            import
+            type(c_ptr), value :: model
+            integer(c_int32_t), intent(inout) :: count
+            integer(c_int32_t) :: pdn_model_joint_count
+        end function pdn_model_joint_count
+
+        ! Number of beam elements; their ids are 0 ..
+        function pdn_model_element_count(model, count) bind(C, name="pdn_model_element_count")
+            import
+            type(c_ptr), value :: model
+            integer(c_int32_t), intent(inout) :: count
+            integer(c_int32_t) :: pdn_model_element_count
+        end function pdn_model_element_count
+
+        ! Total mass and centre of mass in the reference configuration
+        function pdn_model_mass(model, mass, centre) bind(C, name="pdn_model_mass")
+            import
+            type(c_ptr), value :: model
+            real(c_double), intent(inout) :: mass
+            real(c_double), intent(inout), optional :: centre(*)
+            integer(c_int32_t) :: pdn_model_mass
+        end function pdn_model_mass
+
+        ! Frame of a node in the reference configuration
+        function pdn_model_node_frame(model, node, frame) bind(C, name="pdn_model_node_frame")
+            import
+            type(c_ptr), value :: model
+            integer(c_int32_t), value :: node
+            type(pdn_frame), intent(inout) :: frame
+            integer(c_int32_t) :: pdn_model_node_frame
+        end function pdn_model_node_frame
+
+        ! Adds a node: a frame that moves
+        function pdn_model_add_node(model, position, rotation, node) bind(C, name="pdn_model_add_node")
+            import
+            type(c_ptr), value :: model
+            real(c_double), intent(in) :: position(*)
+            real(c_double), intent(in), optional :: rotation(*)
+            integer(c_int32_t), intent(inout) :: node
+            integer(c_int32_t) :: pdn_model_add_node
+        end function pdn_model_add_node
+
+        ! Adds a rigid body: a node at its centre of mass, with axes parallel to the global ones
+        function pdn_model_add_rigid_body(model, mass, centre, inertia, &
+            node) bind(C, name="pdn_model_add_rigid_body")
+            import
+            type(c_ptr), value :: model
+            real(c_double), value :: mass
+            real(c_double), intent(in) :: centre(*)
+            real(c_double), intent(in) :: inertia(*)
+            integer(c_int32_t), intent(inout) :: node
+            integer(c_int32_t) :: pdn_model_add_rigid_body
+        end function pdn_model_add_rigid_body
+
+        ! Fixes a mass to a node, in addition to what the node has
+        function pdn_model_add_mass(model, node, mass, centre, inertia) bind(C, name="pdn_model_add_mass")
+            import
+            type(c_ptr), value :: model
+            integer(c_int32_t), value :: node
+            real(c_double), value :: mass
+            real(c_double), intent(in) :: centre(*)
+            real(c_double), intent(in), optional :: inertia(*)
+            integer(c_int32_t) :: pdn_model_add_mass
+        end function pdn_model_add_mass
+
+        ! Fixes an inertia of any kind to a node, in addition to what the node has
+        function pdn_model_add_inertia(model, node, frame, matrix) bind(C, name="pdn_model_add_inertia")
+            import
+            type(c_ptr), value :: model
+            integer(c_int32_t), value :: node
+            type(pdn_frame), intent(in), optional :: frame
+            real(c_double), intent(in) :: matrix(*)
+            integer(c_int32_t) :: pdn_model_add_inertia
+        end function pdn_model_add_inertia
+
+        ! Makes a joint coordinate follow a signal
+        function pdn_model_prescribe(model, joint, coordinate, signal) bind(C, name="pdn_model_prescribe")
+            import
+            type(c_ptr), value :: model
+            integer(c_int32_t), value :: joint
+            integer(c_int32_t), value :: coordinate
+            type(pdn_signal), intent(in) :: signal
+            integer(c_int32_t) :: pdn_model_prescribe
+        end function pdn_model_prescribe
+
+        ! Fixes two bodies to each other
+        function pdn_model_add_rigid_joint(model, first, second, point, &
+            joint) bind(C, name="pdn_model_add_rigid_joint")
+            import
+            type(c_ptr), value :: model
+            integer(c_int32_t), value :: first
+            integer(c_int32_t), value :: second
+            real(c_double), intent(in) :: point(*)
+            integer(c_int32_t), intent(inout) :: joint
+            integer(c_int32_t) :: pdn_model_add_rigid_joint
+        end function pdn_model_add_rigid_joint
+
+        ! Joins two bodies by a hinge
+        function pdn_model_add_revolute(model, first, second, point, axis, &
+            joint) bind(C, name="pdn_model_add_revolute")
+            import
+            type(c_ptr), value :: model
+            integer(c_int32_t), value :: first
+            integer(c_int32_t), value :: second
+            real(c_double), intent(in) :: point(*)
+            real(c_double), intent(in) :: axis(*)
+            integer(c_int32_t), intent(inout) :: joint
+            integer(c_int32_t) :: pdn_model_add_revolute
+        end function pdn_model_add_revolute
+
+        ! Joins two bodies by a slider
+        function pdn_model_add_prismatic(model, first, second, point, axis, &
+            joint) bind(C, name="pdn_model_add_prismatic")
+            import
+            type(c_ptr), value :: model
+            integer(c_int32_t), value :: first
+            integer(c_int32_t), value :: second
+            real(c_double), intent(in) :: point(*)
+            real(c_double), intent(in) :: axis(*)
+            integer(c_int32_t), intent(inout) :: joint
+            integer(c_int32_t) :: pdn_model_add_prismatic
+        end function pdn_model_add_prismatic
+
+        ! Joins two bodies by a shaft in a sleeve: one slides along the axis and turns about it
+        function pdn_model_add_cylindrical(model, first, second, point, axis, &
+            joint) bind(C, name="pdn_model_add_cylindrical")
+            import
+            type(c_ptr), value :: model
+            integer(c_int32_t), value :: first
+            integer(c_int32_t), value :: second
+            real(c_double), intent(in) :: point(*)
+            real(c_double), intent(in) :: axis(*)
+            integer(c_int32_t), intent(inout) :: joint
+            integer(c_int32_t) :: pdn_model_add_cylindrical
+        end function pdn_model_add_cylindrical
+
+        ! Joins two bodies by a screw: the second advances along the axis as it turns about it
+        function pdn_model_add_screw(model, first, second, point, axis, pitch, &
+            joint) bind(C, name="pdn_model_add_screw")
+            import
+            type(c_ptr), value :: model
+            integer(c_int32_t), value :: first
+            integer(c_int32_t), value :: second
+            real(c_double), intent(in) :: point(*)
+            real(c_double), intent(in) :: axis(*)
+            real(c_double), value :: pitch
+            integer(c_int32_t), intent(inout) :: joint
+            integer(c_int32_t) :: pdn_model_add_screw
+        end function pdn_model_add_screw
+
+        ! Joins two bodies by a pair of planes that slide and turn on each other
+        function pdn_model_add_planar(model, first, second, point, normal, &
+            joint) bind(C, name="pdn_model_add_planar")
+            import
+            type(c_ptr), value :: model
+            integer(c_int32_t), value :: first
+            integer(c_int32_t), value :: second
+            real(c_double), intent(in) :: point(*)
+            real(c_double), intent(in) :: normal(*)
+            integer(c_int32_t), intent(inout) :: joint
+            integer(c_int32_t) :: pdn_model_add_planar
+        end function pdn_model_add_planar
+
+        ! Joins two bodies by nothing: a joint that constrains no motion, but has coordinates
+        function pdn_model_add_free_joint(model, first, second, point, &
+            joint) bind(C, name="pdn_model_add_free_joint")
+            import
+            type(c_ptr), value :: model
+            integer(c_int32_t), value :: first
+            integer(c_int32_t), value :: second
+            real(c_double), intent(in) :: point(*)
+            integer(c_int32_t), intent(inout) :: joint
+            integer(c_int32_t) :: pdn_model_add_free_joint
+        end function pdn_model_add_free_joint
+
+        ! Joins two bodies by a ball
+        function pdn_model_add_spherical(model, first, second, point, &
+            joint) bind(C, name="pdn_model_add_spherical")
+            import
+            type(c_ptr), value :: model
+            integer(c_int32_t), value :: first
+            integer(c_int32_t), value :: second
+            real(c_double), intent(in) :: point(*)
+            integer(c_int32_t), intent(inout) :: joint
+            integer(c_int32_t) :: pdn_model_add_spherical
+        end function pdn_model_add_spherical
+
+        ! Joins two bodies by a cross (Cardan, Hooke)
+        function pdn_model_add_universal(model, first, second, point, first_arm, second_arm, &
+            joint) bind(C, name="pdn_model_add_universal")
+            import
+            type(c_ptr), value :: model
+            integer(c_int32_t), value :: first
+            integer(c_int32_t), value :: second
+            real(c_double), intent(in) :: point(*)
+            real(c_double), intent(in) :: first_arm(*)
+            real(c_double), intent(in) :: second_arm(*)
+            integer(c_int32_t), intent(inout) :: joint
+            integer(c_int32_t) :: pdn_model_add_universal
+        end function pdn_model_add_universal
+
+        ! Adds a strut: the line between a point of each of two bodies
+        function pdn_model_add_strut(model, first, second, first_point, second_point, &
+            joint) bind(C, name="pdn_model_add_strut")
+            import
+            type(c_ptr), value :: model
+            integer(c_int32_t), value :: first
+            integer(c_int32_t), value :: second
+            real(c_double), intent(in) :: first_point(*)
+            real(c_double), intent(in) :: second_point(*)
+            integer(c_int32_t), intent(inout) :: joint
+            integer(c_int32_t) :: pdn_model_add_strut
+        end function pdn_model_add_strut
+
+        ! Joins two bodies by a joint of any kind, between a frame fixed to each
+        function pdn_model_add_joint(model, kind, first, second, first_frame, second_frame, &
+            joint) bind(C, name="pdn_model_add_joint")
+            import
+            type(c_ptr), value :: model
+            integer(c_int32_t), value :: kind
+            integer(c_int32_t), value :: first
+            integer(c_int32_t), value :: second
+            type(pdn_frame), intent(in) :: first_frame
+            type(pdn_frame), intent(in) :: second_frame
+            integer(c_int32_t), intent(inout) :: joint
+            integer(c_int32_t) :: pdn_model_add_joint
+        end function pdn_model_add_joint
+
+        ! Joins two bodies by a screw, between a frame fixed to each
+        function pdn_model_add_screw_between(model, first, second, first_frame, second_frame, pitch, &
+            joint) bind(C, name="pdn_model_add_screw_between")
+            import
+            type(c_ptr), value :: model
+            integer(c_int32_t), value :: first
+            integer(c_int32_t), value :: second
+            type(pdn_frame), intent(in) :: first_frame
+            type(pdn_frame), intent(in) :: second_frame
+            real(c_double), value :: pitch
+            integer(c_int32_t), intent(inout) :: joint
+            integer(c_int32_t) :: pdn_model_add_screw_between
+        end function pdn_model_add_screw_between
+
+        ! Makes a line that is still to be set
+        subroutine pdn_line_init(line, struct_size) bind(C, name="pdn_line_init")
+            import
+            type(pdn_line), intent(inout) :: line
+            integer(c_size_t), value :: struct_size
+        end subroutine pdn_line_init
+
+        ! Makes a line straight
+        function pdn_line_set_straight(line, start, end, axis_2) bind(C, name="pdn_line_set_straight")
+            import
+            type(pdn_line), intent(inout) :: line
+            real(c_double), intent(in) :: start(*)
+            real(c_double), intent(in) :: end(*)
+            real(c_double), intent(in) :: axis_2(*)
+            integer(c_int32_t) :: pdn_line_set_straight
+        end function pdn_line_set_straight
+
+        ! Makes a line the circular arc from start through point to end, of up to a whole turn
+        function pdn_line_set_arc(line, start, point, end, axis_2) bind(C, name="pdn_line_set_arc")
+            import
+            type(pdn_line), intent(inout) :: line
+            real(c_double), intent(in) :: start(*)
+            real(c_double), intent(in) :: point(*)
+            real(c_double), intent(in) :: end(*)
+            real(c_double), intent(in) :: axis_2(*)
+            integer(c_int32_t) :: pdn_line_set_arc
+        end function pdn_line_set_arc
+
+        ! Makes a line a curve that the caller computes
+        function pdn_line_set_curve(line, curve, user_data) bind(C, name="pdn_line_set_curve")
+            import
+            type(pdn_line), intent(inout) :: line
+            type(c_funptr), value :: curve
+            type(c_ptr), value :: user_data
+            integer(c_int32_t) :: pdn_line_set_curve
+        end function pdn_line_set_curve
+
+        ! Makes stations that are still to be set
+        subroutine pdn_stations_init(stations, struct_size) bind(C, name="pdn_stations_init")
+            import
+            type(pdn_stations), intent(inout) :: stations
+            integer(c_size_t), value :: struct_size
+        end subroutine pdn_stations_init
+
+        ! Adds a beam element over nodes that are there; it may be curved and twisted
+        function pdn_model_add_beam_element(model, nodes, count, section, &
+            element) bind(C, name="pdn_model_add_beam_element")
+            import
+            type(c_ptr), value :: model
+            integer(c_int32_t), intent(in) :: nodes(*)
+            integer(c_size_t), value :: count
+            type(pdn_section), intent(in) :: section
+            integer(c_int32_t), intent(inout) :: element
+            integer(c_int32_t) :: pdn_model_add_beam_element
+        end function pdn_model_add_beam_element
+
+        ! Adds a straight beam: its nodes and elements
+        function pdn_model_add_straight_beam(model, start, end, axis_2, section, elements, degree, &
+            beam) bind(C, name="pdn_model_add_straight_beam")
+            import
+            type(c_ptr), value :: model
+            real(c_double), intent(in) :: start(*)
+            real(c_double), intent(in) :: end(*)
+            real(c_double), intent(in) :: axis_2(*)
+            type(pdn_section), intent(in) :: section
+            integer(c_size_t), value :: elements
+            integer(c_size_t), value :: degree
+            type(pdn_beam), intent(inout) :: beam
+            integer(c_int32_t) :: pdn_model_add_straight_beam
+        end function pdn_model_add_straight_beam
+
+        ! Adds a beam along a line, with sections that may vary: its nodes and elements
+        function pdn_model_add_beam(model, line, stations, elements, degree, &
+            beam) bind(C, name="pdn_model_add_beam")
+            import
+            type(c_ptr), value :: model
+            type(pdn_line), intent(in) :: line
+            type(pdn_stations), intent(in) :: stations
+            integer(c_size_t), value :: elements
+            integer(c_size_t), value :: degree
+            type(pdn_beam), intent(inout) :: beam
+            integer(c_int32_t) :: pdn_model_add_beam
+        end function pdn_model_add_beam
+
+        ! Adds one component of a force or moment on a node, in addition to those that are there
+        function pdn_model_add_load(model, node, frame, component, signal) bind(C, name="pdn_model_add_load")
+            import
+            type(c_ptr), value :: model
+            integer(c_int32_t), value :: node
+            integer(c_int32_t), value :: frame
+            integer(c_int32_t), value :: component
+            type(pdn_signal), intent(in) :: signal
+            integer(c_int32_t) :: pdn_model_add_load
+        end function pdn_model_add_load
+
+        ! Sets the acceleration of gravity, in place of any set before
+        function pdn_model_set_gravity(model, acceleration) bind(C, name="pdn_model_set_gravity")
+            import
+            type(c_ptr), value :: model
+            real(c_double), intent(in) :: acceleration(*)
+            integer(c_int32_t) :: pdn_model_set_gravity
+        end function pdn_model_set_gravity
+
+        ! Sets an acceleration of gravity that varies in time, in place of any set before
+        function pdn_model_set_gravity_signals(model, acceleration_1, acceleration_2, &
+            acceleration_3) bind(C, name="pdn_model_set_gravity_signals")
+            import
+            type(c_ptr), value :: model
+            type(pdn_signal), intent(in), optional :: acceleration_1
+            type(pdn_signal), intent(in), optional :: acceleration_2
+            type(pdn_signal), intent(in), optional :: acceleration_3
+            integer(c_int32_t) :: pdn_model_set_gravity_signals
+        end function pdn_model_set_gravity_signals
+
+        ! Adds one component of a force or moment distributed along beam elements, in addition to those that are there
+        function pdn_model_add_distributed_load(model, first_element, elements, frame, component, signal, &
+            fractions, factors, count) bind(C, name="pdn_model_add_distributed_load")
+            import
+            type(c_ptr), value :: model
+            integer(c_int32_t), value :: first_element
+            integer(c_int32_t), value :: elements
+            integer(c_int32_t), value :: frame
+            integer(c_int32_t), value :: component
+            type(pdn_signal), intent(in) :: signal
+            real(c_double), intent(in), optional :: fractions(*)
+            real(c_double), intent(in), optional :: factors(*)
+            integer(c_size_t), value :: count
+            integer(c_int32_t) :: pdn_model_add_distributed_load
+        end function pdn_model_add_distributed_load
+
+        ! Number of forces: springs, dampers, actuators and the like, but not loads; their ids are 0 ..
+        function pdn_model_force_count(model, count) bind(C, name="pdn_model_force_count")
+            import
+            type(c_ptr), value :: model
+            integer(c_int32_t), intent(inout) :: count
+            integer(c_int32_t) :: pdn_model_force_count
+        end function pdn_model_force_count
+
+        ! Adds a linear spring with a damper on a joint coordinate, in addition to those that are there
+        function pdn_model_add_spring_damper(model, joint, coordinate, stiffness, damping, rest, &
+            force) bind(C, name="pdn_model_add_spring_damper")
+            import
+            type(c_ptr), value :: model
+            integer(c_int32_t), value :: joint
+            integer(c_int32_t), value :: coordinate
+            real(c_double), value :: stiffness
+            real(c_double), value :: damping
+            real(c_double), value :: rest
+            integer(c_int32_t), intent(inout), optional :: force
+            integer(c_int32_t) :: pdn_model_add_spring_damper
+        end function pdn_model_add_spring_damper
+
+        ! Adds a nonlinear spring with a damper on a joint coordinate: polynomials of the coordinate and its rate
+        function pdn_model_add_nonlinear_spring_damper(model, joint, coordinate, stiffness, stiffness_count, &
+            damping, damping_count, rest, force) bind(C, name="pdn_model_add_nonlinear_spring_damper")
+            import
+            type(c_ptr), value :: model
+            integer(c_int32_t), value :: joint
+            integer(c_int32_t), value :: coordinate
+            real(c_double), intent(in), optional :: stiffness(*)
+            integer(c_size_t), value :: stiffness_count
+            real(c_double), intent(in), optional :: damping(*)
+            integer(c_size_t), value :: damping_count
+            real(c_double), value :: rest
+            integer(c_int32_t), intent(inout), optional :: force
+            integer(c_int32_t) :: pdn_model_add_nonlinear_spring_damper
+        end function pdn_model_add_nonlinear_spring_damper
+
+        ! Adds an actuator: a force on a displacement, or a torque on an angle, that follows a signal
+        function pdn_model_add_actuator(model, joint, coordinate, signal, &
+            force) bind(C, name="pdn_model_add_actuator")
+            import
+            type(c_ptr), value :: model
+            integer(c_int32_t), value :: joint
+            integer(c_int32_t), value :: coordinate
+            type(pdn_signal), intent(in) :: signal
+            integer(c_int32_t), intent(inout), optional :: force
+            integer(c_int32_t) :: pdn_model_add_actuator
+        end function pdn_model_add_actuator
+
+        ! Adds a viscoelastic element on a joint coordinate: a generalised Maxwell model
+        function pdn_model_add_viscoelastic(model, joint, coordinate, stiffness, rest, branch_stiffness, &
+            relaxation_times, branches, force) bind(C, name="pdn_model_add_viscoelastic")
+            import
+            type(c_ptr), value :: model
+            integer(c_int32_t), value :: joint
+            integer(c_int32_t), value :: coordinate
+            real(c_double), value :: stiffness
+            real(c_double), value :: rest
+            real(c_double), intent(in) :: branch_stiffness(*)
+            real(c_double), intent(in) :: relaxation_times(*)
+            integer(c_size_t), value :: branches
+            integer(c_int32_t), intent(inout), optional :: force
+            integer(c_int32_t) :: pdn_model_add_viscoelastic
+        end function pdn_model_add_viscoelastic
+
+        ! Adds a viscous damper between two bodies, with a full matrix of coefficients
+        function pdn_model_add_viscous_damper(model, first, second, frame, matrix, &
+            force) bind(C, name="pdn_model_add_viscous_damper")
+            import
+            type(c_ptr), value :: model
+            integer(c_int32_t), value :: first
+            integer(c_int32_t), value :: second
+            type(pdn_frame), intent(in), optional :: frame
+            real(c_double), intent(in) :: matrix(*)
+            integer(c_int32_t), intent(inout), optional :: force
+            integer(c_int32_t) :: pdn_model_add_viscous_damper
+        end function pdn_model_add_viscous_damper
+
+        ! Adds a spring-damper on a joint coordinate whose law is a function of the caller
+        function pdn_model_add_coordinate_law(model, joint, coordinate, tangents, function, user_data, &
+            destroy, force) bind(C, name="pdn_model_add_coordinate_law")
+            import
+            type(c_ptr), value :: model
+            integer(c_int32_t), value :: joint
+            integer(c_int32_t), value :: coordinate
+            integer(c_int32_t), value :: tangents
+            type(c_funptr), value :: function
+            type(c_ptr), value :: user_data
+            type(c_funptr), value :: destroy
+            integer(c_int32_t), intent(inout), optional :: force
+            integer(c_int32_t) :: pdn_model_add_coordinate_law
+        end function pdn_model_add_coordinate_law
+
+        ! Adds forces on nodes that a function of the caller computes
+        function pdn_model_add_user_force(model, nodes, count, frame, tangents, function, user_data, destroy, &
+            force) bind(C, name="pdn_model_add_user_force")
+            import
+            type(c_ptr), value :: model
+            integer(c_int32_t), intent(in) :: nodes(*)
+            integer(c_size_t), value :: count
+            integer(c_int32_t), value :: frame
+            integer(c_int32_t), value :: tangents
+            type(c_funptr), value :: function
+            type(c_ptr), value :: user_data
+            type(c_funptr), value :: destroy
+            integer(c_int32_t), intent(inout), optional :: force
+            integer(c_int32_t) :: pdn_model_add_user_force
+        end function pdn_model_add_user_force
+
+        ! Prepares a struct for ::pdn_model_check_tangents; use `PDN_INIT(pdn_tangent_check, &check)`
+        subroutine pdn_tangent_check_init(check, struct_size) bind(C, name="pdn_tangent_check_init")
+            import
+            type(pdn_tangent_check), intent(inout) :: check
+            integer(c_size_t), value :: struct_size
+        end subroutine pdn_tangent_check_init
+
+        ! Compares the tangents that a user's function gives with differences of its forces
+        function pdn_model_check_tangents(model, force, period, &
+            check) bind(C, name="pdn_model_check_tangents")
+            import
+            type(c_ptr), value :: model
+            integer(c_int32_t), value :: force
+            real(c_double), value :: period
+            type(pdn_tangent_check), intent(inout) :: check
+            integer(c_int32_t) :: pdn_model_check_tangents
+        end function pdn_model_check_tangents
+
+        ! Frees a solution; NULL does nothing
+        subroutine pdn_solution_free(solution) bind(C, name="pdn_solution_free")
+            import
+            type(c_ptr), value :: solution
+        end subroutine pdn_solution_free
+
+        ! How the solve ended
+        function pdn_solution_outcome(solution) bind(C, name="pdn_solution_outcome")
+            import
+            type(c_ptr), value :: solution
+            integer(c_int32_t) :: pdn_solution_outcome
+        end function pdn_solution_outcome
+
+        ! A readable report: outcome and why, iterations, error estimates, time spent
+        function pdn_solution_report(solution, buffer, capacity) bind(C, name="pdn_solution_report")
+            import
+            type(c_ptr), value :: solution
+            character(kind=c_char), intent(inout), optional :: buffer(*)
+            integer(c_size_t), value :: capacity
+            integer(c_size_t) :: pdn_solution_report
+        end function pdn_solution_report
+
+        ! Prepares a struct for ::pdn_solution_diagnostics; use `PDN_INIT(pdn_diagnostics, &diagnostics)`
+        subroutine pdn_diagnostics_init(diagnostics, struct_size) bind(C, name="pdn_diagnostics_init")
+            import
+            type(pdn_diagnostics), intent(inout) :: diagnostics
+            integer(c_size_t), value :: struct_size
+        end subroutine pdn_diagnostics_init
+
+        ! Figures of a solve: iterations, error estimates, residuals between grid points, time spent
+        function pdn_solution_diagnostics(solution, out) bind(C, name="pdn_solution_diagnostics")
+            import
+            type(c_ptr), value :: solution
+            type(pdn_diagnostics), intent(inout) :: out
+            integer(c_int32_t) :: pdn_solution_diagnostics
+        end function pdn_solution_diagnostics
+
+        ! History of the Newton iterations of the periodic problem
+        function pdn_solution_history(solution, residuals, increments, steps, &
+            count) bind(C, name="pdn_solution_history")
+            import
+            type(c_ptr), value :: solution
+            real(c_double), intent(inout), optional :: residuals(*)
+            real(c_double), intent(inout), optional :: increments(*)
+            real(c_double), intent(inout), optional :: steps(*)
+            integer(c_size_t), value :: count
+            integer(c_int32_t) :: pdn_solution_history
+        end function pdn_solution_history
+
+        ! Decay of the harmonics: largest amplitude of each over all nodes, of positions relative to the size of the ...
+        function pdn_solution_decay(solution, amplitudes, count) bind(C, name="pdn_solution_decay")
+            import
+            type(c_ptr), value :: solution
+            real(c_double), intent(inout) :: amplitudes(*)
+            integer(c_size_t), value :: count
+            integer(c_int32_t) :: pdn_solution_decay
+        end function pdn_solution_decay
+
+        ! Grid times t_k = k T / N
+        function pdn_solution_grid_times(solution, times, count) bind(C, name="pdn_solution_grid_times")
+            import
+            type(c_ptr), value :: solution
+            real(c_double), intent(inout) :: times(*)
+            integer(c_size_t), value :: count
+            integer(c_int32_t) :: pdn_solution_grid_times
+        end function pdn_solution_grid_times
+
+        ! Position of a node at any times
+        function pdn_solution_node_position(solution, node, times, count, &
+            out) bind(C, name="pdn_solution_node_position")
+            import
+            type(c_ptr), value :: solution
+            integer(c_int32_t), value :: node
+            real(c_double), intent(in) :: times(*)
+            integer(c_size_t), value :: count
+            real(c_double), intent(inout) :: out(*)
+            integer(c_int32_t) :: pdn_solution_node_position
+        end function pdn_solution_node_position
+
+        ! Rotation matrix of a node at any times
+        function pdn_solution_node_rotation(solution, node, times, count, &
+            out) bind(C, name="pdn_solution_node_rotation")
+            import
+            type(c_ptr), value :: solution
+            integer(c_int32_t), value :: node
+            real(c_double), intent(in) :: times(*)
+            integer(c_size_t), value :: count
+            real(c_double), intent(inout) :: out(*)
+            integer(c_int32_t) :: pdn_solution_node_rotation
+        end function pdn_solution_node_rotation
+
+        ! Unit quaternion of a node at any times
+        function pdn_solution_node_quaternion(solution, node, times, count, &
+            out) bind(C, name="pdn_solution_node_quaternion")
+            import
+            type(c_ptr), value :: solution
+            integer(c_int32_t), value :: node
+            real(c_double), intent(in) :: times(*)
+            integer(c_size_t), value :: count
+            real(c_double), intent(inout) :: out(*)
+            integer(c_int32_t) :: pdn_solution_node_quaternion
+        end function pdn_solution_node_quaternion
+
+        ! Velocity of a node at any times
+        function pdn_solution_node_velocity(solution, node, frame, times, count, &
+            out) bind(C, name="pdn_solution_node_velocity")
+            import
+            type(c_ptr), value :: solution
+            integer(c_int32_t), value :: node
+            integer(c_int32_t), value :: frame
+            real(c_double), intent(in) :: times(*)
+            integer(c_size_t), value :: count
+            real(c_double), intent(inout) :: out(*)
+            integer(c_int32_t) :: pdn_solution_node_velocity
+        end function pdn_solution_node_velocity
+
+        ! Acceleration of a node at any times
+        function pdn_solution_node_acceleration(solution, node, frame, times, count, &
+            out) bind(C, name="pdn_solution_node_acceleration")
+            import
+            type(c_ptr), value :: solution
+            integer(c_int32_t), value :: node
+            integer(c_int32_t), value :: frame
+            real(c_double), intent(in) :: times(*)
+            integer(c_size_t), value :: count
+            real(c_double), intent(inout) :: out(*)
+            integer(c_int32_t) :: pdn_solution_node_acceleration
+        end function pdn_solution_node_acceleration
+
+        ! Joint coordinate at any times: a displacement, or an angle, followed continuously through whole turns
+        function pdn_solution_joint_coordinate(solution, joint, coordinate, times, count, &
+            out) bind(C, name="pdn_solution_joint_coordinate")
+            import
+            type(c_ptr), value :: solution
+            integer(c_int32_t), value :: joint
+            integer(c_int32_t), value :: coordinate
+            real(c_double), intent(in) :: times(*)
+            integer(c_size_t), value :: count
+            real(c_double), intent(inout) :: out(*)
+            integer(c_int32_t) :: pdn_solution_joint_coordinate
+        end function pdn_solution_joint_coordinate
+
+        ! Rate of a joint coordinate at any times
+        function pdn_solution_joint_rate(solution, joint, coordinate, times, count, &
+            out) bind(C, name="pdn_solution_joint_rate")
+            import
+            type(c_ptr), value :: solution
+            integer(c_int32_t), value :: joint
+            integer(c_int32_t), value :: coordinate
+            real(c_double), intent(in) :: times(*)
+            integer(c_size_t), value :: count
+            real(c_double), intent(inout) :: out(*)
+            integer(c_int32_t) :: pdn_solution_joint_rate
+        end function pdn_solution_joint_rate
+
+        ! Second derivative in time of a joint coordinate at any times
+        function pdn_solution_joint_acceleration(solution, joint, coordinate, times, count, &
+            out) bind(C, name="pdn_solution_joint_acceleration")
+            import
+            type(c_ptr), value :: solution
+            integer(c_int32_t), value :: joint
+            integer(c_int32_t), value :: coordinate
+            real(c_double), intent(in) :: times(*)
+            integer(c_size_t), value :: count
+            real(c_double), intent(inout) :: out(*)
+            integer(c_int32_t) :: pdn_solution_joint_acceleration
+        end function pdn_solution_joint_acceleration
+
+        ! Force or torque that drives a prescribed coordinate, at any times
+        function pdn_solution_joint_driving_effort(solution, joint, coordinate, times, count, &
+            out) bind(C, name="pdn_solution_joint_driving_effort")
+            import
+            type(c_ptr), value :: solution
+            integer(c_int32_t), value :: joint
+            integer(c_int32_t), value :: coordinate
+            real(c_double), intent(in) :: times(*)
+            integer(c_size_t), value :: count
+            real(c_double), intent(inout) :: out(*)
+            integer(c_int32_t) :: pdn_solution_joint_driving_effort
+        end function pdn_solution_joint_driving_effort
+
+        ! Reaction of a joint at any times: what its constraints exert on the second body
+        function pdn_solution_joint_reaction(solution, joint, axes, times, count, &
+            out) bind(C, name="pdn_solution_joint_reaction")
+            import
+            type(c_ptr), value :: solution
+            integer(c_int32_t), value :: joint
+            integer(c_int32_t), value :: axes
+            real(c_double), intent(in) :: times(*)
+            integer(c_size_t), value :: count
+            real(c_double), intent(inout) :: out(*)
+            integer(c_int32_t) :: pdn_solution_joint_reaction
+        end function pdn_solution_joint_reaction
+
+        ! Strains of a beam element at a station and any times
+        function pdn_solution_beam_strain(solution, element, station, times, count, &
+            out) bind(C, name="pdn_solution_beam_strain")
+            import
+            type(c_ptr), value :: solution
+            integer(c_int32_t), value :: element
+            real(c_double), value :: station
+            real(c_double), intent(in) :: times(*)
+            integer(c_size_t), value :: count
+            real(c_double), intent(inout) :: out(*)
+            integer(c_int32_t) :: pdn_solution_beam_strain
+        end function pdn_solution_beam_strain
+
+        ! Internal forces of a beam element at a station and any times
+        function pdn_solution_beam_force(solution, element, station, times, count, &
+            out) bind(C, name="pdn_solution_beam_force")
+            import
+            type(c_ptr), value :: solution
+            integer(c_int32_t), value :: element
+            real(c_double), value :: station
+            real(c_double), intent(in) :: times(*)
+            integer(c_size_t), value :: count
+            real(c_double), intent(inout) :: out(*)
+            integer(c_int32_t) :: pdn_solution_beam_force
+        end function pdn_solution_beam_force
+
+        ! Fourier coefficients of a node's quantity: mean + sum of cosines[j] cos jwt + sines[j] sin jwt
+        function pdn_solution_node_harmonics(solution, node, quantity, harmonics, mean, cosines, &
+            sines) bind(C, name="pdn_solution_node_harmonics")
+            import
+            type(c_ptr), value :: solution
+            integer(c_int32_t), value :: node
+            integer(c_int32_t), value :: quantity
+            integer(c_size_t), value :: harmonics
+            real(c_double), intent(inout), optional :: mean(*)
+            real(c_double), intent(inout), optional :: cosines(*)
+            real(c_double), intent(inout), optional :: sines(*)
+            integer(c_int32_t) :: pdn_solution_node_harmonics
+        end function pdn_solution_node_harmonics
+
+        ! Fourier coefficients of a joint's quantity: mean + rate t + sum of cosines[j] cos jwt + sines[j] sin jwt
+        function pdn_solution_joint_harmonics(solution, joint, quantity, detail, harmonics, mean, rate, &
+            cosines, sines) bind(C, name="pdn_solution_joint_harmonics")
+            import
+            type(c_ptr), value :: solution
+            integer(c_int32_t), value :: joint
+            integer(c_int32_t), value :: quantity
+            integer(c_int32_t), value :: detail
+            integer(c_size_t), value :: harmonics
+            real(c_double), intent(inout), optional :: mean(*)
+            real(c_double), intent(inout), optional :: rate(*)
+            real(c_double), intent(inout), optional :: cosines(*)
+            real(c_double), intent(inout), optional :: sines(*)
+            integer(c_int32_t) :: pdn_solution_joint_harmonics
+        end function pdn_solution_joint_harmonics
+
+        ! Fourier coefficients of strains or internal forces of a beam element at a station
+        function pdn_solution_beam_harmonics(solution, element, station, quantity, harmonics, mean, cosines, &
+            sines) bind(C, name="pdn_solution_beam_harmonics")
+            import
+            type(c_ptr), value :: solution
+            integer(c_int32_t), value :: element
+            real(c_double), value :: station
+            integer(c_int32_t), value :: quantity
+            integer(c_size_t), value :: harmonics
+            real(c_double), intent(inout), optional :: mean(*)
+            real(c_double), intent(inout), optional :: cosines(*)
+            real(c_double), intent(inout), optional :: sines(*)
+            integer(c_int32_t) :: pdn_solution_beam_harmonics
+        end function pdn_solution_beam_harmonics
+
+        ! Effort of a force on a joint coordinate, at any times
+        function pdn_solution_force_effort(solution, force, times, count, &
+            out) bind(C, name="pdn_solution_force_effort")
+            import
+            type(c_ptr), value :: solution
+            integer(c_int32_t), value :: force
+            real(c_double), intent(in) :: times(*)
+            integer(c_size_t), value :: count
+            real(c_double), intent(inout) :: out(*)
+            integer(c_int32_t) :: pdn_solution_force_effort
+        end function pdn_solution_force_effort
+
+        ! Effort of one branch of a viscoelastic element, at any times: positive against growth
+        function pdn_solution_force_branch_effort(solution, force, branch, times, count, &
+            out) bind(C, name="pdn_solution_force_branch_effort")
+            import
+            type(c_ptr), value :: solution
+            integer(c_int32_t), value :: force
+            integer(c_int32_t), value :: branch
+            real(c_double), intent(in) :: times(*)
+            integer(c_size_t), value :: count
+            real(c_double), intent(inout) :: out(*)
+            integer(c_int32_t) :: pdn_solution_force_branch_effort
+        end function pdn_solution_force_branch_effort
+
+        ! Elongation of the dashpot of one branch of a viscoelastic element, at any times: its internal state
+        function pdn_solution_force_branch_elongation(solution, force, branch, times, count, &
+            out) bind(C, name="pdn_solution_force_branch_elongation")
+            import
+            type(c_ptr), value :: solution
+            integer(c_int32_t), value :: force
+            integer(c_int32_t), value :: branch
+            real(c_double), intent(in) :: times(*)
+            integer(c_size_t), value :: count
+            real(c_double), intent(inout) :: out(*)
+            integer(c_int32_t) :: pdn_solution_force_branch_elongation
+        end function pdn_solution_force_branch_elongation
+
+        ! What a force exerts on one of its nodes, at any times: force, and moment about the node
+        function pdn_solution_force_on_node(solution, force, node, frame, times, count, &
+            out) bind(C, name="pdn_solution_force_on_node")
+            import
+            type(c_ptr), value :: solution
+            integer(c_int32_t), value :: force
+            integer(c_int32_t), value :: node
+            integer(c_int32_t), value :: frame
+            real(c_double), intent(in) :: times(*)
+            integer(c_size_t), value :: count
+            real(c_double), intent(inout) :: out(*)
+            integer(c_int32_t) :: pdn_solution_force_on_node
+        end function pdn_solution_force_on_node
+
+        ! Fourier coefficients of a force's quantity: mean + rate t + sum of cosines[j] cos jwt + sines[j] sin jwt
+        function pdn_solution_force_harmonics(solution, force, quantity, detail, harmonics, mean, rate, &
+            cosines, sines) bind(C, name="pdn_solution_force_harmonics")
+            import
+            type(c_ptr), value :: solution
+            integer(c_int32_t), value :: force
+            integer(c_int32_t), value :: quantity
+            integer(c_int32_t), value :: detail
+            integer(c_size_t), value :: harmonics
+            real(c_double), intent(inout), optional :: mean(*)
+            real(c_double), intent(inout), optional :: rate(*)
+            real(c_double), intent(inout), optional :: cosines(*)
+            real(c_double), intent(inout), optional :: sines(*)
+            integer(c_int32_t) :: pdn_solution_force_harmonics
+        end function pdn_solution_force_harmonics
+
+        ! Sets default options; use `PDN_INIT(pdn_periodic_options, &options)`
+        subroutine pdn_periodic_options_init(options, struct_size) bind(C, name="pdn_periodic_options_init")
+            import
+            type(pdn_periodic_options), intent(inout) :: options
+            integer(c_size_t), value :: struct_size
+        end subroutine pdn_periodic_options_init
+
+        ! Finds the periodic response of a model directly, by Fourier spectral collocation
+        function pdn_solve_periodic(model, period, options, out) bind(C, name="pdn_solve_periodic")
+            import
+            type(c_ptr), value :: model
+            real(c_double), value :: period
+            type(pdn_periodic_options), intent(in), optional :: options
+            type(c_ptr), intent(inout) :: out
+            integer(c_int32_t) :: pdn_solve_periodic
+        end function pdn_solve_periodic
+
+        ! Sets default options; use `PDN_INIT(pdn_static_options, &options)`
+        subroutine pdn_static_options_init(options, struct_size) bind(C, name="pdn_static_options_init")
+            import
+            type(pdn_static_options), intent(inout) :: options
+            integer(c_size_t), value :: struct_size
+        end subroutine pdn_static_options_init
+
+        ! Finds an equilibrium at one time: of forces at rest, or in steady rotation
+        function pdn_solve_static(model, options, out) bind(C, name="pdn_solve_static")
+            import
+            type(c_ptr), value :: model
+            type(pdn_static_options), intent(in), optional :: options
+            type(c_ptr), intent(inout) :: out
+            integer(c_int32_t) :: pdn_solve_static
+        end function pdn_solve_static
+
+        ! Interpolates a periodic motion given at N equispaced times, by dual polar decomposition
+        function pdn_motion_interpolate(period, positions, rotations, points, times, count, position, &
+            rotation, velocity, acceleration) bind(C, name="pdn_motion_interpolate")
+            import
+            real(c_double), value :: period
+            real(c_double), intent(in) :: positions(*)
+            real(c_double), intent(in) :: rotations(*)
+            integer(c_size_t), value :: points
+            real(c_double), intent(in) :: times(*)
+            integer(c_size_t), value :: count
+            real(c_double), intent(inout), optional :: position(*)
+            real(c_double), intent(inout), optional :: rotation(*)
+            real(c_double), intent(inout), optional :: velocity(*)
+            real(c_double), intent(inout), optional :: acceleration(*)
+            integer(c_int32_t) :: pdn_motion_interpolate
+        end function pdn_motion_interpolate
+
+        ! Velocities and accelerations of a motion at its own grid points, and their exact linearisation
+        function pdn_motion_grid_kinematics(period, positions, rotations, points, velocity, acceleration, &
+            velocity_tangent, acceleration_tangent) bind(C, name="pdn_motion_grid_kinematics")
+            import
+            real(c_double), value :: period
+            real(c_double), intent(in) :: positions(*)
+            real(c_double), intent(in) :: rotations(*)
+            integer(c_size_t), value :: points
+            real(c_double), intent(inout), optional :: velocity(*)
+            real(c_double), intent(inout), optional :: acceleration(*)
+            real(c_double), intent(inout), optional :: velocity_tangent(*)
+            real(c_double), intent(inout), optional :: acceleration_tangent(*)
+            integer(c_int32_t) :: pdn_motion_grid_kinematics
+        end function pdn_motion_grid_kinematics
+
+        ! Prepares a struct for ::pdn_model_summary; use `PDN_INIT(pdn_summary, &summary)`
+        subroutine pdn_summary_init(summary, struct_size) bind(C, name="pdn_summary_init")
+            import
+            type(pdn_summary), intent(inout) :: summary
+            integer(c_size_t), value :: struct_size
+        end subroutine pdn_summary_init
+
+        ! Counts, mass, degrees of freedom and mobility of a model in its reference configuration
+        function pdn_model_summary(model, out) bind(C, name="pdn_model_summary")
+            import
+            type(c_ptr), value :: model
+            type(pdn_summary), intent(inout) :: out
+            integer(c_int32_t) :: pdn_model_summary
+        end function pdn_model_summary
+
+        ! The same in readable lines, with warnings: unconnected parts, nodes without inertia, joints open in the ...
+        function pdn_model_describe(model, buffer, capacity) bind(C, name="pdn_model_describe")
+            import
+            type(c_ptr), value :: model
+            character(kind=c_char), intent(inout), optional :: buffer(*)
+            integer(c_size_t), value :: capacity
+            integer(c_size_t) :: pdn_model_describe
+        end function pdn_model_describe
+    end interface
+end module periodyn_c
+! END OF WHAT script/fortran_interface WRITES
+
+module periodyn
+    use periodyn_c, &
+        c_signal => pdn_signal, &
+        c_version => pdn_version, &
+        c_build_info => pdn_build_info, &
+        c_status_name => pdn_status_name, &
+        c_status_message => pdn_status_message, &
+        c_last_error => pdn_last_error, &
+        c_set_callback_error => pdn_set_callback_error, &
+        c_motion_interpolate => pdn_motion_interpolate, &
+        c_motion_grid_kinematics => pdn_motion_grid_kinematics
+    use, intrinsic :: iso_fortran_env, only: error_unit
+    implicit none
+    public
+    private :: report, refuse, fits, components, count_of, joined, text_at
+
+    ! In every procedure: without stat, a failure ends the program with the message. With it, stat is 0 or the
+    ! negative status (PDN_ERR_VALUE, ...), and errmsg, blank-padded, tells which argument was wrong, what was
+    ! expected and what came; other outputs are then left as they are. Not converging is no failure, but an
+    ! outcome of the solution.
+    !
+    ! Ids and counts are integer(c_int32_t), which is the default integer.
+
+    ! A handle with shared ownership: an assignment makes a second name for the same object, which is freed
+    ! when its last variable goes. (Variables of the main program never go; call free, or use a block.)
+    type :: pdn_handle
+        type(c_ptr), private :: c = c_null_ptr
+        integer, pointer, private :: owners => null()
+        procedure(pdn_free_fn), pointer, nopass, private :: release_with => null()
+    contains
+        procedure, public :: free => handle_free
+        procedure, public :: handle => handle_raw
+        procedure, private :: share
+        procedure, private :: adopt
+        generic, public :: assignment(=) => share
+        final :: handle_finalise
+    end type pdn_handle
+
+    abstract interface
+        subroutine pdn_free_fn(handle) bind(C)
+            import
+            type(c_ptr), value :: handle
+        end subroutine pdn_free_fn
+    end interface
+
+    ! A function of time, from pdn_constant, pdn_harmonics, pdn_samples or pdn_function.
+    type :: pdn_signal
+        private
+        integer(c_int32_t) :: kind = PDN_SIGNAL_HARMONICS
+        real(c_double) :: mean = 0
+        real(c_double) :: rate = 0
+        real(c_double), allocatable :: cosines(:)
+        real(c_double), allocatable :: sines(:)
+        type(c_funptr) :: function = c_null_funptr
+        type(c_ptr) :: user_data = c_null_ptr
+    contains
+        procedure, private :: pass => signal_pass
+    end type pdn_signal
+
+    ! A solution, converged or not; quantities at any times.
+    type, extends(pdn_handle) :: pdn_solution
+    contains
+        procedure, public :: converged => solution_converged
+        procedure, public :: report => solution_report
+        procedure, public :: outcome => solution_outcome
+        procedure, public :: diagnostics => solution_diagnostics
+        procedure, public :: history => solution_history
+        procedure, public :: decay => solution_decay
+        procedure, public :: grid_times => solution_grid_times
+        procedure, public :: node_position => solution_node_position
+        procedure, public :: node_rotation => solution_node_rotation
+        procedure, public :: node_quaternion => solution_node_quaternion
+        procedure, public :: node_velocity => solution_node_velocity
+        procedure, public :: node_acceleration => solution_node_acceleration
+        procedure, public :: joint_coordinate => solution_joint_coordinate
+        procedure, public :: joint_rate => solution_joint_rate
+        procedure, public :: joint_acceleration => solution_joint_acceleration
+        procedure, public :: joint_driving_effort => solution_joint_driving_effort
+        procedure, public :: joint_reaction => solution_joint_reaction
+        procedure, public :: beam_strain => solution_beam_strain
+        procedure, public :: beam_force => solution_beam_force
+        procedure, public :: force_effort => solution_force_effort
+        procedure, public :: force_branch_effort => solution_force_branch_effort
+        procedure, public :: force_branch_elongation => solution_force_branch_elongation
+        procedure, public :: force_on_node => solution_force_on_node
+        procedure, public :: node_harmonics => solution_node_harmonics
+        procedure, public :: joint_harmonics => solution_joint_harmonics
+        procedure, public :: beam_harmonics => solution_beam_harmonics
+        procedure, public :: force_harmonics => solution_force_harmonics
+    end type pdn_solution
+
+    ! A mechanism, described in its reference configuration. Procedures that add give ids, if they are wanted.
+    type, extends(pdn_handle) :: pdn_model
+    contains
+        procedure, public :: new => model_new
+        procedure, public :: node_count => model_node_count
+        procedure, public :: joint_count => model_joint_count
+        procedure, public :: element_count => model_element_count
+        procedure, public :: force_count => model_force_count
+        procedure, public :: mass => model_mass
+        procedure, public :: node_frame => model_node_frame
+        procedure, public :: summary => model_summary
+        procedure, public :: describe => model_describe
+        procedure, public :: add_node => model_add_node
+        procedure, public :: add_rigid_body => model_add_rigid_body
+        procedure, public :: add_mass => model_add_mass
+        procedure, public :: add_inertia => model_add_inertia
+        procedure, public :: add_rigid_joint => model_add_rigid_joint
+        procedure, public :: add_revolute => model_add_revolute
+        procedure, public :: add_prismatic => model_add_prismatic
+        procedure, public :: add_cylindrical => model_add_cylindrical
+        procedure, public :: add_screw => model_add_screw
+        procedure, public :: add_planar => model_add_planar
+        procedure, public :: add_spherical => model_add_spherical
+        procedure, public :: add_universal => model_add_universal
+        procedure, public :: add_free_joint => model_add_free_joint
+        procedure, public :: add_strut => model_add_strut
+        procedure, public :: add_joint => model_add_joint
+        procedure, public :: add_screw_between => model_add_screw_between
+        procedure, public :: prescribe => model_prescribe
+        procedure, public :: add_beam_element => model_add_beam_element
+        procedure, public :: add_straight_beam => model_add_straight_beam
+        procedure, public :: add_beam => model_add_beam
+        procedure, public :: add_load => model_add_load
+        procedure, public :: add_distributed_load => model_add_distributed_load
+        procedure, public :: set_gravity => model_set_gravity
+        procedure, public :: set_gravity_signals => model_set_gravity_signals
+        procedure, public :: add_spring_damper => model_add_spring_damper
+        procedure, public :: add_nonlinear_spring_damper => model_add_nonlinear_spring_damper
+        procedure, public :: add_actuator => model_add_actuator
+        procedure, public :: add_viscoelastic => model_add_viscoelastic
+        procedure, public :: add_viscous_damper => model_add_viscous_damper
+        procedure, public :: add_coordinate_law => model_add_coordinate_law
+        procedure, public :: add_user_force => model_add_user_force
+        procedure, public :: check_tangents => model_check_tangents
+        procedure, public :: solve_periodic => model_solve_periodic
+        procedure, public :: solve_static => model_solve_static
+    end type pdn_model
+
+    ! Sets the defaults of options.
+    interface pdn_init
+        procedure init_section, init_periodic_options, init_static_options
+    end interface pdn_init
+
+    ! These have texts and arrays in place of those of periodyn_c, which are c_version and so on here.
+    interface pdn_version
+        procedure version_text
+    end interface pdn_version
+    interface pdn_build_info
+        procedure build_info_text
+    end interface pdn_build_info
+    interface pdn_status_name
+        procedure status_name_text
+    end interface pdn_status_name
+    interface pdn_status_message
+        procedure status_message_text
+    end interface pdn_status_message
+    interface pdn_last_error
+        procedure last_error_text
+    end interface pdn_last_error
+    interface pdn_set_callback_error
+        procedure set_callback_error_text
+    end interface pdn_set_callback_error
+    interface pdn_motion_interpolate
+        procedure interpolate_motion
+    end interface pdn_motion_interpolate
+    interface pdn_motion_grid_kinematics
+        procedure differentiate_motion
+    end interface pdn_motion_grid_kinematics
+
+contains
+
+    ! Failure -----------------------------------------------------------------------------------------------
+
+    ! Hands a status on to the caller.
+    subroutine report(status, stat, errmsg)
+        integer(c_int32_t), intent(in) :: status
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+
+        if (present(stat)) stat = status
+        if (status == PDN_OK) return
+        call refuse(status, pdn_last_error(), stat, errmsg)
+    end subroutine report
+
+    ! Hands a failure on to the caller.
+    subroutine refuse(status, message, stat, errmsg)
+        integer(c_int32_t), intent(in) :: status
+        character(*), intent(in) :: message
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+
+        if (present(errmsg)) errmsg = message
+        if (present(stat)) then
+            stat = status
+        else
+            write (error_unit, '(4a)') 'periodyn: ', pdn_status_name(status), ': ', message
+            error stop 1
+        end if
+    end subroutine refuse
+
+    ! Whether an array has the shape that it must have; otherwise refuses it.
+    logical function fits(name, found, expected, stat, errmsg)
+        character(*), intent(in) :: name
+        integer, intent(in) :: found(:), expected(:)
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        character(200) :: message
+
+        fits = all(found == expected)
+        if (fits) return
+        write (message, '(2a, *(i0, :, " x "))') name, ': expected the shape ', expected
+        write (message(len_trim(message) + 1:), '(a, *(i0, :, " x "))') ', got ', found
+        call refuse(PDN_ERR_SIZE, trim(message), stat, errmsg)
+    end function fits
+
+    ! Number of components of a quantity, given those of all; of an unknown one, which the library refuses, most.
+    pure integer function components(quantity, of_all)
+        integer(c_int32_t), intent(in) :: quantity
+        integer, intent(in) :: of_all(0:)
+
+        components = maxval(of_all)
+        if (quantity >= 0 .and. quantity < size(of_all)) components = of_all(quantity)
+    end function components
+
+    ! A count for the library; none instead of a negative one, which it refuses.
+    pure integer(c_size_t) function count_of(number)
+        integer(c_int32_t), intent(in) :: number
+
+        count_of = max(number, 0_c_int32_t)
+    end function count_of
+
+    ! Texts ---------------------------------------------------------------------------------------------------
+
+    pure function joined(characters) result(text)
+        character(kind=c_char), intent(in) :: characters(:)
+        character(:), allocatable :: text
+        integer :: i
+
+        allocate (character(size(characters)) :: text)
+        do i = 1, size(characters)
+            text(i:i) = characters(i)
+        end do
+    end function joined
+
+    function text_at(pointer) result(text)
+        type(c_ptr), intent(in) :: pointer
+        character(:), allocatable :: text
+        character(kind=c_char), pointer :: characters(:)
+        integer :: length
+
+        call c_f_pointer(pointer, characters, [huge(length)])
+        length = 0
+        do while (characters(length + 1) /= c_null_char)
+            length = length + 1
+        end do
+        text = joined(characters(:length))
+    end function text_at
+
+    function version_text() result(text)
+        character(:), allocatable :: text
+
+        text = text_at(c_version())
+    end function version_text
+
+    function build_info_text() result(text)
+        character(:), allocatable :: text
+
+        text = text_at(c_build_info())
+    end function build_info_text
+
+    function status_name_text(status) result(text)
+        integer(c_int32_t), intent(in) :: status
+        character(:), allocatable :: text
+
+        text = text_at(c_status_name(status))
+    end function status_name_text
+
+    function status_message_text(status) result(text)
+        integer(c_int32_t), intent(in) :: status
+        character(:), allocatable :: text
+
+        text = text_at(c_status_message(status))
+    end function status_message_text
+
+    ! Message of the last call that failed on this thread.
+    function last_error_text() result(text)
+        character(:), allocatable :: text
+        character(kind=c_char), allocatable :: buffer(:)
+        integer(c_size_t) :: length
+
+        allocate (buffer(c_last_error(capacity=0_c_size_t) + 1))
+        length = c_last_error(buffer, size(buffer, kind=c_size_t))
+        text = joined(buffer(:length))
+    end function last_error_text
+
+    ! For a callback that is about to report failure: says why.
+    subroutine set_callback_error_text(message)
+        character(*), intent(in) :: message
+        integer(c_int32_t) :: ignored
+
+        ignored = c_set_callback_error(message//c_null_char)
+    end subroutine set_callback_error_text
+
+    ! Handles -------------------------------------------------------------------------------------------------
+
+    ! Gives up the object; frees it if this was its last variable.
+    subroutine handle_free(self)
+        class(pdn_handle), intent(inout) :: self
+
+        if (associated(self%owners)) then
+            self%owners = self%owners - 1
+            if (self%owners == 0) then
+                deallocate (self%owners)
+                call self%release_with(self%c)
+            end if
+        end if
+        self%c = c_null_ptr
+        self%owners => null()
+        self%release_with => null()
+    end subroutine handle_free
+
+    subroutine handle_finalise(self)
+        type(pdn_handle), intent(inout) :: self
+
+        call self%free()
+    end subroutine handle_finalise
+
+    ! The handle for procedures of periodyn_c; null if there is none.
+    function handle_raw(self) result(c)
+        class(pdn_handle), intent(in) :: self
+        type(c_ptr) :: c
+
+        c = self%c
+    end function handle_raw
+
+    ! Takes over a handle of the library, in place of what was held.
+    subroutine adopt(self, c, release_with)
+        class(pdn_handle), intent(inout) :: self
+        type(c_ptr), intent(in) :: c
+        procedure(pdn_free_fn) :: release_with
+
+        call self%free()
+        self%c = c
+        self%release_with => release_with
+        allocate (self%owners)
+        self%owners = 1
+    end subroutine adopt
+
+    subroutine share(left, right)
+        class(pdn_handle), intent(inout) :: left
+        class(pdn_handle), intent(in) :: right
+
+        if (.not. same_type_as(left, right)) then
+            call refuse(PDN_ERR_VALUE, 'assignment: expected objects of the same type')
+        end if
+        if (associated(right%owners)) right%owners = right%owners + 1
+        call left%free()
+        left%c = right%c
+        left%owners => right%owners
+        left%release_with => right%release_with
+    end subroutine share
+
+    ! Structs -------------------------------------------------------------------------------------------------
+
+    subroutine init_section(section)
+        type(pdn_section), intent(out) :: section
+
+        call pdn_section_init(section, c_sizeof(section))
+    end subroutine init_section
+
+    subroutine init_periodic_options(options)
+        type(pdn_periodic_options), intent(out) :: options
+
+        call pdn_periodic_options_init(options, c_sizeof(options))
+    end subroutine init_periodic_options
+
+    subroutine init_static_options(options)
+        type(pdn_static_options), intent(out) :: options
+
+        call pdn_static_options_init(options, c_sizeof(options))
+    end subroutine init_static_options
+
+    ! A section without couplings: six stiffnesses; mass and three moments of inertia for each unit of length.
+    ! damping_time gives it damping = damping_time * stiffness.
+    function pdn_diagonal_section(stiffness, mass, damping_time, stat, errmsg) result(section)
+        real(c_double), intent(in) :: stiffness(6), mass(4)
+        real(c_double), intent(in), optional :: damping_time
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        type(pdn_section) :: section
+        integer(c_int32_t) :: status
+
+        call pdn_init(section)
+        status = pdn_section_set_diagonal(section, stiffness, mass)
+        if (status == PDN_OK .and. present(damping_time)) then
+            status = pdn_section_set_proportional_damping(section, damping_time)
+        end if
+        call report(status, stat, errmsg)
+    end function pdn_diagonal_section
+
+    function pdn_straight_line(start, end, axis_2, stat, errmsg) result(line)
+        real(c_double), intent(in) :: start(3), end(3), axis_2(3)
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        type(pdn_line) :: line
+
+        call pdn_line_init(line, c_sizeof(line))
+        call report(pdn_line_set_straight(line, start, end, axis_2), stat, errmsg)
+    end function pdn_straight_line
+
+    function pdn_arc(start, point, end, axis_2, stat, errmsg) result(line)
+        real(c_double), intent(in) :: start(3), point(3), end(3), axis_2(3)
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        type(pdn_line) :: line
+
+        call pdn_line_init(line, c_sizeof(line))
+        call report(pdn_line_set_arc(line, start, point, end, axis_2), stat, errmsg)
+    end function pdn_arc
+
+    function pdn_curve(curve, user_data, stat, errmsg) result(line)
+        procedure(pdn_curve_fn) :: curve
+        type(c_ptr), intent(in), optional :: user_data
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        type(pdn_line) :: line
+        type(c_ptr) :: data
+
+        data = c_null_ptr
+        if (present(user_data)) data = user_data
+        call pdn_line_init(line, c_sizeof(line))
+        call report(pdn_line_set_curve(line, c_funloc(curve), data), stat, errmsg)
+    end function pdn_curve
+
+    ! Signals -------------------------------------------------------------------------------------------------
+
+    function pdn_constant(value, stat, errmsg) result(signal)
+        real(c_double), intent(in) :: value
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        type(pdn_signal) :: signal
+        type(c_signal) :: raw
+
+        signal%mean = value
+        call pdn_signal_init(raw, c_sizeof(raw))
+        call report(pdn_signal_set_constant(raw, value), stat, errmsg)
+    end function pdn_constant
+
+    ! mean + rate t + sum of cosines(j) cos(j w t) + sines(j) sin(j w t), with w = 2 pi / period of the solve.
+    function pdn_harmonics(mean, rate, cosines, sines, stat, errmsg) result(signal)
+        real(c_double), intent(in) :: mean, rate, cosines(:), sines(:)
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        type(pdn_signal) :: signal
+        type(c_signal) :: raw
+
+        if (.not. fits('sines', shape(sines), shape(cosines), stat, errmsg)) return
+        signal%mean = mean
+        signal%rate = rate
+        allocate (signal%cosines, source=cosines)
+        allocate (signal%sines, source=sines)
+        call pdn_signal_init(raw, c_sizeof(raw))
+        call report(pdn_signal_set_harmonics(raw, mean, rate, cosines, sines, size(cosines, kind=c_size_t)), &
+            stat, errmsg)
+    end function pdn_harmonics
+
+    ! rate t + the trigonometric interpolation of equally spaced samples of one period.
+    function pdn_samples(rate, samples, stat, errmsg) result(signal)
+        real(c_double), intent(in) :: rate, samples(:)
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        type(pdn_signal) :: signal
+        type(c_signal) :: raw
+
+        signal%kind = PDN_SIGNAL_SAMPLES
+        signal%rate = rate
+        allocate (signal%cosines, source=samples)
+        call pdn_signal_init(raw, c_sizeof(raw))
+        call report(pdn_signal_set_samples(raw, rate, samples, size(samples, kind=c_size_t)), stat, errmsg)
+    end function pdn_samples
+
+    ! A function of the caller. What user_data points to must be there as long as models and solutions that
+    ! were given the signal.
+    function pdn_function(function, user_data, stat, errmsg) result(signal)
+        procedure(pdn_signal_fn) :: function
+        type(c_ptr), intent(in), optional :: user_data
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        type(pdn_signal) :: signal
+        type(c_signal) :: raw
+
+        signal%kind = PDN_SIGNAL_FUNCTION
+        signal%function = c_funloc(function)
+        if (present(user_data)) signal%user_data = user_data
+        call pdn_signal_init(raw, c_sizeof(raw))
+        call report(pdn_signal_set_function(raw, signal%function, signal%user_data), stat, errmsg)
+    end function pdn_function
+
+    ! The signal as the library takes it, while self is there. Its functions have checked all of it before.
+    subroutine signal_pass(self, raw)
+        class(pdn_signal), intent(in), target :: self
+        type(c_signal), intent(out) :: raw
+
+        call pdn_signal_init(raw, c_sizeof(raw))
+        raw%kind = self%kind
+        raw%rate = self%rate
+        select case (self%kind)
+        case (PDN_SIGNAL_HARMONICS)
+            raw%mean = self%mean
+            if (allocated(self%cosines)) raw%harmonics = size(self%cosines)
+            if (raw%harmonics > 0) then
+                raw%cosines = c_loc(self%cosines)
+                raw%sines = c_loc(self%sines)
+            end if
+        case (PDN_SIGNAL_SAMPLES)
+            raw%sample_count = size(self%cosines)
+            if (raw%sample_count > 0) raw%samples = c_loc(self%cosines)
+        case (PDN_SIGNAL_FUNCTION)
+            raw%function = self%function
+            raw%user_data = self%user_data
+        end select
+    end subroutine signal_pass
+
+    ! Models --------------------------------------------------------------------------------------------------
+
+    ! An empty model, in place of what was held.
+    subroutine model_new(self, stat, errmsg)
+        class(pdn_model), intent(inout) :: self
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        type(c_ptr) :: c
+        integer(c_int32_t) :: status
+
+        status = pdn_version_check(PDN_VERSION_MAJOR, PDN_VERSION_MINOR)
+        if (status == PDN_OK) status = pdn_model_new(c)
+        if (status == PDN_OK) call self%adopt(c, pdn_model_free)
+        call report(status, stat, errmsg)
+    end subroutine model_new
+
+
+    ! Number of nodes.
+    subroutine model_node_count(self, count, stat, errmsg)
+        class(pdn_model), intent(in) :: self
+        integer(c_int32_t), intent(inout) :: count
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        call report(pdn_model_node_count(self%c, count), stat, errmsg)
+    end subroutine model_node_count
+
+    ! Number of joints.
+    subroutine model_joint_count(self, count, stat, errmsg)
+        class(pdn_model), intent(in) :: self
+        integer(c_int32_t), intent(inout) :: count
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        call report(pdn_model_joint_count(self%c, count), stat, errmsg)
+    end subroutine model_joint_count
+
+    ! Number of beam elements.
+    subroutine model_element_count(self, count, stat, errmsg)
+        class(pdn_model), intent(in) :: self
+        integer(c_int32_t), intent(inout) :: count
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        call report(pdn_model_element_count(self%c, count), stat, errmsg)
+    end subroutine model_element_count
+
+    ! Number of forces.
+    subroutine model_force_count(self, count, stat, errmsg)
+        class(pdn_model), intent(in) :: self
+        integer(c_int32_t), intent(inout) :: count
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        call report(pdn_model_force_count(self%c, count), stat, errmsg)
+    end subroutine model_force_count
+
+    ! Total mass and centre of mass.
+    subroutine model_mass(self, mass, centre, stat, errmsg)
+        class(pdn_model), intent(in) :: self
+        real(c_double), intent(inout) :: mass
+        real(c_double), intent(inout), optional :: centre(3)
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        call report(pdn_model_mass(self%c, mass, centre), stat, errmsg)
+    end subroutine model_mass
+
+    ! Frame of a node in the reference configuration.
+    subroutine model_node_frame(self, node, frame, stat, errmsg)
+        class(pdn_model), intent(in) :: self
+        integer(c_int32_t), intent(in) :: node
+        type(pdn_frame), intent(inout) :: frame
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        call report(pdn_model_node_frame(self%c, node, frame), stat, errmsg)
+    end subroutine model_node_frame
+
+    ! Counts, mass, degrees of freedom and mobility.
+    subroutine model_summary(self, summary, stat, errmsg)
+        class(pdn_model), intent(in) :: self
+        type(pdn_summary), intent(inout) :: summary
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        call pdn_summary_init(summary, c_sizeof(summary))
+        call report(pdn_model_summary(self%c, summary), stat, errmsg)
+    end subroutine model_summary
+
+    ! The summary in readable lines, with warnings.
+    subroutine model_describe(self, text, stat, errmsg)
+        class(pdn_model), intent(in) :: self
+        character(:), allocatable, intent(inout) :: text
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        type(pdn_summary) :: summary
+        character(kind=c_char), allocatable :: buffer(:)
+        integer(c_size_t) :: length
+        integer(c_int32_t) :: status
+
+        call pdn_summary_init(summary, c_sizeof(summary))
+        status = pdn_model_summary(self%c, summary)
+        if (status == PDN_OK) then
+            allocate (buffer(pdn_model_describe(self%c, capacity=0_c_size_t) + 1))
+            length = pdn_model_describe(self%c, buffer, size(buffer, kind=c_size_t))
+            text = joined(buffer(:length))
+        end if
+        call report(status, stat, errmsg)
+    end subroutine model_describe
+
+    ! A frame that moves; its axes are the global ones unless a rotation matrix is given.
+    subroutine model_add_node(self, position, rotation, node, stat, errmsg)
+        class(pdn_model), intent(inout) :: self
+        real(c_double), intent(in) :: position(3)
+        real(c_double), intent(in), optional :: rotation(9)
+        integer(c_int32_t), intent(inout), optional :: node
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        integer(c_int32_t) :: id, status
+
+        status = pdn_model_add_node(self%c, position, rotation, id)
+        if (status == PDN_OK .and. present(node)) node = id
+        call report(status, stat, errmsg)
+    end subroutine model_add_node
+
+    ! A node at the centre of mass, with axes parallel to the global ones.
+    subroutine model_add_rigid_body(self, mass, centre, inertia, node, stat, errmsg)
+        class(pdn_model), intent(inout) :: self
+        real(c_double), intent(in) :: mass
+        real(c_double), intent(in) :: centre(3)
+        real(c_double), intent(in) :: inertia(3, 3)
+        integer(c_int32_t), intent(inout), optional :: node
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        integer(c_int32_t) :: id, status
+
+        status = pdn_model_add_rigid_body(self%c, mass, centre, inertia, id)
+        if (status == PDN_OK .and. present(node)) node = id
+        call report(status, stat, errmsg)
+    end subroutine model_add_rigid_body
+
+    ! A mass fixed to a node: a point mass unless moments of inertia are given.
+    subroutine model_add_mass(self, node, mass, centre, inertia, stat, errmsg)
+        class(pdn_model), intent(inout) :: self
+        integer(c_int32_t), intent(in) :: node
+        real(c_double), intent(in) :: mass
+        real(c_double), intent(in) :: centre(3)
+        real(c_double), intent(in), optional :: inertia(3, 3)
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        call report(pdn_model_add_mass(self%c, node, mass, centre, inertia), stat, errmsg)
+    end subroutine model_add_mass
+
+    ! A 6 x 6 inertia fixed to a node, in the node's own frame unless another is given.
+    subroutine model_add_inertia(self, node, matrix, frame, stat, errmsg)
+        class(pdn_model), intent(inout) :: self
+        integer(c_int32_t), intent(in) :: node
+        real(c_double), intent(in) :: matrix(6, 6)
+        type(pdn_frame), intent(in), optional :: frame
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        call report(pdn_model_add_inertia(self%c, node, frame, matrix), stat, errmsg)
+    end subroutine model_add_inertia
+
+    ! Fixes two bodies to each other.
+    subroutine model_add_rigid_joint(self, first, second, point, joint, stat, errmsg)
+        class(pdn_model), intent(inout) :: self
+        integer(c_int32_t), intent(in) :: first, second
+        real(c_double), intent(in) :: point(3)
+        integer(c_int32_t), intent(inout), optional :: joint
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        integer(c_int32_t) :: id, status
+
+        status = pdn_model_add_rigid_joint(self%c, first, second, point, id)
+        if (status == PDN_OK .and. present(joint)) joint = id
+        call report(status, stat, errmsg)
+    end subroutine model_add_rigid_joint
+
+    subroutine model_add_revolute(self, first, second, point, axis, joint, stat, errmsg)
+        class(pdn_model), intent(inout) :: self
+        integer(c_int32_t), intent(in) :: first, second
+        real(c_double), intent(in) :: point(3), axis(3)
+        integer(c_int32_t), intent(inout), optional :: joint
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        integer(c_int32_t) :: id, status
+
+        status = pdn_model_add_revolute(self%c, first, second, point, axis, id)
+        if (status == PDN_OK .and. present(joint)) joint = id
+        call report(status, stat, errmsg)
+    end subroutine model_add_revolute
+
+    subroutine model_add_prismatic(self, first, second, point, axis, joint, stat, errmsg)
+        class(pdn_model), intent(inout) :: self
+        integer(c_int32_t), intent(in) :: first, second
+        real(c_double), intent(in) :: point(3), axis(3)
+        integer(c_int32_t), intent(inout), optional :: joint
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        integer(c_int32_t) :: id, status
+
+        status = pdn_model_add_prismatic(self%c, first, second, point, axis, id)
+        if (status == PDN_OK .and. present(joint)) joint = id
+        call report(status, stat, errmsg)
+    end subroutine model_add_prismatic
+
+    subroutine model_add_cylindrical(self, first, second, point, axis, joint, stat, errmsg)
+        class(pdn_model), intent(inout) :: self
+        integer(c_int32_t), intent(in) :: first, second
+        real(c_double), intent(in) :: point(3), axis(3)
+        integer(c_int32_t), intent(inout), optional :: joint
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        integer(c_int32_t) :: id, status
+
+        status = pdn_model_add_cylindrical(self%c, first, second, point, axis, id)
+        if (status == PDN_OK .and. present(joint)) joint = id
+        call report(status, stat, errmsg)
+    end subroutine model_add_cylindrical
+
+    subroutine model_add_screw(self, first, second, point, axis, pitch, joint, stat, errmsg)
+        class(pdn_model), intent(inout) :: self
+        integer(c_int32_t), intent(in) :: first, second
+        real(c_double), intent(in) :: point(3), axis(3), pitch
+        integer(c_int32_t), intent(inout), optional :: joint
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        integer(c_int32_t) :: id, status
+
+        status = pdn_model_add_screw(self%c, first, second, point, axis, pitch, id)
+        if (status == PDN_OK .and. present(joint)) joint = id
+        call report(status, stat, errmsg)
+    end subroutine model_add_screw
+
+    subroutine model_add_planar(self, first, second, point, normal, joint, stat, errmsg)
+        class(pdn_model), intent(inout) :: self
+        integer(c_int32_t), intent(in) :: first, second
+        real(c_double), intent(in) :: point(3), normal(3)
+        integer(c_int32_t), intent(inout), optional :: joint
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        integer(c_int32_t) :: id, status
+
+        status = pdn_model_add_planar(self%c, first, second, point, normal, id)
+        if (status == PDN_OK .and. present(joint)) joint = id
+        call report(status, stat, errmsg)
+    end subroutine model_add_planar
+
+    subroutine model_add_spherical(self, first, second, point, joint, stat, errmsg)
+        class(pdn_model), intent(inout) :: self
+        integer(c_int32_t), intent(in) :: first, second
+        real(c_double), intent(in) :: point(3)
+        integer(c_int32_t), intent(inout), optional :: joint
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        integer(c_int32_t) :: id, status
+
+        status = pdn_model_add_spherical(self%c, first, second, point, id)
+        if (status == PDN_OK .and. present(joint)) joint = id
+        call report(status, stat, errmsg)
+    end subroutine model_add_spherical
+
+    subroutine model_add_universal(self, first, second, point, first_arm, second_arm, joint, stat, errmsg)
+        class(pdn_model), intent(inout) :: self
+        integer(c_int32_t), intent(in) :: first, second
+        real(c_double), intent(in) :: point(3), first_arm(3), second_arm(3)
+        integer(c_int32_t), intent(inout), optional :: joint
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        integer(c_int32_t) :: id, status
+
+        status = pdn_model_add_universal(self%c, first, second, point, first_arm, second_arm, id)
+        if (status == PDN_OK .and. present(joint)) joint = id
+        call report(status, stat, errmsg)
+    end subroutine model_add_universal
+
+    subroutine model_add_free_joint(self, first, second, point, joint, stat, errmsg)
+        class(pdn_model), intent(inout) :: self
+        integer(c_int32_t), intent(in) :: first, second
+        real(c_double), intent(in) :: point(3)
+        integer(c_int32_t), intent(inout), optional :: joint
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        integer(c_int32_t) :: id, status
+
+        status = pdn_model_add_free_joint(self%c, first, second, point, id)
+        if (status == PDN_OK .and. present(joint)) joint = id
+        call report(status, stat, errmsg)
+    end subroutine model_add_free_joint
+
+    ! The distance of two points as a joint coordinate.
+    subroutine model_add_strut(self, first, second, first_point, second_point, joint, stat, errmsg)
+        class(pdn_model), intent(inout) :: self
+        integer(c_int32_t), intent(in) :: first, second
+        real(c_double), intent(in) :: first_point(3), second_point(3)
+        integer(c_int32_t), intent(inout), optional :: joint
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        integer(c_int32_t) :: id, status
+
+        status = pdn_model_add_strut(self%c, first, second, first_point, second_point, id)
+        if (status == PDN_OK .and. present(joint)) joint = id
+        call report(status, stat, errmsg)
+    end subroutine model_add_strut
+
+    ! A joint of any kind between a frame fixed to each body.
+    subroutine model_add_joint(self, kind, first, second, first_frame, second_frame, joint, stat, errmsg)
+        class(pdn_model), intent(inout) :: self
+        integer(c_int32_t), intent(in) :: kind, first, second
+        type(pdn_frame), intent(in) :: first_frame, second_frame
+        integer(c_int32_t), intent(inout), optional :: joint
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        integer(c_int32_t) :: id, status
+
+        status = pdn_model_add_joint(self%c, kind, first, second, first_frame, second_frame, id)
+        if (status == PDN_OK .and. present(joint)) joint = id
+        call report(status, stat, errmsg)
+    end subroutine model_add_joint
+
+    subroutine model_add_screw_between(self, first, second, first_frame, second_frame, pitch, joint, stat, errmsg)
+        class(pdn_model), intent(inout) :: self
+        integer(c_int32_t), intent(in) :: first, second
+        type(pdn_frame), intent(in) :: first_frame, second_frame
+        real(c_double), intent(in) :: pitch
+        integer(c_int32_t), intent(inout), optional :: joint
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        integer(c_int32_t) :: id, status
+
+        status = pdn_model_add_screw_between(self%c, first, second, first_frame, second_frame, pitch, id)
+        if (status == PDN_OK .and. present(joint)) joint = id
+        call report(status, stat, errmsg)
+    end subroutine model_add_screw_between
+
+    ! Makes a joint coordinate follow a signal.
+    subroutine model_prescribe(self, joint, coordinate, signal, stat, errmsg)
+        class(pdn_model), intent(inout) :: self
+        integer(c_int32_t), intent(in) :: joint, coordinate
+        type(pdn_signal), intent(in), target :: signal
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        type(c_signal) :: raw
+
+        call signal%pass(raw)
+        call report(pdn_model_prescribe(self%c, joint, coordinate, raw), stat, errmsg)
+    end subroutine model_prescribe
+
+    ! A beam element over nodes that are there.
+    subroutine model_add_beam_element(self, nodes, section, element, stat, errmsg)
+        class(pdn_model), intent(inout) :: self
+        integer(c_int32_t), intent(in) :: nodes(:)
+        type(pdn_section), intent(in) :: section
+        integer(c_int32_t), intent(inout), optional :: element
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        integer(c_int32_t) :: id, status
+
+        status = pdn_model_add_beam_element(self%c, nodes, size(nodes, kind=c_size_t), section, id)
+        if (status == PDN_OK .and. present(element)) element = id
+        call report(status, stat, errmsg)
+    end subroutine model_add_beam_element
+
+    ! A straight beam: its nodes and elements.
+    subroutine model_add_straight_beam(self, start, end, axis_2, section, elements, degree, beam, stat, errmsg)
+        class(pdn_model), intent(inout) :: self
+        real(c_double), intent(in) :: start(3), end(3), axis_2(3)
+        type(pdn_section), intent(in) :: section
+        integer(c_int32_t), intent(in) :: elements, degree
+        type(pdn_beam), intent(inout) :: beam
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        call report(pdn_model_add_straight_beam(self%c, start, end, axis_2, section, count_of(elements), &
+            count_of(degree), beam), stat, errmsg)
+    end subroutine model_add_straight_beam
+
+    ! A beam along a line; sections (and twists) at fractions of it, or one section for all of it.
+    subroutine model_add_beam(self, line, sections, elements, degree, beam, fractions, twists, stat, errmsg)
+        class(pdn_model), intent(inout) :: self
+        type(pdn_line), intent(in) :: line
+        type(pdn_section), intent(in), target, contiguous :: sections(:)
+        integer(c_int32_t), intent(in) :: elements, degree
+        type(pdn_beam), intent(inout) :: beam
+        real(c_double), intent(in), optional, target, contiguous :: fractions(:), twists(:)
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        type(pdn_stations) :: stations
+
+        call pdn_stations_init(stations, c_sizeof(stations))
+        stations%count = size(sections)
+        if (size(sections) > 0) stations%sections = c_loc(sections)
+        if (present(fractions)) then
+            if (.not. fits('fractions', shape(fractions), shape(sections), stat, errmsg)) return
+            stations%fractions = c_loc(fractions)
+        end if
+        if (present(twists)) then
+            if (.not. fits('twists', shape(twists), shape(sections), stat, errmsg)) return
+            stations%twists = c_loc(twists)
+        end if
+        call report(pdn_model_add_beam(self%c, line, stations, count_of(elements), count_of(degree), &
+            beam), stat, errmsg)
+    end subroutine model_add_beam
+
+    ! A component of a force or moment on a node.
+    subroutine model_add_load(self, node, frame, component, signal, stat, errmsg)
+        class(pdn_model), intent(inout) :: self
+        integer(c_int32_t), intent(in) :: node, frame, component
+        type(pdn_signal), intent(in), target :: signal
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        type(c_signal) :: raw
+
+        call signal%pass(raw)
+        call report(pdn_model_add_load(self%c, node, frame, component, raw), stat, errmsg)
+    end subroutine model_add_load
+
+    ! A component distributed along beam elements; factors of the signal are linear between fractions.
+    subroutine model_add_distributed_load(self, first_element, elements, frame, component, signal, fractions, &
+        factors, stat, errmsg)
+        class(pdn_model), intent(inout) :: self
+        integer(c_int32_t), intent(in) :: first_element, elements, frame, component
+        type(pdn_signal), intent(in), target :: signal
+        real(c_double), intent(in), optional :: fractions(:), factors(:)
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        type(c_signal) :: raw
+        integer(c_size_t) :: count
+
+        count = 0
+        if (present(fractions)) count = size(fractions, kind=c_size_t)
+        if (present(factors)) then
+            if (.not. fits('factors', shape(factors), [int(count)], stat, errmsg)) return
+        end if
+        call signal%pass(raw)
+        call report(pdn_model_add_distributed_load(self%c, first_element, elements, frame, component, raw, fractions, &
+            factors, count), stat, errmsg)
+    end subroutine model_add_distributed_load
+
+    subroutine model_set_gravity(self, acceleration, stat, errmsg)
+        class(pdn_model), intent(inout) :: self
+        real(c_double), intent(in) :: acceleration(3)
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        call report(pdn_model_set_gravity(self%c, acceleration), stat, errmsg)
+    end subroutine model_set_gravity
+
+    ! Gravity that varies in time.
+    subroutine model_set_gravity_signals(self, acceleration_1, acceleration_2, acceleration_3, stat, errmsg)
+        class(pdn_model), intent(inout) :: self
+        type(pdn_signal), intent(in), target :: acceleration_1, acceleration_2, acceleration_3
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        type(c_signal) :: raw(3)
+
+        call acceleration_1%pass(raw(1))
+        call acceleration_2%pass(raw(2))
+        call acceleration_3%pass(raw(3))
+        call report(pdn_model_set_gravity_signals(self%c, raw(1), raw(2), raw(3)), stat, errmsg)
+    end subroutine model_set_gravity_signals
+
+    subroutine model_add_spring_damper(self, joint, coordinate, stiffness, damping, rest, force, stat, errmsg)
+        class(pdn_model), intent(inout) :: self
+        integer(c_int32_t), intent(in) :: joint, coordinate
+        real(c_double), intent(in) :: stiffness, damping, rest
+        integer(c_int32_t), intent(inout), optional :: force
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        integer(c_int32_t) :: id, status
+
+        status = pdn_model_add_spring_damper(self%c, joint, coordinate, stiffness, damping, rest, id)
+        if (status == PDN_OK .and. present(force)) force = id
+        call report(status, stat, errmsg)
+    end subroutine model_add_spring_damper
+
+    ! Effort by polynomials of coordinate and rate, without constants.
+    subroutine model_add_nonlinear_spring_damper(self, joint, coordinate, stiffness, damping, rest, force, stat, &
+        errmsg)
+        class(pdn_model), intent(inout) :: self
+        integer(c_int32_t), intent(in) :: joint, coordinate
+        real(c_double), intent(in) :: stiffness(:), damping(:), rest
+        integer(c_int32_t), intent(inout), optional :: force
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        integer(c_int32_t) :: id, status
+
+        status = pdn_model_add_nonlinear_spring_damper(self%c, joint, coordinate, stiffness, &
+            size(stiffness, kind=c_size_t), damping, size(damping, kind=c_size_t), rest, id)
+        if (status == PDN_OK .and. present(force)) force = id
+        call report(status, stat, errmsg)
+    end subroutine model_add_nonlinear_spring_damper
+
+    ! A force or torque that follows a signal.
+    subroutine model_add_actuator(self, joint, coordinate, signal, force, stat, errmsg)
+        class(pdn_model), intent(inout) :: self
+        integer(c_int32_t), intent(in) :: joint, coordinate
+        type(pdn_signal), intent(in), target :: signal
+        integer(c_int32_t), intent(inout), optional :: force
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        type(c_signal) :: raw
+
+        call signal%pass(raw)
+        call report(pdn_model_add_actuator(self%c, joint, coordinate, raw, force), stat, errmsg)
+    end subroutine model_add_actuator
+
+    ! A generalised Maxwell model on a joint coordinate.
+    subroutine model_add_viscoelastic(self, joint, coordinate, stiffness, rest, branch_stiffness, relaxation_times, &
+        force, stat, errmsg)
+        class(pdn_model), intent(inout) :: self
+        integer(c_int32_t), intent(in) :: joint, coordinate
+        real(c_double), intent(in) :: stiffness, rest, branch_stiffness(:), relaxation_times(:)
+        integer(c_int32_t), intent(inout), optional :: force
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        if (.not. fits('relaxation_times', shape(relaxation_times), shape(branch_stiffness), stat, errmsg)) return
+        call report(pdn_model_add_viscoelastic(self%c, joint, coordinate, stiffness, rest, branch_stiffness, &
+            relaxation_times, size(branch_stiffness, kind=c_size_t), force), stat, errmsg)
+    end subroutine model_add_viscoelastic
+
+    ! A damper between two bodies, in the second node's own frame unless another is given.
+    subroutine model_add_viscous_damper(self, first, second, matrix, frame, force, stat, errmsg)
+        class(pdn_model), intent(inout) :: self
+        integer(c_int32_t), intent(in) :: first, second
+        real(c_double), intent(in) :: matrix(6, 6)
+        type(pdn_frame), intent(in), optional :: frame
+        integer(c_int32_t), intent(inout), optional :: force
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        call report(pdn_model_add_viscous_damper(self%c, first, second, frame, matrix, force), stat, errmsg)
+    end subroutine model_add_viscous_damper
+
+    ! A spring-damper whose law is the caller's.
+    subroutine model_add_coordinate_law(self, joint, coordinate, tangents, law, user_data, destroy, force, stat, &
+        errmsg)
+        class(pdn_model), intent(inout) :: self
+        integer(c_int32_t), intent(in) :: joint, coordinate, tangents
+        procedure(pdn_coordinate_law_fn) :: law
+        type(c_ptr), intent(in), optional :: user_data
+        procedure(pdn_destroy_fn), optional :: destroy
+        integer(c_int32_t), intent(inout), optional :: force
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        type(c_ptr) :: data
+        type(c_funptr) :: dispose
+
+        data = c_null_ptr
+        if (present(user_data)) data = user_data
+        dispose = c_null_funptr
+        if (present(destroy)) dispose = c_funloc(destroy)
+        call report(pdn_model_add_coordinate_law(self%c, joint, coordinate, tangents, c_funloc(law), data, dispose, &
+            force), stat, errmsg)
+    end subroutine model_add_coordinate_law
+
+    ! Forces on nodes that the caller computes.
+    subroutine model_add_user_force(self, nodes, frame, tangents, forces, user_data, destroy, force, stat, errmsg)
+        class(pdn_model), intent(inout) :: self
+        integer(c_int32_t), intent(in) :: nodes(:), frame, tangents
+        procedure(pdn_user_force_fn) :: forces
+        type(c_ptr), intent(in), optional :: user_data
+        procedure(pdn_destroy_fn), optional :: destroy
+        integer(c_int32_t), intent(inout), optional :: force
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        type(c_ptr) :: data
+        type(c_funptr) :: dispose
+
+        data = c_null_ptr
+        if (present(user_data)) data = user_data
+        dispose = c_null_funptr
+        if (present(destroy)) dispose = c_funloc(destroy)
+        call report(pdn_model_add_user_force(self%c, nodes, size(nodes, kind=c_size_t), frame, tangents, &
+            c_funloc(forces), data, dispose, force), stat, errmsg)
+    end subroutine model_add_user_force
+
+    ! Compares the tangents of a law or user force with differences.
+    subroutine model_check_tangents(self, force, period, check, stat, errmsg)
+        class(pdn_model), intent(in) :: self
+        integer(c_int32_t), intent(in) :: force
+        real(c_double), intent(in) :: period
+        type(pdn_tangent_check), intent(inout) :: check
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        call pdn_tangent_check_init(check, c_sizeof(check))
+        call report(pdn_model_check_tangents(self%c, force, period, check), stat, errmsg)
+    end subroutine model_check_tangents
+
+    ! PDN_CONVERGED, or why not.
+    subroutine solution_outcome(self, outcome, stat, errmsg)
+        class(pdn_solution), intent(in) :: self
+        integer(c_int32_t), intent(inout) :: outcome
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        integer(c_int32_t) :: found
+
+        found = pdn_solution_outcome(self%c)
+        if (found >= 0) outcome = found
+        call report(min(found, PDN_OK), stat, errmsg)
+    end subroutine solution_outcome
+
+    ! Iterations, error estimates, time spent.
+    subroutine solution_diagnostics(self, diagnostics, stat, errmsg)
+        class(pdn_solution), intent(in) :: self
+        type(pdn_diagnostics), intent(inout) :: diagnostics
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        call pdn_diagnostics_init(diagnostics, c_sizeof(diagnostics))
+        call report(pdn_solution_diagnostics(self%c, diagnostics), stat, errmsg)
+    end subroutine solution_diagnostics
+
+    ! Residual, increment and step of each Newton iteration.
+    subroutine solution_history(self, residuals, increments, steps, stat, errmsg)
+        class(pdn_solution), intent(in) :: self
+        real(c_double), allocatable, intent(inout) :: residuals(:), increments(:), steps(:)
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        type(pdn_diagnostics) :: figures
+        integer(c_int32_t) :: status
+
+        call pdn_diagnostics_init(figures, c_sizeof(figures))
+        status = pdn_solution_diagnostics(self%c, figures)
+        if (status == PDN_OK) then
+            if (allocated(residuals)) deallocate (residuals)
+            if (allocated(increments)) deallocate (increments)
+            if (allocated(steps)) deallocate (steps)
+            allocate (residuals(figures%iterations), increments(figures%iterations), steps(figures%iterations))
+            status = pdn_solution_history(self%c, residuals, increments, steps, size(steps, kind=c_size_t))
+        end if
+        call report(status, stat, errmsg)
+    end subroutine solution_history
+
+    ! Largest amplitude of each harmonic, from 0 on.
+    subroutine solution_decay(self, amplitudes, stat, errmsg)
+        class(pdn_solution), intent(in) :: self
+        real(c_double), allocatable, intent(inout) :: amplitudes(:)
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        type(pdn_diagnostics) :: figures
+        integer(c_int32_t) :: status
+
+        call pdn_diagnostics_init(figures, c_sizeof(figures))
+        status = pdn_solution_diagnostics(self%c, figures)
+        if (status == PDN_OK) then
+            if (allocated(amplitudes)) deallocate (amplitudes)
+            allocate (amplitudes((figures%grid_points + 1) / 2))
+            status = pdn_solution_decay(self%c, amplitudes, size(amplitudes, kind=c_size_t))
+        end if
+        call report(status, stat, errmsg)
+    end subroutine solution_decay
+
+    ! Grid times.
+    subroutine solution_grid_times(self, times, stat, errmsg)
+        class(pdn_solution), intent(in) :: self
+        real(c_double), allocatable, intent(inout) :: times(:)
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        type(pdn_diagnostics) :: figures
+        integer(c_int32_t) :: status
+
+        call pdn_diagnostics_init(figures, c_sizeof(figures))
+        status = pdn_solution_diagnostics(self%c, figures)
+        if (status == PDN_OK) then
+            if (allocated(times)) deallocate (times)
+            allocate (times(figures%grid_points))
+            status = pdn_solution_grid_times(self%c, times, size(times, kind=c_size_t))
+        end if
+        call report(status, stat, errmsg)
+    end subroutine solution_grid_times
+
+    ! Position of a node.
+    subroutine solution_node_position(self, node, times, out, stat, errmsg)
+        class(pdn_solution), intent(in) :: self
+        integer(c_int32_t), intent(in) :: node
+        real(c_double), intent(in) :: times(:)
+        real(c_double), intent(inout) :: out(:, :)
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        if (.not. fits('out', shape(out), [3, size(times)], stat, errmsg)) return
+        call report(pdn_solution_node_position(self%c, node, times, size(times, kind=c_size_t), out), stat, errmsg)
+    end subroutine solution_node_position
+
+    ! Rotation matrix, column by column.
+    subroutine solution_node_rotation(self, node, times, out, stat, errmsg)
+        class(pdn_solution), intent(in) :: self
+        integer(c_int32_t), intent(in) :: node
+        real(c_double), intent(in) :: times(:)
+        real(c_double), intent(inout) :: out(:, :)
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        if (.not. fits('out', shape(out), [9, size(times)], stat, errmsg)) return
+        call report(pdn_solution_node_rotation(self%c, node, times, size(times, kind=c_size_t), out), stat, errmsg)
+    end subroutine solution_node_rotation
+
+    ! Unit quaternion (w, x, y, z).
+    subroutine solution_node_quaternion(self, node, times, out, stat, errmsg)
+        class(pdn_solution), intent(in) :: self
+        integer(c_int32_t), intent(in) :: node
+        real(c_double), intent(in) :: times(:)
+        real(c_double), intent(inout) :: out(:, :)
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        if (.not. fits('out', shape(out), [4, size(times)], stat, errmsg)) return
+        call report(pdn_solution_node_quaternion(self%c, node, times, size(times, kind=c_size_t), out), stat, errmsg)
+    end subroutine solution_node_quaternion
+
+    subroutine solution_node_velocity(self, node, frame, times, out, stat, errmsg)
+        class(pdn_solution), intent(in) :: self
+        integer(c_int32_t), intent(in) :: node, frame
+        real(c_double), intent(in) :: times(:)
+        real(c_double), intent(inout) :: out(:, :)
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        if (.not. fits('out', shape(out), [6, size(times)], stat, errmsg)) return
+        call report(pdn_solution_node_velocity(self%c, node, frame, times, size(times, kind=c_size_t), &
+            out), stat, errmsg)
+    end subroutine solution_node_velocity
+
+    subroutine solution_node_acceleration(self, node, frame, times, out, stat, errmsg)
+        class(pdn_solution), intent(in) :: self
+        integer(c_int32_t), intent(in) :: node, frame
+        real(c_double), intent(in) :: times(:)
+        real(c_double), intent(inout) :: out(:, :)
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        if (.not. fits('out', shape(out), [6, size(times)], stat, errmsg)) return
+        call report(pdn_solution_node_acceleration(self%c, node, frame, times, size(times, kind=c_size_t), &
+            out), stat, errmsg)
+    end subroutine solution_node_acceleration
+
+    subroutine solution_joint_coordinate(self, joint, coordinate, times, out, stat, errmsg)
+        class(pdn_solution), intent(in) :: self
+        integer(c_int32_t), intent(in) :: joint, coordinate
+        real(c_double), intent(in) :: times(:)
+        real(c_double), intent(inout) :: out(:)
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        if (.not. fits('out', shape(out), shape(times), stat, errmsg)) return
+        call report(pdn_solution_joint_coordinate(self%c, joint, coordinate, times, size(times, kind=c_size_t), &
+            out), stat, errmsg)
+    end subroutine solution_joint_coordinate
+
+    subroutine solution_joint_rate(self, joint, coordinate, times, out, stat, errmsg)
+        class(pdn_solution), intent(in) :: self
+        integer(c_int32_t), intent(in) :: joint, coordinate
+        real(c_double), intent(in) :: times(:)
+        real(c_double), intent(inout) :: out(:)
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        if (.not. fits('out', shape(out), shape(times), stat, errmsg)) return
+        call report(pdn_solution_joint_rate(self%c, joint, coordinate, times, size(times, kind=c_size_t), &
+            out), stat, errmsg)
+    end subroutine solution_joint_rate
+
+    subroutine solution_joint_acceleration(self, joint, coordinate, times, out, stat, errmsg)
+        class(pdn_solution), intent(in) :: self
+        integer(c_int32_t), intent(in) :: joint, coordinate
+        real(c_double), intent(in) :: times(:)
+        real(c_double), intent(inout) :: out(:)
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        if (.not. fits('out', shape(out), shape(times), stat, errmsg)) return
+        call report(pdn_solution_joint_acceleration(self%c, joint, coordinate, times, size(times, kind=c_size_t), &
+            out), stat, errmsg)
+    end subroutine solution_joint_acceleration
+
+    subroutine solution_joint_driving_effort(self, joint, coordinate, times, out, stat, errmsg)
+        class(pdn_solution), intent(in) :: self
+        integer(c_int32_t), intent(in) :: joint, coordinate
+        real(c_double), intent(in) :: times(:)
+        real(c_double), intent(inout) :: out(:)
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        if (.not. fits('out', shape(out), shape(times), stat, errmsg)) return
+        call report(pdn_solution_joint_driving_effort(self%c, joint, coordinate, times, size(times, kind=c_size_t), &
+            out), stat, errmsg)
+    end subroutine solution_joint_driving_effort
+
+    ! Force and moment on the second body.
+    subroutine solution_joint_reaction(self, joint, axes, times, out, stat, errmsg)
+        class(pdn_solution), intent(in) :: self
+        integer(c_int32_t), intent(in) :: joint, axes
+        real(c_double), intent(in) :: times(:)
+        real(c_double), intent(inout) :: out(:, :)
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        if (.not. fits('out', shape(out), [6, size(times)], stat, errmsg)) return
+        call report(pdn_solution_joint_reaction(self%c, joint, axes, times, size(times, kind=c_size_t), &
+            out), stat, errmsg)
+    end subroutine solution_joint_reaction
+
+    subroutine solution_beam_strain(self, element, station, times, out, stat, errmsg)
+        class(pdn_solution), intent(in) :: self
+        integer(c_int32_t), intent(in) :: element
+        real(c_double), intent(in) :: station
+        real(c_double), intent(in) :: times(:)
+        real(c_double), intent(inout) :: out(:, :)
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        if (.not. fits('out', shape(out), [6, size(times)], stat, errmsg)) return
+        call report(pdn_solution_beam_strain(self%c, element, station, times, size(times, kind=c_size_t), &
+            out), stat, errmsg)
+    end subroutine solution_beam_strain
+
+    subroutine solution_beam_force(self, element, station, times, out, stat, errmsg)
+        class(pdn_solution), intent(in) :: self
+        integer(c_int32_t), intent(in) :: element
+        real(c_double), intent(in) :: station
+        real(c_double), intent(in) :: times(:)
+        real(c_double), intent(inout) :: out(:, :)
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        if (.not. fits('out', shape(out), [6, size(times)], stat, errmsg)) return
+        call report(pdn_solution_beam_force(self%c, element, station, times, size(times, kind=c_size_t), &
+            out), stat, errmsg)
+    end subroutine solution_beam_force
+
+    subroutine solution_force_effort(self, force, times, out, stat, errmsg)
+        class(pdn_solution), intent(in) :: self
+        integer(c_int32_t), intent(in) :: force
+        real(c_double), intent(in) :: times(:)
+        real(c_double), intent(inout) :: out(:)
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        if (.not. fits('out', shape(out), shape(times), stat, errmsg)) return
+        call report(pdn_solution_force_effort(self%c, force, times, size(times, kind=c_size_t), out), stat, errmsg)
+    end subroutine solution_force_effort
+
+    subroutine solution_force_branch_effort(self, force, branch, times, out, stat, errmsg)
+        class(pdn_solution), intent(in) :: self
+        integer(c_int32_t), intent(in) :: force, branch
+        real(c_double), intent(in) :: times(:)
+        real(c_double), intent(inout) :: out(:)
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        if (.not. fits('out', shape(out), shape(times), stat, errmsg)) return
+        call report(pdn_solution_force_branch_effort(self%c, force, branch, times, size(times, kind=c_size_t), &
+            out), stat, errmsg)
+    end subroutine solution_force_branch_effort
+
+    subroutine solution_force_branch_elongation(self, force, branch, times, out, stat, errmsg)
+        class(pdn_solution), intent(in) :: self
+        integer(c_int32_t), intent(in) :: force, branch
+        real(c_double), intent(in) :: times(:)
+        real(c_double), intent(inout) :: out(:)
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        if (.not. fits('out', shape(out), shape(times), stat, errmsg)) return
+        call report(pdn_solution_force_branch_elongation(self%c, force, branch, times, size(times, kind=c_size_t), &
+            out), stat, errmsg)
+    end subroutine solution_force_branch_elongation
+
+    subroutine solution_force_on_node(self, force, node, frame, times, out, stat, errmsg)
+        class(pdn_solution), intent(in) :: self
+        integer(c_int32_t), intent(in) :: force, node, frame
+        real(c_double), intent(in) :: times(:)
+        real(c_double), intent(inout) :: out(:, :)
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        if (.not. fits('out', shape(out), [6, size(times)], stat, errmsg)) return
+        call report(pdn_solution_force_on_node(self%c, force, node, frame, times, size(times, kind=c_size_t), &
+            out), stat, errmsg)
+    end subroutine solution_force_on_node
+
+    ! Fourier coefficients; cosines and sines have one column for each harmonic that is wanted.
+    subroutine solution_node_harmonics(self, node, quantity, mean, cosines, sines, stat, errmsg)
+        class(pdn_solution), intent(in) :: self
+        integer(c_int32_t), intent(in) :: node, quantity
+        real(c_double), intent(inout) :: mean(:), cosines(:, :), sines(:, :)
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        if (.not. fits('mean', shape(mean), [components(quantity, [3, 9, 4, 6, 6, 6, 6])], stat, errmsg)) return
+        if (.not. fits('cosines', shape(cosines), [size(mean), size(cosines, 2)], stat, errmsg)) return
+        if (.not. fits('sines', shape(sines), shape(cosines), stat, errmsg)) return
+        call report(pdn_solution_node_harmonics(self%c, node, quantity, size(cosines, 2, c_size_t), mean, cosines, &
+            sines), stat, errmsg)
+    end subroutine solution_node_harmonics
+
+    ! Fourier coefficients; cosines and sines have one column for each harmonic that is wanted.
+    subroutine solution_joint_harmonics(self, joint, quantity, detail, mean, cosines, sines, rate, stat, errmsg)
+        class(pdn_solution), intent(in) :: self
+        integer(c_int32_t), intent(in) :: joint, quantity, detail
+        real(c_double), intent(inout) :: mean(:), cosines(:, :), sines(:, :)
+        real(c_double), intent(inout), optional :: rate(:)
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        if (.not. fits('mean', shape(mean), [components(quantity, [1, 1, 1, 1, 6])], stat, errmsg)) return
+        if (.not. fits('cosines', shape(cosines), [size(mean), size(cosines, 2)], stat, errmsg)) return
+        if (.not. fits('sines', shape(sines), shape(cosines), stat, errmsg)) return
+        if (present(rate)) then
+            if (.not. fits('rate', shape(rate), shape(mean), stat, errmsg)) return
+        end if
+        call report(pdn_solution_joint_harmonics(self%c, joint, quantity, detail, size(cosines, 2, c_size_t), mean, &
+            rate, cosines, sines), stat, errmsg)
+    end subroutine solution_joint_harmonics
+
+    ! Fourier coefficients; cosines and sines have one column for each harmonic that is wanted.
+    subroutine solution_beam_harmonics(self, element, station, quantity, mean, cosines, sines, stat, errmsg)
+        class(pdn_solution), intent(in) :: self
+        integer(c_int32_t), intent(in) :: element
+        real(c_double), intent(in) :: station
+        integer(c_int32_t), intent(in) :: quantity
+        real(c_double), intent(inout) :: mean(:), cosines(:, :), sines(:, :)
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        if (.not. fits('mean', shape(mean), [6], stat, errmsg)) return
+        if (.not. fits('cosines', shape(cosines), [size(mean), size(cosines, 2)], stat, errmsg)) return
+        if (.not. fits('sines', shape(sines), shape(cosines), stat, errmsg)) return
+        call report(pdn_solution_beam_harmonics(self%c, element, station, quantity, size(cosines, 2, c_size_t), mean, &
+            cosines, sines), stat, errmsg)
+    end subroutine solution_beam_harmonics
+
+    ! Fourier coefficients; cosines and sines have one column for each harmonic that is wanted.
+    subroutine solution_force_harmonics(self, force, quantity, detail, mean, cosines, sines, rate, stat, errmsg)
+        class(pdn_solution), intent(in) :: self
+        integer(c_int32_t), intent(in) :: force, quantity, detail
+        real(c_double), intent(inout) :: mean(:), cosines(:, :), sines(:, :)
+        real(c_double), intent(inout), optional :: rate(:)
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        if (.not. fits('mean', shape(mean), [components(quantity, [1, 1, 1, 6, 6])], stat, errmsg)) return
+        if (.not. fits('cosines', shape(cosines), [size(mean), size(cosines, 2)], stat, errmsg)) return
+        if (.not. fits('sines', shape(sines), shape(cosines), stat, errmsg)) return
+        if (present(rate)) then
+            if (.not. fits('rate', shape(rate), shape(mean), stat, errmsg)) return
+        end if
+        call report(pdn_solution_force_harmonics(self%c, force, quantity, detail, size(cosines, 2, c_size_t), mean, &
+            rate, cosines, sines), stat, errmsg)
+    end subroutine solution_force_harmonics
+
+    ! Whether there is a solution, and it has converged.
+    logical function solution_converged(self)
+        class(pdn_solution), intent(in) :: self
+
+        solution_converged = pdn_solution_outcome(self%c) == PDN_CONVERGED
+    end function solution_converged
+
+    ! Outcome and why, iterations, error estimates, time spent; empty if there is no solution.
+    function solution_report(self) result(text)
+        class(pdn_solution), intent(in) :: self
+        character(:), allocatable :: text
+        character(kind=c_char), allocatable :: buffer(:)
+        integer(c_size_t) :: length
+
+        allocate (buffer(pdn_solution_report(self%c, capacity=0_c_size_t) + 1))
+        length = pdn_solution_report(self%c, buffer, size(buffer, kind=c_size_t))
+        text = joined(buffer(:length))
+    end function solution_report
+
+    ! Solves --------------------------------------------------------------------------------------------------
+
+    ! Finds the periodic response directly. It starts from an initial solution, or from a guess with the shapes
+    ! 3 (or 9) x grid points x nodes, in place of the pointers of the options.
+    subroutine model_solve_periodic(self, period, solution, options, initial, guess_positions, guess_rotations, &
+        stat, errmsg)
+        class(pdn_model), intent(in) :: self
+        real(c_double), intent(in) :: period
+        type(pdn_solution), intent(inout) :: solution
+        type(pdn_periodic_options), intent(in), optional :: options
+        type(pdn_solution), intent(in), optional :: initial
+        real(c_double), intent(in), optional, target, contiguous :: guess_positions(:, :, :), guess_rotations(:, :, :)
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        type(pdn_periodic_options) :: chosen
+        type(c_ptr) :: c
+        integer(c_int32_t) :: status, nodes
+        integer :: points
+
+        call pdn_init(chosen)
+        if (present(options)) chosen = options
+        if (present(initial)) chosen%initial = initial%c
+        if (present(guess_positions) .or. present(guess_rotations)) then
+            status = pdn_model_node_count(self%c, nodes)
+            if (status /= PDN_OK) then
+                call report(status, stat, errmsg)
+                return
+            end if
+            points = int(merge(2 * chosen%harmonics + 1, chosen%grid_points, chosen%harmonics > 0))
+            if (present(guess_positions)) then
+                if (.not. fits('guess_positions', shape(guess_positions), [3, points, int(nodes)], stat, errmsg)) return
+                chosen%guess_positions = c_loc(guess_positions)
+            end if
+            if (present(guess_rotations)) then
+                if (.not. fits('guess_rotations', shape(guess_rotations), [9, points, int(nodes)], stat, errmsg)) return
+                chosen%guess_rotations = c_loc(guess_rotations)
+            end if
+        end if
+        status = pdn_solve_periodic(self%c, period, chosen, c)
+        if (status == PDN_OK) call solution%adopt(c, pdn_solution_free)
+        call report(status, stat, errmsg)
+    end subroutine model_solve_periodic
+
+    ! Finds an equilibrium at one time, at rest or in steady rotation.
+    subroutine model_solve_static(self, solution, options, initial, stat, errmsg)
+        class(pdn_model), intent(in) :: self
+        type(pdn_solution), intent(inout) :: solution
+        type(pdn_static_options), intent(in), optional :: options
+        type(pdn_solution), intent(in), optional :: initial
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        type(pdn_static_options) :: chosen
+        type(c_ptr) :: c
+        integer(c_int32_t) :: status
+
+        call pdn_init(chosen)
+        if (present(options)) chosen = options
+        if (present(initial)) chosen%initial = initial%c
+        status = pdn_solve_static(self%c, chosen, c)
+        if (status == PDN_OK) call solution%adopt(c, pdn_solution_free)
+        call report(status, stat, errmsg)
+    end subroutine model_solve_static
+
+    ! Motions -------------------------------------------------------------------------------------------------
+
+    ! Interpolates a motion given at N equispaced times of a period: 3 x N positions, 9 x N rotation matrices.
+    subroutine interpolate_motion(period, positions, rotations, times, position, rotation, velocity, &
+        acceleration, stat, errmsg)
+        real(c_double), intent(in) :: period, positions(:, :), rotations(:, :), times(:)
+        real(c_double), intent(inout), optional :: position(:, :), rotation(:, :), velocity(:, :), acceleration(:, :)
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+
+        if (.not. fits('positions', shape(positions), [3, size(positions, 2)], stat, errmsg)) return
+        if (.not. fits('rotations', shape(rotations), [9, size(positions, 2)], stat, errmsg)) return
+        if (present(position)) then
+            if (.not. fits('position', shape(position), [3, size(times)], stat, errmsg)) return
+        end if
+        if (present(rotation)) then
+            if (.not. fits('rotation', shape(rotation), [9, size(times)], stat, errmsg)) return
+        end if
+        if (present(velocity)) then
+            if (.not. fits('velocity', shape(velocity), [6, size(times)], stat, errmsg)) return
+        end if
+        if (present(acceleration)) then
+            if (.not. fits('acceleration', shape(acceleration), [6, size(times)], stat, errmsg)) return
+        end if
+        call report(c_motion_interpolate(period, positions, rotations, size(positions, 2, c_size_t), times, &
+            size(times, kind=c_size_t), position, rotation, velocity, acceleration), stat, errmsg)
+    end subroutine interpolate_motion
+
+    ! Velocities and accelerations of a motion at its grid points, and their derivatives by the motions.
+    subroutine differentiate_motion(period, positions, rotations, velocity, acceleration, velocity_tangent, &
+        acceleration_tangent, stat, errmsg)
+        real(c_double), intent(in) :: period, positions(:, :), rotations(:, :)
+        real(c_double), intent(inout), optional :: velocity(:, :), acceleration(:, :)
+        real(c_double), intent(inout), optional :: velocity_tangent(:, :), acceleration_tangent(:, :)
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        integer :: points
+
+        points = size(positions, 2)
+        if (.not. fits('positions', shape(positions), [3, points], stat, errmsg)) return
+        if (.not. fits('rotations', shape(rotations), [9, points], stat, errmsg)) return
+        if (present(velocity)) then
+            if (.not. fits('velocity', shape(velocity), [6, points], stat, errmsg)) return
+        end if
+        if (present(acceleration)) then
+            if (.not. fits('acceleration', shape(acceleration), [6, points], stat, errmsg)) return
+        end if
+        if (present(velocity_tangent)) then
+            if (.not. fits('velocity_tangent', shape(velocity_tangent), [6 * points, 6 * points], stat, errmsg)) return
+        end if
+        if (present(acceleration_tangent)) then
+            if (.not. fits('acceleration_tangent', shape(acceleration_tangent), [6 * points, 6 * points], stat, &
+                errmsg)) return
+        end if
+        call report(c_motion_grid_kinematics(period, positions, rotations, int(points, c_size_t), velocity, &
+            acceleration, velocity_tangent, acceleration_tangent), stat, errmsg)
+    end subroutine differentiate_motion
+
+end module periodyn

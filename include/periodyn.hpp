@@ -1,0 +1,1502 @@
+/**
+ * @file periodyn.hpp
+ * Periodyn for C++17: periodyn.h with handles that free themselves, exceptions and std containers.
+ *
+ * Functions have the names of periodyn.h without the prefix, and its documentation holds. In short:
+ *
+ * - What fails throws periodyn::error. That a solve did not converge is no error, but an Outcome.
+ * - Callbacks may be lambdas, and may throw: the exception comes out of the call that needed them.
+ * - Handles can be moved, not copied; using one that was moved from throws PDN_ERR_NULL.
+ * - Arrays come as std::vector, those of fixed size as std::array; components of each time
+ * together.
+ * - With PERIODYN_EIGEN defined, or Eigen/Core included before, periodyn::array and periodyn::view
+ *   convert between these and Eigen's matrices.
+ */
+
+#ifndef PERIODYN_HPP
+#define PERIODYN_HPP
+
+#include <periodyn.h>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <exception>
+#include <functional>
+#include <initializer_list>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace periodyn
+{
+
+/** In place of a node's id: the ground. */
+constexpr std::int32_t ground = PDN_GROUND;
+
+/** A point or a direction. */
+using Vector3 = std::array<double, 3>;
+/** A 3 x 3 matrix, column by column. */
+using Matrix3 = std::array<double, 9>;
+/** Linear and angular velocity, or force and moment. */
+using Vector6 = std::array<double, 6>;
+/** A 6 x 6 matrix, column by column. */
+using Matrix6 = std::array<double, 36>;
+/** C components at each of many times, or for each of many harmonics. */
+template <std::size_t C> using Series = std::vector<std::array<double, C>>;
+
+/** Numbers of the caller, looked at during a call only. */
+template <class T> class View
+{
+  public:
+    View() = default;
+    View(const T *data, std::size_t size) : data_(data), size_(size)
+    {
+    }
+    View(const std::vector<T> &vector) : View(vector.data(), vector.size())
+    {
+    }
+    View(std::initializer_list<T> list) : View(list.begin(), list.size())
+    {
+    }
+    template <std::size_t N> View(const std::array<T, N> &array) : View(array.data(), N)
+    {
+    }
+    template <std::size_t N> View(const T (&array)[N]) : View(array, N)
+    {
+    }
+    const T *data() const
+    {
+        return data_;
+    }
+    std::size_t size() const
+    {
+        return size_;
+    }
+
+  private:
+    const T *data_ = nullptr;
+    std::size_t size_ = 0;
+};
+using Reals = View<double>;
+using Ids = View<std::int32_t>;
+
+/** @name Choices, as the constants of periodyn.h */
+///@{
+enum class Coordinate : std::int32_t {
+    displacement = PDN_DISPLACEMENT,
+    displacement_2 = PDN_DISPLACEMENT_2,
+    displacement_3 = PDN_DISPLACEMENT_3,
+    rotation = PDN_ROTATION,
+    rotation_2 = PDN_ROTATION_2,
+    rotation_3 = PDN_ROTATION_3,
+};
+enum class JointKind : std::int32_t {
+    rigid = PDN_JOINT_RIGID,
+    revolute = PDN_JOINT_REVOLUTE,
+    universal = PDN_JOINT_UNIVERSAL,
+    spherical = PDN_JOINT_SPHERICAL,
+    prismatic = PDN_JOINT_PRISMATIC,
+    cylindrical = PDN_JOINT_CYLINDRICAL,
+    planar = PDN_JOINT_PLANAR,
+    free = PDN_JOINT_FREE,
+};
+enum class Frame : std::int32_t { space = PDN_FRAME_SPACE, material = PDN_FRAME_MATERIAL };
+enum class Component : std::int32_t {
+    force_1 = PDN_FORCE_1,
+    force_2 = PDN_FORCE_2,
+    force_3 = PDN_FORCE_3,
+    moment_1 = PDN_MOMENT_1,
+    moment_2 = PDN_MOMENT_2,
+    moment_3 = PDN_MOMENT_3,
+};
+enum class Tangents : std::int32_t {
+    differenced = PDN_TANGENTS_DIFFERENCED,
+    given = PDN_TANGENTS_GIVEN,
+};
+enum class Tangent : std::int32_t { motion = PDN_TANGENT_MOTION, velocity = PDN_TANGENT_VELOCITY };
+enum class Axes : std::int32_t {
+    space = PDN_AXES_SPACE,
+    first = PDN_AXES_FIRST,
+    second = PDN_AXES_SECOND,
+};
+enum class Outcome : std::int32_t {
+    converged = PDN_CONVERGED,
+    iteration_limit = PDN_ITERATION_LIMIT,
+    stalled = PDN_STALLED,
+    singular = PDN_SINGULAR,
+    cancelled = PDN_CANCELLED,
+    no_initial_guess = PDN_NO_INITIAL_GUESS,
+    inconsistent = PDN_INCONSISTENT,
+};
+enum class Stage : std::int32_t {
+    initial_guess = PDN_STAGE_INITIAL_GUESS,
+    newton = PDN_STAGE_NEWTON,
+};
+enum class NodeQuantity : std::int32_t {
+    position = PDN_NODE_POSITION,
+    rotation = PDN_NODE_ROTATION,
+    quaternion = PDN_NODE_QUATERNION,
+    velocity = PDN_NODE_VELOCITY,
+    acceleration = PDN_NODE_ACCELERATION,
+    material_velocity = PDN_NODE_MATERIAL_VELOCITY,
+    material_acceleration = PDN_NODE_MATERIAL_ACCELERATION,
+};
+enum class JointQuantity : std::int32_t {
+    coordinate = PDN_JOINT_COORDINATE,
+    rate = PDN_JOINT_RATE,
+    acceleration = PDN_JOINT_ACCELERATION,
+    driving_effort = PDN_JOINT_DRIVING_EFFORT,
+    reaction = PDN_JOINT_REACTION,
+};
+enum class BeamQuantity : std::int32_t { strain = PDN_BEAM_STRAIN, force = PDN_BEAM_FORCE };
+enum class ForceQuantity : std::int32_t {
+    effort = PDN_FORCE_EFFORT,
+    branch_effort = PDN_FORCE_BRANCH_EFFORT,
+    branch_elongation = PDN_FORCE_BRANCH_ELONGATION,
+    on_node = PDN_FORCE_ON_NODE,
+    on_node_material = PDN_FORCE_ON_NODE_MATERIAL,
+};
+///@}
+
+/** What a call that fails throws: the status, and what was expected and what came. */
+class error : public std::runtime_error
+{
+  public:
+    error(pdn_status status, const std::string &message)
+        : std::runtime_error(message), status_(status)
+    {
+    }
+    /** PDN_ERR_VALUE, ... */
+    pdn_status status() const noexcept
+    {
+        return status_;
+    }
+
+  private:
+    pdn_status status_;
+};
+
+/** How functions of the library are called. */
+namespace detail
+{
+
+/** What a callback threw on this thread, on its way to the call that failed by it. */
+inline thread_local std::exception_ptr carried;
+
+/** The text that a function with a buffer writes. */
+template <class Write> std::string text(Write write)
+{
+    std::string text(write(nullptr, 0), '\0');
+    if (!text.empty()) {
+        text.resize(write(text.data(), text.size() + 1));
+    }
+    return text;
+}
+
+/** Throws what a failed call has to say. */
+inline void check(pdn_status status)
+{
+    const std::exception_ptr thrown = std::exchange(carried, nullptr);
+    if (status == PDN_ERR_CALLBACK && thrown) {
+        std::rethrow_exception(thrown);
+    }
+    if (status < 0) {
+        throw error(status, text(pdn_last_error));
+    }
+}
+
+/** Runs a function of the caller: 0, or 1 after it threw. */
+template <class Function> std::int32_t guarded(Function &&function) noexcept
+{
+    try {
+        function();
+        return 0;
+    } catch (const std::exception &exception) {
+        carried = std::current_exception();
+        pdn_set_callback_error(exception.what());
+    } catch (...) {
+        carried = std::current_exception();
+    }
+    return 1;
+}
+
+/** Disposes of a Function that the library owns. */
+template <class Function> void destroy(void *function) noexcept
+{
+    delete static_cast<Function *>(function);
+}
+
+/** Hands a Function over to the library, for the time the call succeeds. */
+template <class Function, class Call> void hand_over(Function function, Call call)
+{
+    auto owned = std::make_unique<Function>(std::move(function));
+    check(call(owned.get(), &destroy<Function>));
+    owned.release();
+}
+
+struct Free {
+    void operator()(pdn_model *model) const noexcept
+    {
+        pdn_model_free(model);
+    }
+    void operator()(pdn_solution *solution) const noexcept
+    {
+        pdn_solution_free(solution);
+    }
+};
+
+/** The handle that a function makes. */
+template <class T, class Make> std::unique_ptr<T, Free> make(Make function)
+{
+    T *handle = nullptr;
+    check(function(&handle));
+    return std::unique_ptr<T, Free>(handle);
+}
+
+/** A number that a function writes. */
+template <class T, class Write> T number(Write write)
+{
+    T value{};
+    check(write(&value));
+    return value;
+}
+
+/** Entries of fixed size as the plain numbers that they are. */
+template <std::size_t C> const double *flat(const Series<C> &series)
+{
+    return reinterpret_cast<const double *>(series.data());
+}
+template <std::size_t C> double *flat(Series<C> &series)
+{
+    return reinterpret_cast<double *>(series.data());
+}
+
+template <class Enum> constexpr std::int32_t c(Enum value)
+{
+    return static_cast<std::int32_t>(value);
+}
+
+/** Functions of signals that the library may still call, kept by models and solutions. */
+using Kept = std::vector<std::shared_ptr<const void>>;
+
+} // namespace detail
+
+/** @name The library */
+///@{
+inline std::string version()
+{
+    return pdn_version();
+}
+inline std::string build_info()
+{
+    return pdn_build_info();
+}
+inline std::string status_name(pdn_status status)
+{
+    return pdn_status_name(status);
+}
+inline std::string status_message(pdn_status status)
+{
+    return pdn_status_message(status);
+}
+/** What the last callback that failed on this thread returned; 1 if it threw. */
+inline std::int32_t last_callback_code()
+{
+    return pdn_last_callback_code();
+}
+inline void set_panic_printing(bool enabled)
+{
+    pdn_set_panic_printing(enabled);
+}
+///@}
+
+/** Cross-section of a beam; its matrices may also be written directly. */
+struct Section : pdn_section {
+    Section()
+    {
+        pdn_section_init(this, sizeof(pdn_section));
+    }
+    /** Without couplings: six stiffnesses; mass and three moments of inertia for each unit of
+     * length. */
+    Section(const std::array<double, 6> &stiffnesses, const std::array<double, 4> &masses)
+        : Section()
+    {
+        detail::check(pdn_section_set_diagonal(this, stiffnesses.data(), masses.data()));
+    }
+    /** Damping = seconds * stiffness. */
+    void set_proportional_damping(double seconds)
+    {
+        detail::check(pdn_section_set_proportional_damping(this, seconds));
+    }
+};
+
+/** Sections along a beam, linear between stations. */
+class Stations
+{
+  public:
+    /** One section for all of the beam. */
+    Stations(const Section &section) : sections_{section}
+    {
+    }
+    /** At fractions of the span; with structural twist if there are as many angles. */
+    Stations(std::vector<double> fractions, const std::vector<Section> &sections,
+             std::vector<double> twists = {})
+        : fractions_(std::move(fractions)), sections_(sections.begin(), sections.end()),
+          twists_(std::move(twists))
+    {
+        if (fractions_.size() != sections_.size() ||
+            (!twists_.empty() && twists_.size() != sections_.size())) {
+            throw error(PDN_ERR_SIZE,
+                        "stations: expected as many fractions and twists as sections");
+        }
+    }
+    /** As the library takes it; valid while this object is. */
+    pdn_stations get() const
+    {
+        pdn_stations stations;
+        pdn_stations_init(&stations, sizeof stations);
+        stations.count = sections_.size();
+        stations.fractions = fractions_.empty() ? nullptr : fractions_.data();
+        stations.sections = sections_.data();
+        stations.twists = twists_.empty() ? nullptr : twists_.data();
+        return stations;
+    }
+
+  private:
+    std::vector<double> fractions_;
+    std::vector<pdn_section> sections_;
+    std::vector<double> twists_;
+};
+
+/** Reference line of a beam. */
+class Line
+{
+  public:
+    /** Writes position and a direction for axis 2 at a fraction of the curve. */
+    using Curve = std::function<void(double fraction, Vector3 &position, Vector3 &axis_2)>;
+
+    static Line straight(const Vector3 &start, const Vector3 &end, const Vector3 &axis_2)
+    {
+        Line line;
+        detail::check(pdn_line_set_straight(&line.line_, start.data(), end.data(), axis_2.data()));
+        return line;
+    }
+    static Line arc(const Vector3 &start, const Vector3 &point, const Vector3 &end,
+                    const Vector3 &axis_2)
+    {
+        Line line;
+        detail::check(
+            pdn_line_set_arc(&line.line_, start.data(), point.data(), end.data(), axis_2.data()));
+        return line;
+    }
+    static Line curve(Curve function)
+    {
+        Line line;
+        line.curve_ = std::make_shared<Curve>(std::move(function));
+        detail::check(pdn_line_set_curve(&line.line_, &evaluate, line.curve_.get()));
+        return line;
+    }
+    /** As the library takes it; valid while this object is. */
+    const pdn_line &get() const
+    {
+        return line_;
+    }
+
+  private:
+    Line()
+    {
+        pdn_line_init(&line_, sizeof line_);
+    }
+    static std::int32_t evaluate(double fraction, double *position, double *axis_2,
+                                 void *curve) noexcept
+    {
+        return detail::guarded([=] {
+            Vector3 point{}, direction{};
+            (*static_cast<Curve *>(curve))(fraction, point, direction);
+            for (std::size_t i = 0; i < 3; ++i) {
+                position[i] = point[i];
+                axis_2[i] = direction[i];
+            }
+        });
+    }
+
+    pdn_line line_;
+    std::shared_ptr<Curve> curve_;
+};
+
+/** A scalar function of time. A number, or a function of time, is a signal too. */
+class Signal
+{
+  public:
+    Signal(double value) : Signal()
+    {
+        detail::check(pdn_signal_set_constant(&signal_, value));
+    }
+    /** A function double(double time), kept as long as models and solutions need it. */
+    template <class F, class = std::enable_if_t<std::is_invocable_r_v<double, F &, double>>>
+    Signal(F function) : Signal()
+    {
+        auto kept = std::make_shared<std::function<double(double)>>(std::move(function));
+        detail::check(pdn_signal_set_function(&signal_, &evaluate, kept.get()));
+        kept_ = std::move(kept);
+    }
+    /** mean + rate t + sum of cosines[j-1] cos(j w t) + sines[j-1] sin(j w t), w = 2 pi / period.
+     */
+    static Signal harmonics(double mean, double rate, std::vector<double> cosines,
+                            std::vector<double> sines)
+    {
+        if (cosines.size() != sines.size()) {
+            throw error(PDN_ERR_SIZE, "signal: expected as many sines as cosines");
+        }
+        using Arrays = std::pair<std::vector<double>, std::vector<double>>;
+        auto kept = std::make_shared<const Arrays>(std::move(cosines), std::move(sines));
+        Signal signal;
+        detail::check(pdn_signal_set_harmonics(&signal.signal_, mean, rate, kept->first.data(),
+                                               kept->second.data(), kept->first.size()));
+        signal.kept_ = std::move(kept);
+        return signal;
+    }
+    /** rate t + the trigonometric interpolation of equally spaced samples of one period. */
+    static Signal samples(double rate, std::vector<double> samples)
+    {
+        auto kept = std::make_shared<const std::vector<double>>(std::move(samples));
+        Signal signal;
+        detail::check(pdn_signal_set_samples(&signal.signal_, rate, kept->data(), kept->size()));
+        signal.kept_ = std::move(kept);
+        return signal;
+    }
+    /** As the library takes it; valid while this object is. */
+    const pdn_signal &get() const
+    {
+        return signal_;
+    }
+    /** What the library points to. */
+    const std::shared_ptr<const void> &kept() const
+    {
+        return kept_;
+    }
+
+  private:
+    Signal()
+    {
+        pdn_signal_init(&signal_, sizeof signal_);
+    }
+    static std::int32_t evaluate(double time, double *value, void *function) noexcept
+    {
+        return detail::guarded(
+            [=] { *value = (*static_cast<std::function<double(double)> *>(function))(time); });
+    }
+
+    pdn_signal signal_;
+    std::shared_ptr<const void> kept_;
+};
+
+/** An effort on a joint coordinate, with its derivatives. */
+struct Effort {
+    double effort;
+    double by_coordinate;
+    double by_rate;
+};
+
+/** What a user's forces may depend on: time and the motions of their nodes, counted from 0. */
+class ForceState
+{
+  public:
+    explicit ForceState(const pdn_force_state &state) : state_(state)
+    {
+    }
+    double time() const
+    {
+        return state_.time;
+    }
+    std::size_t node_count() const
+    {
+        return state_.node_count;
+    }
+    Vector3 position(std::size_t node) const
+    {
+        return entry<3>(state_.positions, node);
+    }
+    Matrix3 rotation(std::size_t node) const
+    {
+        return entry<9>(state_.rotations, node);
+    }
+    /** Along the axes that the force was added with, as all that follows. */
+    Vector6 velocity(std::size_t node) const
+    {
+        return entry<6>(state_.velocities, node);
+    }
+
+  private:
+    template <std::size_t C>
+    std::array<double, C> entry(const double *array, std::size_t node) const
+    {
+        if (node >= state_.node_count) {
+            throw std::out_of_range("ForceState: no such node");
+        }
+        std::array<double, C> out;
+        for (std::size_t i = 0; i < C; ++i) {
+            out[i] = array[C * node + i];
+        }
+        return out;
+    }
+
+    const pdn_force_state &state_;
+};
+
+/** Where a user's forces go; all are zero at first. */
+class ForceValues
+{
+  public:
+    ForceValues(std::size_t node_count, pdn_force_values &values)
+        : nodes_(node_count), values_(values)
+    {
+    }
+    /** Component 0, ... 5 of the force on a node and the moment about it. */
+    double &force(std::size_t node, std::size_t component)
+    {
+        return values_.forces[index(node, component)];
+    }
+    /** Whether tangents are wanted; otherwise leave them. */
+    bool tangents_wanted() const
+    {
+        return values_.by_motion != nullptr;
+    }
+    /** Derivative of a node's component by a displacement or turn of a node. */
+    double &by_motion(std::size_t node, std::size_t component, std::size_t of_node,
+                      std::size_t of_component)
+    {
+        return tangent(values_.by_motion, index(node, component), index(of_node, of_component));
+    }
+    /** The same by a velocity or angular velocity. */
+    double &by_velocity(std::size_t node, std::size_t component, std::size_t of_node,
+                        std::size_t of_component)
+    {
+        return tangent(values_.by_velocity, index(node, component), index(of_node, of_component));
+    }
+
+  private:
+    std::size_t index(std::size_t node, std::size_t component) const
+    {
+        if (node >= nodes_ || component >= 6) {
+            throw std::out_of_range("ForceValues: no such component");
+        }
+        return 6 * node + component;
+    }
+    double &tangent(double *matrix, std::size_t row, std::size_t column)
+    {
+        if (matrix == nullptr) {
+            throw std::logic_error("ForceValues: tangents are not wanted");
+        }
+        return matrix[6 * nodes_ * column + row];
+    }
+
+    std::size_t nodes_;
+    pdn_force_values &values_;
+};
+
+/** Total mass, and its centre. */
+struct Mass {
+    double mass;
+    Vector3 centre;
+};
+
+/** A mechanism, described in its reference configuration. Functions that add return ids. */
+class Model
+{
+  public:
+    using Id = std::int32_t;
+
+    Model()
+    {
+        detail::check(pdn_version_check(PDN_VERSION_MAJOR, PDN_VERSION_MINOR));
+        handle_ = detail::make<pdn_model>(pdn_model_new);
+    }
+    /** The handle, for functions of periodyn.h; NULL if moved from. */
+    pdn_model *get() const noexcept
+    {
+        return handle_.get();
+    }
+    /** The functions of signals that the model may call. */
+    const detail::Kept &kept() const noexcept
+    {
+        return kept_;
+    }
+
+    /** @name What there is */
+    ///@{
+    Id node_count() const
+    {
+        return id([&](Id *out) { return pdn_model_node_count(get(), out); });
+    }
+    Id joint_count() const
+    {
+        return id([&](Id *out) { return pdn_model_joint_count(get(), out); });
+    }
+    Id element_count() const
+    {
+        return id([&](Id *out) { return pdn_model_element_count(get(), out); });
+    }
+    Id force_count() const
+    {
+        return id([&](Id *out) { return pdn_model_force_count(get(), out); });
+    }
+    Mass mass() const
+    {
+        Mass out{};
+        detail::check(pdn_model_mass(get(), &out.mass, out.centre.data()));
+        return out;
+    }
+    pdn_frame node_frame(Id node) const
+    {
+        return detail::number<pdn_frame>(
+            [&](pdn_frame *out) { return pdn_model_node_frame(get(), node, out); });
+    }
+    pdn_summary summary() const
+    {
+        pdn_summary out;
+        pdn_summary_init(&out, sizeof out);
+        detail::check(pdn_model_summary(get(), &out));
+        return out;
+    }
+    /** The summary in readable lines, with warnings. */
+    std::string describe() const
+    {
+        summary(); // throws if there is nothing to describe
+        return detail::text([&](char *buffer, std::size_t capacity) {
+            return pdn_model_describe(get(), buffer, capacity);
+        });
+    }
+    ///@}
+
+    /** @name Nodes and bodies */
+    ///@{
+    Id add_node(const Vector3 &position)
+    {
+        return id(
+            [&](Id *out) { return pdn_model_add_node(get(), position.data(), nullptr, out); });
+    }
+    Id add_node(const Vector3 &position, const Matrix3 &rotation)
+    {
+        return id([&](Id *out) {
+            return pdn_model_add_node(get(), position.data(), rotation.data(), out);
+        });
+    }
+    Id add_rigid_body(double mass, const Vector3 &centre, const Matrix3 &inertia)
+    {
+        return id([&](Id *out) {
+            return pdn_model_add_rigid_body(get(), mass, centre.data(), inertia.data(), out);
+        });
+    }
+    /** A point mass. */
+    void add_mass(Id node, double mass, const Vector3 &centre)
+    {
+        detail::check(pdn_model_add_mass(get(), node, mass, centre.data(), nullptr));
+    }
+    void add_mass(Id node, double mass, const Vector3 &centre, const Matrix3 &inertia)
+    {
+        detail::check(pdn_model_add_mass(get(), node, mass, centre.data(), inertia.data()));
+    }
+    /** About and along the node's own axes. */
+    void add_inertia(Id node, const Matrix6 &matrix)
+    {
+        detail::check(pdn_model_add_inertia(get(), node, nullptr, matrix.data()));
+    }
+    void add_inertia(Id node, const pdn_frame &frame, const Matrix6 &matrix)
+    {
+        detail::check(pdn_model_add_inertia(get(), node, &frame, matrix.data()));
+    }
+    ///@}
+
+    /** @name Joints */
+    ///@{
+    Id add_rigid_joint(Id first, Id second, const Vector3 &point)
+    {
+        return id([&](Id *out) {
+            return pdn_model_add_rigid_joint(get(), first, second, point.data(), out);
+        });
+    }
+    Id add_revolute(Id first, Id second, const Vector3 &point, const Vector3 &axis)
+    {
+        return id([&](Id *out) {
+            return pdn_model_add_revolute(get(), first, second, point.data(), axis.data(), out);
+        });
+    }
+    Id add_prismatic(Id first, Id second, const Vector3 &point, const Vector3 &axis)
+    {
+        return id([&](Id *out) {
+            return pdn_model_add_prismatic(get(), first, second, point.data(), axis.data(), out);
+        });
+    }
+    Id add_cylindrical(Id first, Id second, const Vector3 &point, const Vector3 &axis)
+    {
+        return id([&](Id *out) {
+            return pdn_model_add_cylindrical(get(), first, second, point.data(), axis.data(), out);
+        });
+    }
+    Id add_screw(Id first, Id second, const Vector3 &point, const Vector3 &axis, double pitch)
+    {
+        return id([&](Id *out) {
+            return pdn_model_add_screw(get(), first, second, point.data(), axis.data(), pitch, out);
+        });
+    }
+    Id add_planar(Id first, Id second, const Vector3 &point, const Vector3 &normal)
+    {
+        return id([&](Id *out) {
+            return pdn_model_add_planar(get(), first, second, point.data(), normal.data(), out);
+        });
+    }
+    Id add_spherical(Id first, Id second, const Vector3 &point)
+    {
+        return id([&](Id *out) {
+            return pdn_model_add_spherical(get(), first, second, point.data(), out);
+        });
+    }
+    Id add_universal(Id first, Id second, const Vector3 &point, const Vector3 &first_arm,
+                     const Vector3 &second_arm)
+    {
+        return id([&](Id *out) {
+            return pdn_model_add_universal(get(), first, second, point.data(), first_arm.data(),
+                                           second_arm.data(), out);
+        });
+    }
+    Id add_free_joint(Id first, Id second, const Vector3 &point)
+    {
+        return id([&](Id *out) {
+            return pdn_model_add_free_joint(get(), first, second, point.data(), out);
+        });
+    }
+    Id add_strut(Id first, Id second, const Vector3 &first_point, const Vector3 &second_point)
+    {
+        return id([&](Id *out) {
+            return pdn_model_add_strut(get(), first, second, first_point.data(),
+                                       second_point.data(), out);
+        });
+    }
+    Id add_joint(JointKind kind, Id first, Id second, const pdn_frame &first_frame,
+                 const pdn_frame &second_frame)
+    {
+        return id([&](Id *out) {
+            return pdn_model_add_joint(get(), detail::c(kind), first, second, &first_frame,
+                                       &second_frame, out);
+        });
+    }
+    Id add_screw_between(Id first, Id second, const pdn_frame &first_frame,
+                         const pdn_frame &second_frame, double pitch)
+    {
+        return id([&](Id *out) {
+            return pdn_model_add_screw_between(get(), first, second, &first_frame, &second_frame,
+                                               pitch, out);
+        });
+    }
+    void prescribe(Id joint, Coordinate coordinate, const Signal &signal)
+    {
+        take({&signal}, [&] {
+            return pdn_model_prescribe(get(), joint, detail::c(coordinate), &signal.get());
+        });
+    }
+    ///@}
+
+    /** @name Beams */
+    ///@{
+    Id add_beam_element(Ids nodes, const Section &section)
+    {
+        return id([&](Id *out) {
+            return pdn_model_add_beam_element(get(), nodes.data(), nodes.size(), &section, out);
+        });
+    }
+    pdn_beam add_straight_beam(const Vector3 &start, const Vector3 &end, const Vector3 &axis_2,
+                               const Section &section, std::size_t elements, std::size_t degree)
+    {
+        return detail::number<pdn_beam>([&](pdn_beam *out) {
+            return pdn_model_add_straight_beam(get(), start.data(), end.data(), axis_2.data(),
+                                               &section, elements, degree, out);
+        });
+    }
+    pdn_beam add_beam(const Line &line, const Stations &stations, std::size_t elements,
+                      std::size_t degree)
+    {
+        const pdn_stations along = stations.get();
+        return detail::number<pdn_beam>([&](pdn_beam *out) {
+            return pdn_model_add_beam(get(), &line.get(), &along, elements, degree, out);
+        });
+    }
+    ///@}
+
+    /** @name Loads */
+    ///@{
+    void add_load(Id node, Frame frame, Component component, const Signal &signal)
+    {
+        take({&signal}, [&] {
+            return pdn_model_add_load(get(), node, detail::c(frame), detail::c(component),
+                                      &signal.get());
+        });
+    }
+    /** The factors of the signal are linear between fractions of the length; 1 if none are given.
+     */
+    void add_distributed_load(Id first_element, Id elements, Frame frame, Component component,
+                              const Signal &signal, Reals fractions = {}, Reals factors = {})
+    {
+        if (fractions.size() != factors.size()) {
+            throw error(PDN_ERR_SIZE, "factors: expected as many as fractions");
+        }
+        take({&signal}, [&] {
+            return pdn_model_add_distributed_load(
+                get(), first_element, elements, detail::c(frame), detail::c(component),
+                &signal.get(), fractions.data(), factors.data(), fractions.size());
+        });
+    }
+    void set_gravity(const Vector3 &acceleration)
+    {
+        detail::check(pdn_model_set_gravity(get(), acceleration.data()));
+    }
+    /** Gravity that varies in time. */
+    void set_gravity(const Signal &acceleration_1, const Signal &acceleration_2,
+                     const Signal &acceleration_3)
+    {
+        take({&acceleration_1, &acceleration_2, &acceleration_3}, [&] {
+            return pdn_model_set_gravity_signals(get(), &acceleration_1.get(),
+                                                 &acceleration_2.get(), &acceleration_3.get());
+        });
+    }
+    ///@}
+
+    /** @name Forces on joint coordinates and nodes */
+    ///@{
+    Id add_spring_damper(Id joint, Coordinate coordinate, double stiffness, double damping = 0,
+                         double rest = 0)
+    {
+        return id([&](Id *out) {
+            return pdn_model_add_spring_damper(get(), joint, detail::c(coordinate), stiffness,
+                                               damping, rest, out);
+        });
+    }
+    Id add_nonlinear_spring_damper(Id joint, Coordinate coordinate, Reals stiffness, Reals damping,
+                                   double rest = 0)
+    {
+        return id([&](Id *out) {
+            return pdn_model_add_nonlinear_spring_damper(get(), joint, detail::c(coordinate),
+                                                         stiffness.data(), stiffness.size(),
+                                                         damping.data(), damping.size(), rest, out);
+        });
+    }
+    Id add_actuator(Id joint, Coordinate coordinate, const Signal &signal)
+    {
+        Id force = 0;
+        take({&signal}, [&] {
+            return pdn_model_add_actuator(get(), joint, detail::c(coordinate), &signal.get(),
+                                          &force);
+        });
+        return force;
+    }
+    Id add_viscoelastic(Id joint, Coordinate coordinate, double stiffness, double rest,
+                        Reals branch_stiffness, Reals relaxation_times)
+    {
+        if (branch_stiffness.size() != relaxation_times.size()) {
+            throw error(PDN_ERR_SIZE, "relaxation_times: expected as many as branch_stiffness");
+        }
+        return id([&](Id *out) {
+            return pdn_model_add_viscoelastic(get(), joint, detail::c(coordinate), stiffness, rest,
+                                              branch_stiffness.data(), relaxation_times.data(),
+                                              branch_stiffness.size(), out);
+        });
+    }
+    /** In the second node's own frame. */
+    Id add_viscous_damper(Id first, Id second, const Matrix6 &matrix)
+    {
+        return id([&](Id *out) {
+            return pdn_model_add_viscous_damper(get(), first, second, nullptr, matrix.data(), out);
+        });
+    }
+    Id add_viscous_damper(Id first, Id second, const pdn_frame &frame, const Matrix6 &matrix)
+    {
+        return id([&](Id *out) {
+            return pdn_model_add_viscous_damper(get(), first, second, &frame, matrix.data(), out);
+        });
+    }
+    /** A law double(time, coordinate, rate), or Effort(time, coordinate, rate) with derivatives. */
+    template <class Law> Id add_coordinate_law(Id joint, Coordinate coordinate, Law law)
+    {
+        using Result = std::invoke_result_t<Law &, double, double, double>;
+        constexpr bool given = std::is_convertible_v<Result, Effort>;
+        const auto tangents = given ? Tangents::given : Tangents::differenced;
+        Id force = 0;
+        detail::hand_over(std::move(law), [&](void *owned, pdn_destroy_fn destroy) {
+            return pdn_model_add_coordinate_law(get(), joint, detail::c(coordinate),
+                                                detail::c(tangents), &evaluate_law<Law>, owned,
+                                                destroy, &force);
+        });
+        return force;
+    }
+    /** Forces void(const ForceState &, ForceValues &). */
+    template <class Forces>
+    Id add_user_force(Ids nodes, Frame frame, Tangents tangents, Forces forces)
+    {
+        Id force = 0;
+        detail::hand_over(std::move(forces), [&](void *owned, pdn_destroy_fn destroy) {
+            return pdn_model_add_user_force(get(), nodes.data(), nodes.size(), detail::c(frame),
+                                            detail::c(tangents), &evaluate_forces<Forces>, owned,
+                                            destroy, &force);
+        });
+        return force;
+    }
+    /** Compares the tangents that a law or user's force gives with differences. */
+    pdn_tangent_check check_tangents(Id force, double period) const
+    {
+        pdn_tangent_check out;
+        pdn_tangent_check_init(&out, sizeof out);
+        detail::check(pdn_model_check_tangents(get(), force, period, &out));
+        return out;
+    }
+    ///@}
+
+  private:
+    template <class Add> static Id id(Add add)
+    {
+        return detail::number<Id>(add);
+    }
+    /** Calls what takes the signals, and keeps what they point to. */
+    template <class Call> void take(std::initializer_list<const Signal *> signals, Call call)
+    {
+        const std::size_t before = kept_.size();
+        for (const Signal *signal : signals) {
+            if (signal->get().kind == PDN_SIGNAL_FUNCTION) {
+                kept_.push_back(signal->kept());
+            }
+        }
+        const pdn_status status = call();
+        if (status != PDN_OK) {
+            kept_.resize(before);
+        }
+        detail::check(status);
+    }
+    template <class Law>
+    static std::int32_t evaluate_law(double time, double coordinate, double rate, double *effort,
+                                     double *derivatives, void *law) noexcept
+    {
+        return detail::guarded([=] {
+            const auto result = (*static_cast<Law *>(law))(time, coordinate, rate);
+            if constexpr (std::is_convertible_v<decltype(result), Effort>) {
+                const Effort &given = result;
+                *effort = given.effort;
+                if (derivatives != nullptr) {
+                    derivatives[0] = given.by_coordinate;
+                    derivatives[1] = given.by_rate;
+                }
+            } else {
+                *effort = result;
+            }
+            static_cast<void>(derivatives);
+        });
+    }
+    template <class Forces>
+    static std::int32_t evaluate_forces(const pdn_force_state *state, pdn_force_values *values,
+                                        void *forces) noexcept
+    {
+        return detail::guarded([=] {
+            const ForceState motions(*state);
+            ForceValues out(state->node_count, *values);
+            (*static_cast<Forces *>(forces))(motions, out);
+        });
+    }
+
+    detail::Kept kept_; // outlives the handle
+    std::unique_ptr<pdn_model, detail::Free> handle_;
+};
+
+/** Fourier coefficients: mean + rate t + sum of cosines[j-1] cos(j w t) + sines[j-1] sin(j w t). */
+struct Harmonics {
+    std::size_t components = 0;
+    /** One for each component. */
+    std::vector<double> mean, rate;
+    /** Components of each harmonic together. */
+    std::vector<double> cosines, sines;
+};
+
+/** Newton iterations of the periodic problem. */
+struct History {
+    std::vector<double> residuals, increments, steps;
+};
+
+/** A solution, converged or not. */
+class Solution
+{
+  public:
+    using Id = std::int32_t;
+
+    /** Takes over a handle of periodyn.h; keeps the functions of signals that it may call. */
+    explicit Solution(pdn_solution *handle, detail::Kept kept = {})
+        : kept_(std::move(kept)), handle_(handle)
+    {
+    }
+    /** The handle, for functions of periodyn.h; NULL if moved from. */
+    const pdn_solution *get() const noexcept
+    {
+        return handle_.get();
+    }
+
+    /** @name The solve */
+    ///@{
+    Outcome outcome() const
+    {
+        const std::int32_t outcome = pdn_solution_outcome(get());
+        detail::check(outcome);
+        return static_cast<Outcome>(outcome);
+    }
+    bool converged() const
+    {
+        return outcome() == Outcome::converged;
+    }
+    std::string report() const
+    {
+        outcome(); // throws if there is nothing to report
+        return detail::text([&](char *buffer, std::size_t capacity) {
+            return pdn_solution_report(get(), buffer, capacity);
+        });
+    }
+    pdn_diagnostics diagnostics() const
+    {
+        pdn_diagnostics out;
+        pdn_diagnostics_init(&out, sizeof out);
+        detail::check(pdn_solution_diagnostics(get(), &out));
+        return out;
+    }
+    History history() const
+    {
+        const auto count = static_cast<std::size_t>(diagnostics().iterations);
+        History out;
+        out.residuals.resize(count);
+        out.increments.resize(count);
+        out.steps.resize(count);
+        detail::check(pdn_solution_history(get(), out.residuals.data(), out.increments.data(),
+                                           out.steps.data(), count));
+        return out;
+    }
+    /** Largest amplitude of each harmonic, from 0 on. */
+    std::vector<double> decay() const
+    {
+        std::vector<double> out((diagnostics().grid_points + 1) / 2);
+        detail::check(pdn_solution_decay(get(), out.data(), out.size()));
+        return out;
+    }
+    std::vector<double> grid_times() const
+    {
+        std::vector<double> out(diagnostics().grid_points);
+        detail::check(pdn_solution_grid_times(get(), out.data(), out.size()));
+        return out;
+    }
+    ///@}
+
+    /** @name Nodes, at any times */
+    ///@{
+    Series<3> node_position(Id node, Reals times) const
+    {
+        return sample<3>(pdn_solution_node_position, times, node);
+    }
+    Series<9> node_rotation(Id node, Reals times) const
+    {
+        return sample<9>(pdn_solution_node_rotation, times, node);
+    }
+    Series<4> node_quaternion(Id node, Reals times) const
+    {
+        return sample<4>(pdn_solution_node_quaternion, times, node);
+    }
+    Series<6> node_velocity(Id node, Frame frame, Reals times) const
+    {
+        return sample<6>(pdn_solution_node_velocity, times, node, detail::c(frame));
+    }
+    Series<6> node_acceleration(Id node, Frame frame, Reals times) const
+    {
+        return sample<6>(pdn_solution_node_acceleration, times, node, detail::c(frame));
+    }
+    ///@}
+
+    /** @name Joints, at any times */
+    ///@{
+    std::vector<double> joint_coordinate(Id joint, Coordinate coordinate, Reals times) const
+    {
+        return sample(pdn_solution_joint_coordinate, times, joint, detail::c(coordinate));
+    }
+    std::vector<double> joint_rate(Id joint, Coordinate coordinate, Reals times) const
+    {
+        return sample(pdn_solution_joint_rate, times, joint, detail::c(coordinate));
+    }
+    std::vector<double> joint_acceleration(Id joint, Coordinate coordinate, Reals times) const
+    {
+        return sample(pdn_solution_joint_acceleration, times, joint, detail::c(coordinate));
+    }
+    std::vector<double> joint_driving_effort(Id joint, Coordinate coordinate, Reals times) const
+    {
+        return sample(pdn_solution_joint_driving_effort, times, joint, detail::c(coordinate));
+    }
+    Series<6> joint_reaction(Id joint, Axes axes, Reals times) const
+    {
+        return sample<6>(pdn_solution_joint_reaction, times, joint, detail::c(axes));
+    }
+    ///@}
+
+    /** @name Beams at a station from -1 to 1 of an element, and any times */
+    ///@{
+    Series<6> beam_strain(Id element, double station, Reals times) const
+    {
+        return sample<6>(pdn_solution_beam_strain, times, element, station);
+    }
+    Series<6> beam_force(Id element, double station, Reals times) const
+    {
+        return sample<6>(pdn_solution_beam_force, times, element, station);
+    }
+    ///@}
+
+    /** @name Forces, at any times */
+    ///@{
+    std::vector<double> force_effort(Id force, Reals times) const
+    {
+        return sample(pdn_solution_force_effort, times, force);
+    }
+    std::vector<double> force_branch_effort(Id force, Id branch, Reals times) const
+    {
+        return sample(pdn_solution_force_branch_effort, times, force, branch);
+    }
+    std::vector<double> force_branch_elongation(Id force, Id branch, Reals times) const
+    {
+        return sample(pdn_solution_force_branch_elongation, times, force, branch);
+    }
+    Series<6> force_on_node(Id force, Id node, Frame frame, Reals times) const
+    {
+        return sample<6>(pdn_solution_force_on_node, times, force, node, detail::c(frame));
+    }
+    ///@}
+
+    /** @name Harmonics */
+    ///@{
+    Harmonics node_harmonics(Id node, NodeQuantity quantity, std::size_t harmonics) const
+    {
+        return without_rate(components(quantity), harmonics, pdn_solution_node_harmonics, node,
+                            detail::c(quantity));
+    }
+    Harmonics joint_harmonics(Id joint, JointQuantity quantity, Coordinate coordinate,
+                              std::size_t harmonics) const
+    {
+        return with_rate(components(quantity), harmonics, pdn_solution_joint_harmonics, joint,
+                         detail::c(quantity), detail::c(coordinate));
+    }
+    Harmonics joint_reaction_harmonics(Id joint, Axes axes, std::size_t harmonics) const
+    {
+        return with_rate(6, harmonics, pdn_solution_joint_harmonics, joint, PDN_JOINT_REACTION,
+                         detail::c(axes));
+    }
+    Harmonics beam_harmonics(Id element, double station, BeamQuantity quantity,
+                             std::size_t harmonics) const
+    {
+        return without_rate(6, harmonics, pdn_solution_beam_harmonics, element, station,
+                            detail::c(quantity));
+    }
+    /** Detail: the branch, or the node; otherwise 0. */
+    Harmonics force_harmonics(Id force, ForceQuantity quantity, Id detail,
+                              std::size_t harmonics) const
+    {
+        return with_rate(components(quantity), harmonics, pdn_solution_force_harmonics, force,
+                         detail::c(quantity), detail);
+    }
+    ///@}
+
+  private:
+    static std::size_t components(NodeQuantity quantity)
+    {
+        switch (quantity) {
+        case NodeQuantity::position:
+            return 3;
+        case NodeQuantity::quaternion:
+            return 4;
+        case NodeQuantity::rotation:
+            return 9;
+        default:
+            return 6;
+        }
+    }
+    static std::size_t components(JointQuantity quantity)
+    {
+        return quantity == JointQuantity::reaction ? 6 : 1;
+    }
+    static std::size_t components(ForceQuantity quantity)
+    {
+        return quantity == ForceQuantity::on_node || quantity == ForceQuantity::on_node_material
+                   ? 6
+                   : 1;
+    }
+
+    template <std::size_t C, class Function, class... Of>
+    Series<C> sample(Function *function, Reals times, Of... of) const
+    {
+        Series<C> out(times.size());
+        detail::check(function(get(), of..., times.data(), times.size(), detail::flat(out)));
+        return out;
+    }
+    template <class Function, class... Of>
+    std::vector<double> sample(Function *function, Reals times, Of... of) const
+    {
+        std::vector<double> out(times.size());
+        detail::check(function(get(), of..., times.data(), times.size(), out.data()));
+        return out;
+    }
+    template <class Function, class... Of>
+    Harmonics with_rate(std::size_t components, std::size_t harmonics, Function *function,
+                        Of... of) const
+    {
+        // Refuses too many before there is memory for them.
+        detail::check(function(get(), of..., harmonics, nullptr, nullptr, nullptr, nullptr));
+        Harmonics out = sized(components, harmonics);
+        detail::check(function(get(), of..., harmonics, out.mean.data(), out.rate.data(),
+                               out.cosines.data(), out.sines.data()));
+        return out;
+    }
+    template <class Function, class... Of>
+    Harmonics without_rate(std::size_t components, std::size_t harmonics, Function *function,
+                           Of... of) const
+    {
+        detail::check(function(get(), of..., harmonics, nullptr, nullptr, nullptr));
+        Harmonics out = sized(components, harmonics);
+        detail::check(function(get(), of..., harmonics, out.mean.data(), out.cosines.data(),
+                               out.sines.data()));
+        return out;
+    }
+    static Harmonics sized(std::size_t components, std::size_t harmonics)
+    {
+        Harmonics out;
+        out.components = components;
+        out.mean.resize(components);
+        out.rate.resize(components);
+        out.cosines.resize(components * harmonics);
+        out.sines.resize(components * harmonics);
+        return out;
+    }
+
+    detail::Kept kept_; // outlives the handle
+    std::unique_ptr<pdn_solution, detail::Free> handle_;
+};
+
+/** Told of each iteration: true to go on, false to cancel. */
+using Progress = std::function<bool(const pdn_progress &)>;
+
+/** Options of solve_periodic, with the fields of ::pdn_periodic_options and these in place of
+ * pointers. */
+struct PeriodicOptions : pdn_periodic_options {
+    PeriodicOptions()
+    {
+        pdn_periodic_options_init(this, sizeof(pdn_periodic_options));
+    }
+    /** Start from this solution. */
+    const Solution *initial = nullptr;
+    /** Start from these motions: grid points of each node together. */
+    Series<3> guess_positions;
+    Series<9> guess_rotations;
+    Progress progress;
+};
+
+/** Options of solve_static, with the fields of ::pdn_static_options and these in place of pointers.
+ */
+struct StaticOptions : pdn_static_options {
+    StaticOptions()
+    {
+        pdn_static_options_init(this, sizeof(pdn_static_options));
+    }
+    /** Start from this solution. */
+    const Solution *initial = nullptr;
+    Progress progress;
+};
+
+namespace detail
+{
+
+/** Calls Progress for the library, and keeps what it throws. */
+class Watch
+{
+  public:
+    /** Points options of the library to it. */
+    template <class Options> Watch(const Progress &progress, Options &options) : progress_(progress)
+    {
+        if (progress) {
+            options.progress = &tell;
+            options.progress_data = this;
+        }
+    }
+    void rethrow() const
+    {
+        if (thrown_) {
+            std::rethrow_exception(thrown_);
+        }
+    }
+
+  private:
+    static std::int32_t tell(const pdn_progress *progress, void *watch) noexcept
+    {
+        auto &self = *static_cast<Watch *>(watch);
+        try {
+            return self.progress_(*progress) ? 0 : 1;
+        } catch (...) {
+            self.thrown_ = std::current_exception();
+            return 1;
+        }
+    }
+
+    const Progress &progress_;
+    std::exception_ptr thrown_;
+};
+
+inline const pdn_solution *initial(const Solution *solution)
+{
+    if (solution != nullptr && solution->get() == nullptr) {
+        throw error(PDN_ERR_NULL,
+                    "options.initial: expected a solution, got one that was moved from");
+    }
+    return solution != nullptr ? solution->get() : nullptr;
+}
+
+} // namespace detail
+
+/** Finds the periodic response directly; whether it converged is told by Solution::outcome. */
+inline Solution solve_periodic(const Model &model, double period,
+                               const PeriodicOptions &options = {})
+{
+    pdn_periodic_options plain = options;
+    plain.initial = detail::initial(options.initial);
+    if (!options.guess_positions.empty() || !options.guess_rotations.empty()) {
+        const std::size_t points =
+            options.harmonics != 0 ? 2 * options.harmonics + 1 : options.grid_points;
+        const std::size_t motions = points * static_cast<std::size_t>(model.node_count());
+        if (options.guess_positions.size() != motions ||
+            options.guess_rotations.size() != motions) {
+            throw error(
+                PDN_ERR_SIZE,
+                "options.guess: expected positions and rotations for each grid point and node");
+        }
+        plain.guess_positions = detail::flat(options.guess_positions);
+        plain.guess_rotations = detail::flat(options.guess_rotations);
+    }
+    detail::Watch watch(options.progress, plain);
+    auto handle = detail::make<pdn_solution>(
+        [&](pdn_solution **out) { return pdn_solve_periodic(model.get(), period, &plain, out); });
+    watch.rethrow();
+    return Solution(handle.release(), model.kept());
+}
+
+/** Finds an equilibrium at one time, at rest or in steady rotation. */
+inline Solution solve_static(const Model &model, const StaticOptions &options = {})
+{
+    pdn_static_options plain = options;
+    plain.initial = detail::initial(options.initial);
+    detail::Watch watch(options.progress, plain);
+    auto handle = detail::make<pdn_solution>(
+        [&](pdn_solution **out) { return pdn_solve_static(model.get(), &plain, out); });
+    watch.rethrow();
+    return Solution(handle.release(), model.kept());
+}
+
+/** A motion at many times; velocities along the moving axes. */
+struct Motion {
+    Series<3> positions;
+    Series<9> rotations;
+    Series<6> velocities;
+    Series<6> accelerations;
+};
+
+/** Velocities and accelerations at the grid points, and their derivatives by the motions. */
+struct GridKinematics {
+    Series<6> velocities;
+    Series<6> accelerations;
+    /** 6 N x 6 N, column by column; empty if not wanted. */
+    std::vector<double> velocity_tangent, acceleration_tangent;
+};
+
+namespace detail
+{
+inline void check_motion(const Series<3> &positions, const Series<9> &rotations)
+{
+    if (positions.size() != rotations.size()) {
+        throw error(PDN_ERR_SIZE, "rotations: expected as many as positions");
+    }
+}
+} // namespace detail
+
+/** Interpolates a periodic motion given at N equispaced times. */
+inline Motion interpolate_motion(double period, const Series<3> &positions,
+                                 const Series<9> &rotations, Reals times)
+{
+    detail::check_motion(positions, rotations);
+    const std::size_t count = times.size();
+    Motion out{Series<3>(count), Series<9>(count), Series<6>(count), Series<6>(count)};
+    detail::check(pdn_motion_interpolate(
+        period, detail::flat(positions), detail::flat(rotations), positions.size(), times.data(),
+        count, detail::flat(out.positions), detail::flat(out.rotations),
+        detail::flat(out.velocities), detail::flat(out.accelerations)));
+    return out;
+}
+
+/** Differentiates a periodic motion at its own grid points. */
+inline GridKinematics motion_grid_kinematics(double period, const Series<3> &positions,
+                                             const Series<9> &rotations, bool tangents = false)
+{
+    detail::check_motion(positions, rotations);
+    const std::size_t points = positions.size();
+    const std::size_t entries = tangents ? 36 * points * points : 0;
+    GridKinematics out{Series<6>(points), Series<6>(points), std::vector<double>(entries),
+                       std::vector<double>(entries)};
+    detail::check(
+        pdn_motion_grid_kinematics(period, detail::flat(positions), detail::flat(rotations), points,
+                                   detail::flat(out.velocities), detail::flat(out.accelerations),
+                                   tangents ? out.velocity_tangent.data() : nullptr,
+                                   tangents ? out.acceleration_tangent.data() : nullptr));
+    return out;
+}
+
+} // namespace periodyn
+
+#if defined(PERIODYN_EIGEN)
+#include <Eigen/Core>
+#endif
+#if defined(EIGEN_WORLD_VERSION)
+namespace periodyn
+{
+
+/** The entries of a small matrix or vector, column by column: what functions above take. */
+template <class Derived>
+std::array<double, Derived::RowsAtCompileTime * Derived::ColsAtCompileTime>
+array(const Eigen::MatrixBase<Derived> &matrix)
+{
+    std::array<double, Derived::RowsAtCompileTime * Derived::ColsAtCompileTime> out;
+    for (Eigen::Index column = 0; column < matrix.cols(); ++column) {
+        for (Eigen::Index row = 0; row < matrix.rows(); ++row) {
+            out[static_cast<std::size_t>(column * matrix.rows() + row)] = matrix(row, column);
+        }
+    }
+    return out;
+}
+
+/** A series as a matrix with one column for each time. */
+template <std::size_t C>
+Eigen::Map<const Eigen::Matrix<double, C, Eigen::Dynamic>> view(const Series<C> &series)
+{
+    return {detail::flat(series), static_cast<Eigen::Index>(C),
+            static_cast<Eigen::Index>(series.size())};
+}
+
+/** Numbers as a vector. */
+inline Eigen::Map<const Eigen::VectorXd> view(const std::vector<double> &numbers)
+{
+    return {numbers.data(), static_cast<Eigen::Index>(numbers.size())};
+}
+
+/** A rotation matrix, or other 3 x 3 matrix. */
+inline Eigen::Map<const Eigen::Matrix3d> view(const Matrix3 &matrix)
+{
+    return Eigen::Map<const Eigen::Matrix3d>(matrix.data());
+}
+
+} // namespace periodyn
+#endif
+
+#endif // PERIODYN_HPP
