@@ -8,7 +8,12 @@ set(PDN_PKGCONFIG_DIR "${CMAKE_INSTALL_LIBDIR}/pkgconfig")
 set(library_permissions PERMISSIONS
     OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE WORLD_READ WORLD_EXECUTE)
 
-install(FILES "${PROJECT_SOURCE_DIR}/include/periodyn.h" TYPE INCLUDE)
+# periodyn.f90 is a source, which programs compile with their own compiler.
+install(FILES
+    "${PROJECT_SOURCE_DIR}/include/periodyn.h"
+    "${PROJECT_SOURCE_DIR}/include/periodyn.hpp"
+    "${PROJECT_SOURCE_DIR}/include/periodyn.f90"
+    TYPE INCLUDE)
 install(FILES "${PDN_LIBRARY_DIR}/${static_name}" TYPE LIB)
 
 # The file carries the whole version; links carry the soname and the name for the linker.
@@ -51,6 +56,7 @@ write_basic_package_version_file("${PROJECT_BINARY_DIR}/package/periodynConfigVe
 install(FILES
     "${PROJECT_BINARY_DIR}/package/periodynConfig.cmake"
     "${PROJECT_BINARY_DIR}/package/periodynConfigVersion.cmake"
+    cmake/PeriodynFortran.cmake
     DESTINATION "${PDN_PACKAGE_DIR}")
 
 # pkg-config finds the prefix from where the file lies.

@@ -1,10 +1,18 @@
-# Small C programs: examples and tests.
+# Small programs: examples and tests.
 
 set(pdn_warnings "")
 if(CMAKE_C_COMPILER_ID MATCHES "GNU|Clang")
     set(pdn_warnings -Wall -Wextra -Wpedantic)
     if(PDN_WERROR)
         list(APPEND pdn_warnings -Werror)
+    endif()
+endif()
+
+set(pdn_fortran_warnings "")
+if(CMAKE_Fortran_COMPILER_ID STREQUAL "GNU")
+    set(pdn_fortran_warnings -std=f2018 -Wall)
+    if(PDN_WERROR)
+        list(APPEND pdn_fortran_warnings -Werror)
     endif()
 endif()
 
