@@ -1,12 +1,13 @@
-// The flexible spatial four-bar mechanism of Han and Bauchau, Nonlinear Dynamics 92 (2018), section 7.2.
+// The flexible spatial four-bar mechanism of Han and Bauchau, Nonlinear Dynamics 92 (2018),
+// section 7.2.
 //
-// Rocker AB (revolute at A, spherical at B), coupler BC (universal at C) and crank CD, which a motor at
-// D turns once in a period. Metres, newtons, kilograms, seconds.
+// Rocker AB (revolute at A, spherical at B), coupler BC (universal at C) and crank CD, which a
+// motor at D turns once in a period. Metres, newtons, kilograms, seconds.
 //
 //   spatial_four_bar [--grid N] [--elements E] [--order P] [--out FILE]
 //
-// FILE gets `t,x3_B,v3_B,torque_D` at 401 times from 0 to T: height and vertical velocity of B, and the
-// torque of the motor. The same programs in C and Fortran print the same.
+// FILE gets `t,x3_B,v3_B,torque_D` at 401 times from 0 to T: height and vertical velocity of B, and
+// the torque of the motor. The same programs in C and Fortran print the same.
 
 #include <periodyn.hpp>
 
@@ -70,9 +71,9 @@ static int run(const Options &given)
 
     // theta(t) = 0.3 t + (1 - cos 0.3 t) / 3 + sin(0.6 t) / 10 + (1 - cos 0.9 t) / 21
     const double omega = 0.3, period = 20.943951023931954923; // 2 pi / omega
-    model.prescribe(motor_D, Coordinate::rotation,
-                    pdn::Signal::harmonics(1.0 / 3 + 1.0 / 21, omega, {-1.0 / 3, 0, -1.0 / 21},
-                                           {0, 0.1, 0}));
+    model.prescribe(
+        motor_D, Coordinate::rotation,
+        pdn::Signal::harmonics(1.0 / 3 + 1.0 / 21, omega, {-1.0 / 3, 0, -1.0 / 21}, {0, 0.1, 0}));
 
     pdn::PeriodicOptions options;
     options.grid_points = std::stoul(given.at("--grid"));

@@ -53,7 +53,7 @@ template <class T> class View
 {
   public:
     View() = default;
-    View(const T *data, std::size_t size) : data_(data), size_(size)
+    View(const T *data, std::size_t size) : data_(size == 0 ? &nothing : data), size_(size)
     {
     }
     View(const std::vector<T> &vector) : View(vector.data(), vector.size())
@@ -78,7 +78,8 @@ template <class T> class View
     }
 
   private:
-    const T *data_ = nullptr;
+    static constexpr T nothing{}; // so that none is no NULL
+    const T *data_ = &nothing;
     std::size_t size_ = 0;
 };
 using Reals = View<double>;

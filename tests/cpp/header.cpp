@@ -1,0 +1,2 @@
+#include <periodyn.hpp>
+#include <periodyn.hpp>

@@ -1,0 +1,227 @@
+// What is refused throws periodyn::error, with status and message, and leaves the model as it was.
+#include "check.hpp"
+
+#include <utility>
+
+using pdn::Component;
+using pdn::Coordinate;
+using pdn::Frame;
+
+static void sections_lines_signals()
+{
+    REFUSED(pdn::Section({1, 1, 1, 1, 1, 0}, {1, 1, 1, 1}), PDN_ERR_VALUE, "stiffness[5]: ");
+    REFUSED(pdn::Section({1, 1, 1, 1, 1, 1}, {nan_value, 1, 1, 1}), PDN_ERR_NOT_FINITE,
+            "mass[0]: ");
+    pdn::Section section = steel();
+    REFUSED(section.set_proportional_damping(-1), PDN_ERR_VALUE, "seconds: ");
+    REFUSED(pdn::Section().set_proportional_damping(1), PDN_ERR_VALUE, "section stiffness");
+    REFUSED(pdn::Stations({0, 1}, {section}), PDN_ERR_SIZE, "stations: ");
+    REFUSED(pdn::Stations({0, 1}, {section, section}, {1}), PDN_ERR_SIZE, "stations: ");
+
+    REFUSED(pdn::Line::straight(origin, {nan_value, 0, 0}, axis_2), PDN_ERR_NOT_FINITE, "end[0]: ");
+    REFUSED(pdn::Line::arc(origin, {0, infinity, 0}, axis_1, axis_2), PDN_ERR_NOT_FINITE,
+            "point[1]: ");
+
+    REFUSED(pdn::Signal{nan_value}, PDN_ERR_NOT_FINITE, "value: ");
+    REFUSED(pdn::Signal::harmonics(0, infinity, {}, {}), PDN_ERR_NOT_FINITE, "rate: ");
+    REFUSED(pdn::Signal::harmonics(0, 0, {1, 2}, {1}), PDN_ERR_SIZE, "signal: ");
+    REFUSED(pdn::Signal::samples(0, {}), PDN_ERR_SIZE, "count: ");
+    REFUSED(pdn::Signal::samples(0, {1, nan_value}), PDN_ERR_NOT_FINITE, "samples[1]: ");
+}
+
+static void model()
+{
+    Oscillator o;
+    pdn::Model &m = o.model;
+    const auto bad = static_cast<Coordinate>(17);
+    pdn::Matrix6 indefinite{};
+    indefinite[0] = -1;
+
+    REFUSED(m.node_frame(7), PDN_ERR_ID, "node: ");
+    REFUSED(pdn::Model().mass(), PDN_ERR_NOT_AVAILABLE, "centre: ");
+    REFUSED(pdn::Model().summary(), PDN_ERR_MODEL, "model: ");
+    REFUSED(pdn::Model().describe(), PDN_ERR_MODEL, "model: ");
+    REFUSED(m.add_node({0, nan_value, 0}), PDN_ERR_NOT_FINITE, "position[1]: ");
+    REFUSED(m.add_node(origin, {2, 0, 0, 0, 1, 0, 0, 0, 1}), PDN_ERR_VALUE, "rotation: ");
+    REFUSED(m.add_rigid_body(0, origin, identity), PDN_ERR_VALUE, "mass: ");
+    REFUSED(m.add_mass(9, 1, origin), PDN_ERR_ID, "node: ");
+    REFUSED(m.add_mass(o.body, -1, origin, identity), PDN_ERR_VALUE, "mass: ");
+    REFUSED(m.add_inertia(o.body, indefinite), PDN_ERR_VALUE, "matrix: ");
+    REFUSED(m.add_inertia(o.body, {{nan_value, 0, 0}, {}}, indefinite), PDN_ERR_NOT_FINITE,
+            "frame position[0]: ");
+
+    REFUSED(m.add_rigid_joint(pdn::ground, 3, origin), PDN_ERR_ID, "second: ");
+    REFUSED(m.add_revolute(pdn::ground, o.body, origin, origin), PDN_ERR_VALUE, "axis: ");
+    REFUSED(m.add_prismatic(o.body, o.body, origin, axis_1), PDN_ERR_VALUE, "first, second: ");
+    REFUSED(m.add_cylindrical(5, o.body, origin, axis_1), PDN_ERR_ID, "first: ");
+    REFUSED(m.add_screw(pdn::ground, o.body, origin, axis_1, 0), PDN_ERR_VALUE, "pitch: ");
+    REFUSED(m.add_planar(pdn::ground, o.body, origin, origin), PDN_ERR_VALUE, "normal: ");
+    REFUSED(m.add_spherical(pdn::ground, o.body, {0, 0, infinity}), PDN_ERR_NOT_FINITE,
+            "point[2]: ");
+    REFUSED(m.add_universal(pdn::ground, o.body, origin, axis_1, axis_1), PDN_ERR_VALUE,
+            "first_arm, second_arm: ");
+    REFUSED(m.add_free_joint(pdn::ground, -2, origin), PDN_ERR_ID, "second: ");
+    REFUSED(m.add_strut(pdn::ground, o.body, origin, origin), PDN_ERR_VALUE, "second_point: ");
+    REFUSED(m.add_joint(static_cast<pdn::JointKind>(-1), pdn::ground, o.body, at_origin, at_origin),
+            PDN_ERR_VALUE, "kind: ");
+    REFUSED(m.add_screw_between(pdn::ground, o.body, at_origin, at_origin, nan_value),
+            PDN_ERR_NOT_FINITE, "pitch: ");
+    REFUSED(m.prescribe(o.hinge, Coordinate::displacement, 0.0), PDN_ERR_NOT_AVAILABLE,
+            "coordinate: ");
+    REFUSED(m.prescribe(o.hinge, bad, [](double) { return 0.0; }), PDN_ERR_VALUE, "coordinate: ");
+    CHECK(m.kept().empty());
+
+    REFUSED(m.add_beam_element({o.body}, steel()), PDN_ERR_SIZE, "count: ");
+    REFUSED(m.add_straight_beam(origin, origin, axis_2, steel(), 1, 1), PDN_ERR_VALUE, "end: ");
+    REFUSED(m.add_straight_beam(origin, axis_1, axis_2, steel(), 0, 1), PDN_ERR_SIZE, "elements: ");
+    REFUSED(m.add_straight_beam(origin, axis_1, axis_2, pdn::Section(), 1, 1), PDN_ERR_VALUE,
+            "section stiffness");
+    REFUSED(m.add_beam(pdn::Line::straight(origin, axis_1, axis_1), steel(), 1, 1), PDN_ERR_VALUE,
+            "line");
+    REFUSED(m.add_beam(pdn::Line::straight(origin, axis_1, axis_2),
+                       pdn::Stations({1, 0}, {steel(), steel()}), 1, 1),
+            PDN_ERR_VALUE, "fractions[0]: ");
+
+    REFUSED(m.add_load(o.body, static_cast<Frame>(2), Component::force_1, 1.0), PDN_ERR_VALUE,
+            "frame: ");
+    REFUSED(m.add_load(4, Frame::space, Component::force_1, 1.0), PDN_ERR_ID, "node: ");
+    REFUSED(m.add_distributed_load(0, 1, Frame::space, Component::force_1, 1.0), PDN_ERR_ID,
+            "first_element: ");
+    REFUSED(m.add_distributed_load(0, 1, Frame::space, Component::force_1, 1.0, {0, 1}, {1}),
+            PDN_ERR_SIZE, "factors: ");
+    REFUSED(m.set_gravity({0, 0, nan_value}), PDN_ERR_NOT_FINITE, "acceleration[2]: ");
+
+    REFUSED(m.add_spring_damper(5, Coordinate::rotation, 1), PDN_ERR_ID, "joint: ");
+    REFUSED(m.add_nonlinear_spring_damper(o.hinge, Coordinate::rotation, {nan_value}, {}),
+            PDN_ERR_NOT_FINITE, "stiffness: ");
+    REFUSED(m.add_actuator(o.hinge, Coordinate::displacement, 1.0), PDN_ERR_NOT_AVAILABLE,
+            "coordinate: ");
+    REFUSED(m.add_viscoelastic(o.hinge, Coordinate::rotation, 1, 0, {1}, {-1}), PDN_ERR_VALUE,
+            "relaxation_times[0]: ");
+    REFUSED(m.add_viscoelastic(o.hinge, Coordinate::rotation, 1, 0, {1, 2}, {1}), PDN_ERR_SIZE,
+            "relaxation_times: ");
+    REFUSED(m.add_viscous_damper(pdn::ground, o.body, indefinite), PDN_ERR_VALUE, "matrix: ");
+    REFUSED(m.add_viscous_damper(pdn::ground, 3, at_origin, indefinite), PDN_ERR_ID, "second: ");
+    REFUSED(
+        m.add_coordinate_law(8, Coordinate::rotation, [](double, double, double) { return 0.0; }),
+        PDN_ERR_ID, "joint: ");
+    REFUSED(m.add_user_force({}, Frame::space, pdn::Tangents::given,
+                             [](const pdn::ForceState &, pdn::ForceValues &) {}),
+            PDN_ERR_SIZE, "count: ");
+    REFUSED(m.check_tangents(o.spring, 1), PDN_ERR_NOT_AVAILABLE, "force 0: ");
+    REFUSED(m.check_tangents(6, 1), PDN_ERR_ID, "force: ");
+
+    // Nothing was added, and it still solves.
+    CHECK(m.node_count() == 1 && m.joint_count() == 1 && m.element_count() == 0 &&
+          m.force_count() == 1);
+    CHECK(pdn::solve_periodic(m, period).converged());
+}
+
+static void solves()
+{
+    Oscillator o;
+    pdn::PeriodicOptions options;
+    REFUSED(pdn::solve_periodic(pdn::Model(), 1), PDN_ERR_MODEL, "model: ");
+    REFUSED(pdn::solve_periodic(o.model, -1), PDN_ERR_VALUE, "period: ");
+    options.grid_points = 8;
+    REFUSED(pdn::solve_periodic(o.model, 1, options), PDN_ERR_SIZE, "options.grid_points: ");
+    options = {};
+    options.tolerance = nan_value;
+    REFUSED(pdn::solve_periodic(o.model, 1, options), PDN_ERR_NOT_FINITE, "options.tolerance: ");
+    options = {};
+    options.struct_size = 3;
+    REFUSED(pdn::solve_periodic(o.model, 1, options), PDN_ERR_STRUCT_SIZE, "options");
+    options = {};
+    options.grid_points = 3;
+    options.guess_positions.resize(3);
+    options.guess_rotations.resize(2);
+    REFUSED(pdn::solve_periodic(o.model, 1, options), PDN_ERR_SIZE, "options.guess: ");
+    o.model.prescribe(o.hinge, Coordinate::rotation, pdn::Signal::harmonics(0, 1, {}, {}));
+    REFUSED(pdn::solve_periodic(o.model, 1), PDN_ERR_NOT_PERIODIC, "");
+
+    pdn::StaticOptions at_rest;
+    at_rest.load_steps = 0;
+    REFUSED(pdn::solve_static(o.model, at_rest), PDN_ERR_VALUE, "options.load_steps: ");
+}
+
+static void solutions()
+{
+    Oscillator o;
+    const auto s = pdn::solve_periodic(o.model, period);
+    REFUSED(s.node_position(1, {0}), PDN_ERR_ID, "node: ");
+    REFUSED(s.node_rotation(-1, {0}), PDN_ERR_ID, "node: ");
+    REFUSED(s.node_quaternion(0, {0, nan_value}), PDN_ERR_NOT_FINITE, "times[1]: ");
+    REFUSED(s.node_velocity(0, static_cast<Frame>(5), {0}), PDN_ERR_VALUE, "frame: ");
+    REFUSED(s.node_acceleration(0, Frame::space, {infinity}), PDN_ERR_NOT_FINITE, "times: ");
+    REFUSED(s.joint_coordinate(0, Coordinate::displacement, {0}), PDN_ERR_NOT_AVAILABLE,
+            "coordinate: ");
+    REFUSED(s.joint_rate(2, Coordinate::rotation, {0}), PDN_ERR_ID, "joint: ");
+    REFUSED(s.joint_acceleration(0, static_cast<Coordinate>(9), {0}), PDN_ERR_VALUE,
+            "coordinate: ");
+    REFUSED(s.joint_driving_effort(0, Coordinate::rotation, {0}), PDN_ERR_NOT_AVAILABLE,
+            "coordinate: ");
+    REFUSED(s.joint_reaction(0, static_cast<pdn::Axes>(4), {0}), PDN_ERR_VALUE, "axes: ");
+    REFUSED(s.beam_strain(0, 0, {0}), PDN_ERR_ID, "element: ");
+    REFUSED(s.beam_force(0, 2, {0}), PDN_ERR_VALUE, "station: ");
+    REFUSED(s.force_effort(4, {0}), PDN_ERR_ID, "force: ");
+    REFUSED(s.force_branch_effort(0, 0, {0}), PDN_ERR_NOT_AVAILABLE, "branch: ");
+    REFUSED(s.force_branch_elongation(0, 0, {0}), PDN_ERR_NOT_AVAILABLE, "branch: ");
+    REFUSED(s.force_on_node(0, 7, Frame::space, {0}), PDN_ERR_ID, "node: ");
+    const std::size_t huge = std::numeric_limits<std::size_t>::max() / 2;
+    REFUSED(s.node_harmonics(0, pdn::NodeQuantity::position, huge), PDN_ERR_SIZE, "harmonics: ");
+    REFUSED(s.node_harmonics(0, static_cast<pdn::NodeQuantity>(50), 1), PDN_ERR_VALUE,
+            "quantity: ");
+    REFUSED(s.joint_harmonics(0, pdn::JointQuantity::rate, Coordinate::rotation, 16), PDN_ERR_SIZE,
+            "harmonics: ");
+    REFUSED(s.joint_reaction_harmonics(3, pdn::Axes::space, 1), PDN_ERR_ID, "joint: ");
+    REFUSED(s.beam_harmonics(0, 0, pdn::BeamQuantity::force, 1), PDN_ERR_ID, "element: ");
+    REFUSED(s.force_harmonics(0, static_cast<pdn::ForceQuantity>(-3), 0, 1), PDN_ERR_VALUE,
+            "quantity: ");
+}
+
+static void motions()
+{
+    REFUSED(pdn::interpolate_motion(1, {origin, origin}, {identity, identity}, {0}), PDN_ERR_SIZE,
+            "points: ");
+    REFUSED(pdn::interpolate_motion(1, {origin}, {identity, identity}, {0}), PDN_ERR_SIZE,
+            "rotations: ");
+    REFUSED(pdn::motion_grid_kinematics(0, {origin}, {identity}), PDN_ERR_VALUE, "period: ");
+    REFUSED(pdn::motion_grid_kinematics(1, {origin}, {{2, 0, 0, 0, 1, 0, 0, 0, 1}}), PDN_ERR_VALUE,
+            "rotations");
+}
+
+static void moved_from()
+{
+    Oscillator o;
+    pdn::Model model = std::move(o.model);
+    REFUSED(o.model.node_count(), PDN_ERR_NULL, "model: ");
+    REFUSED(o.model.add_node(origin), PDN_ERR_NULL, "model: ");
+    REFUSED(o.model.describe(), PDN_ERR_NULL, "model: ");
+    REFUSED(pdn::solve_periodic(o.model, 1), PDN_ERR_NULL, "model: ");
+    REFUSED(pdn::solve_static(o.model), PDN_ERR_NULL, "model: ");
+
+    pdn::Solution solution = pdn::solve_periodic(model, period);
+    const pdn::Solution other = std::move(solution);
+    REFUSED(solution.outcome(), PDN_ERR_NULL, "solution: ");
+    REFUSED(solution.report(), PDN_ERR_NULL, "solution: ");
+    REFUSED(solution.grid_times(), PDN_ERR_NULL, "solution: ");
+    REFUSED(solution.node_position(0, {0}), PDN_ERR_NULL, "solution: ");
+    pdn::PeriodicOptions options;
+    options.initial = &solution;
+    REFUSED(pdn::solve_periodic(model, period, options), PDN_ERR_NULL, "options.initial: ");
+    pdn::StaticOptions at_rest;
+    at_rest.initial = &solution;
+    REFUSED(pdn::solve_static(model, at_rest), PDN_ERR_NULL, "options.initial: ");
+    CHECK(other.converged());
+}
+
+int main()
+{
+    sections_lines_signals();
+    model();
+    solves();
+    solutions();
+    motions();
+    moved_from();
+    return 0;
+}

@@ -1,0 +1,305 @@
+// Every function of periodyn.hpp at least once, against closed forms where there are results.
+#include "check.hpp"
+
+#include <utility>
+
+using pdn::Coordinate;
+
+static void library()
+{
+    CHECK(pdn::version() == std::to_string(PDN_VERSION_MAJOR) + "." +
+                                std::to_string(PDN_VERSION_MINOR) + "." +
+                                std::to_string(PDN_VERSION_PATCH));
+    CHECK(pdn::build_info().find(pdn::version()) != std::string::npos);
+    CHECK(pdn::status_name(PDN_ERR_VALUE) == "PDN_ERR_VALUE");
+    CHECK(!pdn::status_message(PDN_ERR_VALUE).empty());
+    pdn::set_panic_printing(true);
+}
+
+// The closed form of the oscillator, by each kind of access.
+static void solution()
+{
+    Oscillator o;
+    o.model.add_load(o.body, pdn::Frame::space, pdn::Component::moment_3,
+                     pdn::Signal::harmonics(0, 0, {0.6}, {0}));
+    pdn::PeriodicOptions options;
+    options.grid_points = 31;
+    int told = 0;
+    options.progress = [&](const pdn_progress &progress) {
+        told += progress.stage == pdn::detail::c(pdn::Stage::newton);
+        return true;
+    };
+    const pdn::Solution solution = pdn::solve_periodic(o.model, period, options);
+    CHECK(solution.converged() && solution.outcome() == pdn::Outcome::converged);
+    CHECK(solution.report().find("converged") != std::string::npos);
+    CHECK(told > 0);
+
+    const auto figures = solution.diagnostics();
+    CHECK(figures.grid_points == 31 && figures.iterations == told);
+    const auto history = solution.history();
+    CHECK(history.increments.size() == static_cast<std::size_t>(told));
+    CHECK(history.increments.back() < 1e-9 && history.steps.back() == 1);
+    CHECK(history.residuals.size() == history.steps.size());
+    CHECK(solution.decay().size() == 16);
+    const auto times = solution.grid_times();
+    CHECK(times.size() == 31);
+    NEAR(times[1], period / 31, 1e-15);
+
+    const auto [real, imaginary] = oscillator_angle();
+    const auto angle = solution.joint_coordinate(o.hinge, Coordinate::rotation, times);
+    const auto rate = solution.joint_rate(o.hinge, Coordinate::rotation, times);
+    const auto acceleration = solution.joint_acceleration(o.hinge, Coordinate::rotation, times);
+    const auto rotation = solution.node_rotation(o.body, times);
+    const auto quaternion = solution.node_quaternion(o.body, times);
+    const auto position = solution.node_position(o.body, times);
+    const auto velocity = solution.node_velocity(o.body, pdn::Frame::space, times);
+    const auto turning = solution.node_acceleration(o.body, pdn::Frame::material, times);
+    const auto reaction = solution.joint_reaction(o.hinge, pdn::Axes::first, times);
+    const auto effort = solution.force_effort(o.spring, times);
+    const auto on_body = solution.force_on_node(o.spring, o.body, pdn::Frame::space, times);
+    for (std::size_t k = 0; k < times.size(); ++k) {
+        const double phase = omega * times[k];
+        const double expected = real * std::cos(phase) + imaginary * std::sin(phase);
+        const double slope = omega * (imaginary * std::cos(phase) - real * std::sin(phase));
+        NEAR(angle[k], expected, 1e-12);
+        NEAR(rate[k], slope, 1e-12);
+        NEAR(acceleration[k], -omega * omega * expected, 1e-11);
+        NEAR(rotation[k][1], std::sin(expected), 1e-12);
+        NEAR(quaternion[k][3], std::sin(expected / 2), 1e-12);
+        NEAR(position[k][0], 0, 1e-12);
+        NEAR(velocity[k][5], slope, 1e-12);
+        NEAR(turning[k][5], acceleration[k], 1e-11);
+        NEAR(reaction[k][0], 0, 1e-11);
+        NEAR(effort[k], 3 * expected + 0.2 * slope, 1e-11);
+        NEAR(on_body[k][5], -effort[k], 1e-11);
+    }
+
+    const auto harmonics =
+        solution.joint_harmonics(o.hinge, pdn::JointQuantity::coordinate, Coordinate::rotation, 2);
+    CHECK(harmonics.components == 1 && harmonics.cosines.size() == 2);
+    NEAR(harmonics.mean[0], 0, 1e-12);
+    NEAR(harmonics.rate[0], 0, 1e-12);
+    NEAR(harmonics.cosines[0], real, 1e-12);
+    NEAR(harmonics.sines[0], imaginary, 1e-12);
+    const auto of_force = solution.force_harmonics(o.spring, pdn::ForceQuantity::effort, 0, 1);
+    NEAR(of_force.cosines[0], 3 * real + 0.2 * omega * imaginary, 1e-11);
+    CHECK(solution.force_harmonics(o.spring, pdn::ForceQuantity::on_node, o.body, 2).sines.size() ==
+          12);
+    CHECK(solution.joint_reaction_harmonics(o.hinge, pdn::Axes::space, 2).sines.size() == 12);
+    const auto of_node = solution.node_harmonics(o.body, pdn::NodeQuantity::velocity, 3);
+    CHECK(of_node.components == 6 && of_node.cosines.size() == 18);
+    NEAR(of_node.cosines[5], omega * imaginary, 1e-12);
+    CHECK(solution.node_harmonics(o.body, pdn::NodeQuantity::rotation, 1).cosines.size() == 9);
+    CHECK(solution.node_harmonics(o.body, pdn::NodeQuantity::quaternion, 1).cosines.size() == 4);
+    CHECK(solution.node_harmonics(o.body, pdn::NodeQuantity::position, 1).cosines.size() == 3);
+
+    // From the solution on another grid, and from its motions: one iteration each.
+    options.grid_points = 33;
+    options.initial = &solution;
+    CHECK(pdn::solve_periodic(o.model, period, options).diagnostics().iterations == 1);
+    options = {};
+    options.grid_points = 31;
+    options.guess_positions = position;
+    options.guess_rotations = rotation;
+    CHECK(pdn::solve_periodic(o.model, period, options).diagnostics().iterations == 1);
+
+    // An outcome is no exception.
+    options = {};
+    options.progress = [](const pdn_progress &) { return false; };
+    const auto cancelled = pdn::solve_periodic(o.model, period, options);
+    CHECK(cancelled.outcome() == pdn::Outcome::cancelled && !cancelled.converged());
+}
+
+// A section of a motion about axis 3 with angle 0.4 cos(omega t), and its derivatives.
+static void motions()
+{
+    constexpr std::size_t points = 21;
+    pdn::Series<3> positions(points);
+    pdn::Series<9> rotations(points);
+    for (std::size_t k = 0; k < points; ++k) {
+        const double angle = 0.4 * std::cos(2 * pi * static_cast<double>(k) / points);
+        const double c = std::cos(angle), s = std::sin(angle);
+        positions[k] = {c, s, 0};
+        rotations[k] = {c, s, 0, -s, c, 0, 0, 0, 1};
+    }
+    const auto motion = pdn::interpolate_motion(period, positions, rotations, {0.3, 7.7});
+    NEAR(motion.positions[0][1], std::sin(0.4 * std::cos(omega * 0.3)), 1e-12);
+    NEAR(motion.rotations[1][0], std::cos(0.4 * std::cos(omega * 7.7)), 1e-12);
+    NEAR(motion.velocities[0][5], -0.4 * omega * std::sin(omega * 0.3), 1e-11);
+    NEAR(motion.accelerations[0][5], -0.4 * omega * omega * std::cos(omega * 0.3), 1e-10);
+
+    const auto grid = pdn::motion_grid_kinematics(period, positions, rotations);
+    NEAR(grid.accelerations[0][5], -0.4 * omega * omega, 1e-10);
+    CHECK(grid.velocity_tangent.empty());
+    const auto linear = pdn::motion_grid_kinematics(period, positions, rotations, true);
+    CHECK(linear.velocity_tangent.size() == 36 * points * points);
+    CHECK(linear.acceleration_tangent.size() == 36 * points * points);
+    CHECK(linear.velocities == grid.velocities);
+}
+
+// A cantilever of varying section: elongation by a force at its end; and access to beams.
+static void beams()
+{
+    pdn::Section thin = steel(), thick = steel();
+    for (double &entry : thick.stiffness) {
+        entry *= 2;
+    }
+    thin.set_proportional_damping(1e-4);
+    CHECK(thin.damping[0] == 1e-4 * thin.stiffness[0]);
+
+    pdn::Model model;
+    const auto beam =
+        model.add_beam(pdn::Line::straight(origin, {2, 0, 0}, axis_2),
+                       pdn::Stations({0, 0.5, 0.5, 1}, {thick, thick, thin, thin}), 4, 2);
+    const auto root = model.add_node({0, 0, 0}, identity);
+    model.add_rigid_joint(pdn::ground, root, origin);
+    model.add_rigid_joint(root, beam.first, origin);
+    model.add_load(beam.last, pdn::Frame::material, pdn::Component::force_1, 530.0);
+    const auto solution = pdn::solve_static(model);
+    CHECK(solution.converged());
+    // 530 / (2 EA) + 530 / EA, each over 1
+    NEAR(solution.node_position(beam.last, {0})[0][0] - 2, 1.5e-5, 1e-12);
+    NEAR(solution.beam_strain(beam.first_element, 0, {0})[0][0], 5e-6, 1e-12);
+    NEAR(solution.beam_force(beam.first_element + 3, 0.3, {0.1, 0.2})[1][0], 530, 1e-5);
+    NEAR(solution.beam_harmonics(beam.first_element, 1, pdn::BeamQuantity::force, 0).mean[0], 530,
+         1e-5);
+    CHECK(model.element_count() == 4 && model.node_count() == 10 && model.joint_count() == 2);
+
+    pdn::StaticOptions options;
+    options.initial = &solution;
+    options.load_steps = 3;
+    int told = 0;
+    options.progress = [&](const pdn_progress &) { return ++told > 0; };
+    CHECK(pdn::solve_static(model, options).converged() && told > 0);
+
+    // A quarter circle, with a twist; a curve that is the same line; an element over own nodes.
+    const double half = std::sqrt(0.5);
+    pdn::Model curved;
+    const auto arc = curved.add_beam(pdn::Line::arc(axis_1, {half, half, 0}, axis_2, axis_3),
+                                     pdn::Stations({0, 1}, {thin, thin}, {0, 0.1}), 3, 3);
+    const auto curve = curved.add_beam(
+        pdn::Line::curve([](double fraction, pdn::Vector3 &position, pdn::Vector3 &direction) {
+            const double angle = fraction * pi / 2;
+            position = {std::cos(angle), std::sin(angle), 5};
+            direction = {0, 0, 1};
+        }),
+        thin, 3, 3);
+    const auto middle = curved.node_frame((arc.first + arc.last) / 2);
+    const auto same = curved.node_frame((curve.first + curve.last) / 2);
+    NEAR(middle.position[0], same.position[0], 1e-12);
+    NEAR(middle.rotation[0], same.rotation[0], 1e-10);
+    const auto one = curved.add_node({0, 0, 9}), other = curved.add_node({1, 0, 9});
+    CHECK(curved.add_beam_element({one, other}, thin) == 6);
+    NEAR(curved.mass().mass, 2 * (pi / 2) * 2 + 2, 1e-4); // the error of the mesh
+
+    curved.add_distributed_load(arc.first_element, arc.elements, pdn::Frame::space,
+                                pdn::Component::force_3, 2.0, {0, 1}, {1, 2});
+    curved.add_distributed_load(curve.first_element, 1, pdn::Frame::material,
+                                pdn::Component::moment_1, [](double) { return 0.0; });
+}
+
+// All joints and forces can be made, and are counted.
+static void everything()
+{
+    pdn::Model m;
+    const pdn::Matrix6 unit = [] {
+        pdn::Matrix6 matrix{};
+        for (std::size_t i = 0; i < 6; ++i) {
+            matrix[7 * i] = 1;
+        }
+        return matrix;
+    }();
+    const auto a = m.add_rigid_body(1, origin, identity);
+    const auto b = m.add_rigid_body(2, {3, 0, 0}, identity);
+    m.add_mass(a, 1, axis_1);
+    m.add_mass(a, 1, axis_1, identity);
+    m.add_inertia(b, unit);
+    m.add_inertia(b, at_origin, unit);
+    std::int32_t joints = 0;
+    for (const auto joint : {
+             m.add_prismatic(pdn::ground, a, origin, axis_3),
+             m.add_cylindrical(a, b, origin, axis_3),
+             m.add_screw(a, b, origin, axis_3, 0.1),
+             m.add_planar(a, b, origin, axis_3),
+             m.add_spherical(a, b, origin),
+             m.add_universal(a, b, origin, axis_1, axis_2),
+             m.add_free_joint(a, b, origin),
+             m.add_strut(a, b, origin, axis_1),
+             m.add_revolute(a, b, origin, axis_2),
+             m.add_joint(pdn::JointKind::spherical, a, b, at_origin, at_origin),
+             m.add_screw_between(a, b, at_origin, at_origin, -0.2),
+         }) {
+        CHECK(joint == joints++);
+    }
+    CHECK(m.joint_count() == joints);
+    m.prescribe(0, Coordinate::displacement, 0.1);
+    m.prescribe(8, Coordinate::rotation, pdn::Signal::samples(0, {0, 0.1, 0}));
+    m.set_gravity({0, 0, -9.81});
+    m.set_gravity(0.0, 0.0, [](double) { return -9.81; });
+    std::int32_t forces = 0;
+    for (const auto force : {
+             m.add_spring_damper(6, Coordinate::displacement_2, 1),
+             m.add_nonlinear_spring_damper(6, Coordinate::displacement_3, {1, 0, 2}, {0.1}),
+             m.add_actuator(6, Coordinate::rotation_2, 0.5),
+             m.add_viscoelastic(6, Coordinate::rotation_3, 1, 0, {2, 3}, {0.1, 0.2}),
+             m.add_viscous_damper(a, b, unit),
+             m.add_viscous_damper(pdn::ground, b, at_origin, unit),
+             m.add_coordinate_law(6, Coordinate::rotation,
+                                  [](double, double q, double rate) { return q + rate; }),
+             m.add_user_force({a, b}, pdn::Frame::space, pdn::Tangents::differenced,
+                              [](const pdn::ForceState &, pdn::ForceValues &) {}),
+         }) {
+        CHECK(force == forces++);
+    }
+    CHECK(m.force_count() == forces);
+    NEAR(m.mass().mass, 7, 1e-15);
+    const auto summary = m.summary();
+    CHECK(summary.nodes == 2 && summary.joints == joints && summary.prescribed == 2);
+    CHECK(m.describe().find("mass") != std::string::npos);
+}
+
+// The internal states of a Maxwell branch: those of its closed form.
+static void viscoelastic()
+{
+    Oscillator o;
+    const auto branch = o.model.add_viscoelastic(o.hinge, Coordinate::rotation, 0, 0, {2}, {0.4});
+    o.model.add_load(o.body, pdn::Frame::space, pdn::Component::moment_3,
+                     pdn::Signal::harmonics(0, 0, {0.6}, {0}));
+    const auto solution = pdn::solve_periodic(o.model, period);
+    // 2 i w t / (1 + i w t) adds to stiffness and damping.
+    const double wt = omega * 0.4, storage = 2 * wt * wt / (1 + wt * wt),
+                 loss = 2 * wt / (1 + wt * wt);
+    const auto [real, imaginary] = oscillator_angle(3 + storage, 0.2 + loss / omega);
+    NEAR(solution.joint_coordinate(o.hinge, Coordinate::rotation, {0})[0], real, 1e-12);
+    const double effort = storage * real + loss * imaginary;
+    NEAR(solution.force_branch_effort(branch, 0, {0})[0], effort, 1e-12);
+    NEAR(solution.force_branch_elongation(branch, 0, {0})[0], real - effort / 2, 1e-12);
+}
+
+// The driving effort of a prescribed coordinate; handles move, and outlive what they were made of.
+static void handles()
+{
+    Oscillator o;
+    o.model.prescribe(o.hinge, Coordinate::rotation,
+                      [](double t) { return 0.1 * std::cos(omega * t); });
+    pdn::Model moved = std::move(o.model);
+    CHECK(o.model.get() == nullptr && moved.node_count() == 1);
+    pdn::Solution solution = pdn::solve_periodic(moved, period);
+    moved = pdn::Model();
+    pdn::Solution other = std::move(solution);
+    CHECK(solution.get() == nullptr && other.converged());
+    NEAR(other.joint_driving_effort(o.hinge, Coordinate::rotation, {0})[0],
+         0.1 * (3 - 0.5 * omega * omega), 1e-11);
+}
+
+int main()
+{
+    library();
+    solution();
+    motions();
+    beams();
+    everything();
+    viscoelastic();
+    handles();
+    return 0;
+}

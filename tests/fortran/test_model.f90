@@ -1,0 +1,306 @@
+! Every procedure of the module periodyn at least once, against closed forms where there are results.
+program test_model
+    use checks
+    implicit none
+
+    call library()
+    call solution_of_oscillator()
+    call motions()
+    call beams()
+    call everything()
+    call viscoelastic()
+    call handles()
+
+contains
+
+    subroutine library()
+        character(40) :: version
+
+        write (version, '(i0, ".", i0, ".", i0)') PDN_VERSION_MAJOR, PDN_VERSION_MINOR, PDN_VERSION_PATCH
+        call check(pdn_version() == version, 'version')
+        call check(index(pdn_build_info(), pdn_version()) > 0, 'build info')
+        call check(pdn_status_name(PDN_ERR_VALUE) == 'PDN_ERR_VALUE', 'status name')
+        call check(len(pdn_status_message(PDN_ERR_VALUE)) > 0, 'status message')
+        call pdn_set_panic_printing(1)
+    end subroutine library
+
+    subroutine solution_of_oscillator()
+        type(pdn_model) :: model
+        type(pdn_solution) :: solution, again
+        type(pdn_periodic_options) :: options
+        type(pdn_diagnostics) :: figures
+        integer :: body, hinge, spring, outcome, k
+        real(dp), allocatable :: residuals(:), increments(:), steps(:), amplitudes(:), times(:)
+        real(dp) :: angle(31), rate(31), acceleration(31), effort(31), position(3, 31), rotation(9, 31)
+        real(dp) :: quaternion(4, 31), velocity(6, 31), turning(6, 31), reaction(6, 31), on_body(6, 31)
+        real(dp) :: expected, slope, factors(2), mean(1), growth(1), cosines(1, 2), sines(1, 2), mean6(6)
+        real(dp) :: cosines6(6, 2), sines6(6, 2)
+
+        call oscillator(model, body, hinge, spring)
+        call model%add_load(body, PDN_FRAME_SPACE, PDN_MOMENT_3, &
+            pdn_harmonics(0.0_dp, 0.0_dp, [0.6_dp], [0.0_dp]))
+        call pdn_init(options)
+        options%grid_points = 31
+        call model%solve_periodic(period, solution, options)
+        call check(solution%converged(), 'converged')
+        call solution%outcome(outcome)
+        call check(outcome == PDN_CONVERGED, 'outcome')
+        call check(index(solution%report(), 'converged') > 0, 'report')
+        call solution%diagnostics(figures)
+        call check(figures%grid_points == 31, 'grid points')
+        call solution%history(residuals, increments, steps)
+        call check(size(residuals) == figures%iterations .and. size(increments) == size(steps), 'history')
+        call check(increments(size(increments)) < 1e-9_dp, 'last increment')
+        call solution%decay(amplitudes)
+        call check(size(amplitudes) == 16, 'decay')
+        call solution%grid_times(times)
+        call near(times(2), period/31, 1e-15_dp, 'grid times')
+
+        call solution%joint_coordinate(hinge, PDN_ROTATION, times, angle)
+        call solution%joint_rate(hinge, PDN_ROTATION, times, rate)
+        call solution%joint_acceleration(hinge, PDN_ROTATION, times, acceleration)
+        call solution%joint_reaction(hinge, PDN_AXES_FIRST, times, reaction)
+        call solution%node_position(body, times, position)
+        call solution%node_rotation(body, times, rotation)
+        call solution%node_quaternion(body, times, quaternion)
+        call solution%node_velocity(body, PDN_FRAME_SPACE, times, velocity)
+        call solution%node_acceleration(body, PDN_FRAME_MATERIAL, times, turning)
+        call solution%force_effort(spring, times, effort)
+        call solution%force_on_node(spring, body, PDN_FRAME_SPACE, times, on_body)
+        factors = oscillator_angle(3.0_dp, 0.2_dp)
+        do k = 1, size(times)
+            expected = dot_product(factors, [cos(omega*times(k)), sin(omega*times(k))])
+            slope = omega*dot_product(factors, [-sin(omega*times(k)), cos(omega*times(k))])
+            call near(angle(k), expected, 1e-12_dp, 'angle')
+            call near(rate(k), slope, 1e-12_dp, 'rate')
+            call near(acceleration(k), -omega**2*expected, 1e-11_dp, 'acceleration')
+            call near(reaction(1, k), 0.0_dp, 1e-11_dp, 'reaction')
+            call near(position(1, k), 0.0_dp, 1e-12_dp, 'position')
+            call near(rotation(2, k), sin(expected), 1e-12_dp, 'rotation')
+            call near(quaternion(4, k), sin(expected/2), 1e-12_dp, 'quaternion')
+            call near(velocity(6, k), slope, 1e-12_dp, 'velocity')
+            call near(turning(6, k), acceleration(k), 1e-11_dp, 'turning')
+            call near(effort(k), 3*expected + 0.2_dp*slope, 1e-11_dp, 'effort')
+            call near(on_body(6, k), -effort(k), 1e-11_dp, 'on body')
+        end do
+
+        call solution%joint_harmonics(hinge, PDN_JOINT_COORDINATE, PDN_ROTATION, mean, cosines, sines, growth)
+        call near(mean(1), 0.0_dp, 1e-12_dp, 'mean')
+        call near(growth(1), 0.0_dp, 1e-12_dp, 'growth')
+        call near(cosines(1, 1), factors(1), 1e-12_dp, 'cosine')
+        call near(sines(1, 1), factors(2), 1e-12_dp, 'sine')
+        call near(cosines(1, 2), 0.0_dp, 1e-12_dp, 'second cosine')
+        call solution%force_harmonics(spring, PDN_FORCE_EFFORT, 0, mean, cosines, sines)
+        call near(cosines(1, 1), 3*factors(1) + 0.2_dp*omega*factors(2), 1e-11_dp, 'cosine of effort')
+        call solution%node_harmonics(body, PDN_NODE_VELOCITY, mean6, cosines6, sines6)
+        call near(cosines6(6, 1), omega*factors(2), 1e-12_dp, 'cosine of velocity')
+
+        ! From the solution on another grid, and from its motions: one iteration each.
+        options%grid_points = 33
+        call model%solve_periodic(period, again, options, initial=solution)
+        call again%diagnostics(figures)
+        call check(figures%iterations == 1 .and. figures%grid_points == 33, 'from a solution')
+        options%grid_points = 31
+        call model%solve_periodic(period, again, options, guess_positions=reshape(position, [3, 31, 1]), &
+            guess_rotations=reshape(rotation, [9, 31, 1]))
+        call again%diagnostics(figures)
+        call check(figures%iterations == 1, 'from a guess')
+    end subroutine solution_of_oscillator
+
+    ! A motion about axis 3 with angle 0.4 cos(omega t), and its derivatives.
+    subroutine motions()
+        integer, parameter :: n = 21
+        real(dp) :: positions(3, n), rotations(9, n), a, position(3, 2), rotation(9, 2), velocity(6, 2)
+        real(dp) :: acceleration(6, 2), at_grid(6, n)
+        real(dp), allocatable :: linear(:, :)
+        integer :: k
+
+        allocate (linear(6*n, 6*n))
+        linear = 0
+        do k = 1, n
+            a = 0.4_dp*cos(2*pi*(k - 1)/n)
+            positions(:, k) = [cos(a), sin(a), 0.0_dp]
+            rotations(:, k) = [cos(a), sin(a), 0.0_dp, -sin(a), cos(a), 0.0_dp, 0.0_dp, 0.0_dp, 1.0_dp]
+        end do
+        call pdn_motion_interpolate(period, positions, rotations, [0.3_dp, 7.7_dp], position, rotation, velocity, &
+            acceleration)
+        call near(position(2, 1), sin(0.4_dp*cos(omega*0.3_dp)), 1e-12_dp, 'interpolated position')
+        call near(rotation(1, 2), cos(0.4_dp*cos(omega*7.7_dp)), 1e-12_dp, 'interpolated rotation')
+        call near(velocity(6, 1), -0.4_dp*omega*sin(omega*0.3_dp), 1e-11_dp, 'interpolated velocity')
+        call near(acceleration(6, 1), -0.4_dp*omega**2*cos(omega*0.3_dp), 1e-10_dp, 'interpolated acceleration')
+        call pdn_motion_grid_kinematics(period, positions, rotations, acceleration=at_grid, velocity_tangent=linear)
+        call near(at_grid(6, 1), -0.4_dp*omega**2, 1e-10_dp, 'acceleration at the grid')
+        call check(any(linear /= 0), 'tangent')
+    end subroutine motions
+
+    ! A cantilever of varying section: elongation by a force at its end; and access to beams.
+    subroutine beams()
+        type(pdn_model) :: model
+        type(pdn_solution) :: solution, again
+        type(pdn_static_options) :: options
+        type(pdn_section) :: thin, thick, initialised
+        type(pdn_beam) :: beam, curve
+        type(pdn_frame) :: middle, same
+        integer :: root, element, first, second, elements
+        real(dp) :: position(3, 1), strain(6, 1), force(6, 2), mean(6), none(6, 0)
+
+        thin = steel()
+        thick = steel()
+        thick%stiffness = 2*thick%stiffness
+        call model%new()
+        call model%add_beam(pdn_straight_line(origin, 2*axis_1, axis_2), [thick, thick, thin, thin], 4, 2, beam, &
+            fractions=[0.0_dp, 0.5_dp, 0.5_dp, 1.0_dp])
+        call model%add_node(origin, reshape(identity, [9]), root)
+        call model%add_rigid_joint(PDN_GROUND, root, origin)
+        call model%add_rigid_joint(root, beam%first, origin)
+        call model%add_load(beam%last, PDN_FRAME_MATERIAL, PDN_FORCE_1, pdn_constant(530.0_dp))
+        call model%solve_static(solution)
+        call check(solution%converged(), 'static')
+        ! 530 / (2 EA) + 530 / EA, each over 1
+        call solution%node_position(beam%last, [0.0_dp], position)
+        call near(position(1, 1) - 2, 1.5e-5_dp, 1e-12_dp, 'elongation')
+        call solution%beam_strain(beam%first_element, 0.0_dp, [0.0_dp], strain)
+        call near(strain(1, 1), 5e-6_dp, 1e-12_dp, 'strain')
+        call solution%beam_force(beam%first_element + 3, 0.3_dp, [0.1_dp, 0.2_dp], force)
+        call near(force(1, 2), 530.0_dp, 1e-5_dp, 'force')
+        call solution%beam_harmonics(beam%first_element, 1.0_dp, PDN_BEAM_FORCE, mean, none, none)
+        call near(mean(1), 530.0_dp, 1e-5_dp, 'mean force')
+        call pdn_init(options)
+        options%load_steps = 3
+        call model%solve_static(again, options, initial=solution)
+        call check(again%converged(), 'static from a solution')
+
+        call pdn_init(initialised)
+        call check(initialised%struct_size == c_sizeof(initialised) .and. all(initialised%stiffness >= 0), 'section')
+        thin = pdn_diagonal_section([1e7_dp, 1e7_dp, 1e7_dp, 1e3_dp, 1e3_dp, 1e3_dp], &
+            [2.0_dp, 1e-4_dp, 1e-4_dp, 1e-4_dp], damping_time=1e-4_dp)
+        call near(thin%damping(1), 1e3_dp, 1e-9_dp, 'damping')
+        call model%new()
+        call model%add_beam(pdn_arc(axis_1, [sqrt(0.5_dp), sqrt(0.5_dp), 0.0_dp], axis_2, axis_3), [thin, thin], 3, 3, &
+            beam, fractions=[0.0_dp, 1.0_dp], twists=[0.0_dp, 0.1_dp])
+        call model%add_beam(pdn_curve(quarter), [thin], 3, 3, curve)
+        call model%node_frame((beam%first + beam%last)/2, middle)
+        call model%node_frame((curve%first + curve%last)/2, same)
+        call near(middle%position(1), same%position(1), 1e-12_dp, 'curve')
+        call near(middle%rotation(1), same%rotation(1), 1e-10_dp, 'axis along the curve')
+        call model%add_node([0.0_dp, 0.0_dp, 9.0_dp], node=first)
+        call model%add_node([1.0_dp, 0.0_dp, 9.0_dp], node=second)
+        call model%add_beam_element([first, second], thin, element)
+        call model%element_count(elements)
+        call check(element == 6 .and. elements == 7, 'elements')
+        call model%add_straight_beam(3*axis_1, 4*axis_1, axis_2, thin, 2, 1, beam)
+        call check(beam%elements == 2, 'straight beam')
+        call model%add_distributed_load(curve%first_element, curve%elements, PDN_FRAME_SPACE, PDN_FORCE_3, &
+            pdn_constant(2.0_dp), [0.0_dp, 1.0_dp], [1.0_dp, 2.0_dp])
+        call model%add_distributed_load(curve%first_element, 1, PDN_FRAME_MATERIAL, PDN_MOMENT_1, &
+            pdn_samples(0.0_dp, [0.0_dp, 1.0_dp, 2.0_dp]))
+    end subroutine beams
+
+    ! All joints and forces can be made, and are counted.
+    subroutine everything()
+        type(pdn_model) :: m
+        type(pdn_summary) :: summary
+        character(:), allocatable :: text
+        real(dp) :: unit(6, 6), mass, centre(3)
+        integer :: a, b, id, joints, forces, nodes, i
+
+        unit = 0
+        do i = 1, 6
+            unit(i, i) = 1
+        end do
+        call m%new()
+        call m%add_rigid_body(1.0_dp, origin, identity, a)
+        call m%add_rigid_body(2.0_dp, 3*axis_1, identity, b)
+        call m%add_mass(a, 1.0_dp, axis_1)
+        call m%add_mass(a, 1.0_dp, axis_1, identity)
+        call m%add_inertia(b, unit)
+        call m%add_inertia(b, unit, frame_at(origin))
+        call m%add_prismatic(PDN_GROUND, a, origin, axis_3)
+        call m%add_cylindrical(a, b, origin, axis_3)
+        call m%add_screw(a, b, origin, axis_3, 0.1_dp)
+        call m%add_planar(a, b, origin, axis_3)
+        call m%add_spherical(a, b, origin)
+        call m%add_universal(a, b, origin, axis_1, axis_2)
+        call m%add_free_joint(a, b, origin)
+        call m%add_strut(a, b, origin, axis_1)
+        call m%add_revolute(a, b, origin, axis_2)
+        call m%add_joint(PDN_JOINT_SPHERICAL, a, b, frame_at(origin), frame_at(axis_1))
+        call m%add_screw_between(a, b, frame_at(origin), frame_at(origin), -0.2_dp, id)
+        call m%joint_count(joints)
+        call check(id == 10 .and. joints == 11, 'joints')
+        call m%prescribe(0, PDN_DISPLACEMENT, pdn_constant(0.1_dp))
+        call m%set_gravity([0.0_dp, 0.0_dp, -9.81_dp])
+        call m%set_gravity_signals(pdn_constant(0.0_dp), pdn_constant(0.0_dp), pdn_constant(-9.81_dp))
+        call m%add_spring_damper(6, PDN_DISPLACEMENT_2, 1.0_dp, 0.0_dp, 0.0_dp)
+        call m%add_nonlinear_spring_damper(6, PDN_DISPLACEMENT_3, [1.0_dp, 0.0_dp, 2.0_dp], [0.1_dp], 0.0_dp)
+        call m%add_actuator(6, PDN_ROTATION_2, pdn_constant(0.5_dp))
+        call m%add_viscoelastic(6, PDN_ROTATION_3, 1.0_dp, 0.0_dp, [2.0_dp, 3.0_dp], [0.1_dp, 0.2_dp])
+        call m%add_viscous_damper(a, b, unit)
+        call m%add_viscous_damper(PDN_GROUND, b, unit, frame_at(origin), id)
+        call m%force_count(forces)
+        call check(id == 5 .and. forces == 6, 'forces')
+        call m%node_count(nodes)
+        call check(nodes == 2, 'nodes')
+        call m%mass(mass, centre)
+        call near(mass, 7.0_dp, 1e-15_dp, 'mass')
+        call m%summary(summary)
+        call check(summary%nodes == 2 .and. summary%joints == joints .and. summary%prescribed == 1, 'summary')
+        call m%describe(text)
+        call check(index(text, 'mass') > 0, 'description')
+    end subroutine everything
+
+    ! The internal states of a Maxwell branch: those of its closed form.
+    subroutine viscoelastic()
+        type(pdn_model) :: model
+        type(pdn_solution) :: solution
+        integer :: body, hinge, spring, branch
+        real(dp) :: wt, storage, loss, factors(2), effort(1), found(1)
+
+        call oscillator(model, body, hinge, spring)
+        call model%add_viscoelastic(hinge, PDN_ROTATION, 0.0_dp, 0.0_dp, [2.0_dp], [0.4_dp], branch)
+        call model%add_load(body, PDN_FRAME_SPACE, PDN_MOMENT_3, pdn_samples(0.0_dp, &
+            0.6_dp*[1.0_dp, cos(2*pi/3), cos(4*pi/3)]))
+        call model%solve_periodic(period, solution)
+        wt = omega*0.4_dp
+        storage = 2*wt**2/(1 + wt**2)
+        loss = 2*wt/(1 + wt**2)
+        factors = oscillator_angle(3 + storage, 0.2_dp + loss/omega)
+        call solution%joint_coordinate(hinge, PDN_ROTATION, [0.0_dp], found)
+        call near(found(1), factors(1), 1e-12_dp, 'angle')
+        call solution%force_branch_effort(branch, 0, [0.0_dp], effort)
+        call near(effort(1), dot_product([storage, loss], factors), 1e-12_dp, 'effort of the branch')
+        call solution%force_branch_elongation(branch, 0, [0.0_dp], found)
+        call near(found(1), factors(1) - effort(1)/2, 1e-12_dp, 'elongation of the dashpot')
+    end subroutine viscoelastic
+
+    ! Variables share what they are assigned, and free it once.
+    subroutine handles()
+        type(pdn_model) :: model, same
+        type(pdn_solution) :: solution
+        integer :: body, hinge, spring, nodes
+        real(dp) :: effort(1)
+
+        call oscillator(model, body, hinge, spring)
+        call model%prescribe(hinge, PDN_ROTATION, pdn_harmonics(0.0_dp, 0.0_dp, [0.1_dp], [0.0_dp]))
+        same = model
+        call model%add_node(origin)
+        call same%node_count(nodes)
+        call check(nodes == 2 .and. c_associated(model%handle(), same%handle()), 'shared')
+        call model%new()
+        call model%node_count(nodes)
+        call check(nodes == 0, 'another')
+        model = model
+        model = same
+        call same%free()
+        call same%free()
+        call check(.not. c_associated(same%handle()), 'freed')
+        call model%node_count(nodes)
+        call check(nodes == 2, 'kept')
+        call model%add_mass(1, 1.0_dp, origin)
+        call model%add_rigid_joint(PDN_GROUND, 1, origin)
+        call model%solve_periodic(period, solution)
+        call model%free()
+        call solution%joint_driving_effort(hinge, PDN_ROTATION, [0.0_dp], effort)
+        call near(effort(1), 0.1_dp*(3 - 0.5_dp*omega**2), 1e-11_dp, 'driving effort')
+    end subroutine handles
+end program test_model
