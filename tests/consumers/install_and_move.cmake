@@ -6,7 +6,8 @@ execute_process(COMMAND ${CMAKE_COMMAND} --install "${BUILD}" --config "${CONFIG
     OUTPUT_QUIET COMMAND_ERROR_IS_FATAL ANY)
 file(RENAME "${INSTALLED}" "${MOVED}")
 
-file(GLOB_RECURSE texts "${MOVED}/*.cmake" "${MOVED}/*.pc" "${MOVED}/*.h")
+file(GLOB_RECURSE texts "${MOVED}/*.cmake" "${MOVED}/*.pc" "${MOVED}/*.h" "${MOVED}/*.hpp"
+    "${MOVED}/*.f90")
 foreach(text IN LISTS texts)
     file(READ "${text}" content)
     string(FIND "${content}" "${BUILD}" place)
