@@ -29,6 +29,8 @@ module periodyn_c
     integer(c_int32_t), parameter :: PDN_ERR_GRID_TOO_COARSE = -200
     integer(c_int32_t), parameter :: PDN_ERR_CALLBACK = -201
     integer(c_int32_t), parameter :: PDN_ERR_OVERFLOW = -202
+    integer(c_int32_t), parameter :: PDN_ERR_IO = -300
+    integer(c_int32_t), parameter :: PDN_ERR_FORMAT = -301
     integer(c_int32_t), parameter :: PDN_ERR_MEMORY = -900
     integer(c_int32_t), parameter :: PDN_ERR_PANIC = -901
     integer(c_int32_t), parameter :: PDN_ERR_POISONED = -902
@@ -72,6 +74,7 @@ module periodyn_c
     integer(c_int32_t), parameter :: PDN_CANCELLED = 4
     integer(c_int32_t), parameter :: PDN_NO_INITIAL_GUESS = 5
     integer(c_int32_t), parameter :: PDN_INCONSISTENT = 6
+    integer(c_int32_t), parameter :: PDN_WRONG_ASSEMBLY = 7
     integer(c_int32_t), parameter :: PDN_AXES_SPACE = 0
     integer(c_int32_t), parameter :: PDN_AXES_FIRST = 1
     integer(c_int32_t), parameter :: PDN_AXES_SECOND = 2
@@ -1390,6 +1393,101 @@ module periodyn_c
             integer(c_size_t), value :: capacity
             integer(c_size_t) :: pdn_model_describe
         end function pdn_model_describe
+
+        ! A table over these times, to choose columns for and to write as CSV
+        function pdn_table_new(times, count, out) bind(C, name="pdn_table_new")
+            import
+            real(c_double), intent(in) :: times(*)
+            integer(c_size_t), value :: count
+            type(c_ptr), intent(inout) :: out
+            integer(c_int32_t) :: pdn_table_new
+        end function pdn_table_new
+
+        ! Frees a table; NULL does nothing
+        subroutine pdn_table_free(table) bind(C, name="pdn_table_free")
+            import
+            type(c_ptr), value :: table
+        end subroutine pdn_table_free
+
+        ! Adds the columns of a quantity of a node, named by the label and the component
+        function pdn_table_add_node(table, solution, node, quantity, label) bind(C, name="pdn_table_add_node")
+            import
+            type(c_ptr), value :: table
+            type(c_ptr), value :: solution
+            integer(c_int32_t), value :: node
+            integer(c_int32_t), value :: quantity
+            character(kind=c_char), intent(in), optional :: label(*)
+            integer(c_int32_t) :: pdn_table_add_node
+        end function pdn_table_add_node
+
+        ! Adds the columns of a quantity of a joint: one of that name or, for reactions, six with components ...
+        function pdn_table_add_joint(table, solution, joint, quantity, detail, &
+            label) bind(C, name="pdn_table_add_joint")
+            import
+            type(c_ptr), value :: table
+            type(c_ptr), value :: solution
+            integer(c_int32_t), value :: joint
+            integer(c_int32_t), value :: quantity
+            integer(c_int32_t), value :: detail
+            character(kind=c_char), intent(in), optional :: label(*)
+            integer(c_int32_t) :: pdn_table_add_joint
+        end function pdn_table_add_joint
+
+        ! Adds the six columns of strains or internal forces of a beam element at a station
+        function pdn_table_add_beam(table, solution, element, station, quantity, &
+            label) bind(C, name="pdn_table_add_beam")
+            import
+            type(c_ptr), value :: table
+            type(c_ptr), value :: solution
+            integer(c_int32_t), value :: element
+            real(c_double), value :: station
+            integer(c_int32_t), value :: quantity
+            character(kind=c_char), intent(in), optional :: label(*)
+            integer(c_int32_t) :: pdn_table_add_beam
+        end function pdn_table_add_beam
+
+        ! Adds the columns of a quantity of a force: one of that name or, for what it exerts on a node, six with ...
+        function pdn_table_add_force(table, solution, force, quantity, detail, &
+            label) bind(C, name="pdn_table_add_force")
+            import
+            type(c_ptr), value :: table
+            type(c_ptr), value :: solution
+            integer(c_int32_t), value :: force
+            integer(c_int32_t), value :: quantity
+            integer(c_int32_t), value :: detail
+            character(kind=c_char), intent(in), optional :: label(*)
+            integer(c_int32_t) :: pdn_table_add_force
+        end function pdn_table_add_force
+
+        ! Adds a column of values of your own, such as one computed from several quantities
+        function pdn_table_add_values(table, label, values, count) bind(C, name="pdn_table_add_values")
+            import
+            type(c_ptr), value :: table
+            character(kind=c_char), intent(in) :: label(*)
+            real(c_double), intent(in) :: values(*)
+            integer(c_size_t), value :: count
+            integer(c_int32_t) :: pdn_table_add_values
+        end function pdn_table_add_values
+
+        ! Writes a table as a CSV file: a line of names, then a line for each time
+        function pdn_table_write_csv(table, path) bind(C, name="pdn_table_write_csv")
+            import
+            type(c_ptr), value :: table
+            character(kind=c_char), intent(in) :: path(*)
+            integer(c_int32_t) :: pdn_table_write_csv
+        end function pdn_table_write_csv
+
+        ! Writes an animation of a solution that ParaView opens: VTK's XML files, and a list of them
+        function pdn_solution_write_vtk(solution, times, count, points_per_element, &
+            path) bind(C, name="pdn_solution_write_vtk")
+            import
+            type(c_ptr), value :: solution
+            real(c_double), intent(in) :: times(*)
+            integer(c_size_t), value :: count
+            integer(c_size_t), value :: points_per_element
+            character(kind=c_char), intent(in) :: path(*)
+            integer(c_int32_t) :: pdn_solution_write_vtk
+        end function pdn_solution_write_vtk
     end interface
 end module periodyn_c
 ! END OF WHAT script/fortran_interface WRITES
@@ -1408,7 +1506,7 @@ module periodyn
     use, intrinsic :: iso_fortran_env, only: error_unit
     implicit none
     public
-    private :: report, refuse, fits, components, count_of, joined, text_at, error_unit
+    private :: report, refuse, fits, components, count_of, joined, text_at, c_text, error_unit
 
     ! In every procedure: without stat, a failure ends the program with the message. With it, stat is 0 or the
     ! negative status (PDN_ERR_VALUE, ...), and errmsg, blank-padded, tells which argument was wrong, what was
@@ -1483,6 +1581,7 @@ module periodyn
         procedure, public :: joint_harmonics => solution_joint_harmonics
         procedure, public :: beam_harmonics => solution_beam_harmonics
         procedure, public :: force_harmonics => solution_force_harmonics
+        procedure, public :: write_vtk => solution_write_vtk
     end type pdn_solution
 
     ! A mechanism, described in its reference configuration. Procedures that add give ids, if they are wanted.
@@ -1532,6 +1631,18 @@ module periodyn
         procedure, public :: solve_periodic => model_solve_periodic
         procedure, public :: solve_static => model_solve_static
     end type pdn_model
+
+    ! Quantities of solutions at many times, to be written as CSV. Without labels columns have names of their own.
+    type, extends(pdn_handle) :: pdn_table
+    contains
+        procedure, public :: new => table_new
+        procedure, public :: add_node => table_add_node
+        procedure, public :: add_joint => table_add_joint
+        procedure, public :: add_beam => table_add_beam
+        procedure, public :: add_force => table_add_force
+        procedure, public :: add_values => table_add_values
+        procedure, public :: write_csv => table_write_csv
+    end type pdn_table
 
     ! Sets the defaults of options.
     interface pdn_init
@@ -1639,6 +1750,19 @@ contains
         end do
     end function joined
 
+    ! A text as C takes it, without blanks at its end.
+    pure function c_text(text) result(characters)
+        character(*), intent(in) :: text
+        character(kind=c_char), allocatable :: characters(:)
+        integer :: i
+
+        allocate (characters(len_trim(text) + 1))
+        do i = 1, len_trim(text)
+            characters(i) = text(i:i)
+        end do
+        characters(size(characters)) = c_null_char
+    end function c_text
+
     function text_at(pointer) result(text)
         type(c_ptr), intent(in) :: pointer
         character(:), allocatable :: text
@@ -1695,7 +1819,7 @@ contains
         character(*), intent(in) :: message
         integer(c_int32_t) :: ignored
 
-        ignored = c_set_callback_error(message//c_null_char)
+        ignored = c_set_callback_error(c_text(message))
     end subroutine set_callback_error_text
 
     ! Handles -------------------------------------------------------------------------------------------------
@@ -2922,6 +3046,111 @@ contains
         if (status == PDN_OK) call solution%adopt(c, pdn_solution_free)
         call report(status, stat, errmsg)
     end subroutine model_solve_static
+
+    ! Files ---------------------------------------------------------------------------------------------------
+
+    ! An animation for ParaView; the path ends in `.pvd`.
+    subroutine solution_write_vtk(self, times, points_per_element, path, stat, errmsg)
+        class(pdn_solution), intent(in) :: self
+        real(c_double), intent(in) :: times(:)
+        integer(c_int32_t), intent(in) :: points_per_element
+        character(*), intent(in) :: path
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+
+        call report(pdn_solution_write_vtk(self%c, times, size(times, kind=c_size_t), count_of(points_per_element), &
+            c_text(path)), stat, errmsg)
+    end subroutine solution_write_vtk
+
+    ! A table over these times, in place of what was held.
+    subroutine table_new(self, times, stat, errmsg)
+        class(pdn_table), intent(inout) :: self
+        real(c_double), intent(in) :: times(:)
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        type(c_ptr) :: c
+        integer(c_int32_t) :: status
+
+        status = pdn_table_new(times, size(times, kind=c_size_t), c)
+        if (status == PDN_OK) call self%adopt(c, pdn_table_free)
+        call report(status, stat, errmsg)
+    end subroutine table_new
+
+    subroutine table_add_node(self, solution, node, quantity, label, stat, errmsg)
+        class(pdn_table), intent(inout) :: self
+        type(pdn_solution), intent(in) :: solution
+        integer(c_int32_t), intent(in) :: node, quantity
+        character(*), intent(in), optional :: label
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        character(kind=c_char), allocatable :: name(:)
+
+        if (present(label)) allocate (name, source=c_text(label))
+        call report(pdn_table_add_node(self%c, solution%c, node, quantity, name), stat, errmsg)
+    end subroutine table_add_node
+
+    ! Detail: the coordinate or, for reactions, the axes.
+    subroutine table_add_joint(self, solution, joint, quantity, detail, label, stat, errmsg)
+        class(pdn_table), intent(inout) :: self
+        type(pdn_solution), intent(in) :: solution
+        integer(c_int32_t), intent(in) :: joint, quantity, detail
+        character(*), intent(in), optional :: label
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        character(kind=c_char), allocatable :: name(:)
+
+        if (present(label)) allocate (name, source=c_text(label))
+        call report(pdn_table_add_joint(self%c, solution%c, joint, quantity, detail, name), stat, errmsg)
+    end subroutine table_add_joint
+
+    subroutine table_add_beam(self, solution, element, station, quantity, label, stat, errmsg)
+        class(pdn_table), intent(inout) :: self
+        type(pdn_solution), intent(in) :: solution
+        integer(c_int32_t), intent(in) :: element
+        real(c_double), intent(in) :: station
+        integer(c_int32_t), intent(in) :: quantity
+        character(*), intent(in), optional :: label
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        character(kind=c_char), allocatable :: name(:)
+
+        if (present(label)) allocate (name, source=c_text(label))
+        call report(pdn_table_add_beam(self%c, solution%c, element, station, quantity, name), stat, errmsg)
+    end subroutine table_add_beam
+
+    ! Detail: the branch, or the node; otherwise 0.
+    subroutine table_add_force(self, solution, force, quantity, detail, label, stat, errmsg)
+        class(pdn_table), intent(inout) :: self
+        type(pdn_solution), intent(in) :: solution
+        integer(c_int32_t), intent(in) :: force, quantity, detail
+        character(*), intent(in), optional :: label
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        character(kind=c_char), allocatable :: name(:)
+
+        if (present(label)) allocate (name, source=c_text(label))
+        call report(pdn_table_add_force(self%c, solution%c, force, quantity, detail, name), stat, errmsg)
+    end subroutine table_add_force
+
+    ! Values of your own, one for each time.
+    subroutine table_add_values(self, label, values, stat, errmsg)
+        class(pdn_table), intent(inout) :: self
+        character(*), intent(in) :: label
+        real(c_double), intent(in) :: values(:)
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+
+        call report(pdn_table_add_values(self%c, c_text(label), values, size(values, kind=c_size_t)), stat, errmsg)
+    end subroutine table_add_values
+
+    subroutine table_write_csv(self, path, stat, errmsg)
+        class(pdn_table), intent(in) :: self
+        character(*), intent(in) :: path
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+
+        call report(pdn_table_write_csv(self%c, c_text(path)), stat, errmsg)
+    end subroutine table_write_csv
 
     ! Motions -------------------------------------------------------------------------------------------------
 

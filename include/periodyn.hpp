@@ -132,6 +132,7 @@ enum class Outcome : std::int32_t {
     cancelled = PDN_CANCELLED,
     no_initial_guess = PDN_NO_INITIAL_GUESS,
     inconsistent = PDN_INCONSISTENT,
+    wrong_assembly = PDN_WRONG_ASSEMBLY,
 };
 enum class Stage : std::int32_t {
     initial_guess = PDN_STAGE_INITIAL_GUESS,
@@ -247,6 +248,10 @@ struct Free {
     void operator()(pdn_solution *solution) const noexcept
     {
         pdn_solution_free(solution);
+    }
+    void operator()(pdn_table *table) const noexcept
+    {
+        pdn_table_free(table);
     }
 };
 
@@ -1196,14 +1201,20 @@ class Solution
         return without_rate(6, harmonics, pdn_solution_beam_harmonics, element, station,
                             detail::c(quantity));
     }
-    /** Detail: the branch, or the node; otherwise 0. */
-    Harmonics force_harmonics(Id force, ForceQuantity quantity, Id detail,
-                              std::size_t harmonics) const
+    /** Of a branch, or a node, where the quantity has them; otherwise of 0. */
+    Harmonics force_harmonics(Id force, ForceQuantity quantity, Id of, std::size_t harmonics) const
     {
         return with_rate(components(quantity), harmonics, pdn_solution_force_harmonics, force,
-                         detail::c(quantity), detail);
+                         detail::c(quantity), of);
     }
     ///@}
+
+    /** Writes an animation for ParaView; the path ends in `.pvd`. */
+    void write_vtk(Reals times, std::size_t points_per_element, const std::string &path) const
+    {
+        detail::check(pdn_solution_write_vtk(get(), times.data(), times.size(), points_per_element,
+                                             path.c_str()));
+    }
 
   private:
     static std::size_t components(NodeQuantity quantity)
@@ -1396,6 +1407,73 @@ inline Solution solve_static(const Model &model, const StaticOptions &options = 
     watch.rethrow();
     return Solution(handle.release(), model.kept());
 }
+
+/** Quantities of solutions at many times, to be written as CSV. Without labels columns have names
+ * of their own. */
+class Table
+{
+  public:
+    using Id = std::int32_t;
+
+    explicit Table(Reals times)
+        : handle_(detail::make<pdn_table>(
+              [&](pdn_table **out) { return pdn_table_new(times.data(), times.size(), out); }))
+    {
+    }
+    /** The handle, for functions of periodyn.h; NULL if moved from. */
+    pdn_table *get() const noexcept
+    {
+        return handle_.get();
+    }
+    void add_node(const Solution &solution, Id node, NodeQuantity quantity,
+                  const std::string &label = {})
+    {
+        detail::check(
+            pdn_table_add_node(get(), solution.get(), node, detail::c(quantity), c(label)));
+    }
+    void add_joint(const Solution &solution, Id joint, JointQuantity quantity,
+                   Coordinate coordinate, const std::string &label = {})
+    {
+        detail::check(pdn_table_add_joint(get(), solution.get(), joint, detail::c(quantity),
+                                          detail::c(coordinate), c(label)));
+    }
+    void add_joint_reaction(const Solution &solution, Id joint, Axes axes,
+                            const std::string &label = {})
+    {
+        detail::check(pdn_table_add_joint(get(), solution.get(), joint, PDN_JOINT_REACTION,
+                                          detail::c(axes), c(label)));
+    }
+    void add_beam(const Solution &solution, Id element, double station, BeamQuantity quantity,
+                  const std::string &label = {})
+    {
+        detail::check(pdn_table_add_beam(get(), solution.get(), element, station,
+                                         detail::c(quantity), c(label)));
+    }
+    /** Of a branch, or a node, where the quantity has them; otherwise of 0. */
+    void add_force(const Solution &solution, Id force, ForceQuantity quantity, Id of = 0,
+                   const std::string &label = {})
+    {
+        detail::check(
+            pdn_table_add_force(get(), solution.get(), force, detail::c(quantity), of, c(label)));
+    }
+    /** Values of your own, one for each time. */
+    void add_values(const std::string &label, Reals values)
+    {
+        detail::check(pdn_table_add_values(get(), label.c_str(), values.data(), values.size()));
+    }
+    void write_csv(const std::string &path) const
+    {
+        detail::check(pdn_table_write_csv(get(), path.c_str()));
+    }
+
+  private:
+    static const char *c(const std::string &label)
+    {
+        return label.empty() ? nullptr : label.c_str();
+    }
+
+    std::unique_ptr<pdn_table, detail::Free> handle_;
+};
 
 /** A motion at many times; velocities along the moving axes. */
 struct Motion {

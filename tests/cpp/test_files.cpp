@@ -1,0 +1,80 @@
+// Tables as CSV and animations.
+#include "check.hpp"
+
+#include <fstream>
+#include <sstream>
+#include <utility>
+
+static std::string content(const std::string &path)
+{
+    std::ifstream file(path);
+    std::stringstream text;
+    text << file.rdbuf();
+    return text.str();
+}
+
+int main()
+{
+    Oscillator o;
+    o.model.add_load(o.body, pdn::Frame::space, pdn::Component::moment_3,
+                     [](double t) { return 0.6 * std::cos(omega * t); });
+    const auto solution = pdn::solve_periodic(o.model, period);
+
+    pdn::Table table({0, 0.5, 1});
+    table.add_joint(solution, o.hinge, pdn::JointQuantity::coordinate, pdn::Coordinate::rotation,
+                    "angle");
+    table.add_values("mine", {1, 2, 3});
+    table.write_csv("own.csv");
+    std::istringstream rows(content("own.csv"));
+    std::string head;
+    std::getline(rows, head);
+    CHECK(head == "t,angle,mine");
+    const auto angle = solution.joint_coordinate(o.hinge, pdn::Coordinate::rotation, {0, 0.5, 1});
+    for (std::size_t k = 0; k < 3; ++k) {
+        double t, value, mine;
+        char comma;
+        CHECK(rows >> t >> comma >> value >> comma >> mine);
+        CHECK(t == 0.5 * static_cast<double>(k) && value == angle[k] &&
+              mine == static_cast<double>(k + 1));
+    }
+
+    table.add_node(solution, o.body, pdn::NodeQuantity::position);
+    table.add_joint_reaction(solution, o.hinge, pdn::Axes::space);
+    table.add_force(solution, o.spring, pdn::ForceQuantity::on_node, o.body, "pull");
+    table.write_csv("more.csv");
+    const std::string more = content("more.csv");
+    CHECK(more.find("node0.position.x") != std::string::npos);
+    CHECK(more.find("joint0.") != std::string::npos && more.find("pull.") != std::string::npos);
+
+    pdn::Model cantilever;
+    const auto beam = cantilever.add_straight_beam(origin, axis_1, axis_2, steel(), 2, 1);
+    cantilever.add_rigid_joint(pdn::ground, beam.first, origin);
+    const auto bent = pdn::solve_static(cantilever);
+    table.add_beam(bent, beam.first_element, 0, pdn::BeamQuantity::force, "root");
+    bent.write_vtk({0}, 3, "bent.pvd");
+    CHECK(content("bent.pvd").find("VTKFile") != std::string::npos);
+
+    const double none = std::numeric_limits<double>::quiet_NaN();
+    REFUSED(pdn::Table({}), PDN_ERR_SIZE, "count: ");
+    REFUSED(pdn::Table({none}), PDN_ERR_NOT_FINITE, "times");
+    REFUSED(table.add_node(solution, 4, pdn::NodeQuantity::position, "x"), PDN_ERR_ID, "node: ");
+    REFUSED(table.add_node(solution, o.body, pdn::NodeQuantity::position), PDN_ERR_VALUE,
+            "label: ");
+    REFUSED(
+        table.add_joint(solution, o.hinge, pdn::JointQuantity::rate, pdn::Coordinate::displacement),
+        PDN_ERR_NOT_AVAILABLE, "coordinate: ");
+    REFUSED(table.add_joint_reaction(solution, 5, pdn::Axes::space), PDN_ERR_ID, "joint: ");
+    REFUSED(table.add_beam(bent, beam.first_element, 3, pdn::BeamQuantity::force), PDN_ERR_VALUE,
+            "station: ");
+    REFUSED(table.add_force(solution, 8, pdn::ForceQuantity::effort), PDN_ERR_ID, "force: ");
+    REFUSED(table.add_values("short", {1}), PDN_ERR_SIZE, "count: ");
+    REFUSED(table.write_csv("no/such/place.csv"), PDN_ERR_IO, "path: ");
+    REFUSED(bent.write_vtk({0}, 1, "bent.pvd"), PDN_ERR_SIZE, "points_per_element: ");
+    REFUSED(bent.write_vtk({0}, 2, "bent.vtk"), PDN_ERR_VALUE, "path: ");
+
+    pdn::Table other = std::move(table);
+    REFUSED(table.write_csv("own.csv"), PDN_ERR_NULL, "table: ");
+    other.write_csv("more.csv");
+    CHECK(content("more.csv").find("root.axial") != std::string::npos);
+    return 0;
+}

@@ -1,0 +1,83 @@
+! Tables as CSV and animations.
+program test_files
+    use checks
+    implicit none
+
+    call files()
+
+contains
+
+    subroutine files()
+        type(pdn_model) :: model, cantilever
+        type(pdn_solution) :: solution, bent
+        type(pdn_table) :: table
+        type(pdn_beam) :: beam
+        integer :: body, hinge, spring, stat, unit, k
+        character(300) :: errmsg, head
+        real(dp) :: angle(3), row(3)
+        real(dp), parameter :: times(3) = [0.0_dp, 0.5_dp, 1.0_dp]
+        logical :: there
+
+        call oscillator(model, body, hinge, spring)
+        call model%add_load(body, PDN_FRAME_SPACE, PDN_MOMENT_3, &
+            pdn_harmonics(0.0_dp, 0.0_dp, [0.6_dp], [0.0_dp]))
+        call model%solve_periodic(period, solution)
+        call table%new(times)
+        call table%add_joint(solution, hinge, PDN_JOINT_COORDINATE, PDN_ROTATION, 'angle  ')
+        call table%add_values('mine', [1.0_dp, 2.0_dp, 3.0_dp])
+        call table%write_csv('own.csv')
+        call solution%joint_coordinate(hinge, PDN_ROTATION, times, angle)
+        open (newunit=unit, file='own.csv', status='old', action='read')
+        read (unit, '(a)') head
+        call check(head == 't,angle,mine', 'names')
+        do k = 1, 3
+            read (unit, *) row
+            call check(all(row == [times(k), angle(k), real(k, dp)]), 'row')
+        end do
+        close (unit)
+
+        call table%add_node(solution, body, PDN_NODE_POSITION)
+        call table%add_joint(solution, hinge, PDN_JOINT_REACTION, PDN_AXES_SPACE, 'reaction')
+        call table%add_force(solution, spring, PDN_FORCE_ON_NODE, body, 'pull')
+        call cantilever%new()
+        call cantilever%add_straight_beam(origin, axis_1, axis_2, steel(), 2, 1, beam)
+        call cantilever%add_rigid_joint(PDN_GROUND, beam%first, origin)
+        call cantilever%solve_static(bent)
+        call table%add_beam(bent, beam%first_element, 0.0_dp, PDN_BEAM_FORCE, 'root')
+        call table%write_csv('more.csv')
+        open (newunit=unit, file='more.csv', status='old', action='read')
+        read (unit, '(a)') head
+        close (unit)
+        call check(index(head, 'node0.position.x') > 0 .and. index(head, 'root.axial') > 0 .and. &
+            index(head, 'reaction.force_x') > 0 .and. index(head, 'pull.') > 0, 'more names')
+        call bent%write_vtk([0.0_dp], 3, 'bent.pvd')
+        inquire (file='bent.pvd', exist=there)
+        call check(there, 'animation')
+
+        stat = 77
+        errmsg = 'none'
+        call table%new([not_a_number()], stat, errmsg)
+        call refused(stat, errmsg, PDN_ERR_NOT_FINITE, 'times')
+        call table%add_node(solution, 4, PDN_NODE_POSITION, 'x', stat, errmsg)
+        call refused(stat, errmsg, PDN_ERR_ID, 'node: ')
+        call table%add_node(solution, body, PDN_NODE_POSITION, stat=stat, errmsg=errmsg)
+        call refused(stat, errmsg, PDN_ERR_VALUE, 'label: ')
+        call table%add_joint(solution, hinge, PDN_JOINT_RATE, PDN_DISPLACEMENT, stat=stat, errmsg=errmsg)
+        call refused(stat, errmsg, PDN_ERR_NOT_AVAILABLE, 'coordinate: ')
+        call table%add_beam(bent, beam%first_element, 3.0_dp, PDN_BEAM_FORCE, stat=stat, errmsg=errmsg)
+        call refused(stat, errmsg, PDN_ERR_VALUE, 'station: ')
+        call table%add_force(solution, 8, PDN_FORCE_EFFORT, 0, stat=stat, errmsg=errmsg)
+        call refused(stat, errmsg, PDN_ERR_ID, 'force: ')
+        call table%add_values('short', [1.0_dp], stat, errmsg)
+        call refused(stat, errmsg, PDN_ERR_SIZE, 'count: ')
+        call table%write_csv('no/such/place.csv', stat, errmsg)
+        call refused(stat, errmsg, PDN_ERR_IO, 'path: ')
+        call bent%write_vtk([0.0_dp], -1, 'bent.pvd', stat, errmsg)
+        call refused(stat, errmsg, PDN_ERR_SIZE, 'points_per_element: ')
+        call bent%write_vtk([0.0_dp], 2, 'bent.vtk', stat, errmsg)
+        call refused(stat, errmsg, PDN_ERR_VALUE, 'path: ')
+        call table%free()
+        call table%write_csv('own.csv', stat, errmsg)
+        call refused(stat, errmsg, PDN_ERR_NULL, 'table: ')
+    end subroutine files
+end program test_files
