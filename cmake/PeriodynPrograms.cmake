@@ -17,6 +17,8 @@ if(CMAKE_Fortran_COMPILER_ID STREQUAL "GNU")
 endif()
 
 find_program(PDN_VALGRIND valgrind)
+set(pdn_valgrind ${PDN_VALGRIND} --quiet --leak-check=full --error-exitcode=1
+    --suppressions=${PROJECT_SOURCE_DIR}/tests/c/valgrind.supp)
 
 # A program NAME from NAME.c, in strict C99.
 function(pdn_add_c_program name)
@@ -37,8 +39,6 @@ function(pdn_add_c_test name)
     add_test(NAME c.${name} COMMAND ${name} ${ARGN})
     if(PDN_VALGRIND)
         add_test(NAME c.${name}.valgrind
-            COMMAND ${PDN_VALGRIND} --quiet --leak-check=full --error-exitcode=1
-                --suppressions=${PROJECT_SOURCE_DIR}/tests/c/valgrind.supp
-                $<TARGET_FILE:${name}> ${ARGN})
+            COMMAND ${pdn_valgrind} $<TARGET_FILE:${name}> ${ARGN})
     endif()
 endfunction()

@@ -2918,7 +2918,7 @@ contains
         class(pdn_solution), intent(in) :: self
         integer(c_int32_t), intent(in) :: joint, quantity, detail
         real(c_double), intent(inout) :: mean(:), cosines(:, :), sines(:, :)
-        real(c_double), intent(inout), optional :: rate(:)
+        real(c_double), intent(inout), optional, contiguous :: rate(:)
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
         if (.not. fits('mean', shape(mean), [components(quantity, [1, 1, 1, 1, 6])], stat, errmsg)) return
@@ -2952,7 +2952,7 @@ contains
         class(pdn_solution), intent(in) :: self
         integer(c_int32_t), intent(in) :: force, quantity, detail
         real(c_double), intent(inout) :: mean(:), cosines(:, :), sines(:, :)
-        real(c_double), intent(inout), optional :: rate(:)
+        real(c_double), intent(inout), optional, contiguous :: rate(:)
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
         if (.not. fits('mean', shape(mean), [components(quantity, [1, 1, 1, 6, 6])], stat, errmsg)) return
