@@ -240,6 +240,23 @@ module periodyn_c
         type(c_ptr) :: progress_data = c_null_ptr
     end type pdn_static_options
 
+    type, bind(C) :: pdn_modes_options
+        integer(c_size_t) :: struct_size = 0
+        type(c_ptr) :: equilibrium = c_null_ptr
+        integer(c_size_t) :: count
+        real(c_double) :: near_frequency
+    end type pdn_modes_options
+
+    type, bind(C) :: pdn_mode
+        integer(c_size_t) :: struct_size = 0
+        real(c_double) :: eigenvalue_real
+        real(c_double) :: eigenvalue_imaginary
+        real(c_double) :: frequency
+        real(c_double) :: damping_ratio
+        real(c_double) :: modal_mass
+        real(c_double) :: residual
+    end type pdn_mode
+
     type, bind(C) :: pdn_summary
         integer(c_size_t) :: struct_size = 0
         integer(c_int32_t) :: nodes
@@ -1337,6 +1354,99 @@ module periodyn_c
             type(c_ptr), intent(inout) :: out
             integer(c_int32_t) :: pdn_solve_static
         end function pdn_solve_static
+
+        ! Sets default options; use `PDN_INIT(pdn_modes_options, &options)`
+        subroutine pdn_modes_options_init(options, struct_size) bind(C, name="pdn_modes_options_init")
+            import
+            type(pdn_modes_options), intent(inout) :: options
+            integer(c_size_t), value :: struct_size
+        end subroutine pdn_modes_options_init
+
+        ! Finds an equilibrium and the modes of small motions `Re(x exp(s t))` about it
+        function pdn_solve_modes(model, options, out) bind(C, name="pdn_solve_modes")
+            import
+            type(c_ptr), value :: model
+            type(pdn_modes_options), intent(in), optional :: options
+            type(c_ptr), intent(inout) :: out
+            integer(c_int32_t) :: pdn_solve_modes
+        end function pdn_solve_modes
+
+        ! Frees modes; NULL does nothing
+        subroutine pdn_modes_free(modes) bind(C, name="pdn_modes_free")
+            import
+            type(c_ptr), value :: modes
+        end subroutine pdn_modes_free
+
+        ! How the search for the equilibrium ended
+        function pdn_modes_outcome(modes) bind(C, name="pdn_modes_outcome")
+            import
+            type(c_ptr), value :: modes
+            integer(c_int32_t) :: pdn_modes_outcome
+        end function pdn_modes_outcome
+
+        ! A readable report: outcome of the equilibrium and why, and a table of the modes
+        function pdn_modes_report(modes, buffer, capacity) bind(C, name="pdn_modes_report")
+            import
+            type(c_ptr), value :: modes
+            character(kind=c_char), intent(inout), optional :: buffer(*)
+            integer(c_size_t), value :: capacity
+            integer(c_size_t) :: pdn_modes_report
+        end function pdn_modes_report
+
+        ! Number of modes: as many as were wanted, if there are and they were found
+        function pdn_modes_count(modes, out, complete) bind(C, name="pdn_modes_count")
+            import
+            type(c_ptr), value :: modes
+            integer(c_int32_t), intent(inout) :: out
+            integer(c_int32_t), intent(inout), optional :: complete
+            integer(c_int32_t) :: pdn_modes_count
+        end function pdn_modes_count
+
+        ! Prepares a struct for ::pdn_modes_get; use `PDN_INIT(pdn_mode, &mode)`
+        subroutine pdn_mode_init(mode, struct_size) bind(C, name="pdn_mode_init")
+            import
+            type(pdn_mode), intent(inout) :: mode
+            integer(c_size_t), value :: struct_size
+        end subroutine pdn_mode_init
+
+        ! Eigenvalue, frequency and damping of a mode
+        function pdn_modes_get(modes, mode, out) bind(C, name="pdn_modes_get")
+            import
+            type(c_ptr), value :: modes
+            integer(c_int32_t), value :: mode
+            type(pdn_mode), intent(inout) :: out
+            integer(c_int32_t) :: pdn_modes_get
+        end function pdn_modes_get
+
+        ! Shape x of a mode at some nodes
+        function pdn_modes_shape(modes, mode, nodes, count, real, imaginary) bind(C, name="pdn_modes_shape")
+            import
+            type(c_ptr), value :: modes
+            integer(c_int32_t), value :: mode
+            integer(c_int32_t), intent(in) :: nodes(*)
+            integer(c_size_t), value :: count
+            real(c_double), intent(inout) :: real(*)
+            real(c_double), intent(inout), optional :: imaginary(*)
+            integer(c_int32_t) :: pdn_modes_shape
+        end function pdn_modes_shape
+
+        ! The motion in a mode, to be looked at as any other solution
+        function pdn_modes_motion(modes, mode, amplitude, out) bind(C, name="pdn_modes_motion")
+            import
+            type(c_ptr), value :: modes
+            integer(c_int32_t), value :: mode
+            real(c_double), value :: amplitude
+            type(c_ptr), intent(inout) :: out
+            integer(c_int32_t) :: pdn_modes_motion
+        end function pdn_modes_motion
+
+        ! The equilibrium, as ::pdn_solve_static gives it, converged or not
+        function pdn_modes_equilibrium(modes, out) bind(C, name="pdn_modes_equilibrium")
+            import
+            type(c_ptr), value :: modes
+            type(c_ptr), intent(inout) :: out
+            integer(c_int32_t) :: pdn_modes_equilibrium
+        end function pdn_modes_equilibrium
 
         ! Interpolates a periodic motion given at N equispaced times, by dual polar decomposition
         function pdn_motion_interpolate(period, positions, rotations, points, times, count, position, &
