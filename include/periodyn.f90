@@ -1740,7 +1740,21 @@ module periodyn
         procedure, public :: check_tangents => model_check_tangents
         procedure, public :: solve_periodic => model_solve_periodic
         procedure, public :: solve_static => model_solve_static
+        procedure, public :: solve_modes => model_solve_modes
     end type pdn_model
+
+    ! Natural modes and damped eigenvalues about an equilibrium, counted from 0.
+    type, extends(pdn_handle) :: pdn_modes
+    contains
+        procedure, public :: converged => modes_converged
+        procedure, public :: report => modes_report
+        procedure, public :: outcome => modes_outcome
+        procedure, public :: count => modes_count
+        procedure, public :: get => modes_get
+        procedure, public :: shape => modes_shape
+        procedure, public :: motion => modes_motion
+        procedure, public :: equilibrium => modes_equilibrium
+    end type pdn_modes
 
     ! Quantities of solutions at many times, to be written as CSV. Without labels columns have names of their own.
     type, extends(pdn_handle) :: pdn_table
@@ -1756,7 +1770,7 @@ module periodyn
 
     ! Sets the defaults of options.
     interface pdn_init
-        procedure init_section, init_periodic_options, init_static_options
+        procedure init_section, init_periodic_options, init_static_options, init_modes_options
     end interface pdn_init
 
     ! These have texts and arrays in place of those of periodyn_c, which are c_version and so on here.
@@ -2011,6 +2025,12 @@ contains
         call pdn_static_options_init(options, c_sizeof(options))
     end subroutine init_static_options
 
+    subroutine init_modes_options(options)
+        type(pdn_modes_options), intent(out) :: options
+
+        call pdn_modes_options_init(options, c_sizeof(options))
+    end subroutine init_modes_options
+
     ! A section without couplings: six stiffnesses; mass and three moments of inertia for each unit of length.
     ! damping_time gives it damping = damping_time * stiffness.
     function pdn_diagonal_section(stiffness, mass, damping_time, stat, errmsg) result(section)
@@ -2175,6 +2195,7 @@ contains
         integer(c_int32_t), intent(inout) :: count
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
+
         call report(pdn_model_node_count(self%c, count), stat, errmsg)
     end subroutine model_node_count
 
@@ -2184,6 +2205,7 @@ contains
         integer(c_int32_t), intent(inout) :: count
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
+
         call report(pdn_model_joint_count(self%c, count), stat, errmsg)
     end subroutine model_joint_count
 
@@ -2193,6 +2215,7 @@ contains
         integer(c_int32_t), intent(inout) :: count
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
+
         call report(pdn_model_element_count(self%c, count), stat, errmsg)
     end subroutine model_element_count
 
@@ -2202,6 +2225,7 @@ contains
         integer(c_int32_t), intent(inout) :: count
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
+
         call report(pdn_model_force_count(self%c, count), stat, errmsg)
     end subroutine model_force_count
 
@@ -2212,6 +2236,7 @@ contains
         real(c_double), intent(inout), optional :: centre(3)
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
+
         call report(pdn_model_mass(self%c, mass, centre), stat, errmsg)
     end subroutine model_mass
 
@@ -2222,6 +2247,7 @@ contains
         type(pdn_frame), intent(inout) :: frame
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
+
         call report(pdn_model_node_frame(self%c, node, frame), stat, errmsg)
     end subroutine model_node_frame
 
@@ -2231,8 +2257,13 @@ contains
         type(pdn_summary), intent(inout) :: summary
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
-        call pdn_summary_init(summary, c_sizeof(summary))
-        call report(pdn_model_summary(self%c, summary), stat, errmsg)
+        type(pdn_summary) :: found
+        integer(c_int32_t) :: status
+
+        call pdn_summary_init(found, c_sizeof(found))
+        status = pdn_model_summary(self%c, found)
+        if (status == PDN_OK) summary = found
+        call report(status, stat, errmsg)
     end subroutine model_summary
 
     ! The summary in readable lines, with warnings.
@@ -2296,6 +2327,7 @@ contains
         real(c_double), intent(in), optional :: inertia(3, 3)
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
+
         call report(pdn_model_add_mass(self%c, node, mass, centre, inertia), stat, errmsg)
     end subroutine model_add_mass
 
@@ -2307,6 +2339,7 @@ contains
         type(pdn_frame), intent(in), optional :: frame
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
+
         call report(pdn_model_add_inertia(self%c, node, frame, matrix), stat, errmsg)
     end subroutine model_add_inertia
 
@@ -2519,6 +2552,7 @@ contains
         type(pdn_beam), intent(inout) :: beam
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
+
         call report(pdn_model_add_straight_beam(self%c, start, end, axis_2, section, count_of(elements), &
             count_of(degree), beam), stat, errmsg)
     end subroutine model_add_straight_beam
@@ -2590,6 +2624,7 @@ contains
         real(c_double), intent(in) :: acceleration(3)
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
+
         call report(pdn_model_set_gravity(self%c, acceleration), stat, errmsg)
     end subroutine model_set_gravity
 
@@ -2661,6 +2696,7 @@ contains
         integer(c_int32_t), intent(inout), optional :: force
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
+
         if (.not. fits('relaxation_times', shape(relaxation_times), shape(branch_stiffness), stat, errmsg)) return
         call report(pdn_model_add_viscoelastic(self%c, joint, coordinate, stiffness, rest, branch_stiffness, &
             relaxation_times, size(branch_stiffness, kind=c_size_t), force), stat, errmsg)
@@ -2675,6 +2711,7 @@ contains
         integer(c_int32_t), intent(inout), optional :: force
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
+
         call report(pdn_model_add_viscous_damper(self%c, first, second, frame, matrix, force), stat, errmsg)
     end subroutine model_add_viscous_damper
 
@@ -2729,8 +2766,13 @@ contains
         type(pdn_tangent_check), intent(inout) :: check
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
-        call pdn_tangent_check_init(check, c_sizeof(check))
-        call report(pdn_model_check_tangents(self%c, force, period, check), stat, errmsg)
+        type(pdn_tangent_check) :: found
+        integer(c_int32_t) :: status
+
+        call pdn_tangent_check_init(found, c_sizeof(found))
+        status = pdn_model_check_tangents(self%c, force, period, found)
+        if (status == PDN_OK) check = found
+        call report(status, stat, errmsg)
     end subroutine model_check_tangents
 
     ! PDN_CONVERGED, or why not.
@@ -2752,8 +2794,13 @@ contains
         type(pdn_diagnostics), intent(inout) :: diagnostics
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
-        call pdn_diagnostics_init(diagnostics, c_sizeof(diagnostics))
-        call report(pdn_solution_diagnostics(self%c, diagnostics), stat, errmsg)
+        type(pdn_diagnostics) :: found
+        integer(c_int32_t) :: status
+
+        call pdn_diagnostics_init(found, c_sizeof(found))
+        status = pdn_solution_diagnostics(self%c, found)
+        if (status == PDN_OK) diagnostics = found
+        call report(status, stat, errmsg)
     end subroutine solution_diagnostics
 
     ! Residual, increment and step of each Newton iteration.
@@ -2823,6 +2870,7 @@ contains
         real(c_double), intent(inout) :: out(:, :)
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
+
         if (.not. fits('out', shape(out), [3, size(times)], stat, errmsg)) return
         call report(pdn_solution_node_position(self%c, node, times, size(times, kind=c_size_t), out), stat, errmsg)
     end subroutine solution_node_position
@@ -2835,6 +2883,7 @@ contains
         real(c_double), intent(inout) :: out(:, :)
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
+
         if (.not. fits('out', shape(out), [9, size(times)], stat, errmsg)) return
         call report(pdn_solution_node_rotation(self%c, node, times, size(times, kind=c_size_t), out), stat, errmsg)
     end subroutine solution_node_rotation
@@ -2847,6 +2896,7 @@ contains
         real(c_double), intent(inout) :: out(:, :)
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
+
         if (.not. fits('out', shape(out), [4, size(times)], stat, errmsg)) return
         call report(pdn_solution_node_quaternion(self%c, node, times, size(times, kind=c_size_t), out), stat, errmsg)
     end subroutine solution_node_quaternion
@@ -2858,6 +2908,7 @@ contains
         real(c_double), intent(inout) :: out(:, :)
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
+
         if (.not. fits('out', shape(out), [6, size(times)], stat, errmsg)) return
         call report(pdn_solution_node_velocity(self%c, node, frame, times, size(times, kind=c_size_t), &
             out), stat, errmsg)
@@ -2870,6 +2921,7 @@ contains
         real(c_double), intent(inout) :: out(:, :)
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
+
         if (.not. fits('out', shape(out), [6, size(times)], stat, errmsg)) return
         call report(pdn_solution_node_acceleration(self%c, node, frame, times, size(times, kind=c_size_t), &
             out), stat, errmsg)
@@ -2882,6 +2934,7 @@ contains
         real(c_double), intent(inout) :: out(:)
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
+
         if (.not. fits('out', shape(out), shape(times), stat, errmsg)) return
         call report(pdn_solution_joint_coordinate(self%c, joint, coordinate, times, size(times, kind=c_size_t), &
             out), stat, errmsg)
@@ -2894,6 +2947,7 @@ contains
         real(c_double), intent(inout) :: out(:)
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
+
         if (.not. fits('out', shape(out), shape(times), stat, errmsg)) return
         call report(pdn_solution_joint_rate(self%c, joint, coordinate, times, size(times, kind=c_size_t), &
             out), stat, errmsg)
@@ -2906,6 +2960,7 @@ contains
         real(c_double), intent(inout) :: out(:)
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
+
         if (.not. fits('out', shape(out), shape(times), stat, errmsg)) return
         call report(pdn_solution_joint_acceleration(self%c, joint, coordinate, times, size(times, kind=c_size_t), &
             out), stat, errmsg)
@@ -2918,6 +2973,7 @@ contains
         real(c_double), intent(inout) :: out(:)
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
+
         if (.not. fits('out', shape(out), shape(times), stat, errmsg)) return
         call report(pdn_solution_joint_driving_effort(self%c, joint, coordinate, times, size(times, kind=c_size_t), &
             out), stat, errmsg)
@@ -2931,6 +2987,7 @@ contains
         real(c_double), intent(inout) :: out(:, :)
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
+
         if (.not. fits('out', shape(out), [6, size(times)], stat, errmsg)) return
         call report(pdn_solution_joint_reaction(self%c, joint, axes, times, size(times, kind=c_size_t), &
             out), stat, errmsg)
@@ -2944,6 +3001,7 @@ contains
         real(c_double), intent(inout) :: out(:, :)
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
+
         if (.not. fits('out', shape(out), [6, size(times)], stat, errmsg)) return
         call report(pdn_solution_beam_strain(self%c, element, station, times, size(times, kind=c_size_t), &
             out), stat, errmsg)
@@ -2957,6 +3015,7 @@ contains
         real(c_double), intent(inout) :: out(:, :)
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
+
         if (.not. fits('out', shape(out), [6, size(times)], stat, errmsg)) return
         call report(pdn_solution_beam_force(self%c, element, station, times, size(times, kind=c_size_t), &
             out), stat, errmsg)
@@ -2969,6 +3028,7 @@ contains
         real(c_double), intent(inout) :: out(:)
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
+
         if (.not. fits('out', shape(out), shape(times), stat, errmsg)) return
         call report(pdn_solution_force_effort(self%c, force, times, size(times, kind=c_size_t), out), stat, errmsg)
     end subroutine solution_force_effort
@@ -2980,6 +3040,7 @@ contains
         real(c_double), intent(inout) :: out(:)
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
+
         if (.not. fits('out', shape(out), shape(times), stat, errmsg)) return
         call report(pdn_solution_force_branch_effort(self%c, force, branch, times, size(times, kind=c_size_t), &
             out), stat, errmsg)
@@ -2992,6 +3053,7 @@ contains
         real(c_double), intent(inout) :: out(:)
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
+
         if (.not. fits('out', shape(out), shape(times), stat, errmsg)) return
         call report(pdn_solution_force_branch_elongation(self%c, force, branch, times, size(times, kind=c_size_t), &
             out), stat, errmsg)
@@ -3004,6 +3066,7 @@ contains
         real(c_double), intent(inout) :: out(:, :)
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
+
         if (.not. fits('out', shape(out), [6, size(times)], stat, errmsg)) return
         call report(pdn_solution_force_on_node(self%c, force, node, frame, times, size(times, kind=c_size_t), &
             out), stat, errmsg)
@@ -3016,6 +3079,7 @@ contains
         real(c_double), intent(inout) :: mean(:), cosines(:, :), sines(:, :)
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
+
         if (.not. fits('mean', shape(mean), [components(quantity, [3, 9, 4, 6, 6, 6, 6])], stat, errmsg)) return
         if (.not. fits('cosines', shape(cosines), [size(mean), size(cosines, 2)], stat, errmsg)) return
         if (.not. fits('sines', shape(sines), shape(cosines), stat, errmsg)) return
@@ -3031,6 +3095,7 @@ contains
         real(c_double), intent(inout), optional, contiguous :: rate(:)
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
+
         if (.not. fits('mean', shape(mean), [components(quantity, [1, 1, 1, 1, 6])], stat, errmsg)) return
         if (.not. fits('cosines', shape(cosines), [size(mean), size(cosines, 2)], stat, errmsg)) return
         if (.not. fits('sines', shape(sines), shape(cosines), stat, errmsg)) return
@@ -3050,6 +3115,7 @@ contains
         real(c_double), intent(inout) :: mean(:), cosines(:, :), sines(:, :)
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
+
         if (.not. fits('mean', shape(mean), [6], stat, errmsg)) return
         if (.not. fits('cosines', shape(cosines), [size(mean), size(cosines, 2)], stat, errmsg)) return
         if (.not. fits('sines', shape(sines), shape(cosines), stat, errmsg)) return
@@ -3065,6 +3131,7 @@ contains
         real(c_double), intent(inout), optional, contiguous :: rate(:)
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
+
         if (.not. fits('mean', shape(mean), [components(quantity, [1, 1, 1, 6, 6])], stat, errmsg)) return
         if (.not. fits('cosines', shape(cosines), [size(mean), size(cosines, 2)], stat, errmsg)) return
         if (.not. fits('sines', shape(sines), shape(cosines), stat, errmsg)) return
@@ -3156,6 +3223,141 @@ contains
         if (status == PDN_OK) call solution%adopt(c, pdn_solution_free)
         call report(status, stat, errmsg)
     end subroutine model_solve_static
+
+    ! Modes ---------------------------------------------------------------------------------------------------
+
+    ! Finds an equilibrium, and the modes of small motions about it. How to find the equilibrium, and an initial
+    ! solution of it, take the place of the pointers of the options.
+    subroutine model_solve_modes(self, modes, options, equilibrium, initial, stat, errmsg)
+        class(pdn_model), intent(in) :: self
+        type(pdn_modes), intent(inout) :: modes
+        type(pdn_modes_options), intent(in), optional :: options
+        type(pdn_static_options), intent(in), optional :: equilibrium
+        type(pdn_solution), intent(in), optional :: initial
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        type(pdn_modes_options) :: chosen
+        type(pdn_static_options), target :: at_rest
+        type(c_ptr) :: c
+        integer(c_int32_t) :: status
+
+        call pdn_init(at_rest)
+        if (present(equilibrium)) at_rest = equilibrium
+        if (present(initial)) at_rest%initial = initial%c
+        call pdn_init(chosen)
+        if (present(options)) chosen = options
+        chosen%equilibrium = c_loc(at_rest)
+        status = pdn_solve_modes(self%c, chosen, c)
+        if (status == PDN_OK) call modes%adopt(c, pdn_modes_free)
+        call report(status, stat, errmsg)
+    end subroutine model_solve_modes
+
+    ! Whether there are modes, and the equilibrium has converged.
+    logical function modes_converged(self)
+        class(pdn_modes), intent(in) :: self
+
+        modes_converged = pdn_modes_outcome(self%c) == PDN_CONVERGED
+    end function modes_converged
+
+    ! Outcome of the equilibrium, and a table of the modes; empty if there are none.
+    function modes_report(self) result(text)
+        class(pdn_modes), intent(in) :: self
+        character(:), allocatable :: text
+        character(kind=c_char), allocatable :: buffer(:)
+        integer(c_size_t) :: length
+
+        allocate (buffer(pdn_modes_report(self%c, capacity=0_c_size_t) + 1))
+        length = pdn_modes_report(self%c, buffer, size(buffer, kind=c_size_t))
+        text = joined(buffer(:length))
+    end function modes_report
+
+    ! Of the equilibrium: PDN_CONVERGED, or why there are no modes.
+    subroutine modes_outcome(self, outcome, stat, errmsg)
+        class(pdn_modes), intent(in) :: self
+        integer(c_int32_t), intent(inout) :: outcome
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        integer(c_int32_t) :: found
+
+        found = pdn_modes_outcome(self%c)
+        if (found >= 0) outcome = found
+        call report(min(found, PDN_OK), stat, errmsg)
+    end subroutine modes_outcome
+
+    ! Number of modes, and whether these are all that were wanted, or all that there are.
+    subroutine modes_count(self, count, complete, stat, errmsg)
+        class(pdn_modes), intent(in) :: self
+        integer(c_int32_t), intent(inout) :: count
+        logical, intent(inout), optional :: complete
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        integer(c_int32_t) :: status, all_found
+
+        status = pdn_modes_count(self%c, count, all_found)
+        if (status == PDN_OK .and. present(complete)) complete = all_found /= 0
+        call report(status, stat, errmsg)
+    end subroutine modes_count
+
+    ! Eigenvalue, frequency and damping of a mode.
+    subroutine modes_get(self, number, mode, stat, errmsg)
+        class(pdn_modes), intent(in) :: self
+        integer(c_int32_t), intent(in) :: number
+        type(pdn_mode), intent(inout) :: mode
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        type(pdn_mode) :: found
+        integer(c_int32_t) :: status
+
+        call pdn_mode_init(found, c_sizeof(found))
+        status = pdn_modes_get(self%c, number, found)
+        if (status == PDN_OK) mode = found
+        call report(status, stat, errmsg)
+    end subroutine modes_get
+
+    ! Displacement and rotation of nodes along their own axes: 6 x nodes.
+    subroutine modes_shape(self, number, nodes, real, imaginary, stat, errmsg)
+        class(pdn_modes), intent(in) :: self
+        integer(c_int32_t), intent(in) :: number, nodes(:)
+        real(c_double), intent(inout) :: real(:, :)
+        real(c_double), intent(inout), optional, contiguous :: imaginary(:, :)
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+
+        if (.not. fits('real', shape(real), [6, size(nodes)], stat, errmsg)) return
+        if (present(imaginary)) then
+            if (.not. fits('imaginary', shape(imaginary), shape(real), stat, errmsg)) return
+        end if
+        call report(pdn_modes_shape(self%c, number, nodes, size(nodes, kind=c_size_t), real, imaginary), stat, errmsg)
+    end subroutine modes_shape
+
+    ! The motion in a mode.
+    subroutine modes_motion(self, number, amplitude, solution, stat, errmsg)
+        class(pdn_modes), intent(in) :: self
+        integer(c_int32_t), intent(in) :: number
+        real(c_double), intent(in) :: amplitude
+        type(pdn_solution), intent(inout) :: solution
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        type(c_ptr) :: c
+        integer(c_int32_t) :: status
+
+        status = pdn_modes_motion(self%c, number, amplitude, c)
+        if (status == PDN_OK) call solution%adopt(c, pdn_solution_free)
+        call report(status, stat, errmsg)
+    end subroutine modes_motion
+
+    subroutine modes_equilibrium(self, solution, stat, errmsg)
+        class(pdn_modes), intent(in) :: self
+        type(pdn_solution), intent(inout) :: solution
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        type(c_ptr) :: c
+        integer(c_int32_t) :: status
+
+        status = pdn_modes_equilibrium(self%c, c)
+        if (status == PDN_OK) call solution%adopt(c, pdn_solution_free)
+        call report(status, stat, errmsg)
+    end subroutine modes_equilibrium
 
     ! Files ---------------------------------------------------------------------------------------------------
 

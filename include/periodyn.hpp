@@ -249,6 +249,10 @@ struct Free {
     {
         pdn_solution_free(solution);
     }
+    void operator()(pdn_modes *modes) const noexcept
+    {
+        pdn_modes_free(modes);
+    }
     void operator()(pdn_table *table) const noexcept
     {
         pdn_table_free(table);
@@ -1406,6 +1410,114 @@ inline Solution solve_static(const Model &model, const StaticOptions &options = 
         [&](pdn_solution **out) { return pdn_solve_static(model.get(), &plain, out); });
     watch.rethrow();
     return Solution(handle.release(), model.kept());
+}
+
+/** Options of solve_modes, with the fields of ::pdn_modes_options and this in place of the pointer.
+ */
+struct ModesOptions : pdn_modes_options {
+    ModesOptions()
+    {
+        pdn_modes_options_init(this, sizeof(pdn_modes_options));
+    }
+    /** The equilibrium, and who is told of the iterations. */
+    StaticOptions equilibrium;
+};
+
+/** Shape of a mode: displacement and rotation of each node, along its own axes. */
+struct Shape {
+    Series<6> real, imaginary;
+};
+
+/** Natural modes and damped eigenvalues about an equilibrium, counted from 0. */
+class Modes
+{
+  public:
+    /** Takes over a handle of periodyn.h; keeps the functions of signals that it may call. */
+    explicit Modes(pdn_modes *handle, detail::Kept kept = {})
+        : kept_(std::move(kept)), handle_(handle)
+    {
+    }
+    /** The handle, for functions of periodyn.h; NULL if moved from. */
+    const pdn_modes *get() const noexcept
+    {
+        return handle_.get();
+    }
+    /** Of the equilibrium; unless it converged there are no modes. */
+    Outcome outcome() const
+    {
+        const std::int32_t outcome = pdn_modes_outcome(get());
+        detail::check(outcome);
+        return static_cast<Outcome>(outcome);
+    }
+    bool converged() const
+    {
+        return outcome() == Outcome::converged;
+    }
+    std::string report() const
+    {
+        outcome(); // throws if there is nothing to report
+        return detail::text([&](char *buffer, std::size_t capacity) {
+            return pdn_modes_report(get(), buffer, capacity);
+        });
+    }
+    std::int32_t count() const
+    {
+        return detail::number<std::int32_t>(
+            [&](std::int32_t *out) { return pdn_modes_count(get(), out, nullptr); });
+    }
+    /** Whether all that were wanted were found, or all that there are. */
+    bool complete() const
+    {
+        std::int32_t count = 0, complete = 0;
+        detail::check(pdn_modes_count(get(), &count, &complete));
+        return complete != 0;
+    }
+    /** Eigenvalue, frequency and damping. */
+    pdn_mode mode(std::int32_t mode) const
+    {
+        pdn_mode out;
+        pdn_mode_init(&out, sizeof out);
+        detail::check(pdn_modes_get(get(), mode, &out));
+        return out;
+    }
+    Shape shape(std::int32_t mode, Ids nodes) const
+    {
+        Shape out{Series<6>(nodes.size()), Series<6>(nodes.size())};
+        detail::check(pdn_modes_shape(get(), mode, nodes.data(), nodes.size(),
+                                      detail::flat(out.real), detail::flat(out.imaginary)));
+        return out;
+    }
+    /** The motion in a mode. */
+    Solution motion(std::int32_t mode, double amplitude) const
+    {
+        auto handle = detail::make<pdn_solution>(
+            [&](pdn_solution **out) { return pdn_modes_motion(get(), mode, amplitude, out); });
+        return Solution(handle.release(), kept_);
+    }
+    Solution equilibrium() const
+    {
+        auto handle = detail::make<pdn_solution>(
+            [&](pdn_solution **out) { return pdn_modes_equilibrium(get(), out); });
+        return Solution(handle.release(), kept_);
+    }
+
+  private:
+    detail::Kept kept_; // outlives the handle
+    std::unique_ptr<pdn_modes, detail::Free> handle_;
+};
+
+/** Finds an equilibrium, and the modes of small motions about it. */
+inline Modes solve_modes(const Model &model, const ModesOptions &options = {})
+{
+    pdn_static_options equilibrium = options.equilibrium;
+    equilibrium.initial = detail::initial(options.equilibrium.initial);
+    detail::Watch watch(options.equilibrium.progress, equilibrium);
+    pdn_modes_options plain = options;
+    plain.equilibrium = &equilibrium;
+    auto handle = detail::make<pdn_modes>(
+        [&](pdn_modes **out) { return pdn_solve_modes(model.get(), &plain, out); });
+    watch.rethrow();
+    return Modes(handle.release(), model.kept());
 }
 
 /** Quantities of solutions at many times, to be written as CSV. Without labels columns have names
