@@ -58,7 +58,7 @@ contains
         call pdn_init(at_rest)
         at_rest%load_steps = 0
         call model%solve_modes(none, equilibrium=at_rest, stat=stat, errmsg=errmsg)
-        call refused(stat, errmsg, PDN_ERR_VALUE, 'options.equilibrium.load_steps: ')
+        call refused(stat, errmsg, PDN_ERR_VALUE, 'options.equilibrium: options.load_steps: ')
         mode%frequency = 55
         call modes%get(1, mode, stat, errmsg)
         call refused(stat, errmsg, PDN_ERR_ID, 'mode: ')
