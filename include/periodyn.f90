@@ -1598,6 +1598,30 @@ module periodyn_c
             character(kind=c_char), intent(in) :: path(*)
             integer(c_int32_t) :: pdn_solution_write_vtk
         end function pdn_solution_write_vtk
+
+        ! Saves a solution with its model, whether it has converged or not
+        function pdn_solution_save(solution, path) bind(C, name="pdn_solution_save")
+            import
+            type(c_ptr), value :: solution
+            character(kind=c_char), intent(in) :: path(*)
+            integer(c_int32_t) :: pdn_solution_save
+        end function pdn_solution_save
+
+        ! Loads a solution that ::pdn_solution_save saved: its quantities, diagnostics and report are what they were
+        function pdn_solution_load(path, out) bind(C, name="pdn_solution_load")
+            import
+            character(kind=c_char), intent(in) :: path(*)
+            type(c_ptr), intent(inout) :: out
+            integer(c_int32_t) :: pdn_solution_load
+        end function pdn_solution_load
+
+        ! A copy of the model that a solution is of, as it was when it was solved
+        function pdn_solution_model(solution, out) bind(C, name="pdn_solution_model")
+            import
+            type(c_ptr), value :: solution
+            type(c_ptr), intent(inout) :: out
+            integer(c_int32_t) :: pdn_solution_model
+        end function pdn_solution_model
     end interface
 end module periodyn_c
 ! END OF WHAT script/fortran_interface WRITES
