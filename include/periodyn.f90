@@ -1716,6 +1716,9 @@ module periodyn
         procedure, public :: beam_harmonics => solution_beam_harmonics
         procedure, public :: force_harmonics => solution_force_harmonics
         procedure, public :: write_vtk => solution_write_vtk
+        procedure, public :: save => solution_save
+        procedure, public :: load => solution_load
+        procedure, public :: model => solution_model
     end type pdn_solution
 
     ! A mechanism, described in its reference configuration. Procedures that add give ids, if they are wanted.
@@ -3397,6 +3400,44 @@ contains
         call report(pdn_solution_write_vtk(self%c, times, size(times, kind=c_size_t), count_of(points_per_element), &
             c_text(path)), stat, errmsg)
     end subroutine solution_write_vtk
+
+    ! Saves the solution with its model, for load.
+    subroutine solution_save(self, path, stat, errmsg)
+        class(pdn_solution), intent(in) :: self
+        character(*), intent(in) :: path
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+
+        call report(pdn_solution_save(self%c, c_text(path)), stat, errmsg)
+    end subroutine solution_save
+
+    ! A solution that was saved, in place of what was held.
+    subroutine solution_load(self, path, stat, errmsg)
+        class(pdn_solution), intent(inout) :: self
+        character(*), intent(in) :: path
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        type(c_ptr) :: c
+        integer(c_int32_t) :: status
+
+        status = pdn_solution_load(c_text(path), c)
+        if (status == PDN_OK) call self%adopt(c, pdn_solution_free)
+        call report(status, stat, errmsg)
+    end subroutine solution_load
+
+    ! A copy of the model, as it was when it was solved.
+    subroutine solution_model(self, model, stat, errmsg)
+        class(pdn_solution), intent(in) :: self
+        type(pdn_model), intent(inout) :: model
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        type(c_ptr) :: c
+        integer(c_int32_t) :: status
+
+        status = pdn_solution_model(self%c, c)
+        if (status == PDN_OK) call model%adopt(c, pdn_model_free)
+        call report(status, stat, errmsg)
+    end subroutine solution_model
 
     ! A table over these times, in place of what was held.
     subroutine table_new(self, times, stat, errmsg)

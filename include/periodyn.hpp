@@ -626,6 +626,11 @@ class Model
         detail::check(pdn_version_check(PDN_VERSION_MAJOR, PDN_VERSION_MINOR));
         handle_ = detail::make<pdn_model>(pdn_model_new);
     }
+    /** Takes over a handle of periodyn.h; keeps the functions of signals that it may call. */
+    explicit Model(pdn_model *handle, detail::Kept kept = {})
+        : kept_(std::move(kept)), handle_(handle)
+    {
+    }
     /** The handle, for functions of periodyn.h; NULL if moved from. */
     pdn_model *get() const noexcept
     {
@@ -1218,6 +1223,25 @@ class Solution
     {
         detail::check(pdn_solution_write_vtk(get(), times.data(), times.size(), points_per_element,
                                              path.c_str()));
+    }
+
+    /** Saves the solution with its model, for load. */
+    void save(const std::string &path) const
+    {
+        detail::check(pdn_solution_save(get(), path.c_str()));
+    }
+    static Solution load(const std::string &path)
+    {
+        return Solution(detail::make<pdn_solution>([&](pdn_solution **out) {
+                            return pdn_solution_load(path.c_str(), out);
+                        }).release());
+    }
+    /** A copy of the model, as it was when it was solved. */
+    Model model() const
+    {
+        auto handle = detail::make<pdn_model>(
+            [&](pdn_model **out) { return pdn_solution_model(get(), out); });
+        return Model(handle.release(), kept_);
     }
 
   private:

@@ -54,6 +54,19 @@ int main()
     bent.write_vtk({0}, 3, "bent.pvd");
     CHECK(content("bent.pvd").find("VTKFile") != std::string::npos);
 
+    // What is loaded is what was saved, and can be solved again.
+    bent.save("bent.pdn");
+    const pdn::Solution loaded = pdn::Solution::load("bent.pdn");
+    CHECK(loaded.node_position(beam.last, {0}) == bent.node_position(beam.last, {0}));
+    CHECK(loaded.report() == bent.report());
+    pdn::Model again = loaded.model();
+    CHECK(again.element_count() == 2);
+    again.add_load(beam.last, pdn::Frame::space, pdn::Component::force_3, 1.0);
+    CHECK(pdn::solve_static(again).converged());
+    // A copy of a model keeps the functions of its signals.
+    CHECK(pdn::solve_periodic(solution.model(), period).converged());
+    CHECK(!solution.model().kept().empty());
+
     const double none = std::numeric_limits<double>::quiet_NaN();
     REFUSED(pdn::Table({}), PDN_ERR_SIZE, "count: ");
     REFUSED(pdn::Table({none}), PDN_ERR_NOT_FINITE, "times");
@@ -71,6 +84,13 @@ int main()
     REFUSED(table.write_csv("no/such/place.csv"), PDN_ERR_IO, "path: ");
     REFUSED(bent.write_vtk({0}, 1, "bent.pvd"), PDN_ERR_SIZE, "points_per_element: ");
     REFUSED(bent.write_vtk({0}, 2, "bent.vtk"), PDN_ERR_VALUE, "path: ");
+
+    REFUSED(pdn::Solution::load("nowhere.pdn"), PDN_ERR_IO, "path: ");
+    REFUSED(pdn::Solution::load("own.csv"), PDN_ERR_FORMAT, "");
+    REFUSED(bent.save("no/such/place.pdn"), PDN_ERR_IO, "path: ");
+    pdn::Solution moved = pdn::Solution::load("bent.pdn"), target = std::move(moved);
+    REFUSED(moved.save("bent.pdn"), PDN_ERR_NULL, "solution: ");
+    REFUSED(moved.model(), PDN_ERR_NULL, "solution: ");
 
     pdn::Table other = std::move(table);
     REFUSED(table.write_csv("own.csv"), PDN_ERR_NULL, "table: ");

@@ -9,12 +9,13 @@ contains
 
     subroutine files()
         type(pdn_model) :: model, cantilever
-        type(pdn_solution) :: solution, bent
+        type(pdn_solution) :: solution, bent, loaded, none
         type(pdn_table) :: table
         type(pdn_beam) :: beam
         integer :: body, hinge, spring, stat, unit, k
         character(300) :: errmsg, head
-        real(dp) :: angle(3), row(3)
+        real(dp) :: angle(3), row(3), tip(3, 1), same(3, 1)
+        integer :: elements
         real(dp), parameter :: times(3) = [0.0_dp, 0.5_dp, 1.0_dp]
         logical :: there
 
@@ -54,6 +55,19 @@ contains
         inquire (file='bent.pvd', exist=there)
         call check(there, 'animation')
 
+        ! What is loaded is what was saved, and can be solved again.
+        call bent%save('bent.pdn')
+        call loaded%load('bent.pdn')
+        call bent%node_position(beam%last, [0.0_dp], tip)
+        call loaded%node_position(beam%last, [0.0_dp], same)
+        call check(all(tip == same) .and. loaded%report() == bent%report(), 'loaded')
+        call loaded%model(cantilever)
+        call cantilever%element_count(elements)
+        call check(elements == 2, 'model of the solution')
+        call cantilever%add_load(beam%last, PDN_FRAME_SPACE, PDN_FORCE_3, pdn_constant(1.0_dp))
+        call cantilever%solve_static(loaded)
+        call check(loaded%converged(), 'solved again')
+
         stat = 77
         errmsg = 'none'
         call table%new([not_a_number()], stat, errmsg)
@@ -76,6 +90,16 @@ contains
         call refused(stat, errmsg, PDN_ERR_SIZE, 'points_per_element: ')
         call bent%write_vtk([0.0_dp], 2, 'bent.vtk', stat, errmsg)
         call refused(stat, errmsg, PDN_ERR_VALUE, 'path: ')
+        call none%load('nowhere.pdn', stat, errmsg)
+        call refused(stat, errmsg, PDN_ERR_IO, 'path: ')
+        call none%load('own.csv', stat, errmsg)
+        call refused(stat, errmsg, PDN_ERR_FORMAT, '')
+        call bent%save('no/such/place.pdn', stat, errmsg)
+        call refused(stat, errmsg, PDN_ERR_IO, 'path: ')
+        call none%save('bent.pdn', stat, errmsg)
+        call refused(stat, errmsg, PDN_ERR_NULL, 'solution: ')
+        call none%model(model, stat, errmsg)
+        call refused(stat, errmsg, PDN_ERR_NULL, 'solution: ')
         call table%free()
         call table%write_csv('own.csv', stat, errmsg)
         call refused(stat, errmsg, PDN_ERR_NULL, 'table: ')
