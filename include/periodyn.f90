@@ -99,6 +99,7 @@ module periodyn_c
     integer(c_int32_t), parameter :: PDN_FORCE_ON_NODE_MATERIAL = 4
     integer(c_int32_t), parameter :: PDN_STAGE_INITIAL_GUESS = 0
     integer(c_int32_t), parameter :: PDN_STAGE_NEWTON = 1
+    integer(c_int32_t), parameter :: PDN_STAGE_MARCH = 2
 
     type, bind(C) :: pdn_section
         integer(c_size_t) :: struct_size = 0
@@ -211,6 +212,7 @@ module periodyn_c
         real(c_double) :: residual
         real(c_double) :: increment
         real(c_double) :: step
+        real(c_double) :: time
     end type pdn_progress
 
     type, bind(C) :: pdn_periodic_options
@@ -256,6 +258,42 @@ module periodyn_c
         real(c_double) :: modal_mass
         real(c_double) :: residual
     end type pdn_mode
+
+    type, bind(C) :: pdn_march_options
+        integer(c_size_t) :: struct_size = 0
+        real(c_double) :: start_time
+        real(c_double) :: duration
+        real(c_double) :: period
+        real(c_double) :: step
+        integer(c_size_t) :: steps_per_period
+        real(c_double) :: spectral_radius
+        real(c_double) :: error_tolerance
+        real(c_double) :: periodic_tolerance
+        integer(c_size_t) :: most_periods
+        integer(c_size_t) :: stored_periods
+        real(c_double) :: tolerance
+        integer(c_size_t) :: iteration_limit
+        type(c_ptr) :: initial = c_null_ptr
+        type(c_ptr) :: positions = c_null_ptr
+        type(c_ptr) :: rotations = c_null_ptr
+        type(c_ptr) :: velocities = c_null_ptr
+        type(c_funptr) :: progress = c_null_funptr
+        type(c_ptr) :: progress_data = c_null_ptr
+    end type pdn_march_options
+
+    type, bind(C) :: pdn_march_diagnostics
+        integer(c_size_t) :: struct_size = 0
+        integer(c_size_t) :: steps
+        integer(c_size_t) :: rejected_steps
+        integer(c_size_t) :: iterations
+        integer(c_size_t) :: periods
+        real(c_double) :: first_time
+        real(c_double) :: last_time
+        real(c_double) :: repetition
+        real(c_double) :: step_error
+        real(c_double) :: start_moved
+        real(c_double) :: start_corrected
+    end type pdn_march_diagnostics
 
     type, bind(C) :: pdn_summary
         integer(c_size_t) :: struct_size = 0
@@ -323,7 +361,7 @@ module periodyn_c
             integer(c_int32_t) :: pdn_user_force_fn
         end function pdn_user_force_fn
 
-        ! Called after each Newton iteration, on the solving thread
+        ! Called after each Newton iteration, or after each step of a march, on the solving thread
         function pdn_progress_fn(progress, user_data) bind(C)
             import
             type(pdn_progress), intent(in) :: progress
@@ -1047,7 +1085,7 @@ module periodyn_c
             integer(c_int32_t) :: pdn_solution_decay
         end function pdn_solution_decay
 
-        ! Grid times t_k = k T / N
+        ! Grid times t_k = k T / N; of a march the times of its steps, from the start
         function pdn_solution_grid_times(solution, times, count) bind(C, name="pdn_solution_grid_times")
             import
             type(c_ptr), value :: solution
@@ -1447,6 +1485,38 @@ module periodyn_c
             type(c_ptr), intent(inout) :: out
             integer(c_int32_t) :: pdn_modes_equilibrium
         end function pdn_modes_equilibrium
+
+        ! Sets default options; use `PDN_INIT(pdn_march_options, &options)`
+        subroutine pdn_march_options_init(options, struct_size) bind(C, name="pdn_march_options_init")
+            import
+            type(pdn_march_options), intent(inout) :: options
+            integer(c_size_t), value :: struct_size
+        end subroutine pdn_march_options_init
+
+        ! Marches a model in time, for a given duration or until its motion repeats itself
+        function pdn_march(model, options, out) bind(C, name="pdn_march")
+            import
+            type(c_ptr), value :: model
+            type(pdn_march_options), intent(in) :: options
+            type(c_ptr), intent(inout) :: out
+            integer(c_int32_t) :: pdn_march
+        end function pdn_march
+
+        ! Prepares a struct for ::pdn_solution_march; use `PDN_INIT(pdn_march_diagnostics, &diagnostics)`
+        subroutine pdn_march_diagnostics_init(diagnostics, &
+            struct_size) bind(C, name="pdn_march_diagnostics_init")
+            import
+            type(pdn_march_diagnostics), intent(inout) :: diagnostics
+            integer(c_size_t), value :: struct_size
+        end subroutine pdn_march_diagnostics_init
+
+        ! Figures of a march: steps, periods, how much the last of them differ, how much the start was changed
+        function pdn_solution_march(solution, out) bind(C, name="pdn_solution_march")
+            import
+            type(c_ptr), value :: solution
+            type(pdn_march_diagnostics), intent(inout) :: out
+            integer(c_int32_t) :: pdn_solution_march
+        end function pdn_solution_march
 
         ! Interpolates a periodic motion given at N equispaced times, by dual polar decomposition
         function pdn_motion_interpolate(period, positions, rotations, points, times, count, position, &
