@@ -1762,6 +1762,7 @@ module periodyn
         procedure, public :: report => solution_report
         procedure, public :: outcome => solution_outcome
         procedure, public :: diagnostics => solution_diagnostics
+        procedure, public :: march => solution_march
         procedure, public :: history => solution_history
         procedure, public :: decay => solution_decay
         procedure, public :: grid_times => solution_grid_times
@@ -1837,6 +1838,7 @@ module periodyn
         procedure, public :: check_tangents => model_check_tangents
         procedure, public :: solve_periodic => model_solve_periodic
         procedure, public :: solve_static => model_solve_static
+        procedure, public :: march => model_march
         procedure, public :: solve_modes => model_solve_modes
     end type pdn_model
 
@@ -1867,7 +1869,8 @@ module periodyn
 
     ! Sets the defaults of options.
     interface pdn_init
-        procedure init_section, init_periodic_options, init_static_options, init_modes_options
+        procedure init_section, init_periodic_options, init_static_options, init_modes_options, &
+            init_march_options
     end interface pdn_init
 
     ! These have texts and arrays in place of those of periodyn_c, which are c_version and so on here.
@@ -2127,6 +2130,12 @@ contains
 
         call pdn_modes_options_init(options, c_sizeof(options))
     end subroutine init_modes_options
+
+    subroutine init_march_options(options)
+        type(pdn_march_options), intent(out) :: options
+
+        call pdn_march_options_init(options, c_sizeof(options))
+    end subroutine init_march_options
 
     ! A section without couplings: six stiffnesses; mass and three moments of inertia for each unit of length.
     ! damping_time gives it damping = damping_time * stiffness.
@@ -3320,6 +3329,59 @@ contains
         if (status == PDN_OK) call solution%adopt(c, pdn_solution_free)
         call report(status, stat, errmsg)
     end subroutine model_solve_static
+
+    ! Marches in time; the solution is a trajectory. It starts from an initial solution, or from positions,
+    ! rotations and velocities (3, 9 or 6 x nodes), in place of the pointers of the options.
+    subroutine model_march(self, solution, options, initial, positions, rotations, velocities, stat, errmsg)
+        class(pdn_model), intent(in) :: self
+        type(pdn_solution), intent(inout) :: solution
+        type(pdn_march_options), intent(in) :: options
+        type(pdn_solution), intent(in), optional :: initial
+        real(c_double), intent(in), optional, target, contiguous :: positions(:, :), rotations(:, :), velocities(:, :)
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        type(pdn_march_options) :: chosen
+        type(c_ptr) :: c
+        integer(c_int32_t) :: status, nodes
+
+        status = pdn_model_node_count(self%c, nodes)
+        if (status /= PDN_OK) then
+            call report(status, stat, errmsg)
+            return
+        end if
+        chosen = options
+        if (present(initial)) chosen%initial = initial%c
+        if (present(positions)) then
+            if (.not. fits('positions', shape(positions), [3, int(nodes)], stat, errmsg)) return
+            chosen%positions = c_loc(positions)
+        end if
+        if (present(rotations)) then
+            if (.not. fits('rotations', shape(rotations), [9, int(nodes)], stat, errmsg)) return
+            chosen%rotations = c_loc(rotations)
+        end if
+        if (present(velocities)) then
+            if (.not. fits('velocities', shape(velocities), [6, int(nodes)], stat, errmsg)) return
+            chosen%velocities = c_loc(velocities)
+        end if
+        status = pdn_march(self%c, chosen, c)
+        if (status == PDN_OK) call solution%adopt(c, pdn_solution_free)
+        call report(status, stat, errmsg)
+    end subroutine model_march
+
+    ! Figures of a march.
+    subroutine solution_march(self, diagnostics, stat, errmsg)
+        class(pdn_solution), intent(in) :: self
+        type(pdn_march_diagnostics), intent(inout) :: diagnostics
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        type(pdn_march_diagnostics) :: found
+        integer(c_int32_t) :: status
+
+        call pdn_march_diagnostics_init(found, c_sizeof(found))
+        status = pdn_solution_march(self%c, found)
+        if (status == PDN_OK) diagnostics = found
+        call report(status, stat, errmsg)
+    end subroutine solution_march
 
     ! Modes ---------------------------------------------------------------------------------------------------
 

@@ -137,6 +137,7 @@ enum class Outcome : std::int32_t {
 enum class Stage : std::int32_t {
     initial_guess = PDN_STAGE_INITIAL_GUESS,
     newton = PDN_STAGE_NEWTON,
+    march = PDN_STAGE_MARCH,
 };
 enum class NodeQuantity : std::int32_t {
     position = PDN_NODE_POSITION,
@@ -1080,6 +1081,14 @@ class Solution
         detail::check(pdn_solution_diagnostics(get(), &out));
         return out;
     }
+    /** Figures of a march. */
+    pdn_march_diagnostics march() const
+    {
+        pdn_march_diagnostics out;
+        pdn_march_diagnostics_init(&out, sizeof out);
+        detail::check(pdn_solution_march(get(), &out));
+        return out;
+    }
     History history() const
     {
         const auto count = static_cast<std::size_t>(diagnostics().iterations);
@@ -1432,6 +1441,44 @@ inline Solution solve_static(const Model &model, const StaticOptions &options = 
     detail::Watch watch(options.progress, plain);
     auto handle = detail::make<pdn_solution>(
         [&](pdn_solution **out) { return pdn_solve_static(model.get(), &plain, out); });
+    watch.rethrow();
+    return Solution(handle.release(), model.kept());
+}
+
+/** Options of march, with the fields of ::pdn_march_options and these in place of pointers. */
+struct MarchOptions : pdn_march_options {
+    MarchOptions()
+    {
+        pdn_march_options_init(this, sizeof(pdn_march_options));
+    }
+    /** Start from this solution. */
+    const Solution *initial = nullptr;
+    /** Start from these motions and velocities of the nodes. */
+    Series<3> positions;
+    Series<9> rotations;
+    Series<6> velocities;
+    Progress progress;
+};
+
+/** Marches a model in time; the solution is a trajectory. */
+inline Solution march(const Model &model, const MarchOptions &options)
+{
+    pdn_march_options plain = options;
+    plain.initial = detail::initial(options.initial);
+    const auto nodes = static_cast<std::size_t>(model.node_count());
+    for (const std::size_t given :
+         {options.positions.size(), options.rotations.size(), options.velocities.size()}) {
+        if (given != 0 && given != nodes) {
+            throw error(PDN_ERR_SIZE,
+                        "options: expected positions, rotations, velocities of all nodes");
+        }
+    }
+    plain.positions = options.positions.empty() ? nullptr : detail::flat(options.positions);
+    plain.rotations = options.rotations.empty() ? nullptr : detail::flat(options.rotations);
+    plain.velocities = options.velocities.empty() ? nullptr : detail::flat(options.velocities);
+    detail::Watch watch(options.progress, plain);
+    auto handle = detail::make<pdn_solution>(
+        [&](pdn_solution **out) { return pdn_march(model.get(), &plain, out); });
     watch.rethrow();
     return Solution(handle.release(), model.kept());
 }

@@ -1,0 +1,72 @@
+// A march of the oscillator against its free vibration in closed form.
+#include "check.hpp"
+
+#include <utility>
+
+int main()
+{
+    Oscillator o;
+    pdn::MarchOptions options;
+    options.duration = 2;
+    options.step = 1e-3;
+    options.spectral_radius = 1;
+    options.positions = {origin};
+    options.rotations = {identity};
+    options.velocities = {{0, 0, 0, 0, 0, 0.3}};
+    int steps = 0;
+    options.progress = [&](const pdn_progress &progress) {
+        steps += progress.stage == pdn::detail::c(pdn::Stage::march);
+        return true;
+    };
+    const auto free = pdn::march(o.model, options);
+    CHECK(free.converged() && steps == 2000);
+    const auto figures = free.march();
+    CHECK(figures.steps == 2000 && figures.last_time == 2);
+    CHECK(free.grid_times().size() == 2001);
+    // Second order: with rate 2.4 and step 1e-3 the error is a few 1e-7.
+    const double rate = std::sqrt(6 - 0.04), t = 1.7;
+    NEAR(free.joint_coordinate(o.hinge, pdn::Coordinate::rotation, {t})[0],
+         0.3 / rate * std::exp(-0.2 * t) * std::sin(rate * t), 1e-6);
+
+    // Until periodic, from a periodic solution; which a march then is the start of.
+    o.model.add_load(o.body, pdn::Frame::space, pdn::Component::moment_3,
+                     pdn::Signal::harmonics(0, 0, {0.6}, {0}));
+    const auto periodic = pdn::solve_periodic(o.model, period);
+    options = {};
+    options.initial = &periodic;
+    options.period = period;
+    options.steps_per_period = 200;
+    options.periodic_tolerance = 1e-2;
+    const auto steady = pdn::march(o.model, options);
+    CHECK(steady.converged() && steady.march().periods <= 3 && steady.march().repetition < 1e-2);
+    pdn::PeriodicOptions from;
+    from.initial = &steady;
+    CHECK(pdn::solve_periodic(o.model, period, from).converged());
+
+    options.progress = [](const pdn_progress &) -> bool { throw std::domain_error("enough"); };
+    try {
+        pdn::march(o.model, options);
+        std::exit(1);
+    } catch (const std::domain_error &e) {
+        CHECK(e.what() == std::string("enough"));
+    }
+    options.progress = [](const pdn_progress &) { return false; };
+    CHECK(pdn::march(o.model, options).outcome() == pdn::Outcome::cancelled);
+
+    REFUSED(pdn::march(o.model, {}), PDN_ERR_VALUE, "options.");
+    options = {};
+    options.duration = 1;
+    options.step = nan_value;
+    REFUSED(pdn::march(o.model, options), PDN_ERR_NOT_FINITE, "options.step: ");
+    options.step = 0.1;
+    options.velocities.resize(2);
+    REFUSED(pdn::march(o.model, options), PDN_ERR_SIZE, "options: ");
+    options.velocities.clear();
+    options.positions = {origin};
+    REFUSED(pdn::march(o.model, options), PDN_ERR_NULL, "options.rotations: ");
+    REFUSED(periodic.march(), PDN_ERR_NOT_AVAILABLE, "solution: ");
+    const pdn::Model moved = std::move(o.model);
+    REFUSED(pdn::march(o.model, options), PDN_ERR_NULL, "model: ");
+    CHECK(moved.node_count() == 1);
+    return 0;
+}
