@@ -7,8 +7,11 @@
  * kilograms, seconds.
  *
  *   planar_four_bar [--grid N] [--elements E] [--order P] [--damping BETA] [--out FILE]
+ *   planar_four_bar --march STEPS_PER_PERIOD [--elements E] [--order P] [--damping BETA] [--out
+ * FILE]
  *
- * BETA is the time constant of stiffness-proportional damping. FILE gets
+ * The second marches three revolutions from rest and shows the third. BETA is the time constant of
+ * stiffness-proportional damping. FILE gets
  * `t,u1_C,phi_C,theta_D,F1,M2` at 2001 times from 0 to T: displacement of C along axis 1, first
  * angle of the sequence 3-1-2 of the coupler's end at C, angle at D, and axial force and bending
  * moment (along and about the first and second axis of the section) in the middle of the crank. */
@@ -21,10 +24,12 @@ enum { TIMES = 2001 };
 
 int main(int argc, char **argv)
 {
-    check_options(argc, argv, "--grid --elements --order --damping --out");
+    check_options(argc, argv, "--grid --march --elements --order --damping --out");
     const size_t grid = option_count(argc, argv, "--grid", 21);
     const size_t elements = option_count(argc, argv, "--elements", 5);
     const size_t order = option_count(argc, argv, "--order", 2);
+    const size_t steps = option_count(argc, argv, "--march", 1);
+    const int marches = option_text(argc, argv, "--march", NULL) != NULL;
     const double damping = option_number(argc, argv, "--damping", 0);
     FILE *file = open_out(argc, argv);
     int failed = 1;
@@ -69,10 +74,21 @@ int main(int argc, char **argv)
     TRY(pdn_signal_set_harmonics(&turn, 0, -omega, NULL, NULL, 0));
     TRY(pdn_model_prescribe(model, motor_A, PDN_ROTATION, &turn));
 
-    pdn_periodic_options options;
-    PDN_INIT(pdn_periodic_options, &options);
-    options.grid_points = grid;
-    TRY(pdn_solve_periodic(model, period, &options, &solution));
+    double start = 0; /* of the period that is shown */
+    if (marches) {
+        pdn_march_options options;
+        PDN_INIT(pdn_march_options, &options);
+        options.period = period;
+        options.steps_per_period = steps;
+        options.duration = 3 * period;
+        start = 2 * period;
+        TRY(pdn_march(model, &options, &solution));
+    } else {
+        pdn_periodic_options options;
+        PDN_INIT(pdn_periodic_options, &options);
+        options.grid_points = grid;
+        TRY(pdn_solve_periodic(model, period, &options, &solution));
+    }
 
     char report[4096];
     pdn_solution_report(solution, report, sizeof report);
@@ -83,7 +99,7 @@ int main(int argc, char **argv)
 
     static double t[TIMES], position[TIMES][3], axes[TIMES][9], theta[TIMES], force[TIMES][6];
     for (int i = 0; i < TIMES; ++i) {
-        t[i] = period * i / (TIMES - 1);
+        t[i] = start + period * i / (TIMES - 1);
     }
     /* The middle of an element, or where two meet. */
     const int32_t middle = crank.first_element + (int32_t)(elements / 2);
@@ -99,16 +115,16 @@ int main(int argc, char **argv)
         highest = force[i][0] > force[highest][0] ? i : highest;
     }
     printf("Axial force in the crank: %.4f kN at %.4f T to %.4f kN at %.4f T\n",
-           1e-3 * force[lowest][0], t[lowest] / period, 1e-3 * force[highest][0],
-           t[highest] / period);
+           1e-3 * force[lowest][0], (t[lowest] - start) / period, 1e-3 * force[highest][0],
+           (t[highest] - start) / period);
 
     if (file) {
         fputs("t,u1_C,phi_C,theta_D,F1,M2\n", file);
         for (int i = 0; i < TIMES; ++i) {
             /* R = R3(phi) R1 R2, stored column by column */
             const double phi = atan2(-axes[i][3], axes[i][4]);
-            fprintf(file, "%.17g,%.17g,%.17g,%.17g,%.17g,%.17g\n", t[i], position[i][0] - C[0], phi,
-                    theta[i], force[i][0], force[i][4]);
+            fprintf(file, "%.17g,%.17g,%.17g,%.17g,%.17g,%.17g\n", t[i] - start,
+                    position[i][0] - C[0], phi, theta[i], force[i][0], force[i][4]);
         }
     }
     failed = 0;
