@@ -102,12 +102,12 @@ static int eigenvalue(const mechanism *m, double *decay, double *frequency)
     PDN_INIT(pdn_mode, &mode);
     turning.angular_velocity[2] = OMEGA;
     options.equilibrium = &turning;
-    size_t count;
+    int32_t count;
     TRY(pdn_solve_modes(m->model, &options, &modes));
     TRY(pdn_modes_count(modes, &count, NULL));
     *decay = *frequency = 0;
-    for (size_t i = 0; i < count; ++i) {
-        TRY(pdn_modes_get(modes, (int32_t)i, &mode));
+    for (int32_t i = 0; i < count; ++i) {
+        TRY(pdn_modes_get(modes, i, &mode));
         if (mode.eigenvalue_imaginary > 0) {
             *decay = -mode.eigenvalue_real;
             *frequency = mode.eigenvalue_imaginary;
@@ -167,7 +167,6 @@ static int march(double tau_over_T, double step, size_t turns, FILE *file)
     options.duration = (double)turns * period;
     options.period = period;
     options.step = step;
-    options.spectral_radius = 1; /* no damping but that of the dashpot */
     if (build(tau_over_T * period, &m) != 0 || eigenvalue(&m, &decay, &frequency) != 0) {
         goto done;
     }
@@ -181,7 +180,6 @@ static int march(double tau_over_T, double step, size_t turns, FILE *file)
     /* Largest angle in each turn. */
     printf("  turn     largest |theta2|\n");
     size_t within_3 = 0, within_6 = 0;
-    double previous = 0, last = 0;
     for (size_t k = 0; k < turns; ++k) {
         double largest = 0;
         for (size_t i = k * POINTS_PER_TURN; i <= (k + 1) * POINTS_PER_TURN; ++i) {
@@ -190,13 +188,21 @@ static int march(double tau_over_T, double step, size_t turns, FILE *file)
         printf("%6d %20.3e\n", (int)(k + 1), largest);
         within_3 = largest > 1e-3 ? k + 1 : within_3;
         within_6 = largest > 1e-6 ? k + 1 : within_6;
-        previous = k + 1 == turns ? last : previous;
-        last = largest;
     }
     printf("Revolutions until within 1e-3 rad: %d%s; 1e-6 rad: %d%s\n", (int)within_3,
            within_3 == turns ? " or more" : "", (int)within_6, within_6 == turns ? " or more" : "");
-    (void)previous;
-    printf("Eigenvalue of the vibration: decay %.4f 1/s, frequency %.4f rad/s\n", decay, frequency);
+
+    /* Amplitude C exp(-decay t) of a vibration of one frequency, from angle and rate at two times.
+     */
+    const double t[2] = {(double)(turns / 2) * period, options.duration};
+    double angle[2], rate[2], amplitude[2];
+    TRY(pdn_solution_joint_coordinate(solution, m.hinge, PDN_ROTATION, t, 2, angle));
+    TRY(pdn_solution_joint_rate(solution, m.hinge, PDN_ROTATION, t, 2, rate));
+    for (int i = 0; i < 2; ++i) {
+        amplitude[i] = hypot(angle[i], (rate[i] + decay * angle[i]) / frequency);
+    }
+    printf("Decay in the second half: %.4f 1/s; of the vibration's eigenvalue: %.4f 1/s\n",
+           log(amplitude[0] / amplitude[1]) / (t[1] - t[0]), decay);
     failed = 0;
 done:
     free(theta);

@@ -55,7 +55,8 @@ impl ActedCoordinate {
         let mut q = self.kind.coordinate(self.coordinate, &relative.z);
         let last = instant.coordinates[self.tracked];
         q.value = self.kind.follow(self.coordinate, q.value, last);
-        if self.kind == JointKind::Strut && q.value == 0.0 {
+        // A length of the order of what a solve leaves is none.
+        if self.kind == JointKind::Strut && q.value <= 1e-8 * self.pair.extent(instant.nodes) {
             let message = "the points of its strut coincide: its force has no direction";
             return Err(Error::new(ErrorKind::Model, message));
         }

@@ -50,6 +50,13 @@ impl FramePair {
         &self.nodes
     }
 
+    /// Length that positions of the frames are rounded relative to.
+    pub fn extent(&self, states: &[NodeState]) -> f64 {
+        let nodes = states.iter().map(|state| state.motion.position.norm());
+        let offsets = [&self.first, &self.second].map(|a| a.offset.position.norm());
+        nodes.chain(offsets).fold(0.0, f64::max)
+    }
+
     fn frames(&self, states: &[NodeState]) -> (Motion, Motion) {
         let mut states = states.iter();
         let mut frame = |attachment: &Attachment| match (attachment.node, states.next()) {
