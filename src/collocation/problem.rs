@@ -632,12 +632,16 @@ impl Collocation {
                         let (gamma_v, gamma_a) = &blocks.gammas[k * points + l];
                         let mut block = times_twist_matrix(&blocks.mass[at + l], gamma_a);
                         block += times_twist_matrix(&blocks.damping[at + l], gamma_v);
-                        match given {
-                            None if l == k => block += blocks.stiffness[at + l],
-                            Some(given) if pair.row == column => {
+                        if l == k && given.is_none_or(|given| given.elastic) {
+                            block += blocks.stiffness[at + l];
+                        }
+                        if let Some(given) = given {
+                            if given.elastic {
+                                block += blocks.damping[at + l] * given.weight.sqrt();
+                            }
+                            if pair.row == column {
                                 block += self.added_inertia(given);
                             }
-                            _ => {}
                         }
                         for component in 0..6 {
                             let first = pattern.pair_value(column, pair, k, component) + 6 * l;
@@ -646,11 +650,13 @@ impl Collocation {
                         }
                     }
                 } else {
-                    let block = match given {
-                        None => blocks.stiffness[at + k],
+                    let mut block = match given {
                         Some(given) if pair.row == column => self.added_inertia(given),
-                        Some(_) => Matrix6::zeros(),
+                        _ => Matrix6::zeros(),
                     };
+                    if given.is_none_or(|given| given.elastic) {
+                        block += blocks.stiffness[at + k];
+                    }
                     for component in 0..6 {
                         let first = pattern.pair_value(column, pair, k, component);
                         values[first..first + 6]

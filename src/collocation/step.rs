@@ -270,4 +270,6 @@ pub struct GivenRates {
     pub weight: f64,
     /// Inertia added to each node where some have none, that the Jacobian be regular: a mass.
     pub added_mass: f64,
+    /// Whether the Jacobian has damping and stiffness beside the inertia, as that of a step has.
+    pub elastic: bool,
 }

@@ -48,6 +48,8 @@ pub(super) struct Initial<'a> {
     /// Length of the steps that will follow.
     pub step: f64,
     added_mass: f64,
+    /// Whether what steps cannot resolve moves as it does quasi-statically.
+    elastic: bool,
 }
 
 impl<'a> Initial<'a> {
@@ -56,6 +58,7 @@ impl<'a> Initial<'a> {
             newton,
             step,
             added_mass: 0.0,
+            elastic: false,
         }
     }
 
@@ -75,6 +78,7 @@ impl<'a> Initial<'a> {
             rates: at.rates.clone(),
             weight: self.weight(),
             added_mass: self.added_mass,
+            elastic: self.elastic,
         });
     }
 
@@ -291,8 +295,9 @@ impl<'a> Initial<'a> {
         Ok(())
     }
 
-    /// Velocities nearest to the given ones, by kinetic energy, that the constraints allow. How far they
-    /// were off is returned, relative to the characteristic length, or in radians, in a unit of time.
+    /// Velocities nearest to the given ones that the constraints allow: by kinetic energy, and by what it
+    /// takes to move on with them for a step. So a shock does not leave stiff parts behind that vibrate faster
+    /// than the steps resolve. How far they were off is returned, relative to the characteristic length, or in radians, in a unit of time.
     fn project_velocities(
         &mut self,
         at: &mut MotionState,
@@ -300,7 +305,10 @@ impl<'a> Initial<'a> {
     ) -> Result<std::result::Result<f64, Refusal>> {
         let mut correction = 0.0f64;
         at.twist_rate.fill(Vector6::zeros());
-        if let Some(refusal) = self.factor(at)? {
+        self.elastic = true;
+        let refusal = self.factor(at);
+        self.elastic = false;
+        if let Some(refusal) = refusal? {
             return Ok(Err(refusal));
         }
         // Once more, as the stencil is better with velocities that are right.
