@@ -8,6 +8,7 @@ mod kinematics;
 mod linearisation;
 mod pattern;
 mod problem;
+mod sensitivity;
 mod state;
 mod step;
 
@@ -16,5 +17,6 @@ pub use kinematics::{BackwardRule, NodeKinematics};
 pub use linearisation::Linearisation;
 pub use pattern::Pattern;
 pub use problem::{Collocation, TangentBlocks};
+pub use sensitivity::{StepVariation, Variation, VariationScales};
 pub use state::GridState;
 pub use step::{AlphaStep, GeneralizedAlpha, GivenRates, MotionState};

@@ -9,7 +9,7 @@ use crate::error::Result;
 use crate::fourier::{Differentiation, TimeGrid};
 use crate::motion::DualMatrix;
 use crate::system::{Conditions, OwnValues, Placed, System, Workspace};
-use nalgebra::{Matrix3, Matrix6};
+use nalgebra::{Matrix3, Matrix6, Vector6};
 use std::sync::Arc;
 
 /// Scaled compliance of dependent constraints in the Jacobian. Newton's method loses this factor, over
@@ -101,6 +101,8 @@ pub struct TangentBlocks {
     damping: Vec<Matrix6<f64>>,
     mass: Vec<Matrix6<f64>>,
     gammas: Vec<(DualMatrix, DualMatrix)>,
+    /// `∂constraint/∂λ̇` of each element with internal states, column by column.
+    own_rates: Vec<f64>,
 }
 
 impl Collocation {
@@ -533,6 +535,7 @@ impl Collocation {
     ) -> Result<()> {
         let points = self.grid.points();
         let block_count = pattern.pair_count() * points;
+        blocks.own_rates.clear();
         for list in [&mut blocks.stiffness, &mut blocks.damping, &mut blocks.mass] {
             list.clear();
             list.resize(block_count, Matrix6::zeros());
@@ -578,6 +581,9 @@ impl Collocation {
                     }
                 }
                 if placed.has_states {
+                    blocks
+                        .own_rates
+                        .extend_from_slice(contribution.own_rate.as_slice());
                     // Row ℓ is that of this grid point: ∂/∂λ_k + δ_ℓk, and D_ℓk times ∂/∂λ̇_ℓ.
                     for column in 0..count {
                         for other in 0..points {
@@ -669,6 +675,43 @@ impl Collocation {
 }
 
 impl Collocation {
+    /// Writes, for a grid of one point, the scaled change of a residual with velocities and accelerations of
+    /// the nodes and rates of internal states; `blocks` are those of the last Jacobian.
+    pub fn rate_forces(
+        &self,
+        pattern: &Pattern,
+        blocks: &TangentBlocks,
+        nodes: &[[Vector6<f64>; 2]],
+        rates: &[f64],
+        out: &mut [f64],
+    ) {
+        out.fill(0.0);
+        for (column, [velocity, acceleration]) in nodes.iter().enumerate() {
+            for (number, pair) in pattern.pairs(column) {
+                if !pair.dense {
+                    continue;
+                }
+                let force = blocks.mass[number] * acceleration + blocks.damping[number] * velocity;
+                let rows = &mut out[6 * pair.row..][..6];
+                rows.iter_mut().zip(&force).for_each(|(row, f)| *row += f);
+            }
+        }
+        let first = 6 * nodes.len();
+        let mut own_rates = blocks.own_rates.iter();
+        for placed in self.system.elements().iter().filter(|p| p.has_states) {
+            let range =
+                placed.first_multiplier..placed.first_multiplier + placed.element.multipliers();
+            for rate in &rates[range.clone()] {
+                for (place, own_rate) in range.clone().zip(&mut own_rates) {
+                    out[first + place] += own_rate * rate;
+                }
+            }
+        }
+        for (value, scale) in out.iter_mut().zip(&self.row_scale) {
+            *value *= scale;
+        }
+    }
+
     /// Inertia that is added to each node, with its factor.
     fn added_inertia(&self, given: &GivenRates) -> Matrix6<f64> {
         let (length, mass) = (self.system.scales().length, given.added_mass * given.weight);

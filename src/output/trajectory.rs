@@ -7,7 +7,9 @@ use crate::error::{Error, ErrorKind, Result};
 use crate::fourier::TimeGrid;
 use crate::model::Model;
 use crate::motion::inverse_tangent;
-use crate::solve::{Iteration, MarchOptions, Stage, StartState, march};
+use crate::solve::{
+    Iteration, MarchOptions, ShootingOptions, Stage, StartState, march, solve_shooting,
+};
 use nalgebra::Vector6;
 
 /// Times beyond the ends by this part of the trajectory are taken for the ends.
@@ -84,6 +86,16 @@ impl Solution {
         observe: &mut dyn FnMut(Stage, &Iteration) -> bool,
     ) -> Result<Self> {
         Self::of(model, march(model, options, observe)?)
+    }
+
+    /// Finds the periodic motion of `model` by shooting, see [`solve_shooting`]: a trajectory over one period.
+    pub fn solve_shooting(
+        model: &Model,
+        period: f64,
+        options: &ShootingOptions,
+        observe: &mut dyn FnMut(Stage, &Iteration) -> bool,
+    ) -> Result<Self> {
+        Self::of(model, solve_shooting(model, period, options, observe)?)
     }
 
     /// Whether this is a trajectory, which knows a stretch of time only and has no harmonics.

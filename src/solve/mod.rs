@@ -16,6 +16,7 @@ mod ordering;
 mod pencil;
 mod periodic;
 mod settle;
+mod shooting;
 mod statics;
 mod trajectory;
 
@@ -24,5 +25,6 @@ pub use direct::DirectSolver;
 pub use modes::{Mode, ModesOptions, ModesSolve, solve_modes};
 pub use newton::{Iteration, Newton, NewtonOptions, NewtonReport, Outcome, Timings};
 pub use periodic::{InitialGuess, PeriodicOptions, PeriodicSolve, Stage, solve_periodic};
+pub use shooting::{ShootingOptions, solve_shooting};
 pub use statics::{StaticOptions, solve_static};
 pub use trajectory::{MarchEnd, MarchOptions, MarchRecord, MarchStart, StartState, march};

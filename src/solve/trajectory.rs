@@ -209,18 +209,21 @@ pub struct MarchRecord {
     pub start_moved: f64,
     /// Likewise of velocities, in the unit of time.
     pub start_corrected: f64,
+    /// Of a shooting solve: real and imaginary parts of the Floquet multipliers, the largest first.
+    #[serde(default)]
+    pub floquet: Vec<[f64; 2]>,
 }
 
 /// One time's states.
 #[derive(Debug, Clone)]
-struct Kept {
+pub(super) struct Kept {
     time: f64,
     state: GridState,
     node_states: Vec<NodeState>,
 }
 
 impl Kept {
-    fn of(at: &MotionState) -> Self {
+    pub fn of(at: &MotionState) -> Self {
         Kept {
             time: at.time,
             node_states: (0..at.twist.len()).map(|node| at.node(node)).collect(),
@@ -230,7 +233,7 @@ impl Kept {
 }
 
 /// Largest difference of motions and velocities, as in [`MarchEnd::Periodic`].
-fn difference(a: &MotionState, b: &MotionState, length: f64, period: f64) -> f64 {
+pub(super) fn difference(a: &MotionState, b: &MotionState, length: f64, period: f64) -> f64 {
     let unit = period / TAU;
     let velocities = a.twist.iter().zip(&b.twist).fold(0.0f64, |m, (a, b)| {
         let d = (a - b) * unit;
@@ -305,6 +308,16 @@ impl Marcher {
     /// The present state.
     pub fn now(&self) -> &MotionState {
         &self.step.start
+    }
+
+    /// Goes on from another state.
+    pub fn restart(&mut self, start: MotionState) {
+        self.step.start = start;
+    }
+
+    /// Corrects the present time by its rounding.
+    pub fn set_time(&mut self, time: f64) {
+        self.step.start.time = time;
     }
 
     /// Goes on with steps of this length.
@@ -573,7 +586,7 @@ pub fn march(
 }
 
 /// Puts the states of all times together.
-fn finish(
+pub(super) fn finish(
     system: &Arc<System>,
     mut record: MarchRecord,
     kept: Vec<Kept>,

@@ -1,0 +1,252 @@
+//! Shooting: agrees with collocation to the error of its steps, converges quadratically, Floquet multipliers.
+
+mod common;
+
+use common::*;
+use nalgebra::{Complex, Matrix3, Vector3};
+use periodyn::elements::{Coordinate, JointKind, MaxwellBranch};
+use periodyn::error::ErrorKind;
+use periodyn::model::*;
+use periodyn::output::{JointQuantity, Solution};
+use periodyn::solve::*;
+use std::f64::consts::TAU;
+
+fn shoot(model: &Model, period: f64, steps: usize) -> Solution {
+    let options = ShootingOptions {
+        steps,
+        ..ShootingOptions::default()
+    };
+    let solution = Solution::solve_shooting(model, period, &options, &mut |_, _| true).unwrap();
+    assert_eq!(
+        solution.outcome(),
+        Outcome::Converged,
+        "{}",
+        solution.report()
+    );
+    // It repeats itself: what Newton's method leaves is the square of its last increment.
+    let record = solution.details().march.as_ref().unwrap();
+    assert!(record.repetition < 1e-9, "{:e}", record.repetition);
+    assert_eq!(record.times.len(), steps + 1);
+    let iterations = &solution.details().report.iterations;
+    for pair in iterations.windows(2) {
+        println!(
+            "increment {:.1e} -> {:.1e}",
+            pair[0].increment, pair[1].increment
+        );
+    }
+    solution
+}
+
+fn floquet(solution: &Solution) -> Vec<Complex<f64>> {
+    let record = solution.details().march.as_ref().unwrap();
+    record
+        .floquet
+        .iter()
+        .map(|z| Complex::new(z[0], z[1]))
+        .collect()
+}
+
+/// Errors of a quantity against a reference fall with the square of the step: `errors` at steps and twice as
+/// many.
+fn assert_second_order(errors: [f64; 2], what: &str) {
+    let order = (errors[0] / errors[1]).log2();
+    println!(
+        "{what}: errors {:.2e}, {:.2e}, order {order:.3}",
+        errors[0], errors[1]
+    );
+    assert!((1.9..2.1).contains(&order), "{what}: {order}");
+}
+
+/// Compares a joint's coordinate with that of collocation.
+fn compare(
+    model: &Model,
+    period: f64,
+    joint: usize,
+    coordinate: Coordinate,
+    points: usize,
+    steps: usize,
+) {
+    let exact = solve(model, period, points);
+    let times = times(period, 41);
+    let quantity = JointQuantity::Coordinate(coordinate);
+    let exact = exact.joint(joint, quantity, &times).unwrap();
+    let error = |steps: usize| {
+        let solution = shoot(model, period, steps);
+        relative_to_range(&solution.joint(joint, quantity, &times).unwrap(), &exact)
+    };
+    assert_second_order([error(steps), error(2 * steps)], "coordinate");
+}
+
+const OSCILLATOR: [f64; 3] = [2.0, 50.0, 1.2];
+
+fn oscillator() -> (Model, usize) {
+    let [mass, stiffness, damping] = OSCILLATOR;
+    let mut model = Model::new();
+    let body = model
+        .add_rigid_body(mass, &Vector3::zeros(), &Matrix3::identity())
+        .unwrap();
+    let frame = Model::frame_at("axis", &Vector3::zeros(), &Vector3::z()).unwrap();
+    let joint = model
+        .add_joint(JointKind::Prismatic, None, Some(body), &frame, &frame)
+        .unwrap();
+    let at = JointCoordinate {
+        joint,
+        coordinate: Coordinate::Displacement1,
+    };
+    model
+        .add_spring_damper(SpringDefinition {
+            at,
+            stiffness,
+            damping,
+            rest: 0.0,
+        })
+        .unwrap();
+    model.add_actuator(at, &cosine(3.0)).unwrap();
+    (model, joint)
+}
+
+#[test]
+fn an_oscillator_has_its_closed_form_and_floquet_multipliers() {
+    let (model, joint) = oscillator();
+    let omega = 3.0;
+    let period = TAU / omega;
+    let [m, k, c] = OSCILLATOR;
+    let gain = Complex::from(3.0) / Complex::new(k - m * omega * omega, c * omega);
+    let s = Complex::new(-c / (2.0 * m), (k / m - (c / (2.0 * m)).powi(2)).sqrt());
+    let exact = (s * period).exp();
+    let times = times(period, 41);
+    let (mut errors, mut multipliers) = ([0.0; 2], [0.0; 2]);
+    for (i, steps) in [200, 400].into_iter().enumerate() {
+        let solution = shoot(&model, period, steps);
+        // Linear: one step, and one that finds it was enough.
+        assert!(solution.details().report.iterations.len() <= 2);
+        let quantity = JointQuantity::Coordinate(Coordinate::Displacement1);
+        let found = solution.joint(joint, quantity, &times).unwrap();
+        let closed: Vec<f64> = times
+            .iter()
+            .map(|t| (gain * Complex::new(0.0, omega * t).exp()).re)
+            .collect();
+        errors[i] = largest_difference(&found, &closed);
+        let found = floquet(&solution);
+        assert_eq!(found.len(), 2);
+        println!("multipliers {found:?}, exact {exact}");
+        let conjugate = if found[0].im * exact.im > 0.0 {
+            exact
+        } else {
+            exact.conj()
+        };
+        multipliers[i] = (found[0] - conjugate).norm();
+        assert!((found[0] - found[1].conj()).norm() < 1e-10);
+    }
+    assert_second_order(errors, "closed form");
+    assert_second_order(multipliers, "Floquet multipliers");
+}
+
+#[test]
+fn a_double_pendulum_agrees_with_collocation() {
+    let mut model = Model::new();
+    let spin = Matrix3::from_diagonal(&Vector3::new(0.02, 0.03, 0.01));
+    let at = |z: f64| Vector3::new(0.0, 0.0, z);
+    let first = model.add_rigid_body(1.0, &at(-0.3), &spin).unwrap();
+    let second = model.add_rigid_body(0.7, &at(-0.9), &spin).unwrap();
+    let y = Vector3::y();
+    let shoulder = revolute(&mut model, None, Some(first), &at(0.0), &y);
+    let elbow = revolute(&mut model, Some(first), Some(second), &at(-0.6), &y);
+    for (joint, damping) in [(shoulder, 0.5), (elbow, 0.3)] {
+        model
+            .add_spring_damper(SpringDefinition {
+                at: rotation1(joint),
+                stiffness: 0.0,
+                damping,
+                rest: 0.0,
+            })
+            .unwrap();
+    }
+    model
+        .add_actuator(rotation1(shoulder), &cosine(3.0))
+        .unwrap();
+    model.set_gravity([0.0, 0.0, -9.81].map(|g| Signal::constant(g).unwrap()));
+    compare(&model, 1.7, elbow, Coordinate::Rotation1, 61, 200);
+}
+
+#[test]
+fn a_flexible_four_bar_agrees_with_collocation() {
+    let four_bar = FourBar {
+        elements: 1,
+        degree: 1,
+        loaded: true,
+        setting: Setting::default(),
+    }
+    .build();
+    compare(
+        &four_bar.model,
+        four_bar.period,
+        four_bar.joints[0],
+        Coordinate::Rotation1,
+        61,
+        100,
+    );
+}
+
+#[test]
+fn a_zener_pendulum_agrees_with_collocation() {
+    let mut model = Model::new();
+    let spin = Matrix3::from_diagonal(&Vector3::new(0.1, 0.2, 0.15));
+    let centre = Vector3::new(0.0, 0.0, -0.7);
+    let body = model.add_rigid_body(1.3, &centre, &spin).unwrap();
+    let hinge = revolute(
+        &mut model,
+        None,
+        Some(body),
+        &Vector3::zeros(),
+        &Vector3::y(),
+    );
+    model.set_gravity([0.0, 0.0, -9.81].map(|g| Signal::constant(g).unwrap()));
+    let branch = MaxwellBranch {
+        stiffness: 4.0,
+        relaxation_time: 0.3,
+    };
+    model
+        .add_viscoelastic(rotation1(hinge), 6.0, 0.0, &[branch])
+        .unwrap();
+    model.add_actuator(rotation1(hinge), &cosine(9.0)).unwrap();
+    compare(&model, TAU / 3.0, hinge, Coordinate::Rotation1, 61, 200);
+    let solution = shoot(&model, TAU / 3.0, 200);
+    assert_eq!(floquet(&solution).len(), 3);
+    let iterations = &solution.details().report.iterations;
+    // Quadratic: each increment is at most a multiple of the square of the one before.
+    for pair in iterations.windows(2) {
+        let (before, after) = (pair[0].increment, pair[1].increment);
+        if before < 0.1 {
+            assert!(
+                after < 5.0 * before * before + 1e-11,
+                "{before:e} -> {after:e}"
+            );
+        }
+    }
+}
+
+#[test]
+fn options_that_make_no_sense_are_refused() {
+    let (model, _) = oscillator();
+    let refused = |options: ShootingOptions, what: &str| {
+        let error = Solution::solve_shooting(&model, 2.0, &options, &mut |_, _| true).unwrap_err();
+        assert_eq!(error.kind(), ErrorKind::Value, "{error}");
+        assert!(error.to_string().contains(what), "{error}");
+    };
+    let defaults = ShootingOptions::default;
+    refused(
+        ShootingOptions {
+            steps: 0,
+            ..defaults()
+        },
+        "options.steps_per_period",
+    );
+    refused(
+        ShootingOptions {
+            spectral_radius: 1.0,
+            ..defaults()
+        },
+        "options.spectral_radius",
+    );
+}
