@@ -25,6 +25,7 @@ const FILES: &[&str] = &[
     "statics",
     "modes",
     "march",
+    "shooting",
     "motion",
     "summary",
     "table",

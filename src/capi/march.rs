@@ -337,6 +337,12 @@ pub unsafe extern "C" fn pdn_march_diagnostics_init(
     init_struct(diagnostics, struct_size, "diagnostics");
 }
 
+/// The solution is none of a march.
+pub(super) fn no_trajectory() -> Error {
+    let message = "solution: expected one of a march, got one that is no trajectory";
+    Error::new(ErrorKind::NotAvailable, message)
+}
+
 /// Figures of a march: steps, periods, how much the last of them differ, how much the start was changed.
 ///
 /// @param solution  a solution of ::pdn_march; not NULL
@@ -354,8 +360,7 @@ pub unsafe extern "C" fn pdn_solution_march(
         let solution = call.shared(solution, "solution")?;
         let out = call.out_struct(out, "out")?;
         let Some(record) = &solution.details().march else {
-            let message = "solution: expected one of a march, got one that is no trajectory";
-            return Err(Error::new(ErrorKind::NotAvailable, message));
+            return Err(no_trajectory());
         };
         out.set(pdn_march_diagnostics {
             steps: record.steps,

@@ -84,6 +84,7 @@ pub mod modes;
 pub mod motion;
 pub mod periodic;
 pub mod section;
+pub mod shooting;
 pub mod signal;
 pub mod solution;
 pub mod statics;

@@ -238,6 +238,17 @@ AT(pdn_march_options, velocities, 128);
 AT(pdn_march_options, progress, 136);
 AT(pdn_march_options, progress_data, 144);
 
+SIZE(pdn_shooting_options, 72);
+AT(pdn_shooting_options, struct_size, 0);
+AT(pdn_shooting_options, steps_per_period, 8);
+AT(pdn_shooting_options, guess_periods, 16);
+AT(pdn_shooting_options, spectral_radius, 24);
+AT(pdn_shooting_options, tolerance, 32);
+AT(pdn_shooting_options, iteration_limit, 40);
+AT(pdn_shooting_options, initial, 48);
+AT(pdn_shooting_options, progress, 56);
+AT(pdn_shooting_options, progress_data, 64);
+
 SIZE(pdn_march_diagnostics, 88);
 AT(pdn_march_diagnostics, struct_size, 0);
 AT(pdn_march_diagnostics, steps, 8);
