@@ -244,30 +244,6 @@ fn a_flexible_four_bar_keeps_to_its_periodic_motion_to_the_second_order() {
     }
 }
 
-#[test]
-fn a_flexible_four_bar_gets_over_the_shock_of_its_start() {
-    let four_bar = FourBar {
-        elements: 1,
-        degree: 1,
-        loaded: true,
-        setting: Setting::default(),
-    }
-    .build();
-    // The crank is at its speed at once, and the loads act at once.
-    let duration = 0.5 * four_bar.period;
-    let mut options = for_time(duration, 100);
-    options.period = Some(four_bar.period);
-    let solution = march(&four_bar.model, &options);
-    let periodic = four_bar.solve(61);
-    let end = |s: &Solution| {
-        s.node(four_bar.b, NodeQuantity::Position, &[duration])
-            .unwrap()
-    };
-    let error = largest_difference(&end(&solution), &end(&periodic));
-    println!("off the periodic motion by {error:.1e}");
-    assert!(error < 1e-2);
-}
-
 /// A body on six springs: nothing is lost. The energy of a state.
 fn on_springs() -> (Model, usize) {
     let mut model = Model::new();

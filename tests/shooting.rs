@@ -183,14 +183,13 @@ fn a_flexible_four_bar_agrees_with_collocation() {
         setting: Setting::default(),
     }
     .build();
-    // At rest, a driven flexible mechanism starts with a shock: from a coarse periodic motion it does not.
-    let coarse = solve(&four_bar.model, four_bar.period, 11);
-    let exact = solve(&four_bar.model, four_bar.period, 61);
+    // From rest, a driven flexible mechanism starts with a shock that such long steps do not get over.
+    let periodic = solve(&four_bar.model, four_bar.period, 61);
     let times = times(four_bar.period, 41);
-    let exact = four_bar.curves(&exact, &times);
+    let exact = four_bar.curves(&periodic, &times);
     let mut errors = [[0.0; 2]; 3];
     for (i, steps) in [100, 200].into_iter().enumerate() {
-        let start = MarchStart::State(coarse.start_state(0.0).unwrap());
+        let start = MarchStart::State(periodic.start_state(0.0).unwrap());
         let solution = shoot_from(start, &four_bar.model, four_bar.period, steps);
         let found = four_bar.curves(&solution, &times);
         for (curve, (found, exact)) in found.iter().zip(&exact).enumerate() {

@@ -107,12 +107,6 @@ impl MotionState {
         }
     }
 
-    /// Makes it a start without accelerations.
-    pub fn forget_accelerations(&mut self) {
-        self.twist_rate.fill(Vector6::zeros());
-        self.averaged.fill(Vector6::zeros());
-    }
-
     /// Makes it the start of steps of another length: `a` is `v̇` a part of a step earlier.
     pub fn change_step(&mut self, ratio: f64) {
         for (a, rate) in self.averaged.iter_mut().zip(&self.twist_rate) {

@@ -344,23 +344,9 @@ impl Marcher {
             .copy_from_slice(&self.step.start.state.coordinates);
         self.next.track(&system);
         self.newton.equations.set_step(self.step.clone());
-        let solve = |marcher: &mut Self| {
-            let (newton, next) = (&mut marcher.newton, &mut marcher.next);
-            newton.solve(next, &marcher.newton_options, &mut |_| true)
-        };
-        let mut report = solve(self);
-        let failed = match &report {
-            Ok(report) => matches!(report.outcome, Outcome::Stalled | Outcome::IterationLimit),
-            Err(error) => error.kind() != ErrorKind::Callback,
-        };
-        // A shock at the start gives accelerations of vibrations that the steps do not resolve, and that
-        // carry the prediction astray: the first step is better off without.
-        if failed && self.record.steps == 0 {
-            self.step.start.forget_accelerations();
-            self.next.clone_from(&self.step.start.state);
-            self.newton.equations.set_step(self.step.clone());
-            report = solve(self);
-        }
+        let report = self
+            .newton
+            .solve(&mut self.next, &self.newton_options, &mut |_| true);
         let report = match report {
             Ok(report) => report,
             Err(error) if error.kind() == ErrorKind::Callback => return Err(error),
