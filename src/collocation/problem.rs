@@ -544,6 +544,8 @@ impl Collocation {
             let nodes = placed.element.nodes();
             let count = placed.element.multipliers();
             let (has_mass, has_damping) = (placed.element.has_mass(), placed.element.has_damping());
+            // Where rates are given inertia is all that matters of masses.
+            let mass_alone = has_mass && matches!(self.derivatives, Derivatives::Given(_));
             for k in 0..points {
                 let workspace = &mut self.with_tangents;
                 let contribution = self.instants.evaluate(placed, k, state, workspace)?;
@@ -551,8 +553,10 @@ impl Collocation {
                     for (b, &column) in nodes.iter().enumerate() {
                         let at = pattern.pair_number(row, column) * points + k;
                         let (i, j) = (6 * a, 6 * b);
-                        blocks.stiffness[at] += contribution.stiffness.fixed_view::<6, 6>(i, j);
-                        if has_damping {
+                        if !mass_alone {
+                            blocks.stiffness[at] += contribution.stiffness.fixed_view::<6, 6>(i, j);
+                        }
+                        if has_damping && !mass_alone {
                             blocks.damping[at] += contribution.damping.fixed_view::<6, 6>(i, j);
                         }
                         if has_mass {
