@@ -295,6 +295,18 @@ module periodyn_c
         real(c_double) :: start_corrected
     end type pdn_march_diagnostics
 
+    type, bind(C) :: pdn_shooting_options
+        integer(c_size_t) :: struct_size = 0
+        integer(c_size_t) :: steps_per_period
+        integer(c_size_t) :: guess_periods
+        real(c_double) :: spectral_radius
+        real(c_double) :: tolerance
+        integer(c_size_t) :: iteration_limit
+        type(c_ptr) :: initial = c_null_ptr
+        type(c_funptr) :: progress = c_null_funptr
+        type(c_ptr) :: progress_data = c_null_ptr
+    end type pdn_shooting_options
+
     type, bind(C) :: pdn_summary
         integer(c_size_t) :: struct_size = 0
         integer(c_int32_t) :: nodes
@@ -1518,6 +1530,41 @@ module periodyn_c
             integer(c_int32_t) :: pdn_solution_march
         end function pdn_solution_march
 
+        ! Sets default options; use `PDN_INIT(pdn_shooting_options, &options)`
+        subroutine pdn_shooting_options_init(options, struct_size) bind(C, name="pdn_shooting_options_init")
+            import
+            type(pdn_shooting_options), intent(inout) :: options
+            integer(c_size_t), value :: struct_size
+        end subroutine pdn_shooting_options_init
+
+        ! Finds the periodic response of a model by shooting: Newton's method on the period map of ::pdn_march
+        function pdn_solve_shooting(model, period, options, out) bind(C, name="pdn_solve_shooting")
+            import
+            type(c_ptr), value :: model
+            real(c_double), value :: period
+            type(pdn_shooting_options), intent(in), optional :: options
+            type(c_ptr), intent(inout) :: out
+            integer(c_int32_t) :: pdn_solve_shooting
+        end function pdn_solve_shooting
+
+        ! Number of Floquet multipliers of a solution: as many as the system has states, if ::pdn_solve_shooting ...
+        function pdn_solution_floquet_count(solution, out) bind(C, name="pdn_solution_floquet_count")
+            import
+            type(c_ptr), value :: solution
+            integer(c_size_t), intent(inout) :: out
+            integer(c_int32_t) :: pdn_solution_floquet_count
+        end function pdn_solution_floquet_count
+
+        ! Floquet multipliers: what disturbances of the motion are multiplied by in a period, the largest first
+        function pdn_solution_floquet(solution, real, imaginary, count) bind(C, name="pdn_solution_floquet")
+            import
+            type(c_ptr), value :: solution
+            real(c_double), intent(inout) :: real(*)
+            real(c_double), intent(inout) :: imaginary(*)
+            integer(c_size_t), value :: count
+            integer(c_int32_t) :: pdn_solution_floquet
+        end function pdn_solution_floquet
+
         ! Interpolates a periodic motion given at N equispaced times, by dual polar decomposition
         function pdn_motion_interpolate(period, positions, rotations, points, times, count, position, &
             rotation, velocity, acceleration) bind(C, name="pdn_motion_interpolate")
@@ -1763,6 +1810,7 @@ module periodyn
         procedure, public :: outcome => solution_outcome
         procedure, public :: diagnostics => solution_diagnostics
         procedure, public :: march => solution_march
+        procedure, public :: floquet => solution_floquet
         procedure, public :: history => solution_history
         procedure, public :: decay => solution_decay
         procedure, public :: grid_times => solution_grid_times
@@ -1839,6 +1887,7 @@ module periodyn
         procedure, public :: solve_periodic => model_solve_periodic
         procedure, public :: solve_static => model_solve_static
         procedure, public :: march => model_march
+        procedure, public :: solve_shooting => model_solve_shooting
         procedure, public :: solve_modes => model_solve_modes
     end type pdn_model
 
@@ -1870,7 +1919,7 @@ module periodyn
     ! Sets the defaults of options.
     interface pdn_init
         procedure init_section, init_periodic_options, init_static_options, init_modes_options, &
-            init_march_options
+            init_march_options, init_shooting_options
     end interface pdn_init
 
     ! These have texts and arrays in place of those of periodyn_c, which are c_version and so on here.
@@ -2136,6 +2185,12 @@ contains
 
         call pdn_march_options_init(options, c_sizeof(options))
     end subroutine init_march_options
+
+    subroutine init_shooting_options(options)
+        type(pdn_shooting_options), intent(out) :: options
+
+        call pdn_shooting_options_init(options, c_sizeof(options))
+    end subroutine init_shooting_options
 
     ! A section without couplings: six stiffnesses; mass and three moments of inertia for each unit of length.
     ! damping_time gives it damping = damping_time * stiffness.
@@ -3382,6 +3437,46 @@ contains
         if (status == PDN_OK) diagnostics = found
         call report(status, stat, errmsg)
     end subroutine solution_march
+
+    ! Finds the periodic response by Newton's method on the period map of a march; the solution is a trajectory.
+    subroutine model_solve_shooting(self, period, solution, options, initial, stat, errmsg)
+        class(pdn_model), intent(in) :: self
+        real(c_double), intent(in) :: period
+        type(pdn_solution), intent(inout) :: solution
+        type(pdn_shooting_options), intent(in), optional :: options
+        type(pdn_solution), intent(in), optional :: initial
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        type(pdn_shooting_options) :: chosen
+        type(c_ptr) :: c
+        integer(c_int32_t) :: status
+
+        call pdn_init(chosen)
+        if (present(options)) chosen = options
+        if (present(initial)) chosen%initial = initial%c
+        status = pdn_solve_shooting(self%c, period, chosen, c)
+        if (status == PDN_OK) call solution%adopt(c, pdn_solution_free)
+        call report(status, stat, errmsg)
+    end subroutine model_solve_shooting
+
+    ! Floquet multipliers of a solution by solve_shooting, the largest first.
+    subroutine solution_floquet(self, multipliers, stat, errmsg)
+        class(pdn_solution), intent(in) :: self
+        complex(c_double), allocatable, intent(inout) :: multipliers(:)
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        real(c_double), allocatable :: real_part(:), imaginary_part(:)
+        integer(c_size_t) :: count
+        integer(c_int32_t) :: status
+
+        status = pdn_solution_floquet_count(self%c, count)
+        if (status == PDN_OK) then
+            allocate (real_part(count), imaginary_part(count))
+            status = pdn_solution_floquet(self%c, real_part, imaginary_part, count)
+        end if
+        if (status == PDN_OK) multipliers = cmplx(real_part, imaginary_part, c_double)
+        call report(status, stat, errmsg)
+    end subroutine solution_floquet
 
     ! Modes ---------------------------------------------------------------------------------------------------
 

@@ -19,6 +19,7 @@
 #include <periodyn.h>
 
 #include <array>
+#include <complex>
 #include <cstddef>
 #include <cstdint>
 #include <exception>
@@ -1089,6 +1090,19 @@ class Solution
         detail::check(pdn_solution_march(get(), &out));
         return out;
     }
+    /** Floquet multipliers of a solution by solve_shooting, the largest first. */
+    std::vector<std::complex<double>> floquet() const
+    {
+        std::size_t count = 0;
+        detail::check(pdn_solution_floquet_count(get(), &count));
+        std::vector<double> real(count), imaginary(count);
+        detail::check(pdn_solution_floquet(get(), real.data(), imaginary.data(), count));
+        std::vector<std::complex<double>> out(count);
+        for (std::size_t i = 0; i < count; ++i) {
+            out[i] = {real[i], imaginary[i]};
+        }
+        return out;
+    }
     History history() const
     {
         const auto count = static_cast<std::size_t>(diagnostics().iterations);
@@ -1479,6 +1493,32 @@ inline Solution march(const Model &model, const MarchOptions &options)
     detail::Watch watch(options.progress, plain);
     auto handle = detail::make<pdn_solution>(
         [&](pdn_solution **out) { return pdn_march(model.get(), &plain, out); });
+    watch.rethrow();
+    return Solution(handle.release(), model.kept());
+}
+
+/** Options of solve_shooting, with the fields of ::pdn_shooting_options and these in place of
+ * pointers. */
+struct ShootingOptions : pdn_shooting_options {
+    ShootingOptions()
+    {
+        pdn_shooting_options_init(this, sizeof(pdn_shooting_options));
+    }
+    /** Start the march from this solution. */
+    const Solution *initial = nullptr;
+    Progress progress;
+};
+
+/** Finds the periodic response by Newton's method on the period map of march; the solution is a
+ * trajectory. */
+inline Solution solve_shooting(const Model &model, double period,
+                               const ShootingOptions &options = {})
+{
+    pdn_shooting_options plain = options;
+    plain.initial = detail::initial(options.initial);
+    detail::Watch watch(options.progress, plain);
+    auto handle = detail::make<pdn_solution>(
+        [&](pdn_solution **out) { return pdn_solve_shooting(model.get(), period, &plain, out); });
     watch.rethrow();
     return Solution(handle.release(), model.kept());
 }

@@ -43,6 +43,23 @@ int main()
     from.initial = &steady;
     CHECK(pdn::solve_periodic(o.model, period, from).converged());
 
+    // By shooting: the free vibration decays by exp(-0.2 T) in a period.
+    pdn::ShootingOptions shot;
+    shot.steps_per_period = 400;
+    const auto by_shooting = pdn::solve_shooting(o.model, period, shot);
+    CHECK(by_shooting.converged());
+    NEAR(std::abs(by_shooting.floquet()[0]), std::exp(-0.2 * period), 1e-3);
+    NEAR(by_shooting.joint_coordinate(o.hinge, pdn::Coordinate::rotation, {0.3 * period})[0],
+         periodic.joint_coordinate(o.hinge, pdn::Coordinate::rotation, {0.3 * period})[0], 1e-4);
+    shot.initial = &periodic;
+    shot.progress = [](const pdn_progress &) { return false; };
+    CHECK(pdn::solve_shooting(o.model, period, shot).outcome() == pdn::Outcome::cancelled);
+    shot.progress = nullptr;
+    shot.tolerance = nan_value;
+    REFUSED(pdn::solve_shooting(o.model, period, shot), PDN_ERR_NOT_FINITE, "options.tolerance: ");
+    REFUSED(pdn::solve_shooting(o.model, -1), PDN_ERR_VALUE, "period: ");
+    REFUSED(periodic.floquet(), PDN_ERR_NOT_AVAILABLE, "solution: ");
+
     options.progress = [](const pdn_progress &) -> bool { throw std::domain_error("enough"); };
     try {
         pdn::march(o.model, options);

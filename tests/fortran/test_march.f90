@@ -11,7 +11,9 @@ contains
         type(pdn_model) :: model, empty
         type(pdn_march_options) :: options, unset
         type(pdn_march_diagnostics) :: figures
-        type(pdn_solution) :: free, periodic, steady, none
+        type(pdn_shooting_options) :: shot
+        type(pdn_solution) :: free, periodic, steady, shooting, none
+        complex(dp), allocatable :: multipliers(:)
         integer :: body, hinge, spring, stat
         character(300) :: errmsg
         real(dp) :: angle(1), position(3, 1), rotation(9, 1), velocity(6, 1), rate
@@ -48,8 +50,22 @@ contains
         call model%solve_periodic(period, periodic, initial=steady)
         call check(periodic%converged(), 'from a march')
 
+        ! By shooting: the free vibration decays by exp(-0.2 T) in a period.
+        call pdn_init(shot)
+        shot%steps_per_period = 400
+        call model%solve_shooting(period, shooting, shot, initial=periodic)
+        call check(shooting%converged(), 'shooting')
+        call shooting%floquet(multipliers)
+        call near(abs(multipliers(1)), exp(-0.2_dp*period), 1e-3_dp, 'Floquet multiplier')
+
         stat = 77
         errmsg = 'none'
+        call model%solve_shooting(-1.0_dp, none, stat=stat, errmsg=errmsg)
+        call refused(stat, errmsg, PDN_ERR_VALUE, 'period: ')
+        call empty%solve_shooting(period, none, stat=stat, errmsg=errmsg)
+        call refused(stat, errmsg, PDN_ERR_NULL, 'model: ')
+        call periodic%floquet(multipliers, stat, errmsg)
+        call refused(stat, errmsg, PDN_ERR_NOT_AVAILABLE, 'solution: ')
         call model%march(none, unset, stat=stat, errmsg=errmsg)
         call refused(stat, errmsg, PDN_ERR_STRUCT_SIZE, 'options')
         options%period = not_a_number()
