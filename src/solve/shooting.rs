@@ -360,8 +360,12 @@ fn iterate(
         };
         let factors = shooting.tangent(orbit, &monodromy).partial_piv_lu();
         let increment = solve(&factors, &miss);
+        // Where the motion is not determined there may be nothing to correct.
+        let probe: Vec<f64> = (0..miss.len()).map(|i| (1.0 + i as f64).sin()).collect();
+        let response = solve(&factors, &probe);
+        let bounded = response.iter().all(|x| x.abs() < SINGULAR);
         let size = shooting.norm(&increment);
-        if !increment.iter().all(|x| x.is_finite()) || size > SINGULAR {
+        if !bounded || !increment.iter().all(|x| x.is_finite()) || size > SINGULAR {
             report.outcome = Outcome::Singular;
             report.explanation =
                 "the motion is free to shift: the derivative of the period map has the eigenvalue 1".into();
