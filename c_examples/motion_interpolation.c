@@ -1,7 +1,7 @@
 /* Interpolation of a periodic rotation, Han and Bauchau, Nonlinear Dynamics 92 (2018), section 4.4.
  *
- * Precession W t, nutation (pi/13) sin 2 W t and spin (pi/17) (1 - cos 3 W t), with W = 9 rad/s, is given
- * at N times of a period and compared with itself at 60 N times.
+ * Precession W t, nutation (pi/13) sin 2 W t and spin (pi/17) (1 - cos 3 W t), with W = 9 rad/s, is
+ * given at N times of a period and compared with itself at 60 N times.
  *
  *   motion_interpolation [--grid N] [--out FILE]
  *
@@ -15,10 +15,12 @@
 static const double PI = 3.14159265358979323846;
 static const double OMEGA = 9.0;
 
-/* Rotation matrix (column by column) by the Euler angles 3-1-3, and angular velocity in its axes. */
+/* Rotation matrix (column by column) by the Euler angles 3-1-3, and angular velocity in its axes.
+ */
 static void exact_motion(double t, double r[9], double w[3])
 {
-    const double phi = OMEGA * t, theta = PI / 13 * sin(2 * phi), psi = PI / 17 * (1 - cos(3 * phi));
+    const double phi = OMEGA * t, theta = PI / 13 * sin(2 * phi),
+                 psi = PI / 17 * (1 - cos(3 * phi));
     const double phi_rate = OMEGA, theta_rate = 2 * OMEGA * PI / 13 * cos(2 * phi);
     const double psi_rate = 3 * OMEGA * PI / 17 * sin(3 * phi);
     const double cf = cos(phi), sf = sin(phi), ct = cos(theta), st = sin(theta);

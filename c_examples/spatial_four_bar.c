@@ -1,12 +1,13 @@
-/* The flexible spatial four-bar mechanism of Han and Bauchau, Nonlinear Dynamics 92 (2018), section 7.2.
+/* The flexible spatial four-bar mechanism of Han and Bauchau, Nonlinear Dynamics 92 (2018),
+ * section 7.2.
  *
- * Rocker AB (revolute at A, spherical at B), coupler BC (universal at C) and crank CD, which a motor at
- * D turns once in a period. Metres, newtons, kilograms, seconds.
+ * Rocker AB (revolute at A, spherical at B), coupler BC (universal at C) and crank CD, which a
+ * motor at D turns once in a period. Metres, newtons, kilograms, seconds.
  *
  *   spatial_four_bar [--grid N] [--elements E] [--order P] [--out FILE]
  *
- * FILE gets `t,x3_B,v3_B,torque_D` at 401 times from 0 to T: height and vertical velocity of B, and the
- * torque of the motor. */
+ * FILE gets `t,x3_B,v3_B,torque_D` at 401 times from 0 to T: height and vertical velocity of B, and
+ * the torque of the motor. */
 
 #include "example.h"
 

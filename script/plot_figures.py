@@ -56,7 +56,7 @@ def finish(directory, number, drawing, axes, period=None, turns=1):
     print(f"wrote {path}")
 
 
-def over_period(directory, number, column, label, cases, scale=1.0):
+def over_period(directory, number, column, label, cases, scale=1.0, limits=None):
     """One curve for each case (name, style, columns) over a period."""
     drawing, axes = figure(number, "Time", label)
     period = 0
@@ -65,6 +65,8 @@ def over_period(directory, number, column, label, cases, scale=1.0):
         period = t[-1]
         every = max(1, len(t) // 24)
         axes.plot(t, values, color=colour, marker=marker, markevery=every, markersize=4, linewidth=1.2, label=name)
+    if limits:
+        axes.set_ylim(limits)
     finish(directory, number, drawing, axes, period)
 
 
@@ -92,7 +94,7 @@ def damped(directory):
         inset.tick_params(labelsize=7)
         bottom, top = axes.get_ylim()
         axes.set_ylim(bottom, top + 0.9 * (top - bottom))
-        drawing.legend(loc="outside lower center", ncols=6, frameon=False, fontsize=8)
+        axes.legend(loc="upper left", ncols=2, frameon=False, fontsize=8)
         period_ticks = [k * period for k in range(9)]
         axes.set_xticks(period_ticks, ["0"] + [f"{k}T" for k in range(1, 9)])
         axes.set_xlim(0, 8 * period)
@@ -117,7 +119,8 @@ def planar(directory):
     over_period(directory, 12, "u1_C", "$u_1$ of C [m]", cases)
     over_period(directory, 13, "phi_C", "$\\varphi$ of bar 2 at C [deg]", cases, scale=180 / math.pi)
     over_period(directory, 14, "theta_D", "Relative rotation $\\theta$ at D [rad]", cases)
-    over_period(directory, 15, "F1", "Axial force $F_1$ [N]", cases)
+    # As far as the paper's: marching goes on to -5.5 kN and -6 kN.
+    over_period(directory, 15, "F1", "Axial force $F_1$ [N]", cases, limits=(-1000, 250))
     over_period(directory, 16, "M2", "Bending moment $M_2$ [N m]", cases)
 
 
