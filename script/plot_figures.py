@@ -45,7 +45,7 @@ def finish(directory, number, drawing, axes, period=None, turns=1):
     if period:
         parts = 4 if turns == 1 else turns
         ticks = [turns * period * k / parts for k in range(parts + 1)]
-        names = ["0", "T/4", "T/2", "3T/4", "T"] if turns == 1 else ["0"] + [f"{k}T" for k in range(1, turns + 1)]
+        names = ["0", "T/4", "T/2", "3T/4", "T"] if turns == 1 else ["0", "T"] + [f"{k}T" for k in range(2, turns + 1)]
         axes.set_xticks(ticks, names)
         axes.set_xlim(0, turns * period)
     if axes.get_legend_handles_labels()[0]:
@@ -96,7 +96,7 @@ def damped(directory):
         axes.set_ylim(bottom, top + 0.9 * (top - bottom))
         axes.legend(loc="upper left", ncols=2, frameon=False, fontsize=8)
         period_ticks = [k * period for k in range(9)]
-        axes.set_xticks(period_ticks, ["0"] + [f"{k}T" for k in range(1, 9)])
+        axes.set_xticks(period_ticks, ["0", "T"] + [f"{k}T" for k in range(2, 9)])
         axes.set_xlim(0, 8 * period)
         path = directory / f"figure_{number:02}.png"
         drawing.savefig(path, dpi=110)

@@ -102,8 +102,8 @@ impl VariationScales {
             }
         }
         for (entries, &(place, unit)) in states.chunks_exact_mut(3).zip(&self.states) {
-            for p in 0..3 {
-                entries[p] = variation.states[place][p] / self.state_scale(unit, p);
+            for (p, entry) in entries.iter_mut().enumerate() {
+                *entry = variation.states[place][p] / self.state_scale(unit, p);
             }
         }
     }
