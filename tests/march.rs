@@ -346,18 +346,7 @@ const OSCILLATOR: [f64; 4] = [2.0, 50.0, 1.2, 3.0];
 
 fn oscillator() -> (Model, usize) {
     let [mass, stiffness, damping, force] = OSCILLATOR;
-    let mut model = Model::new();
-    let body = model
-        .add_rigid_body(mass, &Vector3::zeros(), &Matrix3::identity())
-        .unwrap();
-    let frame = Model::frame_at("axis", &Vector3::zeros(), &Vector3::z()).unwrap();
-    let joint = model
-        .add_joint(JointKind::Prismatic, None, Some(body), &frame, &frame)
-        .unwrap();
-    let at = JointCoordinate {
-        joint,
-        coordinate: Coordinate::Displacement1,
-    };
+    let (mut model, at) = mass_on_a_slide(mass, &Vector3::z());
     model
         .add_spring_damper(SpringDefinition {
             at,
@@ -367,7 +356,7 @@ fn oscillator() -> (Model, usize) {
         })
         .unwrap();
     model.add_actuator(at, &cosine(force)).unwrap();
-    (model, joint)
+    (model, at.joint)
 }
 
 const SLIDE: JointQuantity = JointQuantity::Coordinate(Coordinate::Displacement1);

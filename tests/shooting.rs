@@ -4,7 +4,7 @@ mod common;
 
 use common::*;
 use nalgebra::{Complex, Matrix3, Vector3};
-use periodyn::elements::{Coordinate, JointKind, MaxwellBranch};
+use periodyn::elements::{Coordinate, MaxwellBranch};
 use periodyn::error::ErrorKind;
 use periodyn::model::*;
 use periodyn::output::{JointQuantity, Solution};
@@ -86,18 +86,7 @@ const OSCILLATOR: [f64; 3] = [2.0, 50.0, 1.2];
 
 fn oscillator() -> (Model, usize) {
     let [mass, stiffness, damping] = OSCILLATOR;
-    let mut model = Model::new();
-    let body = model
-        .add_rigid_body(mass, &Vector3::zeros(), &Matrix3::identity())
-        .unwrap();
-    let frame = Model::frame_at("axis", &Vector3::zeros(), &Vector3::z()).unwrap();
-    let joint = model
-        .add_joint(JointKind::Prismatic, None, Some(body), &frame, &frame)
-        .unwrap();
-    let at = JointCoordinate {
-        joint,
-        coordinate: Coordinate::Displacement1,
-    };
+    let (mut model, at) = mass_on_a_slide(mass, &Vector3::z());
     model
         .add_spring_damper(SpringDefinition {
             at,
@@ -107,7 +96,7 @@ fn oscillator() -> (Model, usize) {
         })
         .unwrap();
     model.add_actuator(at, &cosine(3.0)).unwrap();
-    (model, joint)
+    (model, at.joint)
 }
 
 #[test]

@@ -11,6 +11,23 @@ use periodyn::output::{JointQuantity, NodeQuantity, Solution};
 use periodyn::solve::*;
 use std::f64::consts::TAU;
 
+/// A mass, which is node 0, on a slide from the ground, and the slide's coordinate.
+pub fn mass_on_a_slide(mass: f64, axis: &Vector3<f64>) -> (Model, JointCoordinate) {
+    let mut model = Model::new();
+    let body = model
+        .add_rigid_body(mass, &Vector3::zeros(), &Matrix3::identity())
+        .unwrap();
+    let frame = Model::frame_at("axis", &Vector3::zeros(), axis).unwrap();
+    let joint = model
+        .add_joint(JointKind::Prismatic, None, Some(body), &frame, &frame)
+        .unwrap();
+    let at = JointCoordinate {
+        joint,
+        coordinate: Coordinate::Displacement1,
+    };
+    (model, at)
+}
+
 /// Options with the tolerance of all tests: the square of such an increment is below rounding, so that
 /// what Newton leaves is rounding alone.
 pub fn options(grid_points: usize) -> PeriodicOptions {
