@@ -97,10 +97,16 @@ fn mechanism(elements: usize, with_functions: bool) -> FourBarModel {
 fn everything(solution: &Solution) -> Vec<u64> {
     let model = solution.model();
     let period = solution.grid().period();
-    let times: Vec<f64> = [-0.7, 0.0, 0.31, 0.5, 1.9]
-        .iter()
-        .map(|t| t * period)
-        .collect();
+    let times: Vec<f64> = match &solution.details().march {
+        None => [-0.7, 0.0, 0.31, 0.5, 1.9].map(|t| t * period).into(),
+        Some(record) => {
+            let end = |time: Option<&f64>| time.copied().unwrap_or(0.0);
+            let (first, last) = (end(record.times.first()), end(record.times.last()));
+            [0.0, 0.31, 0.5, 0.9, 1.0]
+                .map(|part| first + part * (last - first))
+                .into()
+        }
+    };
     let mut bits = Vec::new();
     let mut add = |values: periodyn::error::Result<Vec<f64>>| match values {
         Ok(values) => bits.extend(values.iter().map(|x| x.to_bits())),
@@ -200,6 +206,61 @@ fn a_loaded_solution_is_the_saved_one() {
     assert_eq!(first.outcome(), Outcome::Converged);
     assert_eq!(first.details().guess_iterations, 0);
     assert!(everything(&first) == everything(&second));
+}
+
+/// A march of the mechanism in steps of 0.01 s.
+fn trajectory(
+    mechanism: &FourBarModel,
+    model: &Model,
+    start: MarchStart,
+    from: f64,
+    duration: f64,
+) -> Solution {
+    let mut options = MarchOptions::with_step(0.01, MarchEnd::Duration(duration));
+    options.period = Some(mechanism.period);
+    options.start_time = from;
+    options.start = start;
+    Solution::march(model, &options, &mut |_, _| true).unwrap()
+}
+
+#[test]
+fn a_loaded_trajectory_is_the_saved_one_and_goes_on() {
+    let mechanism = mechanism(2, false);
+    let solution = trajectory(
+        &mechanism,
+        &mechanism.model,
+        MarchStart::Reference,
+        0.0,
+        0.5,
+    );
+    assert_eq!(
+        solution.outcome(),
+        Outcome::Converged,
+        "{}",
+        solution.report()
+    );
+    let loaded = saved_and_loaded(&solution);
+    assert_same(&loaded, &solution);
+    let position = |s: &Solution, t: f64| s.node(3, NodeQuantity::Position, &[t]);
+    assert!(position(&solution, 0.25).is_ok() && position(&solution, 0.6).is_err());
+
+    let on = |from: &Solution| {
+        let start = MarchStart::State(from.start_state(0.5).unwrap());
+        trajectory(&mechanism, from.model(), start, 0.5, 0.1)
+    };
+    assert!(everything(&on(&loaded)) == everything(&on(&solution)));
+
+    // ParaView shows it like any other.
+    let directory = tempfile::tempdir().unwrap();
+    let path = directory.path().join("march.pvd");
+    loaded.write_vtk(&[0.0, 0.2, 0.5], 5, &path).unwrap();
+    assert_eq!(
+        fs::read_dir(directory.path().join("march"))
+            .unwrap()
+            .count(),
+        9
+    );
+    assert!(loaded.write_vtk(&[0.6], 5, &path).is_err());
 }
 
 #[test]
@@ -336,9 +397,25 @@ fn damaged_and_foreign_files_are_refused() {
 /// Files that were changed on purpose, with a checksum that fits: refused, or harmless.
 #[test]
 fn forged_files_do_no_harm() {
+    forge(&mechanism(1, true).solve(3));
+}
+
+#[test]
+fn forged_trajectories_do_no_harm() {
+    let mechanism = mechanism(1, false);
+    forge(&trajectory(
+        &mechanism,
+        &mechanism.model,
+        MarchStart::Reference,
+        0.0,
+        0.04,
+    ));
+}
+
+fn forge(solution: &Solution) {
     let directory = tempfile::tempdir().unwrap();
     let path = directory.path().join("forged.pdn");
-    mechanism(1, true).solve(3).save(&path).unwrap();
+    solution.save(&path).unwrap();
     let original = fs::read(&path).unwrap();
     let checked = |body: &[u8]| -> Vec<u8> {
         let mut header = original[..24].to_vec();

@@ -29,6 +29,8 @@ const SECOND_UNIT: f64 = 180.0;
 const REFINEMENTS: usize = 3;
 /// Part of a step over which `v̈` is differenced, so short that no stiffness shows.
 const SHORT: f64 = 1e-3;
+/// Accelerations that move nodes further than this in a step belong to vibrations that it does not resolve.
+const RESOLVED: f64 = 0.1;
 /// Inertia lent to nodes that have none, relative to the total mass: it decides on nothing but how they
 /// start.
 const LENT_MASS: f64 = 1e-3;
@@ -410,8 +412,31 @@ impl<'a> Initial<'a> {
         if let Some(refusal) = self.accelerate(at, &signals)? {
             return Ok(Err(refusal));
         }
-        self.shift(at, method)?;
-        Ok(Ok((moved, corrected)))
+        if self.displacement_in_a_step(at) <= RESOLVED {
+            self.shift(at, method)?;
+            return Ok(Ok((moved, corrected)));
+        }
+        // Light parts that stiff ones pull at: what they do within a step, and no more.
+        self.elastic = true;
+        let refusal = self.accelerate(at, &signals);
+        self.elastic = false;
+        at.averaged.clone_from(&at.twist_rate);
+        at.averaged_rates.clone_from(&at.rates);
+        Ok(match refusal? {
+            Some(refusal) => Err(refusal),
+            None => Ok((moved, corrected)),
+        })
+    }
+
+    /// Largest displacement, relative to the characteristic length, or turn in a step by the accelerations.
+    fn displacement_in_a_step(&self, at: &MotionState) -> f64 {
+        let length = self.newton.equations.system().scales().length;
+        let size = |v: &Vector6<f64>| {
+            let linear = v.fixed_rows::<3>(0).amax() / length;
+            linear.max(v.fixed_rows::<3>(3).amax())
+        };
+        let largest = at.twist_rate.iter().map(size).fold(0.0, f64::max);
+        largest * self.step * self.step
     }
 
     /// `a = v̇ + (α_m − α_f) h v̈`, with `v̈` by differences: without it multipliers start with an error
