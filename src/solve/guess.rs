@@ -67,7 +67,7 @@ impl<'a> Tracker<'a> {
     /// Goes from parameter 0 to 1 in adaptive steps of at most `largest_step`, with conditions
     /// `(time, load factor)` at each.
     ///
-    /// Keeps to its branch of equilibria. Where that ends in time, it snaps to what Newton's method finds
+    /// In time it keeps to its branch of equilibria; where that ends, it snaps to what Newton's method finds
     /// beyond.
     pub fn follow(
         &mut self,
@@ -76,10 +76,13 @@ impl<'a> Tracker<'a> {
     ) -> Result<bool> {
         let start = self.state.clone();
         let span = conditions(1.0).0 - conditions(0.0).0;
+        if span <= 0.0 {
+            return self.advance(largest_step, &conditions, false);
+        }
         if self.advance(largest_step, &conditions, true)? {
             return Ok(true);
         }
-        if span <= 0.0 || self.was_cancelled() {
+        if self.was_cancelled() {
             return Ok(false);
         }
         self.failure = None;
