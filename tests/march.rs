@@ -341,24 +341,6 @@ fn energy_is_kept_or_lost_as_the_parameter_says() {
     assert!(0.0 > lost[0] && lost[0] > lost[1] && lost[1] > lost[2]);
 }
 
-/// A mass on a spring and a damper along z, driven by `F cos Ωt`: `m`, `k`, `c`, `F`.
-const OSCILLATOR: [f64; 4] = [2.0, 50.0, 1.2, 3.0];
-
-fn oscillator() -> (Model, usize) {
-    let [mass, stiffness, damping, force] = OSCILLATOR;
-    let (mut model, at) = mass_on_a_slide(mass, &Vector3::z());
-    model
-        .add_spring_damper(SpringDefinition {
-            at,
-            stiffness,
-            damping,
-            rest: 0.0,
-        })
-        .unwrap();
-    model.add_actuator(at, &cosine(force)).unwrap();
-    (model, at.joint)
-}
-
 const SLIDE: JointQuantity = JointQuantity::Coordinate(Coordinate::Displacement1);
 
 /// From rest at zero.

@@ -82,30 +82,13 @@ fn compare(
     assert_second_order([error(steps), error(2 * steps)], "coordinate");
 }
 
-const OSCILLATOR: [f64; 3] = [2.0, 50.0, 1.2];
-
-fn oscillator() -> (Model, usize) {
-    let [mass, stiffness, damping] = OSCILLATOR;
-    let (mut model, at) = mass_on_a_slide(mass, &Vector3::z());
-    model
-        .add_spring_damper(SpringDefinition {
-            at,
-            stiffness,
-            damping,
-            rest: 0.0,
-        })
-        .unwrap();
-    model.add_actuator(at, &cosine(3.0)).unwrap();
-    (model, at.joint)
-}
-
 #[test]
 fn an_oscillator_has_its_closed_form_and_floquet_multipliers() {
     let (model, joint) = oscillator();
     let omega = 3.0;
     let period = TAU / omega;
-    let [m, k, c] = OSCILLATOR;
-    let gain = Complex::from(3.0) / Complex::new(k - m * omega * omega, c * omega);
+    let [m, k, c, f] = OSCILLATOR;
+    let gain = Complex::from(f) / Complex::new(k - m * omega * omega, c * omega);
     let s = Complex::new(-c / (2.0 * m), (k / m - (c / (2.0 * m)).powi(2)).sqrt());
     let exact = (s * period).exp();
     let times = times(period, 41);

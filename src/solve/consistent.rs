@@ -7,7 +7,7 @@
 use super::assembly::describe_turned_over;
 use super::diagnosis::{Singularity, describe_open_joint, diagnose};
 use super::newton::{Newton, Outcome, SINGULAR_GROWTH};
-use crate::collocation::{GeneralizedAlpha, GivenRates, GridState, MotionState};
+use crate::collocation::{GeneralizedAlpha, GivenRates, MotionState};
 use crate::elements::{Measure, Unknown};
 use crate::error::Result;
 use nalgebra::Vector6;
@@ -173,18 +173,16 @@ impl<'a> Initial<'a> {
         at: &MotionState,
         signals: &[Vec<f64>; 3],
     ) -> Result<ConstraintRates> {
-        let length = self.newton.equations.system().scales().length;
-        let size = |values: &[Vector6<f64>]| {
-            values.iter().fold(0.0f64, |m, v| {
-                let linear = v.fixed_rows::<3>(0).amax() / length;
-                m.max(linear).max(v.fixed_rows::<3>(3).amax())
-            })
+        let scales = *self.newton.equations.system().scales();
+        let largest = |values: &[Vector6<f64>]| {
+            let sizes = values.iter().map(|v| scales.size_of(v));
+            sizes.fold(0.0, f64::max)
         };
-        let (mut speed, mut acceleration) = (size(&at.twist), size(&at.twist_rate));
+        let (mut speed, mut acceleration) = (largest(&at.twist), largest(&at.twist_rate));
         let measures = self.newton.equations.system().prescribed_measures();
         for (i, measure) in measures.enumerate() {
             let unit = match measure {
-                Measure::Length => length,
+                Measure::Length => scales.length,
                 Measure::Angle => 1.0,
             };
             speed = speed.max(signals[1][i].abs() / unit);
@@ -430,13 +428,9 @@ impl<'a> Initial<'a> {
 
     /// Largest displacement, relative to the characteristic length, or turn in a step by the accelerations.
     fn displacement_in_a_step(&self, at: &MotionState) -> f64 {
-        let length = self.newton.equations.system().scales().length;
-        let size = |v: &Vector6<f64>| {
-            let linear = v.fixed_rows::<3>(0).amax() / length;
-            linear.max(v.fixed_rows::<3>(3).amax())
-        };
-        let largest = at.twist_rate.iter().map(size).fold(0.0, f64::max);
-        largest * self.step * self.step
+        let scales = self.newton.equations.system().scales();
+        let sizes = at.twist_rate.iter().map(|v| scales.size_of(v));
+        sizes.fold(0.0, f64::max) * self.step * self.step
     }
 
     /// `a = v̇ + (α_m − α_f) h v̈`, with `v̈` by differences: without it multipliers start with an error
@@ -464,11 +458,7 @@ impl<'a> Initial<'a> {
         if refusal.is_some() {
             return Ok(());
         }
-        let length = system.scales().length;
-        let size = |v: &Vector6<f64>| {
-            let linear = v.fixed_rows::<3>(0).amax() / length;
-            linear.max(v.fixed_rows::<3>(3).amax())
-        };
+        let size = |v: &Vector6<f64>| system.scales().size_of(v);
         let part = method.shift() * self.step / short;
         let largest = at.twist_rate.iter().fold(0.0f64, |m, v| m.max(size(v)));
         let changes: Vec<Vector6<f64>> = (later.twist_rate.iter().zip(&at.twist_rate))
@@ -483,10 +473,4 @@ impl<'a> Initial<'a> {
         }
         Ok(())
     }
-}
-
-/// State of a reference configuration, as far as motions go.
-pub(super) fn with_motions(mut state: GridState, motions: &[crate::motion::Motion]) -> GridState {
-    state.motions.copy_from_slice(motions);
-    state
 }

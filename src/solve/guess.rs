@@ -92,6 +92,7 @@ impl<'a> Tracker<'a> {
         self.advance(largest_step, &conditions, false)
     }
 
+    /// Goes as [`follow`](Self::follow) does, with or without regard to the branch.
     fn advance(
         &mut self,
         largest_step: f64,
@@ -137,12 +138,14 @@ impl<'a> Tracker<'a> {
                 Err(error) => (Outcome::Stalled, ITERATION_LIMIT, error.to_string()),
             };
             if keeps_branch && outcome == Outcome::Converged {
-                let determinant = self.newton.determinant(&trial)?;
-                if self.branch.continues(determinant) {
-                    self.branch.advance(time, determinant);
-                } else {
-                    outcome = Outcome::Stalled;
-                    explanation = "the equilibrium that was followed ends".into();
+                match self.newton.determinant(&trial)? {
+                    Some(determinant) if self.branch.continues(determinant) => {
+                        self.branch.advance(time, determinant);
+                    }
+                    _ => {
+                        outcome = Outcome::Stalled;
+                        explanation = "the equilibrium that was followed ends".into();
+                    }
                 }
             }
             match outcome {

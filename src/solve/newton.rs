@@ -196,12 +196,12 @@ impl Newton {
         Ok(report)
     }
 
-    /// Sign of the Jacobian's determinant at `state`, and logarithm of its size.
-    pub(super) fn determinant(&mut self, state: &GridState) -> Result<(f64, f64)> {
+    /// Sign of the Jacobian's determinant at `state`, and logarithm of its size; none if it is singular.
+    pub(super) fn determinant(&mut self, state: &GridState) -> Result<Option<(f64, f64)>> {
         self.equations
             .jacobian(state, &self.pattern, &mut self.blocks, &mut self.values)?;
-        self.solver.factor(&self.values)?;
-        Ok(self.solver.determinant())
+        let regular = self.solver.factor(&self.values)?;
+        Ok(regular.then(|| self.solver.determinant()))
     }
 
     /// Solves with the factored Jacobian.

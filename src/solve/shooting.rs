@@ -281,19 +281,13 @@ pub fn solve_shooting(
     };
     let mut start = shooting.marcher.now().clone();
     let mut orbit = None;
-    let end = |outcome: Outcome, why: String, report: &mut NewtonReport| {
-        report.outcome = outcome;
-        report.explanation = why;
-    };
     // The guess; then the orbit from its end.
     for number in 0..=options.guess_periods {
         match shooting.march(&start)? {
             Ok(found) => {
                 start = found.end.clone();
+                let miss = shooting.norm(&shooting.miss(&found));
                 orbit = Some(found);
-                let miss = orbit
-                    .as_ref()
-                    .map_or(0.0, |o| shooting.norm(&shooting.miss(o)));
                 let iteration = Iteration {
                     number: number + 1,
                     residual: miss,
@@ -301,12 +295,13 @@ pub fn solve_shooting(
                     step: 1.0,
                 };
                 if number < options.guess_periods && !observe(Stage::InitialGuess, &iteration) {
-                    end(Outcome::Cancelled, String::new(), &mut report);
+                    report.outcome = Outcome::Cancelled;
                     break;
                 }
             }
             Err(why) => {
-                end(Outcome::Stalled, why, &mut report);
+                report.outcome = Outcome::Stalled;
+                report.explanation = why;
                 break;
             }
         }
@@ -316,12 +311,11 @@ pub fn solve_shooting(
     if let (Some(orbit), Outcome::IterationLimit) = (&mut orbit, report.outcome) {
         floquet = iterate(&mut shooting, orbit, options, &mut report, observe)?;
     }
-    let length = system.scales().length;
     let mut record = std::mem::take(&mut shooting.marcher.record);
     let kept = match orbit {
         Some(mut orbit) => {
             record.periods = 1;
-            record.repetition = difference(&orbit.starts[0], &orbit.end, length, period);
+            record.repetition = difference(&orbit.starts[0], &orbit.end, system.scales(), period);
             // Multipliers at the start are those at the end.
             let last = orbit.end.state.clone();
             let first = &mut orbit.starts[0];

@@ -1,7 +1,7 @@
 //! Marching in time by the generalised-α method, from consistent initial values, for a given time or until
 //! the motion repeats itself.
 
-use super::consistent::{Initial, Refusal, with_motions};
+use super::consistent::{Initial, Refusal};
 use super::newton::{Iteration, Newton, NewtonOptions, NewtonReport, Outcome};
 use super::periodic::{PeriodicSolve, Stage};
 use crate::collocation::{AlphaStep, Collocation, GeneralizedAlpha, GridState, MotionState};
@@ -10,7 +10,7 @@ use crate::error::{Error, ErrorKind, Result, require_finite};
 use crate::fourier::TimeGrid;
 use crate::model::Model;
 use crate::motion::Motion;
-use crate::system::{System, Transient};
+use crate::system::{Scales, System, Transient};
 use nalgebra::Vector6;
 use serde::{Deserialize, Serialize};
 use std::f64::consts::TAU;
@@ -233,14 +233,12 @@ impl Kept {
 }
 
 /// Largest difference of motions and velocities, as in [`MarchEnd::Periodic`].
-pub(super) fn difference(a: &MotionState, b: &MotionState, length: f64, period: f64) -> f64 {
+pub(super) fn difference(a: &MotionState, b: &MotionState, scales: &Scales, period: f64) -> f64 {
     let unit = period / TAU;
-    let velocities = a.twist.iter().zip(&b.twist).fold(0.0f64, |m, (a, b)| {
-        let d = (a - b) * unit;
-        m.max(d.fixed_rows::<3>(0).amax() / length)
-            .max(d.fixed_rows::<3>(3).amax())
-    });
-    velocities.max(a.state.distance(&b.state, length))
+    let velocities = (a.twist.iter().zip(&b.twist))
+        .map(|(a, b)| scales.size_of(&((a - b) * unit)))
+        .fold(0.0, f64::max);
+    velocities.max(a.state.distance(&b.state, scales.length))
 }
 
 /// A march on its way.
@@ -269,7 +267,8 @@ impl Marcher {
         let (mut start, states_given) = match &options.start {
             MarchStart::Reference => (MotionState::at_rest(options.start_time, reference), false),
             MarchStart::State(given) => {
-                let mut state = with_motions(reference, &given.motions);
+                let mut state = reference;
+                state.motions.copy_from_slice(&given.motions);
                 if let Some((own, tracked)) = &given.internal {
                     state.multipliers.copy_from_slice(own);
                     state.coordinates.copy_from_slice(tracked);
@@ -363,7 +362,7 @@ impl Marcher {
         let equations = &mut self.newton.equations;
         equations.update_kinematics(&self.next);
         equations.reduce_to_least_norm(&mut self.next)?;
-        let error = self.step_error(system.scales().length);
+        let error = self.step_error(system.scales());
         if !accept(error) {
             return Ok(Err(None));
         }
@@ -379,16 +378,14 @@ impl Marcher {
     }
 
     /// Estimated error of a motion in the step just made: `C h³ v̈`.
-    fn step_error(&self, length: f64) -> f64 {
+    fn step_error(&self, scales: &Scales) -> f64 {
         let h = self.step.length;
         let factor = self.method.error_constant() * h * h;
         let states = self.newton.equations.node_states();
         let rates = states.iter().zip(&self.step.start.twist_rate);
-        rates.fold(0.0f64, |m, (end, start)| {
-            let e = (end.twist_rate - start) * factor;
-            m.max(e.fixed_rows::<3>(0).amax() / length)
-                .max(e.fixed_rows::<3>(3).amax())
-        })
+        rates
+            .map(|(end, start)| scales.size_of(&((end.twist_rate - start) * factor)))
+            .fold(0.0, f64::max)
     }
 }
 
@@ -473,7 +470,7 @@ impl Run<'_> {
 
     fn run(&mut self) -> Result<Option<Refusal>> {
         let start = self.options.start_time;
-        let length = self.marcher.newton.equations.system().scales().length;
+        let system = self.marcher.newton.equations.system().clone();
         let Some(period) = self.options.period else {
             return match self.options.end {
                 MarchEnd::Duration(duration) => self.march_to(start + duration),
@@ -503,7 +500,7 @@ impl Run<'_> {
             }
             self.forget();
             let now = self.marcher.now();
-            let change = difference(now, &before, length, period);
+            let change = difference(now, &before, system.scales(), period);
             before = now.clone();
             self.marcher.record.periods = number;
             self.marcher.record.repetition = change;

@@ -3,6 +3,7 @@
 use super::{Conditions, OwnValues, System};
 use crate::elements::NodeState;
 use crate::error::Result;
+use nalgebra::Vector6;
 
 /// Characteristic length, mass and force of a system in its reference configuration.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -28,6 +29,13 @@ impl Default for Scales {
 }
 
 impl Scales {
+    /// Size of an increment, or of a velocity or acceleration, `[linear; angular]`: its largest component,
+    /// linear ones relative to the characteristic length.
+    pub fn size_of(&self, v: &Vector6<f64>) -> f64 {
+        let linear = v.fixed_rows::<3>(0).amax() / self.length;
+        linear.max(v.fixed_rows::<3>(3).amax())
+    }
+
     /// Scales of `system`.
     pub(super) fn of(system: &System) -> Result<Self> {
         let mut signals = vec![0.0; system.signals()];

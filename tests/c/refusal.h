@@ -6,6 +6,7 @@
 #define PDN_TEST_REFUSAL_H
 
 #include "check.h"
+#include <math.h>
 
 #define LENGTH(array) (sizeof(array) / sizeof *(array))
 
@@ -52,7 +53,7 @@ static void check_refusal(const char *start, const void *before, const char *cal
         (variable) = saved_;                                                                       \
     } while (0)
 
-static double not_finite[3];
+static const double not_finite[] = {(double)NAN, (double)INFINITY, -(double)INFINITY};
 static const int32_t bad_enums[] = {-1, 99, INT32_MAX, INT32_MIN};
 
 #define REFUSES_NOT_FINITE(variable, call, name)                                                   \

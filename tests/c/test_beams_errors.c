@@ -88,9 +88,6 @@ static void set_up(void)
     const double fractions[4] = {0, 0.5, 0.5, 1}, factors[4] = {0, 1, 2, 3};
     pdn_beam beam;
     int i;
-    not_finite[0] = NAN;
-    not_finite[1] = INFINITY;
-    not_finite[2] = -INFINITY;
     memset(&in, 0, sizeof in);
     CHECK_STATUS(pdn_model_new(&in.model), PDN_OK);
     for (i = 0; i < 4; i++) {

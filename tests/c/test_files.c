@@ -1,5 +1,5 @@
 /* Files: tables as CSV, animations, and solutions that are saved and loaded. */
-#include "check.h"
+#include "driven_arm.h"
 #include <math.h>
 
 #define PI 3.14159265358979323846
@@ -18,30 +18,13 @@ static int32_t push_signal(double time, double *value, void *user_data)
     return 0;
 }
 
-/* A driven arm with a spring at its hinge, and a clamped beam that a callback's force bends. */
+/* The driven arm, whose beam a callback's force bends. */
 static pdn_model *arm(double *size)
 {
-    const double centre[3] = {0.5, 0, 0}, inertia[9] = {0.1, 0, 0, 0, 0.1, 0, 0, 0, 0.1};
-    const double origin[3] = {0, 0, 0}, z[3] = {0, 0, 1}, y[3] = {0, 1, 0};
-    const double start[3] = {3, 0, 0}, end[3] = {5, 0, 0};
-    const double stiffness[6] = {1e6, 5e5, 5e5, 1e3, 2e3, 2e3}, mass[4] = {0.5, 1e-3, 1e-3, 1e-3};
-    const double cosines[1] = {0}, sines[1] = {0.3};
-    pdn_model *model = NULL;
-    pdn_section section;
-    pdn_signal swing, force;
-    int32_t clamp;
-    CHECK_STATUS(pdn_model_new(&model), PDN_OK);
-    CHECK_STATUS(pdn_model_add_rigid_body(model, 2.0, centre, inertia, &body), PDN_OK);
-    CHECK_STATUS(pdn_model_add_revolute(model, PDN_GROUND, body, origin, z, &hinge), PDN_OK);
-    PDN_INIT(pdn_signal, &swing);
-    CHECK_STATUS(pdn_signal_set_harmonics(&swing, 0, 0, cosines, sines, 1), PDN_OK);
-    CHECK_STATUS(pdn_model_prescribe(model, hinge, PDN_ROTATION, &swing), PDN_OK);
-    CHECK_STATUS(pdn_model_add_spring_damper(model, hinge, PDN_ROTATION, 7.0, 0.2, 0.0, &spring),
-                 PDN_OK);
-    PDN_INIT(pdn_section, &section);
-    CHECK_STATUS(pdn_section_set_diagonal(&section, stiffness, mass), PDN_OK);
-    CHECK_STATUS(pdn_model_add_straight_beam(model, start, end, y, &section, 2, 2, &beam), PDN_OK);
-    CHECK_STATUS(pdn_model_add_rigid_joint(model, PDN_GROUND, beam.first, start, &clamp), PDN_OK);
+    driven_arm parts;
+    pdn_model *const model = make_driven_arm(2, 2, &parts);
+    pdn_signal force;
+    body = parts.body, hinge = parts.hinge, spring = parts.spring, beam = parts.beam;
     PDN_INIT(pdn_signal, &force);
     CHECK_STATUS(pdn_signal_set_function(&force, push_signal, size), PDN_OK);
     CHECK_STATUS(pdn_model_add_load(model, beam.last, PDN_FRAME_SPACE, PDN_FORCE_2, &force), PDN_OK);

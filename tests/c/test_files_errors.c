@@ -1,5 +1,5 @@
 /* What tables, animations and saved solutions refuse. */
-#include "check.h"
+#include "driven_arm.h"
 #include <math.h>
 #include <stdint.h>
 
@@ -42,28 +42,10 @@ static int32_t body, hinge;
 
 static void make_solution(void)
 {
-    const double centre[3] = {0.5, 0, 0}, inertia[9] = {0.1, 0, 0, 0, 0.1, 0, 0, 0, 0.1};
-    const double origin[3] = {0, 0, 0}, z[3] = {0, 0, 1}, start[3] = {3, 0, 0}, end[3] = {5, 0, 0};
-    const double y[3] = {0, 1, 0}, stiffness[6] = {1e6, 5e5, 5e5, 1e3, 2e3, 2e3};
-    const double mass[4] = {0.5, 1e-3, 1e-3, 1e-3}, cosines[1] = {0}, sines[1] = {0.3};
-    pdn_model *model = NULL;
-    pdn_section section;
-    pdn_signal swing;
-    pdn_beam beam;
+    driven_arm parts;
+    pdn_model *const model = make_driven_arm(1, 1, &parts);
     pdn_periodic_options options;
-    int32_t id;
-    CHECK_STATUS(pdn_model_new(&model), PDN_OK);
-    CHECK_STATUS(pdn_model_add_rigid_body(model, 2.0, centre, inertia, &body), PDN_OK);
-    CHECK_STATUS(pdn_model_add_revolute(model, PDN_GROUND, body, origin, z, &hinge), PDN_OK);
-    PDN_INIT(pdn_signal, &swing);
-    CHECK_STATUS(pdn_signal_set_harmonics(&swing, 0, 0, cosines, sines, 1), PDN_OK);
-    CHECK_STATUS(pdn_model_prescribe(model, hinge, PDN_ROTATION, &swing), PDN_OK);
-    CHECK_STATUS(pdn_model_add_spring_damper(model, hinge, PDN_ROTATION, 7.0, 0.2, 0.0, &id),
-                 PDN_OK);
-    PDN_INIT(pdn_section, &section);
-    CHECK_STATUS(pdn_section_set_diagonal(&section, stiffness, mass), PDN_OK);
-    CHECK_STATUS(pdn_model_add_straight_beam(model, start, end, y, &section, 1, 1, &beam), PDN_OK);
-    CHECK_STATUS(pdn_model_add_rigid_joint(model, PDN_GROUND, beam.first, start, &id), PDN_OK);
+    body = parts.body, hinge = parts.hinge;
     PDN_INIT(pdn_periodic_options, &options);
     options.grid_points = 5;
     CHECK_STATUS(pdn_solve_periodic(model, 2.0, &options, &solution), PDN_OK);
@@ -199,7 +181,6 @@ static void paths(void)
 
 int main(void)
 {
-    not_finite[0] = NAN, not_finite[1] = INFINITY, not_finite[2] = -INFINITY;
     make_solution();
     new_tables();
     CHECK_STATUS(pdn_table_new(in.times, 3, &table), PDN_OK);

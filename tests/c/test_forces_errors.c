@@ -104,9 +104,6 @@ static void set_up(void)
     const pdn_periodic_options *const defaults = NULL;
     const double cosine = 1, sine = 0;
     int k;
-    not_finite[0] = NAN;
-    not_finite[1] = INFINITY;
-    not_finite[2] = -INFINITY;
     memset(&in, 0, sizeof in);
     PDN_INIT(pdn_signal, &in.signal);
     CHECK_STATUS(pdn_signal_set_harmonics(&in.signal, 0, 0, &cosine, &sine, 1), PDN_OK);

@@ -73,9 +73,6 @@ static const double no_pitch[] = {0.0, -0.0};
 static void set_up(void)
 {
     static const double eye[9] = {1, 0, 0, 0, 1, 0, 0, 0, 1}, beside[3] = {1, 0, 0};
-    not_finite[0] = NAN;
-    not_finite[1] = INFINITY;
-    not_finite[2] = -INFINITY;
     in.axis[2] = 1;
     in.end[1] = 2;
     in.pitch = 0.5;

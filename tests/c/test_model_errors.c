@@ -148,9 +148,6 @@ static void set_up(void)
     const double eye[9] = {1, 0, 0, 0, 1, 0, 0, 0, 1};
     const double inertia[9] = {2, 0, 0, 0, 3, 0, 0, 0, 4};
     int i;
-    not_finite[0] = (double)NAN;
-    not_finite[1] = (double)INFINITY;
-    not_finite[2] = -(double)INFINITY;
     memset(&in, 0, sizeof in);
     PDN_INIT(pdn_section, &in.section);
     PDN_INIT(pdn_section, &in.unset);

@@ -34,9 +34,6 @@ static void set_up(void)
     const double centre[3] = {0, 0, -1}, origin[3] = {0, 0, 0}, axis[3] = {0, -1, 0};
     const double gravity[3] = {0, 0, -9.81}, inertia[9] = {1, 0, 0, 0, 1, 0, 0, 0, 1};
     int32_t hinge;
-    not_finite[0] = (double)NAN;
-    not_finite[1] = (double)INFINITY;
-    not_finite[2] = -(double)INFINITY;
     CHECK_STATUS(pdn_model_new(&model), PDN_OK);
     CHECK_STATUS(pdn_model_add_rigid_body(model, 2, centre, inertia, &in.nodes[0]), PDN_OK);
     CHECK_STATUS(pdn_model_add_revolute(model, PDN_GROUND, 0, origin, axis, &hinge), PDN_OK);

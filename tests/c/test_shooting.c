@@ -1,9 +1,6 @@
 /* Periodic motions by shooting, as users of C meet them, and what is refused. */
-#include "check.h"
+#include "oscillator.h"
 #include <math.h>
-
-static const double PI = 3.14159265358979323846;
-static const double MASS = 2.0, STIFFNESS = 50.0, DAMPING = 1.2, FORCE = 3.0, OMEGA = 3.0;
 
 /* Arguments, each of them good. */
 static struct {
@@ -28,25 +25,9 @@ static int model_changed(void)
 static pdn_model *model;
 static int32_t body, slide;
 
-/* A mass that slides along z on a spring and a damper, with a force on it. */
 static void set_up(void)
 {
-    const double origin[3] = {0, 0, 0}, axis[3] = {0, 0, 1}, cosines[1] = {3.0}, sines[1] = {0};
-    const double inertia[9] = {1, 0, 0, 0, 1, 0, 0, 0, 1};
-    pdn_signal force;
-    int32_t id;
-    not_finite[0] = (double)NAN;
-    not_finite[1] = (double)INFINITY;
-    not_finite[2] = -(double)INFINITY;
-    PDN_INIT(pdn_signal, &force);
-    CHECK_STATUS(pdn_signal_set_harmonics(&force, 0, 0, cosines, sines, 1), PDN_OK);
-    CHECK_STATUS(pdn_model_new(&model), PDN_OK);
-    CHECK_STATUS(pdn_model_add_rigid_body(model, MASS, origin, inertia, &body), PDN_OK);
-    CHECK_STATUS(pdn_model_add_prismatic(model, PDN_GROUND, body, origin, axis, &slide), PDN_OK);
-    CHECK_STATUS(pdn_model_add_spring_damper(model, slide, PDN_DISPLACEMENT, STIFFNESS, DAMPING, 0,
-                                             &id),
-                 PDN_OK);
-    CHECK_STATUS(pdn_model_add_load(model, body, PDN_FRAME_SPACE, PDN_FORCE_3, &force), PDN_OK);
+    model = oscillator(&body, &slide);
     in.model = model;
     in.period = 2 * PI / OMEGA;
     PDN_INIT(pdn_shooting_options, &in.options);

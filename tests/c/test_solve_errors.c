@@ -83,9 +83,6 @@ static void set_up(void)
     pdn_signal signal;
     pdn_beam beam;
 
-    not_finite[0] = (double)NAN;
-    not_finite[1] = (double)INFINITY;
-    not_finite[2] = -(double)INFINITY;
 
     PDN_INIT(pdn_section, &section);
     PDN_INIT(pdn_signal, &signal);

@@ -33,9 +33,6 @@ static void set_up(void)
                  sines[1] = {5.0};
     const double gravity[3] = {0, 0, -9.81};
     pdn_signal force;
-    not_finite[0] = (double)NAN;
-    not_finite[1] = (double)INFINITY;
-    not_finite[2] = -(double)INFINITY;
     PDN_INIT(pdn_signal, &force);
     CHECK_STATUS(pdn_signal_set_harmonics(&force, 1.0, 0, cosines, sines, 1), PDN_OK);
     CHECK_STATUS(pdn_model_new(&model), PDN_OK);

@@ -28,6 +28,24 @@ pub fn mass_on_a_slide(mass: f64, axis: &Vector3<f64>) -> (Model, JointCoordinat
     (model, at)
 }
 
+/// A mass on a spring and a damper along z, driven by `F cos Ωt`: `m`, `k`, `c`, `F`.
+pub const OSCILLATOR: [f64; 4] = [2.0, 50.0, 1.2, 3.0];
+
+pub fn oscillator() -> (Model, usize) {
+    let [mass, stiffness, damping, force] = OSCILLATOR;
+    let (mut model, at) = mass_on_a_slide(mass, &Vector3::z());
+    model
+        .add_spring_damper(SpringDefinition {
+            at,
+            stiffness,
+            damping,
+            rest: 0.0,
+        })
+        .unwrap();
+    model.add_actuator(at, &cosine(force)).unwrap();
+    (model, at.joint)
+}
+
 /// Options with the tolerance of all tests: the square of such an increment is below rounding, so that
 /// what Newton leaves is rounding alone.
 pub fn options(grid_points: usize) -> PeriodicOptions {
