@@ -13,7 +13,9 @@ use crate::fourier::TimeGrid;
 use crate::model::Model;
 use crate::motion::{Motion, is_rotation, polar_rotation};
 use crate::output::Solution;
-use crate::solve::{InitialGuess, Iteration, NewtonOptions, PeriodicOptions, Stage};
+use crate::solve::{
+    Adaptation, GridPoints, InitialGuess, Iteration, NewtonOptions, PeriodicOptions, Stage,
+};
 use crate::system::System;
 use nalgebra::{Matrix3, Vector3};
 use std::ffi::c_void;
@@ -60,21 +62,23 @@ pub type pdn_progress_fn =
 pub struct pdn_periodic_options {
     /// Set by the initialiser.
     pub struct_size: usize,
-    /// Number N of grid points, odd; harmonics up to (N - 1) / 2 are resolved. Default 31.
+    /// Number N of grid points, odd: harmonics up to (N - 1) / 2 are resolved. 0 for as many as
+    /// error_tolerance needs. Default 0.
     pub grid_points: usize,
-    /// If not 0, the number of harmonics: grid_points is then 2 harmonics + 1. Default 0.
+    /// If not 0, the number of harmonics that are resolved: grid_points is then 2 harmonics + 1. Default 0.
     pub harmonics: usize,
-    /// Converged when the largest increment (lengths relative to the size of the mechanism, angles in
+    /// Newton's method has converged when the largest increment (lengths relative to the size of the mechanism, angles in
     /// radians) is below this. Newton is quadratic: the error left in motions is about its
     /// square, that in forces about it times their last change. Default 1e-9.
     pub tolerance: f64,
-    /// Most Newton iterations. Default 30.
+    /// Most Newton iterations on a grid. Default 30.
     pub iteration_limit: usize,
     /// Start from this solution of a model with the same nodes and joints, also on another grid or of
-    /// another period, or from the last period of this march; NULL to start otherwise. Default NULL.
+    /// another period, or from the last period of this march; NULL to start otherwise. If grid_points is 0,
+    /// the first grid is that of this solution. Default NULL.
     pub initial: *const pdn_solution,
     /// Start from these positions, 3 x N x nodes: coordinates fastest, then grid points, then nodes;
-    /// NULL to start otherwise. Needs guess_rotations. Default NULL.
+    /// NULL to start otherwise. Needs guess_rotations, and grid_points or harmonics. Default NULL.
     pub guess_positions: *const f64,
     /// Rotation matrices of the same start, 9 x N x nodes, each column by column. Default NULL.
     pub guess_rotations: *const f64,
@@ -82,17 +86,25 @@ pub struct pdn_periodic_options {
     pub progress: pdn_progress_fn,
     /// Handed to progress.
     pub progress_data: *mut c_void,
+    /// If grid_points is 0, grid points are added until the estimated error of the motions is below this:
+    /// positions relative to the size of the mechanism, angles in radians. Default 1e-6, which leaves about
+    /// three digits to forces and accelerations, which are second derivatives.
+    pub error_tolerance: f64,
+    /// If grid_points is 0, the largest number of grid points, at least 3; if the tolerance would need more,
+    /// the outcome is PDN_TOLERANCE_NOT_MET. Default 255.
+    pub largest_grid_points: usize,
 }
 
 // SAFETY: all fields are plain numbers or pointers, `struct_size` is the first, no padding.
 unsafe impl Options for pdn_periodic_options {
-    const SIZES: &'static [usize] = &[80];
+    const SIZES: &'static [usize] = &[80, 96];
 
     fn defaults() -> Self {
-        let core = PeriodicOptions::with_grid_points(31);
+        let core = PeriodicOptions::default();
+        let adaptation = Adaptation::default();
         pdn_periodic_options {
             struct_size: size_of::<Self>(),
-            grid_points: core.grid_points,
+            grid_points: 0,
             harmonics: 0,
             tolerance: core.newton.tolerance,
             iteration_limit: core.newton.iteration_limit,
@@ -101,6 +113,8 @@ unsafe impl Options for pdn_periodic_options {
             guess_rotations: std::ptr::null(),
             progress: None,
             progress_data: std::ptr::null_mut(),
+            error_tolerance: adaptation.error_tolerance,
+            largest_grid_points: adaptation.largest,
         }
     }
 }
@@ -123,7 +137,8 @@ pub unsafe extern "C" fn pdn_periodic_options_init(
 /// Finds the periodic response of a model directly, by Fourier spectral collocation.
 ///
 /// Newton's method with the exact tangent on the equations of motion at N equispaced times, from the
-/// quasi-static motion unless another start is given. Not converging is no error: PDN_OK says that
+/// quasi-static motion unless another start is given. Unless N is given, it is raised, each solution starting
+/// the next, until the estimated error meets the tolerance. Not converging is no error: PDN_OK says that
 /// the solve was carried out, ::pdn_solution_outcome how it ended, ::pdn_solution_report why.
 ///
 /// @param model  the model; it is copied, so that later changes do not touch the solution
@@ -132,7 +147,7 @@ pub unsafe extern "C" fn pdn_periodic_options_init(
 /// @param out  the solution, also if it has not converged; free it with ::pdn_solution_free; written
 ///     on success only
 /// @return PDN_OK; PDN_ERR_NULL; PDN_ERR_NOT_FINITE; PDN_ERR_SIZE (even number of grid points, a start of
-///     another size); PDN_ERR_VALUE; PDN_ERR_STRUCT_SIZE; PDN_ERR_MODEL (no node, a beam too distorted);
+///     arrays without their number); PDN_ERR_VALUE; PDN_ERR_STRUCT_SIZE; PDN_ERR_MODEL (no node, a beam too distorted);
 ///     PDN_ERR_NOT_PERIODIC (a prescribed motion or load that does not repeat, a spring on an
 ///     angle that gains turns); PDN_ERR_GRID_TOO_COARSE (of the initial solution);
 ///     PDN_ERR_CALLBACK (of a signal); PDN_ERR_MEMORY
@@ -215,21 +230,51 @@ fn read_options(
         };
         return Err(Error::size(name, format!("at most {most}"), got));
     }
-    let grid = TimeGrid::new(grid_points, period).map_err(|e| match e.kind() {
-        ErrorKind::Size => Error::size("options.grid_points", "an odd number", grid_points),
-        _ => e,
-    })?;
+    if given.largest_grid_points > MOST {
+        let got = given.largest_grid_points;
+        let expected = format!("at most {MOST}");
+        return Err(Error::size("options.largest_grid_points", expected, got));
+    }
+    let grid_of = |points: usize| {
+        TimeGrid::new(points, period).map_err(|e| match e.kind() {
+            ErrorKind::Size => Error::size("options.grid_points", "an odd number", points),
+            _ => e,
+        })
+    };
+    // Without a number of points, the grid that a given start is on.
+    let (points, grid) = match grid_points {
+        0 => {
+            call.number(given.error_tolerance, "options.error_tolerance")?;
+            let adaptation = Adaptation {
+                error_tolerance: given.error_tolerance,
+                largest: given.largest_grid_points,
+            };
+            (GridPoints::Adaptive(adaptation), None)
+        }
+        points => (GridPoints::Fixed(points), Some(grid_of(points)?)),
+    };
     let guess = if !given.initial.is_null() {
         let initial = call.shared(given.initial, "options.initial")?;
         initial.require_same_shape(model)?;
+        let grid = match (grid, points) {
+            (Some(grid), _) => grid,
+            (None, GridPoints::Adaptive(adaptation)) => {
+                grid_of(adaptation.start_from(initial.grid().points()))?
+            }
+            (None, GridPoints::Fixed(points)) => grid_of(points)?,
+        };
         InitialGuess::State(initial.prolonged(grid)?)
     } else if given.guess_positions.is_null() && given.guess_rotations.is_null() {
         InitialGuess::Default
     } else {
+        let grid = grid.ok_or_else(|| {
+            let expected = "the number of points of options.guess_positions";
+            Error::size("options.grid_points", expected, 0)
+        })?;
         InitialGuess::State(read_guess(call, given, model, grid)?)
     };
     Ok(PeriodicOptions {
-        grid_points,
+        grid_points: points,
         newton: NewtonOptions {
             tolerance: given.tolerance,
             iteration_limit: given.iteration_limit,

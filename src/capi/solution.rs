@@ -9,6 +9,7 @@ use super::load::{PDN_FRAME_MATERIAL, PDN_FRAME_SPACE};
 use super::options::Options;
 use super::section::init_struct;
 use super::status::pdn_status;
+use crate::collocation::DecayKind;
 use crate::error::{Error, ErrorKind, Result};
 use crate::output::{BeamQuantity, JointQuantity, NodeQuantity, ResolvedIn, Solution};
 use crate::solve::{Iteration, Outcome};
@@ -23,7 +24,7 @@ pub struct pdn_solution {
     _private: [u8; 0],
 }
 
-/// Outcome: converged; the only outcome that is a solution.
+/// Outcome: converged. With PDN_TOLERANCE_NOT_MET the only outcomes that are solutions.
 pub const PDN_CONVERGED: i32 = 0;
 /// Outcome: the iteration limit was reached.
 pub const PDN_ITERATION_LIMIT: i32 = 1;
@@ -39,6 +40,19 @@ pub const PDN_NO_INITIAL_GUESS: i32 = 5;
 pub const PDN_INCONSISTENT: i32 = 6;
 /// Outcome: a joint has closed turned over, its axes against each other; the report names it.
 pub const PDN_WRONG_ASSEMBLY: i32 = 7;
+/// Outcome: converged on the last grid tried, but the estimated error misses the tolerance, as the report
+/// explains; quantities are as good as pdn_diagnostics.error_estimate says.
+pub const PDN_TOLERANCE_NOT_MET: i32 = 8;
+
+/// Decay of harmonics: not known, as there are too few or the solve has not converged.
+pub const PDN_DECAY_UNKNOWN: i32 = 0;
+/// Decay of harmonics: fast, as of a smooth response that the grid resolves.
+pub const PDN_DECAY_FAST: i32 = 1;
+/// Decay of harmonics: no faster than the fourth power of their number. The response has a kink, or a peak
+/// too narrow for the grid; forces may oscillate about their values.
+pub const PDN_DECAY_SLOW: i32 = 2;
+/// Decay of harmonics: they have fallen to rounding; a finer grid gains nothing.
+pub const PDN_DECAY_ROUNDING: i32 = 3;
 
 /// Axes of a joint reaction: inertial.
 pub const PDN_AXES_SPACE: i32 = 0;
@@ -99,16 +113,17 @@ pub(super) fn outcome_code(outcome: Outcome) -> i32 {
         Outcome::NoInitialGuess => PDN_NO_INITIAL_GUESS,
         Outcome::Inconsistent => PDN_INCONSISTENT,
         Outcome::WrongAssembly => PDN_WRONG_ASSEMBLY,
+        Outcome::ToleranceNotMet => PDN_TOLERANCE_NOT_MET,
     }
 }
 
 /// How the solve ended.
 ///
-/// Unless it is PDN_CONVERGED the solution's quantities are those of the last iterate.
+/// Unless it is PDN_CONVERGED or PDN_TOLERANCE_NOT_MET the solution's quantities are those of the last iterate.
 ///
 /// @param solution  the solution; not NULL
 /// @return PDN_CONVERGED, PDN_ITERATION_LIMIT, PDN_STALLED, PDN_SINGULAR, PDN_CANCELLED, PDN_NO_INITIAL_GUESS,
-///     PDN_INCONSISTENT or PDN_WRONG_ASSEMBLY; negative, as a ::pdn_status, if the handle is not valid
+///     PDN_INCONSISTENT, PDN_WRONG_ASSEMBLY or PDN_TOLERANCE_NOT_MET; negative, as a ::pdn_status, if the handle is not valid
 ///
 /// Threads: like `const`.
 /// @since 0.1
@@ -165,8 +180,10 @@ pub struct pdn_diagnostics {
     pub unknowns: usize,
     /// Largest increment of the last iteration, as ::pdn_progress.
     pub last_increment: f64,
-    /// Estimated error of the motions between grid points, from the decay of their harmonics: lengths
-    /// relative to the size of the mechanism, angles in radians; infinite if it cannot be had.
+    /// Estimated error of the motions at all times: lengths relative to the size of the mechanism, angles in
+    /// radians; infinite if it cannot be had. From the decay of their harmonics, the violation of constraints
+    /// between grid points and, if several grids were tried, the difference between two of them.
+    /// Velocities and forces have larger errors: see force_residual_between.
     pub error_estimate: f64,
     /// Largest residual force half-way between grid points, relative to the largest force that any
     /// element exerts; infinite if the motion cannot be interpolated. Large values mean aliasing.
@@ -184,11 +201,20 @@ pub struct pdn_diagnostics {
     pub factorisation_seconds: f64,
     /// Seconds spent on forward and backward substitution.
     pub substitution_seconds: f64,
+    /// How the upper half of the harmonics of motions falls: PDN_DECAY_FAST, PDN_DECAY_SLOW, ...
+    pub decay: i32,
+    /// Number of grids that an adaptive solve tried; 0 if their number of points was given.
+    pub grids: i32,
+    /// Exponent p of that fall, if harmonic j is as j^-p: 2 where velocities jump, 3 where accelerations do;
+    /// of a smooth response ever larger with more grid points. 0 if it is not known.
+    pub decay_order: f64,
+    /// Time at which the upper half of the harmonics adds up to most: where a kink or narrow peak is.
+    pub least_resolved_time: f64,
 }
 
 // SAFETY: all fields are plain numbers, `struct_size` is the first, no padding.
 unsafe impl Options for pdn_diagnostics {
-    const SIZES: &'static [usize] = &[112];
+    const SIZES: &'static [usize] = &[112, 136];
 
     fn defaults() -> Self {
         pdn_diagnostics {
@@ -208,6 +234,10 @@ unsafe impl Options for pdn_diagnostics {
             analysis_seconds: 0.0,
             factorisation_seconds: 0.0,
             substitution_seconds: 0.0,
+            decay: 0,
+            grids: 0,
+            decay_order: 0.0,
+            least_resolved_time: 0.0,
         }
     }
 }
@@ -264,6 +294,15 @@ pub unsafe extern "C" fn pdn_solution_diagnostics(
             analysis_seconds: timings.analysis.as_secs_f64(),
             factorisation_seconds: timings.factorisation.as_secs_f64(),
             substitution_seconds: timings.substitution.as_secs_f64(),
+            decay: match solution.diagnostics().decay {
+                DecayKind::Unknown => PDN_DECAY_UNKNOWN,
+                DecayKind::Fast => PDN_DECAY_FAST,
+                DecayKind::Slow => PDN_DECAY_SLOW,
+                DecayKind::Rounding => PDN_DECAY_ROUNDING,
+            },
+            grids: count(details.grids.len()),
+            decay_order: solution.diagnostics().decay_order,
+            least_resolved_time: solution.diagnostics().least_resolved_time,
             ..pdn_diagnostics::defaults()
         });
         Ok(())

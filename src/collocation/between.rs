@@ -1,5 +1,6 @@
 //! The equations between grid points: where aliasing shows, since collocation does not look there.
 
+use super::resampled::ResampledNodes;
 use super::state::GridState;
 use crate::elements::{Measure, NodeState, Unknown};
 use crate::error::{Error, ErrorKind, Result};
@@ -70,6 +71,20 @@ pub struct ResidualBetween {
     pub force: f64,
     /// Of constraints: lengths relative to the characteristic length, angles in radians.
     pub constraint: f64,
+    /// Time at which the residual of forces is largest.
+    #[serde(default)]
+    pub time: f64,
+}
+
+impl ResidualBetween {
+    /// Nothing is known of it.
+    pub fn unknown() -> Self {
+        ResidualBetween {
+            force: f64::INFINITY,
+            constraint: f64::INFINITY,
+            time: 0.0,
+        }
+    }
 }
 
 /// Evaluates the governing equations at the points that a twice finer grid adds.
@@ -82,16 +97,14 @@ pub fn residual_between(
     state: &GridState,
 ) -> Result<ResidualBetween> {
     let points = grid.points();
-    let nodes: Vec<NodeInterpolation> = (0..system.nodes())
-        .map(|a| NodeInterpolation::new(state.node(a)))
-        .collect();
-    let mut weights = CardinalWeights::new(grid);
+    let half = 0.5 / points as f64;
+    let nodes = ResampledNodes::new(system, grid, state, half, points)?;
     let mut workspace = system.workspace(false);
     let mut signals = vec![0.0; system.signals()];
     let mut multipliers = vec![0.0; system.multipliers()];
     let mut rates = vec![0.0; system.multipliers()];
-    let mut states = Vec::with_capacity(nodes.len());
-    let mut sums = vec![nalgebra::Vector6::<f64>::zeros(); nodes.len()];
+    let unknowns = state.resampled_own(system, grid, half, points);
+    let mut sums = vec![nalgebra::Vector6::<f64>::zeros(); system.nodes()];
     let length = system.scales().length;
     // Force components, and moments over the characteristic length.
     let size = |f: &nalgebra::Vector6<f64>| {
@@ -100,36 +113,21 @@ pub fn residual_between(
             .max(f.fixed_rows::<3>(3).amax() / length)
     };
     let (mut residual, mut level, mut constraint) = (0.0f64, 0.0f64, 0.0f64);
+    let mut worst = 0.0;
     let mut overflow = false;
     for k in 0..points {
         let time = grid.time(k) + 0.5 * grid.period() / points as f64;
-        weights.move_to(time);
-        states.clear();
-        for (a, node) in nodes.iter().enumerate() {
-            states.push(
-                node.at(&weights)
-                    .ok_or_else(|| too_coarse(a, time, points))?,
-            );
-        }
         system.signal_values(time, 1.0, &mut signals)?;
         for placed in system.elements() {
             for row in 0..placed.element.multipliers() {
                 let place = placed.first_multiplier + row;
-                let gain = state.gain(system, placed, row);
-                let fraction = time / grid.period();
-                let (mut value, mut rate) = (gain * fraction, gain / grid.period());
-                for l in 0..points {
-                    let steady = gain * l as f64 / points as f64;
-                    let periodic = state.multipliers_of(placed, l)[row] - steady;
-                    value += weights.value[l] * periodic;
-                    rate += weights.first[l] * periodic;
-                }
-                multipliers[place] = value;
+                multipliers[place] = unknowns.values[place * points + k];
                 if placed.has_states {
-                    rates[place] = rate;
+                    rates[place] = unknowns.rates[place * points + k];
                 }
             }
         }
+        let mut here = 0.0f64;
         sums.fill(nalgebra::Vector6::zeros());
         let conditions = Conditions {
             time,
@@ -144,7 +142,13 @@ pub fn residual_between(
                 values: &multipliers[range.clone()],
                 rates: &rates[range],
             };
-            let out = system.evaluate(placed, |n| states[n], &conditions, own, &mut workspace)?;
+            let out = system.evaluate(
+                placed,
+                |n| nodes.states[n * points + k],
+                &conditions,
+                own,
+                &mut workspace,
+            )?;
             overflow |= !out
                 .force
                 .iter()
@@ -169,12 +173,15 @@ pub fn residual_between(
                             Measure::Length => 1.0,
                             Measure::Angle => length,
                         };
-                        residual = residual.max(violation.abs() / scale);
+                        here = here.max(violation.abs() / scale);
                     }
                 }
             }
         }
-        residual = sums.iter().fold(residual, |r, f| r.max(size(f)));
+        here = sums.iter().fold(here, |r, f| r.max(size(f)));
+        if here > residual {
+            (residual, worst) = (here, time);
+        }
     }
     let relative = if level > 0.0 { residual / level } else { 0.0 };
     // Forces beyond any number say nothing, and say so.
@@ -188,5 +195,6 @@ pub fn residual_between(
     Ok(ResidualBetween {
         force: known(relative),
         constraint: known(constraint),
+        time: worst,
     })
 }

@@ -4,19 +4,23 @@
 //! static equilibrium at the grid's start time.
 
 mod between;
+mod decay;
 mod kinematics;
 mod linearisation;
 mod pattern;
 mod problem;
+mod resampled;
 mod sensitivity;
 mod state;
 mod step;
 
 pub use between::{NodeInterpolation, ResidualBetween, residual_between, too_coarse};
+pub use decay::{Decay, DecayKind};
 pub use kinematics::{BackwardRule, NodeKinematics};
 pub use linearisation::Linearisation;
 pub use pattern::Pattern;
 pub use problem::{Collocation, TangentBlocks};
+pub use resampled::ResampledNodes;
 pub use sensitivity::{StepVariation, Variation, VariationScales};
 pub use state::GridState;
 pub use step::{AlphaStep, GeneralizedAlpha, GivenRates, MotionState};

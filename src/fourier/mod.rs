@@ -3,9 +3,11 @@
 mod cardinal;
 mod differentiation;
 mod grid;
+mod resampling;
 mod series;
 
 pub use cardinal::CardinalWeights;
 pub use differentiation::Differentiation;
 pub use grid::TimeGrid;
+pub use resampling::Resampling;
 pub use series::PeriodicSeries;

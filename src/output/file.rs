@@ -16,7 +16,7 @@ use crate::elements::{NodeState, with_zero_for_absent};
 use crate::error::{Error, ErrorKind, Result, require_finite};
 use crate::fourier::TimeGrid;
 use crate::model::Model;
-use crate::solve::{MarchRecord, NewtonReport, PeriodicSolve, Timings};
+use crate::solve::{GridTried, MarchRecord, NewtonReport, PeriodicSolve, Timings};
 use crate::system::{Standstill, System, Transient};
 use serde::{Deserialize, Serialize};
 use std::borrow::Cow;
@@ -48,6 +48,8 @@ struct Content<'a> {
     prescribed_start: Cow<'a, [f64]>,
     diagnostics: Cow<'a, Diagnostics>,
     forces: Cow<'a, [Result<ForceRecord>]>,
+    #[serde(default)]
+    grids: Cow<'a, [GridTried]>,
     /// Of a trajectory.
     #[serde(default)]
     march: Option<Cow<'a, MarchRecord>>,
@@ -77,6 +79,7 @@ impl Solution {
             prescribed_start: Cow::Borrowed(&self.prescribed_start),
             diagnostics: Cow::Borrowed(self.diagnostics()),
             forces: Cow::Borrowed(&self.forces),
+            grids: Cow::Borrowed(&self.solve.grids),
             march: self.solve.march.as_ref().map(Cow::Borrowed),
             transient: self.solve.system.transient().copied(),
         };
@@ -254,6 +257,7 @@ impl Content<'_> {
                 guess_iterations: self.guess_iterations,
                 guess_time: self.guess_time,
                 timings: self.timings,
+                grids: self.grids.into_owned(),
                 march,
             },
             model,

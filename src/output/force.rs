@@ -4,7 +4,7 @@ use super::solution::{Samples, Solution};
 use crate::elements::{LoadFrame, NodeState};
 use crate::error::{Error, ErrorKind, Result};
 use crate::fourier::PeriodicSeries;
-use crate::solve::{Outcome, PeriodicSolve};
+use crate::solve::PeriodicSolve;
 use crate::system::{Conditions, ElementRole, OwnValues, Placed};
 use nalgebra::{Vector3, Vector6};
 use serde::{Deserialize, Serialize};
@@ -209,7 +209,7 @@ impl Solution {
     /// A spring on an angle that gains turns would pull ever harder; what depends on such an angle must
     /// repeat with its turns.
     pub(super) fn require_periodic_forces(&self) -> Result<()> {
-        if self.outcome() != Outcome::Converged {
+        if !self.outcome().is_solution() {
             return Ok(());
         }
         let system = &self.solve.system;

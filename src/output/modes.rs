@@ -137,6 +137,7 @@ impl Modes {
             guess_iterations: 0,
             guess_time: Duration::ZERO,
             timings: Timings::default(),
+            grids: Vec::new(),
             march: None,
         };
         Solution::of(&self.model, solve)

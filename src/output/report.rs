@@ -1,6 +1,7 @@
 //! The readable report of a solve.
 
 use super::solution::Solution;
+use crate::collocation::DecayKind;
 use crate::solve::{Outcome, describe_dependencies};
 use std::fmt::Write;
 
@@ -15,6 +16,9 @@ impl Outcome {
             Outcome::Cancelled => "cancelled",
             Outcome::Inconsistent => "not converged: constraints contradict each other",
             Outcome::WrongAssembly => "not converged: a joint has closed turned over",
+            Outcome::ToleranceNotMet => {
+                "converged on the last grid, but the error tolerance is not met"
+            }
             Outcome::NoInitialGuess => "not started: no initial guess found",
         }
     }
@@ -62,7 +66,7 @@ impl Solution {
             self.unknowns()
         ));
         let dependent = describe_dependencies(&solve.system);
-        if !dependent.is_empty() && self.outcome() == Outcome::Converged {
+        if !dependent.is_empty() && self.outcome().is_solution() {
             line(format_args!(
                 "  {dependent}: the multipliers of least norm are given"
             ));
@@ -85,7 +89,16 @@ impl Solution {
                     march.repetition
                 ));
             }
-        } else if !solve.report.iterations.is_empty() {
+        } else if !solve.grids.is_empty() {
+            line(format_args!("  grid points  iterations  estimated error"));
+            for grid in &solve.grids {
+                line(format_args!(
+                    "  {:11} {:11} {:16.1e}",
+                    grid.points, grid.iterations, grid.error_estimate
+                ));
+            }
+        }
+        if solve.march.is_none() && !solve.report.iterations.is_empty() {
             line(format_args!("  iteration   residual  increment   step"));
         }
         if solve.march.is_none() {
@@ -102,6 +115,12 @@ impl Solution {
                 diagnostics.between.force,
                 diagnostics.between.constraint
             ));
+            if diagnostics.decay == DecayKind::Slow {
+                line(format_args!(
+                    "  harmonics fall slowly, as j^-{:.1}: a kink, or a peak too narrow for the grid, near t = {:.6}; forces may oscillate about their values",
+                    diagnostics.decay_order, diagnostics.least_resolved_time
+                ));
+            }
         }
         let t = solve.timings;
         line(format_args!(

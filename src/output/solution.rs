@@ -147,44 +147,9 @@ impl Solution {
             return self.between_steps(start);
         }
         self.require_harmonics()?;
-        let system = &self.solve.system;
-        let mut state = GridState::reference(system, grid);
         let old = self.solve.grid;
-        let times: Vec<f64> = grid
-            .times()
-            .map(|t| start + t * (old.period() / grid.period()))
-            .collect();
-        for node in 0..system.nodes() {
-            let mut k = 0;
-            self.each_node_state(node, &times, |at| {
-                state.motions[node * grid.points() + k] = at.motion;
-                k += 1;
-            })?;
-        }
-        for placed in system.elements() {
-            for row in 0..placed.element.multipliers() {
-                let values: Vec<f64> = (0..old.points())
-                    .map(|k| self.solve.state.multipliers_of(placed, k)[row])
-                    .collect();
-                let rate = self.solve.state.gain(system, placed, row) / old.period();
-                let series = PeriodicSeries::interpolate(old, &values, rate);
-                for (k, t) in times.iter().enumerate() {
-                    state.multipliers_of_mut(placed, k)[row] = series.value(*t);
-                }
-            }
-        }
-        // The turns of tracked angles are those of the old grid point before.
-        for (k, time) in times.iter().enumerate() {
-            let turns = time / old.period();
-            // Written so that rounding does not go a point back.
-            let place = (turns - turns.floor()) * old.points() as f64 * (1.0 + 1e-12);
-            let before = (place as usize).min(old.points() - 1);
-            let count = system.tracked();
-            state.coordinates[k * count..][..count]
-                .copy_from_slice(self.solve.state.tracked(system, before));
-        }
-        state.track(system);
-        Ok(state)
+        let state = &self.solve.state;
+        state.resampled(&self.solve.system, old, start / old.period(), grid)
     }
 
     /// States of an element's nodes at grid point `k`.

@@ -1,11 +1,13 @@
 //! The periodic solve: initial guess, Newton with line search, direct linear solver, diagnostics.
 
+mod adaptive;
 mod assembly;
 mod branch;
 mod consistent;
 mod diagnosis;
 mod direct;
 mod eigen;
+mod estimate;
 mod free_motions;
 mod guess;
 mod krylov;
@@ -20,11 +22,15 @@ mod shooting;
 mod statics;
 mod trajectory;
 
+pub use adaptive::{Adaptation, GridTried};
 pub use diagnosis::describe_dependencies;
 pub use direct::DirectSolver;
+pub use estimate::Assessment;
 pub use modes::{Mode, ModesOptions, ModesSolve, solve_modes};
 pub use newton::{Iteration, Newton, NewtonOptions, NewtonReport, Outcome, Timings};
-pub use periodic::{InitialGuess, PeriodicOptions, PeriodicSolve, Stage, solve_periodic};
+pub use periodic::{
+    GridPoints, InitialGuess, PeriodicOptions, PeriodicSolve, Stage, solve_periodic,
+};
 pub use shooting::{ShootingOptions, solve_shooting};
 pub use statics::{StaticOptions, solve_static};
 pub use trajectory::{MarchEnd, MarchOptions, MarchRecord, MarchStart, StartState, march};

@@ -8,7 +8,7 @@ use crate::error::{ErrorKind, Result};
 use serde::{Deserialize, Serialize};
 use std::time::{Duration, Instant};
 
-/// How a solve ended. Only [`Outcome::Converged`] is a solution.
+/// How a solve ended. Only [`Outcome::Converged`] and [`Outcome::ToleranceNotMet`] are solutions.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Outcome {
     /// The last increment is below the tolerance.
@@ -27,6 +27,15 @@ pub enum Outcome {
     Inconsistent,
     /// A joint has closed turned over, its axes against each other.
     WrongAssembly,
+    /// Newton's method has converged on the last grid, but the estimated error misses the tolerance.
+    ToleranceNotMet,
+}
+
+impl Outcome {
+    /// Whether the equations are satisfied at the grid points.
+    pub fn is_solution(self) -> bool {
+        matches!(self, Outcome::Converged | Outcome::ToleranceNotMet)
+    }
 }
 
 /// One iteration, as reported to the progress callback and kept in the history.
@@ -76,6 +85,19 @@ pub struct Timings {
     pub factorisation: Duration,
     /// Forward and backward substitution.
     pub substitution: Duration,
+}
+
+impl std::ops::Add for Timings {
+    type Output = Self;
+
+    fn add(self, other: Self) -> Self {
+        Timings {
+            assembly: self.assembly + other.assembly,
+            analysis: self.analysis + other.analysis,
+            factorisation: self.factorisation + other.factorisation,
+            substitution: self.substitution + other.substitution,
+        }
+    }
 }
 
 /// Outcome and history of a Newton solve.

@@ -1,12 +1,13 @@
 //! The periodic solve from model to solution.
 
-use super::guess::quasi_static;
+use super::adaptive::{Adaptation, GridTried};
+use super::guess::{Guess, quasi_static};
 use super::march::march_to_periodic;
 use super::newton::{Iteration, Newton, NewtonOptions, NewtonReport, Outcome, Timings};
 use super::trajectory::MarchRecord;
 use crate::collocation::{Collocation, GridState};
 use crate::elements::NodeState;
-use crate::error::{Error, Result};
+use crate::error::{Error, ErrorKind, Result};
 use crate::fourier::TimeGrid;
 use crate::model::Model;
 use crate::system::System;
@@ -33,31 +34,60 @@ pub enum InitialGuess {
     /// Found by the library.
     #[default]
     Default,
-    /// These states at the grid points.
+    /// These states at the points of the grid; of the first, if grids are adapted.
     State(GridState),
+}
+
+/// How many grid points.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum GridPoints {
+    /// This odd number.
+    Fixed(usize),
+    /// Few at first, then more until the estimated error meets a tolerance.
+    Adaptive(Adaptation),
 }
 
 /// Options of a periodic solve.
 #[derive(Debug, Clone)]
 pub struct PeriodicOptions {
-    /// Number of grid points, odd.
-    pub grid_points: usize,
-    /// When to stop.
+    /// Number of grid points.
+    pub grid_points: GridPoints,
+    /// When to stop on each grid.
     pub newton: NewtonOptions,
     /// Where to start.
     pub guess: InitialGuess,
 }
 
-impl PeriodicOptions {
-    /// The defaults, on a grid of this many points.
-    pub fn with_grid_points(grid_points: usize) -> Self {
+impl Default for PeriodicOptions {
+    fn default() -> Self {
         PeriodicOptions {
-            grid_points,
+            grid_points: GridPoints::Adaptive(Adaptation::default()),
             newton: NewtonOptions {
                 tolerance: 1e-9,
                 iteration_limit: 30,
             },
             guess: InitialGuess::Default,
+        }
+    }
+}
+
+impl PeriodicOptions {
+    /// The defaults, on a grid of this many points.
+    pub fn with_grid_points(points: usize) -> Self {
+        PeriodicOptions {
+            grid_points: GridPoints::Fixed(points),
+            ..PeriodicOptions::default()
+        }
+    }
+
+    /// The defaults, with grid points added until the estimated error is below this.
+    pub fn with_error_tolerance(error_tolerance: f64) -> Self {
+        PeriodicOptions {
+            grid_points: GridPoints::Adaptive(Adaptation {
+                error_tolerance,
+                ..Adaptation::default()
+            }),
+            ..PeriodicOptions::default()
         }
     }
 }
@@ -95,6 +125,8 @@ pub struct PeriodicSolve {
     pub guess_time: Duration,
     /// Time spent on the periodic problem, by kind of work.
     pub timings: Timings,
+    /// The grids that an adaptive solve has tried, coarsest first.
+    pub grids: Vec<GridTried>,
     /// Of a march: its times, and how it went.
     pub march: Option<MarchRecord>,
 }
@@ -113,17 +145,25 @@ impl PeriodicSolve {
 const SMALLEST_INERTIA_STEP: f64 = 1.0 / 64.0;
 
 /// One solve on its way through the attempts.
-struct Attempts<'a> {
-    system: Arc<System>,
-    grid: TimeGrid,
+pub(super) struct Attempts<'a> {
+    pub(super) system: Arc<System>,
+    pub(super) grid: TimeGrid,
     options: NewtonOptions,
     newton: Newton,
     observe: &'a mut dyn FnMut(Stage, &Iteration) -> bool,
+    /// Where the quasi-static start is found, and the start once it is.
+    pub(super) guess_grid: TimeGrid,
+    quasi_static: Option<Guess>,
     guess_iterations: usize,
     guess_time: Duration,
+    /// Time spent on grids before the present one.
+    timings: Timings,
+    pub(super) grids: Vec<GridTried>,
 }
 
 /// Finds the periodic response of `model` with period `period`.
+///
+/// On an adaptive grid, each solution starts from that on the grid before; the last is given.
 ///
 /// Without a given start, Newton begins at the quasi-static motion. Where that does not lead to a
 /// solution, it continues from there in a factor of the inertial forces, and then begins at the end of
@@ -140,32 +180,58 @@ pub fn solve_periodic(
     observe: &mut dyn FnMut(Stage, &Iteration) -> bool,
 ) -> Result<PeriodicSolve> {
     options.newton.validate()?;
-    let grid = TimeGrid::new(options.grid_points, period)?;
+    match options.grid_points {
+        // What is wrong with the grid is said first.
+        GridPoints::Fixed(points) => TimeGrid::new(points, period).map(|_| ())?,
+        GridPoints::Adaptive(adaptation) => adaptation.validate()?,
+    }
     let system = Arc::new(System::new(model, period)?);
+    let points = match (&options.guess, &options.grid_points) {
+        (_, GridPoints::Fixed(points)) => *points,
+        (InitialGuess::State(state), _) => state.points(),
+        (InitialGuess::Default, GridPoints::Adaptive(adaptation)) => {
+            adaptation.first(&system, period)?
+        }
+    };
+    let grid = TimeGrid::new(points, period)?;
+    let guess_grid = match &options.grid_points {
+        GridPoints::Fixed(_) => grid,
+        GridPoints::Adaptive(adaptation) => TimeGrid::new(adaptation.guess(points), period)?,
+    };
     let mut attempts = Attempts {
         newton: Newton::new(Collocation::new(system.clone(), grid)?)?,
         system: system.clone(),
         grid,
         options: options.newton,
         observe,
+        guess_grid,
+        quasi_static: None,
         guess_iterations: 0,
         guess_time: Duration::ZERO,
+        timings: Timings::default(),
+        grids: Vec::new(),
     };
-    let (mut state, report) = match &options.guess {
-        InitialGuess::State(state) => attempts.newton(state.clone())?,
-        InitialGuess::Default => attempts.find()?,
+    let given = match &options.guess {
+        InitialGuess::State(state) => Some(state.clone()),
+        InitialGuess::Default => None,
+    };
+    let (mut state, report) = match (&options.grid_points, given) {
+        (GridPoints::Adaptive(adaptation), given) => attempts.refine(adaptation, given)?,
+        (GridPoints::Fixed(_), Some(state)) => attempts.newton(state)?,
+        (GridPoints::Fixed(_), None) => attempts.find()?,
     };
     attempts.newton.equations.update_kinematics(&state);
     attempts.newton.equations.reduce_to_least_norm(&mut state)?;
     Ok(PeriodicSolve {
         system,
-        grid,
+        grid: attempts.grid,
         node_states: attempts.newton.equations.node_states().to_vec(),
         state,
         report,
         guess_iterations: attempts.guess_iterations,
         guess_time: attempts.guess_time,
-        timings: attempts.newton.timings,
+        timings: attempts.timings + attempts.newton.timings,
+        grids: attempts.grids,
         march: None,
     })
 }
@@ -182,7 +248,7 @@ fn is_final(outcome: Outcome) -> bool {
 }
 
 impl Attempts<'_> {
-    fn newton(&mut self, mut state: GridState) -> Result<(GridState, NewtonReport)> {
+    pub(super) fn newton(&mut self, mut state: GridState) -> Result<(GridState, NewtonReport)> {
         let observe = &mut *self.observe;
         let mut observe = |iteration: &Iteration| observe(Stage::Newton, iteration);
         let report = self.newton.solve(&mut state, &self.options, &mut observe)?;
@@ -204,38 +270,90 @@ impl Attempts<'_> {
         guess
     }
 
-    /// From the library's own start.
-    fn find(&mut self) -> Result<(GridState, NewtonReport)> {
-        let guess = self.guess(|system, grid, observe| quasi_static(system, grid, observe))?;
+    /// Goes on with another grid.
+    pub(super) fn move_to(&mut self, grid: TimeGrid) -> Result<()> {
+        if grid != self.grid {
+            let next = Newton::new(Collocation::new(self.system.clone(), grid)?)?;
+            let last = std::mem::replace(&mut self.newton, next);
+            self.timings = self.timings + last.timings;
+            self.grid = grid;
+        }
+        Ok(())
+    }
 
-        let first = if guess.outcome == Outcome::Converged {
-            let first = self.newton(guess.state.clone())?;
+    /// The quasi-static motion at the points of its grid, found at the first call.
+    fn quasi_static(&mut self) -> Result<&Guess> {
+        let at = self.guess_grid;
+        let guess = match self.quasi_static.take() {
+            Some(guess) => guess,
+            None => self.guess(|system, _, observe| quasi_static(system, at, observe))?,
+        };
+        Ok(self.quasi_static.insert(guess))
+    }
+
+    /// The quasi-static motion at the points of the present grid, if there is one.
+    pub(super) fn start(&mut self) -> Result<Option<GridState>> {
+        let (system, grid, from) = (self.system.clone(), self.grid, self.guess_grid);
+        let guess = self.quasi_static()?;
+        if guess.outcome != Outcome::Converged {
+            return Ok(None);
+        }
+        if grid == from {
+            return Ok(Some(guess.state.clone()));
+        }
+        match guess.state.resampled(&system, from, 0.0, grid) {
+            Ok(state) => Ok(Some(state)),
+            Err(e) if e.kind() == ErrorKind::GridTooCoarse => Ok(None),
+            Err(e) => Err(e),
+        }
+    }
+
+    /// From the library's own start.
+    pub(super) fn find(&mut self) -> Result<(GridState, NewtonReport)> {
+        let start = self.start()?;
+        let guess = self.quasi_static()?;
+        let (outcome, explanation) = (guess.outcome, guess.explanation.clone());
+
+        let first = if let Some(start) = start {
+            let first = self.newton(start.clone())?;
             if is_final(first.1.outcome) {
                 return Ok(first);
             }
-            if let Some(solved) = self.through_inertia(guess.state)? {
+            if let Some(solved) = self.through_inertia(start)? {
                 return Ok(solved);
             }
             first
         } else {
-            let outcome = match guess.outcome {
+            let outcome = match outcome {
                 Outcome::Cancelled
                 | Outcome::Singular
                 | Outcome::Inconsistent
-                | Outcome::WrongAssembly => guess.outcome,
+                | Outcome::WrongAssembly => outcome,
                 _ => Outcome::NoInitialGuess,
             };
             let report = NewtonReport {
                 outcome,
                 iterations: Vec::new(),
-                explanation: guess.explanation,
+                explanation,
             };
+            let state = self.last_of_guess()?;
             if matches!(outcome, Outcome::Cancelled | Outcome::Inconsistent) {
-                return Ok((guess.state, report));
+                return Ok((state, report));
             }
-            (guess.state, report)
+            (state, report)
         };
         Ok(self.through_march()?.unwrap_or(first))
+    }
+
+    /// What there is of the quasi-static motion where it was not found.
+    fn last_of_guess(&mut self) -> Result<GridState> {
+        let (system, grid) = (self.system.clone(), self.grid);
+        let guess = self.quasi_static()?;
+        Ok(if guess.state.points() == grid.points() {
+            guess.state.clone()
+        } else {
+            GridState::reference(&system, grid)
+        })
     }
 
     /// Raises the inertial forces in steps, from a solution without them.

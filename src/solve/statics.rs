@@ -176,6 +176,7 @@ pub(super) fn find_equilibrium(
         guess_iterations,
         guess_time,
         timings: newton.timings,
+        grids: Vec::new(),
         march: None,
     };
     if solve.report.outcome == Outcome::Singular && indifferent == Indifferent::Accepted {

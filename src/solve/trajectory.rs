@@ -613,6 +613,7 @@ pub(super) fn finish(
         guess_iterations: 0,
         guess_time: Duration::ZERO,
         timings: super::Timings::default(),
+        grids: Vec::new(),
         march: Some(record),
     })
 }

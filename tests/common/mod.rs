@@ -50,7 +50,7 @@ pub fn oscillator() -> (Model, usize) {
 /// what Newton leaves is rounding alone.
 pub fn options(grid_points: usize) -> PeriodicOptions {
     PeriodicOptions {
-        grid_points,
+        grid_points: GridPoints::Fixed(grid_points),
         newton: NewtonOptions {
             tolerance: 1e-9,
             iteration_limit: 30,

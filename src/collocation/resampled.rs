@@ -1,0 +1,167 @@
+//! The unknowns at the points of another grid of the same period.
+
+use super::between::too_coarse;
+use super::state::GridState;
+use crate::elements::NodeState;
+use crate::error::Result;
+use crate::fourier::{Resampling, TimeGrid};
+use crate::motion::{DualMatrix, DualPolar, Motion};
+use crate::system::System;
+use nalgebra::{Matrix3, Vector3};
+
+/// Motions, velocities and accelerations of all nodes, interpolated over the period (section 4) at equispaced
+/// times.
+#[derive(Debug, Clone)]
+pub struct ResampledNodes {
+    /// Node `a` at time `k` of `n`, at `a n + k`.
+    pub states: Vec<NodeState>,
+}
+
+/// Own unknowns of elements at equispaced times, and their rates.
+pub(super) struct ResampledOwn {
+    /// Unknown `i` of the system at time `k` of `n`, at `i n + k`.
+    pub values: Vec<f64>,
+    pub rates: Vec<f64>,
+}
+
+impl ResampledNodes {
+    /// The nodes of `state` on `grid` at `points` (odd) times of a period, the first of them `start` periods
+    /// after its first point.
+    ///
+    /// # Errors
+    /// [`crate::error::ErrorKind::GridTooCoarse`] if a motion cannot be interpolated.
+    pub fn new(
+        system: &System,
+        grid: TimeGrid,
+        state: &GridState,
+        start: f64,
+        points: usize,
+    ) -> Result<Self> {
+        let mut resampling = Resampling::new(grid, start, points);
+        let mut column = vec![0.0; points];
+        let mut sums = vec![[DualMatrix::zeros(); 3]; points];
+        let mut duals = vec![DualMatrix::zeros(); grid.points()];
+        let mut states = Vec::with_capacity(system.nodes() * points);
+        for node in 0..system.nodes() {
+            let motions = state.node(node);
+            let total = motions.iter().map(|m| m.position).sum::<Vector3<f64>>();
+            let mean = total / grid.points() as f64;
+            for (dual, m) in duals.iter_mut().zip(motions) {
+                *dual = Motion::new(m.rotation, m.position - mean).to_dual();
+            }
+            for entry in 0..9 {
+                for part in [primal, dual] {
+                    resampling.read(duals.iter_mut().map(|m| part(m)[entry]));
+                    for order in 0..3 {
+                        resampling.write(order as u32, 0, &mut column);
+                        for (sum, value) in sums.iter_mut().zip(&column) {
+                            part(&mut sum[order])[entry] = *value;
+                        }
+                    }
+                }
+            }
+            for (k, [value, first, second]) in sums.iter().enumerate() {
+                let polar = DualPolar::new(value).ok_or_else(|| {
+                    let time = grid.period() * (start + k as f64 / points as f64);
+                    too_coarse(node, time, grid.points())
+                })?;
+                let velocity = polar.velocity(first);
+                let acceleration = polar.acceleration(&velocity, first, second);
+                let mut motion = polar.motion();
+                motion.position += mean;
+                states.push(NodeState {
+                    motion,
+                    twist: velocity.to_twist(),
+                    twist_rate: acceleration.to_twist(),
+                });
+            }
+        }
+        Ok(ResampledNodes { states })
+    }
+}
+
+impl GridState {
+    /// This state, on `grid`, at the points of `other`, whose period is taken for the same; its first point is
+    /// `start` periods after that of `grid`.
+    ///
+    /// # Errors
+    /// [`crate::error::ErrorKind::GridTooCoarse`] if a motion cannot be interpolated.
+    pub fn resampled(
+        &self,
+        system: &System,
+        grid: TimeGrid,
+        start: f64,
+        other: TimeGrid,
+    ) -> Result<GridState> {
+        let points = other.points();
+        let nodes = ResampledNodes::new(system, grid, self, start, points)?;
+        let mut result = GridState::reference(system, other);
+        for (motion, state) in result.motions.iter_mut().zip(&nodes.states) {
+            *motion = state.motion;
+        }
+        let own = self.resampled_own(system, grid, start, points);
+        for placed in system.elements() {
+            for k in 0..points {
+                let values = result.multipliers_of_mut(placed, k);
+                for (row, value) in values.iter_mut().enumerate() {
+                    *value = own.values[(placed.first_multiplier + row) * points + k];
+                }
+            }
+        }
+        // The turns of tracked angles are those of the old grid point before.
+        let count = system.tracked();
+        for k in 0..points {
+            let turns = start + k as f64 / points as f64;
+            // Written so that rounding does not go a point back.
+            let place = (turns - turns.floor()) * grid.points() as f64 * (1.0 + 1e-12);
+            let before = (place as usize).min(grid.points() - 1);
+            result.coordinates[k * count..][..count].copy_from_slice(self.tracked(system, before));
+        }
+        result.track(system);
+        Ok(result)
+    }
+
+    /// Own unknowns of elements at `points` (odd) times of a period, from `start` periods on.
+    pub(super) fn resampled_own(
+        &self,
+        system: &System,
+        grid: TimeGrid,
+        start: f64,
+        points: usize,
+    ) -> ResampledOwn {
+        let mut own = ResampledOwn {
+            values: vec![0.0; system.multipliers() * points],
+            rates: vec![0.0; system.multipliers() * points],
+        };
+        let mut resampling = Resampling::new(grid, start, points);
+        for placed in system.elements() {
+            for row in 0..placed.element.multipliers() {
+                let gain = self.gain(system, placed, row);
+                resampling.read((0..grid.points()).map(|l| {
+                    let steady = gain * l as f64 / grid.points() as f64;
+                    self.multipliers_of(placed, l)[row] - steady
+                }));
+                let place = (placed.first_multiplier + row) * points;
+                let (values, rates) = (
+                    &mut own.values[place..][..points],
+                    &mut own.rates[place..][..points],
+                );
+                resampling.write(0, 0, values);
+                resampling.write(1, 0, rates);
+                for (k, (value, rate)) in values.iter_mut().zip(rates).enumerate() {
+                    *value += gain * (start + k as f64 / points as f64);
+                    *rate += gain / grid.period();
+                }
+            }
+        }
+        own
+    }
+}
+
+fn primal(m: &mut DualMatrix) -> &mut Matrix3<f64> {
+    &mut m.primal
+}
+
+fn dual(m: &mut DualMatrix) -> &mut Matrix3<f64> {
+    &mut m.dual
+}

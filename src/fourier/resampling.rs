@@ -1,0 +1,171 @@
+//! From the points of one grid to those of another of the same period, by FFT.
+
+use super::grid::TimeGrid;
+use realfft::num_complex::Complex;
+use realfft::{ComplexToReal, RealFftPlanner, RealToComplex};
+use std::f64::consts::TAU;
+use std::fmt;
+use std::sync::Arc;
+
+/// The trigonometric polynomial through values on a grid, and its derivatives, at the points of another grid,
+/// which may begin later.
+pub struct Resampling {
+    grid: TimeGrid,
+    /// `exp(i j Ω start) / N`.
+    shift: Vec<Complex<f64>>,
+    forward: Arc<dyn RealToComplex<f64>>,
+    backward: Arc<dyn ComplexToReal<f64>>,
+    samples: Vec<f64>,
+    spectrum: Vec<Complex<f64>>,
+    folded: Vec<Complex<f64>>,
+    scratch: Vec<Complex<f64>>,
+}
+
+impl fmt::Debug for Resampling {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("Resampling")
+            .field("grid", &self.grid)
+            .finish_non_exhaustive()
+    }
+}
+
+impl Resampling {
+    /// From `grid` to `points` (odd) equispaced times of a period, the first of them `start` periods later.
+    pub fn new(grid: TimeGrid, start: f64, points: usize) -> Self {
+        let mut planner = RealFftPlanner::new();
+        let forward = planner.plan_fft_forward(grid.points());
+        let backward = planner.plan_fft_inverse(points);
+        let phase = start - start.floor();
+        let scale = 1.0 / grid.points() as f64;
+        let shift = (0..=grid.harmonics())
+            .map(|j| Complex::from_polar(scale, TAU * ((j as f64 * phase) % 1.0)))
+            .collect();
+        let scratch = forward.get_scratch_len().max(backward.get_scratch_len());
+        Resampling {
+            grid,
+            shift,
+            samples: vec![0.0; grid.points()],
+            spectrum: forward.make_output_vec(),
+            folded: backward.make_input_vec(),
+            scratch: vec![Complex::default(); scratch],
+            forward,
+            backward,
+        }
+    }
+
+    /// Takes the values at the points of the grid.
+    pub fn read(&mut self, samples: impl Iterator<Item = f64>) {
+        for (place, sample) in self.samples.iter_mut().zip(samples) {
+            *place = sample;
+        }
+        // The lengths are this object's own, so the transform cannot fail.
+        let _ = self.forward.process_with_scratch(
+            &mut self.samples,
+            &mut self.spectrum,
+            &mut self.scratch,
+        );
+    }
+
+    /// Amplitude of each harmonic of the values read, from 0.
+    pub fn amplitudes(&self) -> impl Iterator<Item = f64> + '_ {
+        let scale = 1.0 / self.grid.points() as f64;
+        let both = move |(j, c): (usize, &Complex<f64>)| {
+            (if j == 0 { scale } else { 2.0 * scale }) * c.norm()
+        };
+        self.spectrum.iter().enumerate().map(both)
+    }
+
+    /// Writes the derivative of the given order (0 for the values), of the harmonics from `first` on, at the
+    /// points of the other grid.
+    pub fn write(&mut self, order: u32, first: usize, out: &mut [f64]) {
+        let points = out.len();
+        let half = points / 2;
+        self.folded.fill(Complex::default());
+        // Harmonics beyond those of the other grid are there what they alias onto.
+        for (j, (c, shift)) in self
+            .spectrum
+            .iter()
+            .zip(&self.shift)
+            .enumerate()
+            .skip(first)
+        {
+            let rate = j as f64 * self.grid.frequency();
+            let c = c
+                * shift
+                * match order {
+                    0 => Complex::new(1.0, 0.0),
+                    1 => Complex::new(0.0, rate),
+                    _ => Complex::new(-rate * rate, 0.0),
+                };
+            let place = j % points;
+            if place <= half {
+                self.folded[place] += c;
+            }
+            let mirrored = (points - place) % points;
+            if j > 0 && mirrored <= half {
+                self.folded[mirrored] += c.conj();
+            }
+        }
+        self.folded[0].im = 0.0;
+        let _ = self
+            .backward
+            .process_with_scratch(&mut self.folded, out, &mut self.scratch);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::fourier::PeriodicSeries;
+
+    #[test]
+    fn values_and_derivatives_are_those_of_the_series_on_finer_coarser_and_later_grids() {
+        for points in [1, 3, 9, 45] {
+            let grid = TimeGrid::new(points, 1.7).unwrap();
+            let values: Vec<f64> = (0..points).map(|k| (k as f64 * 1.3).sin() + 0.2).collect();
+            let series = PeriodicSeries::interpolate(grid, &values, 0.0);
+            for (start, others) in [
+                (0.0, 27),
+                (0.5 / points as f64, points),
+                (-0.3, 7),
+                (2.7, 1),
+            ] {
+                let mut resampling = Resampling::new(grid, start, others);
+                resampling.read(values.iter().copied());
+                let mut out = vec![0.0; others];
+                for order in 0..=2 {
+                    resampling.write(order, 0, &mut out);
+                    let size =
+                        (grid.harmonics().max(1) as f64 * grid.frequency()).powi(order as i32);
+                    for (k, found) in out.iter().enumerate() {
+                        let time = 1.7 * (start + k as f64 / others as f64);
+                        let exact = series.derivative(time, order);
+                        assert!((found - exact).abs() < 1e-13 * points as f64 * size);
+                    }
+                }
+                let cosines = series
+                    .cosines
+                    .iter()
+                    .zip(&series.sines)
+                    .map(|(c, s)| c.hypot(*s));
+                for (found, exact) in resampling.amplitudes().skip(1).zip(cosines) {
+                    assert!((found - exact).abs() < 1e-14);
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn low_harmonics_can_be_left_out() {
+        let grid = TimeGrid::new(9, 2.0).unwrap();
+        let wave = |t: f64| (3.0 * grid.frequency() * t).cos();
+        let slow = |t: f64| 5.0 + (grid.frequency() * t).sin();
+        let mut resampling = Resampling::new(grid, 0.0, 15);
+        resampling.read(grid.times().map(|t| wave(t) + slow(t)));
+        let mut out = [0.0; 15];
+        resampling.write(0, 2, &mut out);
+        for (k, found) in out.iter().enumerate() {
+            assert!((found - wave(2.0 * k as f64 / 15.0)).abs() < 1e-14);
+        }
+    }
+}
