@@ -37,7 +37,7 @@ static inline size_t option_count(int argc, char **argv, const char *name, size_
     const char *text = option_text(argc, argv, name, NULL);
     char *end = NULL;
     const long value = text ? strtol(text, &end, 10) : (long)fallback;
-    if (value <= 0 || (text && *end != '\0')) {
+    if (text && (value <= 0 || *end != '\0')) {
         fprintf(stderr, "%s: expected a positive whole number, got %s\n", name, text);
         exit(2);
     }

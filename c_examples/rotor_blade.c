@@ -40,7 +40,7 @@ static double amplitude(curves y, int c, int h)
 int main(int argc, char **argv)
 {
     check_options(argc, argv, "--grid --elements --order --out");
-    const size_t grid = option_count(argc, argv, "--grid", 31);
+    const size_t grid = option_count(argc, argv, "--grid", 0); /* 0: as many as needed */
     const size_t elements = option_count(argc, argv, "--elements", 4);
     const size_t order = option_count(argc, argv, "--order", 4);
     FILE *file = open_out(argc, argv);

@@ -108,7 +108,7 @@ done:
 int main(int argc, char **argv)
 {
     check_options(argc, argv, "--grid --elements --order --out");
-    const size_t grid = option_count(argc, argv, "--grid", 41);
+    const size_t grid = option_count(argc, argv, "--grid", 0); /* 0: as many as needed */
     const size_t elements =
         option_count(argc, argv, "--elements", 4); /* even: a node in the middle */
     const size_t order = option_count(argc, argv, "--order", 3);

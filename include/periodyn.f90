@@ -75,6 +75,11 @@ module periodyn_c
     integer(c_int32_t), parameter :: PDN_NO_INITIAL_GUESS = 5
     integer(c_int32_t), parameter :: PDN_INCONSISTENT = 6
     integer(c_int32_t), parameter :: PDN_WRONG_ASSEMBLY = 7
+    integer(c_int32_t), parameter :: PDN_TOLERANCE_NOT_MET = 8
+    integer(c_int32_t), parameter :: PDN_DECAY_UNKNOWN = 0
+    integer(c_int32_t), parameter :: PDN_DECAY_FAST = 1
+    integer(c_int32_t), parameter :: PDN_DECAY_SLOW = 2
+    integer(c_int32_t), parameter :: PDN_DECAY_ROUNDING = 3
     integer(c_int32_t), parameter :: PDN_AXES_SPACE = 0
     integer(c_int32_t), parameter :: PDN_AXES_FIRST = 1
     integer(c_int32_t), parameter :: PDN_AXES_SECOND = 2
@@ -203,6 +208,10 @@ module periodyn_c
         real(c_double) :: analysis_seconds
         real(c_double) :: factorisation_seconds
         real(c_double) :: substitution_seconds
+        integer(c_int32_t) :: decay
+        integer(c_int32_t) :: grids
+        real(c_double) :: decay_order
+        real(c_double) :: least_resolved_time
     end type pdn_diagnostics
 
     type, bind(C) :: pdn_progress
@@ -226,6 +235,8 @@ module periodyn_c
         type(c_ptr) :: guess_rotations = c_null_ptr
         type(c_funptr) :: progress = c_null_funptr
         type(c_ptr) :: progress_data = c_null_ptr
+        real(c_double) :: error_tolerance
+        integer(c_size_t) :: largest_grid_points
     end type pdn_periodic_options
 
     type, bind(C) :: pdn_static_options

@@ -309,7 +309,7 @@
 #define PDN_TANGENT_VELOCITY 1
 
 /**
- * Outcome: converged; the only outcome that is a solution.
+ * Outcome: converged. With PDN_TOLERANCE_NOT_MET the only outcomes that are solutions.
  */
 #define PDN_CONVERGED 0
 
@@ -347,6 +347,33 @@
  * Outcome: a joint has closed turned over, its axes against each other; the report names it.
  */
 #define PDN_WRONG_ASSEMBLY 7
+
+/**
+ * Outcome: converged on the last grid tried, but the estimated error misses the tolerance, as the report
+ * explains; quantities are as good as pdn_diagnostics.error_estimate says.
+ */
+#define PDN_TOLERANCE_NOT_MET 8
+
+/**
+ * Decay of harmonics: not known, as there are too few or the solve has not converged.
+ */
+#define PDN_DECAY_UNKNOWN 0
+
+/**
+ * Decay of harmonics: fast, as of a smooth response that the grid resolves.
+ */
+#define PDN_DECAY_FAST 1
+
+/**
+ * Decay of harmonics: no faster than the fourth power of their number. The response has a kink, or a peak
+ * too narrow for the grid; forces may oscillate about their values.
+ */
+#define PDN_DECAY_SLOW 2
+
+/**
+ * Decay of harmonics: they have fallen to rounding; a finer grid gains nothing.
+ */
+#define PDN_DECAY_ROUNDING 3
 
 /**
  * Axes of a joint reaction: inertial.
@@ -958,8 +985,10 @@ typedef struct pdn_diagnostics {
      */
     double last_increment;
     /**
-     * Estimated error of the motions between grid points, from the decay of their harmonics: lengths
-     * relative to the size of the mechanism, angles in radians; infinite if it cannot be had.
+     * Estimated error of the motions at all times: lengths relative to the size of the mechanism, angles in
+     * radians; infinite if it cannot be had. From the decay of their harmonics, the violation of constraints
+     * between grid points and, if several grids were tried, the difference between two of them.
+     * Velocities and forces have larger errors: see force_residual_between.
      */
     double error_estimate;
     /**
@@ -992,6 +1021,23 @@ typedef struct pdn_diagnostics {
      * Seconds spent on forward and backward substitution.
      */
     double substitution_seconds;
+    /**
+     * How the upper half of the harmonics of motions falls: PDN_DECAY_FAST, PDN_DECAY_SLOW, ...
+     */
+    int32_t decay;
+    /**
+     * Number of grids that an adaptive solve tried; 0 if their number of points was given.
+     */
+    int32_t grids;
+    /**
+     * Exponent p of that fall, if harmonic j is as j^-p: 2 where velocities jump, 3 where accelerations do;
+     * of a smooth response ever larger with more grid points. 0 if it is not known.
+     */
+    double decay_order;
+    /**
+     * Time at which the upper half of the harmonics adds up to most: where a kink or narrow peak is.
+     */
+    double least_resolved_time;
 } pdn_diagnostics;
 
 /**
@@ -1048,31 +1094,33 @@ typedef struct pdn_periodic_options {
      */
     size_t struct_size;
     /**
-     * Number N of grid points, odd; harmonics up to (N - 1) / 2 are resolved. Default 31.
+     * Number N of grid points, odd: harmonics up to (N - 1) / 2 are resolved. 0 for as many as
+     * error_tolerance needs. Default 0.
      */
     size_t grid_points;
     /**
-     * If not 0, the number of harmonics: grid_points is then 2 harmonics + 1. Default 0.
+     * If not 0, the number of harmonics that are resolved: grid_points is then 2 harmonics + 1. Default 0.
      */
     size_t harmonics;
     /**
-     * Converged when the largest increment (lengths relative to the size of the mechanism, angles in
+     * Newton's method has converged when the largest increment (lengths relative to the size of the mechanism, angles in
      * radians) is below this. Newton is quadratic: the error left in motions is about its
      * square, that in forces about it times their last change. Default 1e-9.
      */
     double tolerance;
     /**
-     * Most Newton iterations. Default 30.
+     * Most Newton iterations on a grid. Default 30.
      */
     size_t iteration_limit;
     /**
      * Start from this solution of a model with the same nodes and joints, also on another grid or of
-     * another period, or from the last period of this march; NULL to start otherwise. Default NULL.
+     * another period, or from the last period of this march; NULL to start otherwise. If grid_points is 0,
+     * the first grid is that of this solution. Default NULL.
      */
     const struct pdn_solution *initial;
     /**
      * Start from these positions, 3 x N x nodes: coordinates fastest, then grid points, then nodes;
-     * NULL to start otherwise. Needs guess_rotations. Default NULL.
+     * NULL to start otherwise. Needs guess_rotations, and grid_points or harmonics. Default NULL.
      */
     const double *guess_positions;
     /**
@@ -1087,6 +1135,17 @@ typedef struct pdn_periodic_options {
      * Handed to progress.
      */
     void *progress_data;
+    /**
+     * If grid_points is 0, grid points are added until the estimated error of the motions is below this:
+     * positions relative to the size of the mechanism, angles in radians. Default 1e-6, which leaves about
+     * three digits to forces and accelerations, which are second derivatives.
+     */
+    double error_tolerance;
+    /**
+     * If grid_points is 0, the largest number of grid points, at least 3; if the tolerance would need more,
+     * the outcome is PDN_TOLERANCE_NOT_MET. Default 255.
+     */
+    size_t largest_grid_points;
 } pdn_periodic_options;
 
 /**
@@ -2824,11 +2883,11 @@ void pdn_solution_free(struct pdn_solution *solution);
 /**
  * How the solve ended.
  *
- * Unless it is PDN_CONVERGED the solution's quantities are those of the last iterate.
+ * Unless it is PDN_CONVERGED or PDN_TOLERANCE_NOT_MET the solution's quantities are those of the last iterate.
  *
  * @param solution  the solution; not NULL
  * @return PDN_CONVERGED, PDN_ITERATION_LIMIT, PDN_STALLED, PDN_SINGULAR, PDN_CANCELLED, PDN_NO_INITIAL_GUESS,
- *     PDN_INCONSISTENT or PDN_WRONG_ASSEMBLY; negative, as a ::pdn_status, if the handle is not valid
+ *     PDN_INCONSISTENT, PDN_WRONG_ASSEMBLY or PDN_TOLERANCE_NOT_MET; negative, as a ::pdn_status, if the handle is not valid
  *
  * Threads: like `const`.
  * @since 0.1
@@ -3461,7 +3520,8 @@ void pdn_periodic_options_init(struct pdn_periodic_options *options,
  * Finds the periodic response of a model directly, by Fourier spectral collocation.
  *
  * Newton's method with the exact tangent on the equations of motion at N equispaced times, from the
- * quasi-static motion unless another start is given. Not converging is no error: PDN_OK says that
+ * quasi-static motion unless another start is given. Unless N is given, it is raised, each solution starting
+ * the next, until the estimated error meets the tolerance. Not converging is no error: PDN_OK says that
  * the solve was carried out, ::pdn_solution_outcome how it ended, ::pdn_solution_report why.
  *
  * @param model  the model; it is copied, so that later changes do not touch the solution
@@ -3470,7 +3530,7 @@ void pdn_periodic_options_init(struct pdn_periodic_options *options,
  * @param out  the solution, also if it has not converged; free it with ::pdn_solution_free; written
  *     on success only
  * @return PDN_OK; PDN_ERR_NULL; PDN_ERR_NOT_FINITE; PDN_ERR_SIZE (even number of grid points, a start of
- *     another size); PDN_ERR_VALUE; PDN_ERR_STRUCT_SIZE; PDN_ERR_MODEL (no node, a beam too distorted);
+ *     arrays without their number); PDN_ERR_VALUE; PDN_ERR_STRUCT_SIZE; PDN_ERR_MODEL (no node, a beam too distorted);
  *     PDN_ERR_NOT_PERIODIC (a prescribed motion or load that does not repeat, a spring on an
  *     angle that gains turns); PDN_ERR_GRID_TOO_COARSE (of the initial solution);
  *     PDN_ERR_CALLBACK (of a signal); PDN_ERR_MEMORY

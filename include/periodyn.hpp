@@ -134,6 +134,14 @@ enum class Outcome : std::int32_t {
     no_initial_guess = PDN_NO_INITIAL_GUESS,
     inconsistent = PDN_INCONSISTENT,
     wrong_assembly = PDN_WRONG_ASSEMBLY,
+    tolerance_not_met = PDN_TOLERANCE_NOT_MET,
+};
+/** How the upper half of harmonics falls, as pdn_diagnostics.decay tells. */
+enum class Decay : std::int32_t {
+    unknown = PDN_DECAY_UNKNOWN,
+    fast = PDN_DECAY_FAST,
+    slow = PDN_DECAY_SLOW,
+    rounding = PDN_DECAY_ROUNDING,
 };
 enum class Stage : std::int32_t {
     initial_guess = PDN_STAGE_INITIAL_GUESS,

@@ -52,7 +52,7 @@ const PROBED: f64 = 1e-3;
 /// Least and largest factor from one grid to the next; of an unresolved response, whose decay tells little.
 const GROWTH: [f64; 3] = [1.3, 4.0, 2.0];
 /// The next grid aims at this fraction of the tolerance.
-const AIM: f64 = 0.3;
+const AIM: f64 = 0.1;
 /// A measured error this many times its estimate shows that the decay deceives.
 const DECEIVED: f64 = 10.0;
 /// From this number of points on they are chosen for quick Fourier transforms.

@@ -180,11 +180,15 @@ pub fn solve_periodic(
     observe: &mut dyn FnMut(Stage, &Iteration) -> bool,
 ) -> Result<PeriodicSolve> {
     options.newton.validate()?;
-    match options.grid_points {
-        // What is wrong with the grid is said first.
-        GridPoints::Fixed(points) => TimeGrid::new(points, period).map(|_| ())?,
-        GridPoints::Adaptive(adaptation) => adaptation.validate()?,
-    }
+    // What is wrong with the grid is said first.
+    let points = match options.grid_points {
+        GridPoints::Fixed(points) => points,
+        GridPoints::Adaptive(adaptation) => {
+            adaptation.validate()?;
+            1
+        }
+    };
+    TimeGrid::new(points, period)?;
     let system = Arc::new(System::new(model, period)?);
     let points = match (&options.guess, &options.grid_points) {
         (_, GridPoints::Fixed(points)) => *points,

@@ -63,7 +63,7 @@ AT(pdn_stations, fractions, 16);
 AT(pdn_stations, sections, 24);
 AT(pdn_stations, twists, 32);
 
-SIZE(pdn_diagnostics, 112);
+SIZE(pdn_diagnostics, 136);
 AT(pdn_diagnostics, struct_size, 0);
 AT(pdn_diagnostics, outcome, 8);
 AT(pdn_diagnostics, iterations, 12);
@@ -80,6 +80,10 @@ AT(pdn_diagnostics, assembly_seconds, 80);
 AT(pdn_diagnostics, analysis_seconds, 88);
 AT(pdn_diagnostics, factorisation_seconds, 96);
 AT(pdn_diagnostics, substitution_seconds, 104);
+AT(pdn_diagnostics, decay, 112);
+AT(pdn_diagnostics, grids, 116);
+AT(pdn_diagnostics, decay_order, 120);
+AT(pdn_diagnostics, least_resolved_time, 128);
 
 SIZE(pdn_progress, 48);
 AT(pdn_progress, struct_size, 0);
@@ -90,7 +94,7 @@ AT(pdn_progress, increment, 24);
 AT(pdn_progress, step, 32);
 AT(pdn_progress, time, 40);
 
-SIZE(pdn_periodic_options, 80);
+SIZE(pdn_periodic_options, 96);
 AT(pdn_periodic_options, struct_size, 0);
 AT(pdn_periodic_options, grid_points, 8);
 AT(pdn_periodic_options, harmonics, 16);
@@ -101,6 +105,8 @@ AT(pdn_periodic_options, guess_positions, 48);
 AT(pdn_periodic_options, guess_rotations, 56);
 AT(pdn_periodic_options, progress, 64);
 AT(pdn_periodic_options, progress_data, 72);
+AT(pdn_periodic_options, error_tolerance, 80);
+AT(pdn_periodic_options, largest_grid_points, 88);
 
 IS(PDN_OK, 0);
 IS(PDN_ERR_NULL, -1);
@@ -164,6 +170,11 @@ IS(PDN_CANCELLED, 4);
 IS(PDN_NO_INITIAL_GUESS, 5);
 IS(PDN_INCONSISTENT, 6);
 IS(PDN_WRONG_ASSEMBLY, 7);
+IS(PDN_TOLERANCE_NOT_MET, 8);
+IS(PDN_DECAY_UNKNOWN, 0);
+IS(PDN_DECAY_FAST, 1);
+IS(PDN_DECAY_SLOW, 2);
+IS(PDN_DECAY_ROUNDING, 3);
 
 IS(PDN_AXES_SPACE, 0);
 IS(PDN_AXES_FIRST, 1);

@@ -10,8 +10,8 @@ use periodyn::collocation::DecayKind;
 use periodyn::output::Solution;
 use periodyn::solve::*;
 
-/// Points of the reference: all smooth examples have fallen to rounding there.
-const REFERENCE: usize = 105;
+/// Points of the reference, whose own error is below 5e-12 on all smooth examples.
+const REFERENCE: usize = 81;
 
 fn adaptive(example: &Example, error_tolerance: f64, largest: usize) -> Solution {
     let options = PeriodicOptions {
@@ -54,7 +54,7 @@ fn the_tolerance_is_met_and_the_estimate_honest_on_all_smooth_examples() {
                 "{:24} {:5} {:9.1e} {error:9.1e} {ratio:7.2}   alone {ratio_alone:7.2}   {} iterations",
                 example.name, tried.points, tried.error_estimate, tried.iterations
             );
-            if ratio < 0.1 || ratio_alone < 0.1 {
+            if !(0.1..10.0).contains(&ratio) || !(0.1..10.0).contains(&ratio_alone) {
                 failures.push(format!("{} N = {}", example.name, tried.points));
             }
         }

@@ -28,9 +28,14 @@ struct law {
 
 static pdn_signal harmonic(double mean, double cosine, double sine)
 {
+    static double kept[16][2]; /* a signal points to its harmonics */
+    static int count;
+    double *const harmonics = kept[count++ % 16];
     pdn_signal signal;
     PDN_INIT(pdn_signal, &signal);
-    CHECK_STATUS(pdn_signal_set_harmonics(&signal, mean, 0, &cosine, &sine, 1), PDN_OK);
+    harmonics[0] = cosine;
+    harmonics[1] = sine;
+    CHECK_STATUS(pdn_signal_set_harmonics(&signal, mean, 0, harmonics, harmonics + 1, 1), PDN_OK);
     return signal;
 }
 

@@ -129,7 +129,8 @@ static pdn_status solve(void)
 
 static void solves(void)
 {
-    static const size_t zero[] = {0};
+    static const size_t even_grids[] = {2, 30, (size_t)-2}; /* 0 is adaptive */
+    static const size_t zero[] = {0}, too_few[] = {0, 1, 2};
     static const size_t too_many[] = {((size_t)1 << 24) + 1, (size_t)-1};
     static const size_t too_many_harmonics[] = {(size_t)1 << 23, (size_t)-1 / 2, (size_t)-1};
     pdn_periodic_options options;
@@ -157,7 +158,7 @@ static void solves(void)
     REFUSES_EACH(in.period, double, not_positive, solve(), PDN_ERR_VALUE,
                  "period: expected a positive, finite number");
     REFUSES_STRUCT_SIZES(in.options, solve(), "options");
-    REFUSES_SIZES(in.options.grid_points, even, solve(), "options.grid_points");
+    REFUSES_SIZES(in.options.grid_points, even_grids, solve(), "options.grid_points");
     REFUSES_SIZES(in.options.grid_points, too_many, solve(), "options.grid_points");
     REFUSES_SIZES(in.options.harmonics, too_many_harmonics, solve(), "options.harmonics");
     REFUSES_NOT_FINITE(in.options.tolerance, solve(), "options.tolerance");
@@ -165,6 +166,19 @@ static void solves(void)
                  "options.tolerance: expected a positive");
     REFUSES_EACH(in.options.iteration_limit, size_t, zero, solve(), PDN_ERR_VALUE,
                  "options.iteration_limit: expected at least 1");
+
+    in.options.grid_points = 0; /* adapted */
+    REFUSES_NOT_FINITE(in.options.error_tolerance, solve(), "options.error_tolerance");
+    REFUSES_EACH(in.options.error_tolerance, double, not_positive, solve(), PDN_ERR_VALUE,
+                 "options.error_tolerance: expected a positive, finite number");
+    REFUSES_SIZES(in.options.largest_grid_points, too_few, solve(), "options.largest_grid_points");
+    REFUSES_SIZES(in.options.largest_grid_points, too_many, solve(), "options.largest_grid_points");
+    in.options.guess_positions = in.positions;
+    in.options.guess_rotations = in.rotations;
+    REFUSED(solve(), PDN_ERR_SIZE,
+            "options.grid_points: expected the number of points of options.guess_positions, got 0");
+    in.options.guess_positions = in.options.guess_rotations = NULL;
+    in.options.grid_points = POINTS;
 
     in.options.guess_positions = in.positions;
     REFUSED(solve(), PDN_ERR_NULL, "options.guess_rotations: expected a pointer, got NULL");

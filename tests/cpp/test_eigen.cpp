@@ -20,7 +20,9 @@ int main()
     Oscillator o;
     o.model.add_load(o.body, pdn::Frame::space, pdn::Component::moment_3,
                      [](double t) { return 0.6 * std::cos(omega * t); });
-    const auto solution = pdn::solve_periodic(o.model, period);
+    pdn::PeriodicOptions options;
+    options.grid_points = 31;
+    const auto solution = pdn::solve_periodic(o.model, period, options);
     const auto times = solution.grid_times();
     const auto velocity = solution.node_velocity(o.body, pdn::Frame::space, times);
     const auto rate = solution.joint_rate(o.hinge, pdn::Coordinate::rotation, times);

@@ -129,6 +129,13 @@ static void solves()
     options.tolerance = nan_value;
     REFUSED(pdn::solve_periodic(o.model, 1, options), PDN_ERR_NOT_FINITE, "options.tolerance: ");
     options = {};
+    options.error_tolerance = 0;
+    REFUSED(pdn::solve_periodic(o.model, 1, options), PDN_ERR_VALUE, "options.error_tolerance: ");
+    options = {};
+    options.largest_grid_points = 1;
+    REFUSED(pdn::solve_periodic(o.model, 1, options), PDN_ERR_SIZE,
+            "options.largest_grid_points: ");
+    options = {};
     options.struct_size = 3;
     REFUSED(pdn::solve_periodic(o.model, 1, options), PDN_ERR_STRUCT_SIZE, "options");
     options = {};

@@ -104,6 +104,15 @@ static void solution()
     CHECK(pdn::solve_periodic(o.model, period, options).diagnostics().iterations == 1);
 
     // An outcome is no exception.
+    options = {}; // adaptive
+    options.error_tolerance = 1e-9;
+    const auto adapted = pdn::solve_periodic(o.model, period, options).diagnostics();
+    CHECK(adapted.error_estimate <= 1e-9 && adapted.grids > 0);
+    CHECK(static_cast<pdn::Decay>(adapted.decay) != pdn::Decay::slow);
+    options.error_tolerance = 1e-30;
+    CHECK(pdn::solve_periodic(o.model, period, options).outcome() ==
+          pdn::Outcome::tolerance_not_met);
+
     options = {};
     options.progress = [](const pdn_progress &) { return false; };
     const auto cancelled = pdn::solve_periodic(o.model, period, options);
@@ -265,7 +274,9 @@ static void viscoelastic()
     const auto branch = o.model.add_viscoelastic(o.hinge, Coordinate::rotation, 0, 0, {2}, {0.4});
     o.model.add_load(o.body, pdn::Frame::space, pdn::Component::moment_3,
                      pdn::Signal::harmonics(0, 0, {0.6}, {0}));
-    const auto solution = pdn::solve_periodic(o.model, period);
+    pdn::PeriodicOptions options;
+    options.grid_points = 31;
+    const auto solution = pdn::solve_periodic(o.model, period, options);
     // 2 i w t / (1 + i w t) adds to stiffness and damping.
     const double wt = omega * 0.4, storage = 2 * wt * wt / (1 + wt * wt),
                  loss = 2 * wt / (1 + wt * wt);
@@ -284,7 +295,9 @@ static void handles()
                       [](double t) { return 0.1 * std::cos(omega * t); });
     pdn::Model moved = std::move(o.model);
     CHECK(o.model.get() == nullptr && moved.node_count() == 1);
-    pdn::Solution solution = pdn::solve_periodic(moved, period);
+    pdn::PeriodicOptions options;
+    options.grid_points = 31;
+    pdn::Solution solution = pdn::solve_periodic(moved, period, options);
     moved = pdn::Model();
     pdn::Solution other = std::move(solution);
     CHECK(solution.get() == nullptr && other.converged());

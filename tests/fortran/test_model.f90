@@ -105,6 +105,14 @@ contains
             guess_rotations=reshape(rotation, [9, 31, 1]))
         call again%diagnostics(figures)
         call check(figures%iterations == 1, 'from a guess')
+
+        ! On grids that the library chooses.
+        call pdn_init(options)
+        options%error_tolerance = 1e-9_dp
+        call model%solve_periodic(period, again, options)
+        call again%diagnostics(figures)
+        call check(figures%error_estimate <= 1e-9_dp .and. figures%grids > 0, 'adaptive')
+        call check(figures%outcome == PDN_CONVERGED .and. figures%decay /= PDN_DECAY_SLOW, 'fast decay')
     end subroutine solution_of_oscillator
 
     ! A motion about axis 3 with angle 0.4 cos(omega t), and its derivatives.
@@ -253,6 +261,7 @@ contains
     subroutine viscoelastic()
         type(pdn_model) :: model
         type(pdn_solution) :: solution
+        type(pdn_periodic_options) :: options
         integer :: body, hinge, spring, branch
         real(dp) :: wt, storage, loss, factors(2), effort(1), found(1)
 
@@ -260,7 +269,9 @@ contains
         call model%add_viscoelastic(hinge, PDN_ROTATION, 0.0_dp, 0.0_dp, [2.0_dp], [0.4_dp], branch)
         call model%add_load(body, PDN_FRAME_SPACE, PDN_MOMENT_3, pdn_samples(0.0_dp, &
             0.6_dp*[1.0_dp, cos(2*pi/3), cos(4*pi/3)]))
-        call model%solve_periodic(period, solution)
+        call pdn_init(options)
+        options%grid_points = 31
+        call model%solve_periodic(period, solution, options)
         wt = omega*0.4_dp
         storage = 2*wt**2/(1 + wt**2)
         loss = 2*wt/(1 + wt**2)
@@ -277,6 +288,7 @@ contains
     subroutine handles()
         type(pdn_model) :: model, same
         type(pdn_solution) :: solution
+        type(pdn_periodic_options) :: options
         integer :: body, hinge, spring, nodes
         real(dp) :: effort(1)
 
@@ -298,7 +310,9 @@ contains
         call check(nodes == 2, 'kept')
         call model%add_mass(1, 1.0_dp, origin)
         call model%add_rigid_joint(PDN_GROUND, 1, origin)
-        call model%solve_periodic(period, solution)
+        call pdn_init(options)
+        options%grid_points = 31
+        call model%solve_periodic(period, solution, options)
         call model%free()
         call solution%joint_driving_effort(hinge, PDN_ROTATION, [0.0_dp], effort)
         call near(effort(1), 0.1_dp*(3 - 0.5_dp*omega**2), 1e-11_dp, 'driving effort')
