@@ -36,8 +36,8 @@ fn gravity(model: &mut Model, along: [f64; 3]) {
 /// A section whose torsion and bending are damped.
 fn damped(stiffness: &[f64; 6], mass: &[f64; 4], time: f64) -> SectionInput {
     let mut section = SectionInput::diagonal(stiffness, mass).unwrap();
-    for i in 3..6 {
-        section.damping[(i, i)] = time * stiffness[i];
+    for (i, k) in stiffness.iter().enumerate().skip(3) {
+        section.damping[(i, i)] = time * k;
     }
     section
 }
@@ -329,9 +329,6 @@ pub fn double_pendulum() -> Example {
         period: 1.7,
     }
 }
-
-/// Axial force at the middle of the crank of the planar four-bar mechanism of section 7.3: `(element, station)`.
-pub const CRANK_MIDDLE: (usize, f64) = (2, 0.0);
 
 /// The planar four-bar mechanism with a crooked axis of section 7.3 of the paper: narrow peaks of forces where
 /// all bars lie in a line.
