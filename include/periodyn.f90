@@ -102,6 +102,8 @@ module periodyn_c
     integer(c_int32_t), parameter :: PDN_FORCE_BRANCH_ELONGATION = 2
     integer(c_int32_t), parameter :: PDN_FORCE_ON_NODE = 3
     integer(c_int32_t), parameter :: PDN_FORCE_ON_NODE_MATERIAL = 4
+    integer(c_int32_t), parameter :: PDN_FILTER_LANCZOS = 0
+    integer(c_int32_t), parameter :: PDN_FILTER_EXPONENTIAL = 1
     integer(c_int32_t), parameter :: PDN_STAGE_INITIAL_GUESS = 0
     integer(c_int32_t), parameter :: PDN_STAGE_NEWTON = 1
     integer(c_int32_t), parameter :: PDN_STAGE_MARCH = 2
@@ -1383,6 +1385,16 @@ module periodyn_c
             integer(c_int32_t) :: pdn_solution_force_harmonics
         end function pdn_solution_force_harmonics
 
+        ! A copy of a solution whose quantities are seen through a spectral filter
+        function pdn_solution_filtered(solution, filter, order, out) bind(C, name="pdn_solution_filtered")
+            import
+            type(c_ptr), value :: solution
+            integer(c_int32_t), value :: filter
+            integer(c_int32_t), value :: order
+            type(c_ptr), intent(inout) :: out
+            integer(c_int32_t) :: pdn_solution_filtered
+        end function pdn_solution_filtered
+
         ! Sets default options; use `PDN_INIT(pdn_periodic_options, &options)`
         subroutine pdn_periodic_options_init(options, struct_size) bind(C, name="pdn_periodic_options_init")
             import
@@ -1824,6 +1836,7 @@ module periodyn
         procedure, public :: floquet => solution_floquet
         procedure, public :: history => solution_history
         procedure, public :: decay => solution_decay
+        procedure, public :: filtered => solution_filtered
         procedure, public :: grid_times => solution_grid_times
         procedure, public :: node_position => solution_node_position
         procedure, public :: node_rotation => solution_node_rotation
@@ -2995,6 +3008,21 @@ contains
         end if
         call report(status, stat, errmsg)
     end subroutine solution_history
+
+    ! A copy whose quantities are seen through a spectral filter, PDN_FILTER_LANCZOS or PDN_FILTER_EXPONENTIAL.
+    subroutine solution_filtered(self, filter, order, copy, stat, errmsg)
+        class(pdn_solution), intent(in) :: self
+        integer(c_int32_t), intent(in) :: filter, order
+        type(pdn_solution), intent(inout) :: copy
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        type(c_ptr) :: c
+        integer(c_int32_t) :: status
+
+        status = pdn_solution_filtered(self%c, filter, order, c)
+        if (status == PDN_OK) call copy%adopt(c, pdn_solution_free)
+        call report(status, stat, errmsg)
+    end subroutine solution_filtered
 
     ! Largest amplitude of each harmonic, from 0 on.
     subroutine solution_decay(self, amplitudes, stat, errmsg)

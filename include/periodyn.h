@@ -486,6 +486,18 @@
 #define PDN_FORCE_ON_NODE_MATERIAL 4
 
 /**
+ * Spectral filter: Lanczos' factors, (sin(x) / x)^order with x = pi j / (H + 1) for harmonic j of H. Of order 1
+ * they are running means over two grid intervals; order 2 or 3 removes more.
+ */
+#define PDN_FILTER_LANCZOS 0
+
+/**
+ * Spectral filter: exp(-36 (j / (H + 1))^order) for harmonic j of H. Order 2 smooths most; a high order, as 8,
+ * spares all but the highest harmonics.
+ */
+#define PDN_FILTER_EXPONENTIAL 1
+
+/**
  * Stage of a solve: finding the initial guess, each iteration at a single instant.
  */
 #define PDN_STAGE_INITIAL_GUESS 0
@@ -3502,6 +3514,32 @@ pdn_status pdn_solution_force_harmonics(const struct pdn_solution *solution,
                                         double *rate,
                                         double *cosines,
                                         double *sines);
+
+/**
+ * A copy of a solution whose quantities are seen through a spectral filter.
+ *
+ * Where a response has a kink or a narrow peak (PDN_DECAY_SLOW), forces oscillate about their values over the
+ * whole period, as all Fourier sums do (Gibbs). A filter weakens the harmonics towards the highest: the
+ * oscillations stay near the peak, which itself gets lower and wider. Without one, nothing is filtered.
+ *
+ * It acts on values at any time, on harmonics, tables and animations. The motions of nodes are filtered as
+ * motions, and velocities follow from them. The solve, its diagnostics and report, and what starts from the copy
+ * are those of the solution. A filter that the solution has already is replaced.
+ *
+ * @param solution  the solution; not NULL. The copy is one of its own, which may outlive it
+ * @param filter  PDN_FILTER_LANCZOS or PDN_FILTER_EXPONENTIAL
+ * @param order  from 1 to 32
+ * @param out  the copy; free it with ::pdn_solution_free; written on success only
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_VALUE, PDN_ERR_NOT_AVAILABLE (a march has no harmonics), PDN_ERR_MEMORY
+ *
+ * Threads: like a `const` use of `solution`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_solution_filtered(const struct pdn_solution *solution,
+                                 int32_t filter,
+                                 int32_t order,
+                                 struct pdn_solution **out);
 
 /**
  * Sets default options; use `PDN_INIT(pdn_periodic_options, &options)`.

@@ -143,6 +143,10 @@ enum class Decay : std::int32_t {
     slow = PDN_DECAY_SLOW,
     rounding = PDN_DECAY_ROUNDING,
 };
+enum class Filter : std::int32_t {
+    lanczos = PDN_FILTER_LANCZOS,
+    exponential = PDN_FILTER_EXPONENTIAL,
+};
 enum class Stage : std::int32_t {
     initial_guess = PDN_STAGE_INITIAL_GUESS,
     newton = PDN_STAGE_NEWTON,
@@ -1082,6 +1086,14 @@ class Solution
         return detail::text([&](char *buffer, std::size_t capacity) {
             return pdn_solution_report(get(), buffer, capacity);
         });
+    }
+    /** A copy whose quantities are seen through a spectral filter. */
+    Solution filtered(Filter filter, std::int32_t order) const
+    {
+        auto handle = detail::make<pdn_solution>([&](pdn_solution **out) {
+            return pdn_solution_filtered(get(), static_cast<std::int32_t>(filter), order, out);
+        });
+        return Solution(handle.release(), kept_);
     }
     pdn_diagnostics diagnostics() const
     {

@@ -21,6 +21,7 @@ const FILES: &[&str] = &[
     "user_force",
     "solution",
     "force_solution",
+    "filter",
     "periodic",
     "statics",
     "modes",

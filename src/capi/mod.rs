@@ -71,6 +71,7 @@
 pub mod beam;
 pub mod callback;
 pub mod files;
+pub mod filter;
 pub mod force;
 pub mod force_solution;
 pub mod guard;

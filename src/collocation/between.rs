@@ -1,10 +1,10 @@
 //! The equations between grid points: where aliasing shows, since collocation does not look there.
 
-use super::resampled::ResampledNodes;
+use super::resampled::{ResampledNodes, dual, primal};
 use super::state::GridState;
 use crate::elements::{Measure, NodeState, Unknown};
 use crate::error::{Error, ErrorKind, Result};
-use crate::fourier::{CardinalWeights, TimeGrid};
+use crate::fourier::{CardinalWeights, Resampling, SpectralFilter, TimeGrid};
 use crate::motion::{DualMatrix, DualPolar, Motion};
 use crate::system::{Conditions, OwnValues, System};
 use nalgebra::Vector3;
@@ -29,6 +29,25 @@ impl NodeInterpolation {
                 .collect(),
             mean,
         }
+    }
+
+    /// The same with harmonics weakened by a filter; motions remain motions of rigid bodies.
+    pub fn filtered(motions: &[Motion], grid: TimeGrid, filter: &SpectralFilter) -> Self {
+        let mut interpolation = Self::new(motions);
+        let mut resampling = Resampling::new(grid, 0.0, grid.points());
+        let mut samples = vec![0.0; grid.points()];
+        for entry in 0..9 {
+            for part in [primal, dual] {
+                let motions = &mut interpolation.motions;
+                resampling.read(motions.iter_mut().map(|m| part(m)[entry]));
+                resampling.filter(filter);
+                resampling.write(0, 0, &mut samples);
+                for (m, sample) in motions.iter_mut().zip(&samples) {
+                    part(m)[entry] = *sample;
+                }
+            }
+        }
+        interpolation
     }
 
     /// Motion, velocity and acceleration at the time of `weights`; `None` if the grid is too coarse.

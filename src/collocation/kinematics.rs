@@ -1,9 +1,10 @@
 //! Velocities and accelerations of a node at the grid points, and their exact linearisation
 //! (eqs. 24–29). Everything is dual algebra.
 
+use super::resampled::{dual, primal};
 use crate::fourier::Differentiation;
 use crate::motion::{DualMatrix, DualVector, Motion};
-use nalgebra::{Matrix3, Vector3};
+use nalgebra::Vector3;
 
 /// Weights of the present and the past motions in first and second derivatives.
 #[derive(Debug, Clone, Copy)]
@@ -134,14 +135,6 @@ impl NodeKinematics {
         gamma_a = gamma_a - a_spread * gamma_v;
         (gamma_v, gamma_a)
     }
-}
-
-fn primal(m: &mut DualMatrix) -> &mut Matrix3<f64> {
-    &mut m.primal
-}
-
-fn dual(m: &mut DualMatrix) -> &mut Matrix3<f64> {
-    &mut m.dual
 }
 
 #[cfg(test)]

@@ -158,10 +158,10 @@ impl GridState {
     }
 }
 
-fn primal(m: &mut DualMatrix) -> &mut Matrix3<f64> {
+pub(super) fn primal(m: &mut DualMatrix) -> &mut Matrix3<f64> {
     &mut m.primal
 }
 
-fn dual(m: &mut DualMatrix) -> &mut Matrix3<f64> {
+pub(super) fn dual(m: &mut DualMatrix) -> &mut Matrix3<f64> {
     &mut m.dual
 }

@@ -2,12 +2,14 @@
 
 mod cardinal;
 mod differentiation;
+mod filter;
 mod grid;
 mod resampling;
 mod series;
 
 pub use cardinal::CardinalWeights;
 pub use differentiation::Differentiation;
+pub use filter::{FilterKind, SpectralFilter};
 pub use grid::TimeGrid;
 pub use resampling::Resampling;
 pub use series::PeriodicSeries;

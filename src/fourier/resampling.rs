@@ -1,5 +1,6 @@
 //! From the points of one grid to those of another of the same period, by FFT.
 
+use super::filter::SpectralFilter;
 use super::grid::TimeGrid;
 use realfft::num_complex::Complex;
 use realfft::{ComplexToReal, RealFftPlanner, RealToComplex};
@@ -64,6 +65,14 @@ impl Resampling {
             &mut self.spectrum,
             &mut self.scratch,
         );
+    }
+
+    /// Weakens the harmonics of the values read.
+    pub fn filter(&mut self, filter: &SpectralFilter) {
+        let last = self.grid.harmonics();
+        for (j, c) in self.spectrum.iter_mut().enumerate() {
+            *c *= filter.factor(j, last);
+        }
     }
 
     /// Amplitude of each harmonic of the values read, from 0.

@@ -1,5 +1,6 @@
 //! Linear fields over the period: secular growth plus harmonics.
 
+use super::filter::SpectralFilter;
 use super::grid::TimeGrid;
 use realfft::RealFftPlanner;
 use realfft::num_complex::Complex;
@@ -57,6 +58,17 @@ impl PeriodicSeries {
             .collect();
         let mean = spectrum.first().map_or(0.0, |c| c.re) / n.max(1) as f64;
         PeriodicSeries::new(period, mean, rate, cosines, sines)
+    }
+
+    /// The series with its harmonics weakened by a filter.
+    pub fn filtered(mut self, filter: &SpectralFilter) -> Self {
+        let count = self.cosines.len();
+        for (j, (c, s)) in self.cosines.iter_mut().zip(&mut self.sines).enumerate() {
+            let factor = filter.factor(j + 1, count);
+            *c *= factor;
+            *s *= factor;
+        }
+        self
     }
 
     /// The derivative in time, as a series.

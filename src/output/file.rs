@@ -14,7 +14,7 @@ use super::write::{refused, write_file};
 use crate::collocation::GridState;
 use crate::elements::{NodeState, with_zero_for_absent};
 use crate::error::{Error, ErrorKind, Result, require_finite};
-use crate::fourier::TimeGrid;
+use crate::fourier::{SpectralFilter, TimeGrid};
 use crate::model::Model;
 use crate::solve::{GridTried, MarchRecord, NewtonReport, PeriodicSolve, Timings};
 use crate::system::{Standstill, System, Transient};
@@ -50,6 +50,8 @@ struct Content<'a> {
     forces: Cow<'a, [Result<ForceRecord>]>,
     #[serde(default)]
     grids: Cow<'a, [GridTried]>,
+    #[serde(default)]
+    filter: Option<SpectralFilter>,
     /// Of a trajectory.
     #[serde(default)]
     march: Option<Cow<'a, MarchRecord>>,
@@ -80,6 +82,7 @@ impl Solution {
             diagnostics: Cow::Borrowed(self.diagnostics()),
             forces: Cow::Borrowed(&self.forces),
             grids: Cow::Borrowed(&self.solve.grids),
+            filter: self.filter,
             march: self.solve.march.as_ref().map(Cow::Borrowed),
             transient: self.solve.system.transient().copied(),
         };
@@ -264,6 +267,7 @@ impl Content<'_> {
             prescribed_start: self.prescribed_start.into_owned(),
             diagnostics,
             forces: self.forces.into_owned(),
+            filter: self.filter,
         })
     }
 }

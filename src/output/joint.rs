@@ -177,7 +177,7 @@ impl Solution {
             let values: Vec<f64> = (0..points)
                 .map(|k| value(&self.states_of(definition, k)))
                 .collect();
-            return Ok(PeriodicSeries::interpolate(grid, &values, 0.0));
+            return Ok(self.interpolate(&values, 0.0));
         }
         let mut angle = nearest_turn(value(&self.states_of(definition, 0)), 0.0);
         let mut values = vec![angle];
@@ -208,6 +208,6 @@ impl Solution {
             None => 0.0,
         };
         values.iter_mut().for_each(|v| *v += shift);
-        Ok(PeriodicSeries::interpolate(grid, &values, rate))
+        Ok(self.interpolate(&values, rate))
     }
 }

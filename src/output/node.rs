@@ -72,10 +72,21 @@ impl NodeQuantity {
 }
 
 impl Solution {
-    /// Calls `visit` with the state of `node` at each of `times`, anywhere.
+    /// Calls `visit` with the state of `node` at each of `times`, anywhere, without any filter.
     pub(super) fn each_node_state(
         &self,
         node: usize,
+        times: &[f64],
+        visit: impl FnMut(&NodeState),
+    ) -> Result<()> {
+        let interpolation = NodeInterpolation::new(self.solve.state.node(node));
+        self.each_state_of(node, &interpolation, times, visit)
+    }
+
+    fn each_state_of(
+        &self,
+        node: usize,
+        interpolation: &NodeInterpolation,
         times: &[f64],
         mut visit: impl FnMut(&NodeState),
     ) -> Result<()> {
@@ -86,7 +97,6 @@ impl Solution {
             return Ok(());
         }
         let grid = self.grid();
-        let interpolation = NodeInterpolation::new(self.solve.state.node(node));
         let mut weights = CardinalWeights::new(grid);
         for &time in times {
             weights.move_to(time);
@@ -106,7 +116,12 @@ impl Solution {
         self.model.require_node("node", node)?;
         let mut out = Vec::with_capacity(times.len() * quantity.components());
         let mut last = None;
-        self.each_node_state(node, times, |state| {
+        let motions = self.solve.state.node(node);
+        let interpolation = match &self.filter {
+            Some(filter) => NodeInterpolation::filtered(motions, self.grid(), filter),
+            None => NodeInterpolation::new(motions),
+        };
+        self.each_state_of(node, &interpolation, times, |state| {
             let state = self.solve.system.inertial_state(state);
             quantity.push(&state, &mut last, &mut out)
         })?;
@@ -121,14 +136,25 @@ impl Solution {
         self.require_harmonics()?;
         self.model.require_node("node", node)?;
         let points = self.grid().points();
-        let mut last = None;
-        let mut rows = Vec::with_capacity(points);
-        for state in &self.solve.node_states[node * points..][..points] {
-            let mut row = Vec::new();
-            let state = self.solve.system.inertial_state(state);
-            quantity.push(&state, &mut last, &mut row);
-            rows.push(row);
-        }
+        let rows: Vec<Vec<f64>> = if self.filter.is_some() {
+            // Of the filtered motion, which is not filtered once more.
+            let times: Vec<f64> = self.grid().times().collect();
+            let values = self.node(node, quantity, &times)?;
+            values
+                .chunks_exact(quantity.components())
+                .map(<[f64]>::to_vec)
+                .collect()
+        } else {
+            let mut last = None;
+            let states = &self.solve.node_states[node * points..][..points];
+            let row = |state: &NodeState| {
+                let mut row = Vec::new();
+                let state = self.solve.system.inertial_state(state);
+                quantity.push(&state, &mut last, &mut row);
+                row
+            };
+            states.iter().map(row).collect()
+        };
         if quantity == NodeQuantity::Quaternion {
             let closing: f64 = rows[0]
                 .iter()
@@ -145,6 +171,10 @@ impl Solution {
                 ));
             }
         }
-        self.series(&self.samples_of(quantity.components(), |k| Ok(rows[k].clone()))?)
+        let samples = self.samples_of(quantity.components(), |k| Ok(rows[k].clone()))?;
+        let columns = samples.columns.iter();
+        Ok(columns
+            .map(|values| PeriodicSeries::interpolate(self.grid(), values, 0.0))
+            .collect())
     }
 }

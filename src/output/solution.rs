@@ -5,7 +5,7 @@ use super::force::{ForceRecord, record_forces};
 use crate::collocation::GridState;
 use crate::elements::{Element, NodeState};
 use crate::error::{Error, ErrorKind, Result};
-use crate::fourier::{PeriodicSeries, TimeGrid};
+use crate::fourier::{PeriodicSeries, SpectralFilter, TimeGrid};
 use crate::model::Model;
 use crate::solve::{
     Iteration, Outcome, PeriodicOptions, PeriodicSolve, Stage, StaticOptions, solve_periodic,
@@ -27,6 +27,8 @@ pub struct Solution {
     /// Value of each prescribed coordinate at time zero: a signal's function is not called any more.
     pub(super) prescribed_start: Vec<f64>,
     pub(super) diagnostics: Diagnostics,
+    /// Applied to what is sampled.
+    pub(super) filter: Option<SpectralFilter>,
     /// What each force did: a user's function is not called any more.
     pub(super) forces: Vec<Result<ForceRecord>>,
 }
@@ -78,6 +80,7 @@ impl Solution {
             forces: record_forces(&solve)?,
             solve,
             diagnostics,
+            filter: None,
         })
     }
 
@@ -99,6 +102,24 @@ impl Solution {
     /// The grid; of one point for an equilibrium or a trajectory.
     pub fn grid(&self) -> TimeGrid {
         self.solve.grid
+    }
+
+    /// A copy whose quantities are seen through a filter: harmonics of motions (of whose entries velocities and
+    /// joint coordinates follow), of forces and of strains are weakened towards the grid's limit, in values
+    /// at any time, harmonics, tables and animations. What oscillates about its value because of a kink or a
+    /// narrow peak then does so near that only; the peak itself gets lower and wider.
+    ///
+    /// The solution itself, its diagnostics, and what starts from it, are the same. A filter that was there
+    /// before is replaced.
+    ///
+    /// # Errors
+    /// [`ErrorKind::NotAvailable`] of a trajectory, which has no harmonics.
+    pub fn filtered(&self, filter: SpectralFilter) -> Result<Self> {
+        self.require_harmonics()?;
+        Ok(Solution {
+            filter: Some(filter),
+            ..self.clone()
+        })
     }
 
     /// The model as it was when it was solved.
@@ -192,8 +213,17 @@ impl Solution {
         self.require_harmonics()?;
         let columns = samples.columns.iter();
         Ok(columns
-            .map(|values| PeriodicSeries::interpolate(self.solve.grid, values, samples.rate))
+            .map(|values| self.interpolate(values, samples.rate))
             .collect())
+    }
+
+    /// The series through values at the grid points, filtered if that is asked for.
+    pub(super) fn interpolate(&self, values: &[f64], rate: f64) -> PeriodicSeries {
+        let series = PeriodicSeries::interpolate(self.solve.grid, values, rate);
+        match &self.filter {
+            Some(filter) => series.filtered(filter),
+            None => series,
+        }
     }
 
     /// Interpolates values at grid points or steps; components of each time together.

@@ -6,8 +6,10 @@ mod examples;
 
 use common::*;
 use examples::*;
+use nalgebra::Matrix3;
 use periodyn::collocation::DecayKind;
-use periodyn::output::Solution;
+use periodyn::fourier::{FilterKind, SpectralFilter};
+use periodyn::output::{BeamQuantity, NodeQuantity, Solution};
 use periodyn::solve::*;
 
 /// Points of the reference, whose own error is below 5e-12 on all smooth examples.
@@ -101,4 +103,94 @@ fn narrow_peaks_end_at_the_largest_grid_and_are_named() {
     let turn = diagnostics.least_resolved_time / example.period;
     assert!((turn % 0.5 - 0.25).abs() < 0.02, "{turn}");
     assert!(diagnostics.error_estimate > 1e-3 && diagnostics.error_estimate < 0.3);
+}
+
+/// How much a curve oscillates as the highest harmonics do, away from the two peaks: a smooth curve by about the
+/// square of that wave's length.
+fn ringing(force: &[f64], wave: usize) -> f64 {
+    let count = force.len();
+    largest((0..count).filter_map(|i| {
+        let turn = i as f64 / count as f64;
+        let away = (turn - 0.25).abs() > 0.08 && (turn - 0.75).abs() > 0.08;
+        let [before, after] = [i + count - wave / 2, i + wave / 2].map(|k| force[k % count]);
+        away.then(|| 0.5 * (force[i] - 0.5 * (before + after)))
+    }))
+}
+
+#[test]
+fn a_filter_takes_the_ringing_of_a_peak_away() {
+    let example = planar_four_bar();
+    let solution = solve(&example.model, example.period, 101);
+    let count = 2000;
+    let times: Vec<f64> = (0..count)
+        .map(|i| example.period * i as f64 / count as f64)
+        .collect();
+    let force = |s: &Solution| column(&s.beam(2, 0.0, BeamQuantity::Force, &times).unwrap(), 6, 0);
+    let plain = force(&solution);
+    let (peak, rings) = (largest(plain.iter().copied()), ringing(&plain, count / 50));
+    println!("unfiltered: peak {peak:.0} N, oscillation away from it {rings:.1} N");
+    for (kind, order, reduction) in [
+        (FilterKind::Lanczos, 1, 20.0),
+        (FilterKind::Lanczos, 3, 200.0),
+        (FilterKind::Exponential, 2, 30.0),
+        (FilterKind::Exponential, 4, 30.0),
+        (FilterKind::Exponential, 8, 8.0),
+    ] {
+        let filter = SpectralFilter::new(kind, order).unwrap();
+        let filtered = force(&solution.filtered(filter).unwrap());
+        let (low, left) = (
+            largest(filtered.iter().copied()),
+            ringing(&filtered, count / 50),
+        );
+        println!("{kind:?} {order}: peak {low:.0} N, oscillation {left:.2} N");
+        assert!(left < rings / reduction, "{kind:?} {order}");
+    }
+}
+
+#[test]
+fn filtered_motions_are_motions_and_resolved_ones_stay() {
+    let example = double_pendulum();
+    let solution = solve(&example.model, example.period, 81);
+    let filter = SpectralFilter::new(FilterKind::Lanczos, 2).unwrap();
+    let filtered = solution.filtered(filter).unwrap();
+    let h = 1e-5;
+    for time in [0.1, 0.77, 1.3] {
+        let times = [time - h, time, time + h];
+        let get = |quantity| filtered.node(1, quantity, &times).unwrap();
+        let rotations = get(NodeQuantity::RotationMatrix);
+        let rotation = Matrix3::from_column_slice(&rotations[9..18]);
+        assert!((rotation.tr_mul(&rotation) - Matrix3::identity()).amax() < 1e-14);
+        let (positions, velocities) = (get(NodeQuantity::Position), get(NodeQuantity::Velocity));
+        for i in 0..3 {
+            let slope = (positions[6 + i] - positions[i]) / (2.0 * h);
+            assert!((slope - velocities[6 + i]).abs() < 1e-7);
+        }
+    }
+    // Harmonics are those of what is sampled: the motion is resolved well before the last.
+    let grid: Vec<f64> = solution.grid().times().collect();
+    let velocity = filtered.node_series(1, NodeQuantity::Velocity).unwrap();
+    let sampled = filtered.node(1, NodeQuantity::Velocity, &grid).unwrap();
+    for (k, time) in grid.iter().enumerate() {
+        assert!((velocity[0].value(*time) - sampled[6 * k]).abs() < 1e-11);
+    }
+    // An exponential filter of high order spares the low harmonics; Lanczos' does not.
+    let times = times(example.period, 101);
+    let position = |s: &Solution| s.node(1, NodeQuantity::Position, &times).unwrap();
+    let high = SpectralFilter::new(FilterKind::Exponential, 16).unwrap();
+    let exact = position(&solution);
+    let kept = largest_difference(&position(&solution.filtered(high).unwrap()), &exact);
+    let smoothed = largest_difference(&position(&filtered), &exact);
+    println!("moved by the exponential filter {kept:.1e}, by that of Lanczos {smoothed:.1e}");
+    assert!(kept < 1e-9 && smoothed > 1e-4);
+    // Neither estimates nor what starts from it are touched; a file keeps the filter.
+    assert_eq!(filtered.diagnostics(), solution.diagnostics());
+    assert_eq!(
+        filtered.prolonged(solution.grid()).unwrap(),
+        solution.prolonged(solution.grid()).unwrap()
+    );
+    let file = std::env::temp_dir().join(format!("periodyn-filtered-{}.pdn", std::process::id()));
+    filtered.save(&file).unwrap();
+    let loaded = Solution::load(&file).unwrap();
+    std::fs::remove_file(&file).unwrap();
+    assert_eq!(position(&loaded), position(&filtered));
 }

@@ -155,6 +155,7 @@ static void solutions()
 {
     Oscillator o;
     const auto s = pdn::solve_periodic(o.model, period);
+    REFUSED(s.filtered(pdn::Filter::lanczos, 0), PDN_ERR_VALUE, "order: ");
     REFUSED(s.node_position(1, {0}), PDN_ERR_ID, "node: ");
     REFUSED(s.node_rotation(-1, {0}), PDN_ERR_ID, "node: ");
     REFUSED(s.node_quaternion(0, {0, nan_value}), PDN_ERR_NOT_FINITE, "times[1]: ");

@@ -241,13 +241,15 @@ contains
 
     subroutine solutions()
         type(pdn_model) :: m
-        type(pdn_solution) :: s
+        type(pdn_solution) :: s, filtered
         integer :: body, hinge, spring
         real(dp) :: zero(1), one(1), three(3, 1), four(4, 1), six(6, 1), nine(9, 1)
         real(dp) :: mean(3), many(3, 16), mean1(1), many1(1, 16), mean6(6), many6(6, 2)
 
         call oscillator(m, body, hinge, spring)
         call m%solve_periodic(period, s)
+        call s%filtered(PDN_FILTER_LANCZOS, 33, filtered, stat=stat, errmsg=errmsg)
+        call refused(stat, errmsg, PDN_ERR_VALUE, 'order: ')
         zero = 0
         one = 8
         three = 8

@@ -34,7 +34,7 @@ contains
         real(dp) :: angle(31), rate(31), acceleration(31), effort(31), position(3, 31), rotation(9, 31)
         real(dp) :: quaternion(4, 31), velocity(6, 31), turning(6, 31), reaction(6, 31), on_body(6, 31)
         real(dp) :: expected, slope, factors(2), mean(1), growth(1), cosines(1, 2), sines(1, 2), mean6(6)
-        real(dp) :: cosines6(6, 2), sines6(6, 2)
+        real(dp) :: cosines6(6, 2), sines6(6, 2), plain(1), smooth(1)
 
         call oscillator(model, body, hinge, spring)
         call model%add_load(body, PDN_FRAME_SPACE, PDN_MOMENT_3, &
@@ -105,6 +105,12 @@ contains
             guess_rotations=reshape(rotation, [9, 31, 1]))
         call again%diagnostics(figures)
         call check(figures%iterations == 1, 'from a guess')
+
+        ! Seen through a filter.
+        call solution%filtered(PDN_FILTER_EXPONENTIAL, 2, again)
+        call solution%joint_coordinate(hinge, PDN_ROTATION, [0.0_dp], plain)
+        call again%joint_coordinate(hinge, PDN_ROTATION, [0.0_dp], smooth)
+        call near(smooth(1), plain(1)*exp(-36.0_dp/16**2), 1e-12_dp, 'filtered')
 
         ! On grids that the library chooses.
         call pdn_init(options)
