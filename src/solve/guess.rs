@@ -14,8 +14,8 @@ const TOLERANCE: f64 = 1e-4;
 const ITERATION_LIMIT: usize = 12;
 /// A step that needs fewer is doubled.
 const EASY_ITERATIONS: usize = 5;
-/// Steps taken over a period at least: an angle of a turn a period moves 15 degrees.
-const LEAST_STEPS: usize = 24;
+/// Steps taken over a period at least: an angle of a turn a period moves 18 degrees.
+const LEAST_STEPS: usize = 20;
 /// A prescribed angle that turns a screw moves by no more in a step, so that no turn is lost.
 const LARGEST_TURN: f64 = 1.0;
 /// Smallest fraction of a step before giving up.

@@ -115,6 +115,10 @@ pub struct NewtonReport {
 const SHORTEST_STEP: f64 = 1.0 / 256.0;
 /// Largest turn of a node in one step; beyond it the linearisation means little.
 const LARGEST_TURN: f64 = 1.0;
+/// The same matrix is used again while it is expected to end the iteration within so many steps.
+const CHORD_STEPS: i32 = 3;
+/// Largest contraction, from one increment to the next with the same matrix, that leaves its determinant as it is.
+const FAITHFUL: f64 = 0.05;
 /// Growth that means a singular matrix.
 pub(super) const SINGULAR_GROWTH: f64 = 1e15;
 /// Growth that does so where Newton's method stalls: off the constraints by rounding, a freedom is
@@ -134,6 +138,8 @@ pub struct Newton {
     pub(super) solver: DirectSolver,
     pub(super) blocks: TangentBlocks,
     pub(super) values: Vec<f64>,
+    /// What the second increment with the factored Jacobian was relative to the first, if it is known.
+    contraction: Option<f64>,
     /// Time spent since this object was made.
     pub timings: Timings,
 }
@@ -157,6 +163,7 @@ impl Newton {
         });
         Ok(Newton {
             values: vec![0.0; pattern.entries()],
+            contraction: None,
             solver,
             blocks: TangentBlocks::default(),
             pattern,
@@ -218,8 +225,12 @@ impl Newton {
         Ok(report)
     }
 
-    /// Sign of the Jacobian's determinant at `state`, and logarithm of its size; none if it is singular.
+    /// Sign of the Jacobian's determinant at `state`, where the last solve ended, and logarithm of its size;
+    /// none if it is singular.
     pub(super) fn determinant(&mut self, state: &GridState) -> Result<Option<(f64, f64)>> {
+        if self.contraction.is_some_and(|c| c <= FAITHFUL) {
+            return Ok(Some(self.solver.determinant()));
+        }
         self.equations
             .jacobian(state, &self.pattern, &mut self.blocks, &mut self.values)?;
         let regular = self.solver.factor(&self.values)?;
@@ -265,7 +276,9 @@ impl Newton {
         timed(&mut self.timings.assembly, || {
             self.equations.residual(state, &mut residual)
         })?;
-        for number in 1..=options.iteration_limit {
+        while report.iterations.len() < options.iteration_limit {
+            let number = report.iterations.len() + 1;
+            self.contraction = None;
             timed(&mut self.timings.assembly, || {
                 self.equations
                     .jacobian(state, &self.pattern, &mut self.blocks, &mut self.values)
@@ -386,32 +399,67 @@ impl Newton {
                 report.outcome = Outcome::Cancelled;
                 return Ok(report);
             }
+            if step < 1.0 {
+                continue;
+            }
             // After a full step the simplified increment is the next one, up to a part of the order of
             // the last increment: if what that leaves is small enough, there is no need to factor again.
-            let simplified = self.motion_norm(&step_vector);
-            let left = increment * self.multiplier_change(&step_vector, state);
-            if step == 1.0
-                && simplified.max(left) <= options.tolerance
-                && number < options.iteration_limit
+            let mut before = increment;
+            let mut simplified = self.motion_norm(&step_vector);
+            self.contraction = Some(simplified / before);
+            while report.iterations.len() < options.iteration_limit
                 && !self.is_contradicted(&residual, options)
             {
+                let left = increment * self.multiplier_change(&step_vector, state);
+                let ends = simplified.max(left) <= options.tolerance;
+                let expected = simplified * (simplified / before).powi(CHORD_STEPS);
+                if !ends && expected > options.tolerance {
+                    break;
+                }
                 let scales = self.equations.column_scale();
-                let last: Vec<f64> = step_vector
+                let change: Vec<f64> = step_vector
                     .iter()
                     .zip(scales)
                     .map(|(x, s)| -x * s)
                     .collect();
-                *state = state.incremented(&system, &last, 1.0);
+                let trial = state.incremented(&system, &change, 1.0);
                 let iteration = Iteration {
-                    number: number + 1,
+                    number: report.iterations.len() + 1,
                     residual: residual.iter().fold(0.0, |m, x| m.max(x.abs())),
                     increment: simplified,
                     step: 1.0,
                 };
+                if !ends {
+                    let evaluated = timed(&mut self.timings.assembly, || {
+                        self.equations.residual(&trial, &mut trial_residual)
+                    });
+                    if let Err(error) = &evaluated
+                        && error.kind() == ErrorKind::Callback
+                    {
+                        return Err(error.clone());
+                    }
+                    step_vector.copy_from_slice(&trial_residual);
+                    let solved = evaluated.is_ok() && self.solve_linear(&mut step_vector)?;
+                    before = simplified;
+                    simplified = self.motion_norm(&step_vector);
+                    // Written so that NaN ends it too.
+                    let nearer = solved && simplified < before;
+                    if !nearer {
+                        break;
+                    }
+                    residual.copy_from_slice(&trial_residual);
+                }
+                *state = trial;
                 report.iterations.push(iteration);
-                observe(&iteration);
-                report.outcome = Outcome::Converged;
-                return Ok(report);
+                let keep_going = observe(&iteration);
+                if ends {
+                    report.outcome = Outcome::Converged;
+                    return Ok(report);
+                }
+                if !keep_going {
+                    report.outcome = Outcome::Cancelled;
+                    return Ok(report);
+                }
             }
         }
         if self.is_contradicted(&residual, options) {
