@@ -18,7 +18,7 @@ pub use between::{NodeInterpolation, ResidualBetween, residual_between, too_coar
 pub use decay::{Decay, DecayKind};
 pub use kinematics::{BackwardRule, NodeKinematics};
 pub use linearisation::Linearisation;
-pub use pattern::Pattern;
+pub use pattern::{Panel, Pattern};
 pub use problem::{Collocation, TangentBlocks};
 pub use resampled::ResampledNodes;
 pub use sensitivity::{StepVariation, Variation, VariationScales};

@@ -5,6 +5,7 @@ use crate::elements::Element;
 use crate::system::System;
 use std::collections::BTreeMap;
 use std::ops::Range;
+use std::sync::OnceLock;
 
 /// Coupling of one node's rows with another node's columns.
 #[derive(Debug, Clone)]
@@ -15,6 +16,23 @@ pub struct NodePair {
     pub dense: bool,
     /// Place of the first row within a column.
     pub offset: usize,
+}
+
+/// A dense part of one block of the matrix.
+#[derive(Debug, Clone)]
+pub struct Panel {
+    /// Group of the rows, and the first one within it.
+    pub row: (usize, usize),
+    /// Group of the columns, and the first one within it.
+    pub column: (usize, usize),
+    /// Number of rows.
+    pub rows: usize,
+    /// Number of columns.
+    pub columns: usize,
+    /// Position of the first value.
+    pub value: usize,
+    /// Values from one column to the next.
+    pub stride: usize,
 }
 
 /// Node or multipliers a group of columns belongs to.
@@ -43,8 +61,10 @@ pub struct Pattern {
     force_offsets: Vec<Vec<usize>>,
     /// Place, within a column of the element's multipliers, of its own rows.
     own_offsets: Vec<usize>,
+    /// Nodes of each element, and whether its own unknowns are internal states.
+    elements: Vec<(Vec<usize>, bool)>,
     column_pointers: Vec<usize>,
-    row_indices: Vec<usize>,
+    row_indices: OnceLock<Vec<usize>>,
 }
 
 impl Pattern {
@@ -82,14 +102,9 @@ impl Pattern {
                 .collect(),
             force_offsets: Vec::new(),
             own_offsets: Vec::new(),
+            elements: Vec::new(),
             column_pointers: vec![0],
-            row_indices: Vec::new(),
-        };
-        let first_multiplier_row = |index: usize, k: usize| {
-            let placed = &system.elements()[index];
-            6 * points * node_count
-                + placed.first_multiplier * points
-                + placed.element.multipliers() * k
+            row_indices: OnceLock::new(),
         };
         let mut pair_count = 0;
         for b in 0..node_count {
@@ -109,25 +124,6 @@ impl Pattern {
             }
             let group = pattern.next_group(length, 6 * points);
             pattern.nodes.push(group);
-            for k in 0..points {
-                for _ in 0..6 {
-                    for pair in &pairs {
-                        let first = 6 * points * pair.row;
-                        let rows = if pair.dense {
-                            first..first + 6 * points
-                        } else {
-                            first + 6 * k..first + 6 * (k + 1)
-                        };
-                        pattern.row_indices.extend(rows);
-                    }
-                    for &(index, _) in &constrained[b] {
-                        let first = first_multiplier_row(index, k);
-                        let count = system.elements()[index].element.multipliers();
-                        pattern.row_indices.extend(first..first + count);
-                    }
-                    pattern.column_pointers.push(pattern.row_indices.len());
-                }
-            }
             pattern.first_pair.push(pair_count);
             pair_count += pairs.len();
             pattern.pairs.push(pairs);
@@ -139,10 +135,12 @@ impl Pattern {
     }
 
     /// The next group of `columns` columns with `length` values each.
-    fn next_group(&self, length: usize, columns: usize) -> ColumnGroup {
-        let first = self.size();
+    fn next_group(&mut self, length: usize, columns: usize) -> ColumnGroup {
+        let (first, first_value) = (self.size(), self.entries());
+        let pointers = (1..=columns).map(|column| first_value + column * length);
+        self.column_pointers.extend(pointers);
         ColumnGroup {
-            first_value: self.row_indices.len(),
+            first_value,
             length,
             columns: first..first + columns,
         }
@@ -161,23 +159,74 @@ impl Pattern {
         let count = self.points * element.multipliers();
         let own_rows = if has_states { count } else { 1 };
         let group = self.next_group(6 * order.len() + own_rows, count);
-        let own = group.columns.clone();
         self.own_offsets.push(6 * order.len());
         self.multipliers.push(group);
-        for k in 0..self.points {
-            for _ in 0..element.multipliers() {
-                for &local in &order {
-                    let first = 6 * (self.points * element.nodes()[local] + k);
-                    self.row_indices.extend(first..first + 6);
-                }
-                if has_states {
-                    self.row_indices.extend(own.clone());
-                } else {
-                    self.row_indices.push(self.column_pointers.len() - 1);
-                }
-                self.column_pointers.push(self.row_indices.len());
+        self.elements.push((element.nodes().to_vec(), has_states));
+    }
+
+    /// All entries, by dense panels; groups are those of [`Pattern::groups`].
+    pub fn panels(&self) -> Vec<Panel> {
+        let points = self.points;
+        let mut panels = Vec::new();
+        for (node, (group, pairs)) in self.nodes.iter().zip(&self.pairs).enumerate() {
+            for pair in pairs {
+                // One of all grid points, or one for each.
+                let (parts, size) = match pair.dense {
+                    true => (1, 6 * points),
+                    false => (points, 6),
+                };
+                panels.extend((0..parts).map(|k| Panel {
+                    row: (pair.row, 6 * k),
+                    column: (node, 6 * k),
+                    rows: size,
+                    columns: size,
+                    value: group.first_value + 6 * k * group.length + pair.offset,
+                    stride: group.length,
+                }));
             }
         }
+        let mut own_group = self.nodes.len();
+        for (index, (group, (nodes, has_states))) in
+            self.multipliers.iter().zip(&self.elements).enumerate()
+        {
+            let all = group.columns.len();
+            if all == 0 {
+                continue;
+            }
+            let count = all / points;
+            for (local, &node) in nodes.iter().enumerate() {
+                for k in 0..points {
+                    let constraints = Panel {
+                        row: (own_group, count * k),
+                        column: (node, 6 * k),
+                        rows: count,
+                        columns: 6,
+                        value: self.constraint_value(index, local, node, k, 0),
+                        stride: self.nodes[node].length,
+                    };
+                    let forces = Panel {
+                        row: (node, 6 * k),
+                        column: (own_group, count * k),
+                        rows: 6,
+                        columns: count,
+                        value: self.force_value(index, local, k, 0, count),
+                        stride: group.length,
+                    };
+                    panels.extend([constraints, forces]);
+                }
+            }
+            let (parts, size) = if *has_states { (1, all) } else { (all, 1) };
+            panels.extend((0..parts).map(|i| Panel {
+                row: (own_group, i),
+                column: (own_group, i),
+                rows: size,
+                columns: size,
+                value: self.own_value(index, 0, 0, count) + i * group.length,
+                stride: group.length,
+            }));
+            own_group += 1;
+        }
+        panels
     }
 
     /// Unknowns of each node, then those of each element's multipliers: what the direct solver keeps
@@ -203,7 +252,7 @@ impl Pattern {
 
     /// Number of stored entries.
     pub fn entries(&self) -> usize {
-        self.row_indices.len()
+        self.column_pointers.last().map_or(0, |end| *end)
     }
 
     /// Column pointers, one more than columns.
@@ -213,7 +262,19 @@ impl Pattern {
 
     /// Row index of each stored entry, ascending within a column.
     pub fn row_indices(&self) -> &[usize] {
-        &self.row_indices
+        self.row_indices.get_or_init(|| {
+            let groups = self.groups();
+            let mut rows = vec![0; self.entries()];
+            for panel in self.panels() {
+                let first = groups[panel.row.0].start + panel.row.1;
+                for column in 0..panel.columns {
+                    let entries = &mut rows[panel.value + column * panel.stride..][..panel.rows];
+                    let places = entries.iter_mut().zip(first..);
+                    places.for_each(|(entry, row)| *entry = row);
+                }
+            }
+            rows
+        })
     }
 
     /// Number of coupled pairs of nodes.

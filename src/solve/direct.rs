@@ -2,15 +2,16 @@
 //! the N grid points of each kept together, so that all work is done by faer's dense kernels.
 
 use super::ordering::{FrontPlan, plan};
-use crate::collocation::Pattern;
+use crate::collocation::{Panel, Pattern};
 use crate::error::{Error, ErrorKind, Result};
 use faer::dyn_stack::{MemBuffer, MemStack};
 use faer::linalg::lu::partial_pivoting::factor::{lu_in_place, lu_in_place_scratch};
 use faer::linalg::matmul::matmul;
 use faer::linalg::triangular_solve::{
     solve_lower_triangular_in_place, solve_unit_lower_triangular_in_place,
+    solve_upper_triangular_in_place,
 };
-use faer::{Accum, Mat, Par};
+use faer::{Accum, ColMut, ColRef, Mat, MatRef, Par};
 use std::collections::BTreeSet;
 use std::ops::Range;
 
@@ -24,24 +25,18 @@ const ACCURATE: f64 = 1e-10;
 const INACCURATE: f64 = 1e-9;
 /// Most refinements of a solve.
 const REFINEMENTS: usize = 4;
+/// A panel of fewer entries is not worth the call of a dense kernel.
+const SMALL_PANEL: usize = 256;
 
-/// Consecutive entries of one column within one block.
-#[derive(Debug, Clone)]
-struct Run {
-    value: usize,
-    length: usize,
-    row: (usize, usize),
-    column: (usize, usize),
-}
-
-/// Factors of one front: `P F₁₁ = L U`, `U₁₂`, `L₂₁`.
+/// A front, and then its factors: `P F₁₁ = L U`, `U₁₂`, `L₂₁`.
 #[derive(Debug)]
-struct FrontFactors {
+struct Front {
+    /// Groups eliminated here; none if they wait.
     pivots: Vec<usize>,
     permutation: Vec<usize>,
-    /// `L`, `U` and, to their right, `U₁₂`.
+    /// `L`, `U` and, to their right, `U₁₂`; before, `F₁₁` and `F₁₂`.
     upper: Mat<f64>,
-    /// `L₂₁`.
+    /// `L₂₁`; before, `F₂₁`.
     lower: Mat<f64>,
 }
 
@@ -57,54 +52,58 @@ struct Remainder {
 #[derive(Debug)]
 pub struct DirectSolver {
     groups: Vec<Range<usize>>,
-    fronts: Vec<FrontPlan>,
-    runs: Vec<Vec<Run>>,
-    factors: Vec<FrontFactors>,
+    plans: Vec<FrontPlan>,
+    /// Entries of the matrix that enter each front.
+    panels: Vec<Vec<Panel>>,
+    /// Fronts that were found singular on their own: their unknowns wait for their parents' ever after.
+    waits: Vec<bool>,
+    fronts: Vec<Front>,
+    factored: bool,
+    /// Whether solves with the present factors are known to need no refinement.
+    accurate: bool,
     smallest_pivot: f64,
 }
 
 impl DirectSolver {
     /// Orders and analyses matrices of `pattern`.
     pub fn new(pattern: &Pattern) -> Self {
-        let structure = (pattern.column_pointers(), pattern.row_indices());
-        Self::with_structure(pattern.groups(), pattern.node_groups(), structure)
+        Self::with_panels(pattern.groups(), pattern.node_groups(), pattern.panels())
     }
 
-    /// The same for matrices with these column pointers and row indices, whose unknowns are kept together
-    /// in `groups`; the first `node_groups` of them are those of nodes.
-    pub fn with_structure(
+    /// The same for matrices with the entries of `panels`, whose unknowns are kept together in `groups`; the
+    /// first `node_groups` of them are those of nodes.
+    pub fn with_panels(
         groups: Vec<Range<usize>>,
         node_groups: usize,
-        (column_pointers, row_indices): (&[usize], &[usize]),
+        panels: impl IntoIterator<Item = Panel>,
     ) -> Self {
-        let mut group_of = vec![0; column_pointers.len() - 1];
-        for (g, range) in groups.iter().enumerate() {
-            group_of[range.clone()].fill(g);
-        }
-        let runs = all_runs(column_pointers, row_indices, &groups, &group_of);
+        let panels: Vec<Panel> = panels.into_iter().collect();
         let mut coupled = vec![BTreeSet::new(); groups.len()];
-        for run in &runs {
-            coupled[run.row.0].insert(run.column.0);
-            coupled[run.column.0].insert(run.row.0);
+        for panel in &panels {
+            coupled[panel.row.0].insert(panel.column.0);
+            coupled[panel.column.0].insert(panel.row.0);
         }
         let sizes: Vec<usize> = groups.iter().map(ExactSizeIterator::len).collect();
-        let fronts = plan(&sizes, &coupled, node_groups);
+        let plans = plan(&sizes, &coupled, node_groups);
         let mut front_of = vec![0; groups.len()];
-        for (f, front) in fronts.iter().enumerate() {
+        for (f, front) in plans.iter().enumerate() {
             for &g in &front.own {
                 front_of[g] = f;
             }
         }
         // An entry enters the front that is first to eliminate its row or column.
-        let mut runs_of = vec![Vec::new(); fronts.len()];
-        for run in runs {
-            runs_of[front_of[run.row.0].min(front_of[run.column.0])].push(run);
+        let mut panels_of = vec![Vec::new(); plans.len()];
+        for panel in panels {
+            panels_of[front_of[panel.row.0].min(front_of[panel.column.0])].push(panel);
         }
         DirectSolver {
             groups,
-            fronts,
-            runs: runs_of,
-            factors: Vec::new(),
+            waits: vec![false; plans.len()],
+            fronts: plans.iter().map(|_| Front::new()).collect(),
+            plans,
+            panels: panels_of,
+            factored: false,
+            accurate: false,
             smallest_pivot: SMALLEST_PIVOT,
         }
     }
@@ -118,11 +117,13 @@ impl DirectSolver {
     /// # Errors
     /// If memory runs out.
     pub fn factor(&mut self, values: &[f64]) -> Result<bool> {
-        self.factors.clear();
-        let mut remainders: Vec<Option<Remainder>> = Vec::with_capacity(self.fronts.len());
+        self.factored = false;
+        self.accurate = false;
+        let mut remainders: Vec<Option<Remainder>> = Vec::with_capacity(self.plans.len());
         let mut place = vec![usize::MAX; self.groups.len()];
-        for f in 0..self.fronts.len() {
-            let plan = &self.fronts[f];
+        let mut scratch = Scratch::new(0);
+        for f in 0..self.plans.len() {
+            let plan = &self.plans[f];
             let mut pivots = plan.own.clone();
             for &child in &plan.children {
                 if let Some(r) = &remainders[child] {
@@ -134,81 +135,119 @@ impl DirectSolver {
                 place[g] = size;
                 size += self.groups[g].len();
             }
-            let mut front = zeros(size, size)?;
-            for run in &self.runs[f] {
-                let row = place[run.row.0] + run.row.1;
-                let column = place[run.column.0] + run.column.1;
-                let target = &mut front.col_as_slice_mut(column)[row..row + run.length];
-                target.copy_from_slice(&values[run.value..run.value + run.length]);
-            }
-            for &child in &plan.children {
-                if let Some(remainder) = remainders[child].take() {
-                    self.add_remainder(&remainder, &place, &mut front);
-                }
-            }
-            let boundary = plan.boundary.clone();
             let is_root = plan.parent.is_none();
-            let count = self.size_of(&pivots);
             let smallest_pivot = if is_root { 0.0 } else { self.smallest_pivot };
-            match eliminate(&front, count, smallest_pivot)? {
-                Some((factors, schur)) => {
-                    self.factors.push(FrontFactors { pivots, ..factors });
-                    remainders.push(Some(Remainder {
-                        groups: boundary,
+            let mut front = std::mem::replace(&mut self.fronts[f], Front::new());
+            let mut left = None;
+            if !self.waits[f] {
+                let count = self.size_of(&pivots);
+                let mut schur =
+                    self.assemble(f, values, &remainders, &place, (&mut front, count, size))?;
+                if front.eliminate(&mut schur, smallest_pivot, &mut scratch) {
+                    left = Some(Remainder {
+                        groups: self.plans[f].boundary.clone(),
                         delayed: 0,
                         schur,
-                    }));
-                }
-                None if is_root => {
-                    self.factors.clear();
+                    });
+                    front.pivots.clone_from(&pivots);
+                } else if is_root {
                     return Ok(false);
                 }
-                None => {
-                    // All of them wait; the factors are those of nothing.
-                    let delayed = pivots.len();
-                    let groups = pivots.into_iter().chain(boundary).collect();
-                    self.factors.push(FrontFactors {
-                        pivots: Vec::new(),
-                        permutation: Vec::new(),
-                        upper: Mat::new(),
-                        lower: Mat::new(),
-                    });
-                    remainders.push(Some(Remainder {
-                        groups,
-                        delayed,
-                        schur: front,
-                    }));
-                }
+                self.waits[f] = left.is_none();
             }
+            let remainder = match left {
+                Some(remainder) => remainder,
+                None => {
+                    front = Front::new();
+                    let schur =
+                        self.assemble(f, values, &remainders, &place, (&mut front, 0, size))?;
+                    Remainder {
+                        delayed: pivots.len(),
+                        groups: pivots
+                            .into_iter()
+                            .chain(self.plans[f].boundary.clone())
+                            .collect(),
+                        schur,
+                    }
+                }
+            };
+            self.fronts[f] = front;
+            for &child in &self.plans[f].children {
+                remainders[child] = None;
+            }
+            remainders.push(Some(remainder));
         }
+        self.factored = true;
         Ok(true)
     }
 
-    /// Adds a child's Schur complement to its parent's front.
-    fn add_remainder(&self, remainder: &Remainder, place: &[usize], front: &mut Mat<f64>) {
-        let mut source_column = 0;
-        for &column_group in &remainder.groups {
-            for offset in 0..self.groups[column_group].len() {
-                let source = remainder.schur.col_as_slice(source_column);
-                let target = front.col_as_slice_mut(place[column_group] + offset);
-                let mut row = 0;
-                for &row_group in &remainder.groups {
-                    let length = self.groups[row_group].len();
-                    let to = &mut target[place[row_group]..][..length];
-                    for (t, s) in to.iter_mut().zip(&source[row..row + length]) {
-                        *t += s;
-                    }
-                    row += length;
-                }
-                source_column += 1;
+    /// Sums up front `f` of `size` unknowns, the first `count` of them to be eliminated: the rows and columns of
+    /// these in `front`, the rest is returned. Group `g` begins at `place[g]`.
+    fn assemble(
+        &self,
+        f: usize,
+        values: &[f64],
+        remainders: &[Option<Remainder>],
+        place: &[usize],
+        (front, count, size): (&mut Front, usize, usize),
+    ) -> Result<Mat<f64>> {
+        let rest = size - count;
+        make_zero(&mut front.upper, count, size)?;
+        make_zero(&mut front.lower, rest, count)?;
+        let mut schur = Mat::new();
+        make_zero(&mut schur, rest, rest)?;
+        // Part of a column, of rows that belong to one group.
+        let mut part =
+            |row: usize, column: usize, length: usize, work: &mut dyn FnMut(&mut [f64])| {
+                let whole = if row < count {
+                    &mut front.upper.col_as_slice_mut(column)[row..]
+                } else if column < count {
+                    &mut front.lower.col_as_slice_mut(column)[row - count..]
+                } else {
+                    &mut schur.col_as_slice_mut(column - count)[row - count..]
+                };
+                work(&mut whole[..length]);
+            };
+        for panel in &self.panels[f] {
+            let row = place[panel.row.0] + panel.row.1;
+            let first = place[panel.column.0] + panel.column.1;
+            for column in 0..panel.columns {
+                let entries = &values[panel.value + column * panel.stride..][..panel.rows];
+                part(row, first + column, panel.rows, &mut |to| {
+                    to.copy_from_slice(entries);
+                });
             }
         }
+        for &child in &self.plans[f].children {
+            let Some(remainder) = &remainders[child] else {
+                continue;
+            };
+            let mut source_column = 0;
+            for &column_group in &remainder.groups {
+                for offset in 0..self.groups[column_group].len() {
+                    let source = remainder.schur.col_as_slice(source_column);
+                    let column = place[column_group] + offset;
+                    let mut row = 0;
+                    for &row_group in &remainder.groups {
+                        let length = self.groups[row_group].len();
+                        part(place[row_group], column, length, &mut |to| {
+                            for (t, s) in to.iter_mut().zip(&source[row..row + length]) {
+                                *t += s;
+                            }
+                        });
+                        row += length;
+                    }
+                    source_column += 1;
+                }
+            }
+        }
+        Ok(schur)
     }
 
     /// Sign and logarithm of the size of the determinant of the matrix that was factored.
     pub fn determinant(&self) -> (f64, f64) {
         let (mut sign, mut logarithm) = (1.0, 0.0);
-        for front in &self.factors {
+        for front in &self.fronts {
             for j in 0..front.permutation.len() {
                 let pivot = front.upper[(j, j)];
                 sign *= pivot.signum();
@@ -223,58 +262,52 @@ impl DirectSolver {
 
     /// Solves in place. `false` if there are no factors or the result is not finite.
     pub fn solve(&self, rhs: &mut [f64]) -> bool {
-        if self.factors.is_empty() {
+        if !self.factored {
             return false;
         }
-        let mut local = Vec::new();
-        for (plan, front) in self.fronts.iter().zip(&self.factors) {
+        let (mut local, mut y) = (Vec::new(), Vec::new());
+        for (plan, front) in self.plans.iter().zip(&self.fronts) {
             let count = front.permutation.len();
             if count == 0 {
                 continue;
             }
             self.gather(&front.pivots, rhs, &mut local);
-            let mut y: Vec<f64> = front.permutation.iter().map(|&i| local[i]).collect();
-            for j in 0..count {
-                let column = &front.upper.col_as_slice(j)[j + 1..count];
-                let pivot = y[j];
-                subtract(&mut y[j + 1..], column, pivot);
-            }
+            y.clear();
+            y.extend(front.permutation.iter().map(|&i| local[i]));
+            let factors = front.upper.as_ref().subcols(0, count);
+            let column = ColMut::from_slice_mut(&mut y).as_mat_mut();
+            solve_unit_lower_triangular_in_place(factors, column, Par::Seq);
             self.gather(&plan.boundary, rhs, &mut local);
-            for (j, pivot) in y.iter().enumerate() {
-                subtract(&mut local, front.lower.col_as_slice(j), *pivot);
-            }
+            subtract_product(&mut local, front.lower.as_ref(), &y);
             self.scatter(&plan.boundary, &local, rhs);
             self.scatter(&front.pivots, &y, rhs);
         }
-        for (plan, front) in self.fronts.iter().zip(&self.factors).rev() {
+        for (plan, front) in self.plans.iter().zip(&self.fronts).rev() {
             let count = front.permutation.len();
             if count == 0 {
                 continue;
             }
             self.gather(&plan.boundary, rhs, &mut local);
-            let beyond = local.clone();
-            self.gather(&front.pivots, rhs, &mut local);
-            for (j, x) in beyond.iter().enumerate() {
-                subtract(&mut local, front.upper.col_as_slice(count + j), *x);
-            }
-            for j in (0..count).rev() {
-                let column = front.upper.col_as_slice(j);
-                let x = local[j] / column[j];
-                local[j] = x;
-                subtract(&mut local[..j], &column[..j], x);
-            }
-            self.scatter(&front.pivots, &local, rhs);
+            self.gather(&front.pivots, rhs, &mut y);
+            let (factors, beyond) = front.upper.as_ref().split_at_col(count);
+            subtract_product(&mut y, beyond, &local);
+            let column = ColMut::from_slice_mut(&mut y).as_mat_mut();
+            solve_upper_triangular_in_place(factors, column, Par::Seq);
+            self.scatter(&front.pivots, &y, rhs);
         }
         rhs.iter().all(|x| x.is_finite())
     }
 
-    /// As [`DirectSolver::solve`], and refines the result by its residual, for the `values` of the matrix that
-    /// was factored. Pivots are sought within a front only: where that has cost too many digits, the matrix is
-    /// factored again with more of them waiting.
+    /// As [`DirectSolver::solve`], for the `values` of the matrix that was factored: refines the result by its
+    /// residual, unless an earlier one with the same factors was accurate. Pivots are sought within a front
+    /// only: where that has cost too many digits, the matrix is factored again with more of them waiting.
     ///
     /// # Errors
     /// If memory runs out.
     pub fn solve_refined(&mut self, values: &[f64], rhs: &mut [f64]) -> Result<bool> {
+        if self.accurate {
+            return Ok(self.solve(rhs));
+        }
         let wanted = rhs.to_vec();
         if !self.solve(rhs) {
             return Ok(false);
@@ -292,10 +325,12 @@ impl DirectSolver {
     }
 
     /// Refines the solution `x` of `A x = b`; returns the largest residual that is left.
-    fn refine(&self, values: &[f64], b: &[f64], x: &mut [f64]) -> f64 {
+    fn refine(&mut self, values: &[f64], b: &[f64], x: &mut [f64]) -> f64 {
         let mut rest = self.residual(values, b, x);
+        let enough = ACCURATE * largest(b);
+        self.accurate = largest(&rest) <= enough;
         for _ in 0..REFINEMENTS {
-            if largest(&rest) <= ACCURATE * largest(b) {
+            if largest(&rest) <= enough {
                 break;
             }
             let mut better = rest.clone();
@@ -318,13 +353,27 @@ impl DirectSolver {
     /// `b − A x`.
     fn residual(&self, values: &[f64], b: &[f64], x: &[f64]) -> Vec<f64> {
         let mut rest = b.to_vec();
-        for run in self.runs.iter().flatten() {
-            let (row, column) = (
-                self.groups[run.row.0].start + run.row.1,
-                self.groups[run.column.0].start + run.column.1,
-            );
-            let entries = &values[run.value..][..run.length];
-            subtract(&mut rest[row..][..run.length], entries, x[column]);
+        for panel in self.panels.iter().flatten() {
+            let row = self.groups[panel.row.0].start + panel.row.1;
+            let column = self.groups[panel.column.0].start + panel.column.1;
+            let y = &mut rest[row..][..panel.rows];
+            let x = &x[column..][..panel.columns];
+            if panel.rows * panel.columns < SMALL_PANEL {
+                for (j, x) in x.iter().enumerate() {
+                    let entries = &values[panel.value + j * panel.stride..][..panel.rows];
+                    y.iter_mut().zip(entries).for_each(|(y, a)| *y -= a * x);
+                }
+            } else {
+                let (rows, columns) = (panel.rows, panel.columns);
+                let entries = &values[panel.value..][..(columns - 1) * panel.stride + rows];
+                let block = MatRef::from_column_major_slice_with_stride(
+                    entries,
+                    rows,
+                    columns,
+                    panel.stride,
+                );
+                subtract_product(y, block, x);
+            }
         }
         rest
     }
@@ -350,11 +399,16 @@ fn largest(values: &[f64]) -> f64 {
     values.iter().fold(0.0, |m: f64, x| m.max(x.abs()))
 }
 
-/// `y −= a x`, entry by entry.
-fn subtract(y: &mut [f64], x: &[f64], a: f64) {
-    for (y, x) in y.iter_mut().zip(x) {
-        *y -= a * x;
-    }
+/// `y −= A x`.
+fn subtract_product(y: &mut [f64], a: MatRef<f64>, x: &[f64]) {
+    matmul(
+        ColMut::from_slice_mut(y).as_mat_mut(),
+        Accum::Add,
+        a,
+        ColRef::from_slice(x).as_mat(),
+        -1.0,
+        Par::Seq,
+    );
 }
 
 /// Whether a permutation takes an odd number of exchanges.
@@ -375,126 +429,114 @@ fn is_odd(permutation: &[usize]) -> bool {
     odd
 }
 
-fn zeros(rows: usize, columns: usize) -> Result<Mat<f64>> {
-    let mut matrix = Mat::new();
+/// Makes a matrix of zeros of one that may have been used before.
+fn make_zero(matrix: &mut Mat<f64>, rows: usize, columns: usize) -> Result<()> {
+    if (matrix.nrows(), matrix.ncols()) == (rows, columns) {
+        for column in 0..columns {
+            matrix.col_as_slice_mut(column).fill(0.0);
+        }
+        return Ok(());
+    }
+    *matrix = Mat::new();
     matrix.try_reserve(rows, columns).map_err(|_| {
         let message = format!("a dense block of {rows} × {columns} does not fit in memory");
         Error::new(ErrorKind::OutOfMemory, message)
     })?;
     matrix.resize_with(rows, columns, |_, _| 0.0);
-    Ok(matrix)
+    Ok(())
 }
 
-/// All entries of the matrix as runs.
-fn all_runs(
-    column_pointers: &[usize],
-    rows: &[usize],
-    groups: &[Range<usize>],
-    group_of: &[usize],
-) -> Vec<Run> {
-    let mut runs: Vec<Run> = Vec::new();
-    for (column, range) in column_pointers.windows(2).enumerate() {
-        let column_group = group_of[column];
-        let mut start = range[0];
-        while start < range[1] {
-            let group = group_of[rows[start]];
-            let mut end = start + 1;
-            while end < range[1] && rows[end] == rows[end - 1] + 1 && group_of[rows[end]] == group {
-                end += 1;
+/// Memory that the elimination of a front needs.
+struct Scratch {
+    /// Size of a square matrix that the memory is enough for the factors of.
+    most: usize,
+    memory: MemBuffer,
+    inverse: Vec<usize>,
+    column: Vec<f64>,
+}
+
+impl Scratch {
+    /// Enough for the factors of square matrices up to this size.
+    fn new(most: usize) -> Self {
+        let need = lu_in_place_scratch::<usize, f64>(most, most, Par::Seq, Default::default());
+        Scratch {
+            most,
+            memory: MemBuffer::new(need),
+            inverse: Vec::new(),
+            column: Vec::new(),
+        }
+    }
+}
+
+impl Front {
+    /// Of nothing.
+    fn new() -> Self {
+        Front {
+            pivots: Vec::new(),
+            permutation: Vec::new(),
+            upper: Mat::new(),
+            lower: Mat::new(),
+        }
+    }
+
+    /// Eliminates the unknowns of the front's own rows; takes what they do from the rest, `schur`.
+    ///
+    /// `false` if their block is singular, or has a pivot below `smallest_pivot`, relative to its column.
+    fn eliminate(
+        &mut self,
+        schur: &mut Mat<f64>,
+        smallest_pivot: f64,
+        scratch: &mut Scratch,
+    ) -> bool {
+        let (count, size) = (self.upper.nrows(), self.upper.ncols());
+        let column_size: Vec<f64> = (0..count)
+            .map(|j| largest(self.upper.col_as_slice(j)))
+            .collect();
+        self.permutation.resize(count, 0);
+        if scratch.most < count {
+            *scratch = Scratch::new(count);
+        }
+        scratch.inverse.resize(count, 0);
+        lu_in_place(
+            self.upper.as_mut().subcols_mut(0, count),
+            &mut self.permutation,
+            &mut scratch.inverse,
+            Par::Seq,
+            MemStack::new(&mut scratch.memory),
+            Default::default(),
+        );
+        for (j, size) in column_size.iter().enumerate() {
+            let pivot = self.upper[(j, j)].abs();
+            // Written so that NaN fails too.
+            let good = pivot > smallest_pivot * size && pivot.is_finite();
+            if !good {
+                return false;
             }
-            runs.push(Run {
-                value: start,
-                length: end - start,
-                row: (group, rows[start] - groups[group].start),
-                column: (column_group, column - groups[column_group].start),
-            });
-            start = end;
         }
-    }
-    runs
-}
-
-/// Eliminates the first `count` unknowns of a front: its factors, and the Schur complement of the rest.
-///
-/// `None` if the leading block is singular, or has a pivot below `smallest_pivot`, relative to its column.
-fn eliminate(
-    front: &Mat<f64>,
-    count: usize,
-    smallest_pivot: f64,
-) -> Result<Option<(FrontFactors, Mat<f64>)>> {
-    let size = front.nrows();
-    let rest = size - count;
-    let mut upper = zeros(count, size)?;
-    upper
-        .as_mut()
-        .subcols_mut(0, count)
-        .copy_from(front.as_ref().submatrix(0, 0, count, count));
-    let column_size: Vec<f64> = (0..count)
-        .map(|j| {
-            upper
-                .col_as_slice(j)
-                .iter()
-                .fold(0.0, |m: f64, x| m.max(x.abs()))
-        })
-        .collect();
-    let mut permutation = vec![0usize; count];
-    let mut inverse = vec![0usize; count];
-    let mut memory = MemBuffer::new(lu_in_place_scratch::<usize, f64>(
-        count,
-        count,
-        Par::Seq,
-        Default::default(),
-    ));
-    lu_in_place(
-        upper.as_mut().subcols_mut(0, count),
-        &mut permutation,
-        &mut inverse,
-        Par::Seq,
-        MemStack::new(&mut memory),
-        Default::default(),
-    );
-    for (j, size) in column_size.iter().enumerate() {
-        let pivot = upper[(j, j)].abs();
-        // Written so that NaN fails too.
-        let good = pivot > smallest_pivot * size && pivot.is_finite();
-        if !good {
-            return Ok(None);
+        for j in count..size {
+            let column = self.upper.col_as_slice_mut(j);
+            scratch.column.clear();
+            scratch.column.extend_from_slice(column);
+            for (to, &from) in column.iter_mut().zip(&self.permutation) {
+                *to = scratch.column[from];
+            }
         }
-    }
-    for j in count..size {
-        let source = front.col_as_slice(j);
-        for (to, &from) in upper.col_as_slice_mut(j).iter_mut().zip(&permutation) {
-            *to = source[from];
-        }
-    }
-    let mut lower = zeros(rest, count)?;
-    lower.copy_from(front.as_ref().submatrix(count, 0, rest, count));
-    let mut schur = zeros(rest, rest)?;
-    schur.copy_from(front.as_ref().submatrix(count, count, rest, rest));
-    {
-        let (factors, beyond) = upper.as_mut().split_at_col_mut(count);
+        let (factors, mut beyond) = self.upper.as_mut().split_at_col_mut(count);
         let factors = factors.as_ref();
-        solve_unit_lower_triangular_in_place(factors, beyond, Par::Seq);
+        solve_unit_lower_triangular_in_place(factors, beyond.as_mut(), Par::Seq);
         // L₂₁ U = F₂₁, transposed: Uᵀ L₂₁ᵀ = F₂₁ᵀ.
-        let transposed = lower.as_mut().transpose_mut();
+        let transposed = self.lower.as_mut().transpose_mut();
         solve_lower_triangular_in_place(factors.transpose(), transposed, Par::Seq);
+        matmul(
+            schur.as_mut(),
+            Accum::Add,
+            self.lower.as_ref(),
+            beyond.as_ref(),
+            -1.0,
+            Par::Seq,
+        );
+        true
     }
-    let beyond = upper.as_ref().subcols(count, rest);
-    matmul(
-        schur.as_mut(),
-        Accum::Add,
-        lower.as_ref(),
-        beyond,
-        -1.0,
-        Par::Seq,
-    );
-    let factors = FrontFactors {
-        pivots: Vec::new(),
-        permutation,
-        upper,
-        lower,
-    };
-    Ok(Some((factors, schur)))
 }
 
 #[cfg(test)]
@@ -580,7 +622,7 @@ mod tests {
             let mut solver = DirectSolver::new(&pattern);
             assert!(solver.factor(&values).unwrap());
             assert!(
-                solver.factors.iter().any(|f| f.pivots.is_empty()),
+                solver.fronts.iter().any(|f| f.pivots.is_empty()),
                 "nothing had to wait"
             );
             let mut found = rhs.col_as_slice(0).to_vec();

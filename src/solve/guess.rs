@@ -9,7 +9,7 @@ use crate::system::System;
 use std::sync::Arc;
 
 /// Largest increment of a quasi-static solve: its square is the error left.
-const TOLERANCE: f64 = 1e-4;
+const TOLERANCE: f64 = 1e-3;
 /// A step that needs more iterations than this is halved.
 const ITERATION_LIMIT: usize = 12;
 /// A step that needs fewer is doubled.
@@ -131,7 +131,9 @@ impl<'a> Tracker<'a> {
                 tolerance: TOLERANCE,
                 iteration_limit: ITERATION_LIMIT,
             };
-            let report = self.newton.solve(&mut trial, &options, self.observe);
+            let report = self
+                .newton
+                .solve_motions(&mut trial, &options, self.observe);
             let (mut outcome, taken, mut explanation) = match report {
                 Ok(report) => (report.outcome, report.iterations.len(), report.explanation),
                 Err(error) if error.kind() == ErrorKind::Callback => return Err(error),

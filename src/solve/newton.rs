@@ -214,7 +214,27 @@ impl Newton {
         options: &NewtonOptions,
         observe: &mut dyn FnMut(&Iteration) -> bool,
     ) -> Result<NewtonReport> {
-        let mut report = self.iterate(state, options, observe)?;
+        self.find(state, options, true, observe)
+    }
+
+    /// As [`Newton::solve`], but whether the multipliers have converged with the motions does not matter.
+    pub(super) fn solve_motions(
+        &mut self,
+        state: &mut GridState,
+        options: &NewtonOptions,
+        observe: &mut dyn FnMut(&Iteration) -> bool,
+    ) -> Result<NewtonReport> {
+        self.find(state, options, false, observe)
+    }
+
+    fn find(
+        &mut self,
+        state: &mut GridState,
+        options: &NewtonOptions,
+        with_multipliers: bool,
+        observe: &mut dyn FnMut(&Iteration) -> bool,
+    ) -> Result<NewtonReport> {
+        let mut report = self.iterate(state, options, with_multipliers, observe)?;
         // Some are singular where they are turned over.
         if matches!(report.outcome, Outcome::Converged | Outcome::Singular)
             && let Some(why) = describe_turned_over(self.equations.system(), state)
@@ -262,6 +282,7 @@ impl Newton {
         &mut self,
         state: &mut GridState,
         options: &NewtonOptions,
+        with_multipliers: bool,
         observe: &mut dyn FnMut(&Iteration) -> bool,
     ) -> Result<NewtonReport> {
         let size = self.equations.size();
@@ -410,7 +431,11 @@ impl Newton {
             while report.iterations.len() < options.iteration_limit
                 && !self.is_contradicted(&residual, options)
             {
-                let left = increment * self.multiplier_change(&step_vector, state);
+                let left = if with_multipliers {
+                    increment * self.multiplier_change(&step_vector, state)
+                } else {
+                    0.0
+                };
                 let ends = simplified.max(left) <= options.tolerance;
                 let expected = simplified * (simplified / before).powi(CHORD_STEPS);
                 if !ends && expected > options.tolerance {

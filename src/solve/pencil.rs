@@ -1,7 +1,7 @@
 //! The quadratic pencil `Q(s) = s² M + s C + K` of small motions, and its inverse at a shift.
 
 use super::direct::DirectSolver;
-use crate::collocation::{Linearisation, Pattern};
+use crate::collocation::{Linearisation, Panel, Pattern};
 use crate::error::Result;
 use nalgebra::Complex;
 
@@ -236,46 +236,29 @@ fn factor_complex(
 ) -> Result<(Option<DirectSolver>, Vec<[usize; 2]>)> {
     let groups = pattern.groups();
     let mut places = vec![[0; 2]; pattern.size()];
-    let mut group_of = vec![0; pattern.size()];
-    for (g, group) in groups.iter().enumerate() {
+    for group in &groups {
         for i in group.clone() {
             let first = 2 * group.start + (i - group.start);
             places[i] = [first, first + group.len()];
-            group_of[i] = g;
         }
     }
-    let (pointers, rows) = (pattern.column_pointers(), pattern.row_indices());
-    let (mut column_pointers, mut row_indices, mut doubled) = (vec![0], Vec::new(), Vec::new());
-    for group in &groups {
-        for column_part in 0..2 {
-            for column in group.clone() {
-                let mut at = pointers[column];
-                let end = pointers[column + 1];
-                while at < end {
-                    let row_group = group_of[rows[at]];
-                    let length = rows[at..end]
-                        .iter()
-                        .take_while(|r| group_of[**r] == row_group);
-                    let next = at + length.count();
-                    for row_part in [0, 1] {
-                        for entry in at..next {
-                            row_indices.push(places[rows[entry]][row_part]);
-                            doubled.push(match (row_part, column_part) {
-                                (0, 1) => -values[entry].im,
-                                (1, 0) => values[entry].im,
-                                _ => values[entry].re,
-                            });
-                        }
-                    }
-                    at = next;
-                }
-                column_pointers.push(row_indices.len());
-            }
-        }
-    }
+    // The values of the four parts one after another, column by column.
+    let mut doubled = Vec::with_capacity(4 * values.len());
+    doubled.extend(values.iter().map(|v| v.re));
+    doubled.extend(values.iter().map(|v| v.im));
+    doubled.extend(values.iter().map(|v| -v.im));
+    doubled.extend(values.iter().map(|v| v.re));
+    let panels = pattern.panels().into_iter().flat_map(|panel| {
+        let (rows, columns) = (groups[panel.row.0].len(), groups[panel.column.0].len());
+        [(0, 0), (1, 0), (0, 1), (1, 1)].map(|(row_part, column_part)| Panel {
+            row: (panel.row.0, panel.row.1 + row_part * rows),
+            column: (panel.column.0, panel.column.1 + column_part * columns),
+            value: panel.value + (2 * column_part + row_part) * values.len(),
+            ..panel
+        })
+    });
     let doubled_groups = groups.iter().map(|g| 2 * g.start..2 * g.end).collect();
-    let structure = (&column_pointers[..], &row_indices[..]);
-    let mut solver = DirectSolver::with_structure(doubled_groups, pattern.node_groups(), structure);
+    let mut solver = DirectSolver::with_panels(doubled_groups, pattern.node_groups(), panels);
     let factored = solver.factor(&doubled)?;
     Ok((factored.then_some(solver), places))
 }
