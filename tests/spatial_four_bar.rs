@@ -46,8 +46,8 @@ fn newton_converges_quadratically_in_at_most_four_iterations() {
         let iterations = &SOLUTIONS[&n].details().report.iterations;
         let increments: Vec<f64> = iterations.iter().map(|i| i.increment).collect();
         println!("N = {n}: increments {increments:?}");
-        assert!((3..=4).contains(&iterations.len()), "N = {n}");
-        for pair in iterations[iterations.len() - 3..].windows(2) {
+        assert!((2..=4).contains(&iterations.len()), "N = {n}");
+        for pair in iterations.windows(2) {
             // 10: the curvature of the equations in their own scales, of order one (measured 0.4 to 1.7).
             // 1e-13: rounding of increments, some hundred units in the last place.
             let bound = 10.0 * pair[0].increment.powi(2) + 1e-13;

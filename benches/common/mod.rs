@@ -1,8 +1,13 @@
 //! Models that the benchmarks share.
 
-use nalgebra::Vector3;
-use periodyn::elements::{Coordinate, JointKind};
+#![allow(dead_code)] // no benchmark needs all of it
+
+pub mod timing;
+
+use nalgebra::{Matrix3, Vector3};
+use periodyn::elements::{Coordinate, JointKind, LoadFrame};
 use periodyn::model::{JointCoordinate, Model, SectionInput, Signal, SpringDefinition};
+use periodyn::motion::Motion;
 use std::f64::consts::TAU;
 
 /// Period of the spatial four-bar's motion, in seconds.
@@ -71,5 +76,127 @@ pub fn spatial_four_bar(elements: usize, degree: usize) -> Model {
         coordinate,
     };
     model.prescribe(at, &turn.unwrap()).unwrap();
+    model
+}
+
+/// Gravity against axis 3.
+fn fall(model: &mut Model) {
+    let constant = |value| Signal::constant(value).unwrap();
+    model.set_gravity([constant(0.0), constant(0.0), constant(-9.81)]);
+}
+
+/// A section with damping of torsion and bending, `seconds` times the stiffness.
+fn damped_in_bending(stiffness: &[f64; 6], mass: &[f64; 4], seconds: f64) -> SectionInput {
+    let mut section = SectionInput::diagonal(stiffness, mass).unwrap();
+    for i in 3..6 {
+        section.damping[(i, i)] = seconds * stiffness[i];
+    }
+    section
+}
+
+/// A force on `node` along axis `component` of space.
+fn push(model: &mut Model, node: usize, component: usize, force: Signal) {
+    let mut components = [(); 6].map(|()| None);
+    components[component] = Some(force);
+    model.add_load(node, LoadFrame::Space, components).unwrap();
+}
+
+/// The shaken nylon rod of `c_examples/forced_cantilever.c`, and its period.
+pub fn forced_cantilever(elements: usize, degree: usize) -> (Model, f64) {
+    let (root, tip) = (Vector3::zeros(), Vector3::x());
+    let stiffness = [785e3, 250e3, 250e3, 14.0, 19.6, 19.6];
+    let nylon = damped_in_bending(&stiffness, &[0.361, 18.0e-6, 9.0e-6, 9.0e-6], 5e-3);
+    let mut model = Model::new();
+    let rod = model
+        .add_straight_beam(&root, &tip, &Vector3::y(), &nylon, elements, degree)
+        .unwrap();
+    let clamp = Motion::identity();
+    model
+        .add_joint(JointKind::Rigid, None, Some(rod.first_node), &clamp, &clamp)
+        .unwrap();
+    fall(&mut model);
+    let shake = Signal::harmonics(0.0, 0.0, &[12.0], &[0.0]).unwrap();
+    push(&mut model, rod.last_node, 2, shake);
+    (model, 0.3)
+}
+
+/// The blade on a turning hub of `c_examples/rotor_blade.c`, and its period.
+pub fn rotor_blade(elements: usize, degree: usize) -> (Model, f64) {
+    let (root, tip) = (Vector3::new(0.0, 0.0, 0.5), Vector3::new(0.0, 0.0, 10.5));
+    let pitch = 8f64.to_radians();
+    let flapwise = Vector3::new(pitch.cos(), pitch.sin(), 0.0);
+    let stiffness = [500e6, 100e6, 100e6, 500e3, 3.87e6, 1.30e6];
+    let profile = damped_in_bending(&stiffness, &[20.0, 0.20, 0.15, 0.05], 0.01);
+    let mut model = Model::new();
+    let hub = model.add_node(&Motion::identity()).unwrap();
+    let blade = model
+        .add_straight_beam(&root, &tip, &flapwise, &profile, elements, degree)
+        .unwrap();
+    let shaft = Model::frame_at("shaft", &Vector3::zeros(), &Vector3::x()).unwrap();
+    let bearing = model
+        .add_joint(JointKind::Revolute, None, Some(hub), &shaft, &shaft)
+        .unwrap();
+    let clamp = Motion::new(Matrix3::identity(), root);
+    model
+        .add_joint(
+            JointKind::Rigid,
+            Some(hub),
+            Some(blade.first_node),
+            &clamp,
+            &clamp,
+        )
+        .unwrap();
+    fall(&mut model);
+    let turn = Signal::harmonics(0.0, TAU, &[], &[]).unwrap();
+    let at = JointCoordinate {
+        joint: bearing,
+        coordinate: Coordinate::Rotation1,
+    };
+    model.prescribe(at, &turn).unwrap();
+    let lift = Signal::harmonics(3000.0, 0.0, &[1000.0, 0.0], &[0.0, 200.0]).unwrap();
+    push(&mut model, blade.last_node, 0, lift);
+    (model, 1.0)
+}
+
+/// The slider-crank with a flexible rod of `c_examples/slider_crank.c`, whose crank turns once in `period`.
+pub fn slider_crank(elements: usize, degree: usize, period: f64) -> Model {
+    let at = |x: f64| Vector3::new(x, 0.0, 0.0);
+    let (pin, wrist) = (at(0.15), at(0.45));
+    let ball = |inertia: f64| Matrix3::identity() * inertia;
+    let mut model = Model::new();
+    let crank = model.add_rigid_body(0.5, &at(0.0), &ball(1e-3)).unwrap();
+    let slider = model.add_rigid_body(0.04, &wrist, &ball(1e-5)).unwrap();
+    let mut steel = SectionInput::diagonal(
+        &[5.85e6, 1.95e6, 1.95e6, 10.1, 13.2, 13.2],
+        &[0.222, 1.0e-6, 0.5e-6, 0.5e-6],
+    )
+    .unwrap();
+    steel.damp_proportionally(1e-4).unwrap();
+    let rod = model
+        .add_straight_beam(&pin, &wrist, &Vector3::y(), &steel, elements, degree)
+        .unwrap();
+    let mut join = |kind, first, second, point: &Vector3<f64>, axis: &Vector3<f64>| {
+        let frame = Model::frame_at("axis", point, axis).unwrap();
+        model
+            .add_joint(kind, first, second, &frame, &frame)
+            .unwrap()
+    };
+    let (turning, axis) = (JointKind::Revolute, Vector3::z());
+    let bearing = join(turning, None, Some(crank), &at(0.0), &axis);
+    join(turning, Some(crank), Some(rod.first_node), &pin, &axis);
+    join(turning, Some(rod.last_node), Some(slider), &wrist, &axis);
+    join(
+        JointKind::Prismatic,
+        None,
+        Some(slider),
+        &wrist,
+        &Vector3::x(),
+    );
+    let turn = Signal::harmonics(0.0, TAU / period, &[], &[]).unwrap();
+    let at = JointCoordinate {
+        joint: bearing,
+        coordinate: Coordinate::Rotation1,
+    };
+    model.prescribe(at, &turn).unwrap();
     model
 }

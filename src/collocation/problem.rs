@@ -101,6 +101,8 @@ pub struct TangentBlocks {
     damping: Vec<Matrix6<f64>>,
     mass: Vec<Matrix6<f64>>,
     gammas: Vec<(DualMatrix, DualMatrix)>,
+    /// Numbers of the pairs of nodes of one element.
+    numbers: Vec<usize>,
     /// `∂constraint/∂λ̇` of each element with internal states, column by column.
     own_rates: Vec<f64>,
 }
@@ -487,12 +489,14 @@ impl Collocation {
         values: &mut [f64],
     ) -> Result<()> {
         self.update_kinematics(state);
-        values.fill(0.0);
+        if self.grid.points() == 1 {
+            // Otherwise all are written that ever are; with given rates some are not.
+            values.fill(0.0);
+        }
         self.sum_elements(state, pattern, blocks, values)?;
         for node in 0..self.system.nodes() {
             self.write_node_columns(node, pattern, blocks, values);
         }
-        self.scale(pattern, values);
         self.add_compliance(pattern, values);
         Ok(())
     }
@@ -535,6 +539,7 @@ impl Collocation {
     ) -> Result<()> {
         let points = self.grid.points();
         let block_count = pattern.pair_count() * points;
+        let first_constraint = 6 * points * self.system.nodes();
         blocks.own_rates.clear();
         for list in [&mut blocks.stiffness, &mut blocks.damping, &mut blocks.mass] {
             list.clear();
@@ -546,12 +551,17 @@ impl Collocation {
             let (has_mass, has_damping) = (placed.element.has_mass(), placed.element.has_damping());
             // Where rates are given inertia is all that matters of masses.
             let mass_alone = has_mass && matches!(self.derivatives, Derivatives::Given(_));
+            blocks.numbers.clear();
+            for &row in nodes {
+                let numbers = nodes.iter().map(|&column| pattern.pair_number(row, column));
+                blocks.numbers.extend(numbers);
+            }
             for k in 0..points {
                 let workspace = &mut self.with_tangents;
                 let contribution = self.instants.evaluate(placed, k, state, workspace)?;
-                for (a, &row) in nodes.iter().enumerate() {
-                    for (b, &column) in nodes.iter().enumerate() {
-                        let at = pattern.pair_number(row, column) * points + k;
+                for a in 0..nodes.len() {
+                    for b in 0..nodes.len() {
+                        let at = blocks.numbers[a * nodes.len() + b] * points + k;
                         let (i, j) = (6 * a, 6 * b);
                         if !mass_alone {
                             blocks.stiffness[at] += contribution.stiffness.fixed_view::<6, 6>(i, j);
@@ -567,6 +577,10 @@ impl Collocation {
                 if count == 0 {
                     continue;
                 }
+                // Scales of the element's own rows and columns, and of the nodes'.
+                let own = first_constraint + placed.first_multiplier * points + count * k;
+                let own_row = |row: usize| self.row_scale[own + row];
+                let own_column = |row: usize| self.column_scale[own + row];
                 // Rates of internal states depend neither on accelerations nor exert forces.
                 let alone = placed.has_states && matches!(self.derivatives, Derivatives::Given(_));
                 let coupled = if alone { 0 } else { nodes.len() };
@@ -574,13 +588,18 @@ impl Collocation {
                     for component in 0..6 {
                         let column = contribution.gradient.column(6 * local + component);
                         let first = pattern.constraint_value(index, local, node, k, component);
-                        values[first..first + count].copy_from_slice(column.as_slice());
+                        for (row, entry) in column.iter().enumerate() {
+                            values[first + row] =
+                                entry * own_row(row) * self.column_scale[component];
+                        }
                     }
                     for row in 0..count {
                         let first = pattern.force_value(index, local, k, row, count);
                         for component in 0..6 {
-                            values[first + component] =
-                                contribution.gradient[(row, 6 * local + component)];
+                            values[first + component] = contribution.gradient
+                                [(row, 6 * local + component)]
+                                * self.row_scale[component]
+                                * own_column(row);
                         }
                     }
                 }
@@ -599,10 +618,11 @@ impl Collocation {
                             };
                             let first = pattern.own_value(index, other, column, count) + count * k;
                             for row in 0..count {
-                                values[first + row] = d * contribution.own_rate[(row, column)];
+                                let mut entry = d * contribution.own_rate[(row, column)];
                                 if other == k && !alone {
-                                    values[first + row] += contribution.own[(row, column)];
+                                    entry += contribution.own[(row, column)];
                                 }
+                                values[first + row] = entry * own_row(row) * own_column(column);
                             }
                         }
                     }
@@ -621,6 +641,8 @@ impl Collocation {
         values: &mut [f64],
     ) {
         let points = self.grid.points();
+        // Those of all nodes are the same.
+        let scale = Matrix6::from_fn(|i, j| self.row_scale[i] * self.column_scale[j]);
         let given = match &self.derivatives {
             Derivatives::Given(given) => Some(given),
             _ => None,
@@ -653,6 +675,7 @@ impl Collocation {
                                 block += self.added_inertia(given);
                             }
                         }
+                        block.component_mul_assign(&scale);
                         for component in 0..6 {
                             let first = pattern.pair_value(column, pair, k, component) + 6 * l;
                             values[first..first + 6]
@@ -667,6 +690,7 @@ impl Collocation {
                     if given.is_none_or(|given| given.elastic) {
                         block += blocks.stiffness[at + k];
                     }
+                    block.component_mul_assign(&scale);
                     for component in 0..6 {
                         let first = pattern.pair_value(column, pair, k, component);
                         values[first..first + 6]

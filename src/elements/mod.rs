@@ -162,15 +162,19 @@ impl Contribution {
 
     /// Sets everything to zero.
     pub fn clear(&mut self) {
-        self.force.fill(0.0);
-        self.constraint.fill(0.0);
+        self.force.as_mut_slice().fill(0.0);
+        self.constraint.as_mut_slice().fill(0.0);
         if self.with_tangents {
-            self.stiffness.fill(0.0);
-            self.damping.fill(0.0);
-            self.mass.fill(0.0);
-            self.gradient.fill(0.0);
-            self.own.fill(0.0);
-            self.own_rate.fill(0.0);
+            for matrix in [
+                &mut self.stiffness,
+                &mut self.damping,
+                &mut self.mass,
+                &mut self.gradient,
+                &mut self.own,
+                &mut self.own_rate,
+            ] {
+                matrix.as_mut_slice().fill(0.0);
+            }
         }
     }
 

@@ -1,6 +1,7 @@
 //! Direct solution of the Jacobian by blocks: multifrontal LU over the graph of nodes and multipliers, with
 //! the N grid points of each kept together, so that all work is done by faer's dense kernels.
 
+use super::dense::{largest, solve_unit_lower, solve_upper, subtract_product};
 use super::ordering::{FrontPlan, plan};
 use crate::collocation::{Panel, Pattern};
 use crate::error::{Error, ErrorKind, Result};
@@ -9,9 +10,8 @@ use faer::linalg::lu::partial_pivoting::factor::{lu_in_place, lu_in_place_scratc
 use faer::linalg::matmul::matmul;
 use faer::linalg::triangular_solve::{
     solve_lower_triangular_in_place, solve_unit_lower_triangular_in_place,
-    solve_upper_triangular_in_place,
 };
-use faer::{Accum, ColMut, ColRef, Mat, MatRef, Par};
+use faer::{Accum, Mat, Par};
 use std::collections::BTreeSet;
 use std::ops::Range;
 
@@ -25,8 +25,6 @@ const ACCURATE: f64 = 1e-10;
 const INACCURATE: f64 = 1e-9;
 /// Most refinements of a solve.
 const REFINEMENTS: usize = 4;
-/// A panel of fewer entries is not worth the call of a dense kernel.
-const SMALL_PANEL: usize = 256;
 
 /// A front, and then its factors: `P F₁₁ = L U`, `U₁₂`, `L₂₁`.
 #[derive(Debug)]
@@ -274,11 +272,9 @@ impl DirectSolver {
             self.gather(&front.pivots, rhs, &mut local);
             y.clear();
             y.extend(front.permutation.iter().map(|&i| local[i]));
-            let factors = front.upper.as_ref().subcols(0, count);
-            let column = ColMut::from_slice_mut(&mut y).as_mat_mut();
-            solve_unit_lower_triangular_in_place(factors, column, Par::Seq);
+            solve_unit_lower(|j| front.upper.col_as_slice(j), &mut y);
             self.gather(&plan.boundary, rhs, &mut local);
-            subtract_product(&mut local, front.lower.as_ref(), &y);
+            subtract_product(&mut local, |j| front.lower.col_as_slice(j), &y);
             self.scatter(&plan.boundary, &local, rhs);
             self.scatter(&front.pivots, &y, rhs);
         }
@@ -289,10 +285,8 @@ impl DirectSolver {
             }
             self.gather(&plan.boundary, rhs, &mut local);
             self.gather(&front.pivots, rhs, &mut y);
-            let (factors, beyond) = front.upper.as_ref().split_at_col(count);
-            subtract_product(&mut y, beyond, &local);
-            let column = ColMut::from_slice_mut(&mut y).as_mat_mut();
-            solve_upper_triangular_in_place(factors, column, Par::Seq);
+            subtract_product(&mut y, |j| front.upper.col_as_slice(count + j), &local);
+            solve_upper(|j| front.upper.col_as_slice(j), &mut y);
             self.scatter(&front.pivots, &y, rhs);
         }
         rhs.iter().all(|x| x.is_finite())
@@ -356,24 +350,11 @@ impl DirectSolver {
         for panel in self.panels.iter().flatten() {
             let row = self.groups[panel.row.0].start + panel.row.1;
             let column = self.groups[panel.column.0].start + panel.column.1;
-            let y = &mut rest[row..][..panel.rows];
-            let x = &x[column..][..panel.columns];
-            if panel.rows * panel.columns < SMALL_PANEL {
-                for (j, x) in x.iter().enumerate() {
-                    let entries = &values[panel.value + j * panel.stride..][..panel.rows];
-                    y.iter_mut().zip(entries).for_each(|(y, a)| *y -= a * x);
-                }
-            } else {
-                let (rows, columns) = (panel.rows, panel.columns);
-                let entries = &values[panel.value..][..(columns - 1) * panel.stride + rows];
-                let block = MatRef::from_column_major_slice_with_stride(
-                    entries,
-                    rows,
-                    columns,
-                    panel.stride,
-                );
-                subtract_product(y, block, x);
-            }
+            subtract_product(
+                &mut rest[row..][..panel.rows],
+                |j| &values[panel.value + j * panel.stride..][..panel.rows],
+                &x[column..][..panel.columns],
+            );
         }
         rest
     }
@@ -393,22 +374,6 @@ impl DirectSolver {
             first += length;
         }
     }
-}
-
-fn largest(values: &[f64]) -> f64 {
-    values.iter().fold(0.0, |m: f64, x| m.max(x.abs()))
-}
-
-/// `y −= A x`.
-fn subtract_product(y: &mut [f64], a: MatRef<f64>, x: &[f64]) {
-    matmul(
-        ColMut::from_slice_mut(y).as_mat_mut(),
-        Accum::Add,
-        a,
-        ColRef::from_slice(x).as_mat(),
-        -1.0,
-        Par::Seq,
-    );
 }
 
 /// Whether a permutation takes an odd number of exchanges.

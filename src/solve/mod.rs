@@ -4,6 +4,7 @@ mod adaptive;
 mod assembly;
 mod branch;
 mod consistent;
+mod dense;
 mod diagnosis;
 mod direct;
 mod eigen;

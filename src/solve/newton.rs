@@ -1,6 +1,7 @@
 //! Newton's method with the exact tangent and a line search that does not depend on scaling.
 
 use super::assembly::describe_turned_over;
+use super::dense::largest;
 use super::diagnosis::{Singularity, describe_inconsistency, describe_open_joint, diagnose};
 use super::direct::DirectSolver;
 use crate::collocation::{Collocation, GridState, Pattern, TangentBlocks};
@@ -47,7 +48,7 @@ pub struct Iteration {
     /// to the characteristic length.
     pub residual: f64,
     /// Largest increment of a motion: displacements relative to the characteristic length, turns in
-    /// radians.
+    /// radians. An iteration that uses the Jacobian of the one before takes several; this is the last.
     pub increment: f64,
     /// Fraction of the increment that was taken.
     pub step: f64,
@@ -117,6 +118,8 @@ const SHORTEST_STEP: f64 = 1.0 / 256.0;
 const LARGEST_TURN: f64 = 1.0;
 /// The same matrix is used again while it is expected to end the iteration within so many steps.
 const CHORD_STEPS: i32 = 3;
+/// Largest contraction, from one increment to the next with the same matrix, that is worth another.
+const CHORD_CONTRACTION: f64 = 0.2;
 /// Largest contraction, from one increment to the next with the same matrix, that leaves its determinant as it is.
 const FAITHFUL: f64 = 0.05;
 /// Growth that means a singular matrix.
@@ -175,16 +178,14 @@ impl Newton {
     /// Largest motion increment in scaled unknowns.
     fn motion_norm(&self, scaled: &[f64]) -> f64 {
         let motions = 6 * self.equations.system().nodes() * self.equations.grid().points();
-        scaled[..motions]
-            .iter()
-            .fold(0.0, |m: f64, x| m.max(x.abs()))
+        largest(&scaled[..motions])
     }
 
     /// Largest increment of a multiplier in scaled unknowns, relative to the largest multiplier.
     fn multiplier_change(&self, scaled: &[f64], state: &GridState) -> f64 {
         let first = scaled.len() - state.multipliers.len();
         let scales = &self.equations.column_scale()[first..];
-        let change = scaled[first..].iter().fold(0.0, |m: f64, x| m.max(x.abs()));
+        let change = largest(&scaled[first..]);
         let values = state.multipliers.iter().zip(scales);
         let largest = values.fold(0.0, |m: f64, (x, s)| m.max((x / s).abs()));
         if change == 0.0 {
@@ -328,7 +329,7 @@ impl Newton {
             let increment = self.motion_norm(&step_vector);
             let mut iteration = Iteration {
                 number,
-                residual: residual.iter().fold(0.0, |m, x| m.max(x.abs())),
+                residual: largest(&residual),
                 increment,
                 step: 1.0,
             };
@@ -428,19 +429,29 @@ impl Newton {
             let mut before = increment;
             let mut simplified = self.motion_norm(&step_vector);
             self.contraction = Some(simplified / before);
-            while report.iterations.len() < options.iteration_limit
-                && !self.is_contradicted(&residual, options)
-            {
+            if report.iterations.len() == options.iteration_limit {
+                break;
+            }
+            let mut chord = Iteration {
+                number: report.iterations.len() + 1,
+                residual: largest(&residual),
+                increment: 0.0,
+                step: 0.0,
+            };
+            let mut ends = false;
+            while !ends && !self.is_contradicted(&residual, options) {
                 let left = if with_multipliers {
                     increment * self.multiplier_change(&step_vector, state)
                 } else {
                     0.0
                 };
-                let ends = simplified.max(left) <= options.tolerance;
-                let expected = simplified * (simplified / before).powi(CHORD_STEPS);
-                if !ends && expected > options.tolerance {
+                ends = simplified.max(left) <= options.tolerance;
+                let contraction = simplified / before;
+                let expected = simplified * contraction.powi(CHORD_STEPS);
+                if !ends && (contraction > CHORD_CONTRACTION || expected > options.tolerance) {
                     break;
                 }
+                let length = simplified;
                 let scales = self.equations.column_scale();
                 let change: Vec<f64> = step_vector
                     .iter()
@@ -448,12 +459,6 @@ impl Newton {
                     .map(|(x, s)| -x * s)
                     .collect();
                 let trial = state.incremented(&system, &change, 1.0);
-                let iteration = Iteration {
-                    number: report.iterations.len() + 1,
-                    residual: residual.iter().fold(0.0, |m, x| m.max(x.abs())),
-                    increment: simplified,
-                    step: 1.0,
-                };
                 if !ends {
                     let evaluated = timed(&mut self.timings.assembly, || {
                         self.equations.residual(&trial, &mut trial_residual)
@@ -465,7 +470,7 @@ impl Newton {
                     }
                     step_vector.copy_from_slice(&trial_residual);
                     let solved = evaluated.is_ok() && self.solve_linear(&mut step_vector)?;
-                    before = simplified;
+                    before = length;
                     simplified = self.motion_norm(&step_vector);
                     // Written so that NaN ends it too.
                     let nearer = solved && simplified < before;
@@ -475,16 +480,20 @@ impl Newton {
                     residual.copy_from_slice(&trial_residual);
                 }
                 *state = trial;
-                report.iterations.push(iteration);
-                let keep_going = observe(&iteration);
-                if ends {
-                    report.outcome = Outcome::Converged;
-                    return Ok(report);
-                }
-                if !keep_going {
-                    report.outcome = Outcome::Cancelled;
-                    return Ok(report);
-                }
+                (chord.increment, chord.step) = (length, 1.0);
+            }
+            if chord.step == 0.0 {
+                continue;
+            }
+            report.iterations.push(chord);
+            let keep_going = observe(&chord);
+            if ends || !keep_going {
+                report.outcome = if ends {
+                    Outcome::Converged
+                } else {
+                    Outcome::Cancelled
+                };
+                return Ok(report);
             }
         }
         if self.is_contradicted(&residual, options) {
@@ -516,7 +525,6 @@ impl Newton {
         if !self.solver.solve(&mut probe) {
             return f64::INFINITY;
         }
-        let largest = |values: &[f64]| values.iter().fold(0.0f64, |m, x| m.max(x.abs()));
         largest(&probe) * largest(&self.values)
     }
 }
