@@ -9,7 +9,7 @@ use crate::error::Result;
 use crate::fourier::{Differentiation, TimeGrid};
 use crate::motion::DualMatrix;
 use crate::system::{Conditions, OwnValues, Placed, System, Workspace};
-use nalgebra::{Matrix3, Matrix6, Vector6};
+use nalgebra::{Matrix6, Vector6};
 use std::sync::Arc;
 
 /// Scaled compliance of dependent constraints in the Jacobian. Newton's method loses this factor, over
@@ -662,8 +662,9 @@ impl Collocation {
                 if pair.dense {
                     for l in 0..points {
                         let (gamma_v, gamma_a) = &blocks.gammas[k * points + l];
-                        let mut block = times_twist_matrix(&blocks.mass[at + l], gamma_a);
-                        block += times_twist_matrix(&blocks.damping[at + l], gamma_v);
+                        let mut block = Matrix6::zeros();
+                        add_product(&mut block, &blocks.mass[at + l], gamma_a);
+                        add_product(&mut block, &blocks.damping[at + l], gamma_v);
                         if l == k && given.is_none_or(|given| given.elastic) {
                             block += blocks.stiffness[at + l];
                         }
@@ -751,16 +752,17 @@ impl Collocation {
     }
 }
 
-/// `m [P D; 0 P]`, sparing the zeros.
+/// Adds `m [P D; 0 P]`, sparing the zeros.
 #[inline]
-fn times_twist_matrix(m: &Matrix6<f64>, gamma: &DualMatrix) -> Matrix6<f64> {
-    let left = m.fixed_columns::<3>(0);
-    let right = m.fixed_columns::<3>(3);
-    let (p, d): (&Matrix3<f64>, &Matrix3<f64>) = (&gamma.primal, &gamma.dual);
-    let mut product = Matrix6::zeros();
-    product.fixed_columns_mut::<3>(0).copy_from(&(left * p));
-    product
-        .fixed_columns_mut::<3>(3)
-        .copy_from(&(left * d + right * p));
-    product
+fn add_product(sum: &mut Matrix6<f64>, m: &Matrix6<f64>, gamma: &DualMatrix) {
+    let (m, sum) = (&m.data.0, &mut sum.data.0);
+    for j in 0..3 {
+        for i in 0..3 {
+            let (p, d) = (gamma.primal[(i, j)], gamma.dual[(i, j)]);
+            for row in 0..6 {
+                sum[j][row] += m[i][row] * p;
+                sum[j + 3][row] += m[i][row] * d + m[i + 3][row] * p;
+            }
+        }
+    }
 }

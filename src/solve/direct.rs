@@ -57,6 +57,8 @@ pub struct DirectSolver {
     waits: Vec<bool>,
     fronts: Vec<Front>,
     factored: bool,
+    /// Largest entry of the matrix.
+    largest_entry: f64,
     /// Whether solves with the present factors are known to need no refinement.
     accurate: bool,
     smallest_pivot: f64,
@@ -101,6 +103,7 @@ impl DirectSolver {
             plans,
             panels: panels_of,
             factored: false,
+            largest_entry: 0.0,
             accurate: false,
             smallest_pivot: SMALLEST_PIVOT,
         }
@@ -117,6 +120,7 @@ impl DirectSolver {
     pub fn factor(&mut self, values: &[f64]) -> Result<bool> {
         self.factored = false;
         self.accurate = false;
+        self.largest_entry = 0.0;
         let mut remainders: Vec<Option<Remainder>> = Vec::with_capacity(self.plans.len());
         let mut place = vec![usize::MAX; self.groups.len()];
         let mut scratch = Scratch::new(0);
@@ -170,6 +174,13 @@ impl DirectSolver {
                 }
             };
             self.fronts[f] = front;
+            // Where the entries have just been read.
+            for panel in &self.panels[f] {
+                for column in 0..panel.columns {
+                    let entries = &values[panel.value + column * panel.stride..][..panel.rows];
+                    self.largest_entry = self.largest_entry.max(largest(entries));
+                }
+            }
             for &child in &self.plans[f].children {
                 remainders[child] = None;
             }
@@ -240,6 +251,11 @@ impl DirectSolver {
             }
         }
         Ok(schur)
+    }
+
+    /// Size of the largest entry of the matrix that was factored.
+    pub fn largest_entry(&self) -> f64 {
+        self.largest_entry
     }
 
     /// Sign and logarithm of the size of the determinant of the matrix that was factored.

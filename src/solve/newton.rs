@@ -120,6 +120,8 @@ const LARGEST_TURN: f64 = 1.0;
 const CHORD_STEPS: i32 = 3;
 /// Largest contraction, from one increment to the next with the same matrix, that is worth another.
 const CHORD_CONTRACTION: f64 = 0.2;
+/// Error that the last step with the same matrix may leave, relative to the tolerance.
+const CHORD_ERROR: f64 = 1e-3;
 /// Largest contraction, from one increment to the next with the same matrix, that leaves its determinant as it is.
 const FAITHFUL: f64 = 0.05;
 /// Growth that means a singular matrix.
@@ -440,15 +442,18 @@ impl Newton {
             };
             let mut ends = false;
             while !ends && !self.is_contradicted(&residual, options) {
-                let left = if with_multipliers {
-                    increment * self.multiplier_change(&step_vector, state)
+                let change = if with_multipliers {
+                    self.multiplier_change(&step_vector, state)
                 } else {
                     0.0
                 };
-                ends = simplified.max(left) <= options.tolerance;
                 let contraction = simplified / before;
+                let contracts = contraction <= CHORD_CONTRACTION;
+                let left = simplified.max(change) * contraction;
+                ends = simplified.max(increment * change) <= options.tolerance
+                    && (!with_multipliers || !contracts || left <= CHORD_ERROR * options.tolerance);
                 let expected = simplified * contraction.powi(CHORD_STEPS);
-                if !ends && (contraction > CHORD_CONTRACTION || expected > options.tolerance) {
+                if !ends && (!contracts || expected > options.tolerance) {
                     break;
                 }
                 let length = simplified;
@@ -525,6 +530,6 @@ impl Newton {
         if !self.solver.solve(&mut probe) {
             return f64::INFINITY;
         }
-        largest(&probe) * largest(&self.values)
+        largest(&probe) * self.solver.largest_entry()
     }
 }
