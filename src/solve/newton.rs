@@ -120,8 +120,9 @@ const LARGEST_TURN: f64 = 1.0;
 const CHORD_STEPS: i32 = 3;
 /// Largest contraction, from one increment to the next with the same matrix, that is worth another.
 const CHORD_CONTRACTION: f64 = 0.2;
-/// Error that the last step with the same matrix may leave, relative to the tolerance.
-const CHORD_ERROR: f64 = 1e-3;
+/// Error that the last step may leave in multipliers, and in motions after steps with the same matrix,
+/// relative to the tolerance.
+const ERROR_LEFT: f64 = 1e-3;
 /// Largest contraction, from one increment to the next with the same matrix, that leaves its determinant as it is.
 const FAITHFUL: f64 = 0.05;
 /// Growth that means a singular matrix.
@@ -341,9 +342,14 @@ impl Newton {
                 .map(|(x, s)| x * s)
                 .collect();
             let system = self.equations.system().clone();
-            let converged = increment <= options.tolerance;
+            let settled = increment <= options.tolerance;
+            // Forces that are still to change much are off by as much as the motions are.
+            let converged = settled
+                && (!with_multipliers
+                    || increment * self.multiplier_change(&step_vector, state)
+                        <= ERROR_LEFT * options.tolerance);
             // Multipliers that have no effect grow without bound, and nothing else moves.
-            if converged && self.is_contradicted(&residual, options) {
+            if settled && self.is_contradicted(&residual, options) {
                 report.outcome = Outcome::Inconsistent;
                 report.explanation = describe_inconsistency(&self.equations, &residual);
                 return Ok(report);
@@ -451,7 +457,7 @@ impl Newton {
                 let contracts = contraction <= CHORD_CONTRACTION;
                 let left = simplified.max(change) * contraction;
                 ends = simplified.max(increment * change) <= options.tolerance
-                    && (!with_multipliers || !contracts || left <= CHORD_ERROR * options.tolerance);
+                    && (!with_multipliers || !contracts || left <= ERROR_LEFT * options.tolerance);
                 let expected = simplified * contraction.powi(CHORD_STEPS);
                 if !ends && (!contracts || expected > options.tolerance) {
                     break;
