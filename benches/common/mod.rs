@@ -88,8 +88,8 @@ fn fall(model: &mut Model) {
 /// A section with damping of torsion and bending, `seconds` times the stiffness.
 fn damped_in_bending(stiffness: &[f64; 6], mass: &[f64; 4], seconds: f64) -> SectionInput {
     let mut section = SectionInput::diagonal(stiffness, mass).unwrap();
-    for i in 3..6 {
-        section.damping[(i, i)] = seconds * stiffness[i];
+    for (i, stiffness) in stiffness.iter().enumerate().skip(3) {
+        section.damping[(i, i)] = seconds * stiffness;
     }
     section
 }
