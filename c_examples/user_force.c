@@ -133,7 +133,7 @@ done:
 int main(int argc, char **argv)
 {
     check_options(argc, argv, "--grid --out");
-    const size_t grid = option_count(argc, argv, "--grid", 81);
+    const size_t grid = option_count(argc, argv, "--grid", 0); /* 0: as many as needed */
     FILE *file = open_out(argc, argv);
 
     const double period = 0.5; /* s */

@@ -6,7 +6,7 @@ mod shooting;
 
 use common::*;
 use nalgebra::{DVector, Matrix3, Vector3, Vector6};
-use periodyn::elements::{Coordinate, JointKind, MaxwellBranch};
+use periodyn::elements::{Coordinate, JointKind};
 use periodyn::error::ErrorKind;
 use periodyn::model::*;
 use periodyn::motion::Motion;
@@ -486,36 +486,6 @@ fn marching_until_periodic_takes_as_long_as_the_damping_says() {
     assert_eq!(stopped.times().len(), 11);
 }
 
-// Pendulum with a Zener element of tests/viscoelasticity.rs.
-const ARM: f64 = 0.7;
-const BOB: f64 = 1.3;
-const ZENER: [f64; 3] = [6.0, 4.0, 0.3];
-
-fn zener_pendulum() -> (Model, usize, usize) {
-    let mut model = Model::new();
-    let spin = Matrix3::from_diagonal(&Vector3::new(0.1, 0.2, 0.15));
-    let body = model
-        .add_rigid_body(BOB, &Vector3::new(0.0, 0.0, -ARM), &spin)
-        .unwrap();
-    let hinge = revolute(
-        &mut model,
-        None,
-        Some(body),
-        &Vector3::zeros(),
-        &Vector3::y(),
-    );
-    model.set_gravity([0.0, 0.0, -GRAVITY].map(|g| Signal::constant(g).unwrap()));
-    let branch = MaxwellBranch {
-        stiffness: ZENER[1],
-        relaxation_time: ZENER[2],
-    };
-    let force = model
-        .add_viscoelastic(rotation1(hinge), ZENER[0], 0.0, &[branch])
-        .unwrap();
-    model.add_actuator(rotation1(hinge), &cosine(9.0)).unwrap();
-    (model, hinge, force)
-}
-
 const ANGLE: JointQuantity = JointQuantity::Coordinate(Coordinate::Rotation1);
 const RATE: JointQuantity = JointQuantity::Rate(Coordinate::Rotation1);
 
@@ -523,10 +493,10 @@ const RATE: JointQuantity = JointQuantity::Rate(Coordinate::Rotation1);
 fn a_zener_pendulum_follows_its_equation_integrated() {
     let (model, hinge, force) = zener_pendulum();
     let omega = 3.0;
-    let inertia = 0.2 + BOB * ARM * ARM;
+    let inertia = 0.2 + ZENER_BOB * ZENER_ARM * ZENER_ARM;
     let f = |t: f64, x: &DVector<f64>| {
         let torque = 9.0 * (omega * t).cos()
-            - BOB * GRAVITY * ARM * x[0].sin()
+            - ZENER_BOB * GRAVITY * ZENER_ARM * x[0].sin()
             - ZENER[0] * x[0]
             - ZENER[1] * x[2];
         DVector::from_column_slice(&[x[1], torque / inertia, x[1] - x[2] / ZENER[2]])

@@ -3,8 +3,8 @@
 mod common;
 
 use common::*;
-use nalgebra::{Complex, Matrix3, Vector3};
-use periodyn::elements::{Coordinate, MaxwellBranch};
+use nalgebra::Complex;
+use periodyn::elements::Coordinate;
 use periodyn::error::ErrorKind;
 use periodyn::model::*;
 use periodyn::output::{JointQuantity, Solution};
@@ -121,29 +121,9 @@ fn an_oscillator_has_its_closed_form_and_floquet_multipliers() {
 
 #[test]
 fn a_double_pendulum_agrees_with_collocation() {
-    let mut model = Model::new();
-    let spin = Matrix3::from_diagonal(&Vector3::new(0.02, 0.03, 0.01));
-    let at = |z: f64| Vector3::new(0.0, 0.0, z);
-    let first = model.add_rigid_body(1.0, &at(-0.3), &spin).unwrap();
-    let second = model.add_rigid_body(0.7, &at(-0.9), &spin).unwrap();
-    let y = Vector3::y();
-    let shoulder = revolute(&mut model, None, Some(first), &at(0.0), &y);
-    let elbow = revolute(&mut model, Some(first), Some(second), &at(-0.6), &y);
-    for (joint, damping) in [(shoulder, 0.5), (elbow, 0.3)] {
-        model
-            .add_spring_damper(SpringDefinition {
-                at: rotation1(joint),
-                stiffness: 0.0,
-                damping,
-                rest: 0.0,
-            })
-            .unwrap();
-    }
-    model
-        .add_actuator(rotation1(shoulder), &cosine(3.0))
-        .unwrap();
-    model.set_gravity([0.0, 0.0, -9.81].map(|g| Signal::constant(g).unwrap()));
-    compare(&model, 1.7, elbow, Coordinate::Rotation1, 61, 200);
+    let (model, elbow) = double_pendulum();
+    let coordinate = Coordinate::Rotation1;
+    compare(&model, DOUBLE_PENDULUM_PERIOD, elbow, coordinate, 61, 200);
 }
 
 #[test]
@@ -175,26 +155,7 @@ fn a_flexible_four_bar_agrees_with_collocation() {
 
 #[test]
 fn a_zener_pendulum_agrees_with_collocation() {
-    let mut model = Model::new();
-    let spin = Matrix3::from_diagonal(&Vector3::new(0.1, 0.2, 0.15));
-    let centre = Vector3::new(0.0, 0.0, -0.7);
-    let body = model.add_rigid_body(1.3, &centre, &spin).unwrap();
-    let hinge = revolute(
-        &mut model,
-        None,
-        Some(body),
-        &Vector3::zeros(),
-        &Vector3::y(),
-    );
-    model.set_gravity([0.0, 0.0, -9.81].map(|g| Signal::constant(g).unwrap()));
-    let branch = MaxwellBranch {
-        stiffness: 4.0,
-        relaxation_time: 0.3,
-    };
-    model
-        .add_viscoelastic(rotation1(hinge), 6.0, 0.0, &[branch])
-        .unwrap();
-    model.add_actuator(rotation1(hinge), &cosine(9.0)).unwrap();
+    let (model, hinge, _) = zener_pendulum();
     compare(&model, TAU / 3.0, hinge, Coordinate::Rotation1, 61, 200);
     let solution = shoot(&model, TAU / 3.0, 200);
     assert_eq!(floquet(&solution).len(), 3);

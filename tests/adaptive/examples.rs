@@ -299,34 +299,11 @@ impl<F: Fn(f64) -> f64 + Send + Sync + 'static> SignalFunctionOf<F> {
     }
 }
 
-/// Two rigid bodies that swing through large angles under gravity, driven at the shoulder.
-pub fn double_pendulum() -> Example {
-    let mut model = Model::new();
-    let spin = diagonal(0.02, 0.03, 0.01);
-    let at = |z: f64| Vector3::new(0.0, 0.0, z);
-    let first = model.add_rigid_body(1.0, &at(-0.3), &spin).unwrap();
-    let second = model.add_rigid_body(0.7, &at(-0.9), &spin).unwrap();
-    let y = Vector3::y();
-    let shoulder = revolute(&mut model, None, Some(first), &at(0.0), &y);
-    let elbow = revolute(&mut model, Some(first), Some(second), &at(-0.6), &y);
-    for (joint, damping) in [(shoulder, 0.5), (elbow, 0.3)] {
-        model
-            .add_spring_damper(SpringDefinition {
-                at: rotation1(joint),
-                stiffness: 0.0,
-                damping,
-                rest: 0.0,
-            })
-            .unwrap();
-    }
-    model
-        .add_actuator(rotation1(shoulder), &cosine(3.0))
-        .unwrap();
-    gravity(&mut model, [0.0, 0.0, -9.81]);
+pub fn swinging() -> Example {
     Example {
         name: "double pendulum",
-        model,
-        period: 1.7,
+        model: double_pendulum().0,
+        period: DOUBLE_PENDULUM_PERIOD,
     }
 }
 
@@ -386,6 +363,6 @@ pub fn smooth() -> Vec<Example> {
         scotch_yoke(),
         duffing(),
         high_harmonic(),
-        double_pendulum(),
+        swinging(),
     ]
 }

@@ -4,7 +4,7 @@
 #![allow(dead_code)]
 
 use nalgebra::{Matrix3, Matrix6, Vector3};
-use periodyn::elements::{Coordinate, JointKind, LoadFrame};
+use periodyn::elements::{Coordinate, JointKind, LoadFrame, MaxwellBranch};
 use periodyn::model::*;
 use periodyn::motion::Motion;
 use periodyn::output::{JointQuantity, NodeQuantity, Solution};
@@ -44,6 +44,62 @@ pub fn oscillator() -> (Model, usize) {
         .unwrap();
     model.add_actuator(at, &cosine(force)).unwrap();
     (model, at.joint)
+}
+
+/// Two rigid bodies that swing through large angles under gravity, driven at the shoulder; and the elbow's joint.
+pub fn double_pendulum() -> (Model, usize) {
+    let mut model = Model::new();
+    let spin = Matrix3::from_diagonal(&Vector3::new(0.02, 0.03, 0.01));
+    let at = |z: f64| Vector3::new(0.0, 0.0, z);
+    let first = model.add_rigid_body(1.0, &at(-0.3), &spin).unwrap();
+    let second = model.add_rigid_body(0.7, &at(-0.9), &spin).unwrap();
+    let y = Vector3::y();
+    let shoulder = revolute(&mut model, None, Some(first), &at(0.0), &y);
+    let elbow = revolute(&mut model, Some(first), Some(second), &at(-0.6), &y);
+    for (joint, damping) in [(shoulder, 0.5), (elbow, 0.3)] {
+        model
+            .add_spring_damper(SpringDefinition {
+                at: rotation1(joint),
+                stiffness: 0.0,
+                damping,
+                rest: 0.0,
+            })
+            .unwrap();
+    }
+    model
+        .add_actuator(rotation1(shoulder), &cosine(3.0))
+        .unwrap();
+    model.set_gravity([0.0, 0.0, -9.81].map(|g| Signal::constant(g).unwrap()));
+    (model, elbow)
+}
+
+/// Period of its drive.
+pub const DOUBLE_PENDULUM_PERIOD: f64 = 1.7;
+
+/// Pendulum with a Zener element: length and mass of the arm, and the element's long-term stiffness, stiffness of
+/// its branch and relaxation time.
+pub const ZENER_ARM: f64 = 0.7;
+pub const ZENER_BOB: f64 = 1.3;
+pub const ZENER: [f64; 3] = [6.0, 4.0, 0.3];
+
+/// The pendulum, its hinge, and the element.
+pub fn zener_pendulum() -> (Model, usize, usize) {
+    let mut model = Model::new();
+    let spin = Matrix3::from_diagonal(&Vector3::new(0.1, 0.2, 0.15));
+    let centre = Vector3::new(0.0, 0.0, -ZENER_ARM);
+    let body = model.add_rigid_body(ZENER_BOB, &centre, &spin).unwrap();
+    let y = Vector3::y();
+    let hinge = revolute(&mut model, None, Some(body), &Vector3::zeros(), &y);
+    model.set_gravity([0.0, 0.0, -9.81].map(|g| Signal::constant(g).unwrap()));
+    let branch = MaxwellBranch {
+        stiffness: ZENER[1],
+        relaxation_time: ZENER[2],
+    };
+    let force = model
+        .add_viscoelastic(rotation1(hinge), ZENER[0], 0.0, &[branch])
+        .unwrap();
+    model.add_actuator(rotation1(hinge), &cosine(9.0)).unwrap();
+    (model, hinge, force)
 }
 
 /// Options with the tolerance of all tests: the square of such an increment is below rounding, so that
