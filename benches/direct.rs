@@ -7,7 +7,6 @@ mod common;
 
 use common::timing::{TITLES, product_time, solve_and_print};
 use common::{PERIOD, forced_cantilever, rotor_blade, slider_crank, spatial_four_bar};
-
 use std::f64::consts::TAU;
 
 fn main() {
@@ -41,12 +40,13 @@ fn main() {
             &points,
             product,
         );
-        let crank = slider_crank(elements, degree, TAU / 120.0);
+        let period = TAU / 120.0;
+        let crank = slider_crank(elements, degree, period);
         solve_and_print(
             &format!("slider-crank, {mesh}"),
             &crank,
-            0.05,
-            &[21, 41],
+            period,
+            &points,
             product,
         );
     }
