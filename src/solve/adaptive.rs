@@ -55,6 +55,8 @@ const GROWTH: [f64; 3] = [1.3, 4.0, 2.0];
 const AIM: f64 = 0.1;
 /// A measured error this many times its estimate shows that the decay deceives.
 const DECEIVED: f64 = 10.0;
+/// A difference of solutions that is larger is none of rounding.
+const ROUNDING: f64 = 1e-10;
 /// From this number of points on they are chosen for quick Fourier transforms.
 const LARGE: usize = 64;
 
@@ -139,7 +141,7 @@ fn quick(points: usize) -> usize {
     candidate
 }
 
-/// Highest harmonic of the signals that counts.
+/// Highest harmonic of the signals that counts, of those below half of [`PROBE`].
 fn highest_harmonic(system: &System, period: f64) -> Result<usize> {
     let grid = TimeGrid::new(PROBE, period)?;
     let count = system.signals();
@@ -175,6 +177,8 @@ impl Attempts<'_> {
         adaptation: &Adaptation,
         start: Option<GridState>,
     ) -> Result<(GridState, NewtonReport)> {
+        // What a user's force does in time is not known beforehand: one grid alone may miss it.
+        let mut deceivable = start.is_none() && self.system.calls_functions();
         let (mut state, mut report) = match start {
             Some(state) => self.newton(state)?,
             None => self.on_first_grid()?,
@@ -204,11 +208,12 @@ impl Attempts<'_> {
                 iterations: report.iterations.len(),
                 error_estimate: found.error,
             });
-            // What a user's force does in time is not known beforehand: one grid alone may miss it.
-            let deceivable = before.is_none() && self.system.calls_functions();
-            if found.error <= adaptation.error_tolerance && !deceivable {
+            let next = adaptation.next(points, &found);
+            let accepted = found.error <= adaptation.error_tolerance;
+            if accepted && (!deceivable || next <= points) {
                 return Ok((state, report));
             }
+            deceivable = false;
             let mut missed = |why: &str| {
                 report.outcome = Outcome::ToleranceNotMet;
                 report.explanation = format!(
@@ -216,11 +221,12 @@ impl Attempts<'_> {
                     found.error, adaptation.error_tolerance
                 );
             };
-            if found.decay.kind == DecayKind::Rounding && !deceivable {
+            // Unless it is that of a motion which the harmonics do not show.
+            let is_rounding = found.decay.kind == DecayKind::Rounding && found.error < ROUNDING;
+            if is_rounding && !accepted {
                 missed("rounding allows no less, as the harmonics no longer fall");
                 return Ok((state, report));
             }
-            let next = adaptation.next(points, &found);
             if next <= points {
                 missed(&format!(
                     "no more than {} grid points are allowed{}",
@@ -251,7 +257,8 @@ impl Attempts<'_> {
                     before = start.map(|start| (own, start));
                     (state, report) = (fine, fine_report);
                 }
-                Outcome::Cancelled => return Ok((fine, fine_report)),
+                // That constraints contradict each other may show between the points of a coarse grid only.
+                Outcome::Cancelled | Outcome::Inconsistent => return Ok((fine, fine_report)),
                 outcome => {
                     missed(&format!(
                         "no solution was found on {next} points ({})",

@@ -6,11 +6,15 @@ mod examples;
 
 use common::*;
 use examples::*;
-use nalgebra::Matrix3;
+use nalgebra::{Matrix3, Vector3};
 use periodyn::collocation::DecayKind;
+use periodyn::elements::{Coordinate, CoordinateLaw, Effort};
 use periodyn::fourier::{FilterKind, SpectralFilter};
-use periodyn::output::{BeamQuantity, NodeQuantity, Solution};
+use periodyn::model::SpringDefinition;
+use periodyn::output::{BeamQuantity, JointQuantity, NodeQuantity, Solution};
 use periodyn::solve::*;
+use std::f64::consts::TAU;
+use std::sync::Arc;
 
 /// Points of the reference, whose own error is below 5e-12 on all smooth examples.
 const REFERENCE: usize = 81;
@@ -92,6 +96,49 @@ fn the_tolerance_is_met_and_the_estimate_honest_on_all_smooth_examples() {
         }
     }
     assert!(failures.is_empty(), "{failures:?}");
+}
+
+#[test]
+fn what_a_users_force_hides_between_points_is_found() {
+    // On the first grid, of 11 points, this harmonic is a constant.
+    let (mass, stiffness, damping, period, harmonic) = (2.0, 5e3, 3.0, 2.0, 44.0);
+    let omega = harmonic * TAU / period;
+    let (mut model, at) = mass_on_a_slide(mass, &Vector3::z());
+    model
+        .add_spring_damper(SpringDefinition {
+            at,
+            stiffness,
+            damping,
+            rest: 0.0,
+        })
+        .unwrap();
+    let law = CoordinateLaw {
+        function: Arc::new(move |at| {
+            Ok(Effort {
+                value: -1e4 * (omega * at.time).cos(),
+                ..Effort::default()
+            })
+        }),
+        gives_derivatives: false,
+    };
+    model.add_coordinate_law(at, law).unwrap();
+    let example = Example {
+        name: "hidden",
+        model,
+        period,
+    };
+    let found = adaptive(&example, 1e-8, 255);
+    println!("{}", found.report());
+    assert_eq!(found.outcome(), Outcome::Converged);
+    // (k − m ω² + i c ω) u = F
+    let (real, imaginary) = (stiffness - mass * omega * omega, damping * omega);
+    let exact = 1e4 * real / (real * real + imaginary * imaginary);
+    let slide = JointQuantity::Coordinate(Coordinate::Displacement1);
+    let start = found.joint(0, slide, &[0.0]).unwrap()[0];
+    assert!(
+        exact.abs() > 1e-2 && (start - exact).abs() < 1e-8,
+        "{start} {exact}"
+    );
 }
 
 #[test]
