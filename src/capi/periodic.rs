@@ -14,7 +14,8 @@ use crate::model::Model;
 use crate::motion::{Motion, is_rotation, polar_rotation};
 use crate::output::Solution;
 use crate::solve::{
-    Adaptation, GridPoints, InitialGuess, Iteration, NewtonOptions, PeriodicOptions, Stage,
+    Adaptation, GridPoints, InitialGuess, Iteration, LinearMethod, NewtonOptions, PeriodicOptions,
+    Stage,
 };
 use crate::system::System;
 use nalgebra::{Matrix3, Vector3};
@@ -274,6 +275,7 @@ fn read_options(
         InitialGuess::State(read_guess(call, given, model, grid)?)
     };
     Ok(PeriodicOptions {
+        linear: LinearMethod::Automatic,
         grid_points: points,
         newton: NewtonOptions {
             tolerance: given.tolerance,

@@ -4,7 +4,7 @@
 use super::resampled::{dual, primal};
 use crate::fourier::Differentiation;
 use crate::motion::{DualMatrix, DualVector, Motion};
-use nalgebra::Vector3;
+use nalgebra::{Vector3, Vector6};
 
 /// Weights of the present and the past motions in first and second derivatives.
 #[derive(Debug, Clone, Copy)]
@@ -31,6 +31,16 @@ pub struct NodeKinematics {
     samples: Vec<f64>,
     d_samples: Vec<f64>,
     t_samples: Vec<f64>,
+}
+
+/// Room for [`NodeKinematics::variation`].
+#[derive(Debug, Clone, Default)]
+pub struct VariationScratch {
+    skews: Vec<DualMatrix>,
+    moved: Vec<DualMatrix>,
+    a: Vec<DualMatrix>,
+    b: Vec<DualMatrix>,
+    samples: [Vec<f64>; 3],
 }
 
 impl NodeKinematics {
@@ -114,6 +124,55 @@ impl NodeKinematics {
         self.acceleration[l]
     }
 
+    /// `Δv_ℓ = Σ_k Γ_v Δu_k` and `Δv̇_ℓ = Σ_k Γ_a Δu_k` for `increments` of all grid points, six numbers each, by
+    /// the operators themselves: with them as fast as `D` and `T` are applied.
+    ///
+    /// `ΔM = M Δũ`, so that `ΔA = −Δũ A + Mᵀ (D ΔM)` and `ΔB = −Δũ B + Mᵀ (T ΔM)`.
+    pub fn variation(
+        &self,
+        operators: &mut Differentiation,
+        increments: &[f64],
+        scratch: &mut VariationScratch,
+        mut out: impl FnMut(usize, &Vector6<f64>, &Vector6<f64>),
+    ) {
+        let n = self.motions.len();
+        let zero = DualMatrix::zeros();
+        scratch.skews.resize(n, zero);
+        for values in [&mut scratch.moved, &mut scratch.a, &mut scratch.b] {
+            values.resize(n, zero);
+        }
+        for samples in &mut scratch.samples {
+            samples.resize(n, 0.0);
+        }
+        for (k, u) in increments.chunks_exact(6).enumerate() {
+            let u = Vector6::from_column_slice(u);
+            scratch.skews[k] = DualVector::from_twist(&u).skew();
+            scratch.moved[k] = self.motions[k] * scratch.skews[k];
+        }
+        let [samples, d_samples, t_samples] = &mut scratch.samples;
+        for entry in 0..9 {
+            for part in [primal, dual] {
+                for (sample, m) in samples.iter_mut().zip(&mut scratch.moved) {
+                    *sample = part(m)[entry];
+                }
+                operators.apply(samples, d_samples, t_samples);
+                for k in 0..n {
+                    part(&mut scratch.a[k])[entry] = d_samples[k];
+                    part(&mut scratch.b[k])[entry] = t_samples[k];
+                }
+            }
+        }
+        for l in 0..n {
+            let skew = &scratch.skews[l];
+            let (a, v) = (&self.a[l], &self.velocity[l]);
+            let delta_a = self.motions[l].tr_mul(&scratch.a[l]) - *skew * *a;
+            let delta_b = self.motions[l].tr_mul(&scratch.b[l]) - *skew * self.b[l];
+            let delta_v = delta_a.axial();
+            let delta_rate = (delta_b - (delta_v.skew() * *a + v.skew() * delta_a) * 2.0).axial();
+            out(l, &delta_v.to_twist(), &delta_rate.to_twist());
+        }
+    }
+
     /// Blocks `(ℓ, k)` of `Γ_v` and `Γ_a`: `Δv_ℓ = Σ_k Γ_v Δu_k`, `Δv̇_ℓ = Σ_k Γ_a Δu_k`.
     ///
     /// `weights` are `D_ℓk` and `T_ℓk`.
@@ -142,7 +201,6 @@ mod tests {
     use super::*;
     use crate::fourier::TimeGrid;
     use crate::motion::rotation_from_vector;
-    use nalgebra::Vector6;
 
     fn motion(phase: f64) -> Motion {
         let turn = rotation_from_vector(&Vector3::new(0.0, 0.0, phase))

@@ -13,6 +13,7 @@ mod resampled;
 mod sensitivity;
 mod state;
 mod step;
+mod tangent;
 
 pub use between::{NodeInterpolation, ResidualBetween, residual_between, too_coarse};
 pub use decay::{Decay, DecayKind};
@@ -24,3 +25,4 @@ pub use resampled::ResampledNodes;
 pub use sensitivity::{StepVariation, Variation, VariationScales};
 pub use state::GridState;
 pub use step::{AlphaStep, GeneralizedAlpha, GivenRates, MotionState};
+pub use tangent::{Coupling, PairTangent, Tangent, TangentLayout};

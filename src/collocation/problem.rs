@@ -25,16 +25,16 @@ const REGULARISATION: f64 = 1e-7;
 pub struct Collocation {
     system: Arc<System>,
     grid: TimeGrid,
-    operators: Differentiation,
+    pub(super) operators: Differentiation,
     pub(super) instants: Instants,
     derivatives: Derivatives,
-    kinematics: Vec<NodeKinematics>,
+    pub(super) kinematics: Vec<NodeKinematics>,
     forces_only: Workspace,
     pub(super) with_tangents: Workspace,
     /// Scale of each row: residuals are multiplied by it.
-    row_scale: Vec<f64>,
+    pub(super) row_scale: Vec<f64>,
     /// Scale of each column: scaled unknowns times it are the unknowns.
-    column_scale: Vec<f64>,
+    pub(super) column_scale: Vec<f64>,
     /// Scaled compliance of all constraints in the Jacobian, for redundant ones.
     regularisation: f64,
 }
@@ -186,6 +186,11 @@ impl Collocation {
     /// Number of unknowns.
     pub fn size(&self) -> usize {
         self.row_scale.len()
+    }
+
+    /// Scale of each equation: equations times it are the scaled ones.
+    pub fn row_scale(&self) -> &[f64] {
+        &self.row_scale
     }
 
     /// Scale of each unknown: scaled unknowns times it are the unknowns.

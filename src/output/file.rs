@@ -261,6 +261,7 @@ impl Content<'_> {
                 guess_time: self.guess_time,
                 timings: self.timings,
                 grids: self.grids.into_owned(),
+                iterative: None,
                 march,
             },
             model,

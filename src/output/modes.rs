@@ -138,6 +138,7 @@ impl Modes {
             guess_time: Duration::ZERO,
             timings: Timings::default(),
             grids: Vec::new(),
+            iterative: None,
             march: None,
         };
         Solution::of(&self.model, solve)

@@ -5,7 +5,8 @@
 //! had by differences of sixth order of their violations along `M exp(s v + ½ s² v̇)`.
 
 use super::assembly::describe_turned_over;
-use super::diagnosis::{Singularity, describe_open_joint, diagnose};
+use super::diagnosis::{Singularity, describe_open_joint};
+use super::linear::LinearSolver;
 use super::newton::{Newton, Outcome, SINGULAR_GROWTH};
 use crate::collocation::{GeneralizedAlpha, GivenRates, MotionState};
 use crate::elements::{Measure, Unknown};
@@ -93,26 +94,14 @@ impl<'a> Initial<'a> {
     fn factor(&mut self, at: &MotionState) -> Result<Option<Refusal>> {
         loop {
             self.give(at);
-            let Newton {
-                equations,
-                pattern,
-                blocks,
-                values,
-                solver,
-                ..
-            } = &mut *self.newton;
-            equations.jacobian(&at.state, pattern, blocks, values)?;
-            let regular = solver.factor(values)? && self.newton.growth() < SINGULAR_GROWTH;
+            let newton = &mut *self.newton;
+            newton.linear.assemble(&mut newton.equations, &at.state)?;
+            let regular = newton.linear.factor()? && newton.growth() < SINGULAR_GROWTH;
             if regular {
                 return Ok(None);
             }
             let newton = &mut *self.newton;
-            match diagnose(
-                &newton.equations,
-                &newton.pattern,
-                &newton.values,
-                &at.state,
-            ) {
+            match newton.linear.explain(&newton.equations, &at.state) {
                 Singularity::Redundant(_) if !newton.equations.is_regularised() => {
                     newton.equations.regularise();
                 }
@@ -120,7 +109,9 @@ impl<'a> Initial<'a> {
                     let mass = newton.equations.system().scales().mass;
                     self.added_mass = if mass > 0.0 { LENT_MASS * mass } else { 1.0 };
                 }
-                Singularity::Free(why) | Singularity::Redundant(why) => {
+                Singularity::Free(why)
+                | Singularity::Redundant(why)
+                | Singularity::Unsolved(why) => {
                     return Ok(Some((Outcome::Singular, why)));
                 }
             }
@@ -133,15 +124,15 @@ impl<'a> Initial<'a> {
         let mut solution = vec![0.0; rhs.len()];
         let mut rest = rhs.to_vec();
         for _ in 0..REFINEMENTS {
-            if !newton.solver.solve(&mut rest) {
+            if !newton.linear.solver.solve(&mut rest) {
                 return None;
             }
             solution.iter_mut().zip(&rest).for_each(|(x, r)| *x += r);
             rest.copy_from_slice(rhs);
-            let columns = newton.pattern.column_pointers().windows(2);
+            let columns = newton.linear.pattern.column_pointers().windows(2);
             for (range, x) in columns.zip(&solution) {
                 for at in range[0]..range[1] {
-                    rest[newton.pattern.row_indices()[at]] -= newton.values[at] * x;
+                    rest[newton.linear.pattern.row_indices()[at]] -= newton.linear.values[at] * x;
                 }
             }
             let regularisation = newton.equations.regularisation();

@@ -13,6 +13,8 @@ pub(super) enum Singularity {
     Free(String),
     /// Constraints depend on each other.
     Redundant(String),
+    /// Not known: an iterative solver found no solution.
+    Unsolved(String),
 }
 
 /// Explains the singularity of the Jacobian `values` at `state`, by a vector of its null space.

@@ -54,7 +54,7 @@ impl<'a> Tracker<'a> {
         observe: &'a mut dyn FnMut(&Iteration) -> bool,
     ) -> Result<Self> {
         Ok(Tracker {
-            newton: Newton::new(Collocation::new(system.clone(), instant)?)?,
+            newton: Newton::new(Collocation::new(system.clone(), instant)?),
             state: GridState::reference(system, instant),
             observe,
             failure: None,

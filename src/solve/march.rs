@@ -64,7 +64,7 @@ fn march(
     observe: &mut dyn FnMut(&Iteration) -> bool,
 ) -> Result<March> {
     let instant = TimeGrid::new(1, grid.period())?;
-    let mut newton = Newton::new(Collocation::new(system.clone(), instant)?)?;
+    let mut newton = Newton::new(Collocation::new(system.clone(), instant)?);
     let rest = GridState::reference(system, instant);
     let mut past: VecDeque<GridState> = std::iter::repeat_n(rest, 3).collect();
     let step = grid.period() / (grid.points() * parts) as f64;

@@ -1,6 +1,7 @@
 //! The periodic solve: initial guess, Newton with line search, direct linear solver, diagnostics.
 
 mod adaptive;
+mod assembled;
 mod assembly;
 mod branch;
 mod consistent;
@@ -11,8 +12,11 @@ mod eigen;
 mod estimate;
 mod free_motions;
 mod guess;
+mod iterative;
 mod krylov;
+mod linear;
 mod march;
+mod method;
 mod modes;
 mod newton;
 mod ordering;
@@ -21,14 +25,18 @@ mod periodic;
 mod settle;
 mod shooting;
 mod statics;
+#[cfg(test)]
+pub(crate) mod test_models;
 mod trajectory;
 
 pub use adaptive::{Adaptation, GridTried};
 pub use diagnosis::describe_dependencies;
 pub use direct::DirectSolver;
 pub use estimate::Assessment;
+pub use iterative::{IterativeRecord, Preconditioner};
+pub use method::LinearMethod;
 pub use modes::{Mode, ModesOptions, ModesSolve, solve_modes};
-pub use newton::{Iteration, Newton, NewtonOptions, NewtonReport, Outcome, Timings};
+pub use newton::{Iteration, NewtonOptions, NewtonReport, Outcome, Timings};
 pub use periodic::{
     GridPoints, InitialGuess, PeriodicOptions, PeriodicSolve, Stage, solve_periodic,
 };

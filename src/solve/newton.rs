@@ -1,10 +1,11 @@
 //! Newton's method with the exact tangent and a line search that does not depend on scaling.
 
+use super::assembled::Assembled;
 use super::assembly::describe_turned_over;
 use super::dense::largest;
-use super::diagnosis::{Singularity, describe_inconsistency, describe_open_joint, diagnose};
-use super::direct::DirectSolver;
-use crate::collocation::{Collocation, GridState, Pattern, TangentBlocks};
+use super::diagnosis::{Singularity, describe_inconsistency, describe_open_joint};
+use super::linear::LinearSolver;
+use crate::collocation::{Collocation, GridState};
 use crate::error::{ErrorKind, Result};
 use serde::{Deserialize, Serialize};
 use std::time::{Duration, Instant};
@@ -125,6 +126,12 @@ const CHORD_CONTRACTION: f64 = 0.2;
 const ERROR_LEFT: f64 = 1e-3;
 /// Largest contraction, from one increment to the next with the same matrix, that leaves its determinant as it is.
 const FAITHFUL: f64 = 0.05;
+/// Accuracy of linear solves, relative to the increment: far from the solution and of simplified increments.
+const COARSE: f64 = 1e-4;
+/// The finest that is asked for.
+const FINEST: f64 = 1e-8;
+/// Accuracy relative to the last increment, so that convergence stays quadratic.
+const FORCING: f64 = 0.1;
 /// Growth that means a singular matrix.
 pub(super) const SINGULAR_GROWTH: f64 = 1e15;
 /// Growth that does so where Newton's method stalls: off the constraints by rounding, a freedom is
@@ -137,21 +144,19 @@ const VIOLATION: f64 = 1e-8;
 
 /// Newton solver for one system and grid; keeps everything that can be used again.
 #[derive(Debug)]
-pub struct Newton {
+pub(super) struct Newton<L = Assembled> {
     /// The equations.
     pub equations: Collocation,
-    pub(super) pattern: Pattern,
-    pub(super) solver: DirectSolver,
-    pub(super) blocks: TangentBlocks,
-    pub(super) values: Vec<f64>,
-    /// What the second increment with the factored Jacobian was relative to the first, if it is known.
+    /// What solves them, linearised.
+    pub linear: L,
+    /// What the second increment with the same Jacobian was relative to the first, if it is known.
     contraction: Option<f64>,
     /// Time spent since this object was made.
     pub timings: Timings,
 }
 
 /// Adds the time of `work` to `total`.
-fn timed<T>(total: &mut Duration, work: impl FnOnce() -> T) -> T {
+pub(super) fn timed<T>(total: &mut Duration, work: impl FnOnce() -> T) -> T {
     let start = Instant::now();
     let result = work();
     *total += start.elapsed();
@@ -159,23 +164,45 @@ fn timed<T>(total: &mut Duration, work: impl FnOnce() -> T) -> T {
 }
 
 impl Newton {
-    /// A solver for `equations`.
-    pub fn new(equations: Collocation) -> Result<Self> {
+    /// A solver for `equations` that assembles and factors their Jacobian.
+    pub fn new(equations: Collocation) -> Self {
         let mut timings = Timings::default();
-        let (pattern, solver) = timed(&mut timings.analysis, || {
-            let pattern = Pattern::new(equations.system(), equations.grid().points());
-            let solver = DirectSolver::new(&pattern);
-            (pattern, solver)
-        });
-        Ok(Newton {
-            values: vec![0.0; pattern.entries()],
+        let linear = timed(&mut timings.analysis, || Assembled::new(&equations));
+        Newton {
+            linear,
             contraction: None,
-            solver,
-            blocks: TangentBlocks::default(),
-            pattern,
             equations,
             timings,
-        })
+        }
+    }
+
+    /// Sign of the Jacobian's determinant at `state`, where the last solve ended, and logarithm of its size;
+    /// none if it is singular.
+    pub fn determinant(&mut self, state: &GridState) -> Result<Option<(f64, f64)>> {
+        if self.contraction.is_some_and(|c| c <= FAITHFUL) {
+            return Ok(Some(self.linear.determinant()));
+        }
+        let regular = self
+            .linear
+            .linearise(&mut self.equations, state, &mut self.timings)?;
+        Ok(regular.then(|| self.linear.determinant()))
+    }
+
+    /// Growth of the factored Jacobian, see [`LinearSolver::growth`].
+    pub fn growth(&mut self) -> f64 {
+        self.linear.growth(&mut self.equations)
+    }
+}
+
+impl<L: LinearSolver> Newton<L> {
+    /// A solver for `equations` by `linear`.
+    pub fn with(equations: Collocation, linear: L) -> Self {
+        Newton {
+            linear,
+            contraction: None,
+            equations,
+            timings: Timings::default(),
+        }
     }
 
     /// Largest motion increment in scaled unknowns.
@@ -249,31 +276,20 @@ impl Newton {
         Ok(report)
     }
 
-    /// Sign of the Jacobian's determinant at `state`, where the last solve ended, and logarithm of its size;
-    /// none if it is singular.
-    pub(super) fn determinant(&mut self, state: &GridState) -> Result<Option<(f64, f64)>> {
-        if self.contraction.is_some_and(|c| c <= FAITHFUL) {
-            return Ok(Some(self.solver.determinant()));
-        }
-        self.equations
-            .jacobian(state, &self.pattern, &mut self.blocks, &mut self.values)?;
-        let regular = self.solver.factor(&self.values)?;
-        Ok(regular.then(|| self.solver.determinant()))
-    }
-
     /// Solves with the factored Jacobian.
     ///
     /// Where constraints have a compliance, takes back what that lets them open: motions are then those of the
     /// exact Jacobian, and the line search, which looks at motions only, does not take compliance for distance.
-    fn solve_linear(&mut self, rhs: &mut [f64]) -> Result<bool> {
+    fn solve_linear(&mut self, rhs: &mut [f64], accuracy: f64) -> Result<bool> {
         timed(&mut self.timings.substitution, || {
-            if !self.solver.solve_refined(&self.values, rhs)? {
+            let equations = &mut self.equations;
+            if !self.linear.solve(equations, rhs, accuracy)? {
                 return Ok(false);
             }
-            if self.equations.is_regularised() {
+            if equations.is_regularised() {
                 let mut rest = vec![0.0; rhs.len()];
-                self.equations.compliance_of(rhs, &mut rest);
-                if !self.solver.solve_refined(&self.values, &mut rest)? {
+                equations.compliance_of(rhs, &mut rest);
+                if !self.linear.solve(equations, &mut rest, accuracy)? {
                     return Ok(false);
                 }
                 rhs.iter_mut().zip(&rest).for_each(|(x, d)| *x += d);
@@ -301,23 +317,21 @@ impl Newton {
         timed(&mut self.timings.assembly, || {
             self.equations.residual(state, &mut residual)
         })?;
+        let mut accuracy = COARSE;
         while report.iterations.len() < options.iteration_limit {
             let number = report.iterations.len() + 1;
             self.contraction = None;
-            timed(&mut self.timings.assembly, || {
-                self.equations
-                    .jacobian(state, &self.pattern, &mut self.blocks, &mut self.values)
-            })?;
-            let factored = timed(&mut self.timings.factorisation, || {
-                self.solver.factor(&self.values)
-            })?;
+            let factored = self
+                .linear
+                .linearise(&mut self.equations, state, &mut self.timings)?;
             step_vector
                 .iter_mut()
                 .zip(&residual)
                 .for_each(|(s, r)| *s = -r);
-            let solved = factored && self.solve_linear(&mut step_vector)?;
-            if !solved || (number == 1 && self.growth() > SINGULAR_GROWTH) {
-                match diagnose(&self.equations, &self.pattern, &self.values, state) {
+            let solved = factored && self.solve_linear(&mut step_vector, accuracy)?;
+            if !solved || (number == 1 && self.linear.growth(&mut self.equations) > SINGULAR_GROWTH)
+            {
+                match self.linear.explain(&self.equations, state) {
                     Singularity::Redundant(_) if !self.equations.is_regularised() => {
                         self.equations.regularise();
                         continue;
@@ -327,9 +341,15 @@ impl Newton {
                         report.explanation = why;
                         return Ok(report);
                     }
+                    Singularity::Unsolved(why) => {
+                        report.outcome = Outcome::Stalled;
+                        report.explanation = why;
+                        return Ok(report);
+                    }
                 }
             }
             let increment = self.motion_norm(&step_vector);
+            accuracy = (FORCING * increment).clamp(FINEST, COARSE);
             let mut iteration = Iteration {
                 number,
                 residual: largest(&residual),
@@ -379,7 +399,7 @@ impl Newton {
                         break Some(trial);
                     }
                     step_vector.copy_from_slice(&trial_residual);
-                    let solved = self.solve_linear(&mut step_vector)?;
+                    let solved = self.solve_linear(&mut step_vector, COARSE)?;
                     let bound = ((1.0 - 0.25 * step) * increment).max(options.tolerance);
                     if solved && self.motion_norm(&step_vector) <= bound {
                         break Some(trial);
@@ -394,8 +414,8 @@ impl Newton {
             report.iterations.push(iteration);
             let keep_going = observe(&iteration);
             let Some(trial) = accepted else {
-                if self.growth() > STALLED_GROWTH {
-                    match diagnose(&self.equations, &self.pattern, &self.values, state) {
+                if self.linear.growth(&mut self.equations) > STALLED_GROWTH {
+                    match self.linear.explain(&self.equations, state) {
                         Singularity::Redundant(_) if !self.equations.is_regularised() => {
                             self.equations.regularise();
                             continue;
@@ -405,6 +425,7 @@ impl Newton {
                             report.explanation = why;
                             return Ok(report);
                         }
+                        Singularity::Unsolved(_) => {}
                     }
                 }
                 if self.is_contradicted(&residual, options) {
@@ -480,7 +501,8 @@ impl Newton {
                         return Err(error.clone());
                     }
                     step_vector.copy_from_slice(&trial_residual);
-                    let solved = evaluated.is_ok() && self.solve_linear(&mut step_vector)?;
+                    let solved =
+                        evaluated.is_ok() && self.solve_linear(&mut step_vector, COARSE)?;
                     before = length;
                     simplified = self.motion_norm(&step_vector);
                     // Written so that NaN ends it too.
@@ -524,18 +546,5 @@ impl Newton {
     fn is_contradicted(&self, residual: &[f64], options: &NewtonOptions) -> bool {
         self.equations.is_regularised()
             && self.equations.violation(residual) > options.tolerance.max(VIOLATION)
-    }
-
-    /// Size of the inverse of the factored matrix, relative to the matrix: about the inverse of the
-    /// rounding if it is singular.
-    pub(super) fn growth(&self) -> f64 {
-        // Any vector without structure has a part along the null space.
-        let mut probe: Vec<f64> = (0..self.equations.size())
-            .map(|i| 0.5 + (i as f64 * 0.618_033_988_75).fract())
-            .collect();
-        if !self.solver.solve(&mut probe) {
-            return f64::INFINITY;
-        }
-        largest(&probe) * self.solver.largest_entry()
     }
 }

@@ -27,20 +27,31 @@ pub(super) fn plan(
     coupled: &[BTreeSet<usize>],
     first_multiplier: usize,
 ) -> Vec<FrontPlan> {
+    let waiting = coupled.iter().enumerate().map(|(g, neighbours)| {
+        if g < first_multiplier {
+            0
+        } else {
+            neighbours.iter().filter(|&&n| n != g).count()
+        }
+    });
+    merge(sizes, elimination(sizes, coupled, waiting.collect()))
+}
+
+/// Has a group wait for ever.
+pub(super) const NEVER: usize = usize::MAX;
+
+/// The order of elimination, one group in each front, not linked. Each group waits until so many of those that it is
+/// coupled to are eliminated.
+pub(super) fn elimination(
+    sizes: &[usize],
+    coupled: &[BTreeSet<usize>],
+    mut waiting: Vec<usize>,
+) -> Vec<FrontPlan> {
     let count = sizes.len();
     let mut graph = coupled.to_vec();
     for (group, neighbours) in graph.iter_mut().enumerate() {
         neighbours.remove(&group);
     }
-    let mut waiting: Vec<usize> = (0..count)
-        .map(|g| {
-            if g < first_multiplier {
-                0
-            } else {
-                graph[g].len()
-            }
-        })
-        .collect();
     let mut left: BTreeSet<usize> = (0..count).collect();
     let mut fronts: Vec<FrontPlan> = Vec::new();
     let degree =
@@ -56,7 +67,7 @@ pub(super) fn plan(
         for &a in &boundary {
             graph[a].remove(&next);
             graph[a].extend(boundary.iter().filter(|&&b| b != a));
-            if coupled[a].contains(&next) {
+            if coupled[a].contains(&next) && waiting[a] != NEVER {
                 waiting[a] = waiting[a].saturating_sub(1);
             }
         }
@@ -70,7 +81,7 @@ pub(super) fn plan(
             parent: None,
         });
     }
-    merge(sizes, fronts)
+    fronts
 }
 
 /// Links fronts to their parents, the next of their boundary to be eliminated, and merges small ones.

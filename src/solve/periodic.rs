@@ -2,7 +2,9 @@
 
 use super::adaptive::{Adaptation, GridTried};
 use super::guess::{Guess, quasi_static};
+use super::iterative::IterativeRecord;
 use super::march::march_to_periodic;
+use super::method::{Linear, LinearMethod};
 use super::newton::{Iteration, Newton, NewtonOptions, NewtonReport, Outcome, Timings};
 use super::trajectory::MarchRecord;
 use crate::collocation::{Collocation, GridState};
@@ -56,6 +58,8 @@ pub struct PeriodicOptions {
     pub newton: NewtonOptions,
     /// Where to start.
     pub guess: InitialGuess,
+    /// How linear equations are solved.
+    pub linear: LinearMethod,
 }
 
 impl Default for PeriodicOptions {
@@ -67,6 +71,7 @@ impl Default for PeriodicOptions {
                 iteration_limit: 30,
             },
             guess: InitialGuess::Default,
+            linear: LinearMethod::Automatic,
         }
     }
 }
@@ -127,6 +132,8 @@ pub struct PeriodicSolve {
     pub timings: Timings,
     /// The grids that an adaptive solve has tried, coarsest first.
     pub grids: Vec<GridTried>,
+    /// What iterative solution of linear equations took on the last grid, where it was used.
+    pub iterative: Option<IterativeRecord>,
     /// Of a march: its times, and how it went.
     pub march: Option<MarchRecord>,
 }
@@ -149,7 +156,8 @@ pub(super) struct Attempts<'a> {
     pub(super) system: Arc<System>,
     pub(super) grid: TimeGrid,
     options: NewtonOptions,
-    newton: Newton,
+    linear: LinearMethod,
+    newton: Newton<Linear>,
     observe: &'a mut dyn FnMut(Stage, &Iteration) -> bool,
     /// Where the quasi-static start is found, and the start once it is.
     pub(super) guess_grid: TimeGrid,
@@ -203,7 +211,8 @@ pub fn solve_periodic(
         GridPoints::Adaptive(adaptation) => TimeGrid::new(adaptation.guess(points), period)?,
     };
     let mut attempts = Attempts {
-        newton: Newton::new(Collocation::new(system.clone(), grid)?)?,
+        newton: newton(&system, grid, options.linear)?,
+        linear: options.linear,
         system: system.clone(),
         grid,
         options: options.newton,
@@ -235,9 +244,20 @@ pub fn solve_periodic(
         guess_iterations: attempts.guess_iterations,
         guess_time: attempts.guess_time,
         timings: attempts.timings + attempts.newton.timings,
+        iterative: attempts.newton.linear.record().cloned(),
         grids: attempts.grids,
         march: None,
     })
+}
+
+/// Newton's method on a grid.
+fn newton(system: &Arc<System>, grid: TimeGrid, method: LinearMethod) -> Result<Newton<Linear>> {
+    let start = Instant::now();
+    let equations = Collocation::new(system.clone(), grid)?;
+    let linear = Linear::new(&equations, method);
+    let mut newton = Newton::with(equations, linear);
+    newton.timings.analysis = start.elapsed();
+    Ok(newton)
 }
 
 /// Sees each iteration and returns `false` to cancel.
@@ -277,7 +297,7 @@ impl Attempts<'_> {
     /// Goes on with another grid.
     pub(super) fn move_to(&mut self, grid: TimeGrid) -> Result<()> {
         if grid != self.grid {
-            let next = Newton::new(Collocation::new(self.system.clone(), grid)?)?;
+            let next = newton(&self.system, grid, self.linear)?;
             let last = std::mem::replace(&mut self.newton, next);
             self.timings = self.timings + last.timings;
             self.grid = grid;

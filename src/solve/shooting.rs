@@ -172,11 +172,11 @@ impl Shooting {
             newton.equations.set_step(step.clone());
             newton.equations.jacobian(
                 end,
-                &newton.pattern,
-                &mut newton.blocks,
-                &mut newton.values,
+                &newton.linear.pattern,
+                &mut newton.linear.blocks,
+                &mut newton.linear.values,
             )?;
-            if !newton.solver.factor(&newton.values)? {
+            if !newton.linear.solver.factor(&newton.linear.values)? {
                 return Ok(None);
             }
             let mut linear = StepVariation::new(&step, &end.motions, newton.equations.size());
@@ -184,10 +184,10 @@ impl Shooting {
                 let propagated = linear.propagate(
                     &newton.equations,
                     &step,
-                    &newton.pattern,
-                    &newton.blocks,
+                    &newton.linear.pattern,
+                    &newton.linear.blocks,
                     column,
-                    |rhs| newton.solver.solve(rhs),
+                    |rhs| newton.linear.solver.solve(rhs),
                 );
                 if !propagated {
                     return Ok(None);

@@ -177,6 +177,7 @@ pub(super) fn find_equilibrium(
         guess_time,
         timings: newton.timings,
         grids: Vec::new(),
+        iterative: None,
         march: None,
     };
     if solve.report.outcome == Outcome::Singular && indifferent == Indifferent::Accepted {

@@ -261,7 +261,7 @@ impl Marcher {
         step: f64,
     ) -> Result<std::result::Result<Self, (Refusal, MotionState)>> {
         let instant = TimeGrid::new(1, system.period())?;
-        let mut newton = Newton::new(Collocation::new(system.clone(), instant)?)?;
+        let mut newton = Newton::new(Collocation::new(system.clone(), instant)?);
         let reference = GridState::reference(system, instant);
         let method = GeneralizedAlpha::new(options.spectral_radius);
         let (mut start, states_given) = match &options.start {
@@ -614,6 +614,7 @@ pub(super) fn finish(
         guess_time: Duration::ZERO,
         timings: super::Timings::default(),
         grids: Vec::new(),
+        iterative: None,
         march: Some(record),
     })
 }

@@ -1,0 +1,302 @@
+//! A preconditioner for bodies that move fast, and joints that turn: each body's own operator is averaged over
+//! time in its own frame, where it hardly changes, so that harmonics separate; joints stay exact.
+//!
+//! ```text
+//! P = [S̄ Gᵀ; G 0]
+//! ```
+//!
+//! with `S̄` circulant. Constraints that are the same at all times in the frames of their bodies, up to a
+//! combination of their rows, are circulant as well, and are eliminated with the bodies, harmonic by harmonic:
+//! `G_k = Q_k Ḡ`. At the nodes of other joints there remains the dynamic stiffness of the bodies between them, and
+//! a dense system over all grid points.
+
+use super::block_lu::BlockLanes;
+use super::constraints::{Joints, RowRotation, classify, row_rotations};
+use super::interface::Interface;
+use super::lanes::{ComplexLanes, LANES, Lanes};
+use super::layout::Layout;
+use super::mean::Averages;
+use crate::collocation::{Collocation, Tangent};
+use crate::error::Result;
+use nalgebra::Complex;
+use realfft::{ComplexToReal, RealFftPlanner, RealToComplex};
+use std::sync::Arc;
+
+/// Most unknowns of a dense system of one harmonic.
+const LARGEST_BLOCK: usize = 240;
+
+/// Real Fourier transforms over the grid.
+struct Transform {
+    forward: Arc<dyn RealToComplex<f64>>,
+    backward: Arc<dyn ComplexToReal<f64>>,
+    samples: Vec<f64>,
+    spectrum: Vec<Complex<f64>>,
+    scratch: Vec<Complex<f64>>,
+}
+
+impl Transform {
+    fn new(points: usize) -> Self {
+        let mut planner = RealFftPlanner::new();
+        let forward = planner.plan_fft_forward(points);
+        let backward = planner.plan_fft_inverse(points);
+        let scratch = forward.get_scratch_len().max(backward.get_scratch_len());
+        Transform {
+            samples: vec![0.0; points],
+            spectrum: forward.make_output_vec(),
+            scratch: vec![Complex::default(); scratch],
+            forward,
+            backward,
+        }
+    }
+
+    /// Transforms `samples` to `spectrum`. The lengths are this object's own, so it cannot fail.
+    fn forward(&mut self) {
+        let _ = self.forward.process_with_scratch(
+            &mut self.samples,
+            &mut self.spectrum,
+            &mut self.scratch,
+        );
+    }
+
+    /// Transforms `spectrum` to `samples`, times the number of points.
+    fn backward(&mut self) {
+        self.spectrum[0].im = 0.0;
+        let _ = self.backward.process_with_scratch(
+            &mut self.spectrum,
+            &mut self.samples,
+            &mut self.scratch,
+        );
+    }
+}
+
+/// The preconditioner, factored.
+pub(super) struct BodyCirculant {
+    points: usize,
+    layout: Layout,
+    factors: Vec<BlockLanes<ComplexLanes>>,
+    rotations: Vec<RowRotation>,
+    /// Unknowns that are not eliminated.
+    kept: Vec<usize>,
+    interface: Option<Interface>,
+    transform: Transform,
+    lanes: Vec<Vec<ComplexLanes>>,
+    products: Vec<Vec<ComplexLanes>>,
+    scratch: Vec<ComplexLanes>,
+    /// Forces on what is kept, motions of it, and forces by these motions, over the grid.
+    series: [Vec<Vec<f64>>; 3],
+}
+
+impl BodyCirculant {
+    /// Averages and factors the Jacobian `tangent`. None if that cannot be done: a body by itself is singular,
+    /// or the dense system would have more than `largest_interface` unknowns.
+    ///
+    /// # Errors
+    /// If memory runs out.
+    pub fn new(
+        equations: &Collocation,
+        tangent: &Tangent,
+        joints: Joints,
+        largest_interface: usize,
+    ) -> Result<Option<Self>> {
+        let points = equations.grid().points();
+        let classes = classify(equations, tangent, joints);
+        let layout = Layout::new(equations, tangent, &classes);
+        if layout.largest_block() > LARGEST_BLOCK {
+            return Ok(None);
+        }
+        let kept: Vec<usize> = layout.kept().collect();
+        let interface = if kept.is_empty() {
+            None
+        } else {
+            let places: Vec<_> = kept.iter().map(|&i| layout.places[i]).collect();
+            match Interface::new(equations, &classes, &places) {
+                Some(interface) if interface.size() <= largest_interface => Some(interface),
+                _ => return Ok(None),
+            }
+        };
+        let averages = Averages {
+            equations,
+            tangent,
+            layout: &layout,
+            classes: &classes,
+        };
+        let Some(factors) = averages.factor() else {
+            return Ok(None);
+        };
+        let lanes = vec![vec![ComplexLanes::zero(); layout.structure.unknowns()]; factors.len()];
+        let series = || vec![vec![0.0; points]; kept.len()];
+        let mut circulant = BodyCirculant {
+            points,
+            rotations: row_rotations(equations, &classes),
+            interface: None,
+            transform: Transform::new(points),
+            products: if kept.is_empty() {
+                Vec::new()
+            } else {
+                lanes.clone()
+            },
+            lanes,
+            scratch: Vec::new(),
+            series: [series(), series(), series()],
+            factors,
+            layout,
+            kept,
+        };
+        if let Some(mut interface) = interface {
+            let stiffness = circulant.kept_stiffness();
+            if !interface.factor(&stiffness)? {
+                return Ok(None);
+            }
+            circulant.interface = Some(interface);
+        }
+        Ok(Some(circulant))
+    }
+
+    /// Unknowns of the dense system of the joints.
+    pub fn interface_size(&self) -> usize {
+        self.interface.as_ref().map_or(0, Interface::size)
+    }
+
+    /// Bytes that the factors take.
+    pub fn bytes(&self) -> usize {
+        let harmonics =
+            size_of::<ComplexLanes>() * self.layout.structure.entries() * self.factors.len();
+        harmonics + size_of::<f64>() * self.interface_size().pow(2)
+    }
+
+    /// `x = P⁻¹ x`.
+    pub fn apply(&mut self, x: &mut [f64]) {
+        for rotation in &self.rotations {
+            rotation.apply(x, false);
+        }
+        self.transform_all(x);
+        for (factors, lanes) in self.factors.iter().zip(&mut self.lanes) {
+            factors.forward(&self.layout.structure, lanes);
+        }
+        if let Some(mut interface) = self.interface.take() {
+            self.close_joints(&mut interface, x);
+            self.interface = Some(interface);
+        }
+        for (factors, lanes) in self.factors.iter().zip(&mut self.lanes) {
+            factors.backward(&self.layout.structure, lanes, &mut self.scratch);
+        }
+        self.transform_back(x);
+        for rotation in &self.rotations {
+            rotation.apply(x, true);
+        }
+    }
+
+    /// Solves for the motions that are kept, and the multipliers of joints that turn.
+    fn close_joints(&mut self, interface: &mut Interface, x: &mut [f64]) {
+        let [mut forces, mut motions, mut products] = std::mem::take(&mut self.series);
+        for (&unknown, series) in self.kept.iter().zip(&mut forces) {
+            gather(&mut self.transform, &self.lanes, unknown, series);
+        }
+        interface.determined(x, &mut motions);
+        self.multiply_kept(&motions, &mut products);
+        for (product, force) in products.iter_mut().zip(&forces) {
+            product.iter_mut().zip(force).for_each(|(p, f)| *p = f - *p);
+        }
+        interface.add_free(&products, &mut motions);
+        self.multiply_kept(&motions, &mut products);
+        for (product, force) in products.iter_mut().zip(&forces) {
+            product.iter_mut().zip(force).for_each(|(p, f)| *p = f - *p);
+        }
+        interface.write_multipliers(&products, x);
+        self.series = [forces, motions, products];
+    }
+
+    /// Forces by `motions` of what is kept; the motions' harmonics stay where they are kept.
+    fn multiply_kept(&mut self, motions: &[Vec<f64>], forces: &mut [Vec<f64>]) {
+        for (&unknown, series) in self.kept.iter().zip(motions) {
+            self.transform.samples.copy_from_slice(series);
+            spread(&mut self.transform, &mut self.lanes, unknown);
+        }
+        let all = self.factors.iter().zip(&self.lanes).zip(&mut self.products);
+        for ((factors, lanes), products) in all {
+            self.kept
+                .iter()
+                .for_each(|&i| products[i] = ComplexLanes::zero());
+            factors.add_kept_product(&self.layout.structure, lanes, products);
+        }
+        for (&unknown, series) in self.kept.iter().zip(forces) {
+            gather(&mut self.transform, &self.products, unknown, series);
+        }
+    }
+
+    /// Harmonics of everything that is averaged.
+    fn transform_all(&mut self, x: &[f64]) {
+        for (unknown, &(first, stride)) in self.layout.places.iter().enumerate() {
+            let series = x[first..].iter().step_by(stride);
+            let samples = self.transform.samples.iter_mut();
+            samples.zip(series).for_each(|(sample, x)| *sample = *x);
+            spread(&mut self.transform, &mut self.lanes, unknown);
+        }
+    }
+
+    /// Everything that is averaged, from its harmonics.
+    fn transform_back(&mut self, x: &mut [f64]) {
+        for (unknown, &(first, stride)) in self.layout.places.iter().enumerate() {
+            collect(&mut self.transform, &self.lanes, unknown);
+            let series = x[first..].iter_mut().step_by(stride);
+            let samples = self.transform.samples.iter();
+            series.zip(samples).for_each(|(x, sample)| *x = *sample);
+        }
+    }
+
+    /// Dynamic stiffness of what is kept: forces over the grid by unit motions at the first point.
+    fn kept_stiffness(&mut self) -> Vec<Vec<Vec<f64>>> {
+        let count = self.kept.len();
+        let mut stiffness = vec![vec![Vec::new(); count]; count];
+        let structure = &self.layout.structure;
+        let number = |unknown: usize| self.kept.partition_point(|&k| k < unknown);
+        for &(row, column, _) in structure.kept() {
+            for i in 0..structure.size(row) {
+                for j in 0..structure.size(column) {
+                    let place = structure.entry((row, column), (i, j));
+                    for (h, value) in self.transform.spectrum.iter_mut().enumerate() {
+                        *value = self.factors[h / LANES].get(place).get(h % LANES);
+                    }
+                    self.transform.backward();
+                    let scale = 1.0 / self.points as f64;
+                    let (a, b) = (structure.first(row) + i, structure.first(column) + j);
+                    stiffness[number(a)][number(b)] =
+                        self.transform.samples.iter().map(|x| x * scale).collect();
+                }
+            }
+        }
+        stiffness
+    }
+}
+
+/// Transforms the samples and writes their harmonics to the lanes of an unknown.
+fn spread(transform: &mut Transform, lanes: &mut [Vec<ComplexLanes>], unknown: usize) {
+    let harmonics = transform.samples.len() / 2;
+    transform.forward();
+    for (chunk, lanes) in lanes.iter_mut().enumerate() {
+        for lane in 0..LANES {
+            let j = (LANES * chunk + lane).min(harmonics);
+            lanes[unknown].set(lane, transform.spectrum[j]);
+        }
+    }
+}
+
+/// Transforms the harmonics of an unknown back, to the samples.
+fn collect(transform: &mut Transform, lanes: &[Vec<ComplexLanes>], unknown: usize) {
+    let scale = 1.0 / transform.samples.len() as f64;
+    for (j, value) in transform.spectrum.iter_mut().enumerate() {
+        *value = lanes[j / LANES][unknown].get(j % LANES) * scale;
+    }
+    transform.backward();
+}
+
+/// The same, to a series.
+fn gather(
+    transform: &mut Transform,
+    lanes: &[Vec<ComplexLanes>],
+    unknown: usize,
+    series: &mut [f64],
+) {
+    collect(transform, lanes, unknown);
+    series.copy_from_slice(&transform.samples);
+}

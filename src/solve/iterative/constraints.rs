@@ -1,0 +1,180 @@
+//! Which constraints may be averaged over time, and which must stay exact.
+
+use super::layout::own_first;
+use crate::collocation::{Collocation, Tangent};
+use nalgebra::DMatrix;
+
+/// Constraints whose gradients change by less than this, relative to themselves, count as steady.
+const STEADY: f64 = 0.05;
+
+/// How constraints are treated.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Joints {
+    /// As they are at each time.
+    Exact,
+    /// Averaged over time too, so that everything is circulant.
+    Averaged,
+}
+
+/// What becomes of an element's own unknowns.
+pub(super) enum Class {
+    /// It has none.
+    None,
+    /// They are averaged over time.
+    Averaged(Average),
+    /// Multipliers that stay exact, with the scaled gradient at each grid point.
+    Exact(Vec<DMatrix<f64>>),
+}
+
+pub(super) struct Average {
+    /// Scaled gradient, a row for each own unknown.
+    pub gradient: DMatrix<f64>,
+    /// `Q_k⁻¹`, of steady constraints.
+    pub inverse_rotations: Option<Vec<DMatrix<f64>>>,
+}
+
+pub(super) fn classify(equations: &Collocation, tangent: &Tangent, joints: Joints) -> Vec<Class> {
+    let points = equations.grid().points();
+    let elements = equations.system().elements().iter().enumerate();
+    elements
+        .map(|(index, placed)| {
+            if placed.element.multipliers() == 0 {
+                return Class::None;
+            }
+            let gradients: Vec<DMatrix<f64>> = (0..points)
+                .map(|k| scaled_gradient(equations, tangent, index, k))
+                .collect();
+            let mean = || {
+                let zero = DMatrix::zeros(gradients[0].nrows(), gradients[0].ncols());
+                gradients.iter().fold(zero, |sum, g| sum + g) / points as f64
+            };
+            if placed.has_states || joints == Joints::Averaged {
+                return Class::Averaged(Average {
+                    gradient: mean(),
+                    inverse_rotations: None,
+                });
+            }
+            match inverse_rotations(&gradients) {
+                Some(inverse) => Class::Averaged(Average {
+                    gradient: gradients[0].clone(),
+                    inverse_rotations: Some(inverse),
+                }),
+                None => Class::Exact(gradients),
+            }
+        })
+        .collect()
+}
+
+/// All own unknowns as they are at one grid point.
+pub(super) fn classify_at(equations: &Collocation, tangent: &Tangent, k: usize) -> Vec<Class> {
+    let elements = equations.system().elements().iter().enumerate();
+    elements
+        .map(|(index, placed)| match placed.element.multipliers() {
+            0 => Class::None,
+            _ => Class::Averaged(Average {
+                gradient: scaled_gradient(equations, tangent, index, k),
+                inverse_rotations: None,
+            }),
+        })
+        .collect()
+}
+
+/// Scaled gradient of an element at grid point `k`: a row for each constraint.
+fn scaled_gradient(
+    equations: &Collocation,
+    tangent: &Tangent,
+    index: usize,
+    k: usize,
+) -> DMatrix<f64> {
+    let system = equations.system();
+    let placed = &system.elements()[index];
+    let points = equations.grid().points();
+    let count = placed.element.multipliers();
+    let nodes = placed.element.nodes();
+    let mut g =
+        DMatrix::from_column_slice(count, 6 * nodes.len(), tangent.gradient(system, index, k));
+    let first = own_first(equations, index);
+    for (local, &node) in nodes.iter().enumerate() {
+        for component in 0..6 {
+            let column_scale = equations.column_scale()[6 * points * node + component];
+            for row in 0..count {
+                g[(row, 6 * local + component)] *=
+                    column_scale * equations.row_scale()[first + row];
+            }
+        }
+    }
+    g
+}
+
+/// `Q_k⁻¹` with `G_k = Q_k Ḡ` for all grid points, if there are such; the first is the identity.
+fn inverse_rotations(gradients: &[DMatrix<f64>]) -> Option<Vec<DMatrix<f64>>> {
+    let mean = &gradients[0];
+    let gram_inverse = (mean * mean.transpose()).try_inverse()?;
+    let projector = mean.transpose() * gram_inverse;
+    gradients
+        .iter()
+        .map(|g| {
+            let q = g * &projector;
+            let steady = (g - &q * mean).norm() <= STEADY * g.norm();
+            steady.then_some(q)?.try_inverse()
+        })
+        .collect()
+}
+
+/// Inverse of `Q_k` of a steady constraint at each grid point.
+pub(super) struct RowRotation {
+    pub first: usize,
+    pub count: usize,
+    pub inverse: Vec<DMatrix<f64>>,
+}
+
+/// Number of multipliers at a grid point whose constraints are not steady.
+pub(super) fn count_turning(equations: &Collocation, tangent: &Tangent) -> usize {
+    classify(equations, tangent, Joints::Exact)
+        .iter()
+        .filter_map(|class| match class {
+            Class::Exact(gradients) => Some(gradients[0].nrows()),
+            _ => None,
+        })
+        .sum()
+}
+
+/// Rotations of all steady constraints.
+pub(super) fn row_rotations(equations: &Collocation, classes: &[Class]) -> Vec<RowRotation> {
+    let steady = |(index, class): (usize, &Class)| match class {
+        Class::Averaged(Average {
+            inverse_rotations: Some(inverse),
+            ..
+        }) => Some(RowRotation {
+            first: own_first(equations, index),
+            count: inverse[0].nrows(),
+            inverse: inverse.clone(),
+        }),
+        _ => None,
+    };
+    classes.iter().enumerate().filter_map(steady).collect()
+}
+
+impl RowRotation {
+    /// `x = Q⁻¹ x` of its rows or, transposed, `x = Q⁻ᵀ x`.
+    pub fn apply(&self, x: &mut [f64], transposed: bool) {
+        let mut product = vec![0.0; self.count];
+        for (k, inverse) in self.inverse.iter().enumerate() {
+            let values = &mut x[self.first + self.count * k..][..self.count];
+            for (i, p) in product.iter_mut().enumerate() {
+                *p = values
+                    .iter()
+                    .enumerate()
+                    .map(|(j, v)| {
+                        v * if transposed {
+                            inverse[(j, i)]
+                        } else {
+                            inverse[(i, j)]
+                        }
+                    })
+                    .sum();
+            }
+            values.copy_from_slice(&product);
+        }
+    }
+}

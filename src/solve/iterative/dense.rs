@@ -1,0 +1,70 @@
+//! Dense LU, in place.
+
+use crate::error::{Error, ErrorKind, Result};
+use faer::dyn_stack::{MemBuffer, MemStack};
+use faer::linalg::lu::partial_pivoting::{factor, solve};
+use faer::perm::PermRef;
+use faer::{Mat, MatMut, Par};
+
+/// A zero matrix.
+///
+/// # Errors
+/// If memory runs out.
+pub(super) fn zeros(rows: usize, columns: usize) -> Result<Mat<f64>> {
+    let mut matrix = Mat::new();
+    matrix.try_reserve(rows, columns).map_err(|_| {
+        let message = format!("a dense block of {rows} × {columns} does not fit in memory");
+        Error::new(ErrorKind::OutOfMemory, message)
+    })?;
+    matrix.resize_with(rows, columns, |_, _| 0.0);
+    Ok(matrix)
+}
+
+/// Factors of a square matrix.
+pub(super) struct DenseLu {
+    factors: Mat<f64>,
+    permutation: Vec<usize>,
+    inverse: Vec<usize>,
+    memory: MemBuffer,
+}
+
+impl DenseLu {
+    /// Factors `matrix` in its own memory; none if it is singular.
+    pub fn new(mut matrix: Mat<f64>) -> Option<Self> {
+        let size = matrix.nrows();
+        let mut permutation = vec![0usize; size];
+        let mut inverse = vec![0usize; size];
+        let scratch =
+            factor::lu_in_place_scratch::<usize, f64>(size, size, Par::Seq, Default::default());
+        let mut memory = MemBuffer::new(scratch);
+        factor::lu_in_place(
+            matrix.as_mut(),
+            &mut permutation,
+            &mut inverse,
+            Par::Seq,
+            MemStack::new(&mut memory),
+            Default::default(),
+        );
+        let regular = (0..size).all(|i| matrix[(i, i)] != 0.0 && matrix[(i, i)].is_finite());
+        let scratch = solve::solve_in_place_scratch::<usize, f64>(size, 1, Par::Seq);
+        regular.then(|| DenseLu {
+            factors: matrix,
+            permutation,
+            inverse,
+            memory: MemBuffer::new(scratch),
+        })
+    }
+
+    /// Solves in place.
+    pub fn solve(&mut self, x: &mut [f64]) {
+        let size = x.len();
+        solve::solve_in_place(
+            self.factors.as_ref(),
+            self.factors.as_ref(),
+            PermRef::new_checked(&self.permutation, &self.inverse, size),
+            MatMut::from_column_major_slice_mut(x, size, 1),
+            Par::Seq,
+            MemStack::new(&mut self.memory),
+        );
+    }
+}

@@ -1,0 +1,268 @@
+//! GMRES with a preconditioner from the left, so that errors are measured by what they mean for the unknowns,
+//! not by residuals, in which stiff directions drown soft ones.
+
+/// A cycle that leaves more than this of the residual is the last.
+const STAGNATION: f64 = 0.9;
+
+/// When to stop.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct GmresOptions {
+    /// Estimated error, relative to the solution.
+    pub tolerance: f64,
+    /// Most products.
+    pub iteration_limit: usize,
+    /// Products between restarts, for which vectors are kept.
+    pub restart: usize,
+}
+
+/// How it ended.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct GmresEnd {
+    /// Products taken.
+    pub iterations: usize,
+    /// Estimated error, relative to the solution: the preconditioned residual, amplified as much as the
+    /// preconditioned operator may amplify it.
+    pub error: f64,
+}
+
+/// A preconditioned operator: what is asked of it are `P⁻¹ A x` and `P⁻¹ b`, in place.
+pub(super) trait Preconditioned {
+    /// `y = A x`.
+    fn product(&mut self, x: &[f64], y: &mut [f64]);
+    /// `y = P⁻¹ y`.
+    fn precondition(&mut self, y: &mut [f64]);
+}
+
+/// Solves `A x = b` from `x = 0`: `rhs` is `b` before and `x` after.
+pub(super) fn gmres(
+    operator: &mut impl Preconditioned,
+    rhs: &mut [f64],
+    options: &GmresOptions,
+) -> GmresEnd {
+    let size = rhs.len();
+    let b = rhs.to_vec();
+    let mut rest = b.clone();
+    operator.precondition(&mut rest);
+    let start = norm(&rest);
+    rhs.fill(0.0);
+    let mut end = GmresEnd {
+        iterations: 0,
+        error: if start == 0.0 { 0.0 } else { 1.0 },
+    };
+    if start == 0.0 || !start.is_finite() {
+        return end;
+    }
+    let mut basis: Vec<Vec<f64>> = Vec::new();
+    while end.error > options.tolerance && end.iterations < options.iteration_limit {
+        let before = norm(&rest);
+        let cycle = options
+            .restart
+            .min(options.iteration_limit - end.iterations);
+        let first = rest.iter().map(|r| r / before);
+        match basis.first_mut() {
+            Some(vector) => vector.iter_mut().zip(first).for_each(|(v, r)| *v = r),
+            None => basis.push(first.collect()),
+        }
+        let mut triangle = Triangle::default();
+        let mut rotations: Vec<(f64, f64)> = Vec::new();
+        let mut rotated = vec![before];
+        for j in 0..cycle {
+            if basis.len() <= j + 1 {
+                basis.push(vec![0.0; size]);
+            }
+            let (known, new) = basis.split_at_mut(j + 1);
+            let w = &mut new[0];
+            operator.product(&known[j], w);
+            operator.precondition(w);
+            end.iterations += 1;
+            let mut column = project_out(known, w);
+            let length = norm(w);
+            if length > 0.0 {
+                w.iter_mut().for_each(|w| *w /= length);
+            }
+            for (i, (c, s)) in rotations.iter().enumerate() {
+                let (upper, lower) = (column[i], column[i + 1]);
+                column[i] = c * upper + s * lower;
+                column[i + 1] = c * lower - s * upper;
+            }
+            let diagonal = column[j].hypot(length);
+            if diagonal == 0.0 {
+                // A direction that the operator does not know.
+                break;
+            }
+            let (c, s) = (column[j] / diagonal, length / diagonal);
+            column[j] = diagonal;
+            rotations.push((c, s));
+            triangle.columns.push(column);
+            let last = rotated[j];
+            rotated[j] = c * last;
+            rotated.push(-s * last);
+            let error = rotated[j + 1].abs() * triangle.inverse_size();
+            let solution = norm(&triangle.solve(&rotated)).max(norm(rhs));
+            end.error = error / solution;
+            if end.error <= options.tolerance || length == 0.0 {
+                break;
+            }
+        }
+        for (v, y) in basis.iter().zip(&triangle.solve(&rotated)) {
+            add(rhs, v, *y);
+        }
+        // What rounding in the preconditioner leaves, nearly singular as it may be, shows in the residual only.
+        operator.product(rhs, &mut rest);
+        rest.iter_mut().zip(&b).for_each(|(r, b)| *r = b - *r);
+        operator.precondition(&mut rest);
+        // Written so that NaN ends it too.
+        let (left, size) = (norm(&rest), norm(rhs));
+        end.error = if size > 0.0 {
+            left * triangle.inverse_size() / size
+        } else {
+            1.0
+        };
+        let progress = left < STAGNATION * before;
+        if !progress {
+            break;
+        }
+    }
+    end
+}
+
+/// Upper triangle that rotations make of the Hessenberg matrix, column by column.
+#[derive(Default)]
+struct Triangle {
+    columns: Vec<Vec<f64>>,
+}
+
+impl Triangle {
+    /// Solves `R y = x` for the first entries of `x`.
+    fn solve(&self, x: &[f64]) -> Vec<f64> {
+        let mut y = x[..self.columns.len()].to_vec();
+        for i in (0..y.len()).rev() {
+            let (head, tail) = y.split_at_mut(i);
+            tail[0] /= self.columns[i][i];
+            add(head, &self.columns[i][..i], -tail[0]);
+        }
+        y
+    }
+
+    /// Solves `Rᵀ y = x`.
+    fn solve_transposed(&self, x: &[f64]) -> Vec<f64> {
+        let mut y: Vec<f64> = Vec::with_capacity(x.len());
+        for (column, x) in self.columns.iter().zip(x) {
+            let known = dot(&column[..y.len()], &y);
+            y.push((x - known) / column[y.len()]);
+        }
+        y
+    }
+
+    /// Size of `R⁻¹`, by a few steps of the power method.
+    fn inverse_size(&self) -> f64 {
+        let mut x: Vec<f64> = (0..self.columns.len())
+            .map(|i| 0.5 + (i as f64 * 0.618_033_988_75).fract())
+            .collect();
+        let mut size = 0.0;
+        for _ in 0..3 {
+            let length = norm(&x);
+            x.iter_mut().for_each(|x| *x /= length);
+            x = self.solve(&self.solve_transposed(&x));
+            size = norm(&x).sqrt();
+        }
+        size
+    }
+}
+
+/// Takes from `w` its parts along orthonormal `basis` vectors; returns these parts.
+fn project_out(basis: &[Vec<f64>], w: &mut [f64]) -> Vec<f64> {
+    basis
+        .iter()
+        .map(|v| {
+            let part = dot(v, w);
+            add(w, v, -part);
+            part
+        })
+        .collect()
+}
+
+/// `y += factor x`.
+fn add(y: &mut [f64], x: &[f64], factor: f64) {
+    y.iter_mut().zip(x).for_each(|(y, x)| *y += factor * x);
+}
+
+fn norm(x: &[f64]) -> f64 {
+    dot(x, x).sqrt()
+}
+
+/// Sums in eight parts side by side, in an order that does not depend on anything but the length.
+fn dot(x: &[f64], y: &[f64]) -> f64 {
+    let mut parts = [0.0; 8];
+    let (x_chunks, y_chunks) = (x.chunks_exact(8), y.chunks_exact(8));
+    let rest: f64 = x_chunks
+        .remainder()
+        .iter()
+        .zip(y_chunks.remainder())
+        .map(|(x, y)| x * y)
+        .sum();
+    for (x, y) in x_chunks.zip(y_chunks) {
+        for i in 0..8 {
+            parts[i] += x[i] * y[i];
+        }
+    }
+    parts.iter().sum::<f64>() + rest
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A matrix with a diagonal from 1 to 2 and a rotation, and no preconditioner.
+    struct Plain(usize);
+
+    impl Preconditioned for Plain {
+        fn product(&mut self, x: &[f64], y: &mut [f64]) {
+            let n = self.0;
+            for i in 0..n {
+                let shear = 0.3 * x[(i + 1) % n] - 0.3 * x[(i + n - 1) % n];
+                y[i] = (1.0 + i as f64 / n as f64) * x[i] + shear;
+            }
+        }
+
+        fn precondition(&mut self, _: &mut [f64]) {}
+    }
+
+    #[test]
+    fn solves_to_the_tolerance_also_with_restarts() {
+        for restart in [4, 50] {
+            let mut operator = Plain(40);
+            let exact: Vec<f64> = (0..40).map(|i| (i as f64).cos()).collect();
+            let mut x = vec![0.0; 40];
+            operator.product(&exact, &mut x);
+            let options = GmresOptions {
+                tolerance: 1e-10,
+                iteration_limit: 200,
+                restart,
+            };
+            let end = gmres(&mut operator, &mut x, &options);
+            assert!(end.error <= 1e-10, "{end:?}");
+            let error = x.iter().zip(&exact).map(|(x, e)| (x - e).abs());
+            assert!(error.fold(0.0, f64::max) < 1e-9);
+        }
+    }
+
+    #[test]
+    fn a_singular_system_ends() {
+        struct Zero;
+        impl Preconditioned for Zero {
+            fn product(&mut self, _: &[f64], y: &mut [f64]) {
+                y.fill(0.0);
+            }
+            fn precondition(&mut self, _: &mut [f64]) {}
+        }
+        let options = GmresOptions {
+            tolerance: 1e-10,
+            iteration_limit: 20,
+            restart: 20,
+        };
+        let mut x = vec![1.0, 2.0];
+        let end = gmres(&mut Zero, &mut x, &options);
+        assert!(end.error > 0.5 && x.iter().all(|x| x.is_finite()));
+    }
+}

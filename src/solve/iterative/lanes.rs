@@ -1,0 +1,103 @@
+//! Numbers of several matrices side by side: one operation works on all of them.
+
+use nalgebra::{Complex, ComplexField};
+
+/// Matrices that are worked on together.
+pub(super) const LANES: usize = 8;
+
+/// One entry of each of [`LANES`] matrices.
+pub(super) trait Lanes: Copy + Send + Sync {
+    /// The number itself.
+    type Number: ComplexField<RealField = f64> + Copy + Default;
+
+    fn zero() -> Self;
+    fn get(&self, lane: usize) -> Self::Number;
+    fn set(&mut self, lane: usize, value: Self::Number);
+    /// `self += a b`.
+    fn add_product(&mut self, a: &Self, b: &Self);
+    /// `self −= a b`.
+    fn subtract_product(&mut self, a: &Self, b: &Self);
+}
+
+/// Real ones.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct RealLanes([f64; LANES]);
+
+/// Complex ones.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct ComplexLanes {
+    re: [f64; LANES],
+    im: [f64; LANES],
+}
+
+impl Lanes for RealLanes {
+    type Number = f64;
+
+    #[inline(always)]
+    fn zero() -> Self {
+        RealLanes([0.0; LANES])
+    }
+
+    #[inline(always)]
+    fn get(&self, lane: usize) -> f64 {
+        self.0[lane]
+    }
+
+    #[inline(always)]
+    fn set(&mut self, lane: usize, value: f64) {
+        self.0[lane] = value;
+    }
+
+    #[inline(always)]
+    fn add_product(&mut self, a: &Self, b: &Self) {
+        for i in 0..LANES {
+            self.0[i] += a.0[i] * b.0[i];
+        }
+    }
+
+    #[inline(always)]
+    fn subtract_product(&mut self, a: &Self, b: &Self) {
+        for i in 0..LANES {
+            self.0[i] -= a.0[i] * b.0[i];
+        }
+    }
+}
+
+impl Lanes for ComplexLanes {
+    type Number = Complex<f64>;
+
+    #[inline(always)]
+    fn zero() -> Self {
+        ComplexLanes {
+            re: [0.0; LANES],
+            im: [0.0; LANES],
+        }
+    }
+
+    #[inline(always)]
+    fn get(&self, lane: usize) -> Complex<f64> {
+        Complex::new(self.re[lane], self.im[lane])
+    }
+
+    #[inline(always)]
+    fn set(&mut self, lane: usize, value: Complex<f64>) {
+        self.re[lane] = value.re;
+        self.im[lane] = value.im;
+    }
+
+    #[inline(always)]
+    fn add_product(&mut self, a: &Self, b: &Self) {
+        for i in 0..LANES {
+            self.re[i] += a.re[i] * b.re[i] - a.im[i] * b.im[i];
+            self.im[i] += a.re[i] * b.im[i] + a.im[i] * b.re[i];
+        }
+    }
+
+    #[inline(always)]
+    fn subtract_product(&mut self, a: &Self, b: &Self) {
+        for i in 0..LANES {
+            self.re[i] -= a.re[i] * b.re[i] - a.im[i] * b.im[i];
+            self.im[i] -= a.re[i] * b.im[i] + a.im[i] * b.re[i];
+        }
+    }
+}

@@ -1,0 +1,166 @@
+//! Where nodes and own unknowns of elements stand in the block rows of a preconditioner.
+
+use super::block_lu::BlockStructure;
+use super::constraints::Class;
+use crate::collocation::{Collocation, Tangent};
+use crate::system::System;
+use std::collections::BTreeSet;
+
+/// What stands together in a block row.
+#[derive(Debug, Clone, Copy)]
+enum Member {
+    Node(usize),
+    /// Own unknowns of an element.
+    Own(usize),
+}
+
+/// Block rows of one harmonic, or of one grid point.
+pub(super) struct Layout {
+    pub structure: BlockStructure,
+    /// Block row of each node, and its first unknown there.
+    pub node_at: Vec<(usize, usize)>,
+    /// The same for the own unknowns of each element, if they are not left out.
+    pub own_at: Vec<(usize, usize)>,
+    /// Of each unknown: its place at the first grid point, and from one grid point to the next.
+    pub places: Vec<(usize, usize)>,
+}
+
+impl Layout {
+    /// Constraints stand together with all nodes that they constrain, as their own diagonal is zero; all else
+    /// stands alone. Constraints that `classes` keep exact are left out, rows with nodes that they constrain are kept.
+    pub fn new(equations: &Collocation, tangent: &Tangent, classes: &[Class]) -> Self {
+        let system = equations.system();
+        let points = equations.grid().points();
+        let rows = block_rows(system, classes);
+        let mut node_at = vec![(0, 0); system.nodes()];
+        let mut own_at = vec![(0, 0); system.elements().len()];
+        let mut sizes = Vec::with_capacity(rows.len());
+        for (row, members) in rows.iter().enumerate() {
+            let mut first = 0;
+            for &member in members {
+                match member {
+                    Member::Node(node) => node_at[node] = (row, first),
+                    Member::Own(index) => own_at[index] = (row, first),
+                }
+                first += size_of(system, member);
+            }
+            sizes.push(first);
+        }
+        let mut coupled = vec![BTreeSet::new(); rows.len()];
+        let mut couple = |a: usize, b: usize| {
+            coupled[a].insert(b);
+            coupled[b].insert(a);
+        };
+        for coupling in tangent.couplings() {
+            couple(node_at[coupling.row].0, node_at[coupling.column].0);
+        }
+        for (index, (class, placed)) in classes.iter().zip(system.elements()).enumerate() {
+            if matches!(class, Class::Averaged(_)) {
+                for &node in placed.element.nodes() {
+                    couple(own_at[index].0, node_at[node].0);
+                }
+            }
+        }
+        let mut kept = vec![false; rows.len()];
+        for (class, placed) in classes.iter().zip(system.elements()) {
+            if matches!(class, Class::Exact(_)) {
+                for &node in placed.element.nodes() {
+                    kept[node_at[node].0] = true;
+                }
+            }
+        }
+        let structure = BlockStructure::new(sizes, coupled, &kept);
+        let mut places = vec![(0, 0); structure.unknowns()];
+        for (node, &(row, first)) in node_at.iter().enumerate() {
+            for component in 0..6 {
+                places[structure.first(row) + first + component] =
+                    (6 * points * node + component, 6);
+            }
+        }
+        for (index, class) in classes.iter().enumerate() {
+            if let Class::Averaged(_) = class {
+                let (row, first) = own_at[index];
+                let count = system.elements()[index].element.multipliers();
+                for i in 0..count {
+                    let place = own_first(equations, index) + i;
+                    places[structure.first(row) + first + i] = (place, count);
+                }
+            }
+        }
+        Layout {
+            structure,
+            node_at,
+            own_at,
+            places,
+        }
+    }
+
+    /// Unknowns that are not eliminated, in ascending order.
+    pub fn kept(&self) -> impl Iterator<Item = usize> {
+        let diagonal = self
+            .structure
+            .kept()
+            .iter()
+            .filter(|(row, column, _)| row == column);
+        diagonal.flat_map(|&(row, ..)| {
+            let first = self.structure.first(row);
+            first..first + self.structure.size(row)
+        })
+    }
+
+    /// Unknowns of the largest block row.
+    pub fn largest_block(&self) -> usize {
+        (0..self.structure.rows())
+            .map(|row| self.structure.size(row))
+            .max()
+            .unwrap_or(0)
+    }
+}
+
+/// Place of an element's first own unknown among all.
+pub(super) fn own_first(equations: &Collocation, index: usize) -> usize {
+    let system = equations.system();
+    let points = equations.grid().points();
+    (6 * system.nodes() + system.elements()[index].first_multiplier) * points
+}
+
+fn size_of(system: &System, member: Member) -> usize {
+    match member {
+        Member::Node(_) => 6,
+        Member::Own(index) => system.elements()[index].element.multipliers(),
+    }
+}
+
+fn block_rows(system: &System, classes: &[Class]) -> Vec<Vec<Member>> {
+    fn root(group: &[usize], mut node: usize) -> usize {
+        while group[node] != node {
+            node = group[node];
+        }
+        node
+    }
+    let constrains =
+        |class: &Class, has_states: bool| matches!(class, Class::Averaged(_)) && !has_states;
+    let mut group: Vec<usize> = (0..system.nodes()).collect();
+    for (class, placed) in classes.iter().zip(system.elements()) {
+        if constrains(class, placed.has_states) {
+            let nodes = placed.element.nodes();
+            for &node in nodes {
+                let (a, b) = (root(&group, nodes[0]), root(&group, node));
+                group[a.max(b)] = a.min(b);
+            }
+        }
+    }
+    let mut rows: Vec<Vec<Member>> = vec![Vec::new(); system.nodes()];
+    for node in 0..system.nodes() {
+        rows[root(&group, node)].push(Member::Node(node));
+    }
+    for (index, (class, placed)) in classes.iter().zip(system.elements()).enumerate() {
+        if constrains(class, placed.has_states) {
+            rows[root(&group, placed.element.nodes()[0])].push(Member::Own(index));
+        } else if let Class::Averaged(_) = class {
+            rows.push(vec![Member::Own(index)]);
+        }
+    }
+    rows.retain(|members| !members.is_empty());
+    rows
+}

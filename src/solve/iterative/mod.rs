@@ -1,0 +1,412 @@
+//! Iterative solution of Newton's linear equations, without forming the Jacobian: GMRES with preconditioners
+//! that know what is nearly constant, in time or in the frames of the bodies.
+
+mod block_lu;
+mod body_circulant;
+mod constraints;
+mod dense;
+mod gmres;
+mod interface;
+mod lanes;
+mod layout;
+mod mean;
+mod time_local;
+
+use super::diagnosis::Singularity;
+use super::linear::LinearSolver;
+use super::newton::{Timings, timed};
+use crate::collocation::{Collocation, GridState, Tangent};
+use crate::error::Result;
+use body_circulant::BodyCirculant;
+use constraints::Joints;
+use gmres::{GmresOptions, Preconditioned, gmres};
+use serde::{Deserialize, Serialize};
+use time_local::TimeLocal;
+
+/// Most products of a linear solve.
+const ITERATION_LIMIT: usize = 150;
+/// Most vectors that are kept.
+const RESTART: usize = 75;
+/// A solve that takes so many products more than the first with its preconditioner asks for a new one.
+const MANY: usize = 10;
+/// Largest dense system of joints: 1.6 GB.
+const LARGEST_INTERFACE: usize = 14_000;
+/// One so large is avoided if time-local preconditioning does as well.
+const LARGE_INTERFACE: usize = 3_000;
+/// Products that it may take then.
+const FEW: usize = 40;
+
+/// What the Jacobian is approximated by, to be solved with exactly.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+pub enum Preconditioner {
+    /// Bodies averaged over time, each in its own frame; joints as they are. Serves all kinds of systems.
+    BodyCirculant,
+    /// Equilibrium at each grid point by itself, without inertia: for slow mechanisms.
+    TimeLocal,
+    /// Everything averaged over time, as the paper proposes: for systems with no joints that turn.
+    Circulant,
+}
+
+/// What iterative solves took.
+#[derive(Debug, Clone, Default, PartialEq, Eq, Serialize, Deserialize)]
+pub struct IterativeRecord {
+    /// The preconditioner that was used last.
+    pub preconditioner: Option<Preconditioner>,
+    /// Products of each linear solve.
+    pub products: Vec<usize>,
+    /// Times that a preconditioner was factored.
+    pub factorisations: usize,
+    /// Unknowns of the dense system of joints that turn.
+    pub interface: usize,
+    /// Bytes of the tangents, the factors and the vectors that were kept, at most.
+    pub bytes: usize,
+}
+
+enum Factors {
+    Body(Box<BodyCirculant>),
+    Local(Box<TimeLocal>),
+}
+
+impl Factors {
+    fn new(
+        equations: &Collocation,
+        tangent: &Tangent,
+        preconditioner: Preconditioner,
+    ) -> Result<Option<Self>> {
+        let circulant = |joints: Joints| -> Result<Option<Self>> {
+            let factors = BodyCirculant::new(equations, tangent, joints, LARGEST_INTERFACE)?;
+            Ok(factors.map(|f| Factors::Body(Box::new(f))))
+        };
+        match preconditioner {
+            Preconditioner::BodyCirculant => circulant(Joints::Exact),
+            Preconditioner::Circulant => circulant(Joints::Averaged),
+            Preconditioner::TimeLocal => {
+                Ok(TimeLocal::new(equations, tangent).map(|f| Factors::Local(Box::new(f))))
+            }
+        }
+    }
+
+    fn apply(&mut self, x: &mut [f64]) {
+        match self {
+            Factors::Body(factors) => factors.apply(x),
+            Factors::Local(factors) => factors.apply(x),
+        }
+    }
+
+    fn bytes(&self) -> usize {
+        match self {
+            Factors::Body(factors) => factors.bytes(),
+            Factors::Local(factors) => factors.bytes(),
+        }
+    }
+}
+
+/// GMRES on the Jacobian as an operator.
+pub(super) struct Iterative {
+    tangent: Tangent,
+    /// What was asked for, if anything was.
+    wanted: Option<Preconditioner>,
+    /// What is in use, and what is left to be tried.
+    candidates: Vec<Preconditioner>,
+    factors: Option<Factors>,
+    /// Whether the factors are those of an earlier Jacobian.
+    is_old: bool,
+    /// Products of the first solve with the factors.
+    first_products: Option<usize>,
+    pub record: IterativeRecord,
+}
+
+struct Operator<'a> {
+    equations: &'a mut Collocation,
+    tangent: &'a mut Tangent,
+    factors: &'a mut Factors,
+}
+
+impl Preconditioned for Operator<'_> {
+    fn product(&mut self, x: &[f64], y: &mut [f64]) {
+        self.tangent.apply(self.equations, x, y);
+    }
+
+    fn precondition(&mut self, y: &mut [f64]) {
+        self.factors.apply(y);
+    }
+}
+
+impl Iterative {
+    /// For `equations`, with this preconditioner or, if none is named, with what suits them.
+    pub fn new(equations: &Collocation, wanted: Option<Preconditioner>) -> Self {
+        Iterative {
+            tangent: Tangent::new(equations.system(), equations.grid().points()),
+            wanted,
+            candidates: Vec::new(),
+            factors: None,
+            is_old: false,
+            first_products: None,
+            record: IterativeRecord::default(),
+        }
+    }
+
+    /// Factors the first candidate that can be.
+    fn prepare(&mut self, equations: &Collocation) -> Result<bool> {
+        // The memory of the old ones first.
+        self.factors = None;
+        self.first_products = None;
+        while let Some(&preconditioner) = self.candidates.first() {
+            self.factors = Factors::new(equations, &self.tangent, preconditioner)?;
+            if let Some(factors) = &self.factors {
+                self.is_old = false;
+                self.record.preconditioner = Some(preconditioner);
+                self.record.factorisations += 1;
+                self.record.interface = match factors {
+                    Factors::Body(factors) => factors.interface_size(),
+                    Factors::Local(_) => 0,
+                };
+                return Ok(true);
+            }
+            self.candidates.remove(0);
+        }
+        Ok(false)
+    }
+
+    /// What to try, in this order.
+    fn choose(&self, equations: &Collocation) -> Vec<Preconditioner> {
+        if let Some(wanted) = self.wanted {
+            return vec![wanted];
+        }
+        let turning = constraints::count_turning(equations, &self.tangent);
+        if turning * equations.grid().points() > LARGE_INTERFACE {
+            vec![Preconditioner::TimeLocal, Preconditioner::BodyCirculant]
+        } else {
+            vec![Preconditioner::BodyCirculant, Preconditioner::TimeLocal]
+        }
+    }
+
+    fn count_bytes(&mut self, vectors: usize, size: usize) {
+        let factors = self.factors.as_ref().map_or(0, Factors::bytes);
+        let bytes = self.tangent.bytes() + factors + (vectors + 4) * size * size_of::<f64>();
+        self.record.bytes = self.record.bytes.max(bytes);
+    }
+}
+
+impl LinearSolver for Iterative {
+    fn linearise(
+        &mut self,
+        equations: &mut Collocation,
+        state: &GridState,
+        timings: &mut Timings,
+    ) -> Result<bool> {
+        timed(&mut timings.assembly, || {
+            self.tangent.evaluate(equations, state)
+        })?;
+        self.is_old = true;
+        if self.factors.is_some() {
+            return Ok(true);
+        }
+        timed(&mut timings.factorisation, || {
+            self.candidates = self.choose(equations);
+            self.prepare(equations)
+        })
+    }
+
+    fn solve(
+        &mut self,
+        equations: &mut Collocation,
+        rhs: &mut [f64],
+        accuracy: f64,
+    ) -> Result<bool> {
+        let wanted = rhs.to_vec();
+        loop {
+            let Some(factors) = &mut self.factors else {
+                return Ok(false);
+            };
+            let another = self.candidates.len() > 1;
+            let options = GmresOptions {
+                tolerance: accuracy,
+                iteration_limit: if another { FEW } else { ITERATION_LIMIT },
+                restart: RESTART,
+            };
+            let mut operator = Operator {
+                equations,
+                tangent: &mut self.tangent,
+                factors,
+            };
+            let end = gmres(&mut operator, rhs, &options);
+            self.record.products.push(end.iterations);
+            self.count_bytes(end.iterations.min(RESTART), rhs.len());
+            let solved = end.error <= accuracy;
+            let first = *self.first_products.get_or_insert(end.iterations);
+            if solved {
+                if self.is_old && end.iterations > first + MANY {
+                    self.prepare(equations)?;
+                }
+                return Ok(rhs.iter().all(|x| x.is_finite()));
+            }
+            rhs.copy_from_slice(&wanted);
+            if !self.is_old {
+                self.candidates.remove(0);
+            }
+            if self.candidates.is_empty() || !self.prepare(equations)? {
+                return Ok(false);
+            }
+        }
+    }
+
+    fn growth(&mut self, _: &mut Collocation) -> f64 {
+        // What is singular is not solved.
+        0.0
+    }
+
+    fn explain(&mut self, _: &Collocation, _: &GridState) -> Singularity {
+        let tried = match self.wanted {
+            Some(Preconditioner::BodyCirculant) => "the body-circulant preconditioner",
+            Some(Preconditioner::TimeLocal) => "the time-local preconditioner",
+            Some(Preconditioner::Circulant) => "the circulant preconditioner",
+            None => "any preconditioner",
+        };
+        Singularity::Unsolved(format!(
+            "the linear equations could not be solved by iteration with {tried}: they are singular, or \
+             nearly so, or the preconditioner is unlike them; solve them directly, or with fewer grid points"
+        ))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::collocation::GridState;
+    use crate::fourier::TimeGrid;
+    use crate::model::Model;
+    use crate::solve::test_models::{four_bar, rotor};
+    use crate::solve::{Outcome, PeriodicOptions, solve_periodic};
+
+    /// Products to 1e-8 at the solution; none if it cannot be had.
+    fn products(
+        model: &Model,
+        period: f64,
+        points: usize,
+        preconditioner: Preconditioner,
+    ) -> Option<usize> {
+        let options = PeriodicOptions::with_grid_points(points);
+        let solve = solve_periodic(model, period, &options, &mut |_, _| true).unwrap();
+        assert_eq!(solve.report.outcome, Outcome::Converged);
+        let grid = TimeGrid::new(points, period).unwrap();
+        let mut equations = Collocation::new(solve.system.clone(), grid).unwrap();
+        let mut iterative = Iterative::new(&equations, Some(preconditioner));
+        let state: &GridState = &solve.state;
+        let mut timings = Timings::default();
+        if !iterative
+            .linearise(&mut equations, state, &mut timings)
+            .unwrap()
+        {
+            return None;
+        }
+        let exact: Vec<f64> = (0..equations.size())
+            .map(|i| (0.7 * i as f64).sin())
+            .collect();
+        let mut x = vec![0.0; exact.len()];
+        iterative.tangent.apply(&mut equations, &exact, &mut x);
+        let solved = iterative.solve(&mut equations, &mut x, 1e-8).unwrap();
+        if solved {
+            let error = x
+                .iter()
+                .zip(&exact)
+                .map(|(x, e)| (x - e).powi(2))
+                .sum::<f64>()
+                .sqrt();
+            let size = exact.iter().map(|e| e * e).sum::<f64>().sqrt();
+            print!("{:.1e} ", error / size);
+        }
+        solved.then_some(iterative.record.products[0])
+    }
+
+    #[test]
+    fn noise() {
+        let (model, period) = four_bar(2, 2, 0.5);
+        let points = 15;
+        let options = PeriodicOptions::with_grid_points(points);
+        let solve = solve_periodic(&model, period, &options, &mut |_, _| true).unwrap();
+        let grid = TimeGrid::new(points, period).unwrap();
+        let mut equations = Collocation::new(solve.system.clone(), grid).unwrap();
+        let mut it = Iterative::new(&equations, Some(Preconditioner::BodyCirculant));
+        let mut timings = Timings::default();
+        it.linearise(&mut equations, &solve.state, &mut timings)
+            .unwrap();
+        println!("reg {}", equations.regularisation());
+        let a: Vec<f64> = (0..equations.size())
+            .map(|i| (0.7 * i as f64).sin())
+            .collect();
+        let b: Vec<f64> = (0..equations.size())
+            .map(|i| (0.3 * (i * i) as f64).sin())
+            .collect();
+        let mut c: Vec<f64> = a.iter().zip(&b).map(|(a, b)| a + b).collect();
+        let (mut pa, mut pb) = (a.clone(), b.clone());
+        let f = it.factors.as_mut().unwrap();
+        f.apply(&mut pa);
+        f.apply(&mut pb);
+        f.apply(&mut c);
+        let n = |x: &[f64]| x.iter().map(|x| x * x).sum::<f64>().sqrt();
+        let d: Vec<f64> = (0..c.len()).map(|i| c[i] - pa[i] - pb[i]).collect();
+        let m = 6 * points * solve.system.nodes();
+        for node in 0..solve.system.nodes() {
+            let part = |x: &[f64], comp: usize| {
+                (0..points)
+                    .map(|k| x[6 * (node * points + k) + comp].powi(2))
+                    .sum::<f64>()
+                    .sqrt()
+            };
+            println!(
+                "motions {node} {:?}",
+                [0, 1, 2, 3, 4, 5].map(|i| format!("{:.0e} {:.0e}", part(&d, i), part(&c, i)))
+            );
+        }
+        println!(
+            "motions {:.1e} of {:.1e}, multipliers {:.1e} of {:.1e}",
+            n(&d[..m]),
+            n(&c[..m]),
+            n(&d[m..]),
+            n(&c[m..])
+        );
+        let mut y = vec![0.0; c.len()];
+        it.tangent.apply(&mut equations, &c, &mut y);
+        println!(
+            "product motions {:.1e}, multipliers {:.1e}",
+            n(&y[..m]),
+            n(&y[m..])
+        );
+        let mut y2 = a.clone();
+        it.tangent.apply(&mut equations, &a, &mut y2);
+        println!(
+            "A a motions {:.1e}, multipliers {:.1e}",
+            n(&y2[..m]),
+            n(&y2[m..])
+        );
+        it.factors.as_mut().unwrap().apply(&mut y2);
+        println!(
+            "P A a motions {:.1e}, multipliers {:.1e}",
+            n(&y2[..m]),
+            n(&y2[m..])
+        );
+        panic!()
+    }
+
+    #[test]
+    fn few_products() {
+        let all = [
+            Preconditioner::Circulant,
+            Preconditioner::TimeLocal,
+            Preconditioner::BodyCirculant,
+        ];
+        for points in [15, 31, 63] {
+            for (name, (model, period)) in [
+                ("rotor", rotor(4)),
+                ("slow", four_bar(2, 2, 0.5)),
+                ("3", four_bar(2, 2, 3.0)),
+                ("10", four_bar(2, 2, 10.0)),
+            ] {
+                let counts = all.map(|p| products(&model, period, points, p));
+                println!("{name} {points} {counts:?}");
+            }
+        }
+        panic!()
+    }
+}

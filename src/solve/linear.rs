@@ -1,0 +1,39 @@
+//! What Newton's method asks of a solver of its linear equations.
+
+use super::diagnosis::Singularity;
+use super::newton::Timings;
+use crate::collocation::{Collocation, GridState};
+use crate::error::Result;
+
+/// Solver of the linearised equations.
+pub(super) trait LinearSolver {
+    /// Linearises the equations at `state`. `false` if they are singular.
+    ///
+    /// # Errors
+    /// If the equations cannot be evaluated, or memory runs out.
+    fn linearise(
+        &mut self,
+        equations: &mut Collocation,
+        state: &GridState,
+        timings: &mut Timings,
+    ) -> Result<bool>;
+
+    /// Solves the scaled equations in place; errors relative to the solution may be of the order of `accuracy`.
+    /// `false` if that cannot be done.
+    ///
+    /// # Errors
+    /// If memory runs out.
+    fn solve(
+        &mut self,
+        equations: &mut Collocation,
+        rhs: &mut [f64],
+        accuracy: f64,
+    ) -> Result<bool>;
+
+    /// Size of the inverse of the Jacobian, relative to the Jacobian: about the inverse of the rounding if it
+    /// is singular.
+    fn growth(&mut self, equations: &mut Collocation) -> f64;
+
+    /// Why the Jacobian at `state`, where it was linearised last, is singular.
+    fn explain(&mut self, equations: &Collocation, state: &GridState) -> Singularity;
+}

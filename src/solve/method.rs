@@ -1,0 +1,202 @@
+//! How Newton's linear equations are solved: directly or by iteration, as costs less.
+
+use super::assembled::Assembled;
+use super::diagnosis::Singularity;
+use super::iterative::{Iterative, IterativeRecord, Preconditioner};
+use super::linear::LinearSolver;
+use super::newton::{Timings, timed};
+use super::ordering::plan;
+use crate::collocation::{Collocation, GridState};
+use crate::error::{ErrorKind, Result};
+use crate::system::System;
+use std::collections::BTreeSet;
+
+/// How linear equations are solved.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum LinearMethod {
+    /// Directly where that is cheap, by iteration otherwise.
+    #[default]
+    Automatic,
+    /// By factors of the whole Jacobian.
+    Direct,
+    /// By iteration, with the preconditioner that suits, or with this one.
+    Iterative(Option<Preconditioner>),
+}
+
+/// Factors that take more than this, in bytes, are avoided.
+const LARGE: f64 = 1.5e9;
+/// Factors that take more than this are not tried, even where iteration fails.
+const TOO_LARGE: f64 = 6e9;
+/// Time that a direct solve may take, in multiply-adds, for each number that is stored at a node and grid point, where
+/// iteration is the alternative: about what fifty products take.
+const AFFORDABLE: f64 = 1.5e5;
+
+/// What direct factors take.
+struct Cost {
+    /// Multiply-adds.
+    work: f64,
+    bytes: f64,
+}
+
+impl Cost {
+    /// Of the Jacobian of a system on a grid of so many points.
+    fn of(system: &System, points: usize) -> Self {
+        let nodes = system.nodes();
+        let mut sizes = vec![6 * points; nodes];
+        let mut coupled = vec![BTreeSet::new(); nodes];
+        for placed in system.elements() {
+            let mut members = placed.element.nodes().to_vec();
+            if placed.element.multipliers() > 0 {
+                members.push(sizes.len());
+                sizes.push(placed.element.multipliers() * points);
+                coupled.push(BTreeSet::new());
+            }
+            for &a in &members {
+                coupled[a].extend(&members);
+            }
+        }
+        let (mut work, mut numbers) = (0.0, 0.0);
+        let size = |groups: &[usize]| groups.iter().map(|&g| sizes[g]).sum::<usize>() as f64;
+        for front in plan(&sizes, &coupled, nodes) {
+            let (own, rest) = (size(&front.own), size(&front.boundary));
+            work += own * own * own / 3.0 + own * own * rest + own * rest * rest;
+            numbers += own * (own + 2.0 * rest);
+        }
+        // The values themselves, and the largest fronts, come to about as much again.
+        Cost {
+            work,
+            bytes: 2.0 * numbers * size_of::<f64>() as f64,
+        }
+    }
+}
+
+enum Active {
+    Direct(Box<Assembled>),
+    Iterative(Box<Iterative>),
+}
+
+/// The solver in use.
+pub(super) struct Linear {
+    active: Active,
+    /// Whether factors may be tried where iteration fails.
+    falls_back: bool,
+    /// Where the equations were linearised last.
+    last: Option<GridState>,
+    /// What iteration took until it was given up.
+    given_up: Option<IterativeRecord>,
+}
+
+impl Linear {
+    /// For `equations`, as `method` says.
+    pub fn new(equations: &Collocation, method: LinearMethod) -> Self {
+        let (system, points) = (equations.system(), equations.grid().points());
+        let direct = || Active::Direct(Box::new(Assembled::new(equations)));
+        let iterative = |p| Active::Iterative(Box::new(Iterative::new(equations, p)));
+        let mut falls_back = false;
+        let active = match method {
+            LinearMethod::Direct => direct(),
+            LinearMethod::Iterative(preconditioner) => iterative(preconditioner),
+            LinearMethod::Automatic => {
+                let cost = Cost::of(system, points);
+                falls_back = cost.bytes < TOO_LARGE;
+                let numbers = (6 * system.nodes() * points) as f64;
+                if cost.bytes < LARGE && cost.work < AFFORDABLE * numbers {
+                    direct()
+                } else {
+                    iterative(None)
+                }
+            }
+        };
+        Linear {
+            active,
+            falls_back,
+            last: None,
+            given_up: None,
+        }
+    }
+
+    /// What iteration took, if any was tried.
+    pub fn record(&self) -> Option<&IterativeRecord> {
+        match &self.active {
+            Active::Iterative(iterative) => Some(&iterative.record),
+            Active::Direct(_) => self.given_up.as_ref(),
+        }
+    }
+
+    /// Whether factors of the whole Jacobian are in use.
+    pub fn is_direct(&self) -> bool {
+        matches!(self.active, Active::Direct(_))
+    }
+
+    /// Gives iteration up for factors.
+    fn fall_back(&mut self, equations: &mut Collocation) -> Result<bool> {
+        let (Active::Iterative(iterative), Some(state), true) =
+            (&self.active, &self.last, self.falls_back)
+        else {
+            return Ok(false);
+        };
+        self.given_up = Some(iterative.record.clone());
+        let mut direct = Assembled::new(equations);
+        direct.assemble(equations, state)?;
+        let regular = direct.factor();
+        if matches!(&regular, Err(e) if e.kind() == ErrorKind::OutOfMemory) {
+            return Ok(false);
+        }
+        self.active = Active::Direct(Box::new(direct));
+        regular
+    }
+}
+
+impl LinearSolver for Linear {
+    fn linearise(
+        &mut self,
+        equations: &mut Collocation,
+        state: &GridState,
+        timings: &mut Timings,
+    ) -> Result<bool> {
+        if self.falls_back {
+            self.last = Some(state.clone());
+        }
+        let done = match &mut self.active {
+            Active::Direct(direct) => return direct.linearise(equations, state, timings),
+            Active::Iterative(iterative) => iterative.linearise(equations, state, timings)?,
+        };
+        if done {
+            return Ok(true);
+        }
+        timed(&mut timings.factorisation, || self.fall_back(equations))
+    }
+
+    fn solve(
+        &mut self,
+        equations: &mut Collocation,
+        rhs: &mut [f64],
+        accuracy: f64,
+    ) -> Result<bool> {
+        let done = match &mut self.active {
+            Active::Direct(direct) => return direct.solve(equations, rhs, accuracy),
+            Active::Iterative(iterative) => iterative.solve(equations, rhs, accuracy)?,
+        };
+        if done || !self.fall_back(equations)? {
+            return Ok(done);
+        }
+        match &mut self.active {
+            Active::Direct(direct) => direct.solve(equations, rhs, accuracy),
+            Active::Iterative(_) => Ok(false),
+        }
+    }
+
+    fn growth(&mut self, equations: &mut Collocation) -> f64 {
+        match &mut self.active {
+            Active::Direct(direct) => direct.growth(equations),
+            Active::Iterative(iterative) => iterative.growth(equations),
+        }
+    }
+
+    fn explain(&mut self, equations: &Collocation, state: &GridState) -> Singularity {
+        match &mut self.active {
+            Active::Direct(direct) => direct.explain(equations, state),
+            Active::Iterative(iterative) => iterative.explain(equations, state),
+        }
+    }
+}
