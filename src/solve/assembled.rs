@@ -10,7 +10,7 @@ use crate::error::Result;
 
 /// The Jacobian's values, and their factors.
 #[derive(Debug)]
-pub struct Assembled {
+pub(super) struct Assembled {
     pub(super) pattern: Pattern,
     pub(super) solver: DirectSolver,
     pub(super) blocks: TangentBlocks,

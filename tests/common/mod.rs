@@ -106,6 +106,7 @@ pub fn zener_pendulum() -> (Model, usize, usize) {
 /// what Newton leaves is rounding alone.
 pub fn options(grid_points: usize) -> PeriodicOptions {
     PeriodicOptions {
+        linear: LinearMethod::Automatic,
         grid_points: GridPoints::Fixed(grid_points),
         newton: NewtonOptions {
             tolerance: 1e-9,
