@@ -5,7 +5,7 @@ use nalgebra::{Matrix3, Vector3};
 use periodyn::elements::{Coordinate, JointKind, LoadFrame};
 use periodyn::model::{JointCoordinate, Model, Signal};
 use periodyn::output::{JointQuantity, Solution};
-use periodyn::solve::{GridPoints, InitialGuess, NewtonOptions, Outcome, PeriodicOptions};
+use periodyn::solve::{NewtonOptions, Outcome, PeriodicOptions};
 use std::f64::consts::TAU;
 
 #[test]
@@ -45,12 +45,11 @@ fn a_blade_held_by_its_rotation_alone_flaps_as_linear_theory_says() {
     model.add_load(blade, LoadFrame::Space, components).unwrap();
 
     let options = PeriodicOptions {
-        grid_points: GridPoints::Fixed(9),
         newton: NewtonOptions {
             tolerance: 1e-10,
             iteration_limit: 20,
         },
-        guess: InitialGuess::Default,
+        ..PeriodicOptions::with_grid_points(9)
     };
     let solution = Solution::solve(&model, TAU / omega, &options, &mut |_, _| true).unwrap();
     assert_eq!(

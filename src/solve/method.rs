@@ -123,11 +123,6 @@ impl Linear {
         }
     }
 
-    /// Whether factors of the whole Jacobian are in use.
-    pub fn is_direct(&self) -> bool {
-        matches!(self.active, Active::Direct(_))
-    }
-
     /// Gives iteration up for factors.
     fn fall_back(&mut self, equations: &mut Collocation) -> Result<bool> {
         let (Active::Iterative(iterative), Some(state), true) =

@@ -1,6 +1,6 @@
 //! Models that tests of the linear solvers share.
 
-use crate::elements::{Coordinate, JointKind};
+use crate::elements::{Coordinate, JointKind, LoadFrame};
 use crate::model::*;
 use nalgebra::{Matrix3, Vector3};
 use std::f64::consts::TAU;
@@ -94,6 +94,36 @@ pub(crate) fn rotor(elements: usize) -> (Model, f64) {
     model.prescribe(at(shaft), &turn).unwrap();
     model.set_gravity([0.0, -0.5, 0.0].map(|g| Signal::constant(g).unwrap()));
     (model, TAU)
+}
+
+/// A clamped beam under a turning force at its tip, and the period.
+pub(crate) fn hingeless() -> (Model, f64) {
+    let mut model = Model::new();
+    let (root, tip) = (Vector3::zeros(), Vector3::new(1.0, 0.0, 0.0));
+    let section = SectionInput::diagonal(
+        &[4e6, 1.4e6, 1.4e6, 60.0, 80.0, 80.0],
+        &[0.3, 1e-5, 5e-6, 5e-6],
+    );
+    let beam = model
+        .add_straight_beam(&root, &tip, &Vector3::y(), &section.unwrap(), 2, 2)
+        .unwrap();
+    let frame = Model::frame_at("axis", &root, &Vector3::z()).unwrap();
+    model
+        .add_joint(
+            JointKind::Rigid,
+            None,
+            Some(beam.first_node),
+            &frame,
+            &frame,
+        )
+        .unwrap();
+    let mut force: [Option<Signal>; 6] = Default::default();
+    force[1] = Some(Signal::harmonics(0.0, 0.0, &[1.0], &[0.0]).unwrap());
+    force[2] = Some(Signal::harmonics(0.0, 0.0, &[0.0], &[1.0]).unwrap());
+    model
+        .add_load(beam.last_node, LoadFrame::Space, force)
+        .unwrap();
+    (model, TAU / 20.0)
 }
 
 /// One model of each kind, with periods.

@@ -106,13 +106,11 @@ pub fn zener_pendulum() -> (Model, usize, usize) {
 /// what Newton leaves is rounding alone.
 pub fn options(grid_points: usize) -> PeriodicOptions {
     PeriodicOptions {
-        linear: LinearMethod::Automatic,
-        grid_points: GridPoints::Fixed(grid_points),
         newton: NewtonOptions {
             tolerance: 1e-9,
             iteration_limit: 30,
         },
-        guess: InitialGuess::Default,
+        ..PeriodicOptions::with_grid_points(grid_points)
     }
 }
 

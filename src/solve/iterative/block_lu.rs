@@ -135,18 +135,6 @@ impl BlockStructure {
     pub fn kept(&self) -> &[(usize, usize, usize)] {
         &self.kept
     }
-
-    /// Multiplications of one factorisation.
-    pub fn work(&self) -> f64 {
-        let mut work = 0.0;
-        for step in &self.steps {
-            let pivot = self.sizes[step.pivot] as f64;
-            let later: usize = step.later.iter().map(|l| self.sizes[l.0]).sum();
-            let later = later as f64;
-            work += pivot * (pivot * pivot + pivot * later + later * later);
-        }
-        work
-    }
 }
 
 /// [`LANES`] matrices, or their factors: `L` and `U` without the diagonal blocks, and these inverted.
