@@ -226,7 +226,7 @@ impl LinearSolver for Iterative {
                     [Preconditioner::TimeLocal, _] => FEW,
                     _ => ITERATION_LIMIT,
                 },
-                restart: (KEPT / (rhs.len() * size_of::<f64>())).clamp(RESTART, ITERATION_LIMIT),
+                restart: (KEPT / size_of_val(rhs)).clamp(RESTART, ITERATION_LIMIT),
             };
             let mut operator = Operator {
                 equations,
