@@ -42,3 +42,4 @@ pub mod motion;
 pub mod output;
 pub mod solve;
 pub mod system;
+pub mod workers;

@@ -276,6 +276,7 @@ fn read_options(
     };
     Ok(PeriodicOptions {
         linear: LinearMethod::Automatic,
+        threads: 1,
         grid_points: points,
         newton: NewtonOptions {
             tolerance: given.tolerance,

@@ -9,7 +9,9 @@ use crate::error::Result;
 use crate::fourier::{Differentiation, TimeGrid};
 use crate::motion::DualMatrix;
 use crate::system::{Conditions, OwnValues, Placed, System, Workspace};
+use crate::workers::Workers;
 use nalgebra::{Matrix6, Vector6};
+use std::ops::Range;
 use std::sync::Arc;
 
 /// Scaled compliance of dependent constraints in the Jacobian. Newton's method loses this factor, over
@@ -37,6 +39,7 @@ pub struct Collocation {
     pub(super) column_scale: Vec<f64>,
     /// Scaled compliance of all constraints in the Jacobian, for redundant ones.
     regularisation: f64,
+    workers: Workers,
 }
 
 /// What velocities, accelerations and rates of internal states follow from.
@@ -69,6 +72,56 @@ pub(super) struct Instants {
 }
 
 impl Instants {
+    /// The system.
+    pub(super) fn system(&self) -> &System {
+        &self.system
+    }
+
+    /// Writes the equations at a range of grid points, not scaled, in the order of those of a grid of so many points.
+    fn forces(
+        &self,
+        range: Range<usize>,
+        state: &GridState,
+        workspace: &mut Workspace,
+        out: &mut [f64],
+    ) -> Result<()> {
+        out.fill(0.0);
+        let points = range.len();
+        let first_constraint = 6 * points * self.system.nodes();
+        for placed in self.system.elements() {
+            let count = placed.element.multipliers();
+            for (at, k) in range.clone().enumerate() {
+                let contribution = self.evaluate(placed, k, state, workspace)?;
+                for (local, &node) in placed.element.nodes().iter().enumerate() {
+                    let rows = &mut out[6 * (node * points + at)..][..6];
+                    for (row, force) in rows
+                        .iter_mut()
+                        .zip(contribution.force.rows(6 * local, 6).iter())
+                    {
+                        *row += force;
+                    }
+                }
+                let first = first_constraint + placed.first_multiplier * points + count * at;
+                out[first..first + count].copy_from_slice(contribution.constraint.as_slice());
+            }
+        }
+        Ok(())
+    }
+
+    /// Puts the equations of the grid points from `first` on in their places among all.
+    fn put(&self, first: usize, part: &[f64], out: &mut [f64]) {
+        let nodes = (0..self.system.nodes()).map(|node| (6 * node, 6));
+        let own = self.system.elements().iter().map(|placed| {
+            let first = 6 * self.system.nodes() + placed.first_multiplier;
+            (first, placed.element.multipliers())
+        });
+        let length = part.len() * self.points / out.len();
+        for (place, count) in nodes.chain(own) {
+            let from = &part[place * length..][..count * length];
+            out[place * self.points + count * first..][..from.len()].copy_from_slice(from);
+        }
+    }
+
     /// Evaluates an element at grid point `k`.
     pub(super) fn evaluate<'w>(
         &self,
@@ -168,6 +221,7 @@ impl Collocation {
             column_scale,
             system,
             grid,
+            workers: Workers::default(),
         };
         collocation.set_conditions(0.0, 1.0)?;
         Ok(collocation)
@@ -176,6 +230,25 @@ impl Collocation {
     /// The system.
     pub fn system(&self) -> &Arc<System> {
         &self.system
+    }
+
+    /// Shares work among these threads.
+    pub fn set_workers(&mut self, workers: Workers) {
+        self.workers = workers;
+    }
+
+    /// The threads that share work.
+    pub fn workers(&self) -> &Workers {
+        &self.workers
+    }
+
+    /// The threads that may evaluate elements: functions of the user are called on that of the caller.
+    pub(super) fn element_workers(&self) -> Workers {
+        if self.system.calls_functions() {
+            Workers::default()
+        } else {
+            self.workers.clone()
+        }
     }
 
     /// The grid.
@@ -359,6 +432,16 @@ impl Collocation {
     pub fn update_kinematics(&mut self, state: &GridState) {
         self.update_rates(state);
         self.instants.states.clear();
+        let shared = self.workers.threads() > 1 && matches!(self.derivatives, Derivatives::Grid);
+        if shared {
+            let operators = &self.operators;
+            self.workers.for_each(
+                &mut self.kinematics,
+                &mut Vec::new(),
+                || operators.clone(),
+                |operators, node, kinematics| kinematics.evaluate(operators, state.node(node)),
+            );
+        }
         for (node, kinematics) in self.kinematics.iter_mut().enumerate() {
             let motions = state.node(node);
             match &mut self.derivatives {
@@ -366,6 +449,7 @@ impl Collocation {
                     let past = past.iter().map(|state| &state.motions[node]);
                     kinematics.evaluate_backward(rule, &motions[0], past);
                 }
+                Derivatives::Grid if shared => {}
                 Derivatives::Grid => kinematics.evaluate(&mut self.operators, motions),
                 Derivatives::Step(step) => {
                     self.instants.states.push(step.evaluate(node, &motions[0]));
@@ -459,24 +543,29 @@ impl Collocation {
     pub fn residual(&mut self, state: &GridState, out: &mut [f64]) -> Result<()> {
         self.update_kinematics(state);
         let points = self.grid.points();
-        out.fill(0.0);
-        let first_constraint = 6 * points * self.system.nodes();
-        for placed in self.system.elements() {
-            let count = placed.element.multipliers();
-            for k in 0..points {
-                let workspace = &mut self.forces_only;
-                let contribution = self.instants.evaluate(placed, k, state, workspace)?;
-                for (local, &node) in placed.element.nodes().iter().enumerate() {
-                    let rows = &mut out[6 * (node * points + k)..][..6];
-                    for (row, force) in rows
-                        .iter_mut()
-                        .zip(contribution.force.rows(6 * local, 6).iter())
-                    {
-                        *row += force;
-                    }
-                }
-                let first = first_constraint + placed.first_multiplier * points + count * k;
-                out[first..first + count].copy_from_slice(contribution.constraint.as_slice());
+        let workers = self.element_workers();
+        if workers.threads() == 1 {
+            let all = 0..points;
+            self.instants
+                .forces(all, state, &mut self.forces_only, out)?;
+        } else {
+            let length = points.div_ceil(workers.threads());
+            let mut parts: Vec<Vec<f64>> = (0..points)
+                .step_by(length)
+                .map(|first| vec![0.0; out.len() / points * length.min(points - first)])
+                .collect();
+            let (instants, workspace) = (&self.instants, &self.forces_only);
+            workers.try_for_each(
+                &mut parts,
+                &mut Vec::new(),
+                || workspace.clone(),
+                |workspace, i, part| {
+                    let range = length * i..points.min(length * (i + 1));
+                    instants.forces(range, state, workspace, part)
+                },
+            )?;
+            for (i, part) in parts.iter().enumerate() {
+                self.instants.put(length * i, part, out);
             }
         }
         for (value, scale) in out.iter_mut().zip(&self.row_scale) {

@@ -13,6 +13,7 @@ use crate::error::{Error, ErrorKind, Result};
 use crate::fourier::TimeGrid;
 use crate::model::Model;
 use crate::system::System;
+use crate::workers::Workers;
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 
@@ -60,6 +61,9 @@ pub struct PeriodicOptions {
     pub guess: InitialGuess,
     /// How linear equations are solved.
     pub linear: LinearMethod,
+    /// Threads that share the work, 0 for as many as there are processors. Results do not depend on it but for
+    /// rounding. The user's functions are called on the calling thread alone.
+    pub threads: usize,
 }
 
 impl Default for PeriodicOptions {
@@ -72,6 +76,7 @@ impl Default for PeriodicOptions {
             },
             guess: InitialGuess::Default,
             linear: LinearMethod::Automatic,
+            threads: 1,
         }
     }
 }
@@ -157,6 +162,7 @@ pub(super) struct Attempts<'a> {
     pub(super) grid: TimeGrid,
     options: NewtonOptions,
     linear: LinearMethod,
+    workers: Workers,
     newton: Newton<Linear>,
     observe: &'a mut dyn FnMut(Stage, &Iteration) -> bool,
     /// Where the quasi-static start is found, and the start once it is.
@@ -210,9 +216,11 @@ pub fn solve_periodic(
         GridPoints::Fixed(_) => grid,
         GridPoints::Adaptive(adaptation) => TimeGrid::new(adaptation.guess(points), period)?,
     };
+    let workers = Workers::new(options.threads)?;
     let mut attempts = Attempts {
-        newton: newton(&system, grid, options.linear)?,
+        newton: newton(&system, grid, options.linear, &workers)?,
         linear: options.linear,
+        workers,
         system: system.clone(),
         grid,
         options: options.newton,
@@ -251,9 +259,15 @@ pub fn solve_periodic(
 }
 
 /// Newton's method on a grid.
-fn newton(system: &Arc<System>, grid: TimeGrid, method: LinearMethod) -> Result<Newton<Linear>> {
+fn newton(
+    system: &Arc<System>,
+    grid: TimeGrid,
+    method: LinearMethod,
+    workers: &Workers,
+) -> Result<Newton<Linear>> {
     let start = Instant::now();
-    let equations = Collocation::new(system.clone(), grid)?;
+    let mut equations = Collocation::new(system.clone(), grid)?;
+    equations.set_workers(workers.clone());
     let linear = Linear::new(&equations, method);
     let mut newton = Newton::with(equations, linear);
     newton.timings.analysis = start.elapsed();
@@ -297,7 +311,7 @@ impl Attempts<'_> {
     /// Goes on with another grid.
     pub(super) fn move_to(&mut self, grid: TimeGrid) -> Result<()> {
         if grid != self.grid {
-            let next = newton(&self.system, grid, self.linear)?;
+            let next = newton(&self.system, grid, self.linear, &self.workers)?;
             let last = std::mem::replace(&mut self.newton, next);
             self.timings = self.timings + last.timings;
             self.grid = grid;

@@ -14,10 +14,11 @@ use super::block_lu::BlockLanes;
 use super::constraints::{Joints, RowRotation, classify, row_rotations};
 use super::interface::Interface;
 use super::lanes::{ComplexLanes, LANES, Lanes};
-use super::layout::Layout;
+use super::layout::{Layout, Region};
 use super::mean::Averages;
 use crate::collocation::{Collocation, Tangent};
 use crate::error::Result;
+use crate::workers::Workers;
 use nalgebra::Complex;
 use realfft::{ComplexToReal, RealFftPlanner, RealToComplex};
 use std::sync::Arc;
@@ -26,6 +27,7 @@ use std::sync::Arc;
 const LARGEST_BLOCK: usize = 240;
 
 /// Real Fourier transforms over the grid.
+#[derive(Clone)]
 struct Transform {
     forward: Arc<dyn RealToComplex<f64>>,
     backward: Arc<dyn ComplexToReal<f64>>,
@@ -79,9 +81,14 @@ pub(super) struct BodyCirculant {
     kept: Vec<usize>,
     interface: Option<Interface>,
     transform: Transform,
+    workers: Workers,
+    rooms: Vec<Transform>,
+    /// Harmonics of each unknown, region by region.
+    spectra: Vec<Complex<f64>>,
+    /// Where those of each unknown start.
+    spectrum_at: Vec<usize>,
     lanes: Vec<Vec<ComplexLanes>>,
     products: Vec<Vec<ComplexLanes>>,
-    scratch: Vec<ComplexLanes>,
     /// Forces on what is kept, motions of it, and forces by these motions, over the grid.
     series: [Vec<Vec<f64>>; 3],
 }
@@ -125,6 +132,16 @@ impl BodyCirculant {
         };
         let lanes = vec![vec![ComplexLanes::zero(); layout.structure.unknowns()]; factors.len()];
         let series = || vec![vec![0.0; points]; kept.len()];
+        let harmonics = points / 2 + 1;
+        let mut spectrum_at = vec![0; layout.structure.unknowns()];
+        for (i, unknown) in layout
+            .regions
+            .iter()
+            .flat_map(|r| r.unknowns.clone())
+            .enumerate()
+        {
+            spectrum_at[unknown] = i * harmonics;
+        }
         let mut circulant = BodyCirculant {
             points,
             rotations: row_rotations(equations, &classes),
@@ -136,7 +153,10 @@ impl BodyCirculant {
                 lanes.clone()
             },
             lanes,
-            scratch: Vec::new(),
+            workers: equations.workers().clone(),
+            rooms: Vec::new(),
+            spectra: vec![Complex::default(); layout.structure.unknowns() * harmonics],
+            spectrum_at,
             series: [series(), series(), series()],
             factors,
             layout,
@@ -144,7 +164,7 @@ impl BodyCirculant {
         };
         if let Some(mut interface) = interface {
             let stiffness = circulant.kept_stiffness();
-            if !interface.factor(&stiffness)? {
+            if !interface.factor(&stiffness, equations.workers())? {
                 return Ok(None);
             }
             circulant.interface = Some(interface);
@@ -170,16 +190,33 @@ impl BodyCirculant {
             rotation.apply(x, false);
         }
         self.transform_all(x);
-        for (factors, lanes) in self.factors.iter().zip(&mut self.lanes) {
-            factors.forward(&self.layout.structure, lanes);
-        }
+        let (structure, spectra, spectrum_at) =
+            (&self.layout.structure, &self.spectra, &self.spectrum_at);
+        let (factors, last) = (&self.factors, self.points / 2);
+        let nothing = &mut Vec::new();
+        self.workers.for_each(
+            &mut self.lanes,
+            nothing,
+            || (),
+            |(), chunk, lanes| {
+                for (number, &at) in lanes.iter_mut().zip(spectrum_at) {
+                    for lane in 0..LANES {
+                        number.set(lane, spectra[at + (LANES * chunk + lane).min(last)]);
+                    }
+                }
+                factors[chunk].forward(structure, lanes);
+            },
+        );
         if let Some(mut interface) = self.interface.take() {
             self.close_joints(&mut interface, x);
             self.interface = Some(interface);
         }
-        for (factors, lanes) in self.factors.iter().zip(&mut self.lanes) {
-            factors.backward(&self.layout.structure, lanes, &mut self.scratch);
-        }
+        let (structure, factors) = (&self.layout.structure, &self.factors);
+        let rooms = &mut Vec::new();
+        self.workers
+            .for_each(&mut self.lanes, rooms, Vec::new, |room, chunk, lanes| {
+                factors[chunk].backward(structure, lanes, room);
+            });
         self.transform_back(x);
         for rotation in &self.rotations {
             rotation.apply(x, true);
@@ -226,22 +263,45 @@ impl BodyCirculant {
 
     /// Harmonics of everything that is averaged.
     fn transform_all(&mut self, x: &[f64]) {
-        for (unknown, &(first, stride)) in self.layout.places.iter().enumerate() {
-            let series = x[first..].iter().step_by(stride);
-            let samples = self.transform.samples.iter_mut();
-            samples.zip(series).for_each(|(sample, x)| *sample = *x);
-            spread(&mut self.transform, &mut self.lanes, unknown);
+        let harmonics = self.points / 2 + 1;
+        let regions = &self.layout.regions;
+        let mut rest = &mut self.spectra[..];
+        let mut parts = Vec::with_capacity(regions.len());
+        for region in regions {
+            let (part, next) = rest.split_at_mut(region.unknowns.len() * harmonics);
+            parts.push(part);
+            rest = next;
         }
+        let new = || self.transform.clone();
+        self.workers
+            .for_each(&mut parts, &mut self.rooms, new, |transform, i, spectra| {
+                let (region, count) = (regions[i].of(x), regions[i].unknowns.len());
+                for (component, spectrum) in spectra.chunks_exact_mut(harmonics).enumerate() {
+                    let series = region[component..].iter().step_by(count);
+                    let samples = transform.samples.iter_mut();
+                    samples.zip(series).for_each(|(sample, x)| *sample = *x);
+                    transform.forward();
+                    spectrum.copy_from_slice(&transform.spectrum);
+                }
+            });
     }
 
     /// Everything that is averaged, from its harmonics.
     fn transform_back(&mut self, x: &mut [f64]) {
-        for (unknown, &(first, stride)) in self.layout.places.iter().enumerate() {
-            collect(&mut self.transform, &self.lanes, unknown);
-            let series = x[first..].iter_mut().step_by(stride);
-            let samples = self.transform.samples.iter();
-            series.zip(samples).for_each(|(x, sample)| *x = *sample);
-        }
+        let (regions, lanes) = (&self.layout.regions, &self.lanes);
+        let mut parts = Region::split(regions, x);
+        let new = || self.transform.clone();
+        self.workers
+            .for_each(&mut parts, &mut self.rooms, new, |transform, i, x| {
+                let count = regions[i].unknowns.len();
+                for (component, unknown) in regions[i].unknowns.clone().enumerate() {
+                    collect(transform, lanes, unknown);
+                    let series = x[component..].iter_mut().step_by(count);
+                    series
+                        .zip(&transform.samples)
+                        .for_each(|(x, sample)| *x = *sample);
+                }
+            });
     }
 
     /// Dynamic stiffness of what is kept: forces over the grid by unit motions at the first point.

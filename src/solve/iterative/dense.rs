@@ -1,6 +1,7 @@
 //! Dense LU, in place.
 
 use crate::error::{Error, ErrorKind, Result};
+use crate::workers::Workers;
 use faer::dyn_stack::{MemBuffer, MemStack};
 use faer::linalg::lu::partial_pivoting::{factor, solve};
 use faer::perm::PermRef;
@@ -30,21 +31,22 @@ pub(super) struct DenseLu {
 
 impl DenseLu {
     /// Factors `matrix` in its own memory; none if it is singular.
-    pub fn new(mut matrix: Mat<f64>) -> Option<Self> {
+    pub fn new(mut matrix: Mat<f64>, workers: &Workers) -> Option<Self> {
         let size = matrix.nrows();
         let mut permutation = vec![0usize; size];
         let mut inverse = vec![0usize; size];
-        let scratch =
-            factor::lu_in_place_scratch::<usize, f64>(size, size, Par::Seq, Default::default());
-        let mut memory = MemBuffer::new(scratch);
-        factor::lu_in_place(
-            matrix.as_mut(),
-            &mut permutation,
-            &mut inverse,
-            Par::Seq,
-            MemStack::new(&mut memory),
-            Default::default(),
-        );
+        workers.dense(|par| {
+            let scratch =
+                factor::lu_in_place_scratch::<usize, f64>(size, size, par, Default::default());
+            factor::lu_in_place(
+                matrix.as_mut(),
+                &mut permutation,
+                &mut inverse,
+                par,
+                MemStack::new(&mut MemBuffer::new(scratch)),
+                Default::default(),
+            );
+        });
         let regular = (0..size).all(|i| matrix[(i, i)] != 0.0 && matrix[(i, i)].is_finite());
         let scratch = solve::solve_in_place_scratch::<usize, f64>(size, 1, Par::Seq);
         regular.then(|| DenseLu {

@@ -1,6 +1,8 @@
 //! GMRES with a preconditioner from the left, so that errors are measured by what they mean for the unknowns,
 //! not by residuals, in which stiff directions drown soft ones.
 
+use crate::workers::Workers;
+
 /// A cycle that leaves more than this of the residual is the last.
 const STAGNATION: f64 = 0.9;
 
@@ -38,7 +40,10 @@ pub(super) fn gmres(
     operator: &mut impl Preconditioned,
     rhs: &mut [f64],
     options: &GmresOptions,
+    workers: &Workers,
 ) -> GmresEnd {
+    let vectors = Vectors { workers };
+    let norm = |x: &[f64]| vectors.norm(x);
     let size = rhs.len();
     let b = rhs.to_vec();
     let mut rest = b.clone();
@@ -75,10 +80,10 @@ pub(super) fn gmres(
             operator.product(&known[j], w);
             operator.precondition(w);
             end.iterations += 1;
-            let mut column = project_out(known, w);
+            let mut column = vectors.project_out(known, w);
             let length = norm(w);
             if length > 0.0 {
-                w.iter_mut().for_each(|w| *w /= length);
+                vectors.scale(w, 1.0 / length);
             }
             for (i, (c, s)) in rotations.iter().enumerate() {
                 let (upper, lower) = (column[i], column[i + 1]);
@@ -98,14 +103,14 @@ pub(super) fn gmres(
             rotated[j] = c * last;
             rotated.push(-s * last);
             let error = rotated[j + 1].abs() * triangle.inverse_size();
-            let solution = norm(&triangle.solve(&rotated)).max(norm(rhs));
+            let solution = small_norm(&triangle.solve(&rotated)).max(norm(rhs));
             end.error = error / solution;
             if end.error <= options.tolerance || length == 0.0 {
                 break;
             }
         }
         for (v, y) in basis.iter().zip(&triangle.solve(&rotated)) {
-            add(rhs, v, *y);
+            vectors.add(rhs, v, *y);
         }
         // What rounding in the preconditioner leaves, nearly singular as it may be, shows in the residual only.
         operator.product(rhs, &mut rest);
@@ -161,25 +166,74 @@ impl Triangle {
             .collect();
         let mut size = 0.0;
         for _ in 0..3 {
-            let length = norm(&x);
+            let length = small_norm(&x);
             x.iter_mut().for_each(|x| *x /= length);
             x = self.solve(&self.solve_transposed(&x));
-            size = norm(&x).sqrt();
+            size = small_norm(&x).sqrt();
         }
         size
     }
 }
 
-/// Takes from `w` its parts along orthonormal `basis` vectors; returns these parts.
-fn project_out(basis: &[Vec<f64>], w: &mut [f64]) -> Vec<f64> {
-    basis
-        .iter()
-        .map(|v| {
-            let part = dot(v, w);
-            add(w, v, -part);
+/// Long vectors, worked on by several threads.
+struct Vectors<'a> {
+    workers: &'a Workers,
+}
+
+/// Entries that are worked on in one piece.
+const PIECE: usize = 1 << 14;
+
+impl Vectors<'_> {
+    /// Works on pieces of a vector.
+    fn pieces(&self, x: &mut [f64], work: impl Fn(usize, &mut [f64]) + Sync) {
+        if x.len() <= 2 * PIECE || self.workers.threads() == 1 {
+            return work(0, x);
+        }
+        let mut pieces: Vec<_> = x.chunks_mut(PIECE).collect();
+        let rooms = &mut Vec::new();
+        self.workers.for_each(
+            &mut pieces,
+            rooms,
+            || (),
+            |(), i, piece| work(i * PIECE, piece),
+        );
+    }
+
+    /// `y += factor x`.
+    fn add(&self, y: &mut [f64], x: &[f64], factor: f64) {
+        self.pieces(y, |first, y| add(y, &x[first..first + y.len()], factor));
+    }
+
+    fn scale(&self, x: &mut [f64], factor: f64) {
+        self.pieces(x, |_, x| x.iter_mut().for_each(|x| *x *= factor));
+    }
+
+    /// Sums the sums of pieces, whatever the number of threads.
+    fn dot(&self, x: &[f64], y: &[f64]) -> f64 {
+        let mut sums = vec![0.0; x.len().div_ceil(PIECE)];
+        let piece = |i: usize, sum: &mut f64| {
+            let range = i * PIECE..x.len().min((i + 1) * PIECE);
+            *sum = dot(&x[range.clone()], &y[range]);
+        };
+        let rooms = &mut Vec::new();
+        self.workers
+            .for_each(&mut sums, rooms, || (), |(), i, sum| piece(i, sum));
+        sums.iter().sum()
+    }
+
+    fn norm(&self, x: &[f64]) -> f64 {
+        self.dot(x, x).sqrt()
+    }
+
+    /// Takes from `w` its parts along orthonormal `basis` vectors; returns these parts.
+    fn project_out(&self, basis: &[Vec<f64>], w: &mut [f64]) -> Vec<f64> {
+        let along = |v: &Vec<f64>| {
+            let part = self.dot(v, w);
+            self.add(w, v, -part);
             part
-        })
-        .collect()
+        };
+        basis.iter().map(along).collect()
+    }
 }
 
 /// `y += factor x`.
@@ -187,7 +241,7 @@ fn add(y: &mut [f64], x: &[f64], factor: f64) {
     y.iter_mut().zip(x).for_each(|(y, x)| *y += factor * x);
 }
 
-fn norm(x: &[f64]) -> f64 {
+fn small_norm(x: &[f64]) -> f64 {
     dot(x, x).sqrt()
 }
 
@@ -240,7 +294,7 @@ mod tests {
                 iteration_limit: 200,
                 restart,
             };
-            let end = gmres(&mut operator, &mut x, &options);
+            let end = gmres(&mut operator, &mut x, &options, &Workers::default());
             assert!(end.error <= 1e-10, "{end:?}");
             let error = x.iter().zip(&exact).map(|(x, e)| (x - e).abs());
             assert!(error.fold(0.0, f64::max) < 1e-9);
@@ -262,7 +316,7 @@ mod tests {
             restart: 20,
         };
         let mut x = vec![1.0, 2.0];
-        let end = gmres(&mut Zero, &mut x, &options);
+        let end = gmres(&mut Zero, &mut x, &options, &Workers::default());
         assert!(end.error > 0.5 && x.iter().all(|x| x.is_finite()));
     }
 }

@@ -13,6 +13,7 @@ use super::dense::{DenseLu, zeros};
 use super::layout::own_first;
 use crate::collocation::Collocation;
 use crate::error::Result;
+use crate::workers::Workers;
 use nalgebra::{DMatrix, DVector};
 
 /// Singular values of gradients below this, relative to the largest, are those of constraints that depend on others.
@@ -108,7 +109,7 @@ impl Interface {
     ///
     /// # Errors
     /// If memory runs out.
-    pub fn factor(&mut self, stiffness: &[Vec<Vec<f64>>]) -> Result<bool> {
+    pub fn factor(&mut self, stiffness: &[Vec<Vec<f64>>], workers: &Workers) -> Result<bool> {
         // The old factors' memory first.
         self.factors = None;
         let free = self.free();
@@ -139,7 +140,7 @@ impl Interface {
                 }
             }
         }
-        self.factors = DenseLu::new(matrix);
+        self.factors = DenseLu::new(matrix, workers);
         Ok(self.factors.is_some())
     }
 

@@ -23,6 +23,43 @@ pub(super) struct Layout {
     pub own_at: Vec<(usize, usize)>,
     /// Of each unknown: its place at the first grid point, and from one grid point to the next.
     pub places: Vec<(usize, usize)>,
+    /// The unknowns where they stand among all.
+    pub regions: Vec<Region>,
+}
+
+/// Unknowns of a node, or own unknowns of an element, that stand together among all: those of the first grid point,
+/// then those of the second, and so on.
+pub(super) struct Region {
+    /// Place of the first among all.
+    first: usize,
+    points: usize,
+    /// The unknowns at a grid point.
+    pub unknowns: std::ops::Range<usize>,
+}
+
+impl Region {
+    /// Splits a vector of all unknowns, in the order of the regions.
+    pub fn split<'x>(regions: &[Region], mut x: &'x mut [f64]) -> Vec<&'x mut [f64]> {
+        let mut before = 0;
+        let mut parts = Vec::with_capacity(regions.len());
+        for region in regions {
+            let (_, rest) = x.split_at_mut(region.first - before);
+            let (part, rest) = rest.split_at_mut(region.len());
+            parts.push(part);
+            x = rest;
+            before = region.first + region.len();
+        }
+        parts
+    }
+
+    /// The unknowns at all grid points in a vector of all.
+    pub fn of<'x>(&self, x: &'x [f64]) -> &'x [f64] {
+        &x[self.first..][..self.len()]
+    }
+
+    fn len(&self) -> usize {
+        self.unknowns.len() * self.points
+    }
 }
 
 impl Layout {
@@ -87,7 +124,26 @@ impl Layout {
                 }
             }
         }
+        let nodes = node_at.iter().enumerate();
+        let nodes = nodes.map(|(node, &at)| (6 * points * node, at, 6));
+        let own = classes.iter().enumerate().filter_map(|(index, class)| {
+            let count = system.elements()[index].element.multipliers();
+            let averaged = matches!(class, Class::Averaged(_));
+            averaged.then(|| (own_first(equations, index), own_at[index], count))
+        });
+        let regions = nodes
+            .chain(own)
+            .map(|(place, (row, first), count)| {
+                let first_unknown = structure.first(row) + first;
+                Region {
+                    first: place,
+                    points,
+                    unknowns: first_unknown..first_unknown + count,
+                }
+            })
+            .collect();
         Layout {
+            regions,
             structure,
             node_at,
             own_at,

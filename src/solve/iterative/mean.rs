@@ -64,19 +64,25 @@ impl Averages<'_> {
         let means: Vec<MeanTangent> = (0..self.tangent.couplings().len())
             .map(|pair| self.scaled_mean(pair))
             .collect();
-        let mut all = Vec::new();
-        for first in (0..points / 2 + 1).step_by(LANES) {
-            let mut lanes = BlockLanes::<ComplexLanes>::new(&self.layout.structure);
-            for lane in 0..LANES {
-                let j = (first + lane).min(points / 2);
-                self.fill(&mut lanes, lane, j as f64 * frequency, &means);
-            }
-            if !lanes.factor(&self.layout.structure) {
-                return None;
-            }
-            all.push(lanes);
-        }
-        Some(all)
+        let chunks = (points / 2 + 1).div_ceil(LANES);
+        let mut all: Vec<Option<BlockLanes<ComplexLanes>>> = vec![None; chunks];
+        let nothing = &mut Vec::new();
+        self.equations.workers().for_each(
+            &mut all,
+            nothing,
+            || (),
+            |(), chunk, place| {
+                let mut lanes = BlockLanes::<ComplexLanes>::new(&self.layout.structure);
+                for lane in 0..LANES {
+                    let j = (LANES * chunk + lane).min(points / 2);
+                    self.fill(&mut lanes, lane, j as f64 * frequency, &means);
+                }
+                if lanes.factor(&self.layout.structure) {
+                    *place = Some(lanes);
+                }
+            },
+        );
+        all.into_iter().collect()
     }
 
     /// Mean tangent, scaled.

@@ -118,7 +118,7 @@ pub(super) struct Iterative {
 }
 
 struct Operator<'a> {
-    equations: &'a mut Collocation,
+    equations: &'a Collocation,
     tangent: &'a mut Tangent,
     factors: &'a mut Factors,
 }
@@ -233,7 +233,7 @@ impl LinearSolver for Iterative {
                 tangent: &mut self.tangent,
                 factors,
             };
-            let end = gmres(&mut operator, rhs, &options);
+            let end = gmres(&mut operator, rhs, &options, equations.workers());
             self.record.products.push(end.iterations);
             self.count_bytes(end.iterations.min(options.restart), rhs.len());
             let solved = end.error <= accuracy;
@@ -304,7 +304,7 @@ mod tests {
             .map(|i| (0.7 * i as f64).sin())
             .collect();
         let mut x = vec![0.0; exact.len()];
-        iterative.tangent.apply(&mut equations, &exact, &mut x);
+        iterative.tangent.apply(&equations, &exact, &mut x);
         if !iterative.solve(&mut equations, &mut x, 1e-8).unwrap() {
             return None;
         }

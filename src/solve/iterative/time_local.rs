@@ -4,16 +4,18 @@
 use super::block_lu::BlockLanes;
 use super::constraints::{Class, classify_at};
 use super::lanes::{LANES, Lanes, RealLanes};
-use super::layout::Layout;
+use super::layout::{Layout, Region};
 use crate::collocation::{Collocation, Tangent};
+use crate::workers::Workers;
 
 /// The preconditioner, factored.
 pub(super) struct TimeLocal {
     points: usize,
     layout: Layout,
+    workers: Workers,
     factors: Vec<BlockLanes<RealLanes>>,
-    lanes: Vec<RealLanes>,
-    scratch: Vec<RealLanes>,
+    lanes: Vec<Vec<RealLanes>>,
+    rooms: Vec<Vec<RealLanes>>,
 }
 
 impl TimeLocal {
@@ -21,22 +23,29 @@ impl TimeLocal {
     pub fn new(equations: &Collocation, tangent: &Tangent) -> Option<Self> {
         let points = equations.grid().points();
         let layout = Layout::new(equations, tangent, &classify_at(equations, tangent, 0));
-        let mut factors = Vec::new();
-        for first in (0..points).step_by(LANES) {
-            let mut lanes = BlockLanes::<RealLanes>::new(&layout.structure);
-            for lane in 0..LANES {
-                let k = (first + lane).min(points - 1);
-                fill(&mut lanes, lane, &layout, equations, tangent, k);
-            }
-            if !lanes.factor(&layout.structure) {
-                return None;
-            }
-            factors.push(lanes);
-        }
+        let workers = equations.workers().clone();
+        let mut factors: Vec<Option<BlockLanes<RealLanes>>> = vec![None; points.div_ceil(LANES)];
+        workers.for_each(
+            &mut factors,
+            &mut Vec::new(),
+            || (),
+            |(), chunk, place| {
+                let mut lanes = BlockLanes::<RealLanes>::new(&layout.structure);
+                for lane in 0..LANES {
+                    let k = (LANES * chunk + lane).min(points - 1);
+                    fill(&mut lanes, lane, &layout, equations, tangent, k);
+                }
+                if lanes.factor(&layout.structure) {
+                    *place = Some(lanes);
+                }
+            },
+        );
+        let factors: Vec<_> = factors.into_iter().collect::<Option<_>>()?;
         Some(TimeLocal {
             points,
-            lanes: vec![RealLanes::zero(); layout.structure.unknowns()],
-            scratch: Vec::new(),
+            lanes: vec![vec![RealLanes::zero(); layout.structure.unknowns()]; factors.len()],
+            rooms: Vec::new(),
+            workers,
             layout,
             factors,
         })
@@ -49,19 +58,40 @@ impl TimeLocal {
 
     /// `x = P⁻¹ x`.
     pub fn apply(&mut self, x: &mut [f64]) {
-        for (chunk, factors) in self.factors.iter().enumerate() {
-            let at = |lane: usize| (LANES * chunk + lane).min(self.points - 1);
-            for (lanes, &(first, stride)) in self.lanes.iter_mut().zip(&self.layout.places) {
-                (0..LANES).for_each(|lane| lanes.set(lane, x[first + stride * at(lane)]));
-            }
-            factors.forward(&self.layout.structure, &mut self.lanes);
-            factors.backward(&self.layout.structure, &mut self.lanes, &mut self.scratch);
-            for (lanes, &(first, stride)) in self.lanes.iter().zip(&self.layout.places) {
-                for lane in 0..LANES.min(self.points - LANES * chunk) {
-                    x[first + stride * at(lane)] = lanes.get(lane);
+        let (layout, factors, last) = (&self.layout, &self.factors, self.points - 1);
+        let given = &*x;
+        self.workers.for_each(
+            &mut self.lanes,
+            &mut self.rooms,
+            Vec::new,
+            |room, chunk, lanes| {
+                for (number, &(first, stride)) in lanes.iter_mut().zip(&layout.places) {
+                    for lane in 0..LANES {
+                        number.set(
+                            lane,
+                            given[first + stride * (LANES * chunk + lane).min(last)],
+                        );
+                    }
                 }
-            }
-        }
+                factors[chunk].forward(&layout.structure, lanes);
+                factors[chunk].backward(&layout.structure, lanes, room);
+            },
+        );
+        let (regions, lanes) = (&self.layout.regions, &self.lanes);
+        let mut parts = Region::split(regions, x);
+        self.workers.for_each(
+            &mut parts,
+            &mut Vec::new(),
+            || (),
+            |(), i, x| {
+                let unknowns = &regions[i].unknowns;
+                for (k, x) in x.chunks_exact_mut(unknowns.len()).enumerate() {
+                    for (x, unknown) in x.iter_mut().zip(unknowns.clone()) {
+                        *x = lanes[k / LANES][unknown].get(k % LANES);
+                    }
+                }
+            },
+        );
     }
 }
 

@@ -1,0 +1,110 @@
+//! Threads that share work, from a pool of their own.
+//!
+//! Work is split into items that do not depend on each other, and each item is worked on in one piece: results are
+//! the same, bit by bit, for any number of threads.
+
+use crate::error::{Error, ErrorKind, Result};
+use rayon::iter::{IndexedParallelIterator, IntoParallelRefMutIterator, ParallelIterator};
+use rayon::slice::ParallelSliceMut;
+use rayon::{ThreadPool, ThreadPoolBuilder};
+use std::sync::Arc;
+
+/// One thread, or several.
+#[derive(Debug, Clone, Default)]
+pub struct Workers {
+    pool: Option<Arc<ThreadPool>>,
+}
+
+impl Workers {
+    /// So many threads; as many as there are processors if that is zero.
+    ///
+    /// # Errors
+    /// If they cannot be started.
+    pub fn new(threads: usize) -> Result<Self> {
+        if threads == 1 {
+            return Ok(Workers::default());
+        }
+        let pool = ThreadPoolBuilder::new()
+            .num_threads(threads)
+            .thread_name(|i| format!("periodyn {i}"))
+            .build()
+            .map_err(|e| {
+                let message = format!("options.threads: {threads} threads cannot be started: {e}");
+                Error::new(ErrorKind::OutOfMemory, message)
+            })?;
+        Ok(Workers {
+            pool: Some(Arc::new(pool)),
+        })
+    }
+
+    /// Number of threads.
+    pub fn threads(&self) -> usize {
+        self.pool.as_ref().map_or(1, |p| p.current_num_threads())
+    }
+
+    /// Does something with faer, by these threads.
+    pub fn dense<R: Send>(&self, work: impl FnOnce(faer::Par) -> R + Send) -> R {
+        match &self.pool {
+            Some(pool) => pool.install(|| work(faer::Par::rayon(0))),
+            None => work(faer::Par::Seq),
+        }
+    }
+
+    /// Works on all items, with room of its own for each thread.
+    pub fn for_each<T: Send, S: Send>(
+        &self,
+        items: &mut [T],
+        rooms: &mut Vec<S>,
+        new_room: impl Fn() -> S,
+        work: impl Fn(&mut S, usize, &mut T) + Sync,
+    ) {
+        let threads = self.threads().min(items.len()).max(1);
+        while rooms.len() < threads {
+            rooms.push(new_room());
+        }
+        match &self.pool {
+            Some(pool) if threads > 1 => {
+                let length = items.len().div_ceil(threads);
+                pool.install(|| {
+                    items
+                        .par_chunks_mut(length)
+                        .zip(rooms.par_iter_mut())
+                        .enumerate()
+                        .for_each(|(part, (items, room))| {
+                            for (i, item) in items.iter_mut().enumerate() {
+                                work(room, part * length + i, item);
+                            }
+                        });
+                });
+            }
+            _ => {
+                for (i, item) in items.iter_mut().enumerate() {
+                    work(&mut rooms[0], i, item);
+                }
+            }
+        }
+    }
+
+    /// The same for work that may fail: the error of the first item that does.
+    pub fn try_for_each<T: Send, S: Send>(
+        &self,
+        items: &mut [T],
+        rooms: &mut Vec<S>,
+        new_room: impl Fn() -> S,
+        work: impl Fn(&mut S, usize, &mut T) -> Result<()> + Sync,
+    ) -> Result<()> {
+        let failure = std::sync::Mutex::new(None::<(usize, Error)>);
+        self.for_each(items, rooms, new_room, |room, i, item| {
+            if let Err(error) = work(room, i, item)
+                && let Ok(mut failure) = failure.lock()
+                && failure.as_ref().is_none_or(|(first, _)| i < *first)
+            {
+                *failure = Some((i, error));
+            }
+        });
+        match failure.into_inner() {
+            Ok(Some((_, error))) => Err(error),
+            _ => Ok(()),
+        }
+    }
+}
