@@ -143,6 +143,15 @@ enum class Decay : std::int32_t {
     slow = PDN_DECAY_SLOW,
     rounding = PDN_DECAY_ROUNDING,
 };
+/** How linear equations are solved, as pdn_periodic_options.linear_solver asks for and pdn_diagnostics tells. */
+enum class Linear : std::int32_t {
+    automatic = PDN_LINEAR_AUTOMATIC,
+    direct = PDN_LINEAR_DIRECT,
+    iterative = PDN_LINEAR_ITERATIVE,
+    body_circulant = PDN_LINEAR_BODY_CIRCULANT,
+    time_local = PDN_LINEAR_TIME_LOCAL,
+    circulant = PDN_LINEAR_CIRCULANT,
+};
 enum class Filter : std::int32_t {
     lanczos = PDN_FILTER_LANCZOS,
     exponential = PDN_FILTER_EXPONENTIAL,

@@ -6,6 +6,7 @@ use super::handle::Handle;
 use super::model::pdn_model;
 use super::options::{self, Options};
 use super::solution::pdn_solution;
+use super::solution::unknown;
 use super::status::pdn_status;
 use crate::collocation::GridState;
 use crate::error::{Error, ErrorKind, Result};
@@ -15,7 +16,7 @@ use crate::motion::{Motion, is_rotation, polar_rotation};
 use crate::output::Solution;
 use crate::solve::{
     Adaptation, GridPoints, InitialGuess, Iteration, LinearMethod, NewtonOptions, PeriodicOptions,
-    Stage,
+    Preconditioner, Stage,
 };
 use crate::system::System;
 use nalgebra::{Matrix3, Vector3};
@@ -27,6 +28,21 @@ pub const PDN_STAGE_INITIAL_GUESS: i32 = 0;
 pub const PDN_STAGE_NEWTON: i32 = 1;
 /// Stage of a march: a step, with the last of its iterations.
 pub const PDN_STAGE_MARCH: i32 = 2;
+
+/// Linear equations: solved directly where that is quick, by iteration otherwise.
+pub const PDN_LINEAR_AUTOMATIC: i32 = 0;
+/// Linear equations: solved by factors of the whole Jacobian. Time grows with the third power of the number of grid
+/// points, memory with the second.
+pub const PDN_LINEAR_DIRECT: i32 = 1;
+/// Linear equations: solved by iteration, with the preconditioner that suits; time and memory grow in proportion to
+/// nodes and grid points, or little more.
+pub const PDN_LINEAR_ITERATIVE: i32 = 2;
+/// Linear equations: solved by iteration; bodies are averaged over time for the preconditioner, joints are not.
+pub const PDN_LINEAR_BODY_CIRCULANT: i32 = 3;
+/// Linear equations: solved by iteration; the preconditioner is equilibrium at each grid point, without inertia.
+pub const PDN_LINEAR_TIME_LOCAL: i32 = 4;
+/// Linear equations: solved by iteration; everything is averaged over time for the preconditioner.
+pub const PDN_LINEAR_CIRCULANT: i32 = 5;
 
 /// One Newton iteration, as told to a ::pdn_progress_fn.
 #[repr(C)]
@@ -94,11 +110,16 @@ pub struct pdn_periodic_options {
     /// If grid_points is 0, the largest number of grid points, at least 3; if the tolerance would need more,
     /// the outcome is PDN_TOLERANCE_NOT_MET. Default 255.
     pub largest_grid_points: usize,
+    /// How linear equations are solved: PDN_LINEAR_AUTOMATIC, PDN_LINEAR_DIRECT, ... Default PDN_LINEAR_AUTOMATIC.
+    pub linear_solver: i32,
+    /// Threads that share the work, of a pool that lasts as long as the call; 0 for as many as there are processors.
+    /// Signals' and other functions of yours are called on the calling thread alone. Default 1.
+    pub threads: i32,
 }
 
 // SAFETY: all fields are plain numbers or pointers, `struct_size` is the first, no padding.
 unsafe impl Options for pdn_periodic_options {
-    const SIZES: &'static [usize] = &[80, 96];
+    const SIZES: &'static [usize] = &[80, 96, 104];
 
     fn defaults() -> Self {
         let core = PeriodicOptions::default();
@@ -116,6 +137,8 @@ unsafe impl Options for pdn_periodic_options {
             progress_data: std::ptr::null_mut(),
             error_tolerance: adaptation.error_tolerance,
             largest_grid_points: adaptation.largest,
+            linear_solver: PDN_LINEAR_AUTOMATIC,
+            threads: 1,
         }
     }
 }
@@ -275,8 +298,8 @@ fn read_options(
         InitialGuess::State(read_guess(call, given, model, grid)?)
     };
     Ok(PeriodicOptions {
-        linear: LinearMethod::Automatic,
-        threads: 1,
+        linear: read_linear_solver(given.linear_solver)?,
+        threads: read_threads(given.threads)?,
         grid_points: points,
         newton: NewtonOptions {
             tolerance: given.tolerance,
@@ -284,6 +307,32 @@ fn read_options(
         },
         guess,
     })
+}
+
+fn read_linear_solver(value: i32) -> Result<LinearMethod> {
+    Ok(match value {
+        PDN_LINEAR_AUTOMATIC => LinearMethod::Automatic,
+        PDN_LINEAR_DIRECT => LinearMethod::Direct,
+        PDN_LINEAR_ITERATIVE => LinearMethod::Iterative(None),
+        PDN_LINEAR_BODY_CIRCULANT => LinearMethod::Iterative(Some(Preconditioner::BodyCirculant)),
+        PDN_LINEAR_TIME_LOCAL => LinearMethod::Iterative(Some(Preconditioner::TimeLocal)),
+        PDN_LINEAR_CIRCULANT => LinearMethod::Iterative(Some(Preconditioner::Circulant)),
+        _ => {
+            let expected = "a constant PDN_LINEAR_...";
+            return Err(unknown("options.linear_solver", expected, value));
+        }
+    })
+}
+
+fn read_threads(value: i32) -> Result<usize> {
+    const MOST: i32 = 1024;
+    match usize::try_from(value) {
+        Ok(threads) if value <= MOST => Ok(threads),
+        _ => {
+            let expected = format!("from 0 to {MOST}");
+            Err(Error::value("options.threads", expected, value))
+        }
+    }
 }
 
 fn read_guess(

@@ -7,12 +7,15 @@ use super::joint::coordinate;
 use super::last_error::copy_message;
 use super::load::{PDN_FRAME_MATERIAL, PDN_FRAME_SPACE};
 use super::options::Options;
+use super::periodic::{
+    PDN_LINEAR_BODY_CIRCULANT, PDN_LINEAR_CIRCULANT, PDN_LINEAR_DIRECT, PDN_LINEAR_TIME_LOCAL,
+};
 use super::section::init_struct;
 use super::status::pdn_status;
 use crate::collocation::DecayKind;
 use crate::error::{Error, ErrorKind, Result};
 use crate::output::{BeamQuantity, JointQuantity, NodeQuantity, ResolvedIn, Solution};
-use crate::solve::{Iteration, Outcome};
+use crate::solve::{Iteration, IterativeRecord, Outcome, Preconditioner};
 use std::ffi::c_char;
 
 /// A solution, converged or not. Made by ::pdn_solve_periodic, ::pdn_solve_static,
@@ -101,6 +104,15 @@ pub const PDN_BEAM_FORCE: i32 = 1;
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn pdn_solution_free(solution: *mut pdn_solution) {
     handle::free(solution);
+}
+
+fn linear_solver_code(record: Option<&IterativeRecord>) -> i32 {
+    match record.and_then(|record| record.preconditioner) {
+        None => PDN_LINEAR_DIRECT,
+        Some(Preconditioner::BodyCirculant) => PDN_LINEAR_BODY_CIRCULANT,
+        Some(Preconditioner::TimeLocal) => PDN_LINEAR_TIME_LOCAL,
+        Some(Preconditioner::Circulant) => PDN_LINEAR_CIRCULANT,
+    }
 }
 
 pub(super) fn outcome_code(outcome: Outcome) -> i32 {
@@ -210,11 +222,21 @@ pub struct pdn_diagnostics {
     pub decay_order: f64,
     /// Time at which the upper half of the harmonics adds up to most: where a kink or narrow peak is.
     pub least_resolved_time: f64,
+    /// How the linear equations of the last grid were solved: PDN_LINEAR_DIRECT, PDN_LINEAR_BODY_CIRCULANT, ...
+    pub linear_solver: i32,
+    /// Products with the Jacobian that iteration took, in all linear solves on that grid.
+    pub linear_iterations: i32,
+    /// Linear solves by iteration on that grid.
+    pub linear_solves: i32,
+    /// Largest number of products of one of them.
+    pub most_linear_iterations: i32,
+    /// Bytes that iteration took at most; 0 if there was none.
+    pub linear_bytes: usize,
 }
 
 // SAFETY: all fields are plain numbers, `struct_size` is the first, no padding.
 unsafe impl Options for pdn_diagnostics {
-    const SIZES: &'static [usize] = &[112, 136];
+    const SIZES: &'static [usize] = &[112, 136, 160];
 
     fn defaults() -> Self {
         pdn_diagnostics {
@@ -238,6 +260,11 @@ unsafe impl Options for pdn_diagnostics {
             grids: 0,
             decay_order: 0.0,
             least_resolved_time: 0.0,
+            linear_solver: 0,
+            linear_iterations: 0,
+            linear_solves: 0,
+            most_linear_iterations: 0,
+            linear_bytes: 0,
         }
     }
 }
@@ -278,6 +305,10 @@ pub unsafe extern "C" fn pdn_solution_diagnostics(
         let iterations = &details.report.iterations;
         let count = |n: usize| i32::try_from(n).unwrap_or(i32::MAX);
         let between = solution.diagnostics().between;
+        let products = details
+            .iterative
+            .as_ref()
+            .map_or(&[][..], |record| &record.products);
         out.set(pdn_diagnostics {
             outcome: outcome_code(solution.outcome()),
             iterations: count(iterations.len()),
@@ -301,6 +332,11 @@ pub unsafe extern "C" fn pdn_solution_diagnostics(
                 DecayKind::Rounding => PDN_DECAY_ROUNDING,
             },
             grids: count(details.grids.len()),
+            linear_solver: linear_solver_code(details.iterative.as_ref()),
+            linear_iterations: count(products.iter().sum()),
+            linear_solves: count(products.len()),
+            most_linear_iterations: count(products.iter().copied().max().unwrap_or(0)),
+            linear_bytes: details.iterative.as_ref().map_or(0, |record| record.bytes),
             decay_order: solution.diagnostics().decay_order,
             least_resolved_time: solution.diagnostics().least_resolved_time,
             ..pdn_diagnostics::defaults()

@@ -16,7 +16,7 @@ use crate::elements::{NodeState, with_zero_for_absent};
 use crate::error::{Error, ErrorKind, Result, require_finite};
 use crate::fourier::{SpectralFilter, TimeGrid};
 use crate::model::Model;
-use crate::solve::{GridTried, MarchRecord, NewtonReport, PeriodicSolve, Timings};
+use crate::solve::{GridTried, IterativeRecord, MarchRecord, NewtonReport, PeriodicSolve, Timings};
 use crate::system::{Standstill, System, Transient};
 use serde::{Deserialize, Serialize};
 use std::borrow::Cow;
@@ -52,6 +52,8 @@ struct Content<'a> {
     grids: Cow<'a, [GridTried]>,
     #[serde(default)]
     filter: Option<SpectralFilter>,
+    #[serde(default)]
+    iterative: Option<Cow<'a, IterativeRecord>>,
     /// Of a trajectory.
     #[serde(default)]
     march: Option<Cow<'a, MarchRecord>>,
@@ -83,6 +85,7 @@ impl Solution {
             forces: Cow::Borrowed(&self.forces),
             grids: Cow::Borrowed(&self.solve.grids),
             filter: self.filter,
+            iterative: self.solve.iterative.as_ref().map(Cow::Borrowed),
             march: self.solve.march.as_ref().map(Cow::Borrowed),
             transient: self.solve.system.transient().copied(),
         };
@@ -261,7 +264,7 @@ impl Content<'_> {
                 guess_time: self.guess_time,
                 timings: self.timings,
                 grids: self.grids.into_owned(),
-                iterative: None,
+                iterative: self.iterative.map(Cow::into_owned),
                 march,
             },
             model,

@@ -122,6 +122,18 @@ impl Solution {
                 ));
             }
         }
+        if let Some(record) = &solve.iterative {
+            let by = match record.preconditioner {
+                Some(preconditioner) => preconditioner.name(),
+                None => "given up for factors",
+            };
+            line(format_args!(
+                "  linear equations by iteration: {by}, {} products in {} solves, {:.1} MB",
+                record.products.iter().sum::<usize>(),
+                record.products.len(),
+                1e-6 * record.bytes as f64
+            ));
+        }
         let t = solve.timings;
         line(format_args!(
             "  time: initial guess {:.4} s ({} iterations), assembly {:.4} s, analysis {:.4} s, factorisation {:.4} s, substitution {:.4} s",

@@ -27,9 +27,11 @@ pub enum LinearMethod {
 const LARGE: f64 = 1.5e9;
 /// Factors that take more than this are not tried, even where iteration fails.
 const TOO_LARGE: f64 = 6e9;
-/// Time that a direct solve may take, in multiply-adds, for each number that is stored at a node and grid point, where
-/// iteration is the alternative: about what fifty products take.
-const AFFORDABLE: f64 = 1.5e5;
+/// Multiply-adds that a factorisation may take for each number that is stored at a node and grid point, where
+/// iteration is the alternative: about what its products take.
+const AFFORDABLE: f64 = 3e4;
+/// Growth of a preconditioner that means a Jacobian which may be singular: factors will tell.
+const SUSPECT: f64 = 1e13;
 
 /// What direct factors take.
 struct Cost {
@@ -130,7 +132,10 @@ impl Linear {
         else {
             return Ok(false);
         };
-        self.given_up = Some(iterative.record.clone());
+        self.given_up = Some(IterativeRecord {
+            preconditioner: None,
+            ..iterative.record.clone()
+        });
         let mut direct = Assembled::new(equations);
         direct.assemble(equations, state)?;
         let regular = direct.factor();
@@ -156,10 +161,13 @@ impl LinearSolver for Linear {
             Active::Direct(direct) => return direct.linearise(equations, state, timings),
             Active::Iterative(iterative) => iterative.linearise(equations, state, timings)?,
         };
-        if done {
+        let suspect = self.falls_back && self.growth(equations) > SUSPECT;
+        if done && !suspect {
             return Ok(true);
         }
-        timed(&mut timings.factorisation, || self.fall_back(equations))
+        let regular = timed(&mut timings.factorisation, || self.fall_back(equations))?;
+        let is_direct = matches!(self.active, Active::Direct(_));
+        Ok(if is_direct { regular } else { done })
     }
 
     fn solve(

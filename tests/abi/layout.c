@@ -63,7 +63,7 @@ AT(pdn_stations, fractions, 16);
 AT(pdn_stations, sections, 24);
 AT(pdn_stations, twists, 32);
 
-SIZE(pdn_diagnostics, 136);
+SIZE(pdn_diagnostics, 160);
 AT(pdn_diagnostics, struct_size, 0);
 AT(pdn_diagnostics, outcome, 8);
 AT(pdn_diagnostics, iterations, 12);
@@ -84,6 +84,11 @@ AT(pdn_diagnostics, decay, 112);
 AT(pdn_diagnostics, grids, 116);
 AT(pdn_diagnostics, decay_order, 120);
 AT(pdn_diagnostics, least_resolved_time, 128);
+AT(pdn_diagnostics, linear_solver, 136);
+AT(pdn_diagnostics, linear_iterations, 140);
+AT(pdn_diagnostics, linear_solves, 144);
+AT(pdn_diagnostics, most_linear_iterations, 148);
+AT(pdn_diagnostics, linear_bytes, 152);
 
 SIZE(pdn_progress, 48);
 AT(pdn_progress, struct_size, 0);
@@ -94,7 +99,7 @@ AT(pdn_progress, increment, 24);
 AT(pdn_progress, step, 32);
 AT(pdn_progress, time, 40);
 
-SIZE(pdn_periodic_options, 96);
+SIZE(pdn_periodic_options, 104);
 AT(pdn_periodic_options, struct_size, 0);
 AT(pdn_periodic_options, grid_points, 8);
 AT(pdn_periodic_options, harmonics, 16);
@@ -107,6 +112,8 @@ AT(pdn_periodic_options, progress, 64);
 AT(pdn_periodic_options, progress_data, 72);
 AT(pdn_periodic_options, error_tolerance, 80);
 AT(pdn_periodic_options, largest_grid_points, 88);
+AT(pdn_periodic_options, linear_solver, 96);
+AT(pdn_periodic_options, threads, 100);
 
 IS(PDN_OK, 0);
 IS(PDN_ERR_NULL, -1);
@@ -177,6 +184,12 @@ IS(PDN_DECAY_SLOW, 2);
 IS(PDN_DECAY_ROUNDING, 3);
 IS(PDN_FILTER_LANCZOS, 0);
 IS(PDN_FILTER_EXPONENTIAL, 1);
+IS(PDN_LINEAR_AUTOMATIC, 0);
+IS(PDN_LINEAR_DIRECT, 1);
+IS(PDN_LINEAR_ITERATIVE, 2);
+IS(PDN_LINEAR_BODY_CIRCULANT, 3);
+IS(PDN_LINEAR_TIME_LOCAL, 4);
+IS(PDN_LINEAR_CIRCULANT, 5);
 
 IS(PDN_AXES_SPACE, 0);
 IS(PDN_AXES_FIRST, 1);

@@ -12,6 +12,7 @@ mod layout;
 mod mean;
 mod time_local;
 
+use super::dense::largest;
 use super::diagnosis::Singularity;
 use super::linear::LinearSolver;
 use super::newton::{Timings, timed};
@@ -32,10 +33,12 @@ const KEPT: usize = 500_000_000;
 const MANY: usize = 10;
 /// Largest dense system of joints: 1.6 GB.
 const LARGEST_INTERFACE: usize = 14_000;
-/// One so large is avoided if time-local preconditioning does as well.
+/// Time-local preconditioning is cheap. It is kept where it takes no more products than this,
+const FEW: usize = 12;
+/// or than this, where the dense system would be
+const FEW_FOR_A_LARGE_INTERFACE: usize = 60;
+/// as large as this.
 const LARGE_INTERFACE: usize = 3_000;
-/// Products that it may take then.
-const FEW: usize = 40;
 
 /// What the Jacobian is approximated by, to be solved with exactly.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
@@ -48,10 +51,21 @@ pub enum Preconditioner {
     Circulant,
 }
 
+impl Preconditioner {
+    /// For reports.
+    pub fn name(self) -> &'static str {
+        match self {
+            Preconditioner::BodyCirculant => "body-circulant preconditioner",
+            Preconditioner::TimeLocal => "time-local preconditioner",
+            Preconditioner::Circulant => "circulant preconditioner",
+        }
+    }
+}
+
 /// What iterative solves took.
 #[derive(Debug, Clone, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub struct IterativeRecord {
-    /// The preconditioner that was used last.
+    /// The preconditioner that was used last; none if iteration was given up for factors.
     pub preconditioner: Option<Preconditioner>,
     /// Products of each linear solve.
     pub products: Vec<usize>,
@@ -114,6 +128,8 @@ pub(super) struct Iterative {
     is_old: bool,
     /// Products of the first solve with the factors.
     first_products: Option<usize>,
+    /// Products that a solve may take.
+    limit: usize,
     pub record: IterativeRecord,
 }
 
@@ -143,6 +159,7 @@ impl Iterative {
             factors: None,
             is_old: false,
             first_products: None,
+            limit: ITERATION_LIMIT,
             record: IterativeRecord::default(),
         }
     }
@@ -156,6 +173,7 @@ impl Iterative {
             self.factors = Factors::new(equations, &self.tangent, preconditioner)?;
             if let Some(factors) = &self.factors {
                 self.is_old = false;
+                self.limit = self.limit(equations);
                 self.record.preconditioner = Some(preconditioner);
                 self.record.factorisations += 1;
                 self.record.interface = match factors {
@@ -174,11 +192,25 @@ impl Iterative {
         if let Some(wanted) = self.wanted {
             return vec![wanted];
         }
-        let turning = constraints::count_turning(equations, &self.tangent);
-        if turning * equations.grid().points() > LARGE_INTERFACE {
-            vec![Preconditioner::TimeLocal, Preconditioner::BodyCirculant]
-        } else {
-            vec![Preconditioner::BodyCirculant, Preconditioner::TimeLocal]
+        use Preconditioner::{BodyCirculant, TimeLocal};
+        match constraints::count_turning(equations, &self.tangent) {
+            0 => vec![BodyCirculant, TimeLocal],
+            _ => vec![TimeLocal, BodyCirculant, TimeLocal],
+        }
+    }
+
+    /// Products that the present candidate may take, where there are others left.
+    fn limit(&self, equations: &Collocation) -> usize {
+        match self.candidates[..] {
+            [Preconditioner::TimeLocal, _, ..] => {
+                let turning = constraints::count_turning(equations, &self.tangent);
+                if turning * equations.grid().points() < LARGE_INTERFACE {
+                    FEW
+                } else {
+                    FEW_FOR_A_LARGE_INTERFACE
+                }
+            }
+            _ => ITERATION_LIMIT,
         }
     }
 
@@ -222,10 +254,7 @@ impl LinearSolver for Iterative {
             };
             let options = GmresOptions {
                 tolerance: accuracy,
-                iteration_limit: match self.candidates[..] {
-                    [Preconditioner::TimeLocal, _] => FEW,
-                    _ => ITERATION_LIMIT,
-                },
+                iteration_limit: self.limit,
                 restart: (KEPT / size_of_val(rhs)).clamp(RESTART, ITERATION_LIMIT),
             };
             let mut operator = Operator {
@@ -254,18 +283,24 @@ impl LinearSolver for Iterative {
         }
     }
 
-    fn growth(&mut self, _: &mut Collocation) -> f64 {
-        // What is singular is not solved.
-        0.0
+    fn growth(&mut self, equations: &mut Collocation) -> f64 {
+        let Some(factors) = &mut self.factors else {
+            return f64::INFINITY;
+        };
+        // Any vector without structure has a part along the null space.
+        let mut probe: Vec<f64> = (0..equations.size())
+            .map(|i| 0.5 + (i as f64 * 0.618_033_988_75).fract())
+            .collect();
+        let mut product = vec![0.0; probe.len()];
+        self.tangent.apply(equations, &probe, &mut product);
+        factors.apply(&mut probe);
+        largest(&probe) * largest(&product)
     }
 
     fn explain(&mut self, _: &Collocation, _: &GridState) -> Singularity {
-        let tried = match self.wanted {
-            Some(Preconditioner::BodyCirculant) => "the body-circulant preconditioner",
-            Some(Preconditioner::TimeLocal) => "the time-local preconditioner",
-            Some(Preconditioner::Circulant) => "the circulant preconditioner",
-            None => "any preconditioner",
-        };
+        let tried = self
+            .wanted
+            .map_or("any preconditioner", Preconditioner::name);
         Singularity::Unsolved(format!(
             "the linear equations could not be solved by iteration with {tried}: they are singular, or \
              nearly so, or the preconditioner is unlike them; solve them directly, or with fewer grid points"
