@@ -6,11 +6,16 @@ use crate::workers::Workers;
 /// A cycle that leaves more than this of the residual is the last.
 const STAGNATION: f64 = 0.9;
 
+/// A leading part that is smaller than this is nothing but rounding.
+const SMALLEST_SHARE: f64 = 1e-9;
+
 /// When to stop.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct GmresOptions {
-    /// Estimated error, relative to the solution.
+    /// Estimated error, relative to the leading part of the solution.
     pub tolerance: f64,
+    /// Entries of the leading part: those that matter most, which others may exceed by far.
+    pub leading: usize,
     /// Most products.
     pub iteration_limit: usize,
     /// Products between restarts, for which vectors are kept.
@@ -22,8 +27,8 @@ pub(super) struct GmresOptions {
 pub(super) struct GmresEnd {
     /// Products taken.
     pub iterations: usize,
-    /// Estimated error, relative to the solution: the preconditioned residual, amplified as much as the
-    /// preconditioned operator may amplify it.
+    /// Estimated error, relative to the leading part of the solution: the preconditioned residual, amplified as
+    /// much as the preconditioned operator may amplify it.
     pub error: f64,
 }
 
@@ -57,6 +62,8 @@ pub(super) fn gmres(
     if start == 0.0 || !start.is_finite() {
         return end;
     }
+    // What the leading part is of the solution.
+    let (mut share, mut share_is_known) = (1.0, false);
     let mut basis: Vec<Vec<f64>> = Vec::new();
     while end.error > options.tolerance && end.iterations < options.iteration_limit {
         let before = norm(&rest);
@@ -103,8 +110,14 @@ pub(super) fn gmres(
             rotated[j] = c * last;
             rotated.push(-s * last);
             let error = rotated[j + 1].abs() * triangle.inverse_size();
-            let solution = small_norm(&triangle.solve(&rotated)).max(norm(rhs));
-            end.error = error / solution;
+            let y = triangle.solve(&rotated);
+            end.error = error / (share * small_norm(&y).max(norm(rhs)));
+            if end.error <= options.tolerance && !share_is_known {
+                // Only now, as it takes a pass over all vectors.
+                share = vectors.leading_share(rhs, &basis, &y, options.leading);
+                share_is_known = true;
+                end.error = error / (share * small_norm(&y).max(norm(rhs)));
+            }
             if end.error <= options.tolerance || length == 0.0 {
                 break;
             }
@@ -119,7 +132,7 @@ pub(super) fn gmres(
         // Written so that NaN ends it too.
         let (left, size) = (norm(&rest), norm(rhs));
         end.error = if size > 0.0 {
-            left * triangle.inverse_size() / size
+            left * triangle.inverse_size() / (share * size)
         } else {
             1.0
         };
@@ -225,6 +238,18 @@ impl Vectors<'_> {
         self.dot(x, x).sqrt()
     }
 
+    /// Size of the leading part of `x + V y`, relative to the whole.
+    fn leading_share(&self, x: &[f64], basis: &[Vec<f64>], y: &[f64], leading: usize) -> f64 {
+        let mut sum = x.to_vec();
+        for (v, y) in basis.iter().zip(y) {
+            self.add(&mut sum, v, *y);
+        }
+        let whole = self.norm(&sum);
+        // Of nothing nothing more can be asked than that the rest is right.
+        let share = self.norm(&sum[..leading]) / whole;
+        if share > SMALLEST_SHARE { share } else { 1.0 }
+    }
+
     /// Takes from `w` its parts along orthonormal `basis` vectors; returns these parts.
     fn project_out(&self, basis: &[Vec<f64>], w: &mut [f64]) -> Vec<f64> {
         let along = |v: &Vec<f64>| {
@@ -291,6 +316,7 @@ mod tests {
             operator.product(&exact, &mut x);
             let options = GmresOptions {
                 tolerance: 1e-10,
+                leading: 40,
                 iteration_limit: 200,
                 restart,
             };
@@ -312,6 +338,7 @@ mod tests {
         }
         let options = GmresOptions {
             tolerance: 1e-10,
+            leading: 1,
             iteration_limit: 20,
             restart: 20,
         };

@@ -254,6 +254,7 @@ impl LinearSolver for Iterative {
             };
             let options = GmresOptions {
                 tolerance: accuracy,
+                leading: 6 * equations.system().nodes() * equations.grid().points(),
                 iteration_limit: self.limit,
                 restart: (KEPT / size_of_val(rhs)).clamp(RESTART, ITERATION_LIMIT),
             };
