@@ -107,6 +107,12 @@ module periodyn_c
     integer(c_int32_t), parameter :: PDN_STAGE_INITIAL_GUESS = 0
     integer(c_int32_t), parameter :: PDN_STAGE_NEWTON = 1
     integer(c_int32_t), parameter :: PDN_STAGE_MARCH = 2
+    integer(c_int32_t), parameter :: PDN_LINEAR_AUTOMATIC = 0
+    integer(c_int32_t), parameter :: PDN_LINEAR_DIRECT = 1
+    integer(c_int32_t), parameter :: PDN_LINEAR_ITERATIVE = 2
+    integer(c_int32_t), parameter :: PDN_LINEAR_BODY_CIRCULANT = 3
+    integer(c_int32_t), parameter :: PDN_LINEAR_TIME_LOCAL = 4
+    integer(c_int32_t), parameter :: PDN_LINEAR_CIRCULANT = 5
 
     type, bind(C) :: pdn_section
         integer(c_size_t) :: struct_size = 0
@@ -214,6 +220,11 @@ module periodyn_c
         integer(c_int32_t) :: grids
         real(c_double) :: decay_order
         real(c_double) :: least_resolved_time
+        integer(c_int32_t) :: linear_solver
+        integer(c_int32_t) :: linear_iterations
+        integer(c_int32_t) :: linear_solves
+        integer(c_int32_t) :: most_linear_iterations
+        integer(c_size_t) :: linear_bytes
     end type pdn_diagnostics
 
     type, bind(C) :: pdn_progress
@@ -239,6 +250,8 @@ module periodyn_c
         type(c_ptr) :: progress_data = c_null_ptr
         real(c_double) :: error_tolerance
         integer(c_size_t) :: largest_grid_points
+        integer(c_int32_t) :: linear_solver
+        integer(c_int32_t) :: threads
     end type pdn_periodic_options
 
     type, bind(C) :: pdn_static_options

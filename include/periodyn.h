@@ -513,6 +513,38 @@
 #define PDN_STAGE_MARCH 2
 
 /**
+ * Linear equations: solved directly where that is quick, by iteration otherwise.
+ */
+#define PDN_LINEAR_AUTOMATIC 0
+
+/**
+ * Linear equations: solved by factors of the whole Jacobian. Time grows with the third power of the number of grid
+ * points, memory with the second.
+ */
+#define PDN_LINEAR_DIRECT 1
+
+/**
+ * Linear equations: solved by iteration, with the preconditioner that suits; time and memory grow in proportion to
+ * nodes and grid points, or little more.
+ */
+#define PDN_LINEAR_ITERATIVE 2
+
+/**
+ * Linear equations: solved by iteration; bodies are averaged over time for the preconditioner, joints are not.
+ */
+#define PDN_LINEAR_BODY_CIRCULANT 3
+
+/**
+ * Linear equations: solved by iteration; the preconditioner is equilibrium at each grid point, without inertia.
+ */
+#define PDN_LINEAR_TIME_LOCAL 4
+
+/**
+ * Linear equations: solved by iteration; everything is averaged over time for the preconditioner.
+ */
+#define PDN_LINEAR_CIRCULANT 5
+
+/**
  * A mechanism. Made by ::pdn_model_new, freed by ::pdn_model_free.
  *
  * It is described in its reference configuration: points, directions and frames are those of the
@@ -1050,6 +1082,26 @@ typedef struct pdn_diagnostics {
      * Time at which the upper half of the harmonics adds up to most: where a kink or narrow peak is.
      */
     double least_resolved_time;
+    /**
+     * How the linear equations of the last grid were solved: PDN_LINEAR_DIRECT, PDN_LINEAR_BODY_CIRCULANT, ...
+     */
+    int32_t linear_solver;
+    /**
+     * Products with the Jacobian that iteration took, in all linear solves on that grid.
+     */
+    int32_t linear_iterations;
+    /**
+     * Linear solves by iteration on that grid.
+     */
+    int32_t linear_solves;
+    /**
+     * Largest number of products of one of them.
+     */
+    int32_t most_linear_iterations;
+    /**
+     * Bytes that iteration took at most; 0 if there was none.
+     */
+    size_t linear_bytes;
 } pdn_diagnostics;
 
 /**
@@ -1158,6 +1210,15 @@ typedef struct pdn_periodic_options {
      * the outcome is PDN_TOLERANCE_NOT_MET. Default 255.
      */
     size_t largest_grid_points;
+    /**
+     * How linear equations are solved: PDN_LINEAR_AUTOMATIC, PDN_LINEAR_DIRECT, ... Default PDN_LINEAR_AUTOMATIC.
+     */
+    int32_t linear_solver;
+    /**
+     * Threads that share the work, of a pool that lasts as long as the call; 0 for as many as there are processors.
+     * Signals' and other functions of yours are called on the calling thread alone. Default 1.
+     */
+    int32_t threads;
 } pdn_periodic_options;
 
 /**

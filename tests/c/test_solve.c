@@ -228,6 +228,38 @@ static pdn_model *two_bodies(void)
     return model;
 }
 
+/* Factors and iteration, one thread and two: the same motion. */
+static void linear_solvers_and_threads_agree(void)
+{
+    static const int32_t solvers[] = {PDN_LINEAR_DIRECT, PDN_LINEAR_ITERATIVE,
+                                      PDN_LINEAR_BODY_CIRCULANT, PDN_LINEAR_TIME_LOCAL};
+    pdn_model *model = pendulum();
+    pdn_periodic_options options;
+    size_t i;
+
+    PDN_INIT(pdn_periodic_options, &options);
+    CHECK(options.linear_solver == PDN_LINEAR_AUTOMATIC && options.threads == 1);
+    options.harmonics = 5;
+    for (i = 0; i < sizeof solvers / sizeof *solvers; i++) {
+        pdn_diagnostics told;
+        pdn_solution *solution;
+        options.linear_solver = solvers[i];
+        options.threads = 1 + (int32_t)(i % 2);
+        solution = solve(model, &options);
+        check_exact(solution, PERIOD);
+        told = diagnostics_of(solution);
+        if (solvers[i] == PDN_LINEAR_DIRECT) {
+            CHECK(told.linear_solver == PDN_LINEAR_DIRECT && told.linear_iterations == 0);
+        } else {
+            CHECK(told.linear_solver == solvers[i] || solvers[i] == PDN_LINEAR_ITERATIVE);
+            CHECK(told.linear_solves > 0 && told.linear_iterations >= told.linear_solves);
+            CHECK(told.most_linear_iterations > 0 && told.linear_bytes > 0);
+        }
+        pdn_solution_free(solution);
+    }
+    pdn_model_free(model);
+}
+
 static void a_solve_may_start_from_a_solution(void)
 {
     pdn_model *model = pendulum(), *other = two_bodies();
@@ -761,6 +793,7 @@ int main(void)
     the_response_is_that_of_the_closed_form();
     a_cantilever_bends_by_its_end_moment();
     options_are_heeded();
+    linear_solvers_and_threads_agree();
     a_solve_may_start_from_a_solution();
     a_solve_may_start_from_given_motions();
     progress_is_told_and_may_cancel();

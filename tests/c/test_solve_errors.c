@@ -167,6 +167,12 @@ static void solves(void)
     REFUSES_EACH(in.options.iteration_limit, size_t, zero, solve(), PDN_ERR_VALUE,
                  "options.iteration_limit: expected at least 1");
 
+    static const int32_t no_solvers[] = {-1, 6, INT32_MAX}, no_threads[] = {-1, 1025, INT32_MIN};
+    REFUSES_EACH(in.options.linear_solver, int32_t, no_solvers, solve(), PDN_ERR_VALUE,
+                 "options.linear_solver: expected a constant PDN_LINEAR_");
+    REFUSES_EACH(in.options.threads, int32_t, no_threads, solve(), PDN_ERR_VALUE,
+                 "options.threads: expected from 0 to 1024");
+
     in.options.grid_points = 0; /* adapted */
     REFUSES_NOT_FINITE(in.options.error_tolerance, solve(), "options.error_tolerance");
     REFUSES_EACH(in.options.error_tolerance, double, not_positive, solve(), PDN_ERR_VALUE,

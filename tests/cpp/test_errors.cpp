@@ -132,6 +132,12 @@ static void solves()
     options.error_tolerance = 0;
     REFUSED(pdn::solve_periodic(o.model, 1, options), PDN_ERR_VALUE, "options.error_tolerance: ");
     options = {};
+    options.linear_solver = 6;
+    REFUSED(pdn::solve_periodic(o.model, 1, options), PDN_ERR_VALUE, "options.linear_solver: ");
+    options = {};
+    options.threads = -1;
+    REFUSED(pdn::solve_periodic(o.model, 1, options), PDN_ERR_VALUE, "options.threads: ");
+    options = {};
     options.largest_grid_points = 1;
     REFUSED(pdn::solve_periodic(o.model, 1, options), PDN_ERR_SIZE,
             "options.largest_grid_points: ");
