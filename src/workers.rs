@@ -9,6 +9,11 @@ use rayon::slice::ParallelSliceMut;
 use rayon::{ThreadPool, ThreadPoolBuilder};
 use std::sync::Arc;
 
+/// Keeps faer's convenient functions on the calling thread: by default they would start a thread for each processor.
+pub(crate) fn no_threads_unasked() {
+    faer::set_global_parallelism(faer::Par::Seq);
+}
+
 /// One thread, or several.
 #[derive(Debug, Clone, Default)]
 pub struct Workers {

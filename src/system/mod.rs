@@ -17,6 +17,7 @@ use crate::elements::{Measure, Unknown, Viscoelastic};
 use crate::error::{Error, ErrorKind, Result};
 use crate::model::{BoundSignal, ForceDefinition, JointCoordinate, Model, Signal};
 use crate::motion::Motion;
+use crate::workers::no_threads_unasked;
 use nalgebra::{DVector, Vector3};
 use serde::{Deserialize, Serialize};
 use std::f64::consts::TAU;
@@ -202,6 +203,7 @@ impl System {
         standstill: Option<Standstill>,
         transient: Option<Transient>,
     ) -> Result<Self> {
+        no_threads_unasked();
         if model.nodes.is_empty() {
             let message = "model: expected at least one node, got none";
             return Err(Error::new(ErrorKind::Model, message));
