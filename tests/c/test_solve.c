@@ -661,7 +661,7 @@ static void freeing_goes_in_any_order(void)
 /* A shorter or unset struct is refused, a longer one only if it sets what is not known here. */
 #define CHECK_READER(type, call)                                                                   \
     do {                                                                                           \
-        static const size_t wrong[] = {0,    1,         7, 8, sizeof(type) - 8, sizeof(type) - 1,  \
+        static const size_t wrong[] = {0,    1,         7, 8, sizeof(type) - 4, sizeof(type) - 1,  \
                                        5000, (size_t)-1};                                          \
         size_t i;                                                                                  \
         memset(&in, 0x5a, sizeof in);                                                              \
