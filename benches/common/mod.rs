@@ -2,6 +2,7 @@
 
 #![allow(dead_code)] // no benchmark needs all of it
 
+pub mod table;
 pub mod timing;
 
 use nalgebra::{Matrix3, Vector3};
@@ -199,4 +200,100 @@ pub fn slider_crank(elements: usize, degree: usize, period: f64) -> Model {
     };
     model.prescribe(at, &turn).unwrap();
     model
+}
+
+/// The planar four-bar with a crooked axis of section 7.3 of the paper, and its period; damping is `seconds` times the
+/// stiffness.
+pub fn planar_four_bar(elements: usize, degree: usize, seconds: f64) -> (Model, f64) {
+    let at = |x: f64, y: f64| Vector3::new(x, y, 0.0);
+    let [a, b, c, d] = [at(0.0, 0.0), at(0.0, 0.12), at(0.24, 0.12), at(0.24, 0.0)];
+    let steel = |stiffness: &[f64; 6], mass: &[f64; 4]| {
+        let mut section = SectionInput::diagonal(stiffness, mass).unwrap();
+        section.damp_proportionally(seconds).unwrap();
+        section
+    };
+    let thick = steel(
+        &[52.99e6, 16.88e6, 16.88e6, 733.5, 1131.0, 1131.0],
+        &[1.997, 85.2e-6, 42.6e-6, 42.6e-6],
+    );
+    let thin = steel(
+        &[13.25e6, 4.22e6, 4.22e6, 45.84, 70.66, 70.66],
+        &[0.4992, 5.324e-6, 2.662e-6, 2.662e-6],
+    );
+    let mut model = Model::new();
+    let mut bar = |from, to, across, section| {
+        model
+            .add_straight_beam(from, to, across, section, elements, degree)
+            .unwrap()
+    };
+    let (left, up) = (-Vector3::x(), Vector3::y());
+    let crank = bar(&a, &b, &left, &thick);
+    let coupler = bar(&b, &c, &up, &thick);
+    let rocker = bar(&c, &d, &left, &thin);
+    let mut hinge = |first, second, point, axis| {
+        let frame = Model::frame_at("axis", point, axis).unwrap();
+        model
+            .add_joint(JointKind::Revolute, first, Some(second), &frame, &frame)
+            .unwrap()
+    };
+    let normal = Vector3::z();
+    let tilt = 5f64.to_radians();
+    let crooked = Vector3::new(tilt.sin(), 0.0, tilt.cos());
+    let motor = hinge(None, crank.first_node, &a, &normal);
+    hinge(Some(crank.last_node), coupler.first_node, &b, &normal);
+    hinge(Some(coupler.last_node), rocker.first_node, &c, &crooked);
+    hinge(None, rocker.last_node, &d, &normal);
+    let turn = Signal::harmonics(0.0, -0.6, &[], &[]).unwrap();
+    let at = JointCoordinate {
+        joint: motor,
+        coordinate: Coordinate::Rotation1,
+    };
+    model.prescribe(at, &turn).unwrap();
+    (model, TAU / 0.6)
+}
+
+/// Three blades of 30 m clamped to a turning hub with a level shaft, in gravity, with harmonic forces at the tips; and the
+/// period. Two-node elements.
+pub fn rotor(elements: usize) -> (Model, f64) {
+    let mut model = Model::new();
+    let hub = model
+        .add_rigid_body(100.0, &Vector3::zeros(), &(Matrix3::identity() * 10.0))
+        .unwrap();
+    let mut section =
+        SectionInput::diagonal(&[1e9, 3e8, 3e8, 1e7, 1.9e7, 3.68e7], &[10.0, 0.2, 0.1, 0.1])
+            .unwrap();
+    section.damp_proportionally(5e-3).unwrap();
+    for i in 0..3 {
+        let (sine, cosine) = (TAU * i as f64 / 3.0).sin_cos();
+        let along = Vector3::new(cosine, sine, 0.0);
+        let (root, tip) = (along * 1.0, along * 31.0);
+        let blade = model
+            .add_straight_beam(&root, &tip, &Vector3::z(), &section, elements, 1)
+            .unwrap();
+        let frame = Model::frame_at("axis", &root, &along).unwrap();
+        model
+            .add_joint(
+                JointKind::Rigid,
+                Some(hub),
+                Some(blade.first_node),
+                &frame,
+                &frame,
+            )
+            .unwrap();
+        let shake = Signal::harmonics(500.0, 0.0, &[300.0, 50.0, 20.0], &[100.0, 0.0, 10.0]);
+        push(&mut model, blade.last_node, 2, shake.unwrap());
+    }
+    let frame = Model::frame_at("axis", &Vector3::zeros(), &Vector3::z()).unwrap();
+    let shaft = model
+        .add_joint(JointKind::Revolute, None, Some(hub), &frame, &frame)
+        .unwrap();
+    let turn = Signal::harmonics(0.0, 3.0, &[], &[]).unwrap();
+    let at = JointCoordinate {
+        joint: shaft,
+        coordinate: Coordinate::Rotation1,
+    };
+    model.prescribe(at, &turn).unwrap();
+    let constant = |value| Signal::constant(value).unwrap();
+    model.set_gravity([constant(0.0), constant(-9.81), constant(0.0)]);
+    (model, TAU / 3.0)
 }

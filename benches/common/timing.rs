@@ -19,6 +19,25 @@ pub fn product_time() -> Duration {
     }))
 }
 
+/// Bytes that the machine reads and writes in a second on one core: sums of two vectors far larger than its caches.
+pub fn bandwidth() -> f64 {
+    let count = 16_000_000;
+    let (a, b) = (vec![1.0f64; count], vec![2.0f64; count]);
+    let mut sum = vec![0.0f64; count];
+    let shortest = (0..6)
+        .map(|_| {
+            let start = Instant::now();
+            for ((sum, a), b) in sum.iter_mut().zip(&a).zip(&b) {
+                *sum = a + 3.0 * b;
+            }
+            std::hint::black_box(&mut sum);
+            start.elapsed()
+        })
+        .min();
+    // Counted as is usual: what is written is not read first.
+    (3 * count * size_of::<f64>()) as f64 / shortest.unwrap().as_secs_f64()
+}
+
 /// The one in the middle.
 pub fn median(times: impl Iterator<Item = Duration>) -> Duration {
     let mut times: Vec<Duration> = times.collect();

@@ -64,20 +64,23 @@ def compare(directory, name, meshes, steps, order, ours):
     march = getattr(exudyn_models, name)
     marched = {}
     for key in [(mesh, steps[1]) for mesh in meshes] + [(meshes[1], step) for step in (steps[0], steps[2])]:
-        marched[key] = march(*key)
-        curves, unsettled, seconds = marched[key]
+        curves, seconds = march(*key)
+        unsettled = exudyn_models.unsettled(curves)
         print(f"{name}: Exudyn, {key[0]} elements, {key[1]} steps to a period: {seconds:.1f} s, "
               f"last two periods differ by {unsettled:.0e}", flush=True)
+        marched[key] = curves[-1]
     solved = [solve(pathlib.Path(directory) / name, *options) for options in ours]
     for options, (_, _, seconds) in zip(ours, solved):
         print(f"{name}: Periodyn, {options[0]} grid points, {options[1]} elements of degree {options[2]}: {seconds:.2f} s")
 
     names, own, _ = solved[0]
+    # What the example does not write, velocities, comes last.
+    marched = {key: curves[:, :len(names)] for key, curves in marched.items()}
     span = np.ptp(own, axis=0)
-    base = marched[meshes[1], steps[1]][0]
-    mesh, mesh_error, mesh_order = extrapolated(*(marched[m, steps[1]][0] for m in meshes), order)
-    step, step_error, step_order = extrapolated(*(marched[meshes[1], s][0] for s in steps), 2)
-    finest = marched[meshes[2], steps[1]][0]
+    base = marched[meshes[1], steps[1]]
+    mesh, mesh_error, mesh_order = extrapolated(*(marched[m, steps[1]] for m in meshes), order)
+    step, step_error, step_order = extrapolated(*(marched[meshes[1], s] for s in steps), 2)
+    finest = marched[meshes[2], steps[1]]
     columns = {
         "range": span,
         "difference, finest mesh": largest(finest - own) / span,

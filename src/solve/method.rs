@@ -33,16 +33,18 @@ const AFFORDABLE: f64 = 3e4;
 /// Growth of a preconditioner that means a Jacobian which may be singular: factors will tell.
 const SUSPECT: f64 = 1e13;
 
-/// What direct factors take.
-struct Cost {
-    /// Multiply-adds.
-    work: f64,
-    bytes: f64,
+/// What factors of the whole Jacobian take, as planned.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct DirectCost {
+    /// Multiply-adds of one factorisation.
+    pub work: f64,
+    /// Bytes.
+    pub bytes: f64,
 }
 
-impl Cost {
+impl DirectCost {
     /// Of the Jacobian of a system on a grid of so many points.
-    fn of(system: &System, points: usize) -> Self {
+    pub fn of(system: &System, points: usize) -> Self {
         let nodes = system.nodes();
         let mut sizes = vec![6 * points; nodes];
         let mut coupled = vec![BTreeSet::new(); nodes];
@@ -65,7 +67,7 @@ impl Cost {
             numbers += own * (own + 2.0 * rest);
         }
         // The values themselves, and the largest fronts, come to about as much again.
-        Cost {
+        DirectCost {
             work,
             bytes: 2.0 * numbers * size_of::<f64>() as f64,
         }
@@ -99,7 +101,7 @@ impl Linear {
             LinearMethod::Direct => direct(),
             LinearMethod::Iterative(preconditioner) => iterative(preconditioner),
             LinearMethod::Automatic => {
-                let cost = Cost::of(system, points);
+                let cost = DirectCost::of(system, points);
                 falls_back = cost.bytes < TOO_LARGE;
                 let numbers = (6 * system.nodes() * points) as f64;
                 if cost.bytes < LARGE && cost.work < AFFORDABLE * numbers {

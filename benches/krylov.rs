@@ -1,0 +1,152 @@
+//! Krylov products per Newton step, to 1e-8, of the three preconditioners on all kinds of systems, and the memory
+//! traffic of products against the machine's bandwidth.
+//!
+//! The equations are those of the last Newton step, at the periodic solution, for a solution that is known: the
+//! error is measured, too.
+
+mod common;
+
+use common::table::Table;
+use common::timing::{bandwidth, product_time};
+use common::{PERIOD, planar_four_bar, rotor, slider_crank, spatial_four_bar};
+use periodyn::fourier::TimeGrid;
+use periodyn::model::Model;
+use periodyn::output::Solution;
+use periodyn::solve::{
+    InitialGuess, LinearTrial, Outcome, PeriodicOptions, Preconditioner, try_linear_solve,
+};
+use std::f64::consts::{PI, TAU};
+
+const TOLERANCE: f64 = 1e-8;
+const POINTS: [usize; 5] = [15, 31, 63, 127, 255];
+const ELEMENTS: [usize; 4] = [8, 16, 32, 64];
+/// First bending frequency of the slider-crank's hinged coupler, in radians a second.
+fn coupler_frequency() -> f64 {
+    (PI / 0.3).powi(2) * (13.2f64 / 0.222).sqrt()
+}
+
+fn slow_crank(elements: usize, part: f64) -> (Model, f64) {
+    let period = TAU / (part * coupler_frequency());
+    (slider_crank(elements, 1, period), period)
+}
+
+type Make = fn(usize) -> (Model, f64);
+
+/// Two-node elements throughout, to each blade or bar.
+const MODELS: [(&str, Make); 5] = [
+    ("rotor", rotor),
+    ("spatial four-bar", |elements| {
+        (spatial_four_bar(elements, 1), PERIOD)
+    }),
+    ("planar four-bar", |elements| {
+        planar_four_bar(elements, 1, 1e-3)
+    }),
+    ("slider-crank, 1/16", |elements| {
+        slow_crank(elements, 1.0 / 16.0)
+    }),
+    ("slider-crank, 1/10", |elements| {
+        slow_crank(elements, 1.0 / 10.0)
+    }),
+];
+
+/// Elements on all grids for few elements, and all elements on one grid: and the largest of both.
+fn wanted(elements: usize, points: usize) -> bool {
+    elements == 8 || points == 63 || (elements == 64 && points == 255) || points == 15
+}
+
+fn count(trial: &LinearTrial) -> String {
+    match trial.products {
+        Some(products) => products.to_string(),
+        None => "-".into(),
+    }
+}
+
+fn main() {
+    println!("Products of a linear solve to {TOLERANCE:e}; - more than 150, or not available.");
+    let bandwidth = bandwidth();
+    let floor = product_time().as_secs_f64();
+    println!(
+        "memory bandwidth {:.1} GB/s; 1e9 multiply-adds {:.1} ms",
+        1e-9 * bandwidth,
+        1e3 * floor
+    );
+    let mut table = Table::new(
+        "krylov",
+        &[
+            "model",
+            "elements",
+            "N",
+            "unknowns",
+            "body-circulant",
+            "time-local",
+            "circulant",
+            "interface",
+            "solve ms",
+            "product ms",
+            "tangents MB",
+            "of bandwidth",
+        ],
+    );
+    let only: Vec<String> = std::env::args()
+        .skip(1)
+        .filter(|a| !a.starts_with("--"))
+        .collect();
+    for (name, make) in MODELS {
+        if !only.is_empty() && !only.iter().any(|o| name.contains(o.as_str())) {
+            continue;
+        }
+        for elements in ELEMENTS {
+            let (model, period) = make(elements);
+            let mut last: Option<Solution> = None;
+            for points in POINTS {
+                if !wanted(elements, points) {
+                    continue;
+                }
+                let mut options = PeriodicOptions::with_grid_points(points);
+                let grid = TimeGrid::new(points, period).unwrap();
+                if let Some(state) = last.as_ref().and_then(|s| s.prolonged(grid).ok()) {
+                    options.guess = InitialGuess::State(state);
+                }
+                let solution = Solution::solve(&model, period, &options, &mut |_, _| true).unwrap();
+                if solution.outcome() != Outcome::Converged {
+                    println!(
+                        "{name}, {elements} elements, N = {points}: {}",
+                        solution.report()
+                    );
+                    continue;
+                }
+                let [body, local, circulant] = [
+                    Preconditioner::BodyCirculant,
+                    Preconditioner::TimeLocal,
+                    Preconditioner::Circulant,
+                ]
+                .map(|p| try_linear_solve(solution.details(), p, TOLERANCE).unwrap());
+                // The cheaper one of those that a solve chooses from.
+                let quickest = [&body, &local]
+                    .into_iter()
+                    .filter(|t| t.products.is_some())
+                    .map(|t| (t.preparation + t.solution).as_secs_f64())
+                    .fold(f64::INFINITY, f64::min);
+                let product = body.product.min(local.product).min(circulant.product);
+                table.row(cells![
+                    name,
+                    elements,
+                    points,
+                    body.unknowns,
+                    count(&body),
+                    count(&local),
+                    count(&circulant),
+                    body.interface,
+                    format!("{:.1}", 1e3 * quickest),
+                    format!("{:.3}", 1e3 * product.as_secs_f64()),
+                    format!("{:.1}", 1e-6 * body.tangent_bytes as f64),
+                    format!(
+                        "{:.2}",
+                        body.tangent_bytes as f64 / product.as_secs_f64() / bandwidth
+                    ),
+                ]);
+                last = Some(solution);
+            }
+        }
+    }
+}
