@@ -36,6 +36,7 @@ struct Case {
     /// Of the solution that counts as exact.
     finest: usize,
     steps: &'static [usize],
+    shooting_steps: &'static [usize],
     /// Most periods of a march.
     periods: usize,
     spectral_radii: &'static [f64],
@@ -115,8 +116,9 @@ fn cases() -> Vec<Case> {
             titles: &["x3 of B", "v3 of B", "torque of the motor"],
             grids: &[11, 13, 15, 17, 19, 21, 25, 29, 33, 41, 51],
             finest: 101,
-            steps: &[300, 600, 1200, 2400],
-            periods: 2,
+            steps: &[150, 200, 300, 400, 600, 1200],
+            shooting_steps: &[150, 300, 600],
+            periods: 5,
             spectral_radii: &[0.5],
         },
         Case {
@@ -133,6 +135,7 @@ fn cases() -> Vec<Case> {
             grids: &[7, 9, 11, 15, 19, 25, 31, 41],
             finest: 81,
             steps: &[50, 100, 200, 400, 800],
+            shooting_steps: &[50, 100, 200, 400],
             periods: 30,
             spectral_radii: &[0.5, 0.9],
         },
@@ -145,6 +148,7 @@ fn cases() -> Vec<Case> {
             grids: &[5, 7, 9, 11, 13, 15, 19, 25, 31],
             finest: 61,
             steps: &[50, 100, 200, 400, 800],
+            shooting_steps: &[50, 100, 200, 400],
             periods: 20,
             spectral_radii: &[0.5, 0.9],
         },
@@ -286,7 +290,7 @@ fn main() {
                 }
             }
         }
-        for &steps in case.steps {
+        for &steps in case.shooting_steps {
             let options = ShootingOptions {
                 steps,
                 start: MarchStart::Reference,

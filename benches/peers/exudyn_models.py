@@ -8,7 +8,7 @@ import time
 import exudyn as exu
 import exudyn.itemInterface as item
 import numpy as np
-from exudyn.rigidBodyUtilities import RotationMatrix2EulerParameters
+from exudyn.rigidBodyUtilities import AngularVelocity2EulerParameters_t, RotationMatrix2EulerParameters
 
 SAMPLES = 100  # a period, in what is returned; steps to a period are 50 or a multiple
 
@@ -168,21 +168,33 @@ def spatial_four_bar(elements, steps, periods=2, **scheme):
         second /= np.linalg.norm(second)
         return np.column_stack([np.cross(second, third), second, third])
 
-    def bar(start, end, across, section):
-        """Nodes and the axes they have in the beginning."""
+    # Velocities of the rigid mechanism in the beginning: they are those of the prescribed turn.
+    cross = np.cross(i1, c - b)
+    of_crank = 0.36 * i1
+    at_c = np.cross(of_crank, c - d)
+    of_rocker = i2 * (at_c @ (c - b)) / (np.cross(i2, b - a) @ (c - b))
+    at_b = np.cross(of_rocker, b - a)
+    of_coupler = np.cross(c - b, at_c - at_b) / ((c - b) @ (c - b))
+    normal = np.cross(cross, i1)
+    of_coupler += (c - b) * ((of_crank - of_coupler) @ normal) / ((c - b) @ normal)
+
+    def bar(start, end, across, section, velocity, rate):
+        """Nodes and the axes they have in the beginning; velocity of the first, rate of turning of all."""
         along = (end - start) / np.linalg.norm(end - start)
         axes = frame(np.cross(along, across), along)
         turn = RotationMatrix2EulerParameters(axes)
-        nodes = [mbs.AddNode(item.NodeRigidBodyEP(referenceCoordinates=[*(start + s * (end - start)), *turn]))
-                 for s in np.linspace(0, 1, elements + 1)]
+        turning = AngularVelocity2EulerParameters_t(rate, turn)
+        nodes = [mbs.AddNode(item.NodeRigidBodyEP(
+            referenceCoordinates=[*(start + s * (end - start)), *turn],
+            initialVelocities=[*(velocity + s * np.cross(rate, end - start)), *turning])) for s in np.linspace(0, 1, elements + 1)]
         for pair in zip(nodes, nodes[1:]):
             mbs.AddObject(item.ObjectBeamGeometricallyExact(
                 nodeNumbers=list(pair), length=np.linalg.norm(end - start) / elements, sectionData=section))
         return nodes, axes
 
-    rocker, rocker_axes = bar(a, b, i2, thick)
-    coupler, coupler_axes = bar(b, c, i1, thick)
-    crank, crank_axes = bar(c, d, i1, thin)
+    rocker, rocker_axes = bar(a, b, i2, thick, 0 * a, of_rocker)
+    coupler, coupler_axes = bar(b, c, i1, thick, at_b, of_coupler)
+    crank, crank_axes = bar(c, d, i1, thin, at_c, of_crank)
     ground = mbs.AddObject(item.ObjectGround())
 
     def on_node(node, axes, wanted):
@@ -197,14 +209,14 @@ def spatial_four_bar(elements, steps, periods=2, **scheme):
     mbs.AddObject(item.SphericalJoint(markerNumbers=[on_node(rocker[-1], rocker_axes, np.eye(3)),
                                                      on_node(coupler[0], coupler_axes, np.eye(3))]))
     # Universal: the first axis on the coupler stays normal to the second on the crank.
-    cross = np.cross(i1, c - b)
     mbs.AddObject(item.GenericJoint(
-        markerNumbers=[on_node(coupler[-1], coupler_axes, frame(np.cross(cross, i1), cross)),
-                       on_node(crank[0], crank_axes, frame(np.cross(cross, i1), cross))],
+        markerNumbers=[on_node(coupler[-1], coupler_axes, frame(normal, cross)),
+                       on_node(crank[0], crank_axes, frame(normal, cross))],
         constrainedAxes=[1, 1, 1, 0, 0, 1]))
 
     # The motor: a light body whose first angle turns.
-    motor = mbs.AddNode(item.NodeRigidBodyRxyz(referenceCoordinates=[*d, 0, 0, 0]))
+    motor = mbs.AddNode(item.NodeRigidBodyRxyz(referenceCoordinates=[*d, 0, 0, 0],
+                                                  initialVelocities=[0, 0, 0, 0.36, 0, 0]))
     body = mbs.AddObject(item.ObjectRigidBody(nodeNumber=motor, mass=1e-3, inertia=[1e-6, 1e-6, 1e-6, 0, 0, 0]))
     still = mbs.AddNode(item.NodePointGround())
     fixed = mbs.AddMarker(item.MarkerNodeCoordinate(nodeNumber=still, coordinate=0))
@@ -223,4 +235,4 @@ def spatial_four_bar(elements, steps, periods=2, **scheme):
                mbs.AddSensor(item.SensorObject(objectNumber=clamp, storeInternal=True,
                                                outputVariableType=exu.OutputVariableType.TorqueLocal))]
     curves, seconds = march(mbs, sensors, 2 * math.pi / 0.3, periods, steps, **scheme)
-    return curves[:, :, [2, 5, 6]], seconds
+    return curves[:, :, [2, 5, 6]] * [1, 1, -1], seconds  # the joint's torque is on the motor

@@ -334,11 +334,11 @@ mod tests {
         let trial = try_linear_solve(solve, preconditioner, 1e-8).unwrap();
         // The estimate may miss by the part of the error that the small system does not show.
         assert!(
-            trial.products.is_none() || trial.error < 1e-7,
+            trial.products_of_noise.is_none() || trial.error_of_noise < 1e-7,
             "{:e}",
-            trial.error
+            trial.error_of_noise
         );
-        trial.products
+        trial.products_of_noise
     }
 
     #[test]
