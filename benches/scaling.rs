@@ -22,6 +22,7 @@ struct Case {
     model: &'static str,
     elements: usize,
     points: usize,
+    threads: usize,
 }
 
 /// What the process of a case reports.
@@ -50,12 +51,15 @@ fn method(solution: &Solution) -> &'static str {
 }
 
 /// Solves one case and prints its record.
-fn run(model: &str, elements: usize, points: usize) {
+fn run(model: &str, elements: usize, points: usize, threads: usize) {
     let (definition, period) = match model {
         "rotor" => rotor(elements),
         _ => planar_four_bar(elements, 2, DAMPING),
     };
-    let options = PeriodicOptions::with_grid_points(points);
+    let options = PeriodicOptions {
+        threads,
+        ..PeriodicOptions::with_grid_points(points)
+    };
     let (mut seconds, mut spent) = (f64::INFINITY, 0.0);
     let solution = loop {
         let start = Instant::now();
@@ -110,6 +114,7 @@ fn record(case: &Case) -> Record {
         case.model,
         &case.elements.to_string(),
         &case.points.to_string(),
+        &case.threads.to_string(),
     ];
     let output = Command::new(program).args(arguments).output().unwrap();
     let text = String::from_utf8_lossy(&output.stdout).into_owned();
@@ -140,40 +145,44 @@ fn main() {
     let arguments: Vec<String> = std::env::args().collect();
     if let Some(at) = arguments.iter().position(|a| a == "--case") {
         let count = |i: usize| arguments[at + i].parse().unwrap();
-        run(&arguments[at + 1], count(2), count(3));
+        run(&arguments[at + 1], count(2), count(3), count(4));
         return;
     }
-    let rotors = |series, sizes: &[(usize, usize)]| {
-        let case = |&(elements, points)| Case {
-            series,
-            model: "rotor",
-            elements,
-            points,
-        };
-        sizes.iter().map(case).collect::<Vec<_>>()
-    };
-    // From 1e4 to 1e6 unknowns.
-    let mut series = vec![
-        rotors(
+    // From 1e4 to 1e6 unknowns; of the two largest, with two threads, too.
+    let rotor_sizes = [
+        (
             "rotor: elements",
-            &[(9, 63), (28, 63), (88, 63), (280, 63), (890, 63)],
+            [(9, 63), (28, 63), (88, 63), (280, 63), (890, 63)],
         ),
-        rotors(
+        (
             "rotor: grid points",
-            &[(32, 17), (32, 55), (32, 173), (32, 549), (32, 1735)],
+            [(32, 17), (32, 55), (32, 173), (32, 549), (32, 1735)],
         ),
     ];
     let grids = [101, 201, 401, 801, 1023, 2047];
-    series.push(
-        grids
-            .map(|points| Case {
-                series: "planar four-bar: grid points",
-                model: "planar four-bar",
-                elements: 5,
-                points,
-            })
-            .into(),
-    );
+    let case = |series, model, elements, points, threads| Case {
+        series,
+        model,
+        elements,
+        points,
+        threads,
+    };
+    let mut series: Vec<Vec<Case>> = Vec::new();
+    for threads in [1, 2] {
+        for (name, sizes) in rotor_sizes {
+            let few = sizes.iter().skip(if threads == 1 { 0 } else { 3 });
+            series.push(
+                few.map(|&(elements, points)| case(name, "rotor", elements, points, threads))
+                    .collect(),
+            );
+        }
+        let few = grids.iter().skip(if threads == 1 { 0 } else { 4 });
+        let name = "planar four-bar: grid points";
+        series.push(
+            few.map(|&points| case(name, "planar four-bar", 5, points, threads))
+                .collect(),
+        );
+    }
 
     let mut table = Table::new(
         "scaling",
@@ -201,7 +210,7 @@ fn main() {
                 case.series,
                 case.elements,
                 case.points,
-                1,
+                case.threads,
                 record.unknowns,
                 format!("{:.4}", record.seconds),
                 format!("{:.0}", record.mebibytes),
@@ -212,7 +221,9 @@ fn main() {
             times.push((record.unknowns, record.seconds));
             memory.push((record.unknowns, record.mebibytes));
         }
-        fits.push((cases[0].series, exponent(&times), exponent(&memory)));
+        if cases[0].threads == 1 {
+            fits.push((cases[0].series, exponent(&times), exponent(&memory)));
+        }
     }
     let mut table = Table::new("exponents", &["series", "threads", "time", "memory"]);
     for (series, time, memory) in fits {

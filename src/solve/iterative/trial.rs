@@ -69,7 +69,7 @@ pub fn try_linear_solve(
     let mut product = Duration::MAX;
     for _ in 0..TIMED {
         let start = Instant::now();
-        iterative.tangent.apply(&mut equations, &exact, &mut x);
+        iterative.tangent.apply(&equations, &exact, &mut x);
         product = product.min(start.elapsed());
     }
     // A preconditioner that has failed once is given up.
