@@ -30,6 +30,8 @@ const TOO_LARGE: f64 = 6e9;
 /// Multiply-adds that a factorisation may take for each number that is stored at a node and grid point, where
 /// iteration is the alternative: about what its products take.
 const AFFORDABLE: f64 = 3e4;
+/// So few numbers are not worth the trouble.
+const SMALL: f64 = 1500.0;
 /// Growth of a preconditioner that means a Jacobian which may be singular: factors will tell.
 const SUSPECT: f64 = 1e13;
 
@@ -104,7 +106,8 @@ impl Linear {
                 let cost = DirectCost::of(system, points);
                 falls_back = cost.bytes < TOO_LARGE;
                 let numbers = (6 * system.nodes() * points) as f64;
-                if cost.bytes < LARGE && cost.work < AFFORDABLE * numbers {
+                let cheap = numbers < SMALL || cost.work < AFFORDABLE * numbers;
+                if cost.bytes < LARGE && cheap {
                     direct()
                 } else {
                     iterative(None)

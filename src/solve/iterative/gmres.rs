@@ -6,15 +6,17 @@ use crate::workers::Workers;
 /// A cycle that leaves more than this of the residual is the last.
 const STAGNATION: f64 = 0.9;
 
-/// A leading part that is smaller than this is nothing but rounding.
-const SMALLEST_SHARE: f64 = 1e-9;
+/// A part that is smaller than this may be nothing but rounding.
+const SMALLEST_SHARE: f64 = 1e-8;
+/// Error relative to the whole solution that is not undercut.
+const FINEST: f64 = 1e-12;
 
 /// When to stop.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct GmresOptions {
-    /// Estimated error, relative to the leading part of the solution.
+    /// Estimated error, relative to the smaller part of the solution.
     pub tolerance: f64,
-    /// Entries of the leading part: those that matter most, which others may exceed by far.
+    /// Entries of the first of its two parts, motions: the others, multipliers, may be of quite another size.
     pub leading: usize,
     /// Most products.
     pub iteration_limit: usize,
@@ -27,7 +29,7 @@ pub(super) struct GmresOptions {
 pub(super) struct GmresEnd {
     /// Products taken.
     pub iterations: usize,
-    /// Estimated error, relative to the leading part of the solution: the preconditioned residual, amplified as
+    /// Estimated error, relative to the smaller part of the solution: the preconditioned residual, amplified as
     /// much as the preconditioned operator may amplify it.
     pub error: f64,
 }
@@ -62,7 +64,7 @@ pub(super) fn gmres(
     if start == 0.0 || !start.is_finite() {
         return end;
     }
-    // What the leading part is of the solution.
+    // What the smaller part is of the solution.
     let (mut share, mut share_is_known) = (1.0, false);
     let mut basis: Vec<Vec<f64>> = Vec::new();
     while end.error > options.tolerance && end.iterations < options.iteration_limit {
@@ -114,7 +116,9 @@ pub(super) fn gmres(
             end.error = error / (share * small_norm(&y).max(norm(rhs)));
             if end.error <= options.tolerance && !share_is_known {
                 // Only now, as it takes a pass over all vectors.
-                share = vectors.leading_share(rhs, &basis, &y, options.leading);
+                share = vectors
+                    .smaller_share(rhs, &basis, &y, options.leading)
+                    .max(FINEST / options.tolerance);
                 share_is_known = true;
                 end.error = error / (share * small_norm(&y).max(norm(rhs)));
             }
@@ -238,16 +242,18 @@ impl Vectors<'_> {
         self.dot(x, x).sqrt()
     }
 
-    /// Size of the leading part of `x + V y`, relative to the whole.
-    fn leading_share(&self, x: &[f64], basis: &[Vec<f64>], y: &[f64], leading: usize) -> f64 {
+    /// Size of the smaller of the two parts of `x + V y`, relative to the whole.
+    fn smaller_share(&self, x: &[f64], basis: &[Vec<f64>], y: &[f64], leading: usize) -> f64 {
         let mut sum = x.to_vec();
         for (v, y) in basis.iter().zip(y) {
             self.add(&mut sum, v, *y);
         }
         let whole = self.norm(&sum);
+        let (first, second) = sum.split_at(leading);
+        let shares = [first, second].map(|part| self.norm(part) / whole);
         // Of nothing nothing more can be asked than that the rest is right.
-        let share = self.norm(&sum[..leading]) / whole;
-        if share > SMALLEST_SHARE { share } else { 1.0 }
+        let counts = shares.into_iter().filter(|share| *share > SMALLEST_SHARE);
+        counts.fold(1.0, f64::min)
     }
 
     /// Takes from `w` its parts along orthonormal `basis` vectors; returns these parts.
