@@ -252,6 +252,7 @@ module periodyn_c
         integer(c_size_t) :: largest_grid_points
         integer(c_int32_t) :: linear_solver
         integer(c_int32_t) :: threads
+        integer(c_size_t) :: oversampling
     end type pdn_periodic_options
 
     type, bind(C) :: pdn_static_options

@@ -1219,6 +1219,12 @@ typedef struct pdn_periodic_options {
      * Signals' and other functions of yours are called on the calling thread alone. Default 1.
      */
     int32_t threads;
+    /**
+     * The equations are sampled at this many times as many points (or one more), from 1 to 16, where motions and multipliers
+     * are interpolated; their virtual work, and the harmonics of the constraints up to those of the grid, are to
+     * vanish. 1: at the grid points alone. Default 1.
+     */
+    size_t oversampling;
 } pdn_periodic_options;
 
 /**

@@ -6,8 +6,10 @@ mod common;
 use common::*;
 use nalgebra::{DMatrix, DVector, Vector3};
 use periodyn::elements::Coordinate;
+use periodyn::error::ErrorKind;
 use periodyn::model::{Model, Signal};
 use periodyn::output::{JointQuantity, Solution};
+use periodyn::solve::{Outcome, PeriodicOptions};
 use std::f64::consts::TAU;
 
 const MASS: f64 = 1.3;
@@ -104,6 +106,35 @@ fn collocation_is_harmonic_balance_sampled_at_the_grid() {
     }
 }
 
+/// The periodic response, the equations sampled at so many times as many points.
+fn oversampled(model: &Model, period: f64, points: usize, oversampling: usize) -> Solution {
+    let options = PeriodicOptions {
+        oversampling,
+        ..options(points)
+    };
+    let solution = Solution::solve(model, period, &options, &mut |_, _| true).unwrap();
+    let report = &solution.details().report;
+    assert_eq!(solution.outcome(), Outcome::Converged, "{report:#?}");
+    solution
+}
+
+#[test]
+fn oversampled_equations_are_galerkins_method() {
+    let model = duffing();
+    for harmonics in [2, 4, 7, 12] {
+        let points = 2 * harmonics + 1;
+        let found = coefficients(&oversampled(&model, PERIOD, points, 2), harmonics);
+        // A cube is sampled without aliases on 2 N + 1 points; on any more the balance is the same.
+        let galerkin = balance(harmonics, 10 * harmonics + 7, &found);
+        let difference = (&found - &galerkin).amax();
+        let collocated = coefficients(&solve(&model, PERIOD, points), harmonics);
+        let moved = (&found - &collocated).amax();
+        println!("{harmonics} harmonics: {difference:.1e}, from collocation {moved:.1e}");
+        assert!(difference < 1e-12, "{harmonics}: {difference:e}");
+        assert!(moved > 1e3 * difference, "{harmonics}: {moved:e}");
+    }
+}
+
 #[test]
 fn galerkins_method_has_the_same_limit() {
     let model = duffing();
@@ -131,5 +162,61 @@ fn galerkins_method_has_the_same_limit() {
     }
     for error in errors[4] {
         assert!(error < 1e-4, "{error:e}");
+    }
+}
+
+/// Largest difference of motions from a converged solution.
+fn error(solution: &Solution, exact: &Solution) -> f64 {
+    let there = solution.prolonged(exact.grid()).unwrap();
+    let length = exact.details().system.scales().length;
+    there.distance(&exact.details().state, length)
+}
+
+#[test]
+fn aliases_are_a_part_of_the_error_of_collocation() {
+    let (two, period) = (double_pendulum().0, DOUBLE_PENDULUM_PERIOD);
+    // Name, model, period, and what is at most left of the error on the coarsest and on any grid: between
+    // grid points, the harmonics that are left out weigh as much in both.
+    let cases = [
+        ("Duffing's oscillator", duffing(), PERIOD, 0.1, 0.6),
+        ("double pendulum", two, period, 0.8, 1.6),
+        ("Zener pendulum", zener_pendulum().0, 1.7, 0.5, 0.9),
+    ];
+    for (name, model, period, coarsest, any) in cases {
+        let exact = solve(&model, period, 91);
+        for points in [11, 15, 21, 31, 45] {
+            let plain = error(&solve(&model, period, points), &exact);
+            let [twice, thrice] = [2, 3].map(|times| {
+                let solution = oversampled(&model, period, points, times);
+                let iterations = &solution.details().report.iterations;
+                for pair in iterations.windows(2) {
+                    // Curvature: measured up to 30. Linear solves leave at most a tenth of an increment below 1e-7.
+                    let bound = 100.0 * pair[0].increment.powi(2) + 1e-12;
+                    let quadratic = pair[0].increment > 1e-2 || pair[1].increment < bound;
+                    assert!(quadratic, "{name}, {points}: {iterations:#?}");
+                }
+                error(&solution, &exact)
+            });
+            println!("{name}, {points} points: {plain:.1e}, {twice:.1e}, {thrice:.1e}");
+            let most = if points == 11 { coarsest } else { any };
+            assert!(twice < most * plain && thrice < most * plain);
+        }
+    }
+}
+
+#[test]
+fn oversampling_is_refused_out_of_range() {
+    for oversampling in [0, 17, usize::MAX] {
+        let options = PeriodicOptions {
+            oversampling,
+            ..options(11)
+        };
+        let refused = Solution::solve(&duffing(), PERIOD, &options, &mut |_, _| true);
+        let error = refused.unwrap_err();
+        assert_eq!(error.kind(), ErrorKind::Value);
+        assert!(
+            error.to_string().contains("options.oversampling"),
+            "{error}"
+        );
     }
 }

@@ -115,11 +115,15 @@ pub struct pdn_periodic_options {
     /// Threads that share the work, of a pool that lasts as long as the call; 0 for as many as there are processors.
     /// Signals' and other functions of yours are called on the calling thread alone. Default 1.
     pub threads: i32,
+    /// The equations are sampled at this many times as many points (or one more), from 1 to 16, where motions and multipliers
+    /// are interpolated; their virtual work, and the harmonics of the constraints up to those of the grid, are to
+    /// vanish. 1: at the grid points alone. Default 1.
+    pub oversampling: usize,
 }
 
 // SAFETY: all fields are plain numbers or pointers, `struct_size` is the first, no padding.
 unsafe impl Options for pdn_periodic_options {
-    const SIZES: &'static [usize] = &[80, 96, 104];
+    const SIZES: &'static [usize] = &[80, 96, 104, 112];
 
     fn defaults() -> Self {
         let core = PeriodicOptions::default();
@@ -139,6 +143,7 @@ unsafe impl Options for pdn_periodic_options {
             largest_grid_points: adaptation.largest,
             linear_solver: PDN_LINEAR_AUTOMATIC,
             threads: 1,
+            oversampling: core.oversampling,
         }
     }
 }
@@ -300,6 +305,7 @@ fn read_options(
     Ok(PeriodicOptions {
         linear: read_linear_solver(given.linear_solver)?,
         threads: read_threads(given.threads)?,
+        oversampling: given.oversampling,
         grid_points: points,
         newton: NewtonOptions {
             tolerance: given.tolerance,

@@ -43,6 +43,8 @@ pub struct Decay {
 const SLOW_ORDER: f64 = 4.0;
 /// Harmonics that are as small as this and do not fall are rounding.
 const LARGEST_ROUNDING: f64 = 1e-10;
+/// A harmonic this much larger than rounding is not followed by one of rounding, unless by symmetry.
+const SYMMETRIC: f64 = 100.0;
 /// Rounding of a sum over the grid.
 const ROUNDING: f64 = 8.0 * f64::EPSILON;
 
@@ -85,9 +87,15 @@ impl Decay {
 
     /// Fits geometric decay to the upper half, by least squares of logarithms.
     fn from_amplitudes(amplitudes: Vec<f64>) -> Self {
-        let last = amplitudes.len() - 1;
+        let mut last = amplitudes.len() - 1;
+        // One that vanishes by symmetry tells nothing of those that are left out.
+        let vanishing = ROUNDING * amplitudes.iter().fold(0.0f64, |most, a| most.max(*a));
+        if last > 3 && amplitudes[last] <= vanishing && amplitudes[last - 1] > SYMMETRIC * vanishing
+        {
+            last -= 1;
+        }
         // Upper envelope, so that harmonics that vanish by symmetry do not feign decay.
-        let mut envelope = amplitudes.clone();
+        let mut envelope = amplitudes[..=last].to_vec();
         for j in (0..last).rev() {
             envelope[j] = envelope[j].max(envelope[j + 1]);
         }

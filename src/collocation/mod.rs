@@ -7,6 +7,7 @@ mod between;
 mod decay;
 mod kinematics;
 mod linearisation;
+mod oversampled;
 mod pattern;
 mod problem;
 mod resampled;
@@ -19,6 +20,7 @@ pub use between::{NodeInterpolation, ResidualBetween, residual_between, too_coar
 pub use decay::{Decay, DecayKind};
 pub use kinematics::{BackwardRule, NodeKinematics};
 pub use linearisation::Linearisation;
+pub use oversampled::{Oversampled, OversampledTangent};
 pub use pattern::{Panel, Pattern};
 pub use problem::{Collocation, TangentBlocks};
 pub use resampled::ResampledNodes;

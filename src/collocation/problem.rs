@@ -1,6 +1,7 @@
 //! Residual and Jacobian of the governing equations at all grid points, eq. (37).
 
 use super::kinematics::{BackwardRule, NodeKinematics};
+use super::oversampled::Oversampled;
 use super::pattern::Pattern;
 use super::state::GridState;
 use super::step::{AlphaStep, GivenRates};
@@ -40,6 +41,8 @@ pub struct Collocation {
     /// Scaled compliance of all constraints in the Jacobian, for redundant ones.
     regularisation: f64,
     workers: Workers,
+    /// Where the residual is taken from instead, if not from the grid's own points.
+    oversampled: Option<Box<Oversampled>>,
 }
 
 /// What velocities, accelerations and rates of internal states follow from.
@@ -219,6 +222,7 @@ impl Collocation {
             with_tangents: system.workspace(true),
             row_scale,
             column_scale,
+            oversampled: None,
             system,
             grid,
             workers: Workers::default(),
@@ -234,6 +238,9 @@ impl Collocation {
 
     /// Shares work among these threads.
     pub fn set_workers(&mut self, workers: Workers) {
+        if let Some(oversampled) = &mut self.oversampled {
+            oversampled.fine_mut().set_workers(workers.clone());
+        }
         self.workers = workers;
     }
 
@@ -281,12 +288,35 @@ impl Collocation {
             self.instants.times[k] = time;
             self.system.signal_values(time, load_factor, values)?;
         }
+        if let Some(oversampled) = &mut self.oversampled {
+            oversampled.fine_mut().set_conditions(start, load_factor)?;
+        }
         Ok(())
     }
 
     /// Takes only this fraction of the inertial forces.
     pub fn set_inertia_factor(&mut self, factor: f64) {
         self.instants.inertia_factor = factor;
+        if let Some(oversampled) = &mut self.oversampled {
+            oversampled.fine_mut().set_inertia_factor(factor);
+        }
+    }
+
+    /// From now on takes the residual from `factor` times as many points, projected on the harmonics of this grid.
+    /// The Jacobian that is assembled remains that of the grid's own points.
+    ///
+    /// # Errors
+    /// Those of signals.
+    pub fn oversample(&mut self, factor: usize) -> Result<()> {
+        let mut oversampled = Oversampled::new(&self.system, self.grid, factor)?;
+        oversampled.fine_mut().set_workers(self.workers.clone());
+        self.oversampled = Some(Box::new(oversampled));
+        Ok(())
+    }
+
+    /// Where the residual is taken from, if not from the grid's own points.
+    pub fn oversampled(&self) -> Option<&Oversampled> {
+        self.oversampled.as_deref()
     }
 
     /// Makes a grid of one point a step of marching in time: derivatives are backward differences.
@@ -375,6 +405,9 @@ impl Collocation {
     /// Makes it so, as for a system that has such constraints from the start.
     pub fn regularise(&mut self) {
         self.regularisation = REGULARISATION;
+        if let Some(oversampled) = &mut self.oversampled {
+            oversampled.fine_mut().regularise();
+        }
     }
 
     /// What a scaled increment of multipliers, by their compliance in the Jacobian, leaves of the constraints.
@@ -541,6 +574,9 @@ impl Collocation {
 
     /// Writes the scaled residual.
     pub fn residual(&mut self, state: &GridState, out: &mut [f64]) -> Result<()> {
+        if let Some(oversampled) = &mut self.oversampled {
+            return oversampled.residual(state, out);
+        }
         self.update_kinematics(state);
         let points = self.grid.points();
         let workers = self.element_workers();

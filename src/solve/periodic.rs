@@ -2,7 +2,7 @@
 
 use super::adaptive::{Adaptation, GridTried};
 use super::guess::{Guess, quasi_static};
-use super::iterative::IterativeRecord;
+use super::iterative::{IterativeRecord, Projected};
 use super::march::march_to_periodic;
 use super::method::{Linear, LinearMethod};
 use super::newton::{Iteration, Newton, NewtonOptions, NewtonReport, Outcome, Timings};
@@ -64,7 +64,15 @@ pub struct PeriodicOptions {
     /// Threads that share the work, 0 for as many as there are processors. Results do not depend on it but for
     /// rounding. The user's functions are called on the calling thread alone.
     pub threads: usize,
+    /// The equations are sampled at this many times as many points, or one more, where motions and own unknowns are
+    /// interpolated: forces are to do no virtual work on their changes, constraints to have none of the grid's
+    /// harmonics. 1 for the grid points alone: collocation, where higher harmonics of the equations count as
+    /// the lower ones that they alias onto.
+    pub oversampling: usize,
 }
+
+/// The largest factor of oversampling: sixteen times the points leave no alias of products of thirty-one.
+const MOST_OVERSAMPLING: usize = 16;
 
 impl Default for PeriodicOptions {
     fn default() -> Self {
@@ -77,6 +85,7 @@ impl Default for PeriodicOptions {
             guess: InitialGuess::Default,
             linear: LinearMethod::Automatic,
             threads: 1,
+            oversampling: 1,
         }
     }
 }
@@ -163,7 +172,8 @@ pub(super) struct Attempts<'a> {
     options: NewtonOptions,
     linear: LinearMethod,
     workers: Workers,
-    newton: Newton<Linear>,
+    oversampling: usize,
+    newton: Newton<Projected<Linear>>,
     observe: &'a mut dyn FnMut(Stage, &Iteration) -> bool,
     /// Where the quasi-static start is found, and the start once it is.
     pub(super) guess_grid: TimeGrid,
@@ -194,6 +204,11 @@ pub fn solve_periodic(
     observe: &mut dyn FnMut(Stage, &Iteration) -> bool,
 ) -> Result<PeriodicSolve> {
     options.newton.validate()?;
+    if !(1..=MOST_OVERSAMPLING).contains(&options.oversampling) {
+        let expected = format!("a number from 1 to {MOST_OVERSAMPLING}");
+        let name = "options.oversampling";
+        return Err(Error::value(name, expected, options.oversampling));
+    }
     // What is wrong with the grid is said first.
     let points = match options.grid_points {
         GridPoints::Fixed(points) => points,
@@ -218,9 +233,16 @@ pub fn solve_periodic(
     };
     let workers = Workers::new(options.threads)?;
     let mut attempts = Attempts {
-        newton: newton(&system, grid, options.linear, &workers)?,
+        newton: newton(
+            &system,
+            grid,
+            options.linear,
+            options.oversampling,
+            &workers,
+        )?,
         linear: options.linear,
         workers,
+        oversampling: options.oversampling,
         system: system.clone(),
         grid,
         options: options.newton,
@@ -242,7 +264,10 @@ pub fn solve_periodic(
         (GridPoints::Fixed(_), None) => attempts.find()?,
     };
     attempts.newton.equations.update_kinematics(&state);
-    attempts.newton.equations.reduce_to_least_norm(&mut state)?;
+    // Between grid points, too, what has no effect at them may have some.
+    if options.oversampling == 1 {
+        attempts.newton.equations.reduce_to_least_norm(&mut state)?;
+    }
     Ok(PeriodicSolve {
         system,
         grid: attempts.grid,
@@ -252,7 +277,7 @@ pub fn solve_periodic(
         guess_iterations: attempts.guess_iterations,
         guess_time: attempts.guess_time,
         timings: attempts.timings + attempts.newton.timings,
-        iterative: attempts.newton.linear.record().cloned(),
+        iterative: attempts.newton.linear.sampled().record().cloned(),
         grids: attempts.grids,
         march: None,
     })
@@ -263,12 +288,16 @@ fn newton(
     system: &Arc<System>,
     grid: TimeGrid,
     method: LinearMethod,
+    oversampling: usize,
     workers: &Workers,
-) -> Result<Newton<Linear>> {
+) -> Result<Newton<Projected<Linear>>> {
     let start = Instant::now();
     let mut equations = Collocation::new(system.clone(), grid)?;
     equations.set_workers(workers.clone());
-    let linear = Linear::new(&equations, method);
+    if oversampling > 1 {
+        equations.oversample(oversampling)?;
+    }
+    let linear = Projected::new(&equations, Linear::new(&equations, method));
     let mut newton = Newton::with(equations, linear);
     newton.timings.analysis = start.elapsed();
     Ok(newton)
@@ -289,8 +318,19 @@ impl Attempts<'_> {
     pub(super) fn newton(&mut self, mut state: GridState) -> Result<(GridState, NewtonReport)> {
         let observe = &mut *self.observe;
         let mut observe = |iteration: &Iteration| observe(Stage::Newton, iteration);
-        let report = self.newton.solve(&mut state, &self.options, &mut observe)?;
-        Ok((state, report))
+        match self.newton.solve(&mut state, &self.options, &mut observe) {
+            Ok(report) => Ok((state, report)),
+            // Where the start cannot be interpolated there is no residual to begin with.
+            Err(e) if e.kind() == ErrorKind::GridTooCoarse && self.oversampling > 1 => {
+                let report = NewtonReport {
+                    outcome: Outcome::Stalled,
+                    iterations: Vec::new(),
+                    explanation: e.to_string(),
+                };
+                Ok((state, report))
+            }
+            Err(e) => Err(e),
+        }
     }
 
     /// Looks for a start by `find`, and keeps count of its cost.
@@ -311,7 +351,8 @@ impl Attempts<'_> {
     /// Goes on with another grid.
     pub(super) fn move_to(&mut self, grid: TimeGrid) -> Result<()> {
         if grid != self.grid {
-            let next = newton(&self.system, grid, self.linear, &self.workers)?;
+            let (method, oversampling) = (self.linear, self.oversampling);
+            let next = newton(&self.system, grid, method, oversampling, &self.workers)?;
             let last = std::mem::replace(&mut self.newton, next);
             self.timings = self.timings + last.timings;
             self.grid = grid;

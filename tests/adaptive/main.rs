@@ -267,3 +267,30 @@ fn filtered_motions_are_motions_and_resolved_ones_stay() {
     std::fs::remove_file(&file).unwrap();
     assert_eq!(position(&loaded), position(&filtered));
 }
+
+#[test]
+fn oversampled_equations_meet_the_tolerance_too() {
+    for example in [
+        swinging(),
+        spatial_four_bar(false),
+        duffing(),
+        slider_crank(true, 120.0),
+    ] {
+        let exact = solve(&example.model, example.period, REFERENCE);
+        let options = PeriodicOptions {
+            oversampling: 2,
+            ..PeriodicOptions::with_error_tolerance(1e-6)
+        };
+        let solution =
+            Solution::solve(&example.model, example.period, &options, &mut |_, _| true).unwrap();
+        let estimate = solution.diagnostics().error_estimate;
+        let error = true_error(&solution, &exact);
+        let grids: Vec<usize> = solution.details().grids.iter().map(|g| g.points).collect();
+        println!(
+            "{}: {grids:?}, error {error:.1e}, estimate {estimate:.1e}",
+            example.name
+        );
+        assert_eq!(solution.outcome(), Outcome::Converged, "{}", example.name);
+        assert!(error < 1e-6 && error < 10.0 * estimate, "{}", example.name);
+    }
+}

@@ -181,6 +181,7 @@ static void options_are_heeded(void)
     CHECK(options.struct_size == sizeof options);
     CHECK(options.grid_points == 0 && options.harmonics == 0);
     CHECK(options.error_tolerance == 1e-6 && options.largest_grid_points == 255);
+    CHECK(options.oversampling == 1);
     CHECK(options.tolerance == 1e-9 && options.iteration_limit == 30);
     CHECK(options.initial == NULL && options.guess_positions == NULL);
     CHECK(options.guess_rotations == NULL && options.progress == NULL);

@@ -132,6 +132,7 @@ static void solves(void)
     static const size_t even_grids[] = {2, 30, (size_t)-2}; /* 0 is adaptive */
     static const size_t zero[] = {0}, too_few[] = {0, 1, 2};
     static const size_t too_many[] = {((size_t)1 << 24) + 1, (size_t)-1};
+    static const size_t no_oversampling[] = {0, 17, (size_t)-1};
     static const size_t too_many_harmonics[] = {(size_t)1 << 23, (size_t)-1 / 2, (size_t)-1};
     pdn_periodic_options options;
 
@@ -177,6 +178,8 @@ static void solves(void)
     REFUSES_NOT_FINITE(in.options.error_tolerance, solve(), "options.error_tolerance");
     REFUSES_EACH(in.options.error_tolerance, double, not_positive, solve(), PDN_ERR_VALUE,
                  "options.error_tolerance: expected a positive, finite number");
+    REFUSES_EACH(in.options.oversampling, size_t, no_oversampling, solve(), PDN_ERR_VALUE,
+                 "options.oversampling: expected a number from 1 to 16");
     REFUSES_SIZES(in.options.largest_grid_points, too_few, solve(), "options.largest_grid_points");
     REFUSES_SIZES(in.options.largest_grid_points, too_many, solve(), "options.largest_grid_points");
     in.options.guess_positions = in.positions;

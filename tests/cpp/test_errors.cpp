@@ -142,6 +142,9 @@ static void solves()
     REFUSED(pdn::solve_periodic(o.model, 1, options), PDN_ERR_SIZE,
             "options.largest_grid_points: ");
     options = {};
+    options.oversampling = 0;
+    REFUSED(pdn::solve_periodic(o.model, 1, options), PDN_ERR_VALUE, "options.oversampling: ");
+    options = {};
     options.struct_size = 3;
     REFUSED(pdn::solve_periodic(o.model, 1, options), PDN_ERR_STRUCT_SIZE, "options");
     options = {};

@@ -222,6 +222,10 @@ contains
         call m%solve_periodic(1.0_dp, solution, options, stat=stat, errmsg=errmsg)
         call refused(stat, errmsg, PDN_ERR_VALUE, 'options.error_tolerance: ')
         call pdn_init(options)
+        options%oversampling = 17
+        call m%solve_periodic(1.0_dp, solution, options, stat=stat, errmsg=errmsg)
+        call refused(stat, errmsg, PDN_ERR_VALUE, 'options.oversampling: ')
+        call pdn_init(options)
         options%grid_points = 31
         call m%solve_periodic(1.0_dp, solution, options, guess_positions=guess, stat=stat, errmsg=errmsg)
         call refused(stat, errmsg, PDN_ERR_SIZE, 'guess_positions: expected the shape 3 x 31 x 1, got 3 x 31 x 2')

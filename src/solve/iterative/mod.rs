@@ -10,6 +10,7 @@ mod interface;
 mod lanes;
 mod layout;
 mod mean;
+mod projected;
 mod time_local;
 mod trial;
 
@@ -22,6 +23,7 @@ use crate::error::Result;
 use body_circulant::BodyCirculant;
 use constraints::Joints;
 use gmres::{GmresOptions, Preconditioned, gmres};
+pub(super) use projected::Projected;
 use serde::{Deserialize, Serialize};
 use time_local::TimeLocal;
 pub use trial::{LinearTrial, try_linear_solve};
