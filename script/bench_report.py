@@ -37,7 +37,7 @@ def read(directory, name):
 def markdown(titles, rows):
     """A table; numbers to the right."""
     lines = ["| " + " | ".join(titles) + " |"]
-    numeric = [all(re.match(r"^[-−+\d.]", str(row[i])) for row in rows) for i in range(len(titles))]
+    numeric = [all(re.match(r"^([-−+\d.]|$)", str(row[i])) for row in rows) for i in range(len(titles))]
     lines.append("|" + "|".join("---:" if n else "---" for n in numeric) + "|")
     lines += ["| " + " | ".join(str(cell) for cell in row) + " |" for row in rows]
     return "\n".join(lines)
@@ -48,7 +48,7 @@ def plain(rows, leave_out=()):
     if not rows:
         return "(not measured)"
     titles = [title for title in rows[0] if title not in leave_out]
-    return markdown(titles, [[row[title] for title in titles] for row in rows])
+    return markdown(titles, [[row[title].replace("NaN", "") for title in titles] for row in rows])
 
 
 def shown(seconds):
@@ -115,8 +115,7 @@ def draw_accuracy(directory, image):
     found = accuracy(directory)
     if not found:
         return
-    figure, axes = plt.subplots(1, len(found), figsize=(4.0 * len(found), 4.2), sharey=True, layout="constrained",
-                                squeeze=False)
+    figure, axes = plt.subplots(1, len(found), figsize=(4.0 * len(found), 4.4), sharey=True, squeeze=False)
     for axis, (model, methods) in zip(axes[0], found.items()):
         for (method, points), (colour, marker) in zip(methods.items(), STYLES):
             front, least = [], math.inf
@@ -133,7 +132,8 @@ def draw_accuracy(directory, image):
         axis.set_ylim(1e-13, 3)
     axes[0, 0].set_ylabel("largest error, relative to the range")
     handles, labels = axes[0, 0].get_legend_handles_labels()
-    figure.legend(handles, labels, loc="outside upper center", ncols=5, frameon=False)
+    figure.legend(handles, labels, loc="upper center", ncol=len(handles), frameon=False)
+    figure.subplots_adjust(left=0.075, right=0.985, bottom=0.12, top=0.85, wspace=0.08)
     figure.savefig(image, dpi=130)
     plt.close(figure)
 

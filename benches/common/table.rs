@@ -31,7 +31,8 @@ impl Table {
     /// Adds a row.
     pub fn row(&mut self, cells: &[String]) {
         assert_eq!(cells.len(), self.widths.len());
-        writeln!(self.file, "{}", cells.join(",")).unwrap();
+        let quoted: Vec<_> = cells.iter().map(|cell| format!("\"{cell}\"")).collect();
+        writeln!(self.file, "{}", quoted.join(",")).unwrap();
         let line: Vec<_> = cells
             .iter()
             .zip(&self.widths)
