@@ -4,7 +4,7 @@
     script/bench_report.py build/bench [docs/performance.md]
 
 Writes DIRECTORY/report.md and DIRECTORY/*.png. With a page, also replaces its tables, each between the lines
-`<!-- table NAME -->` and `<!-- end -->`, and draws its pictures in the directory images/ beside it.
+`<!-- table NAME -->` or `<!-- picture NAME -->` and `<!-- end -->`, and draws its pictures in the directory images/ beside it.
 """
 
 import argparse
@@ -22,6 +22,8 @@ import matplotlib.pyplot as plt
 # Okabe and Ito's colours, with a marker each.
 STYLES = [("#0072B2", "o"), ("#D55E00", "s"), ("#009E73", "^"), ("#CC79A7", "D"), ("#000000", "v")]
 METHODS = ["collocation", "adaptive", "shooting", "marching", "Exudyn"]
+PICTURES = {"performance_accuracy": "Error against time",
+            "performance_scaling": "Time and memory against unknowns"}
 TOLERANCES = [1e-3, 1e-4, 1e-5]
 
 
@@ -189,6 +191,10 @@ def main():
         for name, table in tables.items():
             pattern = rf"(<!-- table {name} -->\n).*?(<!-- end -->)"
             text = re.sub(pattern, lambda m, table=table: f"{m[1]}{table}\n{m[2]}", text, flags=re.DOTALL)
+        for name, title in PICTURES.items():
+            pattern = rf"(<!-- picture {name} -->\n).*?(<!-- end -->)"
+            shown_there = f"![{title}](images/{name}.png)"
+            text = re.sub(pattern, lambda m, line=shown_there: f"{m[1]}{line}\n{m[2]}", text, flags=re.DOTALL)
         arguments.page.write_text(text, encoding="utf-8")
         places.append(arguments.page.parent / "images")
     for place in places:
