@@ -9,7 +9,7 @@ const STAGNATION: f64 = 0.9;
 /// A part that is smaller than this may be nothing but rounding.
 const SMALLEST_SHARE: f64 = 1e-8;
 /// Error relative to the whole solution that is not undercut.
-const FINEST: f64 = 1e-12;
+const FINEST: f64 = 1e-10;
 
 /// When to stop.
 #[derive(Debug, Clone, Copy)]
