@@ -101,7 +101,7 @@ impl<L: LinearSolver> LinearSolver for Projected<L> {
         let workers = equations.workers().clone();
         let options = GmresOptions {
             tolerance: accuracy,
-            leading: 6 * equations.system().nodes() * equations.grid().points(),
+            leading: rhs.len(),
             iteration_limit: ITERATION_LIMIT,
             restart: ITERATION_LIMIT,
         };
