@@ -8,16 +8,53 @@ use rayon::iter::{IndexedParallelIterator, IntoParallelRefMutIterator, ParallelI
 use rayon::slice::ParallelSliceMut;
 use rayon::{ThreadPool, ThreadPoolBuilder};
 use std::sync::Arc;
+use std::thread::{self, JoinHandle};
 
 /// Keeps faer's convenient functions on the calling thread: by default they would start a thread for each processor.
 pub(crate) fn no_threads_unasked() {
     faer::set_global_parallelism(faer::Par::Seq);
 }
 
+/// Threads that have ended when it is dropped: a program may unload the library then.
+#[derive(Debug)]
+struct Pool {
+    /// Always there until the end.
+    pool: Option<ThreadPool>,
+    threads: Vec<JoinHandle<()>>,
+}
+
+impl Pool {
+    fn new(threads: usize) -> std::result::Result<Self, rayon::ThreadPoolBuildError> {
+        let mut handles = Vec::new();
+        let pool = ThreadPoolBuilder::new()
+            .num_threads(threads)
+            .spawn_handler(|thread| {
+                let name = format!("periodyn {}", thread.index());
+                handles.push(thread::Builder::new().name(name).spawn(|| thread.run())?);
+                Ok(())
+            })
+            .build()?;
+        Ok(Pool {
+            pool: Some(pool),
+            threads: handles,
+        })
+    }
+}
+
+impl Drop for Pool {
+    fn drop(&mut self) {
+        self.pool = None;
+        for thread in self.threads.drain(..) {
+            // Panics of work have been passed on to who asked for it.
+            let _ = thread.join();
+        }
+    }
+}
+
 /// One thread, or several.
 #[derive(Debug, Clone, Default)]
 pub struct Workers {
-    pool: Option<Arc<ThreadPool>>,
+    pool: Option<Arc<Pool>>,
 }
 
 impl Workers {
@@ -29,27 +66,27 @@ impl Workers {
         if threads == 1 {
             return Ok(Workers::default());
         }
-        let pool = ThreadPoolBuilder::new()
-            .num_threads(threads)
-            .thread_name(|i| format!("periodyn {i}"))
-            .build()
-            .map_err(|e| {
-                let message = format!("options.threads: {threads} threads cannot be started: {e}");
-                Error::new(ErrorKind::OutOfMemory, message)
-            })?;
+        let pool = Pool::new(threads).map_err(|e| {
+            let message = format!("options.threads: {threads} threads cannot be started: {e}");
+            Error::new(ErrorKind::OutOfMemory, message)
+        })?;
         Ok(Workers {
             pool: Some(Arc::new(pool)),
         })
     }
 
+    fn pool(&self) -> Option<&ThreadPool> {
+        self.pool.as_ref().and_then(|pool| pool.pool.as_ref())
+    }
+
     /// Number of threads.
     pub fn threads(&self) -> usize {
-        self.pool.as_ref().map_or(1, |p| p.current_num_threads())
+        self.pool().map_or(1, ThreadPool::current_num_threads)
     }
 
     /// Does something with faer, by these threads.
     pub fn dense<R: Send>(&self, work: impl FnOnce(faer::Par) -> R + Send) -> R {
-        match &self.pool {
+        match self.pool() {
             Some(pool) => pool.install(|| work(faer::Par::rayon(0))),
             None => work(faer::Par::Seq),
         }
@@ -67,7 +104,7 @@ impl Workers {
         while rooms.len() < threads {
             rooms.push(new_room());
         }
-        match &self.pool {
+        match self.pool() {
             Some(pool) if threads > 1 => {
                 let length = items.len().div_ceil(threads);
                 pool.install(|| {
