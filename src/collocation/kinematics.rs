@@ -114,6 +114,21 @@ impl NodeKinematics {
         }
     }
 
+    /// Number of grid points.
+    pub(super) fn points(&self) -> usize {
+        self.motions.len()
+    }
+
+    /// `M_ℓ`, with the mean position taken out.
+    pub(super) fn motion(&self, l: usize) -> DualMatrix {
+        self.motions[l]
+    }
+
+    /// `A_ℓ`.
+    pub(super) fn first(&self, l: usize) -> DualMatrix {
+        self.a[l]
+    }
+
     /// `v_ℓ`.
     pub fn velocity(&self, l: usize) -> DualVector {
         self.velocity[l]

@@ -3,6 +3,7 @@
 //! With a grid of one point, velocities and accelerations vanish and the same equations are those of
 //! static equilibrium at the grid's start time.
 
+mod aliasing;
 mod between;
 mod decay;
 mod kinematics;
@@ -16,6 +17,7 @@ mod state;
 mod step;
 mod tangent;
 
+pub use aliasing::Aliasing;
 pub use between::{NodeInterpolation, ResidualBetween, residual_between, too_coarse};
 pub use decay::{Decay, DecayKind};
 pub use kinematics::{BackwardRule, NodeKinematics};
@@ -27,4 +29,4 @@ pub use resampled::ResampledNodes;
 pub use sensitivity::{StepVariation, Variation, VariationScales};
 pub use state::GridState;
 pub use step::{AlphaStep, GeneralizedAlpha, GivenRates, MotionState};
-pub use tangent::{Coupling, PairTangent, Tangent, TangentLayout};
+pub use tangent::{Coupling, PairTangent, Station, Tangent, TangentLayout};

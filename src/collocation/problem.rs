@@ -1,5 +1,6 @@
 //! Residual and Jacobian of the governing equations at all grid points, eq. (37).
 
+use super::aliasing::Aliasing;
 use super::kinematics::{BackwardRule, NodeKinematics};
 use super::oversampled::Oversampled;
 use super::pattern::Pattern;
@@ -565,6 +566,11 @@ impl Collocation {
             )?;
         }
         Ok(())
+    }
+
+    /// What the grid makes of the highest harmonics of a node's increments, see [`Aliasing`].
+    pub fn aliasing(&self, node: usize) -> Vec<Aliasing> {
+        self.kinematics[node].aliasing(self.grid())
     }
 
     /// Node states over the grid, node by node, as of the last evaluation of anything.

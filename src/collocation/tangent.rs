@@ -1,11 +1,22 @@
 //! The Jacobian of eq. (37) applied without being formed: tangents of the elements at each grid point, and
 //! `Γ_v`, `Γ_a` by FFT. `O(n N log N)` time, `O(n N)` memory.
+//!
+//! Stress resultants `f` of beams are kept apart: with their increments as unknowns of their own, the Jacobian is the Schur
+//! complement of
+//!
+//! ```text
+//! [A Bᵀ; L −1]
+//! ```
+//!
+//! where `Bᵀ` takes resultants to forces and `L` motions to resultants.
 
 use super::kinematics::VariationScratch;
 use super::problem::{Collocation, Instants};
 use super::state::GridState;
+use crate::elements::{StrainTangent, StressLaw};
 use crate::error::Result;
 use crate::fourier::Differentiation;
+use crate::motion::DualVector;
 use crate::system::{System, Workspace};
 use nalgebra::{Matrix6, Vector6};
 use std::collections::BTreeMap;
@@ -30,6 +41,23 @@ struct ElementPlace {
     gradient: usize,
     /// First number of its own tangents at a grid point.
     own: usize,
+    /// First of its stations' strain tangents at a grid point.
+    strain: usize,
+}
+
+/// A station of an element, with stress resultants.
+#[derive(Debug, Clone)]
+pub struct Station {
+    /// Their law.
+    pub law: StressLaw,
+    /// Whether they depend on rates.
+    pub damped: bool,
+    /// Nodes of the element.
+    pub nodes: Vec<usize>,
+    /// Its first strain tangent at a grid point: one for each of the nodes.
+    pub first: usize,
+    /// Coupling of each pair of the nodes, row by row.
+    pub couplings: Vec<usize>,
 }
 
 /// Which tangents there are, for all grid points.
@@ -39,6 +67,13 @@ pub struct TangentLayout {
     places: Vec<ElementPlace>,
     gradients: usize,
     own: usize,
+    stations: Vec<Station>,
+    /// Strain tangents at a grid point.
+    strains: usize,
+    /// Of each node: the stations whose resultants act on it, and its strain tangents there.
+    acting: Vec<Vec<(usize, usize)>>,
+    /// Of each coupling: the stations that it is a part of, and the strain tangents of its row and column there.
+    within: Vec<Vec<(usize, usize, usize)>>,
 }
 
 impl TangentLayout {
@@ -65,22 +100,35 @@ impl TangentLayout {
         let number = |row: usize, column: usize| {
             couplings.partition_point(|c| (c.row, c.column) < (row, column))
         };
-        let (mut gradients, mut own) = (0, 0);
+        let (mut gradients, mut own, mut strains) = (0, 0, 0);
+        let mut stations: Vec<Station> = Vec::new();
         let places = system
             .elements()
             .iter()
             .map(|placed| {
                 let nodes = placed.element.nodes();
                 let count = placed.element.multipliers();
+                let couplings: Vec<usize> = nodes
+                    .iter()
+                    .flat_map(|&row| nodes.iter().map(move |&column| (row, column)))
+                    .map(|(row, column)| number(row, column))
+                    .collect();
                 let place = ElementPlace {
-                    couplings: nodes
-                        .iter()
-                        .flat_map(|&row| nodes.iter().map(move |&column| (row, column)))
-                        .map(|(row, column)| number(row, column))
-                        .collect(),
+                    couplings: couplings.clone(),
                     gradient: gradients,
                     own,
+                    strain: strains,
                 };
+                for law in placed.element.stress_laws() {
+                    stations.push(Station {
+                        law,
+                        damped: placed.element.has_damping(),
+                        nodes: nodes.to_vec(),
+                        first: strains,
+                        couplings: couplings.clone(),
+                    });
+                    strains += nodes.len();
+                }
                 gradients += 6 * nodes.len() * count;
                 own += if placed.has_states {
                     2 * count * count
@@ -90,11 +138,27 @@ impl TangentLayout {
                 place
             })
             .collect();
+        let mut acting = vec![Vec::new(); system.nodes()];
+        let mut within = vec![Vec::new(); couplings.len()];
+        for (index, station) in stations.iter().enumerate() {
+            let count = station.nodes.len();
+            for (a, &node) in station.nodes.iter().enumerate() {
+                acting[node].push((index, station.first + a));
+                for b in 0..count {
+                    let pair = (index, station.first + a, station.first + b);
+                    within[station.couplings[a * count + b]].push(pair);
+                }
+            }
+        }
         TangentLayout {
             couplings,
             places,
             gradients,
             own,
+            stations,
+            strains,
+            acting,
+            within,
         }
     }
 
@@ -104,7 +168,7 @@ impl TangentLayout {
     }
 }
 
-/// `∂force/∂u`, `∂force/∂V` and `∂force/∂V̇` of one coupling at one grid point.
+/// `∂force/∂u`, `∂force/∂V` and `∂force/∂V̇` of one coupling at one grid point, stress resultants held.
 #[derive(Debug, Clone, Copy, Default)]
 pub struct PairTangent {
     /// `K`.
@@ -132,6 +196,12 @@ pub struct Tangent {
     /// Coupling `p` at grid point `k`, at `p N + k`.
     pairs: Vec<PairTangent>,
     own: Vec<OwnTangent>,
+    /// Strain tangent `s` at grid point `k`, at `s N + k`.
+    strains: Vec<StrainTangent>,
+    /// Stress resultants of station `s` at grid point `k`, at `s N + k`, that act on the nodes in a product.
+    stresses: Vec<DualVector>,
+    /// Size of the resultants' unknowns.
+    resultant_scale: f64,
     /// Unscaled unknowns.
     x: Vec<f64>,
     /// Changes of velocity and acceleration of node `a` at grid point `k`, at `a N + k`.
@@ -160,6 +230,9 @@ impl Tangent {
         Tangent {
             pairs: vec![PairTangent::default(); layout.couplings.len() * points],
             own: vec![own; points],
+            strains: vec![StrainTangent::default(); layout.strains * points],
+            stresses: vec![DualVector::zeros(); layout.stations.len() * points],
+            resultant_scale: 1.0,
             points,
             x: Vec::new(),
             rates: vec![[Vector6::zeros(); 2]; points * system.nodes()],
@@ -173,9 +246,54 @@ impl Tangent {
         &self.layout.couplings
     }
 
-    /// Tangents of the coupling `pair` at grid point `k`, not scaled.
+    /// Tangents of the coupling `pair` at grid point `k`, stress resultants held, not scaled.
     pub fn pair(&self, pair: usize, k: usize) -> &PairTangent {
         &self.pairs[pair * self.points + k]
+    }
+
+    /// `∂force/∂u` of the coupling `pair` at grid point `k`, stress resultants included, not scaled.
+    pub fn stiffness(&self, pair: usize, k: usize) -> Matrix6<f64> {
+        let mut sum = self.pair(pair, k).stiffness;
+        for &(station, row, column) in &self.layout.within[pair] {
+            let station = &self.layout.stations[station];
+            let column = self.strain(column, k);
+            let mut stress = station.law.stiffness * column.strain.to_twist_matrix();
+            if station.damped {
+                stress += station.law.damping * column.rate.to_twist_matrix();
+            }
+            sum += self.strain(row, k).strain.to_twist_matrix().tr_mul(&stress);
+        }
+        sum
+    }
+
+    /// Stations with stress resultants, six each.
+    pub fn stations(&self) -> &[Station] {
+        &self.layout.stations
+    }
+
+    /// Strain tangent `index` of those of all stations at grid point `k`.
+    pub fn strain(&self, index: usize, k: usize) -> &StrainTangent {
+        &self.strains[index * self.points + k]
+    }
+
+    /// Number of stress resultants over the grid: unknowns in the order of stations, then of grid points.
+    pub fn resultants(&self) -> usize {
+        6 * self.points * self.layout.stations.len()
+    }
+
+    /// Forces and moments that count as 1 in the unknowns of stress resultants, the moments' for arms of the
+    /// characteristic length.
+    pub fn resultant_scales(&self, system: &System) -> Vector6<f64> {
+        let (force, moment) = (
+            self.resultant_scale,
+            self.resultant_scale * system.scales().length,
+        );
+        Vector6::new(force, force, force, moment, moment, moment)
+    }
+
+    /// Sets the size of the resultants' unknowns.
+    pub fn set_resultant_scale(&mut self, scale: f64) {
+        self.resultant_scale = scale;
     }
 
     /// `∂constraint/∂u` of element `index` at grid point `k`, column by column, not scaled.
@@ -196,7 +314,11 @@ impl Tangent {
     /// Bytes that the tangents take.
     pub fn bytes(&self) -> usize {
         let own = size_of::<f64>() * (self.layout.gradients + self.layout.own);
-        size_of_val(&self.pairs[..]) + size_of_val(&self.rates[..]) + self.points * own
+        size_of_val(&self.pairs[..])
+            + size_of_val(&self.rates[..])
+            + size_of_val(&self.strains[..])
+            + size_of_val(&self.stresses[..])
+            + self.points * own
     }
 
     /// Evaluates the elements at `state`; `equations` keep their kinematics at this state until the last
@@ -206,9 +328,13 @@ impl Tangent {
         let points = self.points;
         let workers = equations.element_workers();
         let stage = (STAGE * workers.threads()).min(points);
-        let mut staged = vec![vec![PairTangent::default(); self.layout.couplings.len()]; stage];
+        let staged = || Staged {
+            pairs: vec![PairTangent::default(); self.layout.couplings.len()],
+            strains: vec![StrainTangent::default(); self.layout.strains],
+        };
+        let mut staged: Vec<Staged> = (0..stage).map(|_| staged()).collect();
         let instants = &equations.instants;
-        let workspace = &equations.with_tangents;
+        let system = equations.system();
         let mut rooms = Vec::new();
         for first in (0..points).step_by(stage) {
             let count = stage.min(points - first);
@@ -218,9 +344,9 @@ impl Tangent {
             workers.try_for_each(
                 &mut items,
                 &mut rooms,
-                || workspace.clone(),
-                |workspace, i, (pairs, own)| {
-                    layout.evaluate(instants, state, first + i, workspace, pairs, own)
+                || system.workspace_with_resultants_apart(),
+                |workspace, i, (staged, own)| {
+                    layout.evaluate(instants, state, first + i, workspace, staged, own)
                 },
             )?;
             let mut rows: Vec<_> = self.pairs.chunks_mut(points).collect();
@@ -230,16 +356,24 @@ impl Tangent {
                 || (),
                 |(), pair, row| {
                     for (to, from) in row[first..first + count].iter_mut().zip(&staged) {
-                        *to = from[pair];
+                        *to = from.pairs[pair];
                     }
                 },
             );
+            for (index, row) in self.strains.chunks_mut(points).enumerate() {
+                for (to, from) in row[first..first + count].iter_mut().zip(&staged) {
+                    *to = from.strains[index];
+                }
+            }
         }
         Ok(())
     }
 
-    /// Writes the product of the scaled Jacobian and `x`.
+    /// Writes the product of the scaled Jacobian and `x`. Where `x` goes on with increments of stress resultants, so does
+    /// `y` with what the equations of these ask for.
     pub fn apply(&mut self, equations: &Collocation, x: &[f64], y: &mut [f64]) {
+        let (x, resultants) = x.split_at(equations.size());
+        let (y, unbalance) = y.split_at_mut(equations.size());
         let system = equations.system();
         let points = self.points;
         let workers = equations.workers();
@@ -267,8 +401,32 @@ impl Tangent {
             },
         );
 
-        let (forces, constraints) = y.split_at_mut(6 * points * system.nodes());
         let (layout, pairs, rates) = (&self.layout, &self.pairs, &self.rates);
+        let strains = &self.strains;
+        let mut stresses: Vec<_> = self.stresses.chunks_mut(points).collect();
+        workers.for_each(
+            &mut stresses,
+            &mut Vec::new(),
+            || (),
+            |(), index, stresses| {
+                layout.stations[index].stresses(points, strains, &of_node, rates, stresses);
+            },
+        );
+        if !resultants.is_empty() {
+            let scales = self.resultant_scales(system);
+            let given = resultants
+                .chunks_exact(6)
+                .zip(unbalance.chunks_exact_mut(6));
+            for (stress, (given, unbalance)) in self.stresses.iter_mut().zip(given) {
+                let given = Vector6::from_column_slice(given);
+                let difference = stress.to_wrench().component_div(&scales) - given;
+                unbalance.copy_from_slice(difference.as_slice());
+                *stress = DualVector::from_wrench(&given.component_mul(&scales));
+            }
+        }
+
+        let (forces, constraints) = y.split_at_mut(6 * points * system.nodes());
+        let stresses = &self.stresses;
         let mut rows: Vec<_> = forces.chunks_mut(6 * points).collect();
         workers.for_each(
             &mut rows,
@@ -284,6 +442,15 @@ impl Tangent {
                     let rows = forces.chunks_exact_mut(6);
                     for (((force, u), tangent), rates) in rows.zip(motions).zip(pairs).zip(rates) {
                         tangent.add_force(coupling.moving, u, rates, force);
+                    }
+                }
+                for &(station, strain) in &layout.acting[node] {
+                    let stresses = &stresses[station * points..][..points];
+                    let strains = &strains[strain * points..][..points];
+                    let rows = forces.chunks_exact_mut(6);
+                    for ((force, strain), stress) in rows.zip(strains).zip(stresses) {
+                        let sum = (strain.strain.transpose() * *stress).to_wrench();
+                        force.iter_mut().zip(&sum).for_each(|(y, f)| *y += f);
                     }
                 }
             },
@@ -364,6 +531,43 @@ impl PairTangent {
     }
 }
 
+impl Station {
+    /// Stress resultants by the motions and rates of the nodes, at all grid points.
+    fn stresses<'x>(
+        &self,
+        points: usize,
+        strains: &[StrainTangent],
+        of_node: &impl Fn(usize) -> &'x [f64],
+        rates: &[[Vector6<f64>; 2]],
+        stresses: &mut [DualVector],
+    ) {
+        for (k, stress) in stresses.iter_mut().enumerate() {
+            let (mut strain, mut strain_rate) = (DualVector::zeros(), DualVector::zeros());
+            for (a, &node) in self.nodes.iter().enumerate() {
+                let tangent = &strains[(self.first + a) * points + k];
+                let u = Vector6::from_column_slice(&of_node(node)[6 * k..6 * k + 6]);
+                let u = DualVector::from_twist(&u);
+                strain += tangent.strain * u;
+                if self.damped {
+                    let v = DualVector::from_twist(&rates[node * points + k][0]);
+                    strain_rate += tangent.strain * v + tangent.rate * u;
+                }
+            }
+            let mut wrench = self.law.stiffness * strain.to_twist();
+            if self.damped {
+                wrench += self.law.damping * strain_rate.to_twist();
+            }
+            *stress = DualVector::from_wrench(&wrench);
+        }
+    }
+}
+
+/// Tangents at a grid point, before they are put in place.
+struct Staged {
+    pairs: Vec<PairTangent>,
+    strains: Vec<StrainTangent>,
+}
+
 impl TangentLayout {
     /// Couplings of the rows of a node.
     fn couplings_of(&self, node: usize) -> std::ops::Range<usize> {
@@ -378,9 +582,10 @@ impl TangentLayout {
         state: &GridState,
         k: usize,
         workspace: &mut Workspace,
-        pairs: &mut [PairTangent],
+        staged: &mut Staged,
         own: &mut OwnTangent,
     ) -> Result<()> {
+        let pairs = &mut staged.pairs;
         pairs.fill(PairTangent::default());
         for (placed, place) in instants.system().elements().iter().zip(&self.places) {
             let out = instants.evaluate(placed, k, state, workspace)?;
@@ -399,6 +604,7 @@ impl TangentLayout {
                     }
                 }
             }
+            staged.strains[place.strain..][..out.strains.len()].copy_from_slice(&out.strains);
             let gradient = out.gradient.as_slice();
             own.gradients[place.gradient..][..gradient.len()].copy_from_slice(gradient);
             if placed.has_states {

@@ -7,7 +7,7 @@
 use super::inertia::Inertia;
 use super::section::{Section, SectionLine};
 use super::shape::{gauss_legendre, lobatto_points, shape_functions};
-use super::{Contribution, Element, Instant};
+use super::{Contribution, Element, Instant, StrainTangent, StressLaw};
 use crate::error::{Error, ErrorKind, Result, require_finite};
 use crate::motion::{DualMatrix, DualPolar, DualVector, Motion};
 use nalgebra::{DMatrix, Matrix6, Vector6};
@@ -273,6 +273,15 @@ impl Beam {
 }
 
 impl Station {
+    /// Of the resultants, integrated.
+    fn stress_law(&self) -> StressLaw {
+        let factor = self.weight / self.stretch;
+        StressLaw {
+            stiffness: self.section.stiffness * factor,
+            damping: self.section.damping * factor,
+        }
+    }
+
     /// Kinematics, for node motions given relative to some common frame.
     pub fn motion(&self, relative: impl Fn(usize) -> Motion) -> Result<StationMotion> {
         let mut g = DualMatrix::zeros();
@@ -472,6 +481,10 @@ impl Element for Beam {
         self.damped
     }
 
+    fn stress_laws(&self) -> Vec<StressLaw> {
+        self.stations.iter().map(Station::stress_law).collect()
+    }
+
     fn evaluate(&self, instant: &Instant, out: &mut Contribution) -> Result<()> {
         let states = instant.nodes;
         let mut terms = std::mem::take(&mut out.beam_terms);
@@ -505,8 +518,19 @@ impl Element for Beam {
             if self.damped {
                 rate_variations(&at, &rate, twist, &mut terms);
             }
-            let stiffness = section.stiffness * (station.weight / length);
-            let damping = section.damping * (station.weight / length);
+            if out.with_resultants_apart {
+                out.strains.extend(terms.iter().map(|node| StrainTangent {
+                    strain: node.strain,
+                    rate: node.rate,
+                }));
+                for a in 0..terms.len() {
+                    geometric_row(&at, (&mu, &nu), &terms, a, |b, block| {
+                        out.add_stiffness(a, b, &block.to_stiffness_matrix());
+                    });
+                }
+                continue;
+            }
+            let StressLaw { stiffness, damping } = station.stress_law();
             for a in 0..terms.len() {
                 let b_a = terms[a].strain.to_twist_matrix();
                 let elastic = b_a.tr_mul(&stiffness);

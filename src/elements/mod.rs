@@ -40,7 +40,7 @@ pub use user_force::{
 pub use viscoelastic::{MaxwellBranch, Viscoelastic};
 
 use crate::error::Result;
-use crate::motion::Motion;
+use crate::motion::{DualMatrix, Motion};
 use nalgebra::{DMatrix, DVector, Matrix6, Vector3, Vector6};
 use serde::{Deserialize, Serialize};
 
@@ -111,6 +111,34 @@ pub enum Unknown {
     },
 }
 
+/// Stress resultants at a station of an element, integrated with its weight: `f = S e + D ė` of its strains `e`.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct StressLaw {
+    /// `S`.
+    pub stiffness: Matrix6<f64>,
+    /// `D`.
+    pub damping: Matrix6<f64>,
+}
+
+/// What a node's increment does to the strains of a station: `Δe = B Δu` and `Δė = B ΔV + R Δu`. The resultants'
+/// force on the node is `Bᵀ f`.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct StrainTangent {
+    /// `B`, that acts on twists.
+    pub strain: DualMatrix,
+    /// `R`, that acts on twists; zero without damping.
+    pub rate: DualMatrix,
+}
+
+impl Default for StrainTangent {
+    fn default() -> Self {
+        StrainTangent {
+            strain: DualMatrix::zeros(),
+            rate: DualMatrix::zeros(),
+        }
+    }
+}
+
 /// Forces of an element, and their tangents, with respect to material increments of its nodes.
 ///
 /// The equations of the system are `Σ force = 0` and `constraint = 0`: forces are on the left-hand
@@ -135,6 +163,10 @@ pub struct Contribution {
     pub own: DMatrix<f64>,
     /// `∂constraint/∂λ̇`, `m × m`, for internal states `λ`.
     pub own_rate: DMatrix<f64>,
+    /// Whether what stress resultants contribute is wanted apart, as `strains`, not in stiffness and damping.
+    pub with_resultants_apart: bool,
+    /// Of each station with [`StressLaw`], for each node, if wanted apart.
+    pub strains: Vec<StrainTangent>,
     /// Scratch of the beam kernel.
     beam_terms: Vec<beam::NodeTerms>,
     /// Scratch of user's forces.
@@ -155,6 +187,8 @@ impl Contribution {
             gradient: DMatrix::zeros(multipliers, size),
             own: DMatrix::zeros(multipliers, multipliers),
             own_rate: DMatrix::zeros(multipliers, multipliers),
+            with_resultants_apart: false,
+            strains: Vec::new(),
             beam_terms: Vec::new(),
             user_force: user_force::Scratch::default(),
         }
@@ -164,6 +198,7 @@ impl Contribution {
     pub fn clear(&mut self) {
         self.force.as_mut_slice().fill(0.0);
         self.constraint.as_mut_slice().fill(0.0);
+        self.strains.clear();
         if self.with_tangents {
             for matrix in [
                 &mut self.stiffness,
@@ -226,6 +261,11 @@ pub trait Element: Send + Sync + std::fmt::Debug {
     /// As [`Element::evaluate`].
     fn outputs(&self, _instant: &Instant, _out: &mut Vec<f64>) -> Result<()> {
         Ok(())
+    }
+
+    /// Laws of the stress resultants that [`Element::evaluate`] keeps apart if asked to.
+    fn stress_laws(&self) -> Vec<StressLaw> {
+        Vec::new()
     }
 
     /// Whether the forces depend on the acceleration.

@@ -523,6 +523,15 @@ impl System {
         }
     }
 
+    /// The same for tangents with those of stress resultants apart.
+    pub fn workspace_with_resultants_apart(&self) -> Workspace {
+        let mut workspace = self.workspace(true);
+        for contribution in &mut workspace.contributions {
+            contribution.with_resultants_apart = true;
+        }
+        workspace
+    }
+
     /// Values of all signals at `time`, with loads and prescribed motions carried the fraction
     /// `load_factor` of the way from the reference configuration.
     pub fn signal_values(&self, time: f64, load_factor: f64, values: &mut [f64]) -> Result<()> {

@@ -5,7 +5,7 @@
 //! P = [S̄ Gᵀ; G 0]
 //! ```
 //!
-//! with `S̄` circulant. Constraints that are the same at all times in the frames of their bodies, up to a
+//! with `S̄` circulant, made of averages that leave stress resultants apart: see [`MeanStrain`]. Constraints that are the same at all times in the frames of their bodies, up to a
 //! combination of their rows, are circulant as well, and are eliminated with the bodies, harmonic by harmonic:
 //! `G_k = Q_k Ḡ`. At the nodes of other joints there remains the dynamic stiffness of the bodies between them, and
 //! a dense system over all grid points.
@@ -15,11 +15,12 @@ use super::constraints::{Joints, RowRotation, classify, row_rotations};
 use super::interface::Interface;
 use super::lanes::{ComplexLanes, LANES, Lanes};
 use super::layout::{Layout, Region};
-use super::mean::Averages;
-use crate::collocation::{Collocation, Tangent};
+use super::mean::{Averages, MeanStrain};
+use super::resultants::Resultants;
+use crate::collocation::{Aliasing, Collocation, Tangent};
 use crate::error::Result;
 use crate::workers::Workers;
-use nalgebra::Complex;
+use nalgebra::{Complex, Matrix6};
 use realfft::{ComplexToReal, RealFftPlanner, RealToComplex};
 use std::sync::Arc;
 
@@ -91,6 +92,12 @@ pub(super) struct BodyCirculant {
     products: Vec<Vec<ComplexLanes>>,
     /// Forces on what is kept, motions of it, and forces by these motions, over the grid.
     series: [Vec<Vec<f64>>; 3],
+    pub resultants: Resultants,
+    /// Derivatives of the motions, if resultants depend on them.
+    rates: Vec<f64>,
+    frequency: f64,
+    /// Of each node: what the grid adds to changes of velocity of the highest harmonic, the one below, and so on.
+    aliasing: Vec<Vec<Matrix6<Complex<f64>>>>,
 }
 
 impl BodyCirculant {
@@ -121,15 +128,22 @@ impl BodyCirculant {
                 _ => return Ok(None),
             }
         };
+        let strains = MeanStrain::all(equations, tangent);
+        let aliasing: Vec<_> = (0..equations.system().nodes())
+            .map(|node| equations.aliasing(node))
+            .collect();
         let averages = Averages {
             equations,
             tangent,
             layout: &layout,
             classes: &classes,
+            strains: &strains,
+            aliasing: &aliasing,
         };
         let Some(factors) = averages.factor() else {
             return Ok(None);
         };
+        let resultants = Resultants::new(equations, tangent, &strains);
         let lanes = vec![vec![ComplexLanes::zero(); layout.structure.unknowns()]; factors.len()];
         let series = || vec![vec![0.0; points]; kept.len()];
         let harmonics = points / 2 + 1;
@@ -158,6 +172,17 @@ impl BodyCirculant {
             spectra: vec![Complex::default(); layout.structure.unknowns() * harmonics],
             spectrum_at,
             series: [series(), series(), series()],
+            rates: match resultants.damped() {
+                true => vec![0.0; 6 * points * equations.system().nodes()],
+                false => Vec::new(),
+            },
+            aliasing: aliasing
+                .iter()
+                .enumerate()
+                .map(|(node, all)| scaled_velocities(equations, node, all))
+                .collect(),
+            resultants,
+            frequency: equations.grid().frequency(),
             factors,
             layout,
             kept,
@@ -184,8 +209,11 @@ impl BodyCirculant {
         harmonics + size_of::<f64>() * self.interface_size().pow(2)
     }
 
-    /// `x = P⁻¹ x`.
-    pub fn apply(&mut self, x: &mut [f64]) {
+    /// `x = P⁻¹ x`, where the unknowns go on with `resultants`, if any are given.
+    pub fn apply(&mut self, x: &mut [f64], resultants: &mut [f64]) {
+        if !resultants.is_empty() {
+            self.resultants.add_forces(resultants, x);
+        }
         for rotation in &self.rotations {
             rotation.apply(x, false);
         }
@@ -218,9 +246,53 @@ impl BodyCirculant {
                 factors[chunk].backward(structure, lanes, room);
             });
         self.transform_back(x);
+        if !resultants.is_empty() {
+            if self.resultants.damped() {
+                self.find_rates();
+            }
+            self.resultants.determine(x, &self.rates, resultants);
+        }
         for rotation in &self.rotations {
             rotation.apply(x, true);
         }
+    }
+
+    /// Derivatives of the motions, from their harmonics, and what the grid adds to them.
+    fn find_rates(&mut self) {
+        let (layout, lanes, aliasing) = (&self.layout, &self.lanes, &self.aliasing);
+        let (points, frequency) = (self.points, self.frequency);
+        let scale = 1.0 / points as f64;
+        let mut parts: Vec<_> = self.rates.chunks_mut(6 * points).collect();
+        let new = || self.transform.clone();
+        self.workers.for_each(
+            &mut parts,
+            &mut self.rooms,
+            new,
+            |transform, node, rates| {
+                let (row, first) = layout.node_at[node];
+                let first = layout.structure.first(row) + first;
+                let harmonic = |j: usize, component: usize| {
+                    lanes[j / LANES][first + component].get(j % LANES) * scale
+                };
+                for component in 0..6 {
+                    for (j, value) in transform.spectrum.iter_mut().enumerate() {
+                        let rate = Complex::new(0.0, frequency * j as f64);
+                        *value = harmonic(j, component) * rate;
+                    }
+                    for (below, matrix) in aliasing[node].iter().enumerate() {
+                        let j = points / 2 - below;
+                        transform.spectrum[j] += (0..6)
+                            .map(|other| matrix[(component, other)] * harmonic(j, other))
+                            .sum::<Complex<f64>>();
+                    }
+                    transform.backward();
+                    let series = rates[component..].iter_mut().step_by(6);
+                    series
+                        .zip(&transform.samples)
+                        .for_each(|(rate, sample)| *rate = *sample);
+                }
+            },
+        );
     }
 
     /// Solves for the motions that are kept, and the multipliers of joints that turn.
@@ -350,7 +422,21 @@ fn collect(transform: &mut Transform, lanes: &[Vec<ComplexLanes>], unknown: usiz
     transform.backward();
 }
 
-/// The same, to a series.
+/// What the grid adds to a node's changes of velocity, for scaled increments.
+fn scaled_velocities(
+    equations: &Collocation,
+    node: usize,
+    aliasing: &[Aliasing],
+) -> Vec<Matrix6<Complex<f64>>> {
+    let scale = &equations.column_scale()[6 * equations.grid().points() * node..][..6];
+    let scaled = |a: &Aliasing| {
+        a.velocity
+            .map_with_location(|i, j, x| x * scale[j] / scale[i])
+    };
+    aliasing.iter().map(scaled).collect()
+}
+
+/// The same as [`collect`], to a series.
 fn gather(
     transform: &mut Transform,
     lanes: &[Vec<ComplexLanes>],

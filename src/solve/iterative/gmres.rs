@@ -18,6 +18,8 @@ pub(super) struct GmresOptions {
     pub tolerance: f64,
     /// Entries of the first of its two parts, motions: the others, multipliers, may be of quite another size.
     pub leading: usize,
+    /// Entries of both parts; what comes behind them is not asked for.
+    pub essential: usize,
     /// Most products.
     pub iteration_limit: usize,
     /// Products between restarts, for which vectors are kept.
@@ -117,7 +119,7 @@ pub(super) fn gmres(
             if end.error <= options.tolerance && !share_is_known {
                 // Only now, as it takes a pass over all vectors.
                 share = vectors
-                    .smaller_share(rhs, &basis, &y, options.leading)
+                    .smaller_share(rhs, &basis, &y, options)
                     .max(FINEST / options.tolerance);
                 share_is_known = true;
                 end.error = error / (share * small_norm(&y).max(norm(rhs)));
@@ -243,13 +245,19 @@ impl Vectors<'_> {
     }
 
     /// Size of the smaller of the two parts of `x + V y`, relative to the whole.
-    fn smaller_share(&self, x: &[f64], basis: &[Vec<f64>], y: &[f64], leading: usize) -> f64 {
+    fn smaller_share(
+        &self,
+        x: &[f64],
+        basis: &[Vec<f64>],
+        y: &[f64],
+        options: &GmresOptions,
+    ) -> f64 {
         let mut sum = x.to_vec();
         for (v, y) in basis.iter().zip(y) {
             self.add(&mut sum, v, *y);
         }
         let whole = self.norm(&sum);
-        let (first, second) = sum.split_at(leading);
+        let (first, second) = sum[..options.essential].split_at(options.leading);
         let shares = [first, second].map(|part| self.norm(part) / whole);
         // Of nothing nothing more can be asked than that the rest is right.
         let counts = shares.into_iter().filter(|share| *share > SMALLEST_SHARE);
@@ -323,6 +331,7 @@ mod tests {
             let options = GmresOptions {
                 tolerance: 1e-10,
                 leading: 40,
+                essential: 40,
                 iteration_limit: 200,
                 restart,
             };
@@ -345,6 +354,7 @@ mod tests {
         let options = GmresOptions {
             tolerance: 1e-10,
             leading: 1,
+            essential: 2,
             iteration_limit: 20,
             restart: 20,
         };

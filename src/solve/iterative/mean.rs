@@ -4,12 +4,15 @@ use super::block_lu::BlockLanes;
 use super::constraints::Class;
 use super::lanes::{ComplexLanes, LANES, Lanes};
 use super::layout::{Layout, own_first};
-use crate::collocation::{Collocation, Tangent};
+use crate::collocation::{Aliasing, Collocation, Station, Tangent};
+use crate::elements::StressLaw;
 use nalgebra::{Complex, Matrix3, Matrix6, Vector3, Vector6};
 
 /// Means over time of what multiplies the increments of a coupling, their first and second derivatives.
 struct MeanTangent {
     orders: [Matrix6<f64>; 3],
+    /// Of what multiplies changes of velocity.
+    velocity: Matrix6<f64>,
 }
 
 impl MeanTangent {
@@ -18,6 +21,7 @@ impl MeanTangent {
         let points = equations.grid().points();
         let coupling = &tangent.couplings()[pair];
         let mut orders = [Matrix6::zeros(); 3];
+        let mut velocity = Matrix6::zeros();
         for k in 0..points {
             let t = tangent.pair(pair, k);
             orders[0] += t.stiffness;
@@ -27,10 +31,62 @@ impl MeanTangent {
                 orders[0] += t.damping * v + t.mass * twist_skew(&state.twist_rate);
                 orders[1] += t.damping + t.mass * v;
                 orders[2] += t.mass;
+                velocity += t.damping;
             }
         }
         MeanTangent {
             orders: orders.map(|m| m / points as f64),
+            velocity: velocity / points as f64,
+        }
+    }
+}
+
+/// Means over time of what ties a node to the stress resultants of a station. Averaged apart, they let a bent beam bend on
+/// without stretching, which the mean of their product would not.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct MeanStrain {
+    /// `B̄`: of its transpose, forces by resultants.
+    pub strain: Matrix6<f64>,
+    /// Resultants by increments of the node, and by their first derivatives.
+    pub orders: [Matrix6<f64>; 2],
+}
+
+impl MeanStrain {
+    /// Of all strain tangents, not scaled.
+    pub fn all(equations: &Collocation, tangent: &Tangent) -> Vec<Self> {
+        let stations = tangent.stations().iter();
+        stations
+            .flat_map(|station| {
+                let nodes = station.nodes.iter().enumerate();
+                nodes.map(|(a, &node)| MeanStrain::new(equations, tangent, station, a, node))
+            })
+            .collect()
+    }
+
+    /// With `Δe = B Δu` and `Δė = B (Δu̇ + Ṽ Δu) + R Δu`.
+    fn new(
+        equations: &Collocation,
+        tangent: &Tangent,
+        station: &Station,
+        local: usize,
+        node: usize,
+    ) -> Self {
+        let points = equations.grid().points();
+        let (mut strain, mut rate) = (Matrix6::zeros(), Matrix6::zeros());
+        for k in 0..points {
+            let t = tangent.strain(station.first + local, k);
+            let b = t.strain.to_twist_matrix();
+            strain += b;
+            if station.damped {
+                let state = &equations.node_states()[node * points + k];
+                rate += b * twist_skew(&state.twist) + t.rate.to_twist_matrix();
+            }
+        }
+        let (strain, rate) = (strain / points as f64, rate / points as f64);
+        let StressLaw { stiffness, damping } = station.law;
+        MeanStrain {
+            strain,
+            orders: [stiffness * strain + damping * rate, damping * strain],
         }
     }
 }
@@ -54,6 +110,9 @@ pub(super) struct Averages<'a> {
     pub tangent: &'a Tangent,
     pub layout: &'a Layout,
     pub classes: &'a [Class],
+    pub strains: &'a [MeanStrain],
+    /// Of each node.
+    pub aliasing: &'a [Vec<Aliasing>],
 }
 
 impl Averages<'_> {
@@ -61,9 +120,7 @@ impl Averages<'_> {
     pub fn factor(&self) -> Option<Vec<BlockLanes<ComplexLanes>>> {
         let points = self.equations.grid().points();
         let frequency = self.equations.grid().frequency();
-        let means: Vec<MeanTangent> = (0..self.tangent.couplings().len())
-            .map(|pair| self.scaled_mean(pair))
-            .collect();
+        let means = self.scaled_means();
         let chunks = (points / 2 + 1).div_ceil(LANES);
         let mut all: Vec<Option<BlockLanes<ComplexLanes>>> = vec![None; chunks];
         let nothing = &mut Vec::new();
@@ -76,6 +133,7 @@ impl Averages<'_> {
                 for lane in 0..LANES {
                     let j = (LANES * chunk + lane).min(points / 2);
                     self.fill(&mut lanes, lane, j as f64 * frequency, &means);
+                    self.add_aliasing(&mut lanes, lane, points / 2 - j, &means);
                 }
                 if lanes.factor(&self.layout.structure) {
                     *place = Some(lanes);
@@ -85,18 +143,35 @@ impl Averages<'_> {
         all.into_iter().collect()
     }
 
-    /// Mean tangent, scaled.
-    fn scaled_mean(&self, pair: usize) -> MeanTangent {
-        let points = self.equations.grid().points();
-        let coupling = &self.tangent.couplings()[pair];
-        let row_scale = &self.equations.row_scale()[6 * points * coupling.row..][..6];
-        let column_scale = &self.equations.column_scale()[6 * points * coupling.column..][..6];
-        let mean = MeanTangent::new(self.equations, self.tangent, pair);
-        MeanTangent {
-            orders: mean
-                .orders
-                .map(|m| m.map_with_location(|i, j, x| x * row_scale[i] * column_scale[j])),
+    /// Mean tangents of all couplings, scaled.
+    fn scaled_means(&self) -> Vec<MeanTangent> {
+        let (equations, tangent) = (self.equations, self.tangent);
+        let points = equations.grid().points();
+        let couplings = tangent.couplings();
+        let mut means: Vec<_> = (0..couplings.len())
+            .map(|pair| MeanTangent::new(equations, tangent, pair))
+            .collect();
+        for station in tangent.stations() {
+            let count = station.nodes.len();
+            let strains = &self.strains[station.first..][..count];
+            for (a, row) in strains.iter().enumerate() {
+                for (b, column) in strains.iter().enumerate() {
+                    let mean = &mut means[station.couplings[a * count + b]];
+                    for (order, resultant) in mean.orders.iter_mut().zip(&column.orders) {
+                        *order += row.strain.tr_mul(resultant);
+                    }
+                    mean.velocity += row.strain.tr_mul(&column.orders[1]);
+                }
+            }
         }
+        for (mean, coupling) in means.iter_mut().zip(couplings) {
+            let row_scale = &equations.row_scale()[6 * points * coupling.row..][..6];
+            let column_scale = &equations.column_scale()[6 * points * coupling.column..][..6];
+            for order in mean.orders.iter_mut().chain([&mut mean.velocity]) {
+                *order = order.map_with_location(|i, j, x| x * row_scale[i] * column_scale[j]);
+            }
+        }
+        means
     }
 
     /// Writes the matrix of one harmonic, of circular frequency `rate`.
@@ -157,6 +232,37 @@ impl Averages<'_> {
             } else {
                 let compliant = Complex::from(-self.equations.regularisation());
                 (0..count).for_each(|i| add((own, own), (i, i), compliant));
+            }
+        }
+    }
+
+    /// Adds what the grid makes of the harmonic so many below the highest.
+    fn add_aliasing(
+        &self,
+        lanes: &mut BlockLanes<ComplexLanes>,
+        lane: usize,
+        below: usize,
+        means: &[MeanTangent],
+    ) {
+        let points = self.equations.grid().points();
+        for (mean, coupling) in means.iter().zip(self.tangent.couplings()) {
+            let Some(aliasing) = self.aliasing[coupling.column].get(below) else {
+                continue;
+            };
+            let scale = &self.equations.column_scale()[6 * points * coupling.column..][..6];
+            let own =
+                |m: &Matrix6<Complex<f64>>| m.map_with_location(|i, j, x| x * scale[j] / scale[i]);
+            let complex = |m: &Matrix6<f64>| m.map(Complex::from);
+            let change = complex(&mean.velocity) * own(&aliasing.velocity)
+                + complex(&mean.orders[2]) * own(&aliasing.acceleration);
+            let (row, first_row) = self.layout.node_at[coupling.row];
+            let (column, first_column) = self.layout.node_at[coupling.column];
+            for i in 0..6 {
+                for j in 0..6 {
+                    let place = (first_row + i, first_column + j);
+                    let entry = lanes.at(self.layout.structure.entry((row, column), place));
+                    entry.set(lane, entry.get(lane) + change[(i, j)]);
+                }
             }
         }
     }

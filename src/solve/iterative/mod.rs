@@ -11,6 +11,7 @@ mod lanes;
 mod layout;
 mod mean;
 mod projected;
+mod resultants;
 mod time_local;
 mod trial;
 
@@ -35,6 +36,10 @@ const RESTART: usize = 60;
 const KEPT: usize = 500_000_000;
 /// A solve that takes so many products more than the first with its preconditioner asks for a new one.
 const MANY: usize = 10;
+/// Size of the unknowns of stress resultants relative to the others: what matters are these.
+const RESULTANT_SHARE: f64 = 0.03;
+/// Multiply-adds of a dense system, for each unknown, that are little beside the products of a solve.
+const CHEAP: f64 = 2000.0;
 /// Largest dense system of joints: 1.6 GB.
 const LARGEST_INTERFACE: usize = 14_000;
 /// Time-local preconditioning is cheap. It is kept where it takes no more products than this,
@@ -105,10 +110,40 @@ impl Factors {
         }
     }
 
-    fn apply(&mut self, x: &mut [f64]) {
+    /// `x = P⁻¹ x`, for the first `size` of the unknowns, and for stress resultants behind them.
+    fn apply(&mut self, x: &mut [f64], size: usize) {
+        let (x, resultants) = x.split_at_mut(size);
         match self {
-            Factors::Body(factors) => factors.apply(x),
+            Factors::Body(factors) => factors.apply(x, resultants),
             Factors::Local(factors) => factors.apply(x),
+        }
+    }
+
+    /// Whether new ones take little beside a solve.
+    fn are_cheap(&self, unknowns: usize) -> bool {
+        match self {
+            Factors::Body(factors) => {
+                let dense = (factors.interface_size() as f64).powi(3) / 3.0;
+                dense < CHEAP * unknowns as f64
+            }
+            Factors::Local(_) => false,
+        }
+    }
+
+    /// Gives unknowns of stress resultants a size that goes with that of the others, for a right side of `size` entries and
+    /// zeros behind them.
+    fn scale_resultants(&mut self, tangent: &mut Tangent, rhs: &[f64], size: usize) {
+        let Factors::Body(factors) = self else {
+            return;
+        };
+        let mut first = rhs.to_vec();
+        let (x, resultants) = first.split_at_mut(size);
+        factors.apply(x, resultants);
+        let norm = |x: &[f64]| x.iter().map(|x| x * x).sum::<f64>().sqrt();
+        let scale = norm(resultants) / (RESULTANT_SHARE * norm(x));
+        if scale.is_finite() && scale > 0.0 {
+            factors.resultants.scale = scale;
+            tangent.set_resultant_scale(scale);
         }
     }
 
@@ -130,6 +165,8 @@ pub(super) struct Iterative {
     factors: Option<Factors>,
     /// Whether the factors are those of an earlier Jacobian.
     is_old: bool,
+    /// Whether the size of stress resultants has been found for the factors.
+    is_scaled: bool,
     /// Products of the first solve with the factors.
     first_products: Option<usize>,
     /// Products that a solve may take.
@@ -149,7 +186,7 @@ impl Preconditioned for Operator<'_> {
     }
 
     fn precondition(&mut self, y: &mut [f64]) {
-        self.factors.apply(y);
+        self.factors.apply(y, self.equations.size());
     }
 }
 
@@ -162,6 +199,7 @@ impl Iterative {
             candidates: Vec::new(),
             factors: None,
             is_old: false,
+            is_scaled: false,
             first_products: None,
             limit: ITERATION_LIMIT,
             record: IterativeRecord::default(),
@@ -173,6 +211,8 @@ impl Iterative {
         // The memory of the old ones first.
         self.factors = None;
         self.first_products = None;
+        self.is_scaled = false;
+        self.tangent.set_resultant_scale(1.0);
         while let Some(&preconditioner) = self.candidates.first() {
             self.factors = Factors::new(equations, &self.tangent, preconditioner)?;
             if let Some(factors) = &self.factors {
@@ -236,11 +276,15 @@ impl LinearSolver for Iterative {
             self.tangent.evaluate(equations, state)
         })?;
         self.is_old = true;
-        if self.factors.is_some() {
+        if let Some(factors) = &self.factors
+            && !factors.are_cheap(equations.size())
+        {
             return Ok(true);
         }
         timed(&mut timings.factorisation, || {
-            self.candidates = self.choose(equations);
+            if self.factors.is_none() {
+                self.candidates = self.choose(equations);
+            }
             self.prepare(equations)
         })
     }
@@ -256,29 +300,40 @@ impl LinearSolver for Iterative {
             let Some(factors) = &mut self.factors else {
                 return Ok(false);
             };
+            let resultants = match factors {
+                Factors::Body(_) => self.tangent.resultants(),
+                Factors::Local(_) => 0,
+            };
+            let mut unknowns = wanted.clone();
+            unknowns.resize(wanted.len() + resultants, 0.0);
+            if !self.is_scaled {
+                factors.scale_resultants(&mut self.tangent, &unknowns, wanted.len());
+                self.is_scaled = true;
+            }
             let options = GmresOptions {
                 tolerance: accuracy,
                 leading: 6 * equations.system().nodes() * equations.grid().points(),
                 iteration_limit: self.limit,
-                restart: (KEPT / size_of_val(rhs)).clamp(RESTART, ITERATION_LIMIT),
+                essential: wanted.len(),
+                restart: (KEPT / size_of_val(&unknowns[..])).clamp(RESTART, ITERATION_LIMIT),
             };
             let mut operator = Operator {
                 equations,
                 tangent: &mut self.tangent,
                 factors,
             };
-            let end = gmres(&mut operator, rhs, &options, equations.workers());
+            let end = gmres(&mut operator, &mut unknowns, &options, equations.workers());
             self.record.products.push(end.iterations);
-            self.count_bytes(end.iterations.min(options.restart), rhs.len());
+            self.count_bytes(end.iterations.min(options.restart), unknowns.len());
             let solved = end.error <= accuracy;
             let first = *self.first_products.get_or_insert(end.iterations);
             if solved {
+                rhs.copy_from_slice(&unknowns[..wanted.len()]);
                 if self.is_old && end.iterations > first + MANY {
                     self.prepare(equations)?;
                 }
                 return Ok(rhs.iter().all(|x| x.is_finite()));
             }
-            rhs.copy_from_slice(&wanted);
             if !self.is_old {
                 self.candidates.remove(0);
             }
@@ -298,7 +353,7 @@ impl LinearSolver for Iterative {
             .collect();
         let mut product = vec![0.0; probe.len()];
         self.tangent.apply(equations, &probe, &mut product);
-        factors.apply(&mut probe);
+        factors.apply(&mut probe, equations.size());
         largest(&probe) * largest(&product)
     }
 

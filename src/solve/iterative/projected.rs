@@ -102,6 +102,7 @@ impl<L: LinearSolver> LinearSolver for Projected<L> {
         let options = GmresOptions {
             tolerance: accuracy,
             leading: rhs.len(),
+            essential: rhs.len(),
             iteration_limit: ITERATION_LIMIT,
             restart: ITERATION_LIMIT,
         };

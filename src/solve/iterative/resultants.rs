@@ -1,0 +1,98 @@
+//! Stress resultants in circulant preconditioners: unknowns of their own, which motions determine.
+//!
+//! ```text
+//! [S Bᵀ; L −1] [x; f] = [b; r]   ⇔   (S + Bᵀ L) x = b + Bᵀ r,   f = L x − r
+//! ```
+//!
+//! with `B` and `L` averaged over time. They are worth their room because averages of a bent beam's stiffness,
+//! `Bᵀ L`, would stretch it where it bends.
+
+use super::mean::MeanStrain;
+use crate::collocation::{Collocation, Station, Tangent};
+use nalgebra::{Matrix6, Vector6};
+
+/// Averaged `B` and `L`, scaled.
+pub(super) struct Resultants {
+    points: usize,
+    stations: Vec<Station>,
+    strains: Vec<MeanStrain>,
+    /// Of each node: the stations whose resultants act on it, and its strains there.
+    acting: Vec<Vec<(usize, usize)>>,
+    /// What counts as 1 in their unknowns.
+    pub scale: f64,
+}
+
+impl Resultants {
+    /// Those of `tangent`.
+    pub fn new(equations: &Collocation, tangent: &Tangent, strains: &[MeanStrain]) -> Self {
+        let points = equations.grid().points();
+        let scales = tangent.resultant_scales(equations.system());
+        let stations = tangent.stations().to_vec();
+        let mut acting = vec![Vec::new(); equations.system().nodes()];
+        let mut scaled = strains.to_vec();
+        for (index, station) in stations.iter().enumerate() {
+            for (a, &node) in station.nodes.iter().enumerate() {
+                acting[node].push((index, station.first + a));
+                let row_scale = &equations.row_scale()[6 * points * node..][..6];
+                let column_scale = &equations.column_scale()[6 * points * node..][..6];
+                let mean = &mut scaled[station.first + a];
+                let by_scale = |m: &Matrix6<f64>| {
+                    m.map_with_location(|i, j, x| x * column_scale[j] / scales[i])
+                };
+                mean.orders = [by_scale(&mean.orders[0]), by_scale(&mean.orders[1])];
+                mean.strain = mean
+                    .strain
+                    .map_with_location(|i, j, x| x * row_scale[j] * scales[i]);
+            }
+        }
+        Resultants {
+            points,
+            stations,
+            strains: scaled,
+            acting,
+            scale: 1.0,
+        }
+    }
+
+    /// Whether any depends on rates.
+    pub fn damped(&self) -> bool {
+        self.stations.iter().any(|station| station.damped)
+    }
+
+    /// `x += Bᵀ r`.
+    pub fn add_forces(&self, r: &[f64], x: &mut [f64]) {
+        for (node, acting) in self.acting.iter().enumerate() {
+            let forces = &mut x[6 * self.points * node..][..6 * self.points];
+            for &(station, strain) in acting {
+                let to_force = self.strains[strain].strain.transpose() * self.scale;
+                let r = r[6 * self.points * station..].chunks_exact(6);
+                for (force, r) in forces.chunks_exact_mut(6).zip(r) {
+                    let sum = to_force * Vector6::from_column_slice(r);
+                    force.iter_mut().zip(&sum).for_each(|(y, f)| *y += f);
+                }
+            }
+        }
+    }
+
+    /// `r = L x − r`, for the derivatives of `x` at the same places, if any resultant depends on them.
+    pub fn determine(&self, x: &[f64], rates: &[f64], r: &mut [f64]) {
+        let of_node = |x: &[f64], node: usize, k: usize| {
+            Vector6::from_column_slice(&x[6 * (self.points * node + k)..][..6])
+        };
+        let series = r.chunks_exact_mut(6 * self.points);
+        for (station, series) in self.stations.iter().zip(series) {
+            for (k, r) in series.chunks_exact_mut(6).enumerate() {
+                let mut sum = Vector6::zeros();
+                for (&node, mean) in station.nodes.iter().zip(&self.strains[station.first..]) {
+                    sum += mean.orders[0] * of_node(x, node, k);
+                    if station.damped {
+                        sum += mean.orders[1] * of_node(rates, node, k);
+                    }
+                }
+                r.iter_mut()
+                    .zip(&sum)
+                    .for_each(|(r, f)| *r = f / self.scale - *r);
+            }
+        }
+    }
+}
