@@ -360,11 +360,17 @@ impl Tangent {
                     }
                 },
             );
-            for (index, row) in self.strains.chunks_mut(points).enumerate() {
-                for (to, from) in row[first..first + count].iter_mut().zip(&staged) {
-                    *to = from.strains[index];
-                }
-            }
+            let mut rows: Vec<_> = self.strains.chunks_mut(points).collect();
+            equations.workers().for_each(
+                &mut rows,
+                &mut Vec::new(),
+                || (),
+                |(), index, row| {
+                    for (to, from) in row[first..first + count].iter_mut().zip(&staged) {
+                        *to = from.strains[index];
+                    }
+                },
+            );
         }
         Ok(())
     }
@@ -403,27 +409,32 @@ impl Tangent {
 
         let (layout, pairs, rates) = (&self.layout, &self.pairs, &self.rates);
         let strains = &self.strains;
-        let mut stresses: Vec<_> = self.stresses.chunks_mut(points).collect();
+        let scales = self.resultant_scales(system);
+        let mut unbalances = unbalance.chunks_mut(6 * points);
+        let mut stresses: Vec<_> = self
+            .stresses
+            .chunks_mut(points)
+            .map(|stresses| (stresses, unbalances.next()))
+            .collect();
         workers.for_each(
             &mut stresses,
             &mut Vec::new(),
             || (),
-            |(), index, stresses| {
+            |(), index, (stresses, unbalance)| {
                 layout.stations[index].stresses(points, strains, &of_node, rates, stresses);
+                let Some(unbalance) = unbalance else {
+                    return;
+                };
+                let given = resultants[6 * points * index..].chunks_exact(6);
+                let unbalance = unbalance.chunks_exact_mut(6);
+                for ((stress, given), unbalance) in stresses.iter_mut().zip(given).zip(unbalance) {
+                    let given = Vector6::from_column_slice(given);
+                    let difference = stress.to_wrench().component_div(&scales) - given;
+                    unbalance.copy_from_slice(difference.as_slice());
+                    *stress = DualVector::from_wrench(&given.component_mul(&scales));
+                }
             },
         );
-        if !resultants.is_empty() {
-            let scales = self.resultant_scales(system);
-            let given = resultants
-                .chunks_exact(6)
-                .zip(unbalance.chunks_exact_mut(6));
-            for (stress, (given, unbalance)) in self.stresses.iter_mut().zip(given) {
-                let given = Vector6::from_column_slice(given);
-                let difference = stress.to_wrench().component_div(&scales) - given;
-                unbalance.copy_from_slice(difference.as_slice());
-                *stress = DualVector::from_wrench(&given.component_mul(&scales));
-            }
-        }
 
         let (forces, constraints) = y.split_at_mut(6 * points * system.nodes());
         let stresses = &self.stresses;

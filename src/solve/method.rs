@@ -29,7 +29,7 @@ const LARGE: f64 = 1.5e9;
 const TOO_LARGE: f64 = 6e9;
 /// Multiply-adds that a factorisation may take for each number that is stored at a node and grid point, where
 /// iteration is the alternative: about what its products take.
-const AFFORDABLE: f64 = 3e4;
+const AFFORDABLE: f64 = 1e4;
 /// So few numbers are not worth the trouble.
 const SMALL: f64 = 1500.0;
 /// Growth of a preconditioner that means a Jacobian which may be singular: factors will tell.

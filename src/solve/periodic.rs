@@ -1,6 +1,7 @@
 //! The periodic solve from model to solution.
 
 use super::adaptive::{Adaptation, GridTried};
+use super::estimate::assess;
 use super::guess::{Guess, quasi_static};
 use super::iterative::{IterativeRecord, Projected};
 use super::march::march_to_periodic;
@@ -162,6 +163,10 @@ impl PeriodicSolve {
     }
 }
 
+/// Grids of more than this many times the points that a first guess takes start from a solution on fewer.
+const COARSER: usize = 2;
+/// Estimated error of such a solution that leaves it nearer than the quasi-static motion.
+const RESOLVED: f64 = 1e-4;
 /// Smallest step of the continuation in the inertia factor.
 const SMALLEST_INERTIA_STEP: f64 = 1.0 / 64.0;
 
@@ -189,7 +194,8 @@ pub(super) struct Attempts<'a> {
 ///
 /// On an adaptive grid, each solution starts from that on the grid before; the last is given.
 ///
-/// Without a given start, Newton begins at the quasi-static motion. Where that does not lead to a
+/// Without a given start, Newton begins at the quasi-static motion or, on a large grid, at a solution on a smaller one if
+/// that resolves the motion. Where that does not lead to a
 /// solution, it continues from there in a factor of the inertial forces, and then begins at the end of
 /// a march in time.
 ///
@@ -226,10 +232,25 @@ pub fn solve_periodic(
             adaptation.first(&system, period)?
         }
     };
-    let grid = TimeGrid::new(points, period)?;
-    let guess_grid = match &options.grid_points {
-        GridPoints::Fixed(_) => grid,
-        GridPoints::Adaptive(adaptation) => TimeGrid::new(adaptation.guess(points), period)?,
+    let wanted = TimeGrid::new(points, period)?;
+    let guess_points = match (&options.guess, &options.grid_points) {
+        (InitialGuess::Default, GridPoints::Fixed(_)) => {
+            let coarse = Adaptation::default();
+            let coarse = coarse.guess(coarse.first(&system, period)?);
+            if points > COARSER * coarse {
+                coarse
+            } else {
+                points
+            }
+        }
+        (_, GridPoints::Fixed(_)) => points,
+        (_, GridPoints::Adaptive(adaptation)) => adaptation.guess(points),
+    };
+    let guess_grid = TimeGrid::new(guess_points, period)?;
+    // The first grid.
+    let grid = match options.grid_points {
+        GridPoints::Fixed(_) => guess_grid,
+        GridPoints::Adaptive(_) => wanted,
     };
     let workers = Workers::new(options.threads)?;
     let mut attempts = Attempts {
@@ -261,7 +282,8 @@ pub fn solve_periodic(
     let (mut state, report) = match (&options.grid_points, given) {
         (GridPoints::Adaptive(adaptation), given) => attempts.refine(adaptation, given)?,
         (GridPoints::Fixed(_), Some(state)) => attempts.newton(state)?,
-        (GridPoints::Fixed(_), None) => attempts.find()?,
+        (GridPoints::Fixed(_), None) if grid == wanted => attempts.find()?,
+        (GridPoints::Fixed(_), None) => attempts.find_from_coarse(wanted)?,
     };
     attempts.newton.equations.update_kinematics(&state);
     // Between grid points, too, what has no effect at them may have some.
@@ -385,6 +407,43 @@ impl Attempts<'_> {
             Err(e) if e.kind() == ErrorKind::GridTooCoarse => Ok(None),
             Err(e) => Err(e),
         }
+    }
+
+    /// From a solution on the present grid, which is coarse, if that resolves the motion; as [`find`](Self::find) otherwise.
+    fn find_from_coarse(&mut self, grid: TimeGrid) -> Result<(GridState, NewtonReport)> {
+        let coarse = self.grid;
+        let solution = match self.start()? {
+            Some(start) => Some(self.newton(start)?),
+            None => None,
+        };
+        self.move_to(grid)?;
+        let start = match solution {
+            Some((state, report))
+                if report.outcome == Outcome::Converged
+                    && assess(&self.system, coarse, &state)?.error < RESOLVED =>
+            {
+                match state.resampled(&self.system, coarse, 0.0, grid) {
+                    Ok(start) => Some(start),
+                    Err(e) if e.kind() == ErrorKind::GridTooCoarse => None,
+                    Err(e) => return Err(e),
+                }
+            }
+            Some((_, report)) if report.outcome == Outcome::Cancelled => {
+                return Ok((GridState::reference(&self.system, grid), report));
+            }
+            _ => None,
+        };
+        if let Some(start) = start {
+            let found = self.newton(start)?;
+            if is_final(found.1.outcome) {
+                return Ok(found);
+            }
+        }
+        if self.quasi_static()?.outcome != Outcome::Cancelled {
+            self.quasi_static = None;
+        }
+        self.guess_grid = grid;
+        self.find()
     }
 
     /// From the library's own start.

@@ -129,9 +129,14 @@ impl BodyCirculant {
             }
         };
         let strains = MeanStrain::all(equations, tangent);
-        let aliasing: Vec<_> = (0..equations.system().nodes())
-            .map(|node| equations.aliasing(node))
-            .collect();
+        let mut aliasing = vec![Vec::new(); equations.system().nodes()];
+        let nothing = &mut Vec::new();
+        equations.workers().for_each(
+            &mut aliasing,
+            nothing,
+            || (),
+            |(), node, all| *all = equations.aliasing(node),
+        );
         let averages = Averages {
             equations,
             tangent,

@@ -3,6 +3,7 @@
 use super::layout::own_first;
 use crate::collocation::{Collocation, Tangent};
 use nalgebra::DMatrix;
+use std::collections::BTreeSet;
 
 /// Constraints whose gradients change by less than this, relative to themselves, count as steady.
 const STEADY: f64 = 0.05;
@@ -128,15 +129,18 @@ pub(super) struct RowRotation {
     pub inverse: Vec<DMatrix<f64>>,
 }
 
-/// Number of multipliers at a grid point whose constraints are not steady.
-pub(super) fn count_turning(equations: &Collocation, tangent: &Tangent) -> usize {
-    classify(equations, tangent, Joints::Exact)
-        .iter()
-        .filter_map(|class| match class {
-            Class::Exact(gradients) => Some(gradients[0].nrows()),
-            _ => None,
-        })
-        .sum()
+/// Motions that joints which turn leave their nodes at a grid point; none if there are no such joints.
+pub(super) fn count_free(equations: &Collocation, tangent: &Tangent) -> Option<usize> {
+    let classes = classify(equations, tangent, Joints::Exact);
+    let mut nodes: BTreeSet<usize> = BTreeSet::new();
+    let mut constraints = 0;
+    for (class, placed) in classes.iter().zip(equations.system().elements()) {
+        if let Class::Exact(gradients) = class {
+            constraints += gradients[0].nrows();
+            nodes.extend(placed.element.nodes());
+        }
+    }
+    (constraints > 0).then(|| (6 * nodes.len()).saturating_sub(constraints))
 }
 
 /// Rotations of all steady constraints.

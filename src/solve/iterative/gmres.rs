@@ -2,6 +2,8 @@
 //! not by residuals, in which stiff directions drown soft ones.
 
 use crate::workers::Workers;
+use faer::linalg::matmul::matmul;
+use faer::{Accum, MatMut, MatRef, Par};
 
 /// A cycle that leaves more than this of the residual is the last.
 const STAGNATION: f64 = 0.9;
@@ -52,12 +54,12 @@ pub(super) fn gmres(
     workers: &Workers,
 ) -> GmresEnd {
     let vectors = Vectors { workers };
-    let norm = |x: &[f64]| vectors.norm(x);
+    let norm = |x: &mut [f64]| vectors.norm(x);
     let size = rhs.len();
     let b = rhs.to_vec();
     let mut rest = b.clone();
     operator.precondition(&mut rest);
-    let start = norm(&rest);
+    let start = norm(&mut rest);
     rhs.fill(0.0);
     let mut end = GmresEnd {
         iterations: 0,
@@ -68,31 +70,25 @@ pub(super) fn gmres(
     }
     // What the smaller part is of the solution.
     let (mut share, mut share_is_known) = (1.0, false);
-    let mut basis: Vec<Vec<f64>> = Vec::new();
+    // Memory that is not written to is not taken.
+    let mut basis = vec![0.0; (options.restart.min(options.iteration_limit) + 1) * size];
     while end.error > options.tolerance && end.iterations < options.iteration_limit {
-        let before = norm(&rest);
+        let (before, found) = (norm(&mut rest), norm(rhs));
         let cycle = options
             .restart
             .min(options.iteration_limit - end.iterations);
         let first = rest.iter().map(|r| r / before);
-        match basis.first_mut() {
-            Some(vector) => vector.iter_mut().zip(first).for_each(|(v, r)| *v = r),
-            None => basis.push(first.collect()),
-        }
+        basis.iter_mut().zip(first).for_each(|(v, r)| *v = r);
         let mut triangle = Triangle::default();
         let mut rotations: Vec<(f64, f64)> = Vec::new();
         let mut rotated = vec![before];
         for j in 0..cycle {
-            if basis.len() <= j + 1 {
-                basis.push(vec![0.0; size]);
-            }
-            let (known, new) = basis.split_at_mut(j + 1);
-            let w = &mut new[0];
-            operator.product(&known[j], w);
+            let (known, new) = basis.split_at_mut((j + 1) * size);
+            let w = &mut new[..size];
+            operator.product(&known[j * size..], w);
             operator.precondition(w);
             end.iterations += 1;
-            let mut column = vectors.project_out(known, w);
-            let length = norm(w);
+            let (mut column, length) = vectors.project_out(known, w);
             if length > 0.0 {
                 vectors.scale(w, 1.0 / length);
             }
@@ -115,28 +111,26 @@ pub(super) fn gmres(
             rotated.push(-s * last);
             let error = rotated[j + 1].abs() * triangle.inverse_size();
             let y = triangle.solve(&rotated);
-            end.error = error / (share * small_norm(&y).max(norm(rhs)));
+            end.error = error / (share * small_norm(&y).max(found));
             if end.error <= options.tolerance && !share_is_known {
                 // Only now, as it takes a pass over all vectors.
                 share = vectors
                     .smaller_share(rhs, &basis, &y, options)
                     .max(FINEST / options.tolerance);
                 share_is_known = true;
-                end.error = error / (share * small_norm(&y).max(norm(rhs)));
+                end.error = error / (share * small_norm(&y).max(found));
             }
             if end.error <= options.tolerance || length == 0.0 {
                 break;
             }
         }
-        for (v, y) in basis.iter().zip(&triangle.solve(&rotated)) {
-            vectors.add(rhs, v, *y);
-        }
+        vectors.add(rhs, &basis, &triangle.solve(&rotated));
         // What rounding in the preconditioner leaves, nearly singular as it may be, shows in the residual only.
         operator.product(rhs, &mut rest);
         rest.iter_mut().zip(&b).for_each(|(r, b)| *r = b - *r);
         operator.precondition(&mut rest);
         // Written so that NaN ends it too.
-        let (left, size) = (norm(&rest), norm(rhs));
+        let (left, size) = (norm(&mut rest), norm(rhs));
         end.error = if size > 0.0 {
             left * triangle.inverse_size() / (share * size)
         } else {
@@ -199,79 +193,121 @@ struct Vectors<'a> {
     workers: &'a Workers,
 }
 
-/// Entries that are worked on in one piece.
-const PIECE: usize = 1 << 14;
+/// Entries that are worked on in one piece: they stay in the cache meanwhile.
+const PIECE: usize = 1 << 12;
 
 impl Vectors<'_> {
-    /// Works on pieces of a vector.
-    fn pieces(&self, x: &mut [f64], work: impl Fn(usize, &mut [f64]) + Sync) {
-        if x.len() <= 2 * PIECE || self.workers.threads() == 1 {
-            return work(0, x);
-        }
-        let mut pieces: Vec<_> = x.chunks_mut(PIECE).collect();
+    /// Works on pieces of a vector, each with where it starts, and sums `count` sums of each, whatever the number of
+    /// threads.
+    fn sums(
+        &self,
+        x: &mut [f64],
+        count: usize,
+        work: impl Fn(usize, &mut [f64], &mut [f64]) + Sync,
+    ) -> Vec<f64> {
+        let mut sums = vec![0.0; x.len().div_ceil(PIECE) * count];
+        let of_pieces = sums.chunks_mut(count.max(1));
+        let mut pieces: Vec<_> = x.chunks_mut(PIECE).zip(of_pieces).collect();
         let rooms = &mut Vec::new();
+        let item = |piece: usize, x: &mut [f64], sums: &mut [f64]| work(piece * PIECE, x, sums);
         self.workers.for_each(
             &mut pieces,
             rooms,
             || (),
-            |(), i, piece| work(i * PIECE, piece),
+            |(), i, (x, sums)| item(i, x, sums),
         );
+        let mut total = vec![0.0; count];
+        for of_piece in sums.chunks(count.max(1)) {
+            add(&mut total, of_piece, 1.0);
+        }
+        total
     }
 
-    /// `y += factor x`.
-    fn add(&self, y: &mut [f64], x: &[f64], factor: f64) {
-        self.pieces(y, |first, y| add(y, &x[first..first + y.len()], factor));
+    /// `x += V y`, for as many of the vectors as `y` has entries.
+    fn add(&self, x: &mut [f64], basis: &[f64], y: &[f64]) {
+        let basis = Columns::new(basis, x.len(), y.len());
+        self.sums(x, 1, |first, x, _| basis.add(first, x, y, 1.0));
     }
 
     fn scale(&self, x: &mut [f64], factor: f64) {
-        self.pieces(x, |_, x| x.iter_mut().for_each(|x| *x *= factor));
+        self.sums(x, 1, |_, x, _| x.iter_mut().for_each(|x| *x *= factor));
     }
 
-    /// Sums the sums of pieces, whatever the number of threads.
-    fn dot(&self, x: &[f64], y: &[f64]) -> f64 {
-        let mut sums = vec![0.0; x.len().div_ceil(PIECE)];
-        let piece = |i: usize, sum: &mut f64| {
-            let range = i * PIECE..x.len().min((i + 1) * PIECE);
-            *sum = dot(&x[range.clone()], &y[range]);
-        };
-        let rooms = &mut Vec::new();
-        self.workers
-            .for_each(&mut sums, rooms, || (), |(), i, sum| piece(i, sum));
-        sums.iter().sum()
-    }
-
-    fn norm(&self, x: &[f64]) -> f64 {
-        self.dot(x, x).sqrt()
+    fn norm(&self, x: &mut [f64]) -> f64 {
+        self.sums(x, 1, |_, x, sum| sum[0] = dot(x, x))[0].sqrt()
     }
 
     /// Size of the smaller of the two parts of `x + V y`, relative to the whole.
-    fn smaller_share(
-        &self,
-        x: &[f64],
-        basis: &[Vec<f64>],
-        y: &[f64],
-        options: &GmresOptions,
-    ) -> f64 {
+    fn smaller_share(&self, x: &[f64], basis: &[f64], y: &[f64], options: &GmresOptions) -> f64 {
         let mut sum = x.to_vec();
-        for (v, y) in basis.iter().zip(y) {
-            self.add(&mut sum, v, *y);
-        }
-        let whole = self.norm(&sum);
-        let (first, second) = sum[..options.essential].split_at(options.leading);
+        self.add(&mut sum, basis, y);
+        let whole = self.norm(&mut sum);
+        let (first, second) = sum[..options.essential].split_at_mut(options.leading);
         let shares = [first, second].map(|part| self.norm(part) / whole);
         // Of nothing nothing more can be asked than that the rest is right.
         let counts = shares.into_iter().filter(|share| *share > SMALLEST_SHARE);
         counts.fold(1.0, f64::min)
     }
 
-    /// Takes from `w` its parts along orthonormal `basis` vectors; returns these parts.
-    fn project_out(&self, basis: &[Vec<f64>], w: &mut [f64]) -> Vec<f64> {
-        let along = |v: &Vec<f64>| {
-            let part = self.dot(v, w);
-            self.add(w, v, -part);
-            part
-        };
-        basis.iter().map(along).collect()
+    /// Takes from `w` its parts along orthonormal `basis` vectors, twice so that rounding leaves none; returns these parts,
+    /// and the length of what is left.
+    fn project_out(&self, basis: &[f64], w: &mut [f64]) -> (Vec<f64>, f64) {
+        let count = basis.len() / w.len();
+        let basis = Columns::new(basis, w.len(), count);
+        let mut parts = self.sums(w, count, |first, w, sums| basis.along(first, w, sums));
+        let rest = self.sums(w, count, |first, w, sums| {
+            basis.add(first, w, &parts, -1.0);
+            basis.along(first, w, sums);
+        });
+        let length = self.sums(w, 1, |first, w, sum| {
+            basis.add(first, w, &rest, -1.0);
+            sum[0] = dot(w, w);
+        });
+        add(&mut parts, &rest, 1.0);
+        (parts, length[0].sqrt())
+    }
+}
+
+/// Vectors of one size, one behind the other.
+#[derive(Clone, Copy)]
+struct Columns<'a> {
+    values: &'a [f64],
+    size: usize,
+    count: usize,
+}
+
+impl<'a> Columns<'a> {
+    fn new(values: &'a [f64], size: usize, count: usize) -> Self {
+        Columns {
+            values,
+            size,
+            count,
+        }
+    }
+
+    /// So many rows from `first` on.
+    fn rows(&self, first: usize, rows: usize) -> MatRef<'a, f64> {
+        let values = &self.values[first..(self.count - 1) * self.size + first + rows];
+        MatRef::from_column_major_slice_with_stride(values, rows, self.count, self.size)
+    }
+
+    /// `sums = Vᵀ w`, for a piece of `w` that starts at `first`.
+    fn along(&self, first: usize, w: &[f64], sums: &mut [f64]) {
+        let to = MatMut::from_column_major_slice_mut(sums, self.count, 1);
+        let w = MatRef::from_column_major_slice(w, w.len(), 1);
+        let rows = self.rows(first, w.nrows()).transpose();
+        matmul(to, Accum::Replace, rows, w, 1.0, Par::Seq);
+    }
+
+    /// `w += factor V y`, for a piece of `w` that starts at `first`.
+    fn add(&self, first: usize, w: &mut [f64], y: &[f64], factor: f64) {
+        if self.count == 0 {
+            return;
+        }
+        let rows = self.rows(first, w.len());
+        let y = MatRef::from_column_major_slice(y, self.count, 1);
+        let to = MatMut::from_column_major_slice_mut(w, rows.nrows(), 1);
+        matmul(to, Accum::Add, rows, y, factor, Par::Seq);
     }
 }
 

@@ -9,6 +9,7 @@ use crate::elements::StressLaw;
 use nalgebra::{Complex, Matrix3, Matrix6, Vector3, Vector6};
 
 /// Means over time of what multiplies the increments of a coupling, their first and second derivatives.
+#[derive(Debug, Clone, Default)]
 struct MeanTangent {
     orders: [Matrix6<f64>; 3],
     /// Of what multiplies changes of velocity.
@@ -54,13 +55,20 @@ pub(super) struct MeanStrain {
 impl MeanStrain {
     /// Of all strain tangents, not scaled.
     pub fn all(equations: &Collocation, tangent: &Tangent) -> Vec<Self> {
-        let stations = tangent.stations().iter();
-        stations
-            .flat_map(|station| {
-                let nodes = station.nodes.iter().enumerate();
-                nodes.map(|(a, &node)| MeanStrain::new(equations, tangent, station, a, node))
-            })
-            .collect()
+        let stations = tangent.stations();
+        let mut means: Vec<Vec<MeanStrain>> = vec![Vec::new(); stations.len()];
+        equations.workers().for_each(
+            &mut means,
+            &mut Vec::new(),
+            || (),
+            |(), index, means| {
+                let nodes = stations[index].nodes.iter().enumerate();
+                means.extend(nodes.map(|(a, &node)| {
+                    MeanStrain::new(equations, tangent, &stations[index], a, node)
+                }));
+            },
+        );
+        means.concat()
     }
 
     /// With `Δe = B Δu` and `Δė = B (Δu̇ + Ṽ Δu) + R Δu`.
@@ -148,9 +156,14 @@ impl Averages<'_> {
         let (equations, tangent) = (self.equations, self.tangent);
         let points = equations.grid().points();
         let couplings = tangent.couplings();
-        let mut means: Vec<_> = (0..couplings.len())
-            .map(|pair| MeanTangent::new(equations, tangent, pair))
-            .collect();
+        let mut means = vec![MeanTangent::default(); couplings.len()];
+        let rooms = &mut Vec::new();
+        equations.workers().for_each(
+            &mut means,
+            rooms,
+            || (),
+            |(), pair, mean| *mean = MeanTangent::new(equations, tangent, pair),
+        );
         for station in tangent.stations() {
             let count = station.nodes.len();
             let strains = &self.strains[station.first..][..count];

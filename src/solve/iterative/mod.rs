@@ -160,8 +160,8 @@ pub(super) struct Iterative {
     tangent: Tangent,
     /// What was asked for, if anything was.
     wanted: Option<Preconditioner>,
-    /// What is in use, and what is left to be tried.
-    candidates: Vec<Preconditioner>,
+    /// What is in use, and what is left to be tried, each with the products that a solve may take.
+    candidates: Vec<(Preconditioner, usize)>,
     factors: Option<Factors>,
     /// Whether the factors are those of an earlier Jacobian.
     is_old: bool,
@@ -213,11 +213,11 @@ impl Iterative {
         self.first_products = None;
         self.is_scaled = false;
         self.tangent.set_resultant_scale(1.0);
-        while let Some(&preconditioner) = self.candidates.first() {
+        while let Some(&(preconditioner, limit)) = self.candidates.first() {
             self.factors = Factors::new(equations, &self.tangent, preconditioner)?;
             if let Some(factors) = &self.factors {
                 self.is_old = false;
-                self.limit = self.limit(equations);
+                self.limit = limit;
                 self.record.preconditioner = Some(preconditioner);
                 self.record.factorisations += 1;
                 self.record.interface = match factors {
@@ -231,30 +231,25 @@ impl Iterative {
         Ok(false)
     }
 
-    /// What to try, in this order.
-    fn choose(&self, equations: &Collocation) -> Vec<Preconditioner> {
-        if let Some(wanted) = self.wanted {
-            return vec![wanted];
-        }
+    /// What to try, in this order, and the products that each may take.
+    fn choose(&self, equations: &Collocation) -> Vec<(Preconditioner, usize)> {
         use Preconditioner::{BodyCirculant, TimeLocal};
-        match constraints::count_turning(equations, &self.tangent) {
-            0 => vec![BodyCirculant, TimeLocal],
-            _ => vec![TimeLocal, BodyCirculant, TimeLocal],
+        if let Some(wanted) = self.wanted {
+            return vec![(wanted, ITERATION_LIMIT)];
         }
-    }
-
-    /// Products that the present candidate may take, where there are others left.
-    fn limit(&self, equations: &Collocation) -> usize {
-        match self.candidates[..] {
-            [Preconditioner::TimeLocal, _, ..] => {
-                let turning = constraints::count_turning(equations, &self.tangent);
-                if turning * equations.grid().points() < LARGE_INTERFACE {
-                    FEW
-                } else {
-                    FEW_FOR_A_LARGE_INTERFACE
-                }
-            }
-            _ => ITERATION_LIMIT,
+        let body = (BodyCirculant, ITERATION_LIMIT);
+        let local = |most| (TimeLocal, most);
+        let Some(free) = constraints::count_free(equations, &self.tangent) else {
+            return vec![body, local(ITERATION_LIMIT)];
+        };
+        match free * equations.grid().points() {
+            ..LARGE_INTERFACE => vec![local(FEW), body, local(ITERATION_LIMIT)],
+            ..LARGEST_INTERFACE => vec![
+                local(FEW_FOR_A_LARGE_INTERFACE),
+                body,
+                local(ITERATION_LIMIT),
+            ],
+            _ => vec![local(ITERATION_LIMIT)],
         }
     }
 

@@ -9,6 +9,7 @@
 
 use super::mean::MeanStrain;
 use crate::collocation::{Collocation, Station, Tangent};
+use crate::workers::Workers;
 use nalgebra::{Matrix6, Vector6};
 
 /// Averaged `B` and `L`, scaled.
@@ -20,6 +21,7 @@ pub(super) struct Resultants {
     acting: Vec<Vec<(usize, usize)>>,
     /// What counts as 1 in their unknowns.
     pub scale: f64,
+    workers: Workers,
 }
 
 impl Resultants {
@@ -51,6 +53,7 @@ impl Resultants {
             strains: scaled,
             acting,
             scale: 1.0,
+            workers: equations.workers().clone(),
         }
     }
 
@@ -61,9 +64,10 @@ impl Resultants {
 
     /// `x += Bᵀ r`.
     pub fn add_forces(&self, r: &[f64], x: &mut [f64]) {
-        for (node, acting) in self.acting.iter().enumerate() {
-            let forces = &mut x[6 * self.points * node..][..6 * self.points];
-            for &(station, strain) in acting {
+        let motions = 6 * self.points * self.acting.len();
+        let mut rows: Vec<_> = x[..motions].chunks_mut(6 * self.points).collect();
+        let add = |node: usize, forces: &mut [f64]| {
+            for &(station, strain) in &self.acting[node] {
                 let to_force = self.strains[strain].strain.transpose() * self.scale;
                 let r = r[6 * self.points * station..].chunks_exact(6);
                 for (force, r) in forces.chunks_exact_mut(6).zip(r) {
@@ -71,7 +75,14 @@ impl Resultants {
                     force.iter_mut().zip(&sum).for_each(|(y, f)| *y += f);
                 }
             }
-        }
+        };
+        let rooms = &mut Vec::new();
+        self.workers.for_each(
+            &mut rows,
+            rooms,
+            || (),
+            |(), node, forces| add(node, forces),
+        );
     }
 
     /// `r = L x − r`, for the derivatives of `x` at the same places, if any resultant depends on them.
@@ -79,8 +90,8 @@ impl Resultants {
         let of_node = |x: &[f64], node: usize, k: usize| {
             Vector6::from_column_slice(&x[6 * (self.points * node + k)..][..6])
         };
-        let series = r.chunks_exact_mut(6 * self.points);
-        for (station, series) in self.stations.iter().zip(series) {
+        let determine = |index: usize, series: &mut [f64]| {
+            let station = &self.stations[index];
             for (k, r) in series.chunks_exact_mut(6).enumerate() {
                 let mut sum = Vector6::zeros();
                 for (&node, mean) in station.nodes.iter().zip(&self.strains[station.first..]) {
@@ -93,6 +104,10 @@ impl Resultants {
                     .zip(&sum)
                     .for_each(|(r, f)| *r = f / self.scale - *r);
             }
-        }
+        };
+        let mut all: Vec<_> = r.chunks_mut(6 * self.points).collect();
+        let rooms = &mut Vec::new();
+        self.workers
+            .for_each(&mut all, rooms, || (), |(), index, r| determine(index, r));
     }
 }
