@@ -242,15 +242,16 @@ impl Iterative {
         let Some(free) = constraints::count_free(equations, &self.tangent) else {
             return vec![body, local(ITERATION_LIMIT)];
         };
-        match free * equations.grid().points() {
-            ..LARGE_INTERFACE => vec![local(FEW), body, local(ITERATION_LIMIT)],
-            ..LARGEST_INTERFACE => vec![
-                local(FEW_FOR_A_LARGE_INTERFACE),
-                body,
-                local(ITERATION_LIMIT),
-            ],
-            _ => vec![local(ITERATION_LIMIT)],
+        let interface = free * equations.grid().points();
+        if interface > LARGEST_INTERFACE {
+            return vec![local(ITERATION_LIMIT)];
         }
+        let few = if interface < LARGE_INTERFACE {
+            FEW
+        } else {
+            FEW_FOR_A_LARGE_INTERFACE
+        };
+        vec![local(few), body, local(ITERATION_LIMIT)]
     }
 
     fn count_bytes(&mut self, vectors: usize, size: usize) {
