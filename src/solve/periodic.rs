@@ -372,13 +372,19 @@ impl Attempts<'_> {
 
     /// Goes on with another grid.
     pub(super) fn move_to(&mut self, grid: TimeGrid) -> Result<()> {
-        if grid != self.grid {
-            let (method, oversampling) = (self.linear, self.oversampling);
-            let next = newton(&self.system, grid, method, oversampling, &self.workers)?;
-            let last = std::mem::replace(&mut self.newton, next);
-            self.timings = self.timings + last.timings;
-            self.grid = grid;
+        if grid == self.grid {
+            return Ok(());
         }
+        self.grid = grid;
+        self.begin_again()
+    }
+
+    /// Forgets what has been found about the equations, which the present grid may not share.
+    fn begin_again(&mut self) -> Result<()> {
+        let (method, oversampling) = (self.linear, self.oversampling);
+        let next = newton(&self.system, self.grid, method, oversampling, &self.workers)?;
+        let last = std::mem::replace(&mut self.newton, next);
+        self.timings = self.timings + last.timings;
         Ok(())
     }
 
@@ -435,9 +441,11 @@ impl Attempts<'_> {
         };
         if let Some(start) = start {
             let found = self.newton(start)?;
-            if is_final(found.1.outcome) {
+            // What is prolonged may miss constraints that depend on each other.
+            if matches!(found.1.outcome, Outcome::Converged | Outcome::Cancelled) {
                 return Ok(found);
             }
+            self.begin_again()?;
         }
         if self.quasi_static()?.outcome != Outcome::Cancelled {
             self.quasi_static = None;
