@@ -50,11 +50,6 @@ const MODELS: [(&str, Make); 5] = [
     }),
 ];
 
-/// Elements on all grids for few elements, and all elements on one grid: and the largest of both.
-fn wanted(elements: usize, points: usize) -> bool {
-    elements == 8 || points == 63 || (elements == 64 && points == 255) || points == 15
-}
-
 fn count(products: Option<usize>) -> String {
     match products {
         Some(products) => products.to_string(),
@@ -101,9 +96,6 @@ fn main() {
             let (model, period) = make(elements);
             let mut last: Option<Solution> = None;
             for points in POINTS {
-                if !wanted(elements, points) {
-                    continue;
-                }
                 let mut options = PeriodicOptions::with_grid_points(points);
                 let grid = TimeGrid::new(points, period).unwrap();
                 if let Some(state) = last.as_ref().and_then(|s| s.prolonged(grid).ok()) {
