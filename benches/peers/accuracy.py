@@ -24,10 +24,10 @@ CASES = {
     "spatial four-bar": dict(model="spatial_four_bar", elements=8, steps=(300, 400, 600, 800),
                              reference=None,
                              periods=3, radii=(0.5,), columns=[0, 1, 2]),
-    "forced cantilever": dict(model="forced_cantilever", elements=4, steps=(50, 100, 200, 400, 800, 1600, 3200),
+    "forced cantilever": dict(model="forced_cantilever", elements=4, steps=(100, 200, 400, 800, 1600, 3200),
                               reference=(1600, 3200),
                               periods=30, radii=(0.5, 0.9), columns=[0, 1, 3, 2]),
-    "rotor blade": dict(model="rotor_blade", elements=16, steps=(50, 100, 200, 400, 800, 1600),
+    "rotor blade": dict(model="rotor_blade", elements=16, steps=(100, 200, 400, 800, 1600),
                         reference=(800, 1600),
                         periods=20, radii=(0.5, 0.9), columns=[0, 1, 5, 2, 3]),
 }

@@ -10,7 +10,7 @@ import exudyn.itemInterface as item
 import numpy as np
 from exudyn.rigidBodyUtilities import AngularVelocity2EulerParameters_t, RotationMatrix2EulerParameters
 
-SAMPLES = 100  # a period, in what is returned; steps to a period are 50 or a multiple
+SAMPLES = 100  # a period, in what is returned; steps to a period are a multiple
 
 
 def march(mbs, sensors, period, periods, steps, radius=0.9, sparse=False):

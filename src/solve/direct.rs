@@ -21,7 +21,8 @@ const SMALLEST_PIVOT: f64 = 1e-9;
 const SMALLEST_SAFE_PIVOT: f64 = 1e-5;
 /// Residual of a solve, relative to its right-hand side, that needs no refinement.
 const ACCURATE: f64 = 1e-10;
-/// Residual of a refined solve that calls for safer pivots.
+/// Residual of a refined solve that calls for safer pivots, relative to the right-hand side or, if that is more, to the
+/// largest number that the product may add up.
 const INACCURATE: f64 = 1e-9;
 /// Most refinements of a solve.
 const REFINEMENTS: usize = 4;
@@ -323,7 +324,9 @@ impl DirectSolver {
             return Ok(false);
         }
         let left = self.refine(values, &wanted, rhs);
-        if left > INACCURATE * largest(&wanted) && self.smallest_pivot < SMALLEST_SAFE_PIVOT {
+        // What rounding of the product leaves, of a small right side much, is none of the factors' fault.
+        let size = largest(&wanted).max(self.largest_entry() * largest(rhs));
+        if left > INACCURATE * size && self.smallest_pivot < SMALLEST_SAFE_PIVOT {
             self.smallest_pivot = SMALLEST_SAFE_PIVOT;
             rhs.copy_from_slice(&wanted);
             if !self.factor(values)? || !self.solve(rhs) {

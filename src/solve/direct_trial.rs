@@ -26,7 +26,11 @@ pub fn try_direct_solve(solve: &PeriodicSolve) -> Result<DirectTrial> {
     let mut timings = Timings::default();
     let mut direct = timed(&mut timings.analysis, || Assembled::new(&equations));
     direct.linearise(&mut equations, &solve.state, &mut timings)?;
-    let mut rhs = vec![1.0; equations.size()];
+    // Of a Newton step from where a part of the inertial forces is missing.
+    let mut rhs = vec![0.0; equations.size()];
+    equations.set_inertia_factor(0.9);
+    equations.residual(&solve.state, &mut rhs)?;
+    equations.set_inertia_factor(1.0);
     timed(&mut timings.substitution, || {
         direct.solve(&mut equations, &mut rhs, 1e-8)
     })?;
