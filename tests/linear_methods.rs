@@ -1,7 +1,7 @@
 //! However linear equations are solved, and by however many threads, the solution is the same: with the same number
 //! of threads, bit by bit.
 
-#[allow(dead_code, unused_macros)]
+#[allow(unused_macros)]
 #[path = "../benches/common/mod.rs"]
 mod models;
 
