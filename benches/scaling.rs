@@ -96,7 +96,7 @@ fn run(model: &str, elements: usize, points: usize, threads: usize) {
         }),
     };
     println!(
-        "record,{},{seconds},{},{},{},{products},{},{}",
+        "record,{},{seconds},{},{},{},{products},{:.1},{:.1}",
         6 * details.system.nodes() * points,
         largest_memory().unwrap_or(f64::NAN),
         method(&solution),

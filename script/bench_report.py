@@ -149,18 +149,20 @@ def draw_scaling(directory, image):
     exponents = {(row["series"], row["threads"]): row for row in read(directory, "exponents")}
     groups = list(dict.fromkeys((row["series"], row["threads"]) for row in rows))
     for axis, column, quantity in zip(axes, ("seconds", "MiB"), ("time", "memory")):
-        for number, group in enumerate(groups):
-            colour, marker = STYLES[number % len(STYLES)]
+        names = list(dict.fromkeys(group[0] for group in groups))
+        for group in groups:
+            colour, marker = STYLES[names.index(group[0]) % len(STYLES)]
             points = [(float(row["unknowns"]), float(row[column])) for row in rows
                       if (row["series"], row["threads"]) == group]
             fit = exponents.get(group, {}).get(quantity, "")
-            label = f"{group[0]}, {group[1]} thread{'s' if group[1] != '1' else ''}: exponent {fit}"
-            axis.plot(*zip(*points), "-", marker=marker, color=colour, markersize=5, linewidth=1.4,
+            label = f"{group[0]}, {group[1]} thread{'s' if group[1] != '1' else ''}"
+            label += f": exponent {fit}" if fit else ""
+            axis.plot(*zip(*points), "-" if group[1] == "1" else "--", marker=marker, color=colour, markersize=5, linewidth=1.4,
                       markerfacecolor="white", label=label)
         style(axis)
         axis.set_xlabel("unknowns 6 n N")
         axis.legend(frameon=False, fontsize=8, loc="upper left")
-        axis.set_ylim(top=axis.get_ylim()[1] * 6)
+        axis.set_ylim(top=axis.get_ylim()[1] * 30)
     axes[0].set_ylabel("time [s]")
     axes[1].set_ylabel("largest memory [MiB]")
     figure.savefig(image, dpi=130)
