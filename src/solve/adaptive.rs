@@ -4,7 +4,7 @@ use super::estimate::{Assessment, assess};
 use super::newton::{NewtonReport, Outcome};
 use super::periodic::Attempts;
 use crate::collocation::{DecayKind, GridState};
-use crate::error::{Error, ErrorKind, Result};
+use crate::error::{Error, Result};
 use crate::fourier::{Resampling, TimeGrid};
 use crate::system::System;
 use serde::{Deserialize, Serialize};
@@ -243,11 +243,7 @@ impl Attempts<'_> {
             }
             let coarse = self.grid;
             self.move_to(TimeGrid::new(next, coarse.period())?)?;
-            let start = match state.resampled(&self.system, coarse, 0.0, self.grid) {
-                Ok(start) => Some(start),
-                Err(e) if e.kind() == ErrorKind::GridTooCoarse => None,
-                Err(e) => return Err(e),
-            };
+            let start = self.carried(&state, coarse)?;
             let (fine, fine_report) = match &start {
                 Some(start) => self.newton(start.clone())?,
                 None => self.find()?,

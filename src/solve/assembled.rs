@@ -1,6 +1,6 @@
 //! The Jacobian assembled and factored: for systems and grids that are not too large.
 
-use super::dense::largest;
+use super::dense::{largest, probe};
 use super::diagnosis::{Singularity, diagnose};
 use super::direct::DirectSolver;
 use super::linear::LinearSolver;
@@ -65,10 +65,7 @@ impl LinearSolver for Assembled {
     }
 
     fn growth(&mut self, equations: &mut Collocation) -> f64 {
-        // Any vector without structure has a part along the null space.
-        let mut probe: Vec<f64> = (0..equations.size())
-            .map(|i| 0.5 + (i as f64 * 0.618_033_988_75).fract())
-            .collect();
+        let mut probe = probe(equations.size());
         if !self.solver.solve(&mut probe) {
             return f64::INFINITY;
         }

@@ -21,6 +21,13 @@ pub(super) fn largest(values: &[f64]) -> f64 {
     lanes.into_iter().fold(most, f64::max)
 }
 
+/// A vector without structure, which has a part along any null space.
+pub(super) fn probe(size: usize) -> Vec<f64> {
+    (0..size)
+        .map(|i| 0.5 + (i as f64 * 0.618_033_988_75).fract())
+        .collect()
+}
+
 /// `y −= A x`, for the matrix with these columns.
 pub(super) fn subtract_product<'a>(y: &mut [f64], column: impl Fn(usize) -> &'a [f64], x: &[f64]) {
     let rows = y.len();

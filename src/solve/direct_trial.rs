@@ -1,6 +1,7 @@
 //! What one direct solve takes, measured at a solution.
 
 use super::assembled::Assembled;
+use super::iterative::missing_inertia;
 use super::linear::LinearSolver;
 use super::method::DirectCost;
 use super::newton::{Timings, timed};
@@ -26,11 +27,7 @@ pub fn try_direct_solve(solve: &PeriodicSolve) -> Result<DirectTrial> {
     let mut timings = Timings::default();
     let mut direct = timed(&mut timings.analysis, || Assembled::new(&equations));
     direct.linearise(&mut equations, &solve.state, &mut timings)?;
-    // Of a Newton step from where a part of the inertial forces is missing.
-    let mut rhs = vec![0.0; equations.size()];
-    equations.set_inertia_factor(0.9);
-    equations.residual(&solve.state, &mut rhs)?;
-    equations.set_inertia_factor(1.0);
+    let mut rhs = missing_inertia(&mut equations, &solve.state)?;
     timed(&mut timings.substitution, || {
         direct.solve(&mut equations, &mut rhs, 1e-8)
     })?;

@@ -195,9 +195,8 @@ pub(super) struct Attempts<'a> {
 /// On an adaptive grid, each solution starts from that on the grid before; the last is given.
 ///
 /// Without a given start, Newton begins at the quasi-static motion or, on a large grid, at a solution on a smaller one if
-/// that resolves the motion. Where that does not lead to a
-/// solution, it continues from there in a factor of the inertial forces, and then begins at the end of
-/// a march in time.
+/// that resolves the motion. Where the quasi-static motion does not lead to a solution, it continues from there in a factor
+/// of the inertial forces, and then begins at the end of a march in time.
 ///
 /// `observe` sees each iteration and returns `false` to cancel.
 ///
@@ -400,7 +399,7 @@ impl Attempts<'_> {
 
     /// The quasi-static motion at the points of the present grid, if there is one.
     pub(super) fn start(&mut self) -> Result<Option<GridState>> {
-        let (system, grid, from) = (self.system.clone(), self.grid, self.guess_grid);
+        let (grid, from) = (self.grid, self.guess_grid);
         let guess = self.quasi_static()?;
         if guess.outcome != Outcome::Converged {
             return Ok(None);
@@ -408,7 +407,13 @@ impl Attempts<'_> {
         if grid == from {
             return Ok(Some(guess.state.clone()));
         }
-        match guess.state.resampled(&system, from, 0.0, grid) {
+        let state = guess.state.clone();
+        self.carried(&state, from)
+    }
+
+    /// A state on the grid `from`, at the points of the present one; none if `from` is too coarse to tell.
+    pub(super) fn carried(&self, state: &GridState, from: TimeGrid) -> Result<Option<GridState>> {
+        match state.resampled(&self.system, from, 0.0, self.grid) {
             Ok(state) => Ok(Some(state)),
             Err(e) if e.kind() == ErrorKind::GridTooCoarse => Ok(None),
             Err(e) => Err(e),
@@ -428,11 +433,7 @@ impl Attempts<'_> {
                 if report.outcome == Outcome::Converged
                     && assess(&self.system, coarse, &state)?.error < RESOLVED =>
             {
-                match state.resampled(&self.system, coarse, 0.0, grid) {
-                    Ok(start) => Some(start),
-                    Err(e) if e.kind() == ErrorKind::GridTooCoarse => None,
-                    Err(e) => return Err(e),
-                }
+                self.carried(&state, coarse)?
             }
             Some((_, report)) if report.outcome == Outcome::Cancelled => {
                 return Ok((GridState::reference(&self.system, grid), report));

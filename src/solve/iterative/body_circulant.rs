@@ -5,10 +5,10 @@
 //! P = [S̄ Gᵀ; G 0]
 //! ```
 //!
-//! with `S̄` circulant, made of averages that leave stress resultants apart: see [`MeanStrain`]. Constraints that are the same at all times in the frames of their bodies, up to a
-//! combination of their rows, are circulant as well, and are eliminated with the bodies, harmonic by harmonic:
-//! `G_k = Q_k Ḡ`. At the nodes of other joints there remains the dynamic stiffness of the bodies between them, and
-//! a dense system over all grid points.
+//! with `S̄` circulant, made of averages that leave stress resultants apart: see [`MeanStrain`]. Constraints that are the
+//! same at all times in the frames of their bodies, up to a combination of their rows, are circulant as well, and are
+//! eliminated with the bodies, harmonic by harmonic: `G_k = Q_k Ḡ`. At the nodes of other joints there remains the
+//! dynamic stiffness of the bodies between them, and a dense system over all grid points.
 
 use super::block_lu::BlockLanes;
 use super::constraints::{Joints, RowRotation, classify, row_rotations};
@@ -96,8 +96,8 @@ pub(super) struct BodyCirculant {
     /// Derivatives of the motions, if resultants depend on them.
     rates: Vec<f64>,
     frequency: f64,
-    /// Of each node: what the grid adds to changes of velocity of the highest harmonic, the one below, and so on.
-    aliasing: Vec<Vec<Matrix6<Complex<f64>>>>,
+    /// Of each node, scaled: what the grid adds to changes of velocity of the highest harmonic, the one below, and so on.
+    aliasing: Vec<Vec<Aliasing>>,
 }
 
 impl BodyCirculant {
@@ -135,7 +135,7 @@ impl BodyCirculant {
             &mut aliasing,
             nothing,
             || (),
-            |(), node, all| *all = equations.aliasing(node),
+            |(), node, all| *all = scaled_aliasing(equations, node),
         );
         let averages = Averages {
             equations,
@@ -181,11 +181,7 @@ impl BodyCirculant {
                 true => vec![0.0; 6 * points * equations.system().nodes()],
                 false => Vec::new(),
             },
-            aliasing: aliasing
-                .iter()
-                .enumerate()
-                .map(|(node, all)| scaled_velocities(equations, node, all))
-                .collect(),
+            aliasing,
             resultants,
             frequency: equations.grid().frequency(),
             factors,
@@ -284,10 +280,10 @@ impl BodyCirculant {
                         let rate = Complex::new(0.0, frequency * j as f64);
                         *value = harmonic(j, component) * rate;
                     }
-                    for (below, matrix) in aliasing[node].iter().enumerate() {
+                    for (below, added) in aliasing[node].iter().enumerate() {
                         let j = points / 2 - below;
                         transform.spectrum[j] += (0..6)
-                            .map(|other| matrix[(component, other)] * harmonic(j, other))
+                            .map(|other| added.velocity[(component, other)] * harmonic(j, other))
                             .sum::<Complex<f64>>();
                     }
                     transform.backward();
@@ -427,18 +423,16 @@ fn collect(transform: &mut Transform, lanes: &[Vec<ComplexLanes>], unknown: usiz
     transform.backward();
 }
 
-/// What the grid adds to a node's changes of velocity, for scaled increments.
-fn scaled_velocities(
-    equations: &Collocation,
-    node: usize,
-    aliasing: &[Aliasing],
-) -> Vec<Matrix6<Complex<f64>>> {
+/// What the grid makes of a node's highest harmonics, for scaled increments and their scaled changes.
+fn scaled_aliasing(equations: &Collocation, node: usize) -> Vec<Aliasing> {
     let scale = &equations.column_scale()[6 * equations.grid().points() * node..][..6];
-    let scaled = |a: &Aliasing| {
-        a.velocity
-            .map_with_location(|i, j, x| x * scale[j] / scale[i])
-    };
-    aliasing.iter().map(scaled).collect()
+    let scaled = |m: Matrix6<Complex<f64>>| m.map_with_location(|i, j, x| x * scale[j] / scale[i]);
+    let all = equations.aliasing(node).into_iter();
+    all.map(|aliasing| Aliasing {
+        velocity: scaled(aliasing.velocity),
+        acceleration: scaled(aliasing.acceleration),
+    })
+    .collect()
 }
 
 /// The same as [`collect`], to a series.

@@ -1,6 +1,7 @@
 //! GMRES with a preconditioner from the left, so that errors are measured by what they mean for the unknowns,
 //! not by residuals, in which stiff directions drown soft ones.
 
+use crate::solve::dense::probe;
 use crate::workers::Workers;
 use faer::linalg::matmul::matmul;
 use faer::{Accum, MatMut, MatRef, Par};
@@ -174,9 +175,7 @@ impl Triangle {
 
     /// Size of `R⁻¹`, by a few steps of the power method.
     fn inverse_size(&self) -> f64 {
-        let mut x: Vec<f64> = (0..self.columns.len())
-            .map(|i| 0.5 + (i as f64 * 0.618_033_988_75).fract())
-            .collect();
+        let mut x = probe(self.columns.len());
         let mut size = 0.0;
         for _ in 0..3 {
             let length = small_norm(&x);

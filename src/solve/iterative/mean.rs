@@ -119,7 +119,7 @@ pub(super) struct Averages<'a> {
     pub layout: &'a Layout,
     pub classes: &'a [Class],
     pub strains: &'a [MeanStrain],
-    /// Of each node.
+    /// Of each node, scaled.
     pub aliasing: &'a [Vec<Aliasing>],
 }
 
@@ -257,17 +257,13 @@ impl Averages<'_> {
         below: usize,
         means: &[MeanTangent],
     ) {
-        let points = self.equations.grid().points();
         for (mean, coupling) in means.iter().zip(self.tangent.couplings()) {
             let Some(aliasing) = self.aliasing[coupling.column].get(below) else {
                 continue;
             };
-            let scale = &self.equations.column_scale()[6 * points * coupling.column..][..6];
-            let own =
-                |m: &Matrix6<Complex<f64>>| m.map_with_location(|i, j, x| x * scale[j] / scale[i]);
             let complex = |m: &Matrix6<f64>| m.map(Complex::from);
-            let change = complex(&mean.velocity) * own(&aliasing.velocity)
-                + complex(&mean.orders[2]) * own(&aliasing.acceleration);
+            let change = complex(&mean.velocity) * aliasing.velocity
+                + complex(&mean.orders[2]) * aliasing.acceleration;
             let (row, first_row) = self.layout.node_at[coupling.row];
             let (column, first_column) = self.layout.node_at[coupling.column];
             for i in 0..6 {

@@ -15,7 +15,7 @@ mod resultants;
 mod time_local;
 mod trial;
 
-use super::dense::largest;
+use super::dense::{largest, probe};
 use super::diagnosis::Singularity;
 use super::linear::LinearSolver;
 use super::newton::{Timings, timed};
@@ -27,6 +27,7 @@ use gmres::{GmresOptions, Preconditioned, gmres};
 pub(super) use projected::Projected;
 use serde::{Deserialize, Serialize};
 use time_local::TimeLocal;
+pub(super) use trial::missing_inertia;
 pub use trial::{LinearTrial, try_linear_solve};
 
 /// Most products of a linear solve.
@@ -343,10 +344,7 @@ impl LinearSolver for Iterative {
         let Some(factors) = &mut self.factors else {
             return f64::INFINITY;
         };
-        // Any vector without structure has a part along the null space.
-        let mut probe: Vec<f64> = (0..equations.size())
-            .map(|i| 0.5 + (i as f64 * 0.618_033_988_75).fract())
-            .collect();
+        let mut probe = probe(equations.size());
         let mut product = vec![0.0; probe.len()];
         self.tangent.apply(equations, &probe, &mut product);
         factors.apply(&mut probe, equations.size());

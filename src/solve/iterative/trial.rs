@@ -1,7 +1,7 @@
 //! What one iterative solve takes, measured at a solution.
 
 use super::{Iterative, Preconditioner};
-use crate::collocation::Collocation;
+use crate::collocation::{Collocation, GridState};
 use crate::error::Result;
 use crate::solve::linear::LinearSolver;
 use crate::solve::newton::Timings;
@@ -48,10 +48,7 @@ pub fn try_linear_solve(
     tolerance: f64,
 ) -> Result<LinearTrial> {
     let mut equations = Collocation::new(solve.system.clone(), solve.grid)?;
-    let mut step = vec![0.0; equations.size()];
-    equations.set_inertia_factor(1.0 - PART);
-    equations.residual(&solve.state, &mut step)?;
-    equations.set_inertia_factor(1.0);
+    let mut step = missing_inertia(&mut equations, &solve.state)?;
 
     let mut iterative = Iterative::new(&equations, Some(preconditioner));
     let start = Instant::now();
@@ -91,6 +88,18 @@ pub fn try_linear_solve(
         product,
         tangent_bytes: iterative.tangent.bytes(),
     })
+}
+
+/// Right side of a Newton step to the solution `state` from where a part of the inertial forces is missing.
+pub(in crate::solve) fn missing_inertia(
+    equations: &mut Collocation,
+    state: &GridState,
+) -> Result<Vec<f64>> {
+    let mut residual = vec![0.0; equations.size()];
+    equations.set_inertia_factor(1.0 - PART);
+    equations.residual(state, &mut residual)?;
+    equations.set_inertia_factor(1.0);
+    Ok(residual)
 }
 
 impl Iterative {
