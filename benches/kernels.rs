@@ -83,6 +83,7 @@ fn beam_element(bencher: Bencher, (count, with_tangents): (usize, bool)) {
             nodes: black_box(&states),
             multipliers: &[],
             multiplier_rates: &[],
+            resultants: &[],
             signals: &[],
             coordinates: &[],
             gravity: Vector3::zeros(),

@@ -104,6 +104,11 @@ fn push(model: &mut Model, node: usize, component: usize, force: Signal) {
 
 /// The shaken nylon rod of `c_examples/forced_cantilever.c`, and its period.
 pub fn forced_cantilever(elements: usize, degree: usize) -> (Model, f64) {
+    shaken_rod(12.0, elements, degree)
+}
+
+/// The same, shaken by a force of this amplitude.
+pub fn shaken_rod(force: f64, elements: usize, degree: usize) -> (Model, f64) {
     let (root, tip) = (Vector3::zeros(), Vector3::x());
     let stiffness = [785e3, 250e3, 250e3, 14.0, 19.6, 19.6];
     let nylon = damped_in_bending(&stiffness, &[0.361, 18.0e-6, 9.0e-6, 9.0e-6], 5e-3);
@@ -116,7 +121,7 @@ pub fn forced_cantilever(elements: usize, degree: usize) -> (Model, f64) {
         .add_joint(JointKind::Rigid, None, Some(rod.first_node), &clamp, &clamp)
         .unwrap();
     fall(&mut model);
-    let shake = Signal::harmonics(0.0, 0.0, &[12.0], &[0.0]).unwrap();
+    let shake = Signal::harmonics(0.0, 0.0, &[force], &[0.0]).unwrap();
     push(&mut model, rod.last_node, 2, shake);
     (model, 0.3)
 }

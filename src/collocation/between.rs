@@ -160,6 +160,7 @@ pub fn residual_between(
             let own = OwnValues {
                 values: &multipliers[range.clone()],
                 rates: &rates[range],
+                resultants: &[],
             };
             let out = system.evaluate(
                 placed,

@@ -73,6 +73,9 @@ pub(super) struct Instants {
     states: Vec<NodeState>,
     /// Rates of internal states, in the order of the multipliers; zero for these.
     rates: Vec<f64>,
+    /// Stress resultants for the geometric stiffness: those of all stations at grid point 0, then 1, and so on. Empty for
+    /// those of the strains.
+    resultants: Vec<Vector6<f64>>,
 }
 
 impl Instants {
@@ -145,6 +148,14 @@ impl Instants {
         let own = OwnValues {
             values: state.multipliers_of(placed, k),
             rates: &self.rates[state.first_multiplier(placed, k)..][..placed.element.multipliers()],
+            resultants: match self
+                .resultants
+                .chunks_exact(self.system.stations().max(1))
+                .nth(k)
+            {
+                Some(all) => &all[placed.stations.clone()],
+                None => &[],
+            },
         };
         self.system
             .evaluate(placed, node_state, &conditions, own, workspace)
@@ -211,6 +222,7 @@ impl Collocation {
                 inertia_factor: 1.0,
                 states: Vec::new(),
                 rates: vec![0.0; system.multipliers() * points],
+                resultants: Vec::new(),
             },
             regularisation: if system.dependencies().is_empty() {
                 0.0
@@ -318,6 +330,50 @@ impl Collocation {
     /// Where the residual is taken from, if not from the grid's own points.
     pub fn oversampled(&self) -> Option<&Oversampled> {
         self.oversampled.as_deref()
+    }
+
+    /// From now on takes geometric stiffness at the stress resultants that follow from those at `state` in proportion to
+    /// the unscaled `increment` of the unknowns.
+    ///
+    /// After an increment that turns beams much, those of the strains have little to do with equilibrium: second-order
+    /// stretching, times axial stiffness. These are in equilibrium, as the linear equations were.
+    ///
+    /// # Errors
+    /// If an element is too distorted.
+    pub fn extrapolate_resultants(&mut self, state: &GridState, increment: &[f64]) -> Result<()> {
+        self.update_kinematics(state);
+        let (points, stations) = (self.grid.points(), self.system.stations());
+        let mut all = vec![Vector6::zeros(); points * stations];
+        let mut instants: Vec<&mut [Vector6<f64>]> = all.chunks_exact_mut(stations).collect();
+        let (system, states) = (&self.system, &self.instants.states);
+        self.workers.try_for_each(
+            &mut instants,
+            &mut Vec::new(),
+            || (Vec::new(), Vec::new()),
+            |(nodes, increments), k, out| {
+                for placed in system.elements() {
+                    let places = placed.element.nodes().iter().map(|node| node * points + k);
+                    nodes.clear();
+                    nodes.extend(places.clone().map(|at| states[at]));
+                    increments.clear();
+                    let increment =
+                        |at: usize| Vector6::from_column_slice(&increment[6 * at..][..6]);
+                    increments.extend(places.map(increment));
+                    let out = &mut out[placed.stations.clone()];
+                    placed
+                        .element
+                        .extrapolate_resultants(nodes, increments, out)?;
+                }
+                Ok(())
+            },
+        )?;
+        self.instants.resultants = all;
+        Ok(())
+    }
+
+    /// From now on takes geometric stiffness at the stress resultants of the strains: the tangent is exact.
+    pub fn clear_resultants(&mut self) {
+        self.instants.resultants.clear();
     }
 
     /// Makes a grid of one point a step of marching in time: derivatives are backward differences.

@@ -7,7 +7,7 @@
 use super::inertia::Inertia;
 use super::section::{Section, SectionLine};
 use super::shape::{gauss_legendre, lobatto_points, shape_functions};
-use super::{Contribution, Element, Instant, StrainTangent, StressLaw};
+use super::{Contribution, Element, Instant, NodeState, StrainTangent, StressLaw};
 use crate::error::{Error, ErrorKind, Result, require_finite};
 use crate::motion::{DualMatrix, DualPolar, DualVector, Motion};
 use nalgebra::{DMatrix, Matrix6, Vector6};
@@ -485,10 +485,35 @@ impl Element for Beam {
         self.stations.iter().map(Station::stress_law).collect()
     }
 
+    fn extrapolate_resultants(
+        &self,
+        nodes: &[NodeState],
+        increments: &[Vector6<f64>],
+        out: &mut [Vector6<f64>],
+    ) -> Result<()> {
+        for (station, resultants) in self.stations.iter().zip(out) {
+            let relative = |a: usize| nodes[0].motion.relative(&nodes[a].motion);
+            let at = station.motion(relative)?;
+            let (mut e, mut rate) = (at.e, DualVector::zeros());
+            for ((node, increment), state) in
+                station.node_terms(&at, relative).zip(increments).zip(nodes)
+            {
+                e += node.strain * DualVector::from_twist(increment);
+                rate += node.strain * DualVector::from_twist(&state.twist);
+            }
+            let strain = (e.to_twist() - station.reference) / station.stretch;
+            *resultants = station.section.stiffness * strain;
+            if self.damped {
+                *resultants += station.section.damping * (rate.to_twist() / station.stretch);
+            }
+        }
+        Ok(())
+    }
+
     fn evaluate(&self, instant: &Instant, out: &mut Contribution) -> Result<()> {
         let states = instant.nodes;
         let mut terms = std::mem::take(&mut out.beam_terms);
-        for station in &self.stations {
+        for (place, station) in self.stations.iter().enumerate() {
             let relative = |a: usize| states[0].motion.relative(&states[a].motion);
             let twist = |a: usize| DualVector::from_twist(&states[a].twist);
             let at = station.motion(relative)?;
@@ -514,6 +539,10 @@ impl Element for Beam {
                 continue;
             }
 
+            let stress = match instant.resultants.get(place) {
+                Some(resultants) => DualVector::from_wrench(resultants) * station.weight,
+                None => stress,
+            };
             let (mu, nu) = adjoint_variations(&at, &stress, &mut terms);
             if self.damped {
                 rate_variations(&at, &rate, twist, &mut terms);

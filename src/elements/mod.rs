@@ -77,6 +77,8 @@ pub struct Instant<'a> {
     pub multipliers: &'a [f64],
     /// Rates of internal states; zero for multipliers.
     pub multiplier_rates: &'a [f64],
+    /// Stress resultants that the geometric stiffness is to be of, station by station; of the strains if empty.
+    pub resultants: &'a [Vector6<f64>],
     /// Values of all the model's signals at this time.
     pub signals: &'a [f64],
     /// Last known values of the tracked joint coordinates: they tell the turn an angle is in.
@@ -266,6 +268,20 @@ pub trait Element: Send + Sync + std::fmt::Debug {
     /// Laws of the stress resultants that [`Element::evaluate`] keeps apart if asked to.
     fn stress_laws(&self) -> Vec<StressLaw> {
         Vec::new()
+    }
+
+    /// Writes the stress resultants at each station that has a [`StressLaw`] for strains that change in proportion to
+    /// increments of the nodes, which are at `nodes`.
+    ///
+    /// # Errors
+    /// As [`Element::evaluate`].
+    fn extrapolate_resultants(
+        &self,
+        _nodes: &[NodeState],
+        _increments: &[Vector6<f64>],
+        _out: &mut [Vector6<f64>],
+    ) -> Result<()> {
+        Ok(())
     }
 
     /// Whether the forces depend on the acceleration.

@@ -342,6 +342,7 @@ fn residual(
         nodes: states,
         multipliers,
         multiplier_rates: rates,
+        resultants: &[],
         signals: &[0.3, -0.8, 0.5, 0.9, 0.2, -0.4],
         coordinates: &case.coordinates,
         gravity: Vector3::new(0.3, -0.5, -9.0),
@@ -464,6 +465,71 @@ fn tangents_are_the_derivatives_of_forces() {
         assert!(
             case.element.has_damping() || exact.damping.amax() == 0.0,
             "{}",
+            case.name
+        );
+    }
+}
+
+#[test]
+fn extrapolated_resultants_are_tangent_to_those_of_the_strains() {
+    for case in cases() {
+        let mut still = case.states.clone();
+        still.iter_mut().for_each(|s| s.twist = Vector6::zeros());
+        let zero = vec![Vector6::zeros(); still.len()];
+        let stations = case.element.stress_laws().len();
+        let resultants = |states: &[NodeState], increments: &[Vector6<f64>]| {
+            let mut out = vec![Vector6::zeros(); stations];
+            let element = &case.element;
+            element
+                .extrapolate_resultants(states, increments, &mut out)
+                .unwrap();
+            out
+        };
+        let mut random = Random(5);
+        let increments: Vec<Vector6<f64>> = zero
+            .iter()
+            .map(|_| random.motion().logarithm() * 0.1)
+            .collect();
+        let at = |step: f64| {
+            let mut moved = still.clone();
+            for (state, u) in moved.iter_mut().zip(&increments) {
+                state.motion = state.motion.increment(&(u * step));
+            }
+            resultants(&moved, &zero)
+        };
+        // Fourth order, as above.
+        let h = 2e-3;
+        let differences = [at(h), at(-h), at(2.0 * h), at(-2.0 * h)];
+        let [here, there] = [&zero, &increments].map(|u| resultants(&still, u));
+        for s in 0..stations {
+            let [a, b, c, d] = differences.each_ref().map(|all| all[s]);
+            let slope = ((a - b) * 8.0 - (c - d)) / (12.0 * h);
+            let error = (there[s] - here[s] - slope).amax();
+            assert!(error <= 1e-9 * slope.amax(), "{}: {error:e}", case.name);
+        }
+
+        // Where they are those of the strains, so is the geometric stiffness.
+        let mut exact = Contribution::new(still.len(), case.element.multipliers(), true);
+        let mut found = exact.clone();
+        let multipliers = vec![0.7; case.element.multipliers()];
+        for (resultants, out) in [(&[][..], &mut exact), (&here, &mut found)] {
+            let instant = Instant {
+                time: 0.6,
+                nodes: &still,
+                multipliers: &multipliers,
+                multiplier_rates: &multipliers,
+                resultants,
+                signals: &[0.3, -0.8, 0.5, 0.9, 0.2, -0.4],
+                coordinates: &case.coordinates,
+                gravity: Vector3::zeros(),
+                inertia_factor: 1.0,
+            };
+            case.element.evaluate(&instant, out).unwrap();
+        }
+        let error = (&found.stiffness - &exact.stiffness).amax();
+        assert!(
+            error <= 1e-14 * exact.stiffness.amax(),
+            "{}: {error:e}",
             case.name
         );
     }

@@ -110,6 +110,7 @@ pub(super) fn record_forces(solve: &PeriodicSolve) -> Result<Vec<Result<ForceRec
             let own = OwnValues {
                 values,
                 rates: &rates,
+                resultants: &[],
             };
             let states = states_of(solve, placed, k);
             let (on_nodes, outputs) = solve.system.outputs(placed, &states, &conditions, own)?;
@@ -242,6 +243,7 @@ impl Solution {
                     let own = OwnValues {
                         values,
                         rates: &rates,
+                        resultants: &[],
                     };
                     let conditions = Conditions {
                         time,

@@ -117,6 +117,8 @@ pub struct NewtonReport {
 const SHORTEST_STEP: f64 = 1.0 / 256.0;
 /// Largest turn of a node in one step; beyond it the linearisation means little.
 const LARGEST_TURN: f64 = 1.0;
+/// Largest contraction, from one increment to the next with extrapolated stress resultants, that is progress.
+const LEAP_CONTRACTION: f64 = 0.5;
 /// The same matrix is used again while it is expected to end the iteration within so many steps.
 const CHORD_STEPS: i32 = 3;
 /// Largest contraction, from one increment to the next with the same matrix, that is worth another.
@@ -141,6 +143,16 @@ const STALLED_GROWTH: f64 = 1e13;
 /// Violation of constraints (relative to the size of the mechanism, or in radians) that rounding of the
 /// user's geometry excuses, where constraints depend on each other.
 const VIOLATION: f64 = 1e-8;
+
+/// Full steps with extrapolated stress resultants, one after the other.
+struct Leap {
+    /// Where they began.
+    start: GridState,
+    /// The residual there.
+    residual: Vec<f64>,
+    /// The next increment is to be shorter than this.
+    bound: f64,
+}
 
 /// Newton solver for one system and grid; keeps everything that can be used again.
 #[derive(Debug)]
@@ -265,7 +277,9 @@ impl<L: LinearSolver> Newton<L> {
         with_multipliers: bool,
         observe: &mut dyn FnMut(&Iteration) -> bool,
     ) -> Result<NewtonReport> {
-        let mut report = self.iterate(state, options, with_multipliers, observe)?;
+        let report = self.iterate(state, options, with_multipliers, observe);
+        self.equations.clear_resultants();
+        let mut report = report?;
         // Some are singular where they are turned over.
         if matches!(report.outcome, Outcome::Converged | Outcome::Singular)
             && let Some(why) = describe_turned_over(self.equations.system(), state)
@@ -318,6 +332,8 @@ impl<L: LinearSolver> Newton<L> {
             self.equations.residual(state, &mut residual)
         })?;
         let mut accuracy = COARSE;
+        let mut may_leap = self.equations.system().stations() > 0;
+        let mut leap: Option<Leap> = None;
         while report.iterations.len() < options.iteration_limit {
             let number = report.iterations.len() + 1;
             self.contraction = None;
@@ -329,6 +345,14 @@ impl<L: LinearSolver> Newton<L> {
                 .zip(&residual)
                 .for_each(|(s, r)| *s = -r);
             let solved = factored && self.solve_linear(&mut step_vector, accuracy)?;
+            let increment = self.motion_norm(&step_vector);
+            if let Some(failed) = leap.take_if(|leap| !solved || increment > leap.bound) {
+                *state = failed.start;
+                residual = failed.residual;
+                self.equations.clear_resultants();
+                may_leap = false;
+                continue;
+            }
             if !solved || (number == 1 && self.linear.growth(&mut self.equations) > SINGULAR_GROWTH)
             {
                 match self.linear.explain(&self.equations, state) {
@@ -348,7 +372,6 @@ impl<L: LinearSolver> Newton<L> {
                     }
                 }
             }
-            let increment = self.motion_norm(&step_vector);
             accuracy = (FORCING * increment).clamp(FINEST, COARSE);
             let mut iteration = Iteration {
                 number,
@@ -376,13 +399,16 @@ impl<L: LinearSolver> Newton<L> {
             }
 
             // Accept the longest step whose simplified Newton increment (same matrix, new residual)
-            // is shorter: natural monotonicity, blind to how the equations are scaled.
+            // is shorter: natural monotonicity, blind to how the equations are scaled. Beams that turn much stretch by
+            // terms of second order, and that hides the progress of a full step: it is taken all the same, as long
+            // as increments with stress resultants that do not know of the stretching become shorter.
             let turn = self.largest_turn(&step_vector);
             let mut step = if turn > LARGEST_TURN {
                 LARGEST_TURN / turn
             } else {
                 1.0
             };
+            let mut leaping = may_leap && !converged;
             let accepted = loop {
                 let trial = state.incremented(&system, &unscaled, step);
                 let evaluated = timed(&mut self.timings.assembly, || {
@@ -402,6 +428,10 @@ impl<L: LinearSolver> Newton<L> {
                     let solved = self.solve_linear(&mut step_vector, COARSE)?;
                     let bound = ((1.0 - 0.25 * step) * increment).max(options.tolerance);
                     if solved && self.motion_norm(&step_vector) <= bound {
+                        leaping = false;
+                        break Some(trial);
+                    }
+                    if may_leap && step == 1.0 {
                         break Some(trial);
                     }
                 }
@@ -410,6 +440,22 @@ impl<L: LinearSolver> Newton<L> {
                     break None;
                 }
             };
+            leaping &= accepted.is_some();
+            if leaping {
+                let equations = &mut self.equations;
+                timed(&mut self.timings.assembly, || {
+                    equations.extrapolate_resultants(state, &unscaled)
+                })?;
+                let leap = leap.get_or_insert_with(|| Leap {
+                    start: state.clone(),
+                    residual: residual.clone(),
+                    bound: 0.0,
+                });
+                leap.bound = LEAP_CONTRACTION * increment;
+            } else {
+                self.equations.clear_resultants();
+                leap = None;
+            }
             iteration.step = if accepted.is_some() { step } else { 0.0 };
             report.iterations.push(iteration);
             let keep_going = observe(&iteration);
@@ -450,7 +496,7 @@ impl<L: LinearSolver> Newton<L> {
                 report.outcome = Outcome::Cancelled;
                 return Ok(report);
             }
-            if step < 1.0 {
+            if step < 1.0 || leaping {
                 continue;
             }
             // After a full step the simplified increment is the next one, up to a part of the order of

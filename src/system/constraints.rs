@@ -203,6 +203,7 @@ impl ConstraintLoop {
             let own = OwnValues {
                 values: &zeros,
                 rates: &zeros,
+                resultants: &[],
             };
             let out = system.evaluate(placed, state, &conditions, own, &mut workspace)?;
             for (local, &node) in placed.element.nodes().iter().enumerate() {

@@ -18,9 +18,10 @@ use crate::error::{Error, ErrorKind, Result};
 use crate::model::{BoundSignal, ForceDefinition, JointCoordinate, Model, Signal};
 use crate::motion::Motion;
 use crate::workers::no_threads_unasked;
-use nalgebra::{DVector, Vector3};
+use nalgebra::{DVector, Vector3, Vector6};
 use serde::{Deserialize, Serialize};
 use std::f64::consts::TAU;
+use std::ops::Range;
 use std::sync::Arc;
 
 /// What an element stands for, to name it in messages.
@@ -51,6 +52,8 @@ pub struct Placed {
     pub first_multiplier: usize,
     /// Whether its own unknowns are internal states.
     pub has_states: bool,
+    /// Its stations with stress resultants, among those of all elements.
+    pub stations: Range<usize>,
     /// Its scratch among those of a [`Workspace`].
     shape: usize,
 }
@@ -433,14 +436,21 @@ impl System {
                 self.shapes.push(size);
                 self.shapes.len() - 1
             });
+        let first_station = self.stations();
         self.elements.push(Placed {
             has_states: element.has_states(),
+            stations: first_station..first_station + element.stress_laws().len(),
             element,
             role,
             first_multiplier: self.multipliers,
             shape,
         });
         self.multipliers += size.1;
+    }
+
+    /// Number of stations with stress resultants.
+    pub fn stations(&self) -> usize {
+        self.elements.last().map_or(0, |placed| placed.stations.end)
     }
 
     /// Number of nodes.
@@ -602,6 +612,7 @@ impl System {
             nodes: states,
             multipliers: own.values,
             multiplier_rates: own.rates,
+            resultants: own.resultants,
             signals: conditions.signals,
             coordinates: conditions.coordinates,
             gravity: self.gravity(conditions.signals),
@@ -695,6 +706,8 @@ pub struct OwnValues<'a> {
     pub values: &'a [f64],
     /// Rates of internal states; zero for multipliers.
     pub rates: &'a [f64],
+    /// Stress resultants for the geometric stiffness; those of the strains if empty.
+    pub resultants: &'a [Vector6<f64>],
 }
 
 /// What is the same for all elements at one instant.

@@ -59,6 +59,7 @@ impl Scales {
             let own = OwnValues {
                 values: &zeros,
                 rates: &zeros,
+                resultants: &[],
             };
             let out = system.evaluate(placed, at_rest, &conditions, own, &mut workspace)?;
             let nodes = placed.element.nodes().len();

@@ -177,6 +177,7 @@ mod tests {
                 nodes: &[inertial(at, &frame)],
                 multipliers: &[],
                 multiplier_rates: &[],
+                resultants: &[],
                 signals: &[],
                 coordinates: &[],
                 gravity: Vector3::new(1.0, -2.0, 0.5),
