@@ -20,10 +20,12 @@ fn solve(
     points: usize,
     linear: LinearMethod,
     threads: usize,
+    oversampling: usize,
 ) -> Solution {
     let mut options = PeriodicOptions {
         linear,
         threads,
+        oversampling,
         ..PeriodicOptions::with_grid_points(points)
     };
     options.newton.tolerance = 1e-12;
@@ -48,17 +50,27 @@ fn difference(a: &Solution, b: &Solution) -> [f64; 2] {
 }
 
 fn check(name: &str, model: (Model, f64), points: usize, methods: &[LinearMethod]) {
-    let exact = solve(&model, points, LinearMethod::Direct, 1);
+    check_oversampled(name, model, points, methods, 1);
+}
+
+fn check_oversampled(
+    name: &str,
+    model: (Model, f64),
+    points: usize,
+    methods: &[LinearMethod],
+    oversampling: usize,
+) {
+    let exact = solve(&model, points, LinearMethod::Direct, 1, oversampling);
     for &method in methods {
         for threads in [1, 2] {
-            let found = solve(&model, points, method, threads);
+            let found = solve(&model, points, method, threads, oversampling);
             let differences = difference(&exact, &found);
             println!("{name}, {method:?}, {threads} threads: {differences:?}");
             assert!(
                 differences.iter().all(|d| *d < TOLERANCE),
                 "{name}, {method:?}, {threads} threads: {differences:?}"
             );
-            let again = solve(&model, points, method, threads);
+            let again = solve(&model, points, method, threads, oversampling);
             let bits = |solution: &Solution| -> Vec<u64> {
                 let state = &solution.details().state;
                 let motions = state.motions.iter().flat_map(|m| {
@@ -103,4 +115,11 @@ fn a_fast_mechanism() {
     let period = std::f64::consts::TAU / 120.0;
     let crank = (slider_crank(8, 1, period), period);
     check("slider-crank", crank, 31, &[LinearMethod::Direct, BODY]);
+}
+
+#[test]
+fn oversampled_equations() {
+    let spatial = (spatial_four_bar(2, 1), PERIOD);
+    let methods = [LinearMethod::Direct, BODY];
+    check_oversampled("spatial four-bar", spatial, 15, &methods, 2);
 }

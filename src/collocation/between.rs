@@ -6,8 +6,10 @@ use crate::elements::{Measure, NodeState, Unknown};
 use crate::error::{Error, ErrorKind, Result};
 use crate::fourier::{CardinalWeights, Resampling, SpectralFilter, TimeGrid};
 use crate::motion::{DualMatrix, DualPolar, Motion};
-use crate::system::{Conditions, OwnValues, System};
+use crate::system::{Conditions, OwnValues, System, Workspace};
+use crate::workers::Workers;
 use nalgebra::Vector3;
+use nalgebra::Vector6;
 use serde::{Deserialize, Serialize};
 
 /// A node's motions over the grid, ready to be interpolated (section 4).
@@ -106,6 +108,119 @@ impl ResidualBetween {
     }
 }
 
+/// What is left of the equations at one time.
+#[derive(Debug, Clone, Default)]
+struct Unbalance {
+    /// Of forces.
+    force: f64,
+    /// Largest force that an element exerts.
+    level: f64,
+    /// Of constraints.
+    constraint: f64,
+    /// Whether anything is beyond any number.
+    overflow: bool,
+}
+
+/// Room of one thread.
+struct Room {
+    workspace: Workspace,
+    signals: Vec<f64>,
+    multipliers: Vec<f64>,
+    rates: Vec<f64>,
+    sums: Vec<Vector6<f64>>,
+}
+
+impl Room {
+    fn new(system: &System) -> Self {
+        Room {
+            workspace: system.workspace(false),
+            signals: vec![0.0; system.signals()],
+            multipliers: vec![0.0; system.multipliers()],
+            rates: vec![0.0; system.multipliers()],
+            sums: vec![Vector6::zeros(); system.nodes()],
+        }
+    }
+
+    /// At `time`, next after grid point `k` of `state`; own unknowns and their rates are given by their places.
+    fn unbalance(
+        &mut self,
+        system: &System,
+        state: &GridState,
+        k: usize,
+        time: f64,
+        node_state: impl Fn(usize) -> NodeState,
+        own: impl Fn(usize) -> (f64, f64),
+    ) -> Result<Unbalance> {
+        let length = system.scales().length;
+        // Force components, and moments over the characteristic length.
+        let size = |f: &Vector6<f64>| {
+            f.fixed_rows::<3>(0)
+                .amax()
+                .max(f.fixed_rows::<3>(3).amax() / length)
+        };
+        system.signal_values(time, 1.0, &mut self.signals)?;
+        for placed in system.elements() {
+            for row in 0..placed.element.multipliers() {
+                let place = placed.first_multiplier + row;
+                let (value, rate) = own(place);
+                self.multipliers[place] = value;
+                if placed.has_states {
+                    self.rates[place] = rate;
+                }
+            }
+        }
+        let mut found = Unbalance::default();
+        self.sums.fill(Vector6::zeros());
+        let conditions = Conditions {
+            time,
+            signals: &self.signals,
+            coordinates: state.tracked(system, k),
+            inertia_factor: 1.0,
+        };
+        for placed in system.elements() {
+            let range =
+                placed.first_multiplier..placed.first_multiplier + placed.element.multipliers();
+            let own = OwnValues {
+                values: &self.multipliers[range.clone()],
+                rates: &self.rates[range],
+                resultants: &[],
+            };
+            let workspace = &mut self.workspace;
+            let out = system.evaluate(placed, &node_state, &conditions, own, workspace)?;
+            found.overflow |= !out
+                .force
+                .iter()
+                .chain(&out.constraint)
+                .all(|x| x.is_finite());
+            for (local, &node) in placed.element.nodes().iter().enumerate() {
+                let force = out.force.fixed_rows::<6>(6 * local).into_owned();
+                found.level = found.level.max(size(&force));
+                self.sums[node] += force;
+            }
+            for (row, violation) in out.constraint.iter().enumerate() {
+                match system.unknown(placed.first_multiplier + row) {
+                    Unknown::Multiplier(Measure::Length) => {
+                        found.constraint = found.constraint.max(violation.abs() / length);
+                    }
+                    Unknown::Multiplier(Measure::Angle) => {
+                        found.constraint = found.constraint.max(violation.abs())
+                    }
+                    // Internal states are balanced by forces and moments.
+                    Unknown::State { measure, .. } => {
+                        let scale = match measure {
+                            Measure::Length => 1.0,
+                            Measure::Angle => length,
+                        };
+                        found.force = found.force.max(violation.abs() / scale);
+                    }
+                }
+            }
+        }
+        found.force = self.sums.iter().fold(found.force, |r, f| r.max(size(f)));
+        Ok(found)
+    }
+}
+
 /// Evaluates the governing equations at the points that a twice finer grid adds.
 ///
 /// # Errors
@@ -114,94 +229,43 @@ pub fn residual_between(
     system: &System,
     grid: TimeGrid,
     state: &GridState,
+    workers: &Workers,
 ) -> Result<ResidualBetween> {
     let points = grid.points();
     let half = 0.5 / points as f64;
-    let nodes = ResampledNodes::new(system, grid, state, half, points)?;
-    let mut workspace = system.workspace(false);
-    let mut signals = vec![0.0; system.signals()];
-    let mut multipliers = vec![0.0; system.multipliers()];
-    let mut rates = vec![0.0; system.multipliers()];
+    let nodes = ResampledNodes::new(system, grid, state, half, points, workers)?;
     let unknowns = state.resampled_own(system, grid, half, points);
-    let mut sums = vec![nalgebra::Vector6::<f64>::zeros(); system.nodes()];
-    let length = system.scales().length;
-    // Force components, and moments over the characteristic length.
-    let size = |f: &nalgebra::Vector6<f64>| {
-        f.fixed_rows::<3>(0)
-            .amax()
-            .max(f.fixed_rows::<3>(3).amax() / length)
+    let workers = match system.calls_functions() {
+        true => &Workers::default(),
+        false => workers,
     };
-    let (mut residual, mut level, mut constraint) = (0.0f64, 0.0f64, 0.0f64);
-    let mut worst = 0.0;
+    let mut found = vec![Unbalance::default(); points];
+    workers.try_for_each(
+        &mut found,
+        &mut Vec::new(),
+        || Room::new(system),
+        |room, k, found| {
+            let time = grid.time(k) + 0.5 * grid.period() / points as f64;
+            let node_state = |node: usize| nodes.states[node * points + k];
+            *found = room.unbalance(system, state, k, time, node_state, |place| {
+                (
+                    unknowns.values[place * points + k],
+                    unknowns.rates[place * points + k],
+                )
+            })?;
+            Ok(())
+        },
+    )?;
+    let (mut residual, mut worst, mut level, mut constraint) = (0.0f64, 0.0, 0.0f64, 0.0f64);
     let mut overflow = false;
-    for k in 0..points {
-        let time = grid.time(k) + 0.5 * grid.period() / points as f64;
-        system.signal_values(time, 1.0, &mut signals)?;
-        for placed in system.elements() {
-            for row in 0..placed.element.multipliers() {
-                let place = placed.first_multiplier + row;
-                multipliers[place] = unknowns.values[place * points + k];
-                if placed.has_states {
-                    rates[place] = unknowns.rates[place * points + k];
-                }
-            }
+    for (k, here) in found.iter().enumerate() {
+        if here.force > residual {
+            residual = here.force;
+            worst = grid.time(k) + 0.5 * grid.period() / points as f64;
         }
-        let mut here = 0.0f64;
-        sums.fill(nalgebra::Vector6::zeros());
-        let conditions = Conditions {
-            time,
-            signals: &signals,
-            coordinates: state.tracked(system, k),
-            inertia_factor: 1.0,
-        };
-        for placed in system.elements() {
-            let range =
-                placed.first_multiplier..placed.first_multiplier + placed.element.multipliers();
-            let own = OwnValues {
-                values: &multipliers[range.clone()],
-                rates: &rates[range],
-                resultants: &[],
-            };
-            let out = system.evaluate(
-                placed,
-                |n| nodes.states[n * points + k],
-                &conditions,
-                own,
-                &mut workspace,
-            )?;
-            overflow |= !out
-                .force
-                .iter()
-                .chain(&out.constraint)
-                .all(|x| x.is_finite());
-            for (local, &node) in placed.element.nodes().iter().enumerate() {
-                let force = out.force.fixed_rows::<6>(6 * local).into_owned();
-                level = level.max(size(&force));
-                sums[node] += force;
-            }
-            for (row, violation) in out.constraint.iter().enumerate() {
-                match system.unknown(placed.first_multiplier + row) {
-                    Unknown::Multiplier(Measure::Length) => {
-                        constraint = constraint.max(violation.abs() / length);
-                    }
-                    Unknown::Multiplier(Measure::Angle) => {
-                        constraint = constraint.max(violation.abs())
-                    }
-                    // Internal states are balanced by forces and moments.
-                    Unknown::State { measure, .. } => {
-                        let scale = match measure {
-                            Measure::Length => 1.0,
-                            Measure::Angle => length,
-                        };
-                        here = here.max(violation.abs() / scale);
-                    }
-                }
-            }
-        }
-        here = sums.iter().fold(here, |r, f| r.max(size(f)));
-        if here > residual {
-            (residual, worst) = (here, time);
-        }
+        level = level.max(here.level);
+        constraint = constraint.max(here.constraint);
+        overflow |= here.overflow;
     }
     let relative = if level > 0.0 { residual / level } else { 0.0 };
     // Forces beyond any number say nothing, and say so.

@@ -20,6 +20,7 @@ use crate::error::Result;
 use crate::fourier::{Resampling, TimeGrid};
 use crate::motion::{DualMatrix, DualPolar, DualVector, Motion};
 use crate::system::System;
+use crate::workers::Workers;
 use nalgebra::{Vector3, Vector6};
 use std::sync::Arc;
 
@@ -94,7 +95,13 @@ impl Oversampled {
     pub fn residual(&mut self, state: &GridState, out: &mut [f64]) -> Result<()> {
         self.interpolate_motions(state)?;
         let (points, finer) = self.points();
-        let fine = state.resampled(self.fine.system(), self.grid, 0.0, self.fine.grid())?;
+        let fine = state.resampled(
+            self.fine.system(),
+            self.grid,
+            0.0,
+            self.fine.grid(),
+            self.fine.workers(),
+        )?;
         self.fine.residual(&fine, &mut self.scratch.residual)?;
         let scale = Vector6::from_column_slice(&self.fine.row_scale()[..6]);
         for node in 0..self.fine.system().nodes() {
@@ -269,7 +276,13 @@ impl OversampledTangent {
         let mut residual = vec![0.0; 6 * state.motions.len() + state.multipliers.len()];
         equations.residual(state, &mut residual)?;
         let finer = equations.fine.grid();
-        let fine = state.resampled(equations.fine.system(), equations.grid, 0.0, finer)?;
+        let fine = state.resampled(
+            equations.fine.system(),
+            equations.grid,
+            0.0,
+            finer,
+            &Workers::default(),
+        )?;
         self.tangent.evaluate(&mut equations.fine, &fine)
     }
 

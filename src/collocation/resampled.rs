@@ -7,6 +7,7 @@ use crate::error::Result;
 use crate::fourier::{Resampling, TimeGrid};
 use crate::motion::{DualMatrix, DualPolar, Motion};
 use crate::system::System;
+use crate::workers::Workers;
 use nalgebra::{Matrix3, Vector3};
 
 /// Motions, velocities and accelerations of all nodes, interpolated over the period (section 4) at equispaced
@@ -24,6 +25,71 @@ pub(super) struct ResampledOwn {
     pub rates: Vec<f64>,
 }
 
+/// Resamples one node at a time.
+struct NodeResampling {
+    resampling: Resampling,
+    grid: TimeGrid,
+    start: f64,
+    column: Vec<f64>,
+    /// Of the motions and their first and second derivatives, at each time.
+    sums: Vec<[DualMatrix; 3]>,
+    /// The motions at the grid points.
+    duals: Vec<DualMatrix>,
+}
+
+impl NodeResampling {
+    fn new(grid: TimeGrid, start: f64, points: usize) -> Self {
+        NodeResampling {
+            resampling: Resampling::new(grid, start, points),
+            grid,
+            start,
+            column: vec![0.0; points],
+            sums: vec![[DualMatrix::zeros(); 3]; points],
+            duals: vec![DualMatrix::zeros(); grid.points()],
+        }
+    }
+
+    /// Writes the states of one node.
+    fn resample(&mut self, state: &GridState, node: usize, out: &mut [NodeState]) -> Result<()> {
+        let points = out.len();
+        let motions = state.node(node);
+        let total = motions.iter().map(|m| m.position).sum::<Vector3<f64>>();
+        let mean = total / self.grid.points() as f64;
+        for (dual, m) in self.duals.iter_mut().zip(motions) {
+            *dual = Motion::new(m.rotation, m.position - mean).to_dual();
+        }
+        for entry in 0..9 {
+            for part in [primal, dual] {
+                let values = self.duals.iter_mut().map(|m| part(m)[entry]);
+                self.resampling.read(values);
+                for order in 0..3 {
+                    self.resampling.write(order as u32, 0, &mut self.column);
+                    for (sum, value) in self.sums.iter_mut().zip(&self.column) {
+                        part(&mut sum[order])[entry] = *value;
+                    }
+                }
+            }
+        }
+        let sums = self.sums.iter().enumerate();
+        for (out, (k, [value, first, second])) in out.iter_mut().zip(sums) {
+            let polar = DualPolar::new(value).ok_or_else(|| {
+                let time = self.grid.period() * (self.start + k as f64 / points as f64);
+                too_coarse(node, time, self.grid.points())
+            })?;
+            let velocity = polar.velocity(first);
+            let acceleration = polar.acceleration(&velocity, first, second);
+            let mut motion = polar.motion();
+            motion.position += mean;
+            *out = NodeState {
+                motion,
+                twist: velocity.to_twist(),
+                twist_rate: acceleration.to_twist(),
+            };
+        }
+        Ok(())
+    }
+}
+
 impl ResampledNodes {
     /// The nodes of `state` on `grid` at `points` (odd) times of a period, the first of them `start` periods
     /// after its first point.
@@ -36,46 +102,16 @@ impl ResampledNodes {
         state: &GridState,
         start: f64,
         points: usize,
+        workers: &Workers,
     ) -> Result<Self> {
-        let mut resampling = Resampling::new(grid, start, points);
-        let mut column = vec![0.0; points];
-        let mut sums = vec![[DualMatrix::zeros(); 3]; points];
-        let mut duals = vec![DualMatrix::zeros(); grid.points()];
-        let mut states = Vec::with_capacity(system.nodes() * points);
-        for node in 0..system.nodes() {
-            let motions = state.node(node);
-            let total = motions.iter().map(|m| m.position).sum::<Vector3<f64>>();
-            let mean = total / grid.points() as f64;
-            for (dual, m) in duals.iter_mut().zip(motions) {
-                *dual = Motion::new(m.rotation, m.position - mean).to_dual();
-            }
-            for entry in 0..9 {
-                for part in [primal, dual] {
-                    resampling.read(duals.iter_mut().map(|m| part(m)[entry]));
-                    for order in 0..3 {
-                        resampling.write(order as u32, 0, &mut column);
-                        for (sum, value) in sums.iter_mut().zip(&column) {
-                            part(&mut sum[order])[entry] = *value;
-                        }
-                    }
-                }
-            }
-            for (k, [value, first, second]) in sums.iter().enumerate() {
-                let polar = DualPolar::new(value).ok_or_else(|| {
-                    let time = grid.period() * (start + k as f64 / points as f64);
-                    too_coarse(node, time, grid.points())
-                })?;
-                let velocity = polar.velocity(first);
-                let acceleration = polar.acceleration(&velocity, first, second);
-                let mut motion = polar.motion();
-                motion.position += mean;
-                states.push(NodeState {
-                    motion,
-                    twist: velocity.to_twist(),
-                    twist_rate: acceleration.to_twist(),
-                });
-            }
-        }
+        let mut states = vec![NodeState::at_rest(Motion::identity()); system.nodes() * points];
+        let mut nodes: Vec<&mut [NodeState]> = states.chunks_exact_mut(points).collect();
+        workers.try_for_each(
+            &mut nodes,
+            &mut Vec::new(),
+            || NodeResampling::new(grid, start, points),
+            |resampling, node, out| resampling.resample(state, node, out),
+        )?;
         Ok(ResampledNodes { states })
     }
 }
@@ -92,9 +128,10 @@ impl GridState {
         grid: TimeGrid,
         start: f64,
         other: TimeGrid,
+        workers: &Workers,
     ) -> Result<GridState> {
         let points = other.points();
-        let nodes = ResampledNodes::new(system, grid, self, start, points)?;
+        let nodes = ResampledNodes::new(system, grid, self, start, points, workers)?;
         let mut result = GridState::reference(system, other);
         for (motion, state) in result.motions.iter_mut().zip(&nodes.states) {
             *motion = state.motion;

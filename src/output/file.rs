@@ -265,6 +265,7 @@ impl Content<'_> {
                 timings: self.timings,
                 grids: self.grids.into_owned(),
                 iterative: self.iterative.map(Cow::into_owned),
+                threads: 1,
                 march,
             },
             model,

@@ -139,6 +139,7 @@ impl Modes {
             timings: Timings::default(),
             grids: Vec::new(),
             iterative: None,
+            threads: 1,
             march: None,
         };
         Solution::of(&self.model, solve)

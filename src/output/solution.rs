@@ -11,6 +11,7 @@ use crate::solve::{
     Iteration, Outcome, PeriodicOptions, PeriodicSolve, Stage, StaticOptions, solve_periodic,
     solve_static,
 };
+use crate::workers::Workers;
 
 /// Result of a periodic or static solve or of a march, converged or not; otherwise it holds the last iterate,
 /// or the march as far as it came.
@@ -170,7 +171,13 @@ impl Solution {
         self.require_harmonics()?;
         let old = self.solve.grid;
         let state = &self.solve.state;
-        state.resampled(&self.solve.system, old, start / old.period(), grid)
+        state.resampled(
+            &self.solve.system,
+            old,
+            start / old.period(),
+            grid,
+            &Workers::default(),
+        )
     }
 
     /// States of an element's nodes at grid point `k`.

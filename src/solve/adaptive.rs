@@ -190,7 +190,7 @@ impl Attempts<'_> {
             if report.outcome != Outcome::Converged {
                 return Ok((state, report));
             }
-            let mut found = assess(&self.system, self.grid, &state)?;
+            let mut found = assess(&self.system, self.grid, &state, &self.workers)?;
             let own = found.error;
             if let Some((estimate, coarse)) = &before {
                 // The error of the grid before, as measured, shows how far to trust estimates.

@@ -6,6 +6,7 @@ use crate::collocation::{Decay, GridState, ResidualBetween, residual_between};
 use crate::error::{ErrorKind, Result};
 use crate::fourier::TimeGrid;
 use crate::system::System;
+use crate::workers::Workers;
 
 /// What a solution on one grid tells of its error.
 #[derive(Debug, Clone, PartialEq)]
@@ -24,9 +25,14 @@ pub struct Assessment {
 ///
 /// # Errors
 /// That of a callback.
-pub fn assess(system: &System, grid: TimeGrid, state: &GridState) -> Result<Assessment> {
+pub fn assess(
+    system: &System,
+    grid: TimeGrid,
+    state: &GridState,
+    workers: &Workers,
+) -> Result<Assessment> {
     let decay = Decay::of(system, grid, state);
-    let between = match residual_between(system, grid, state) {
+    let between = match residual_between(system, grid, state, workers) {
         Ok(between) => between,
         // What cannot be interpolated, or is distorted between points, is no failure of the call.
         Err(e) if matches!(e.kind(), ErrorKind::GridTooCoarse | ErrorKind::Model) => {
@@ -55,7 +61,12 @@ impl PeriodicSolve {
     /// # Errors
     /// That of a callback.
     pub fn assess(&self) -> Result<Assessment> {
-        let mut assessment = assess(&self.system, self.grid, &self.state)?;
+        let mut assessment = assess(
+            &self.system,
+            self.grid,
+            &self.state,
+            &Workers::new(self.threads)?,
+        )?;
         assessment.error = match (self.report.outcome, self.grids.last()) {
             (Outcome::Converged | Outcome::ToleranceNotMet, Some(tried)) => tried.error_estimate,
             (Outcome::Converged, None) => assessment.error,

@@ -149,6 +149,8 @@ pub struct PeriodicSolve {
     pub grids: Vec<GridTried>,
     /// What iterative solution of linear equations took on the last grid, where it was used.
     pub iterative: Option<IterativeRecord>,
+    /// Threads that shared the work, 0 for as many as there are processors.
+    pub threads: usize,
     /// Of a march: its times, and how it went.
     pub march: Option<MarchRecord>,
 }
@@ -176,7 +178,7 @@ pub(super) struct Attempts<'a> {
     pub(super) grid: TimeGrid,
     options: NewtonOptions,
     linear: LinearMethod,
-    workers: Workers,
+    pub(super) workers: Workers,
     oversampling: usize,
     newton: Newton<Projected<Linear>>,
     observe: &'a mut dyn FnMut(Stage, &Iteration) -> bool,
@@ -300,6 +302,7 @@ pub fn solve_periodic(
         timings: attempts.timings + attempts.newton.timings,
         iterative: attempts.newton.linear.sampled().record().cloned(),
         grids: attempts.grids,
+        threads: options.threads,
         march: None,
     })
 }
@@ -413,7 +416,7 @@ impl Attempts<'_> {
 
     /// A state on the grid `from`, at the points of the present one; none if `from` is too coarse to tell.
     pub(super) fn carried(&self, state: &GridState, from: TimeGrid) -> Result<Option<GridState>> {
-        match state.resampled(&self.system, from, 0.0, self.grid) {
+        match state.resampled(&self.system, from, 0.0, self.grid, &self.workers) {
             Ok(state) => Ok(Some(state)),
             Err(e) if e.kind() == ErrorKind::GridTooCoarse => Ok(None),
             Err(e) => Err(e),
@@ -431,7 +434,7 @@ impl Attempts<'_> {
         let start = match solution {
             Some((state, report))
                 if report.outcome == Outcome::Converged
-                    && assess(&self.system, coarse, &state)?.error < RESOLVED =>
+                    && assess(&self.system, coarse, &state, &self.workers)?.error < RESOLVED =>
             {
                 self.carried(&state, coarse)?
             }

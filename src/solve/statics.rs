@@ -178,6 +178,7 @@ pub(super) fn find_equilibrium(
         timings: newton.timings,
         grids: Vec::new(),
         iterative: None,
+        threads: 1,
         march: None,
     };
     if solve.report.outcome == Outcome::Singular && indifferent == Indifferent::Accepted {
