@@ -8,6 +8,7 @@ use rayon::iter::{IndexedParallelIterator, IntoParallelRefMutIterator, ParallelI
 use rayon::slice::ParallelSliceMut;
 use rayon::{ThreadPool, ThreadPoolBuilder};
 use std::sync::Arc;
+use std::sync::atomic::{AtomicUsize, Ordering};
 use std::thread::{self, JoinHandle};
 
 /// Keeps faer's convenient functions on the calling thread: by default they would start a thread for each processor.
@@ -127,7 +128,7 @@ impl Workers {
         }
     }
 
-    /// The same for work that may fail: the error of the first item that does.
+    /// The same for work that may fail: the error of the first item that does. Items after it may be left out.
     pub fn try_for_each<T: Send, S: Send>(
         &self,
         items: &mut [T],
@@ -136,12 +137,15 @@ impl Workers {
         work: impl Fn(&mut S, usize, &mut T) -> Result<()> + Sync,
     ) -> Result<()> {
         let failure = std::sync::Mutex::new(None::<(usize, Error)>);
+        let first_failed = AtomicUsize::new(usize::MAX);
         self.for_each(items, rooms, new_room, |room, i, item| {
-            if let Err(error) = work(room, i, item)
+            if i < first_failed.load(Ordering::Relaxed)
+                && let Err(error) = work(room, i, item)
                 && let Ok(mut failure) = failure.lock()
                 && failure.as_ref().is_none_or(|(first, _)| i < *first)
             {
                 *failure = Some((i, error));
+                first_failed.store(i, Ordering::Relaxed);
             }
         });
         match failure.into_inner() {

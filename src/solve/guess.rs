@@ -9,7 +9,7 @@ use crate::system::System;
 use std::sync::Arc;
 
 /// Largest increment of a quasi-static solve: its square is the error left.
-const TOLERANCE: f64 = 3e-4;
+const TOLERANCE: f64 = 1e-3;
 /// A step that needs more iterations than this is halved.
 const ITERATION_LIMIT: usize = 12;
 /// A step that needs fewer is doubled.

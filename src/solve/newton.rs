@@ -119,6 +119,9 @@ const SHORTEST_STEP: f64 = 1.0 / 256.0;
 const LARGEST_TURN: f64 = 1.0;
 /// Largest contraction, from one increment to the next with extrapolated stress resultants, that is progress.
 const LEAP_CONTRACTION: f64 = 0.5;
+/// The second of them may be so much longer than the first, which the geometric stiffness of stretching of second order
+/// may have held back.
+const LEAP_GROWTH: f64 = 8.0;
 /// The same matrix is used again while it is expected to end the iteration within so many steps.
 const CHORD_STEPS: i32 = 3;
 /// Largest contraction, from one increment to the next with the same matrix, that is worth another.
@@ -446,12 +449,14 @@ impl<L: LinearSolver> Newton<L> {
                 timed(&mut self.timings.assembly, || {
                     equations.extrapolate_resultants(state, &unscaled)
                 })?;
+                let first = leap.is_none();
                 let leap = leap.get_or_insert_with(|| Leap {
                     start: state.clone(),
                     residual: residual.clone(),
                     bound: 0.0,
                 });
-                leap.bound = LEAP_CONTRACTION * increment;
+                let contraction = if first { LEAP_GROWTH } else { LEAP_CONTRACTION };
+                leap.bound = contraction * increment;
             } else {
                 self.equations.clear_resultants();
                 leap = None;
