@@ -9,7 +9,7 @@ use periodyn::error::{Error, ErrorKind};
 use periodyn::model::{Model, Signal, SpringDefinition};
 use periodyn::motion::Motion;
 use periodyn::output::{NodeQuantity, Solution};
-use periodyn::solve::Outcome;
+use periodyn::solve::{Outcome, PeriodicOptions};
 use std::f64::consts::TAU;
 use std::sync::Arc;
 
@@ -253,6 +253,28 @@ fn failing_signals_are_callback_errors() {
         try_solve(&driven_arm(&failing), 1.0, 5),
         kind,
         &["the table ends at 0.7"],
+    );
+}
+
+#[test]
+fn signals_are_functions_that_the_calling_thread_alone_calls() {
+    let caller = std::thread::current().id();
+    let angle = Signal::function(Arc::new(move |t: f64| {
+        if std::thread::current().id() != caller {
+            return Err(Error::new(ErrorKind::Callback, "called by another thread"));
+        }
+        Ok(0.1 * (TAU * t).cos())
+    }));
+    let options = PeriodicOptions {
+        threads: 2,
+        ..PeriodicOptions::with_grid_points(15)
+    };
+    let solution = Solution::solve(&driven_arm(&angle), 1.0, &options, &mut |_, _| true).unwrap();
+    assert_eq!(
+        solution.outcome(),
+        Outcome::Converged,
+        "{}",
+        solution.report()
     );
 }
 

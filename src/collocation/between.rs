@@ -8,8 +8,7 @@ use crate::fourier::{CardinalWeights, Resampling, SpectralFilter, TimeGrid};
 use crate::motion::{DualMatrix, DualPolar, Motion};
 use crate::system::{Conditions, OwnValues, System, Workspace};
 use crate::workers::Workers;
-use nalgebra::Vector3;
-use nalgebra::Vector6;
+use nalgebra::{Vector3, Vector6};
 use serde::{Deserialize, Serialize};
 
 /// A node's motions over the grid, ready to be interpolated (section 4).
@@ -124,7 +123,6 @@ struct Unbalance {
 /// Room of one thread.
 struct Room {
     workspace: Workspace,
-    signals: Vec<f64>,
     multipliers: Vec<f64>,
     rates: Vec<f64>,
     sums: Vec<Vector6<f64>>,
@@ -134,20 +132,17 @@ impl Room {
     fn new(system: &System) -> Self {
         Room {
             workspace: system.workspace(false),
-            signals: vec![0.0; system.signals()],
             multipliers: vec![0.0; system.multipliers()],
             rates: vec![0.0; system.multipliers()],
             sums: vec![Vector6::zeros(); system.nodes()],
         }
     }
 
-    /// At `time`, next after grid point `k` of `state`; own unknowns and their rates are given by their places.
+    /// Of the equations under these conditions; own unknowns and their rates are given by their places.
     fn unbalance(
         &mut self,
         system: &System,
-        state: &GridState,
-        k: usize,
-        time: f64,
+        conditions: &Conditions,
         node_state: impl Fn(usize) -> NodeState,
         own: impl Fn(usize) -> (f64, f64),
     ) -> Result<Unbalance> {
@@ -158,7 +153,6 @@ impl Room {
                 .amax()
                 .max(f.fixed_rows::<3>(3).amax() / length)
         };
-        system.signal_values(time, 1.0, &mut self.signals)?;
         for placed in system.elements() {
             for row in 0..placed.element.multipliers() {
                 let place = placed.first_multiplier + row;
@@ -171,12 +165,6 @@ impl Room {
         }
         let mut found = Unbalance::default();
         self.sums.fill(Vector6::zeros());
-        let conditions = Conditions {
-            time,
-            signals: &self.signals,
-            coordinates: state.tracked(system, k),
-            inertia_factor: 1.0,
-        };
         for placed in system.elements() {
             let range =
                 placed.first_multiplier..placed.first_multiplier + placed.element.multipliers();
@@ -186,7 +174,7 @@ impl Room {
                 resultants: &[],
             };
             let workspace = &mut self.workspace;
-            let out = system.evaluate(placed, &node_state, &conditions, own, workspace)?;
+            let out = system.evaluate(placed, &node_state, conditions, own, workspace)?;
             found.overflow |= !out
                 .force
                 .iter()
@@ -235,19 +223,28 @@ pub fn residual_between(
     let half = 0.5 / points as f64;
     let nodes = ResampledNodes::new(system, grid, state, half, points, workers)?;
     let unknowns = state.resampled_own(system, grid, half, points);
-    let workers = match system.calls_functions() {
-        true => &Workers::default(),
-        false => workers,
-    };
+    let time = |k: usize| grid.time(k) + 0.5 * grid.period() / points as f64;
+    // Functions of the user are called here, not by other threads.
+    let count = system.signals();
+    let mut signals = vec![0.0; points * count];
+    for k in 0..points {
+        system.signal_values(time(k), 1.0, &mut signals[k * count..][..count])?;
+    }
+    let workers = system.element_workers(workers);
     let mut found = vec![Unbalance::default(); points];
     workers.try_for_each(
         &mut found,
         &mut Vec::new(),
         || Room::new(system),
         |room, k, found| {
-            let time = grid.time(k) + 0.5 * grid.period() / points as f64;
+            let conditions = Conditions {
+                time: time(k),
+                signals: &signals[k * count..][..count],
+                coordinates: state.tracked(system, k),
+                inertia_factor: 1.0,
+            };
             let node_state = |node: usize| nodes.states[node * points + k];
-            *found = room.unbalance(system, state, k, time, node_state, |place| {
+            *found = room.unbalance(system, &conditions, node_state, |place| {
                 (
                     unknowns.values[place * points + k],
                     unknowns.rates[place * points + k],
@@ -261,7 +258,7 @@ pub fn residual_between(
     for (k, here) in found.iter().enumerate() {
         if here.force > residual {
             residual = here.force;
-            worst = grid.time(k) + 0.5 * grid.period() / points as f64;
+            worst = time(k);
         }
         level = level.max(here.level);
         constraint = constraint.max(here.constraint);

@@ -145,17 +145,12 @@ impl Instants {
             inertia_factor: self.inertia_factor,
         };
         let node_state = |node: usize| self.states[node * self.points + k];
+        let first_station = k * self.system.stations();
+        let stations = first_station + placed.stations.start..first_station + placed.stations.end;
         let own = OwnValues {
             values: state.multipliers_of(placed, k),
             rates: &self.rates[state.first_multiplier(placed, k)..][..placed.element.multipliers()],
-            resultants: match self
-                .resultants
-                .chunks_exact(self.system.stations().max(1))
-                .nth(k)
-            {
-                Some(all) => &all[placed.stations.clone()],
-                None => &[],
-            },
+            resultants: self.resultants.get(stations).unwrap_or(&[]),
         };
         self.system
             .evaluate(placed, node_state, &conditions, own, workspace)
@@ -262,13 +257,9 @@ impl Collocation {
         &self.workers
     }
 
-    /// The threads that may evaluate elements: functions of the user are called on that of the caller.
+    /// The threads that may evaluate elements.
     pub(super) fn element_workers(&self) -> Workers {
-        if self.system.calls_functions() {
-            Workers::default()
-        } else {
-            self.workers.clone()
-        }
+        self.system.element_workers(&self.workers)
     }
 
     /// The grid.

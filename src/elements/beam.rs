@@ -226,7 +226,7 @@ impl Beam {
     ) -> Result<(Vector6<f64>, Vector6<f64>)> {
         let station = self.station(xi, 0.0)?;
         let kinematics = station.motion(|a| motions[0].relative(&motions[a]))?;
-        let strain = (kinematics.e.to_twist() - station.reference) / station.stretch;
+        let strain = station.strain(&kinematics.e);
         let mut stress = station.section.stiffness * strain;
         if self.damped {
             let terms: Vec<NodeTerms> = station
@@ -273,6 +273,11 @@ impl Beam {
 }
 
 impl Station {
+    /// Strain, for the "velocity in ξ" `e`.
+    fn strain(&self, e: &DualVector) -> Vector6<f64> {
+        (e.to_twist() - self.reference) / self.stretch
+    }
+
     /// Of the resultants, integrated.
     fn stress_law(&self) -> StressLaw {
         let factor = self.weight / self.stretch;
@@ -501,8 +506,7 @@ impl Element for Beam {
                 e += node.strain * DualVector::from_twist(increment);
                 rate += node.strain * DualVector::from_twist(&state.twist);
             }
-            let strain = (e.to_twist() - station.reference) / station.stretch;
-            *resultants = station.section.stiffness * strain;
+            *resultants = station.section.stiffness * station.strain(&e);
             if self.damped {
                 *resultants += station.section.damping * (rate.to_twist() / station.stretch);
             }
@@ -520,16 +524,14 @@ impl Element for Beam {
             terms.clear();
             terms.extend(station.node_terms(&at, relative));
 
-            let length = station.stretch;
-            let strain = (at.e.to_twist() - station.reference) / length;
             let section = &station.section;
-            let mut stress = section.stiffness * strain;
+            let mut stress = section.stiffness * station.strain(&at.e);
             let mut rate = DualVector::zeros();
             if self.damped {
                 for (a, node) in terms.iter().enumerate() {
                     rate += node.strain * twist(a);
                 }
-                stress += section.damping * (rate.to_twist() / length);
+                stress += section.damping * (rate.to_twist() / station.stretch);
             }
             let stress = DualVector::from_wrench(&stress) * station.weight;
             for (a, node) in terms.iter().enumerate() {

@@ -61,12 +61,9 @@ impl PeriodicSolve {
     /// # Errors
     /// That of a callback.
     pub fn assess(&self) -> Result<Assessment> {
-        let mut assessment = assess(
-            &self.system,
-            self.grid,
-            &self.state,
-            &Workers::new(self.threads)?,
-        )?;
+        // Without more threads than one it takes longer: no reason to lose the solution.
+        let workers = Workers::new(self.threads).unwrap_or_default();
+        let mut assessment = assess(&self.system, self.grid, &self.state, &workers)?;
         assessment.error = match (self.report.outcome, self.grids.last()) {
             (Outcome::Converged | Outcome::ToleranceNotMet, Some(tried)) => tried.error_estimate,
             (Outcome::Converged, None) => assessment.error,

@@ -449,14 +449,17 @@ impl<L: LinearSolver> Newton<L> {
                 timed(&mut self.timings.assembly, || {
                     equations.extrapolate_resultants(state, &unscaled)
                 })?;
-                let first = leap.is_none();
-                let leap = leap.get_or_insert_with(|| Leap {
-                    start: state.clone(),
-                    residual: residual.clone(),
-                    bound: 0.0,
+                leap = Some(match leap.take() {
+                    Some(before) => Leap {
+                        bound: LEAP_CONTRACTION * increment,
+                        ..before
+                    },
+                    None => Leap {
+                        start: state.clone(),
+                        residual: residual.clone(),
+                        bound: LEAP_GROWTH * increment,
+                    },
                 });
-                let contraction = if first { LEAP_GROWTH } else { LEAP_CONTRACTION };
-                leap.bound = contraction * increment;
             } else {
                 self.equations.clear_resultants();
                 leap = None;

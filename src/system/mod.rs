@@ -17,7 +17,7 @@ use crate::elements::{Measure, Unknown, Viscoelastic};
 use crate::error::{Error, ErrorKind, Result};
 use crate::model::{BoundSignal, ForceDefinition, JointCoordinate, Model, Signal};
 use crate::motion::Motion;
-use crate::workers::no_threads_unasked;
+use crate::workers::{Workers, no_threads_unasked};
 use nalgebra::{DVector, Vector3, Vector6};
 use serde::{Deserialize, Serialize};
 use std::f64::consts::TAU;
@@ -496,6 +496,15 @@ impl System {
     /// What is known of the march, of a system in one.
     pub fn transient(&self) -> Option<&Transient> {
         self.transient.as_ref()
+    }
+
+    /// Those of `workers` that may evaluate elements: functions of the user are called on the thread of the caller.
+    pub(crate) fn element_workers(&self, workers: &Workers) -> Workers {
+        if self.calls_functions {
+            Workers::default()
+        } else {
+            workers.clone()
+        }
     }
 
     /// Whether forces come from functions of the user.
