@@ -4,11 +4,10 @@
 //! the same, bit by bit, for any number of threads.
 
 use crate::error::{Error, ErrorKind, Result};
-use rayon::iter::{IndexedParallelIterator, IntoParallelRefMutIterator, ParallelIterator};
-use rayon::slice::ParallelSliceMut;
+use rayon::iter::{IntoParallelRefMutIterator, ParallelIterator};
 use rayon::{ThreadPool, ThreadPoolBuilder};
-use std::sync::Arc;
 use std::sync::atomic::{AtomicUsize, Ordering};
+use std::sync::{Arc, Mutex};
 use std::thread::{self, JoinHandle};
 
 /// Keeps faer's convenient functions on the calling thread: by default they would start a thread for each processor.
@@ -52,6 +51,11 @@ impl Drop for Pool {
     }
 }
 
+/// Multiply-adds that take several times as long as threads take to meet.
+const WORTH_SHARING: usize = 300_000;
+/// Parts that items are divided into, for each thread.
+const SHARES: usize = 8;
+
 /// One thread, or several.
 #[derive(Debug, Clone, Default)]
 pub struct Workers {
@@ -85,6 +89,14 @@ impl Workers {
         self.pool().map_or(1, ThreadPool::current_num_threads)
     }
 
+    /// These threads, if work of about so many multiply-adds is worth sharing among them, or one.
+    pub fn for_work(&self, size: usize) -> Self {
+        match size < WORTH_SHARING {
+            true => Workers::default(),
+            false => self.clone(),
+        }
+    }
+
     /// Does something with faer, by these threads.
     pub fn dense<R: Send>(&self, work: impl FnOnce(faer::Par) -> R + Send) -> R {
         match self.pool() {
@@ -94,6 +106,8 @@ impl Workers {
     }
 
     /// Works on all items, with room of its own for each thread.
+    ///
+    /// Threads take a few items at a time, in order: one that the system slows down takes fewer.
     pub fn for_each<T: Send, S: Send>(
         &self,
         items: &mut [T],
@@ -107,17 +121,17 @@ impl Workers {
         }
         match self.pool() {
             Some(pool) if threads > 1 => {
-                let length = items.len().div_ceil(threads);
+                let length = items.len().div_ceil(SHARES * threads);
+                let left = Mutex::new(items.chunks_mut(length).enumerate());
+                let next = || left.lock().ok().and_then(|mut left| left.next());
                 pool.install(|| {
-                    items
-                        .par_chunks_mut(length)
-                        .zip(rooms.par_iter_mut())
-                        .enumerate()
-                        .for_each(|(part, (items, room))| {
+                    rooms[..threads].par_iter_mut().for_each(|room| {
+                        while let Some((part, items)) = next() {
                             for (i, item) in items.iter_mut().enumerate() {
                                 work(room, part * length + i, item);
                             }
-                        });
+                        }
+                    });
                 });
             }
             _ => {
@@ -136,7 +150,7 @@ impl Workers {
         new_room: impl Fn() -> S,
         work: impl Fn(&mut S, usize, &mut T) -> Result<()> + Sync,
     ) -> Result<()> {
-        let failure = std::sync::Mutex::new(None::<(usize, Error)>);
+        let failure = Mutex::new(None::<(usize, Error)>);
         let first_failed = AtomicUsize::new(usize::MAX);
         self.for_each(items, rooms, new_room, |room, i, item| {
             if i < first_failed.load(Ordering::Relaxed)

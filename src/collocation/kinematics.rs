@@ -2,6 +2,7 @@
 //! (eqs. 24–29). Everything is dual algebra.
 
 use super::resampled::{dual, primal};
+use crate::elements::NodeState;
 use crate::fourier::Differentiation;
 use crate::motion::{DualMatrix, DualVector, Motion};
 use nalgebra::{Vector3, Vector6};
@@ -132,6 +133,17 @@ impl NodeKinematics {
     /// `v_ℓ`.
     pub fn velocity(&self, l: usize) -> DualVector {
         self.velocity[l]
+    }
+
+    /// Writes what the node does at the grid points, with the `motions` that were evaluated.
+    pub fn write_states(&self, motions: &[Motion], states: &mut [NodeState]) {
+        for (l, (state, motion)) in states.iter_mut().zip(motions).enumerate() {
+            *state = NodeState {
+                motion: *motion,
+                twist: self.velocity[l].to_twist(),
+                twist_rate: self.acceleration[l].to_twist(),
+            };
+        }
     }
 
     /// `v̇_ℓ`.

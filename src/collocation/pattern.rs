@@ -255,6 +255,38 @@ impl Pattern {
         self.column_pointers.last().map_or(0, |end| *end)
     }
 
+    /// Positions of the values in the columns of some nodes.
+    pub fn node_values(&self, nodes: Range<usize>) -> Range<usize> {
+        let end = |node: usize| match self.nodes.get(node) {
+            Some(group) => group.first_value,
+            None => self.own_values_from(),
+        };
+        end(nodes.start)..end(nodes.end)
+    }
+
+    /// Position of the first value behind those in columns of nodes.
+    pub fn own_values_from(&self) -> usize {
+        let group = self.nodes.last();
+        group.map_or(0, |group| {
+            group.first_value + group.length * group.columns.len()
+        })
+    }
+
+    /// Positions of the values in the columns of an element's own unknowns.
+    pub fn own_values(&self, element: usize) -> Range<usize> {
+        let group = &self.multipliers[element];
+        group.first_value..group.first_value + group.length * group.columns.len()
+    }
+
+    /// Numbers of the pairs in the columns of some nodes.
+    pub fn pair_numbers(&self, columns: Range<usize>) -> Range<usize> {
+        let first = |node: usize| match self.first_pair.get(node) {
+            Some(first) => *first,
+            None => self.pair_count(),
+        };
+        first(columns.start)..first(columns.end)
+    }
+
     /// Column pointers, one more than columns.
     pub fn column_pointers(&self) -> &[usize] {
         &self.column_pointers

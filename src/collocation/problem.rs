@@ -1,24 +1,27 @@
-//! Residual and Jacobian of the governing equations at all grid points, eq. (37).
+//! Residual of the governing equations at all grid points, eq. (37).
 
 use super::aliasing::Aliasing;
+use super::division::{Division, parts};
+use super::instants::Instants;
 use super::kinematics::{BackwardRule, NodeKinematics};
 use super::oversampled::Oversampled;
-use super::pattern::Pattern;
 use super::state::GridState;
 use super::step::{AlphaStep, GivenRates};
-use crate::elements::{Contribution, Measure, NodeState, Unknown};
+use crate::elements::{Measure, NodeState, Unknown};
 use crate::error::Result;
 use crate::fourier::{Differentiation, TimeGrid};
-use crate::motion::DualMatrix;
-use crate::system::{Conditions, OwnValues, Placed, System, Workspace};
+use crate::motion::{DualMatrix, Motion};
+use crate::system::{System, Workspace};
 use crate::workers::Workers;
-use nalgebra::{Matrix6, Vector6};
-use std::ops::Range;
+use nalgebra::Vector6;
 use std::sync::Arc;
 
 /// Scaled compliance of dependent constraints in the Jacobian. Newton's method loses this factor, over
 /// the compliance of the mechanism, of its quadratic convergence; rounding must be well below it.
 const REGULARISATION: f64 = 1e-7;
+
+/// Multiply-adds of the velocity and acceleration of a node at a grid point, about.
+const KINEMATICS: usize = 300;
 
 /// The equations of a system on a grid, scaled so that they do not depend on units.
 ///
@@ -30,25 +33,29 @@ pub struct Collocation {
     system: Arc<System>,
     grid: TimeGrid,
     pub(super) operators: Differentiation,
+    /// The same for each thread.
+    operator_rooms: Vec<Differentiation>,
     pub(super) instants: Instants,
-    derivatives: Derivatives,
+    pub(super) derivatives: Derivatives,
     pub(super) kinematics: Vec<NodeKinematics>,
-    forces_only: Workspace,
+    /// Scratch for each thread; one at least.
+    forces_only: Vec<Workspace>,
     pub(super) with_tangents: Workspace,
     /// Scale of each row: residuals are multiplied by it.
     pub(super) row_scale: Vec<f64>,
     /// Scale of each column: scaled unknowns times it are the unknowns.
     pub(super) column_scale: Vec<f64>,
     /// Scaled compliance of all constraints in the Jacobian, for redundant ones.
-    regularisation: f64,
+    pub(super) regularisation: f64,
     workers: Workers,
+    pub(super) division: Division,
     /// Where the residual is taken from instead, if not from the grid's own points.
     oversampled: Option<Box<Oversampled>>,
 }
 
 /// What velocities, accelerations and rates of internal states follow from.
 #[derive(Debug, Clone)]
-enum Derivatives {
+pub(super) enum Derivatives {
     /// The motion over the grid.
     Grid,
     /// On a grid of one point: backward differences, with past states, latest first.
@@ -57,117 +64,6 @@ enum Derivatives {
     Step(AlphaStep),
     /// On a grid of one point: nothing, they are given.
     Given(GivenRates),
-}
-
-/// The system at each grid point.
-#[derive(Debug, Clone)]
-pub(super) struct Instants {
-    system: Arc<System>,
-    points: usize,
-    /// Times of the grid points.
-    times: Vec<f64>,
-    /// Signal `s` at grid point `k`, at `k × count + s`.
-    signals: Vec<f64>,
-    inertia_factor: f64,
-    /// Node `a` at grid point `k`, at `a N + k`.
-    states: Vec<NodeState>,
-    /// Rates of internal states, in the order of the multipliers; zero for these.
-    rates: Vec<f64>,
-    /// Stress resultants for the geometric stiffness: those of all stations at grid point 0, then 1, and so on. Empty for
-    /// those of the strains.
-    resultants: Vec<Vector6<f64>>,
-}
-
-impl Instants {
-    /// The system.
-    pub(super) fn system(&self) -> &System {
-        &self.system
-    }
-
-    /// Writes the equations at a range of grid points, not scaled, in the order of those of a grid of so many points.
-    fn forces(
-        &self,
-        range: Range<usize>,
-        state: &GridState,
-        workspace: &mut Workspace,
-        out: &mut [f64],
-    ) -> Result<()> {
-        out.fill(0.0);
-        let points = range.len();
-        let first_constraint = 6 * points * self.system.nodes();
-        for placed in self.system.elements() {
-            let count = placed.element.multipliers();
-            for (at, k) in range.clone().enumerate() {
-                let contribution = self.evaluate(placed, k, state, workspace)?;
-                for (local, &node) in placed.element.nodes().iter().enumerate() {
-                    let rows = &mut out[6 * (node * points + at)..][..6];
-                    for (row, force) in rows
-                        .iter_mut()
-                        .zip(contribution.force.rows(6 * local, 6).iter())
-                    {
-                        *row += force;
-                    }
-                }
-                let first = first_constraint + placed.first_multiplier * points + count * at;
-                out[first..first + count].copy_from_slice(contribution.constraint.as_slice());
-            }
-        }
-        Ok(())
-    }
-
-    /// Puts the equations of the grid points from `first` on in their places among all.
-    fn put(&self, first: usize, part: &[f64], out: &mut [f64]) {
-        let nodes = (0..self.system.nodes()).map(|node| (6 * node, 6));
-        let own = self.system.elements().iter().map(|placed| {
-            let first = 6 * self.system.nodes() + placed.first_multiplier;
-            (first, placed.element.multipliers())
-        });
-        let length = part.len() * self.points / out.len();
-        for (place, count) in nodes.chain(own) {
-            let from = &part[place * length..][..count * length];
-            out[place * self.points + count * first..][..from.len()].copy_from_slice(from);
-        }
-    }
-
-    /// Evaluates an element at grid point `k`.
-    pub(super) fn evaluate<'w>(
-        &self,
-        placed: &Placed,
-        k: usize,
-        state: &GridState,
-        workspace: &'w mut Workspace,
-    ) -> Result<&'w Contribution> {
-        let signal_count = self.system.signals();
-        let conditions = Conditions {
-            time: self.times[k],
-            signals: &self.signals[k * signal_count..][..signal_count],
-            coordinates: state.tracked(&self.system, k),
-            inertia_factor: self.inertia_factor,
-        };
-        let node_state = |node: usize| self.states[node * self.points + k];
-        let first_station = k * self.system.stations();
-        let stations = first_station + placed.stations.start..first_station + placed.stations.end;
-        let own = OwnValues {
-            values: state.multipliers_of(placed, k),
-            rates: &self.rates[state.first_multiplier(placed, k)..][..placed.element.multipliers()],
-            resultants: self.resultants.get(stations).unwrap_or(&[]),
-        };
-        self.system
-            .evaluate(placed, node_state, &conditions, own, workspace)
-    }
-}
-
-/// Tangents summed over the elements, for each pair of nodes and grid point.
-#[derive(Debug, Clone, Default)]
-pub struct TangentBlocks {
-    stiffness: Vec<Matrix6<f64>>,
-    damping: Vec<Matrix6<f64>>,
-    mass: Vec<Matrix6<f64>>,
-    gammas: Vec<(DualMatrix, DualMatrix)>,
-    /// Numbers of the pairs of nodes of one element.
-    numbers: Vec<usize>,
-    /// `∂constraint/∂λ̇` of each element with internal states, column by column.
-    own_rates: Vec<f64>,
 }
 
 impl Collocation {
@@ -209,6 +105,7 @@ impl Collocation {
         }
         let mut collocation = Collocation {
             operators: Differentiation::new(grid),
+            operator_rooms: Vec::new(),
             instants: Instants {
                 system: system.clone(),
                 points,
@@ -226,11 +123,12 @@ impl Collocation {
             },
             derivatives: Derivatives::Grid,
             kinematics: vec![NodeKinematics::default(); system.nodes()],
-            forces_only: system.workspace(false),
+            forces_only: vec![system.workspace(false)],
             with_tangents: system.workspace(true),
             row_scale,
             column_scale,
             oversampled: None,
+            division: Division::new(&system, points, &Workers::default()),
             system,
             grid,
             workers: Workers::default(),
@@ -249,17 +147,13 @@ impl Collocation {
         if let Some(oversampled) = &mut self.oversampled {
             oversampled.fine_mut().set_workers(workers.clone());
         }
+        self.division = Division::new(&self.system, self.grid.points(), &workers);
         self.workers = workers;
     }
 
     /// The threads that share work.
     pub fn workers(&self) -> &Workers {
         &self.workers
-    }
-
-    /// The threads that may evaluate elements.
-    pub(super) fn element_workers(&self) -> Workers {
-        self.system.element_workers(&self.workers)
     }
 
     /// The grid.
@@ -433,7 +327,7 @@ impl Collocation {
                 continue;
             }
             for k in 0..points {
-                let workspace = &mut self.forces_only;
+                let workspace = &mut self.forces_only[0];
                 let contribution = self.instants.evaluate(placed, k, state, workspace)?;
                 let first = first_constraint + placed.first_multiplier * points + count * k;
                 for (row, violation) in contribution.constraint.iter().enumerate() {
@@ -490,7 +384,12 @@ impl Collocation {
     }
 
     /// Blocks `(ℓ, k)` of `Γ_v` and `Γ_a` of a node.
-    fn kinematic_tangent(&self, node: usize, l: usize, k: usize) -> (DualMatrix, DualMatrix) {
+    pub(super) fn kinematic_tangent(
+        &self,
+        node: usize,
+        l: usize,
+        k: usize,
+    ) -> (DualMatrix, DualMatrix) {
         let kinematics = &self.kinematics[node];
         match &self.derivatives {
             Derivatives::Grid => {
@@ -512,45 +411,48 @@ impl Collocation {
     /// Evaluates velocities, accelerations and rates of internal states at the grid points.
     pub fn update_kinematics(&mut self, state: &GridState) {
         self.update_rates(state);
-        self.instants.states.clear();
-        let shared = self.workers.threads() > 1 && matches!(self.derivatives, Derivatives::Grid);
-        if shared {
-            let operators = &self.operators;
-            self.workers.for_each(
-                &mut self.kinematics,
-                &mut Vec::new(),
-                || operators.clone(),
-                |operators, node, kinematics| kinematics.evaluate(operators, state.node(node)),
-            );
-        }
-        for (node, kinematics) in self.kinematics.iter_mut().enumerate() {
-            let motions = state.node(node);
-            match &mut self.derivatives {
-                Derivatives::Backward(rule, past) => {
+        let points = self.grid.points();
+        let at_rest = NodeState::at_rest(Motion::identity());
+        self.instants
+            .states
+            .resize(points * self.system.nodes(), at_rest);
+        let states = self.instants.states.chunks_mut(points);
+        let mut nodes: Vec<_> = self.kinematics.iter_mut().zip(states).collect();
+        match &mut self.derivatives {
+            Derivatives::Grid => {
+                let size = KINEMATICS * points * self.system.nodes();
+                let operators = &self.operators;
+                self.workers.for_work(size).for_each(
+                    &mut nodes,
+                    &mut self.operator_rooms,
+                    || operators.clone(),
+                    |operators, node, (kinematics, states)| {
+                        kinematics.evaluate(operators, state.node(node));
+                        kinematics.write_states(state.node(node), states);
+                    },
+                );
+            }
+            Derivatives::Backward(rule, past) => {
+                for (node, (kinematics, states)) in nodes.iter_mut().enumerate() {
+                    let motions = state.node(node);
                     let past = past.iter().map(|state| &state.motions[node]);
                     kinematics.evaluate_backward(rule, &motions[0], past);
-                }
-                Derivatives::Grid if shared => {}
-                Derivatives::Grid => kinematics.evaluate(&mut self.operators, motions),
-                Derivatives::Step(step) => {
-                    self.instants.states.push(step.evaluate(node, &motions[0]));
-                    continue;
-                }
-                Derivatives::Given(given) => {
-                    self.instants.states.push(NodeState {
-                        motion: motions[0],
-                        twist: given.twist[node],
-                        twist_rate: given.twist_rate[node],
-                    });
-                    continue;
+                    kinematics.write_states(motions, states);
                 }
             }
-            for (k, motion) in motions.iter().enumerate() {
-                self.instants.states.push(NodeState {
-                    motion: *motion,
-                    twist: kinematics.velocity(k).to_twist(),
-                    twist_rate: kinematics.acceleration(k).to_twist(),
-                });
+            Derivatives::Step(step) => {
+                for (node, (_, states)) in nodes.iter_mut().enumerate() {
+                    states[0] = step.evaluate(node, &state.node(node)[0]);
+                }
+            }
+            Derivatives::Given(given) => {
+                for (node, (_, states)) in nodes.iter_mut().enumerate() {
+                    states[0] = NodeState {
+                        motion: state.node(node)[0],
+                        twist: given.twist[node],
+                        twist_rate: given.twist_rate[node],
+                    };
+                }
             }
         }
     }
@@ -632,320 +534,27 @@ impl Collocation {
         }
         self.update_kinematics(state);
         let points = self.grid.points();
-        let workers = self.element_workers();
-        if workers.threads() == 1 {
-            let all = 0..points;
-            self.instants
-                .forces(all, state, &mut self.forces_only, out)?;
-        } else {
-            let length = points.div_ceil(workers.threads());
-            let mut parts: Vec<Vec<f64>> = (0..points)
-                .step_by(length)
-                .map(|first| vec![0.0; out.len() / points * length.min(points - first)])
-                .collect();
-            let (instants, workspace) = (&self.instants, &self.forces_only);
-            workers.try_for_each(
-                &mut parts,
-                &mut Vec::new(),
-                || workspace.clone(),
-                |workspace, i, part| {
-                    let range = length * i..points.min(length * (i + 1));
-                    instants.forces(range, state, workspace, part)
-                },
-            )?;
-            for (i, part) in parts.iter().enumerate() {
-                self.instants.put(length * i, part, out);
-            }
-        }
+        let system = &self.system;
+        let (forces, constraints) = out.split_at_mut(6 * points * system.nodes());
+        let counts = system
+            .elements()
+            .iter()
+            .map(|p| points * p.element.multipliers());
+        let own = self.division.deal(parts(constraints, counts));
+        let forces = self.division.split(forces, 6 * points);
+        let mut all: Vec<_> = forces.into_iter().zip(own).collect();
+        let (instants, division) = (&self.instants, &self.division);
+        division.workers.try_for_each(
+            &mut all,
+            &mut self.forces_only,
+            || system.workspace(false),
+            |workspace, i, (forces, own)| {
+                instants.forces(&division.shares[i], state, workspace, (forces, own))
+            },
+        )?;
         for (value, scale) in out.iter_mut().zip(&self.row_scale) {
             *value *= scale;
         }
         Ok(())
-    }
-
-    /// Writes the values of the scaled Jacobian at `state`, in the order of `pattern`.
-    pub fn jacobian(
-        &mut self,
-        state: &GridState,
-        pattern: &Pattern,
-        blocks: &mut TangentBlocks,
-        values: &mut [f64],
-    ) -> Result<()> {
-        self.update_kinematics(state);
-        if self.grid.points() == 1 {
-            // Otherwise all are written that ever are; with given rates some are not.
-            values.fill(0.0);
-        }
-        self.sum_elements(state, pattern, blocks, values)?;
-        for node in 0..self.system.nodes() {
-            self.write_node_columns(node, pattern, blocks, values);
-        }
-        self.add_compliance(pattern, values);
-        Ok(())
-    }
-
-    /// Scales rows and columns.
-    pub(super) fn scale(&self, pattern: &Pattern, values: &mut [f64]) {
-        let scaled_columns = pattern.column_pointers().windows(2).zip(&self.column_scale);
-        for (range, column_scale) in scaled_columns {
-            let rows = &pattern.row_indices()[range[0]..range[1]];
-            for (value, &row) in values[range[0]..range[1]].iter_mut().zip(rows) {
-                *value *= column_scale * self.row_scale[row];
-            }
-        }
-    }
-
-    /// Writes the compliance of constraints that may depend on each other into a scaled matrix.
-    pub(super) fn add_compliance(&self, pattern: &Pattern, values: &mut [f64]) {
-        if self.regularisation != 0.0 {
-            for (index, placed) in self.system.elements().iter().enumerate() {
-                let count = placed.element.multipliers();
-                if placed.has_states {
-                    continue;
-                }
-                for k in 0..self.grid.points() {
-                    for row in 0..count {
-                        values[pattern.own_value(index, k, row, count)] = -self.regularisation;
-                    }
-                }
-            }
-        }
-    }
-
-    /// Sums tangents over the elements; writes those of constraints straight into `values`.
-    fn sum_elements(
-        &mut self,
-        state: &GridState,
-        pattern: &Pattern,
-        blocks: &mut TangentBlocks,
-        values: &mut [f64],
-    ) -> Result<()> {
-        let points = self.grid.points();
-        let block_count = pattern.pair_count() * points;
-        let first_constraint = 6 * points * self.system.nodes();
-        blocks.own_rates.clear();
-        for list in [&mut blocks.stiffness, &mut blocks.damping, &mut blocks.mass] {
-            list.clear();
-            list.resize(block_count, Matrix6::zeros());
-        }
-        for (index, placed) in self.system.elements().iter().enumerate() {
-            let nodes = placed.element.nodes();
-            let count = placed.element.multipliers();
-            let (has_mass, has_damping) = (placed.element.has_mass(), placed.element.has_damping());
-            // Where rates are given inertia is all that matters of masses.
-            let mass_alone = has_mass && matches!(self.derivatives, Derivatives::Given(_));
-            blocks.numbers.clear();
-            for &row in nodes {
-                let numbers = nodes.iter().map(|&column| pattern.pair_number(row, column));
-                blocks.numbers.extend(numbers);
-            }
-            for k in 0..points {
-                let workspace = &mut self.with_tangents;
-                let contribution = self.instants.evaluate(placed, k, state, workspace)?;
-                for a in 0..nodes.len() {
-                    for b in 0..nodes.len() {
-                        let at = blocks.numbers[a * nodes.len() + b] * points + k;
-                        let (i, j) = (6 * a, 6 * b);
-                        if !mass_alone {
-                            blocks.stiffness[at] += contribution.stiffness.fixed_view::<6, 6>(i, j);
-                        }
-                        if has_damping && !mass_alone {
-                            blocks.damping[at] += contribution.damping.fixed_view::<6, 6>(i, j);
-                        }
-                        if has_mass {
-                            blocks.mass[at] += contribution.mass.fixed_view::<6, 6>(i, j);
-                        }
-                    }
-                }
-                if count == 0 {
-                    continue;
-                }
-                // Scales of the element's own rows and columns, and of the nodes'.
-                let own = first_constraint + placed.first_multiplier * points + count * k;
-                let own_row = |row: usize| self.row_scale[own + row];
-                let own_column = |row: usize| self.column_scale[own + row];
-                // Rates of internal states depend neither on accelerations nor exert forces.
-                let alone = placed.has_states && matches!(self.derivatives, Derivatives::Given(_));
-                let coupled = if alone { 0 } else { nodes.len() };
-                for (local, &node) in nodes.iter().enumerate().take(coupled) {
-                    for component in 0..6 {
-                        let column = contribution.gradient.column(6 * local + component);
-                        let first = pattern.constraint_value(index, local, node, k, component);
-                        for (row, entry) in column.iter().enumerate() {
-                            values[first + row] =
-                                entry * own_row(row) * self.column_scale[component];
-                        }
-                    }
-                    for row in 0..count {
-                        let first = pattern.force_value(index, local, k, row, count);
-                        for component in 0..6 {
-                            values[first + component] = contribution.gradient
-                                [(row, 6 * local + component)]
-                                * self.row_scale[component]
-                                * own_column(row);
-                        }
-                    }
-                }
-                if placed.has_states {
-                    blocks
-                        .own_rates
-                        .extend_from_slice(contribution.own_rate.as_slice());
-                    // Row ℓ is that of this grid point: ∂/∂λ_k + δ_ℓk, and D_ℓk times ∂/∂λ̇_ℓ.
-                    for column in 0..count {
-                        for other in 0..points {
-                            let d = match &self.derivatives {
-                                Derivatives::Backward(rule, _) => rule.first[0],
-                                Derivatives::Grid => self.operators.first(k, other),
-                                Derivatives::Step(step) => step.state_weight(),
-                                Derivatives::Given(given) => given.weight,
-                            };
-                            let first = pattern.own_value(index, other, column, count) + count * k;
-                            for row in 0..count {
-                                let mut entry = d * contribution.own_rate[(row, column)];
-                                if other == k && !alone {
-                                    entry += contribution.own[(row, column)];
-                                }
-                                values[first + row] = entry * own_row(row) * own_column(column);
-                            }
-                        }
-                    }
-                }
-            }
-        }
-        Ok(())
-    }
-
-    /// Writes the columns of one node: `M Γ_a + C Γ_v`, and `K` on the diagonal in time.
-    fn write_node_columns(
-        &self,
-        column: usize,
-        pattern: &Pattern,
-        blocks: &mut TangentBlocks,
-        values: &mut [f64],
-    ) {
-        let points = self.grid.points();
-        // Those of all nodes are the same.
-        let scale = Matrix6::from_fn(|i, j| self.row_scale[i] * self.column_scale[j]);
-        let given = match &self.derivatives {
-            Derivatives::Given(given) => Some(given),
-            _ => None,
-        };
-        let any_dense = pattern.pairs(column).any(|(_, pair)| pair.dense);
-        if any_dense {
-            blocks.gammas.clear();
-            for k in 0..points {
-                for l in 0..points {
-                    blocks.gammas.push(self.kinematic_tangent(column, l, k));
-                }
-            }
-        }
-        for (number, pair) in pattern.pairs(column) {
-            for k in 0..points {
-                let at = number * points;
-                if pair.dense {
-                    for l in 0..points {
-                        let (gamma_v, gamma_a) = &blocks.gammas[k * points + l];
-                        let mut block = Matrix6::zeros();
-                        add_product(&mut block, &blocks.mass[at + l], gamma_a);
-                        add_product(&mut block, &blocks.damping[at + l], gamma_v);
-                        if l == k && given.is_none_or(|given| given.elastic) {
-                            block += blocks.stiffness[at + l];
-                        }
-                        if let Some(given) = given {
-                            if given.elastic {
-                                block += blocks.damping[at + l] * given.weight.sqrt();
-                            }
-                            if pair.row == column {
-                                block += self.added_inertia(given);
-                            }
-                        }
-                        block.component_mul_assign(&scale);
-                        for component in 0..6 {
-                            let first = pattern.pair_value(column, pair, k, component) + 6 * l;
-                            values[first..first + 6]
-                                .copy_from_slice(block.column(component).as_slice());
-                        }
-                    }
-                } else {
-                    let mut block = match given {
-                        Some(given) if pair.row == column => self.added_inertia(given),
-                        _ => Matrix6::zeros(),
-                    };
-                    if given.is_none_or(|given| given.elastic) {
-                        block += blocks.stiffness[at + k];
-                    }
-                    block.component_mul_assign(&scale);
-                    for component in 0..6 {
-                        let first = pattern.pair_value(column, pair, k, component);
-                        values[first..first + 6]
-                            .copy_from_slice(block.column(component).as_slice());
-                    }
-                }
-            }
-        }
-    }
-}
-
-impl Collocation {
-    /// Writes, for a grid of one point, the scaled change of a residual with velocities and accelerations of
-    /// the nodes and rates of internal states; `blocks` are those of the last Jacobian.
-    pub fn rate_forces(
-        &self,
-        pattern: &Pattern,
-        blocks: &TangentBlocks,
-        nodes: &[[Vector6<f64>; 2]],
-        rates: &[f64],
-        out: &mut [f64],
-    ) {
-        out.fill(0.0);
-        for (column, [velocity, acceleration]) in nodes.iter().enumerate() {
-            for (number, pair) in pattern.pairs(column) {
-                if !pair.dense {
-                    continue;
-                }
-                let force = blocks.mass[number] * acceleration + blocks.damping[number] * velocity;
-                let rows = &mut out[6 * pair.row..][..6];
-                rows.iter_mut().zip(&force).for_each(|(row, f)| *row += f);
-            }
-        }
-        let first = 6 * nodes.len();
-        let mut own_rates = blocks.own_rates.iter();
-        for placed in self.system.elements().iter().filter(|p| p.has_states) {
-            let range =
-                placed.first_multiplier..placed.first_multiplier + placed.element.multipliers();
-            for rate in &rates[range.clone()] {
-                for (place, own_rate) in range.clone().zip(&mut own_rates) {
-                    out[first + place] += own_rate * rate;
-                }
-            }
-        }
-        for (value, scale) in out.iter_mut().zip(&self.row_scale) {
-            *value *= scale;
-        }
-    }
-
-    /// Inertia that is added to each node, with its factor.
-    fn added_inertia(&self, given: &GivenRates) -> Matrix6<f64> {
-        let (length, mass) = (self.system.scales().length, given.added_mass * given.weight);
-        Matrix6::from_fn(|i, j| match (i == j, i < 3) {
-            (true, true) => mass,
-            (true, false) => mass * length * length,
-            _ => 0.0,
-        })
-    }
-}
-
-/// Adds `m [P D; 0 P]`, sparing the zeros.
-#[inline]
-fn add_product(sum: &mut Matrix6<f64>, m: &Matrix6<f64>, gamma: &DualMatrix) {
-    let (m, sum) = (&m.data.0, &mut sum.data.0);
-    for j in 0..3 {
-        for i in 0..3 {
-            let (p, d) = (gamma.primal[(i, j)], gamma.dual[(i, j)]);
-            for row in 0..6 {
-                sum[j][row] += m[i][row] * p;
-                sum[j + 3][row] += m[i][row] * d + m[i + 3][row] * p;
-            }
-        }
     }
 }

@@ -1,7 +1,8 @@
 //! How the end of a step varies with its start: exact linearisation of the generalised-α method.
 
+use super::jacobian::TangentBlocks;
 use super::pattern::Pattern;
-use super::problem::{Collocation, TangentBlocks};
+use super::problem::Collocation;
 use super::step::{AlphaStep, MotionState};
 use crate::elements::{Measure, Unknown};
 use crate::motion::inverse_tangent;

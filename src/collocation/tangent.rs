@@ -10,16 +10,19 @@
 //!
 //! where `Bᵀ` takes resultants to forces and `L` motions to resultants.
 
+use super::division::{Share, parts};
+use super::instants::Instants;
 use super::kinematics::VariationScratch;
-use super::problem::{Collocation, Instants};
+use super::problem::Collocation;
 use super::state::GridState;
 use crate::elements::{StrainTangent, StressLaw};
 use crate::error::Result;
 use crate::fourier::Differentiation;
 use crate::motion::DualVector;
 use crate::system::{System, Workspace};
-use nalgebra::{Matrix6, Vector6};
+use nalgebra::{DMatrix, Matrix6, Vector6};
 use std::collections::BTreeMap;
+use std::ops::Range;
 
 /// Rows of one node that depend on another one's motion.
 #[derive(Debug, Clone)]
@@ -37,12 +40,8 @@ pub struct Coupling {
 struct ElementPlace {
     /// Coupling of each pair of its nodes, row by row.
     couplings: Vec<usize>,
-    /// First number of its gradient at a grid point.
-    gradient: usize,
-    /// First number of its own tangents at a grid point.
-    own: usize,
-    /// First of its stations' strain tangents at a grid point.
-    strain: usize,
+    /// Its stations' strain tangents at a grid point.
+    strains: Range<usize>,
 }
 
 /// A station of an element, with stress resultants.
@@ -64,9 +63,9 @@ pub struct Station {
 #[derive(Debug, Clone)]
 pub struct TangentLayout {
     couplings: Vec<Coupling>,
+    /// Of each coupling: the first element that has a part in it, and its part.
+    first: Vec<(usize, usize)>,
     places: Vec<ElementPlace>,
-    gradients: usize,
-    own: usize,
     stations: Vec<Station>,
     /// Strain tangents at a grid point.
     strains: usize,
@@ -100,25 +99,19 @@ impl TangentLayout {
         let number = |row: usize, column: usize| {
             couplings.partition_point(|c| (c.row, c.column) < (row, column))
         };
-        let (mut gradients, mut own, mut strains) = (0, 0, 0);
+        let mut strains = 0;
         let mut stations: Vec<Station> = Vec::new();
-        let places = system
+        let places: Vec<ElementPlace> = system
             .elements()
             .iter()
             .map(|placed| {
                 let nodes = placed.element.nodes();
-                let count = placed.element.multipliers();
                 let couplings: Vec<usize> = nodes
                     .iter()
                     .flat_map(|&row| nodes.iter().map(move |&column| (row, column)))
                     .map(|(row, column)| number(row, column))
                     .collect();
-                let place = ElementPlace {
-                    couplings: couplings.clone(),
-                    gradient: gradients,
-                    own,
-                    strain: strains,
-                };
+                let first = strains;
                 for law in placed.element.stress_laws() {
                     stations.push(Station {
                         law,
@@ -129,15 +122,18 @@ impl TangentLayout {
                     });
                     strains += nodes.len();
                 }
-                gradients += 6 * nodes.len() * count;
-                own += if placed.has_states {
-                    2 * count * count
-                } else {
-                    0
-                };
-                place
+                ElementPlace {
+                    couplings,
+                    strains: first..strains,
+                }
             })
             .collect();
+        let mut first = vec![(0, 0); couplings.len()];
+        for (index, place) in places.iter().enumerate().rev() {
+            for (part, &pair) in place.couplings.iter().enumerate().rev() {
+                first[pair] = (index, part);
+            }
+        }
         let mut acting = vec![Vec::new(); system.nodes()];
         let mut within = vec![Vec::new(); couplings.len()];
         for (index, station) in stations.iter().enumerate() {
@@ -152,9 +148,8 @@ impl TangentLayout {
         }
         TangentLayout {
             couplings,
+            first,
             places,
-            gradients,
-            own,
             stations,
             strains,
             acting,
@@ -179,12 +174,12 @@ pub struct PairTangent {
     pub mass: Matrix6<f64>,
 }
 
-/// Tangents of own unknowns at one grid point.
-#[derive(Debug, Clone)]
+/// Tangents of an element's own unknowns, at one grid point after the other.
+#[derive(Debug, Clone, Default)]
 struct OwnTangent {
-    /// `∂constraint/∂u` of each element with own unknowns, column by column.
+    /// `∂constraint/∂u`, column by column.
     gradients: Vec<f64>,
-    /// `∂constraint/∂λ` and then `∂constraint/∂λ̇` of each element with internal states.
+    /// `∂constraint/∂λ` and then `∂constraint/∂λ̇`, of internal states only.
     own: Vec<f64>,
 }
 
@@ -193,11 +188,12 @@ struct OwnTangent {
 pub struct Tangent {
     layout: TangentLayout,
     points: usize,
-    /// Coupling `p` at grid point `k`, at `p N + k`.
-    pairs: Vec<PairTangent>,
+    /// Of each coupling, at the grid points.
+    pairs: Vec<Vec<PairTangent>>,
+    /// Of each element.
     own: Vec<OwnTangent>,
-    /// Strain tangent `s` at grid point `k`, at `s N + k`.
-    strains: Vec<StrainTangent>,
+    /// Each strain tangent, at the grid points.
+    strains: Vec<Vec<StrainTangent>>,
     /// Stress resultants of station `s` at grid point `k`, at `s N + k`, that act on the nodes in a product.
     stresses: Vec<DualVector>,
     /// Size of the resultants' unknowns.
@@ -216,21 +212,14 @@ struct VariationRoom {
     scratch: VariationScratch,
 }
 
-/// Grid points that each thread evaluates before their tangents are put in place.
-const STAGE: usize = 16;
-
 impl Tangent {
     /// Room for the Jacobian of a system on a grid of so many points.
     pub fn new(system: &System, points: usize) -> Self {
         let layout = TangentLayout::new(system);
-        let own = OwnTangent {
-            gradients: vec![0.0; layout.gradients],
-            own: vec![0.0; layout.own],
-        };
         Tangent {
-            pairs: vec![PairTangent::default(); layout.couplings.len() * points],
-            own: vec![own; points],
-            strains: vec![StrainTangent::default(); layout.strains * points],
+            pairs: vec![Vec::new(); layout.couplings.len()],
+            own: vec![OwnTangent::default(); layout.places.len()],
+            strains: vec![Vec::new(); layout.strains],
             stresses: vec![DualVector::zeros(); layout.stations.len() * points],
             resultant_scale: 1.0,
             points,
@@ -248,7 +237,7 @@ impl Tangent {
 
     /// Tangents of the coupling `pair` at grid point `k`, stress resultants held, not scaled.
     pub fn pair(&self, pair: usize, k: usize) -> &PairTangent {
-        &self.pairs[pair * self.points + k]
+        &self.pairs[pair][k]
     }
 
     /// `∂force/∂u` of the coupling `pair` at grid point `k`, stress resultants included, not scaled.
@@ -273,7 +262,7 @@ impl Tangent {
 
     /// Strain tangent `index` of those of all stations at grid point `k`.
     pub fn strain(&self, index: usize, k: usize) -> &StrainTangent {
-        &self.strains[index * self.points + k]
+        &self.strains[index][k]
     }
 
     /// Number of stress resultants over the grid: unknowns in the order of stations, then of grid points.
@@ -300,79 +289,55 @@ impl Tangent {
     pub fn gradient(&self, system: &System, index: usize, k: usize) -> &[f64] {
         let element = &system.elements()[index].element;
         let length = 6 * element.nodes().len() * element.multipliers();
-        &self.own[k].gradients[self.layout.places[index].gradient..][..length]
+        &self.own[index].gradients[length * k..][..length]
     }
 
     /// `∂constraint/∂λ` and `∂constraint/∂λ̇` of element `index`, which has internal states, at grid point
     /// `k`, column by column, not scaled.
     pub fn own(&self, system: &System, index: usize, k: usize) -> (&[f64], &[f64]) {
         let count = system.elements()[index].element.multipliers();
-        self.own[k].own[self.layout.places[index].own..][..2 * count * count]
-            .split_at(count * count)
+        self.own[index].own[2 * count * count * k..][..2 * count * count].split_at(count * count)
     }
 
     /// Bytes that the tangents take.
     pub fn bytes(&self) -> usize {
-        let own = size_of::<f64>() * (self.layout.gradients + self.layout.own);
-        size_of_val(&self.pairs[..])
+        let own = self
+            .own
+            .iter()
+            .map(|own| own.gradients.len() + own.own.len());
+        self.points * self.pairs.len() * size_of::<PairTangent>()
+            + self.points * self.strains.len() * size_of::<StrainTangent>()
+            + own.sum::<usize>() * size_of::<f64>()
             + size_of_val(&self.rates[..])
-            + size_of_val(&self.strains[..])
             + size_of_val(&self.stresses[..])
-            + self.points * own
     }
 
     /// Evaluates the elements at `state`; `equations` keep their kinematics at this state until the last
     /// product.
     pub fn evaluate(&mut self, equations: &mut Collocation, state: &GridState) -> Result<()> {
         equations.update_kinematics(state);
-        let points = self.points;
-        let workers = equations.element_workers();
-        let stage = (STAGE * workers.threads()).min(points);
-        let staged = || Staged {
-            pairs: vec![PairTangent::default(); self.layout.couplings.len()],
-            strains: vec![StrainTangent::default(); self.layout.strains],
-        };
-        let mut staged: Vec<Staged> = (0..stage).map(|_| staged()).collect();
-        let instants = &equations.instants;
-        let system = equations.system();
-        let mut rooms = Vec::new();
-        for first in (0..points).step_by(stage) {
-            let count = stage.min(points - first);
-            let layout = &self.layout;
-            let own = self.own[first..first + count].iter_mut();
-            let mut items: Vec<_> = staged.iter_mut().zip(own).collect();
-            workers.try_for_each(
-                &mut items,
-                &mut rooms,
-                || system.workspace_with_resultants_apart(),
-                |workspace, i, (staged, own)| {
-                    layout.evaluate(instants, state, first + i, workspace, staged, own)
-                },
-            )?;
-            let mut rows: Vec<_> = self.pairs.chunks_mut(points).collect();
-            equations.workers().for_each(
-                &mut rows,
-                &mut Vec::new(),
-                || (),
-                |(), pair, row| {
-                    for (to, from) in row[first..first + count].iter_mut().zip(&staged) {
-                        *to = from.pairs[pair];
-                    }
-                },
-            );
-            let mut rows: Vec<_> = self.strains.chunks_mut(points).collect();
-            equations.workers().for_each(
-                &mut rows,
-                &mut Vec::new(),
-                || (),
-                |(), index, row| {
-                    for (to, from) in row[first..first + count].iter_mut().zip(&staged) {
-                        *to = from.strains[index];
-                    }
-                },
-            );
-        }
-        Ok(())
+        let (instants, division) = (&equations.instants, &equations.division);
+        let (system, layout) = (equations.system(), &self.layout);
+        let counts = layout.places.iter().map(|place| place.strains.len());
+        let own = parts(&mut self.strains, counts).zip(&mut self.own);
+        let pairs = division.split_by(&mut self.pairs, |share| {
+            layout.couplings_of(share.nodes.clone()).len()
+        });
+        let mut all: Vec<_> = pairs.into_iter().zip(division.deal(own)).collect();
+        division.workers.try_for_each(
+            &mut all,
+            &mut Vec::new(),
+            || system.workspace_with_resultants_apart(),
+            |workspace, i, (pairs, own)| {
+                layout.evaluate(
+                    instants,
+                    &division.shares[i],
+                    state,
+                    workspace,
+                    (pairs, own),
+                )
+            },
+        )
     }
 
     /// Writes the product of the scaled Jacobian and `x`. Where `x` goes on with increments of stress resultants, so does
@@ -383,30 +348,38 @@ impl Tangent {
         let system = equations.system();
         let points = self.points;
         let workers = equations.workers();
-        self.x.clear();
-        self.x
-            .extend(x.iter().zip(&equations.column_scale).map(|(x, s)| x * s));
-        let (motions, own) = self.x.split_at(6 * points * system.nodes());
-        let of_node = |node: usize| &motions[6 * points * node..][..6 * points];
-
-        let mut rates: Vec<_> = self.rates.chunks_mut(points).collect();
+        self.x.resize(x.len(), 0.0);
+        let (motions, own) = self.x.split_at_mut(6 * points * system.nodes());
+        let unscale = |(to, (x, scale)): (&mut f64, (&f64, &f64))| *to = x * scale;
+        let (x_motions, x_own) = x.split_at(motions.len());
+        let (motion_scale, own_scale) = equations.column_scale.split_at(motions.len());
+        own.iter_mut()
+            .zip(x_own.iter().zip(own_scale))
+            .for_each(unscale);
+        let rates = self.rates.chunks_mut(points);
+        let mut nodes: Vec<_> = rates.zip(motions.chunks_mut(6 * points)).collect();
         workers.for_each(
-            &mut rates,
+            &mut nodes,
             &mut self.rooms,
             || VariationRoom {
                 operators: equations.operators.clone(),
                 scratch: VariationScratch::default(),
             },
-            |room, node, rates| {
+            |room, node, (rates, motions)| {
+                let part = 6 * points * node..6 * points * (node + 1);
+                let scaled = x_motions[part.clone()].iter().zip(&motion_scale[part]);
+                motions.iter_mut().zip(scaled).for_each(unscale);
                 equations.kinematics[node].variation(
                     &mut room.operators,
-                    of_node(node),
+                    motions,
                     &mut room.scratch,
                     |l, velocity, acceleration| rates[l] = [*velocity, *acceleration],
                 );
             },
         );
 
+        let (motions, own) = self.x.split_at(6 * points * system.nodes());
+        let of_node = |node: usize| &motions[6 * points * node..][..6 * points];
         let (layout, pairs, rates) = (&self.layout, &self.pairs, &self.rates);
         let strains = &self.strains;
         let scales = self.resultant_scales(system);
@@ -445,53 +418,62 @@ impl Tangent {
             || (),
             |(), node, forces| {
                 forces.fill(0.0);
-                for pair in layout.couplings_of(node) {
+                for pair in layout.couplings_of(node..node + 1) {
                     let coupling = &layout.couplings[pair];
                     let rates = &rates[coupling.column * points..][..points];
-                    let pairs = &pairs[pair * points..][..points];
                     let motions = of_node(coupling.column).chunks_exact(6);
                     let rows = forces.chunks_exact_mut(6);
-                    for (((force, u), tangent), rates) in rows.zip(motions).zip(pairs).zip(rates) {
+                    for (((force, u), tangent), rates) in
+                        rows.zip(motions).zip(&pairs[pair]).zip(rates)
+                    {
                         tangent.add_force(coupling.moving, u, rates, force);
                     }
                 }
                 for &(station, strain) in &layout.acting[node] {
                     let stresses = &stresses[station * points..][..points];
-                    let strains = &strains[strain * points..][..points];
                     let rows = forces.chunks_exact_mut(6);
-                    for ((force, strain), stress) in rows.zip(strains).zip(stresses) {
+                    for ((force, strain), stress) in rows.zip(&strains[strain]).zip(stresses) {
                         let sum = (strain.strain.transpose() * *stress).to_wrench();
                         force.iter_mut().zip(&sum).for_each(|(y, f)| *y += f);
                     }
                 }
+                let scales = &equations.row_scale[6 * points * node..];
+                forces
+                    .iter_mut()
+                    .zip(scales)
+                    .for_each(|(y, scale)| *y *= scale);
             },
         );
         constraints.fill(0.0);
-        for (k, tangents) in self.own.iter().enumerate() {
-            for (placed, place) in system.elements().iter().zip(&layout.places) {
-                let count = placed.element.multipliers();
-                if count == 0 {
-                    continue;
-                }
+        for (placed, tangents) in system.elements().iter().zip(&self.own) {
+            let count = placed.element.multipliers();
+            let nodes = placed.element.nodes();
+            if count == 0 {
+                continue;
+            }
+            let gradients = tangents.gradients.chunks_exact(6 * nodes.len() * count);
+            for (k, gradient) in gradients.enumerate() {
                 let first = placed.first_multiplier * points + count * k;
                 let lambda = &own[first..first + count];
                 let violation = &mut constraints[first..first + count];
-                let mut columns = tangents.gradients[place.gradient..].chunks_exact(count);
-                for &node in placed.element.nodes() {
+                let mut columns = gradient.chunks_exact(count);
+                for &node in nodes {
                     let at = 6 * (node * points + k);
                     for (component, column) in columns.by_ref().take(6).enumerate() {
                         for ((row, g), l) in violation.iter_mut().zip(column).zip(lambda) {
                             *row += g * motions[at + component];
-                            forces[at + component] += g * l;
+                            forces[at + component] += g * l * equations.row_scale[at + component];
                         }
                     }
                 }
             }
         }
         self.add_states(equations, constraints);
-        for (y, scale) in y.iter_mut().zip(&equations.row_scale) {
-            *y *= scale;
-        }
+        let scales = &equations.row_scale[forces.len()..];
+        constraints
+            .iter_mut()
+            .zip(scales)
+            .for_each(|(y, scale)| *y *= scale);
         if equations.is_regularised() {
             let mut compliance = std::mem::take(&mut self.x);
             equations.compliance_of(x, &mut compliance);
@@ -506,7 +488,7 @@ impl Tangent {
         let system = equations.system();
         let own = &self.x[6 * points * system.nodes()..];
         let mut operators = None;
-        for (placed, place) in system.elements().iter().zip(&self.layout.places) {
+        for (placed, tangents) in system.elements().iter().zip(&self.own) {
             if !placed.has_states {
                 continue;
             }
@@ -519,7 +501,7 @@ impl Tangent {
                 (0..points).for_each(|k| samples[k] = own[at(k) + column]);
                 operators.apply(samples, d_samples, t_samples);
                 for k in 0..points {
-                    let blocks = &self.own[k].own[place.own..][..2 * count * count];
+                    let blocks = &tangents.own[2 * count * count * k..][..2 * count * count];
                     for row in 0..count {
                         constraints[at(k) + row] += blocks[column * count + row] * samples[k]
                             + blocks[(count + column) * count + row] * d_samples[k];
@@ -531,6 +513,12 @@ impl Tangent {
 }
 
 impl PairTangent {
+    fn add(&mut self, other: &Self) {
+        self.stiffness += other.stiffness;
+        self.damping += other.damping;
+        self.mass += other.mass;
+    }
+
     /// Adds `K Δu + C Δv + M Δv̇`.
     #[inline]
     fn add_force(&self, moving: bool, u: &[f64], rates: &[Vector6<f64>; 2], force: &mut [f64]) {
@@ -547,7 +535,7 @@ impl Station {
     fn stresses<'x>(
         &self,
         points: usize,
-        strains: &[StrainTangent],
+        strains: &[Vec<StrainTangent>],
         of_node: &impl Fn(usize) -> &'x [f64],
         rates: &[[Vector6<f64>; 2]],
         stresses: &mut [DualVector],
@@ -555,7 +543,7 @@ impl Station {
         for (k, stress) in stresses.iter_mut().enumerate() {
             let (mut strain, mut strain_rate) = (DualVector::zeros(), DualVector::zeros());
             for (a, &node) in self.nodes.iter().enumerate() {
-                let tangent = &strains[(self.first + a) * points + k];
+                let tangent = &strains[self.first + a][k];
                 let u = Vector6::from_column_slice(&of_node(node)[6 * k..6 * k + 6]);
                 let u = DualVector::from_twist(&u);
                 strain += tangent.strain * u;
@@ -573,56 +561,76 @@ impl Station {
     }
 }
 
-/// Tangents at a grid point, before they are put in place.
-struct Staged {
-    pairs: Vec<PairTangent>,
-    strains: Vec<StrainTangent>,
-}
+/// What an element has of its own: strain tangents, and tangents of its own unknowns.
+type OwnPart<'a> = (&'a mut [Vec<StrainTangent>], &'a mut OwnTangent);
 
 impl TangentLayout {
-    /// Couplings of the rows of a node.
-    fn couplings_of(&self, node: usize) -> std::ops::Range<usize> {
-        self.couplings.partition_point(|c| c.row < node)
-            ..self.couplings.partition_point(|c| c.row <= node)
+    /// Couplings of the rows of some nodes.
+    fn couplings_of(&self, nodes: Range<usize>) -> Range<usize> {
+        let first = |node: usize| self.couplings.partition_point(|c| c.row < node);
+        first(nodes.start)..first(nodes.end)
     }
 
-    /// Sums the tangents of all elements at grid point `k`.
+    /// Sums the tangents of the couplings of a share's rows; writes those of strains and of own unknowns of the elements
+    /// that have these there.
     fn evaluate(
         &self,
         instants: &Instants,
+        share: &Share,
         state: &GridState,
-        k: usize,
         workspace: &mut Workspace,
-        staged: &mut Staged,
-        own: &mut OwnTangent,
+        (pairs, own): (&mut [Vec<PairTangent>], &mut [OwnPart]),
     ) -> Result<()> {
-        let pairs = &mut staged.pairs;
-        pairs.fill(PairTangent::default());
-        for (placed, place) in instants.system().elements().iter().zip(&self.places) {
-            let out = instants.evaluate(placed, k, state, workspace)?;
-            let nodes = placed.element.nodes().len();
-            let (mass, damping) = (placed.element.has_mass(), placed.element.has_damping());
-            for a in 0..nodes {
-                for b in 0..nodes {
-                    let pair = &mut pairs[place.couplings[a * nodes + b]];
-                    let (i, j) = (6 * a, 6 * b);
-                    pair.stiffness += out.stiffness.fixed_view::<6, 6>(i, j);
-                    if damping {
-                        pair.damping += out.damping.fixed_view::<6, 6>(i, j);
-                    }
-                    if mass {
-                        pair.mass += out.mass.fixed_view::<6, 6>(i, j);
-                    }
-                }
+        let first_pair = self.couplings_of(share.nodes.clone()).start;
+        let points = state.points();
+        let mut own = own.iter_mut();
+        for &(index, has_own) in &share.elements {
+            let placed = &instants.system().elements()[index];
+            let nodes = placed.element.nodes();
+            let couplings = &self.places[index].couplings;
+            let mut own = if has_own { own.next() } else { None };
+            if let Some((strains, own)) = &mut own {
+                strains.iter_mut().for_each(Vec::clear);
+                own.gradients.clear();
+                own.own.clear();
             }
-            staged.strains[place.strain..][..out.strains.len()].copy_from_slice(&out.strains);
-            let gradient = out.gradient.as_slice();
-            own.gradients[place.gradient..][..gradient.len()].copy_from_slice(gradient);
-            if placed.has_states {
-                let count = out.own.len();
-                let own = &mut own.own[place.own..][..2 * count];
-                own[..count].copy_from_slice(out.own.as_slice());
-                own[count..].copy_from_slice(out.own_rate.as_slice());
+            for k in 0..points {
+                let out = instants.evaluate(placed, k, state, workspace)?;
+                for (part, &coupling) in couplings.iter().enumerate() {
+                    let (a, b) = (part / nodes.len(), part % nodes.len());
+                    if !share.nodes.contains(&nodes[a]) {
+                        continue;
+                    }
+                    let block = |matrix: &DMatrix<f64>| {
+                        matrix.fixed_view::<6, 6>(6 * a, 6 * b).into_owned()
+                    };
+                    let part_of_sum = PairTangent {
+                        stiffness: block(&out.stiffness),
+                        damping: block(&out.damping),
+                        mass: block(&out.mass),
+                    };
+                    let sums = &mut pairs[coupling - first_pair];
+                    if self.first[coupling] != (index, part) {
+                        sums[k].add(&part_of_sum);
+                        continue;
+                    }
+                    if k == 0 {
+                        sums.clear();
+                        sums.reserve_exact(points);
+                    }
+                    sums.push(part_of_sum);
+                }
+                let Some((strains, own)) = &mut own else {
+                    continue;
+                };
+                for (all, strain) in strains.iter_mut().zip(&out.strains) {
+                    all.push(*strain);
+                }
+                own.gradients.extend_from_slice(out.gradient.as_slice());
+                if placed.has_states {
+                    own.own.extend_from_slice(out.own.as_slice());
+                    own.own.extend_from_slice(out.own_rate.as_slice());
+                }
             }
         }
         Ok(())

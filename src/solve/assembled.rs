@@ -21,8 +21,10 @@ impl Assembled {
     /// Orders and analyses the Jacobian of `equations`.
     pub(super) fn new(equations: &Collocation) -> Self {
         let pattern = Pattern::new(equations.system(), equations.grid().points());
+        let mut solver = DirectSolver::new(&pattern);
+        solver.set_workers(equations.workers().clone());
         Assembled {
-            solver: DirectSolver::new(&pattern),
+            solver,
             values: vec![0.0; pattern.entries()],
             blocks: TangentBlocks::default(),
             pattern,

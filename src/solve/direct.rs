@@ -5,7 +5,8 @@ use super::dense::{largest, solve_unit_lower, solve_upper, subtract_product};
 use super::ordering::{FrontPlan, plan};
 use crate::collocation::{Panel, Pattern};
 use crate::error::{Error, ErrorKind, Result};
-use faer::dyn_stack::{MemBuffer, MemStack};
+use crate::workers::Workers;
+use faer::dyn_stack::{MemBuffer, MemStack, StackReq};
 use faer::linalg::lu::partial_pivoting::factor::{lu_in_place, lu_in_place_scratch};
 use faer::linalg::matmul::matmul;
 use faer::linalg::triangular_solve::{
@@ -24,6 +25,8 @@ const ACCURATE: f64 = 1e-10;
 /// Residual of a refined solve that calls for safer pivots, relative to the right-hand side or, if that is more, to the
 /// largest number that the product may add up.
 const INACCURATE: f64 = 1e-9;
+/// Multiply-adds of a front that is worth sharing among threads.
+const LARGE_FRONT: f64 = 2e6;
 /// Most refinements of a solve.
 const REFINEMENTS: usize = 4;
 
@@ -63,6 +66,9 @@ pub struct DirectSolver {
     /// Whether solves with the present factors are known to need no refinement.
     accurate: bool,
     smallest_pivot: f64,
+    /// Multiply-adds of a factorisation, as planned.
+    work: f64,
+    workers: Workers,
 }
 
 impl DirectSolver {
@@ -97,7 +103,13 @@ impl DirectSolver {
         for panel in panels {
             panels_of[front_of[panel.row.0].min(front_of[panel.column.0])].push(panel);
         }
+        let size = |groups: &[usize]| groups.iter().map(|&g| sizes[g]).sum::<usize>();
+        let work = plans
+            .iter()
+            .map(|front| elimination_work(size(&front.own), size(&front.boundary)));
         DirectSolver {
+            work: work.sum(),
+            workers: Workers::default(),
             groups,
             waits: vec![false; plans.len()],
             fronts: plans.iter().map(|_| Front::new()).collect(),
@@ -110,6 +122,11 @@ impl DirectSolver {
         }
     }
 
+    /// Shares the work on large fronts among these threads.
+    pub fn set_workers(&mut self, workers: Workers) {
+        self.workers = workers;
+    }
+
     fn size_of(&self, groups: &[usize]) -> usize {
         groups.iter().map(|&g| self.groups[g].len()).sum()
     }
@@ -119,12 +136,17 @@ impl DirectSolver {
     /// # Errors
     /// If memory runs out.
     pub fn factor(&mut self, values: &[f64]) -> Result<bool> {
+        let workers = self.workers.for_work(self.work as usize);
+        workers.dense(|parallelism| self.factor_fronts(values, parallelism))
+    }
+
+    fn factor_fronts(&mut self, values: &[f64], parallelism: Par) -> Result<bool> {
         self.factored = false;
         self.accurate = false;
         self.largest_entry = 0.0;
         let mut remainders: Vec<Option<Remainder>> = Vec::with_capacity(self.plans.len());
         let mut place = vec![usize::MAX; self.groups.len()];
-        let mut scratch = Scratch::new(0);
+        let mut scratch = Scratch::new();
         for f in 0..self.plans.len() {
             let plan = &self.plans[f];
             let mut pivots = plan.own.clone();
@@ -146,7 +168,7 @@ impl DirectSolver {
                 let count = self.size_of(&pivots);
                 let mut schur =
                     self.assemble(f, values, &remainders, &place, (&mut front, count, size))?;
-                if front.eliminate(&mut schur, smallest_pivot, &mut scratch) {
+                if front.eliminate(&mut schur, smallest_pivot, &mut scratch, parallelism) {
                     left = Some(Remainder {
                         groups: self.plans[f].boundary.clone(),
                         delayed: 0,
@@ -395,6 +417,12 @@ impl DirectSolver {
     }
 }
 
+/// Multiply-adds of the elimination of so many unknowns, with so many others in their rows and columns.
+pub(super) fn elimination_work(count: usize, rest: usize) -> f64 {
+    let (own, rest) = (count as f64, rest as f64);
+    own * own * own / 3.0 + own * own * rest + own * rest * rest
+}
+
 /// Whether a permutation takes an odd number of exchanges.
 fn is_odd(permutation: &[usize]) -> bool {
     let mut seen = vec![false; permutation.len()];
@@ -437,18 +465,30 @@ struct Scratch {
     memory: MemBuffer,
     inverse: Vec<usize>,
     column: Vec<f64>,
+    /// Largest entries of columns.
+    sizes: Vec<f64>,
 }
 
 impl Scratch {
-    /// Enough for the factors of square matrices up to this size.
-    fn new(most: usize) -> Self {
-        let need = lu_in_place_scratch::<usize, f64>(most, most, Par::Seq, Default::default());
+    fn new() -> Self {
         Scratch {
-            most,
-            memory: MemBuffer::new(need),
+            most: 0,
+            memory: MemBuffer::new(StackReq::EMPTY),
             inverse: Vec::new(),
             column: Vec::new(),
+            sizes: Vec::new(),
         }
+    }
+
+    /// Makes it enough for the factors of square matrices up to this size.
+    fn grow(&mut self, size: usize, parallelism: Par) {
+        if self.most < size {
+            let need =
+                lu_in_place_scratch::<usize, f64>(size, size, parallelism, Default::default());
+            self.memory = MemBuffer::new(need);
+            self.most = size;
+        }
+        self.inverse.resize(size.max(self.inverse.len()), 0);
     }
 }
 
@@ -471,25 +511,27 @@ impl Front {
         schur: &mut Mat<f64>,
         smallest_pivot: f64,
         scratch: &mut Scratch,
+        parallelism: Par,
     ) -> bool {
         let (count, size) = (self.upper.nrows(), self.upper.ncols());
-        let column_size: Vec<f64> = (0..count)
-            .map(|j| largest(self.upper.col_as_slice(j)))
-            .collect();
+        scratch.sizes.clear();
+        let sizes = (0..count).map(|j| largest(self.upper.col_as_slice(j)));
+        scratch.sizes.extend(sizes);
         self.permutation.resize(count, 0);
-        if scratch.most < count {
-            *scratch = Scratch::new(count);
-        }
-        scratch.inverse.resize(count, 0);
+        let parallelism = match elimination_work(count, size - count) < LARGE_FRONT {
+            true => Par::Seq,
+            false => parallelism,
+        };
+        scratch.grow(count, parallelism);
         lu_in_place(
             self.upper.as_mut().subcols_mut(0, count),
             &mut self.permutation,
-            &mut scratch.inverse,
-            Par::Seq,
+            &mut scratch.inverse[..count],
+            parallelism,
             MemStack::new(&mut scratch.memory),
             Default::default(),
         );
-        for (j, size) in column_size.iter().enumerate() {
+        for (j, size) in scratch.sizes.iter().enumerate() {
             let pivot = self.upper[(j, j)].abs();
             // Written so that NaN fails too.
             let good = pivot > smallest_pivot * size && pivot.is_finite();
@@ -507,17 +549,17 @@ impl Front {
         }
         let (factors, mut beyond) = self.upper.as_mut().split_at_col_mut(count);
         let factors = factors.as_ref();
-        solve_unit_lower_triangular_in_place(factors, beyond.as_mut(), Par::Seq);
+        solve_unit_lower_triangular_in_place(factors, beyond.as_mut(), parallelism);
         // L₂₁ U = F₂₁, transposed: Uᵀ L₂₁ᵀ = F₂₁ᵀ.
         let transposed = self.lower.as_mut().transpose_mut();
-        solve_lower_triangular_in_place(factors.transpose(), transposed, Par::Seq);
+        solve_lower_triangular_in_place(factors.transpose(), transposed, parallelism);
         matmul(
             schur.as_mut(),
             Accum::Add,
             self.lower.as_ref(),
             beyond.as_ref(),
             -1.0,
-            Par::Seq,
+            parallelism,
         );
         true
     }

@@ -6,6 +6,7 @@ use crate::collocation::{Collocation, GridState};
 use crate::error::{ErrorKind, Result};
 use crate::fourier::TimeGrid;
 use crate::system::System;
+use crate::workers::Workers;
 use std::sync::Arc;
 
 /// Largest increment of a quasi-static solve: its square is the error left.
@@ -51,10 +52,13 @@ impl<'a> Tracker<'a> {
     pub fn new(
         system: &Arc<System>,
         instant: TimeGrid,
+        workers: &Workers,
         observe: &'a mut dyn FnMut(&Iteration) -> bool,
     ) -> Result<Self> {
+        let mut equations = Collocation::new(system.clone(), instant)?;
+        equations.set_workers(workers.clone());
         Ok(Tracker {
-            newton: Newton::new(Collocation::new(system.clone(), instant)?),
+            newton: Newton::new(equations),
             state: GridState::reference(system, instant),
             observe,
             failure: None,
@@ -183,10 +187,11 @@ impl<'a> Tracker<'a> {
 pub(super) fn quasi_static(
     system: &Arc<System>,
     grid: TimeGrid,
+    workers: &Workers,
     observe: &mut dyn FnMut(&Iteration) -> bool,
 ) -> Result<Guess> {
     let instant = TimeGrid::new(1, grid.period())?;
-    let mut tracker = Tracker::new(system, instant, observe)?;
+    let mut tracker = Tracker::new(system, instant, workers, observe)?;
     let mut state = GridState::reference(system, grid);
 
     // From the unloaded reference configuration to time zero, then from grid point to grid point.

@@ -2,6 +2,7 @@
 
 use super::assembled::Assembled;
 use super::diagnosis::Singularity;
+use super::direct::elimination_work;
 use super::iterative::{Iterative, IterativeRecord, Preconditioner};
 use super::linear::LinearSolver;
 use super::newton::{Timings, timed};
@@ -62,11 +63,11 @@ impl DirectCost {
             }
         }
         let (mut work, mut numbers) = (0.0, 0.0);
-        let size = |groups: &[usize]| groups.iter().map(|&g| sizes[g]).sum::<usize>() as f64;
+        let size = |groups: &[usize]| groups.iter().map(|&g| sizes[g]).sum::<usize>();
         for front in plan(&sizes, &coupled, nodes) {
             let (own, rest) = (size(&front.own), size(&front.boundary));
-            work += own * own * own / 3.0 + own * own * rest + own * rest * rest;
-            numbers += own * (own + 2.0 * rest);
+            work += elimination_work(own, rest);
+            numbers += (own * (own + 2 * rest)) as f64;
         }
         // The values themselves, and the largest fronts, come to about as much again.
         DirectCost {

@@ -395,7 +395,10 @@ impl Attempts<'_> {
         let at = self.guess_grid;
         let guess = match self.quasi_static.take() {
             Some(guess) => guess,
-            None => self.guess(|system, _, observe| quasi_static(system, at, observe))?,
+            None => {
+                let workers = self.workers.clone();
+                self.guess(|system, _, observe| quasi_static(system, at, &workers, observe))?
+            }
         };
         Ok(self.quasi_static.insert(guess))
     }
@@ -426,10 +429,14 @@ impl Attempts<'_> {
     /// From a solution on the present grid, which is coarse, if that resolves the motion; as [`find`](Self::find) otherwise.
     fn find_from_coarse(&mut self, grid: TimeGrid) -> Result<(GridState, NewtonReport)> {
         let coarse = self.grid;
+        let wanted = self.options.tolerance;
+        // The error after the last increment goes with its square.
+        self.options.tolerance = wanted.max(RESOLVED);
         let solution = match self.start()? {
             Some(start) => Some(self.newton(start)?),
             None => None,
         };
+        self.options.tolerance = wanted;
         self.move_to(grid)?;
         let start = match solution {
             Some((state, report))

@@ -7,6 +7,7 @@ use crate::error::{Error, ErrorKind, Result, require_finite};
 use crate::fourier::TimeGrid;
 use crate::model::Model;
 use crate::system::{Standstill, System};
+use crate::workers::Workers;
 use std::sync::Arc;
 use std::time::Instant;
 
@@ -134,7 +135,7 @@ pub(super) fn find_equilibrium(
         guess_iterations += 1;
         observe(Stage::InitialGuess, iteration)
     };
-    let mut tracker = Tracker::new(&system, grid, &mut observe_steps)?;
+    let mut tracker = Tracker::new(&system, grid, &Workers::default(), &mut observe_steps)?;
     let mut failure = None;
     match &options.guess {
         InitialGuess::State(state) => tracker.state = state.clone(),

@@ -24,6 +24,21 @@ pub(super) struct BlockStructure {
     entries: usize,
 }
 
+/// Where entries of a part of a block are.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct BlockPlace {
+    first: usize,
+    /// Of the whole block.
+    columns: usize,
+}
+
+impl BlockPlace {
+    /// Place of entry `(i, j)`.
+    pub fn entry(&self, i: usize, j: usize) -> usize {
+        self.first + i * self.columns + j
+    }
+}
+
 /// Elimination of one block row.
 #[derive(Debug, Clone)]
 struct Step {
@@ -124,6 +139,18 @@ impl BlockStructure {
     /// Number of stored entries of one matrix.
     pub fn entries(&self) -> usize {
         self.entries
+    }
+
+    /// What begins at an unknown of a block row and at one of a block column, whose block must be there.
+    pub fn block_at(
+        &self,
+        (row, first_row): (usize, usize),
+        (column, first_column): (usize, usize),
+    ) -> BlockPlace {
+        BlockPlace {
+            first: self.entry((row, column), (first_row, first_column)),
+            columns: self.sizes[column],
+        }
     }
 
     /// Place of entry `(i, j)` of the block `(row, column)`, which must be there.

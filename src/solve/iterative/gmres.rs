@@ -39,6 +39,17 @@ pub(super) struct GmresEnd {
     pub error: f64,
 }
 
+/// Memory for long vectors, kept from one solve to the next, as taking it takes time.
+#[derive(Default)]
+pub(super) struct GmresRoom {
+    /// Orthonormal vectors, one behind the other.
+    basis: Vec<f64>,
+    /// The right-hand side.
+    b: Vec<f64>,
+    /// What is left of it, preconditioned.
+    rest: Vec<f64>,
+}
+
 /// A preconditioned operator: what is asked of it are `P⁻¹ A x` and `P⁻¹ b`, in place.
 pub(super) trait Preconditioned {
     /// `y = A x`.
@@ -47,20 +58,23 @@ pub(super) trait Preconditioned {
     fn precondition(&mut self, y: &mut [f64]);
 }
 
-/// Solves `A x = b` from `x = 0`: `rhs` is `b` before and `x` after.
+/// Solves `A x = b` from `x = 0`: `rhs` is `b` before and `x` after. What `room` holds does not matter.
 pub(super) fn gmres(
     operator: &mut impl Preconditioned,
     rhs: &mut [f64],
     options: &GmresOptions,
-    workers: &Workers,
+    (workers, room): (&Workers, &mut GmresRoom),
 ) -> GmresEnd {
     let vectors = Vectors { workers };
     let norm = |x: &mut [f64]| vectors.norm(x);
     let size = rhs.len();
-    let b = rhs.to_vec();
-    let mut rest = b.clone();
-    operator.precondition(&mut rest);
-    let start = norm(&mut rest);
+    let GmresRoom { basis, b, rest } = room;
+    for copy in [&mut *b, &mut *rest] {
+        copy.clear();
+        copy.extend_from_slice(rhs);
+    }
+    operator.precondition(rest);
+    let start = norm(rest);
     rhs.fill(0.0);
     let mut end = GmresEnd {
         iterations: 0,
@@ -72,14 +86,19 @@ pub(super) fn gmres(
     // What the smaller part is of the solution.
     let (mut share, mut share_is_known) = (1.0, false);
     // Memory that is not written to is not taken.
-    let mut basis = vec![0.0; (options.restart.min(options.iteration_limit) + 1) * size];
+    let vectors_kept = options.restart.min(options.iteration_limit) + 1;
+    if basis.len() < vectors_kept * size {
+        *basis = vec![0.0; vectors_kept * size];
+    }
     while end.error > options.tolerance && end.iterations < options.iteration_limit {
-        let (before, found) = (norm(&mut rest), norm(rhs));
+        let (before, found) = (norm(rest), norm(rhs));
         let cycle = options
             .restart
             .min(options.iteration_limit - end.iterations);
-        let first = rest.iter().map(|r| r / before);
-        basis.iter_mut().zip(first).for_each(|(v, r)| *v = r);
+        vectors.sums(&mut basis[..size], 1, |first, v, _| {
+            let rest = &rest[first..][..v.len()];
+            v.iter_mut().zip(rest).for_each(|(v, r)| *v = r / before);
+        });
         let mut triangle = Triangle::default();
         let mut rotations: Vec<(f64, f64)> = Vec::new();
         let mut rotated = vec![before];
@@ -116,7 +135,7 @@ pub(super) fn gmres(
             if end.error <= options.tolerance && !share_is_known {
                 // Only now, as it takes a pass over all vectors.
                 share = vectors
-                    .smaller_share(rhs, &basis, &y, options)
+                    .smaller_share(rhs, basis, &y, options)
                     .max(FINEST / options.tolerance);
                 share_is_known = true;
                 end.error = error / (share * small_norm(&y).max(found));
@@ -125,13 +144,16 @@ pub(super) fn gmres(
                 break;
             }
         }
-        vectors.add(rhs, &basis, &triangle.solve(&rotated));
+        vectors.add(rhs, basis, &triangle.solve(&rotated));
         // What rounding in the preconditioner leaves, nearly singular as it may be, shows in the residual only.
-        operator.product(rhs, &mut rest);
-        rest.iter_mut().zip(&b).for_each(|(r, b)| *r = b - *r);
-        operator.precondition(&mut rest);
+        operator.product(rhs, rest);
+        vectors.sums(rest, 1, |first, r, _| {
+            let b = &b[first..][..r.len()];
+            r.iter_mut().zip(b).for_each(|(r, b)| *r = b - *r);
+        });
+        operator.precondition(rest);
         // Written so that NaN ends it too.
-        let (left, size) = (norm(&mut rest), norm(rhs));
+        let (left, size) = (norm(rest), norm(rhs));
         end.error = if size > 0.0 {
             left * triangle.inverse_size() / (share * size)
         } else {
@@ -370,7 +392,12 @@ mod tests {
                 iteration_limit: 200,
                 restart,
             };
-            let end = gmres(&mut operator, &mut x, &options, &Workers::default());
+            let end = gmres(
+                &mut operator,
+                &mut x,
+                &options,
+                (&Workers::default(), &mut GmresRoom::default()),
+            );
             assert!(end.error <= 1e-10, "{end:?}");
             let error = x.iter().zip(&exact).map(|(x, e)| (x - e).abs());
             assert!(error.fold(0.0, f64::max) < 1e-9);
@@ -394,7 +421,12 @@ mod tests {
             restart: 20,
         };
         let mut x = vec![1.0, 2.0];
-        let end = gmres(&mut Zero, &mut x, &options, &Workers::default());
+        let end = gmres(
+            &mut Zero,
+            &mut x,
+            &options,
+            (&Workers::default(), &mut GmresRoom::default()),
+        );
         assert!(end.error > 0.5 && x.iter().all(|x| x.is_finite()));
     }
 }

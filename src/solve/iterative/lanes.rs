@@ -30,6 +30,18 @@ pub(super) struct ComplexLanes {
     im: [f64; LANES],
 }
 
+impl ComplexLanes {
+    /// Adds a number to each.
+    #[inline(always)]
+    pub fn add(&mut self, value: impl Fn(usize) -> Complex<f64>) {
+        for lane in 0..LANES {
+            let value = value(lane);
+            self.re[lane] += value.re;
+            self.im[lane] += value.im;
+        }
+    }
+}
+
 impl Lanes for RealLanes {
     type Number = f64;
 

@@ -131,6 +131,8 @@ impl Averages<'_> {
         let means = self.scaled_means();
         let chunks = (points / 2 + 1).div_ceil(LANES);
         let mut all: Vec<Option<BlockLanes<ComplexLanes>>> = vec![None; chunks];
+        // Harmonics that are aliased, of any node.
+        let highest = self.aliasing.iter().map(Vec::len).max().unwrap_or(0);
         let nothing = &mut Vec::new();
         self.equations.workers().for_each(
             &mut all,
@@ -138,10 +140,14 @@ impl Averages<'_> {
             || (),
             |(), chunk, place| {
                 let mut lanes = BlockLanes::<ComplexLanes>::new(&self.layout.structure);
+                let harmonic = |lane: usize| (LANES * chunk + lane).min(points / 2);
+                let rates = std::array::from_fn(|lane| harmonic(lane) as f64 * frequency);
+                self.fill(&mut lanes, &rates, &means);
                 for lane in 0..LANES {
-                    let j = (LANES * chunk + lane).min(points / 2);
-                    self.fill(&mut lanes, lane, j as f64 * frequency, &means);
-                    self.add_aliasing(&mut lanes, lane, points / 2 - j, &means);
+                    let below = points / 2 - harmonic(lane);
+                    if below < highest {
+                        self.add_aliasing(&mut lanes, lane, below, &means);
+                    }
                 }
                 if lanes.factor(&self.layout.structure) {
                     *place = Some(lanes);
@@ -187,33 +193,24 @@ impl Averages<'_> {
         means
     }
 
-    /// Writes the matrix of one harmonic, of circular frequency `rate`.
+    /// Writes the matrices of harmonics with these circular frequencies.
     fn fill(
         &self,
         lanes: &mut BlockLanes<ComplexLanes>,
-        lane: usize,
-        rate: f64,
+        rates: &[f64; LANES],
         means: &[MeanTangent],
     ) {
-        let mut add = |at: ((usize, usize), (usize, usize)), (i, j), value: Complex<f64>| {
-            let ((row, first_row), (column, first_column)) = at;
-            let place = self
-                .layout
-                .structure
-                .entry((row, column), (first_row + i, first_column + j));
-            let entry = lanes.at(place);
-            entry.set(lane, entry.get(lane) + value);
-        };
+        let (structure, node_at) = (&self.layout.structure, &self.layout.node_at);
         for (mean, coupling) in means.iter().zip(self.tangent.couplings()) {
-            let at = (
-                self.layout.node_at[coupling.row],
-                self.layout.node_at[coupling.column],
-            );
+            let place = structure.block_at(node_at[coupling.row], node_at[coupling.column]);
             let [stiffness, damping, mass] = &mean.orders;
             for i in 0..6 {
                 for j in 0..6 {
-                    let re = stiffness[(i, j)] - rate * rate * mass[(i, j)];
-                    add(at, (i, j), Complex::new(re, rate * damping[(i, j)]));
+                    let (k, c, m) = (stiffness[(i, j)], damping[(i, j)], mass[(i, j)]);
+                    lanes.at(place.entry(i, j)).add(|lane| {
+                        let rate = rates[lane];
+                        Complex::new(k - rate * rate * m, rate * c)
+                    });
                 }
             }
         }
@@ -222,14 +219,20 @@ impl Averages<'_> {
             let Class::Averaged(average) = class else {
                 continue;
             };
-            let own = self.layout.own_at[index];
             let count = placed.element.multipliers();
+            if count == 0 {
+                continue;
+            }
+            let own = self.layout.own_at[index];
+            let own_place = structure.block_at(own, own);
             for (local, &node) in placed.element.nodes().iter().enumerate() {
+                let below = structure.block_at(own, node_at[node]);
+                let beside = structure.block_at(node_at[node], own);
                 for row in 0..count {
                     for component in 0..6 {
                         let g = Complex::from(average.gradient[(row, 6 * local + component)]);
-                        add((own, self.layout.node_at[node]), (row, component), g);
-                        add((self.layout.node_at[node], own), (component, row), g);
+                        lanes.at(below.entry(row, component)).add(|_| g);
+                        lanes.at(beside.entry(component, row)).add(|_| g);
                     }
                 }
             }
@@ -238,13 +241,14 @@ impl Averages<'_> {
                 for row in 0..count {
                     for column in 0..count {
                         let at = column * count + row;
-                        let value = Complex::new(stiffness[at], rate * damping[at]);
-                        add((own, own), (row, column), value);
+                        let value =
+                            |lane: usize| Complex::new(stiffness[at], rates[lane] * damping[at]);
+                        lanes.at(own_place.entry(row, column)).add(value);
                     }
                 }
             } else {
                 let compliant = Complex::from(-self.equations.regularisation());
-                (0..count).for_each(|i| add((own, own), (i, i), compliant));
+                (0..count).for_each(|i| lanes.at(own_place.entry(i, i)).add(|_| compliant));
             }
         }
     }
@@ -264,12 +268,12 @@ impl Averages<'_> {
             let complex = |m: &Matrix6<f64>| m.map(Complex::from);
             let change = complex(&mean.velocity) * aliasing.velocity
                 + complex(&mean.orders[2]) * aliasing.acceleration;
-            let (row, first_row) = self.layout.node_at[coupling.row];
-            let (column, first_column) = self.layout.node_at[coupling.column];
+            let node_at = &self.layout.node_at;
+            let structure = &self.layout.structure;
+            let place = structure.block_at(node_at[coupling.row], node_at[coupling.column]);
             for i in 0..6 {
                 for j in 0..6 {
-                    let place = (first_row + i, first_column + j);
-                    let entry = lanes.at(self.layout.structure.entry((row, column), place));
+                    let entry = lanes.at(place.entry(i, j));
                     entry.set(lane, entry.get(lane) + change[(i, j)]);
                 }
             }

@@ -23,7 +23,7 @@ use crate::collocation::{Collocation, GridState, Tangent};
 use crate::error::Result;
 use body_circulant::BodyCirculant;
 use constraints::Joints;
-use gmres::{GmresOptions, Preconditioned, gmres};
+use gmres::{GmresOptions, GmresRoom, Preconditioned, gmres};
 pub(super) use projected::Projected;
 use serde::{Deserialize, Serialize};
 use time_local::TimeLocal;
@@ -172,6 +172,7 @@ pub(super) struct Iterative {
     first_products: Option<usize>,
     /// Products that a solve may take.
     limit: usize,
+    room: GmresRoom,
     pub record: IterativeRecord,
 }
 
@@ -203,6 +204,7 @@ impl Iterative {
             is_scaled: false,
             first_products: None,
             limit: ITERATION_LIMIT,
+            room: GmresRoom::default(),
             record: IterativeRecord::default(),
         }
     }
@@ -292,7 +294,6 @@ impl LinearSolver for Iterative {
         rhs: &mut [f64],
         accuracy: f64,
     ) -> Result<bool> {
-        let wanted = rhs.to_vec();
         loop {
             let Some(factors) = &mut self.factors else {
                 return Ok(false);
@@ -301,17 +302,18 @@ impl LinearSolver for Iterative {
                 Factors::Body(_) => self.tangent.resultants(),
                 Factors::Local(_) => 0,
             };
-            let mut unknowns = wanted.clone();
-            unknowns.resize(wanted.len() + resultants, 0.0);
+            let mut unknowns = Vec::with_capacity(rhs.len() + resultants);
+            unknowns.extend_from_slice(rhs);
+            unknowns.resize(rhs.len() + resultants, 0.0);
             if !self.is_scaled {
-                factors.scale_resultants(&mut self.tangent, &unknowns, wanted.len());
+                factors.scale_resultants(&mut self.tangent, &unknowns, rhs.len());
                 self.is_scaled = true;
             }
             let options = GmresOptions {
                 tolerance: accuracy,
                 leading: 6 * equations.system().nodes() * equations.grid().points(),
                 iteration_limit: self.limit,
-                essential: wanted.len(),
+                essential: rhs.len(),
                 restart: (KEPT / size_of_val(&unknowns[..])).clamp(RESTART, ITERATION_LIMIT),
             };
             let mut operator = Operator {
@@ -319,13 +321,20 @@ impl LinearSolver for Iterative {
                 tangent: &mut self.tangent,
                 factors,
             };
-            let end = gmres(&mut operator, &mut unknowns, &options, equations.workers());
+            let workers = equations.workers();
+            let end = gmres(
+                &mut operator,
+                &mut unknowns,
+                &options,
+                (workers, &mut self.room),
+            );
             self.record.products.push(end.iterations);
             self.count_bytes(end.iterations.min(options.restart), unknowns.len());
             let solved = end.error <= accuracy;
             let first = *self.first_products.get_or_insert(end.iterations);
             if solved {
-                rhs.copy_from_slice(&unknowns[..wanted.len()]);
+                let size = rhs.len();
+                rhs.copy_from_slice(&unknowns[..size]);
                 if self.is_old && end.iterations > first + MANY {
                     self.prepare(equations)?;
                 }

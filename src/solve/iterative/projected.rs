@@ -1,7 +1,7 @@
 //! Linear equations whose residual is sampled on a finer grid and projected: iteration on the exact Jacobian, with
 //! that of the grid's own points for a preconditioner.
 
-use super::gmres::{GmresOptions, Preconditioned, gmres};
+use super::gmres::{GmresOptions, GmresRoom, Preconditioned, gmres};
 use crate::collocation::{Collocation, GridState, OversampledTangent};
 use crate::error::Result;
 use crate::solve::diagnosis::Singularity;
@@ -21,6 +21,7 @@ pub(in crate::solve) struct Projected<L> {
     tangent: Option<Box<OversampledTangent>>,
     /// Whether the last solve was given up.
     failed: bool,
+    room: GmresRoom,
     /// Products of each linear solve.
     #[cfg(test)]
     products: Vec<usize>,
@@ -59,6 +60,7 @@ impl<L: LinearSolver> Projected<L> {
             sampled,
             tangent: tangent.map(Box::new),
             failed: false,
+            room: GmresRoom::default(),
             #[cfg(test)]
             products: Vec::new(),
         }
@@ -113,7 +115,7 @@ impl<L: LinearSolver> LinearSolver for Projected<L> {
             accuracy: (SHARPER * accuracy).max(SHARPEST),
             end: Ok(true),
         };
-        let end = gmres(&mut operator, rhs, &options, &workers);
+        let end = gmres(&mut operator, rhs, &options, (&workers, &mut self.room));
         #[cfg(test)]
         self.products.push(end.iterations);
         let sampled = operator.end?;

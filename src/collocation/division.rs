@@ -1,0 +1,177 @@
+//! Elements divided among threads.
+//!
+//! Each share is some of the nodes, with all elements that act on them: those between the nodes of two shares are
+//! evaluated for both. So threads write nothing of each other's, and sums are over the same elements in the same order,
+//! whatever the number of threads.
+
+use crate::system::System;
+use crate::workers::Workers;
+use std::ops::Range;
+
+/// Multiply-adds of the evaluation of an element with its tangents, about.
+const WORK: usize = 3000;
+/// Shares for each thread, so that one that the system slows down can take fewer,
+const SHARES: usize = 4;
+/// where there are so many nodes for each share that few elements are evaluated twice.
+const NODES: usize = 32;
+
+/// Some of the nodes, and the elements that act on them.
+#[derive(Debug, Clone)]
+pub(super) struct Share {
+    /// The nodes.
+    pub nodes: Range<usize>,
+    /// The elements, in ascending order, each with whether this share has its own unknowns.
+    pub elements: Vec<(usize, bool)>,
+}
+
+/// All nodes in shares, and the threads that work on them.
+#[derive(Debug, Clone)]
+pub(super) struct Division {
+    pub workers: Workers,
+    pub shares: Vec<Share>,
+    /// Share that has the own unknowns of each element.
+    owners: Vec<usize>,
+}
+
+impl Division {
+    /// Divides the work on a grid of so many points, if that pays.
+    pub fn new(system: &System, points: usize, workers: &Workers) -> Self {
+        let elements = system.elements();
+        let workers = system
+            .element_workers(workers)
+            .for_work(WORK * points * elements.len());
+        let count = match workers.threads() {
+            1 => 1,
+            threads => threads * (system.nodes() / (NODES * threads)).clamp(1, SHARES),
+        };
+        // Work on an element goes with the square of its nodes.
+        let mut work = vec![0; system.nodes()];
+        for placed in elements {
+            let nodes = placed.element.nodes();
+            nodes.iter().for_each(|&node| work[node] += nodes.len());
+        }
+        let total: usize = work.iter().sum();
+        let mut shares = Vec::with_capacity(count);
+        let (mut first, mut done) = (0, 0);
+        for (node, work) in work.iter().enumerate() {
+            done += work;
+            let last = node + 1 == system.nodes();
+            if last || done * count >= total * (shares.len() + 1) {
+                shares.push(Share {
+                    nodes: first..node + 1,
+                    elements: Vec::new(),
+                });
+                first = node + 1;
+            }
+        }
+        let share_of = |node: usize| shares.partition_point(|share| share.nodes.end <= node);
+        let of_nodes: Vec<Vec<usize>> = elements
+            .iter()
+            .map(|placed| {
+                placed
+                    .element
+                    .nodes()
+                    .iter()
+                    .map(|&n| share_of(n))
+                    .collect()
+            })
+            .collect();
+        let owners = of_nodes.iter().map(|all| all.first().copied().unwrap_or(0));
+        let owners: Vec<usize> = owners.collect();
+        for (index, mut all) in of_nodes.into_iter().enumerate() {
+            let owner = owners[index];
+            all.push(owner);
+            all.sort_unstable();
+            all.dedup();
+            for share in all {
+                shares[share].elements.push((index, share == owner));
+            }
+        }
+        Division {
+            workers,
+            shares,
+            owners,
+        }
+    }
+
+    /// Values of the nodes, so many for each, by shares.
+    pub fn split<'v, T>(&self, values: &'v mut [T], of_a_node: usize) -> Vec<&'v mut [T]> {
+        self.split_by(values, |share| of_a_node * share.nodes.len())
+    }
+
+    /// Values that come in the order of nodes, by shares of a given number of them.
+    pub fn split_by<'v, T>(
+        &self,
+        values: &'v mut [T],
+        count: impl Fn(&Share) -> usize,
+    ) -> Vec<&'v mut [T]> {
+        let mut rest = values;
+        let split = self.shares.iter().map(|share| {
+            let (part, next) = std::mem::take(&mut rest).split_at_mut(count(share));
+            rest = next;
+            part
+        });
+        split.collect()
+    }
+
+    /// What the elements have of their own, one after the other, dealt to the shares that have it.
+    pub fn deal<T>(&self, of_elements: impl IntoIterator<Item = T>) -> Vec<Vec<T>> {
+        let mut dealt: Vec<Vec<T>> = self.shares.iter().map(|_| Vec::new()).collect();
+        for (part, &owner) in of_elements.into_iter().zip(&self.owners) {
+            dealt[owner].push(part);
+        }
+        dealt
+    }
+}
+
+/// Parts of `values` of so many each, one after the other.
+pub(super) fn parts<'v, T>(
+    values: &'v mut [T],
+    counts: impl IntoIterator<Item = usize> + 'v,
+) -> impl Iterator<Item = &'v mut [T]> {
+    let mut rest = values;
+    counts.into_iter().map(move |count| {
+        let (part, next) = std::mem::take(&mut rest).split_at_mut(count);
+        rest = next;
+        part
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::solve::test_models::rotor;
+
+    #[test]
+    fn each_node_and_each_element_has_its_share() {
+        let (model, period) = rotor(40);
+        let system = System::new(&model, period).unwrap();
+        for threads in [1, 2, 3] {
+            let division = Division::new(&system, 5, &Workers::new(threads).unwrap());
+            let shares = &division.shares;
+            assert_eq!(shares.len() > 1, threads > 1);
+            assert_eq!(shares[0].nodes.start, 0);
+            assert_eq!(shares.last().unwrap().nodes.end, system.nodes());
+            assert!(
+                shares
+                    .windows(2)
+                    .all(|s| s[0].nodes.end == s[1].nodes.start)
+            );
+            let all = shares.iter().flat_map(|share| &share.elements);
+            let mut own: Vec<usize> = all.filter(|(_, own)| *own).map(|(e, _)| *e).collect();
+            own.sort_unstable();
+            assert_eq!(own, (0..system.elements().len()).collect::<Vec<_>>());
+            for (index, placed) in system.elements().iter().enumerate() {
+                for node in placed.element.nodes() {
+                    let share = shares
+                        .iter()
+                        .find(|share| share.nodes.contains(node))
+                        .unwrap();
+                    assert!(share.elements.iter().any(|(element, _)| *element == index));
+                }
+            }
+            let evaluated: usize = shares.iter().map(|share| share.elements.len()).sum();
+            assert!(evaluated <= system.elements().len() + 4 * (shares.len() - 1));
+        }
+    }
+}

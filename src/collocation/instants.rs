@@ -1,0 +1,95 @@
+//! The elements at each grid point.
+
+use super::division::Share;
+use super::state::GridState;
+use crate::elements::{Contribution, NodeState};
+use crate::error::Result;
+use crate::system::{Conditions, OwnValues, Placed, System, Workspace};
+use nalgebra::Vector6;
+use std::sync::Arc;
+
+/// The system at each grid point.
+#[derive(Debug, Clone)]
+pub(super) struct Instants {
+    pub(super) system: Arc<System>,
+    pub(super) points: usize,
+    /// Times of the grid points.
+    pub(super) times: Vec<f64>,
+    /// Signal `s` at grid point `k`, at `k × count + s`.
+    pub(super) signals: Vec<f64>,
+    pub(super) inertia_factor: f64,
+    /// Node `a` at grid point `k`, at `a N + k`.
+    pub(super) states: Vec<NodeState>,
+    /// Rates of internal states, in the order of the multipliers; zero for these.
+    pub(super) rates: Vec<f64>,
+    /// Stress resultants for the geometric stiffness: those of all stations at grid point 0, then 1, and so on. Empty for
+    /// those of the strains.
+    pub(super) resultants: Vec<Vector6<f64>>,
+}
+
+impl Instants {
+    /// The system.
+    pub(super) fn system(&self) -> &System {
+        &self.system
+    }
+
+    /// Writes the equations of a share, not scaled: forces on its nodes, and what the elements ask of their own unknowns.
+    pub(super) fn forces(
+        &self,
+        share: &Share,
+        state: &GridState,
+        workspace: &mut Workspace,
+        (forces, own): (&mut [f64], &mut [&mut [f64]]),
+    ) -> Result<()> {
+        let mut own = own.iter_mut();
+        forces.fill(0.0);
+        for &(index, has_own) in &share.elements {
+            let placed = &self.system.elements()[index];
+            let nodes = placed.element.nodes();
+            let count = placed.element.multipliers();
+            let mut own = if has_own { own.next() } else { None };
+            for k in 0..self.points {
+                let contribution = self.evaluate(placed, k, state, workspace)?;
+                let of_nodes = contribution.force.as_slice().chunks_exact(6);
+                for (node, force) in nodes.iter().zip(of_nodes) {
+                    if share.nodes.contains(node) {
+                        let place = (node - share.nodes.start) * self.points + k;
+                        let rows = &mut forces[6 * place..][..6];
+                        rows.iter_mut().zip(force).for_each(|(row, f)| *row += f);
+                    }
+                }
+                if let Some(own) = &mut own {
+                    own[count * k..][..count].copy_from_slice(contribution.constraint.as_slice());
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// Evaluates an element at grid point `k`.
+    pub(super) fn evaluate<'w>(
+        &self,
+        placed: &Placed,
+        k: usize,
+        state: &GridState,
+        workspace: &'w mut Workspace,
+    ) -> Result<&'w Contribution> {
+        let signal_count = self.system.signals();
+        let conditions = Conditions {
+            time: self.times[k],
+            signals: &self.signals[k * signal_count..][..signal_count],
+            coordinates: state.tracked(&self.system, k),
+            inertia_factor: self.inertia_factor,
+        };
+        let node_state = |node: usize| self.states[node * self.points + k];
+        let first_station = k * self.system.stations();
+        let stations = first_station + placed.stations.start..first_station + placed.stations.end;
+        let own = OwnValues {
+            values: state.multipliers_of(placed, k),
+            rates: &self.rates[state.first_multiplier(placed, k)..][..placed.element.multipliers()],
+            resultants: self.resultants.get(stations).unwrap_or(&[]),
+        };
+        self.system
+            .evaluate(placed, node_state, &conditions, own, workspace)
+    }
+}
