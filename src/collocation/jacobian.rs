@@ -347,8 +347,8 @@ impl Collocation {
                     for l in 0..points {
                         let (gamma_v, gamma_a) = &gammas[k * points + l];
                         let mut block = Matrix6::zeros();
-                        add_product(&mut block, &part.mass[at + l], gamma_a);
-                        add_product(&mut block, &part.damping[at + l], gamma_v);
+                        gamma_a.add_product_to(&part.mass[at + l], &mut block);
+                        gamma_v.add_product_to(&part.damping[at + l], &mut block);
                         if l == k && given.is_none_or(|given| given.elastic) {
                             block += part.stiffness[at + l];
                         }
@@ -438,20 +438,5 @@ impl Collocation {
             (true, false) => mass * length * length,
             _ => 0.0,
         })
-    }
-}
-
-/// Adds `m [P D; 0 P]`, sparing the zeros.
-#[inline]
-fn add_product(sum: &mut Matrix6<f64>, m: &Matrix6<f64>, gamma: &DualMatrix) {
-    let (m, sum) = (&m.data.0, &mut sum.data.0);
-    for j in 0..3 {
-        for i in 0..3 {
-            let (p, d) = (gamma.primal[(i, j)], gamma.dual[(i, j)]);
-            for row in 0..6 {
-                sum[j][row] += m[i][row] * p;
-                sum[j + 3][row] += m[i][row] * d + m[i + 3][row] * p;
-            }
-        }
     }
 }

@@ -567,11 +567,14 @@ impl Element for Beam {
                 let elastic = b_a.tr_mul(&stiffness);
                 let viscous = b_a.tr_mul(&damping);
                 geometric_row(&at, (&mu, &nu), &terms, a, |b, block| {
-                    let strain = terms[b].strain.to_twist_matrix();
-                    let mut k = elastic * strain + block.to_stiffness_matrix();
+                    let node = &terms[b];
+                    let mut k = block.to_stiffness_matrix();
+                    node.strain.add_product_to(&elastic, &mut k);
                     if self.damped {
-                        k += viscous * terms[b].rate.to_twist_matrix();
-                        out.add_damping(a, b, &(viscous * strain));
+                        node.rate.add_product_to(&viscous, &mut k);
+                        let mut c = Matrix6::zeros();
+                        node.strain.add_product_to(&viscous, &mut c);
+                        out.add_damping(a, b, &c);
                     }
                     out.add_stiffness(a, b, &k);
                 });

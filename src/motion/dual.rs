@@ -249,6 +249,21 @@ impl DualMatrix {
         m
     }
 
+    /// Adds the product of `m` and the matrix that acts on twists, `m [A A°; 0 A]`, to `sum`, sparing the zeros.
+    #[inline]
+    pub fn add_product_to(&self, m: &Matrix6<f64>, sum: &mut Matrix6<f64>) {
+        let (m, sum) = (&m.data.0, &mut sum.data.0);
+        for j in 0..3 {
+            for i in 0..3 {
+                let (p, d) = (self.primal[(i, j)], self.dual[(i, j)]);
+                for row in 0..6 {
+                    sum[j][row] += m[i][row] * p;
+                    sum[j + 3][row] += m[i][row] * d + m[i + 3][row] * p;
+                }
+            }
+        }
+    }
+
     /// 6×6 matrix that takes a twist `[dual; primal]` to a wrench `[primal; dual]`: `[0 A; A A°]`.
     #[inline]
     pub fn to_stiffness_matrix(&self) -> Matrix6<f64> {
