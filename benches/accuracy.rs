@@ -132,7 +132,7 @@ fn cases() -> Vec<Case> {
                 "rate upwards",
                 "moment at the root",
             ],
-            grids: &[7, 9, 11, 15, 19, 25, 31, 41],
+            grids: &[7, 9, 11, 13, 15, 17, 19, 25, 31, 41],
             finest: 81,
             steps: &[50, 100, 200, 400, 800],
             shooting_steps: &[50, 100, 200, 400],
