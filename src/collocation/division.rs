@@ -140,7 +140,10 @@ pub(super) fn parts<'v, T>(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::solve::test_models::rotor;
+    use crate::collocation::{Collocation, GridState, Pattern, Tangent, TangentBlocks};
+    use crate::fourier::TimeGrid;
+    use crate::solve::test_models::{moving_models, rotor};
+    use std::sync::Arc;
 
     #[test]
     fn each_node_and_each_element_has_its_share() {
@@ -172,6 +175,47 @@ mod tests {
             }
             let evaluated: usize = shares.iter().map(|share| share.elements.len()).sum();
             assert!(evaluated <= system.elements().len() + 4 * (shares.len() - 1));
+        }
+    }
+
+    #[test]
+    fn sums_do_not_depend_on_the_number_of_threads() {
+        for (model, period) in moving_models() {
+            let points = 35;
+            let system = Arc::new(System::new(&model, period).unwrap());
+            let grid = TimeGrid::new(points, period).unwrap();
+            let pattern = Pattern::new(&system, points);
+            let wave = |i: usize| (0.37 * i as f64).sin();
+            let evaluate = |threads: usize| {
+                let mut equations = Collocation::new(system.clone(), grid).unwrap();
+                equations.set_workers(Workers::new(threads).unwrap());
+                let scales = equations.column_scale().iter().enumerate();
+                let increment: Vec<f64> = scales.map(|(i, s)| 0.05 * wave(i) * s).collect();
+                let state =
+                    GridState::reference(&system, grid).incremented(&system, &increment, 1.0);
+                let mut residual = vec![0.0; equations.size()];
+                equations.residual(&state, &mut residual).unwrap();
+                let mut values = vec![0.0; pattern.entries()];
+                let blocks = &mut TangentBlocks::default();
+                equations
+                    .jacobian(&state, &pattern, blocks, &mut values)
+                    .unwrap();
+                let mut tangent = Tangent::new(&system, points);
+                // Twice, as what is there from before is to be overwritten.
+                for _ in 0..2 {
+                    tangent.evaluate(&mut equations, &state).unwrap();
+                }
+                let mut product = vec![0.0; equations.size()];
+                let x: Vec<f64> = (0..equations.size()).map(|i| wave(3 * i + 1)).collect();
+                tangent.apply(&equations, &x, &mut product);
+                (equations.division.shares.len(), [residual, values, product])
+            };
+            let (_, alone) = evaluate(1);
+            for threads in [2, 3] {
+                let (shares, together) = evaluate(threads);
+                assert!(shares > 1);
+                assert!(together == alone, "{threads} threads");
+            }
         }
     }
 }
