@@ -168,3 +168,16 @@ impl Workers {
         }
     }
 }
+
+/// Parts of `values` of so many each, one after the other.
+pub(crate) fn parts<T>(
+    values: &mut [T],
+    counts: impl IntoIterator<Item = usize>,
+) -> impl Iterator<Item = &mut [T]> {
+    let mut rest = values;
+    counts.into_iter().map(move |count| {
+        let (part, next) = std::mem::take(&mut rest).split_at_mut(count);
+        rest = next;
+        part
+    })
+}

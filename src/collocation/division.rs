@@ -5,7 +5,7 @@
 //! whatever the number of threads.
 
 use crate::system::System;
-use crate::workers::Workers;
+use crate::workers::{Workers, parts};
 use std::ops::Range;
 
 /// Multiply-adds of the evaluation of an element with its tangents, about.
@@ -20,8 +20,8 @@ const NODES: usize = 32;
 pub(super) struct Share {
     /// The nodes.
     pub nodes: Range<usize>,
-    /// The elements, in ascending order, each with whether this share has its own unknowns.
-    pub elements: Vec<(usize, bool)>,
+    /// The elements, in ascending order.
+    pub elements: Vec<usize>,
 }
 
 /// All nodes in shares, and the threads that work on them.
@@ -79,12 +79,11 @@ impl Division {
         let owners = of_nodes.iter().map(|all| all.first().copied().unwrap_or(0));
         let owners: Vec<usize> = owners.collect();
         for (index, mut all) in of_nodes.into_iter().enumerate() {
-            let owner = owners[index];
-            all.push(owner);
+            all.push(owners[index]);
             all.sort_unstable();
             all.dedup();
             for share in all {
-                shares[share].elements.push((index, share == owner));
+                shares[share].elements.push(index);
             }
         }
         Division {
@@ -105,36 +104,26 @@ impl Division {
         values: &'v mut [T],
         count: impl Fn(&Share) -> usize,
     ) -> Vec<&'v mut [T]> {
-        let mut rest = values;
-        let split = self.shares.iter().map(|share| {
-            let (part, next) = std::mem::take(&mut rest).split_at_mut(count(share));
-            rest = next;
-            part
-        });
-        split.collect()
+        parts(values, self.shares.iter().map(count)).collect()
     }
 
-    /// What the elements have of their own, one after the other, dealt to the shares that have it.
-    pub fn deal<T>(&self, of_elements: impl IntoIterator<Item = T>) -> Vec<Vec<T>> {
-        let mut dealt: Vec<Vec<T>> = self.shares.iter().map(|_| Vec::new()).collect();
-        for (part, &owner) in of_elements.into_iter().zip(&self.owners) {
-            dealt[owner].push(part);
-        }
-        dealt
+    /// What the elements have of their own, one after the other: for each share, that of each of its elements, if the share
+    /// has it.
+    pub fn deal<T>(&self, of_elements: impl IntoIterator<Item = T>) -> Vec<Vec<Option<T>>> {
+        let mut own: Vec<Option<T>> = of_elements.into_iter().map(Some).collect();
+        let dealt = self
+            .shares
+            .iter()
+            .enumerate()
+            .map(|(share, Share { elements, .. })| {
+                let mut take = |index: usize| match self.owners[index] == share {
+                    true => own[index].take(),
+                    false => None,
+                };
+                elements.iter().map(|&index| take(index)).collect()
+            });
+        dealt.collect()
     }
-}
-
-/// Parts of `values` of so many each, one after the other.
-pub(super) fn parts<'v, T>(
-    values: &'v mut [T],
-    counts: impl IntoIterator<Item = usize> + 'v,
-) -> impl Iterator<Item = &'v mut [T]> {
-    let mut rest = values;
-    counts.into_iter().map(move |count| {
-        let (part, next) = std::mem::take(&mut rest).split_at_mut(count);
-        rest = next;
-        part
-    })
 }
 
 #[cfg(test)]
@@ -160,8 +149,8 @@ mod tests {
                     .windows(2)
                     .all(|s| s[0].nodes.end == s[1].nodes.start)
             );
-            let all = shares.iter().flat_map(|share| &share.elements);
-            let mut own: Vec<usize> = all.filter(|(_, own)| *own).map(|(e, _)| *e).collect();
+            let own = division.deal(0..system.elements().len()).into_iter();
+            let mut own: Vec<usize> = own.flatten().flatten().collect();
             own.sort_unstable();
             assert_eq!(own, (0..system.elements().len()).collect::<Vec<_>>());
             for (index, placed) in system.elements().iter().enumerate() {
@@ -170,7 +159,7 @@ mod tests {
                         .iter()
                         .find(|share| share.nodes.contains(node))
                         .unwrap();
-                    assert!(share.elements.iter().any(|(element, _)| *element == index));
+                    assert!(share.elements.contains(&index));
                 }
             }
             let evaluated: usize = shares.iter().map(|share| share.elements.len()).sum();

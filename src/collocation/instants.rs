@@ -39,15 +39,13 @@ impl Instants {
         share: &Share,
         state: &GridState,
         workspace: &mut Workspace,
-        (forces, own): (&mut [f64], &mut [&mut [f64]]),
+        (forces, own): (&mut [f64], &mut [Option<&mut [f64]>]),
     ) -> Result<()> {
-        let mut own = own.iter_mut();
         forces.fill(0.0);
-        for &(index, has_own) in &share.elements {
+        for (&index, own) in share.elements.iter().zip(own) {
             let placed = &self.system.elements()[index];
             let nodes = placed.element.nodes();
             let count = placed.element.multipliers();
-            let mut own = if has_own { own.next() } else { None };
             for k in 0..self.points {
                 let contribution = self.evaluate(placed, k, state, workspace)?;
                 let of_nodes = contribution.force.as_slice().chunks_exact(6);
@@ -58,7 +56,7 @@ impl Instants {
                         rows.iter_mut().zip(force).for_each(|(row, f)| *row += f);
                     }
                 }
-                if let Some(own) = &mut own {
+                if let Some(own) = own {
                     own[count * k..][..count].copy_from_slice(contribution.constraint.as_slice());
                 }
             }

@@ -1,6 +1,6 @@
 //! The Jacobian, assembled.
 
-use super::division::{Share, parts};
+use super::division::Share;
 use super::pattern::Pattern;
 use super::problem::{Collocation, Derivatives};
 use super::state::GridState;
@@ -9,8 +9,8 @@ use crate::elements::Contribution;
 use crate::error::Result;
 use crate::motion::DualMatrix;
 use crate::system::{Placed, Workspace};
+use crate::workers::parts;
 use nalgebra::{Matrix6, Vector6};
-use std::ops::Range;
 
 /// Tangents summed over the elements, for each pair of nodes and grid point.
 #[derive(Debug, Clone, Default)]
@@ -41,8 +41,11 @@ struct Part<'a> {
     mass: &'a mut [Matrix6<f64>],
     /// Values in the columns of the nodes.
     values: &'a mut [f64],
+    /// Number of the first pair in these columns, and position of the first value.
+    first_pair: usize,
+    first_value: usize,
     /// Of each element with its own unknowns here: values in their columns, and tangents with respect to their rates.
-    own: Vec<(&'a mut [f64], &'a mut [f64])>,
+    own: Vec<Option<(&'a mut [f64], &'a mut [f64])>>,
 }
 
 impl Collocation {
@@ -98,6 +101,8 @@ impl Collocation {
                     damping,
                     mass,
                     values,
+                    first_pair: pattern.pair_numbers(share.nodes.clone()).start,
+                    first_value: pattern.node_values(share.nodes.clone()).start,
                     own,
                 },
             )
@@ -157,15 +162,13 @@ impl Collocation {
         room: &mut Room,
     ) -> Result<()> {
         let points = self.grid().points();
-        let nodes_here = &part.share.nodes;
-        let first_pair = pattern.pair_numbers(nodes_here.clone()).start;
+        let share = part.share;
         for list in [&mut part.stiffness, &mut part.damping, &mut part.mass] {
             list.fill(Matrix6::zeros());
         }
         // Where rates are given inertia is all that matters of masses.
         let rates_are_given = matches!(self.derivatives, Derivatives::Given(_));
-        let mut own = part.own.iter_mut();
-        for &(index, has_own) in &part.share.elements {
+        for (i, &index) in share.elements.iter().enumerate() {
             let placed = &self.system().elements()[index];
             let nodes = placed.element.nodes();
             let count = placed.element.multipliers();
@@ -177,12 +180,11 @@ impl Collocation {
             room.numbers.clear();
             for row in nodes {
                 for column in nodes {
-                    let here = nodes_here.contains(column);
-                    let number = here.then(|| pattern.pair_number(*row, *column) - first_pair);
+                    let here = share.nodes.contains(column);
+                    let number = here.then(|| pattern.pair_number(*row, *column) - part.first_pair);
                     room.numbers.push(number);
                 }
             }
-            let mut own = if has_own { own.next() } else { None };
             for k in 0..points {
                 let workspace = &mut room.workspace;
                 let contribution = self.instants.evaluate(placed, k, state, workspace)?;
@@ -207,9 +209,9 @@ impl Collocation {
                 }
                 if !alone {
                     let at = (index, placed, k);
-                    self.write_constraint(pattern, at, contribution, nodes_here, part.values);
+                    self.write_constraint(pattern, at, contribution, part);
                 }
-                if let Some((values, rates)) = &mut own {
+                if let Some((values, rates)) = &mut part.own[i] {
                     let at = (index, placed, k);
                     self.write_own(pattern, at, contribution, values);
                     if placed.has_states {
@@ -234,26 +236,24 @@ impl Collocation {
         )
     }
 
-    /// Writes an element's own rows at grid point `k` in the columns of some nodes, whose values are given.
+    /// Writes an element's own rows at grid point `k` in the columns of a share's nodes.
     fn write_constraint(
         &self,
         pattern: &Pattern,
         (index, placed, k): (usize, &Placed, usize),
         contribution: &Contribution,
-        nodes: &Range<usize>,
-        values: &mut [f64],
+        part: &mut Part,
     ) {
         let (rows, _) = self.own_scales(placed, k);
-        let first_value = pattern.node_values(nodes.clone()).start;
         for (local, &node) in placed.element.nodes().iter().enumerate() {
-            if !nodes.contains(&node) {
+            if !part.share.nodes.contains(&node) {
                 continue;
             }
             for component in 0..6 {
                 let column = contribution.gradient.column(6 * local + component);
                 let first = pattern.constraint_value(index, local, node, k, component);
-                let values = &mut values[first - first_value..];
-                for ((value, entry), row) in values.iter_mut().zip(column.iter()).zip(rows) {
+                let values = part.values[first - part.first_value..].iter_mut();
+                for ((value, entry), row) in values.zip(column.iter()).zip(rows) {
                     *value = entry * row * self.column_scale[component];
                 }
             }
@@ -273,7 +273,6 @@ impl Collocation {
         let first_value = pattern.own_values(index).start;
         let count = placed.element.multipliers();
         let (rows, columns) = self.own_scales(placed, k);
-        let (own_row, own_column) = (|row: usize| rows[row], |column: usize| columns[column]);
         let alone = placed.has_states && matches!(self.derivatives, Derivatives::Given(_));
         let coupled = if alone {
             0
@@ -281,18 +280,18 @@ impl Collocation {
             placed.element.nodes().len()
         };
         for local in 0..coupled {
-            for row in 0..count {
+            for (row, own_scale) in columns.iter().enumerate() {
                 let first = pattern.force_value(index, local, k, row, count) - first_value;
                 for component in 0..6 {
                     values[first + component] = contribution.gradient[(row, 6 * local + component)]
                         * self.row_scale[component]
-                        * own_column(row);
+                        * own_scale;
                 }
             }
         }
         if placed.has_states {
             // Row ℓ is that of this grid point: ∂/∂λ_k + δ_ℓk, and D_ℓk times ∂/∂λ̇_ℓ.
-            for column in 0..count {
+            for (column, own_scale) in columns.iter().enumerate() {
                 for other in 0..points {
                     let d = match &self.derivatives {
                         Derivatives::Backward(rule, _) => rule.first[0],
@@ -307,7 +306,7 @@ impl Collocation {
                         if other == k && !alone {
                             entry += contribution.own[(row, column)];
                         }
-                        values[first + row] = entry * own_row(row) * own_column(column);
+                        values[first + row] = entry * rows[row] * own_scale;
                     }
                 }
             }
@@ -323,8 +322,6 @@ impl Collocation {
         gammas: &mut Vec<(DualMatrix, DualMatrix)>,
     ) {
         let points = self.grid().points();
-        let first_value = pattern.node_values(part.share.nodes.clone()).start;
-        let first_pair = pattern.pair_numbers(part.share.nodes.clone()).start;
         // Those of all nodes are the same.
         let scale = Matrix6::from_fn(|i, j| self.row_scale[i] * self.column_scale[j]);
         let given = match &self.derivatives {
@@ -342,7 +339,7 @@ impl Collocation {
         }
         for (number, pair) in pattern.pairs(column) {
             for k in 0..points {
-                let at = (number - first_pair) * points;
+                let at = (number - part.first_pair) * points;
                 if pair.dense {
                     for l in 0..points {
                         let (gamma_v, gamma_a) = &gammas[k * points + l];
@@ -363,7 +360,7 @@ impl Collocation {
                         block.component_mul_assign(&scale);
                         for component in 0..6 {
                             let first = pattern.pair_value(column, pair, k, component)
-                                - first_value
+                                - part.first_value
                                 + 6 * l;
                             part.values[first..first + 6]
                                 .copy_from_slice(block.column(component).as_slice());
@@ -379,7 +376,8 @@ impl Collocation {
                     }
                     block.component_mul_assign(&scale);
                     for component in 0..6 {
-                        let first = pattern.pair_value(column, pair, k, component) - first_value;
+                        let first =
+                            pattern.pair_value(column, pair, k, component) - part.first_value;
                         part.values[first..first + 6]
                             .copy_from_slice(block.column(component).as_slice());
                     }

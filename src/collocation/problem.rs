@@ -1,7 +1,7 @@
 //! Residual of the governing equations at all grid points, eq. (37).
 
 use super::aliasing::Aliasing;
-use super::division::{Division, parts};
+use super::division::Division;
 use super::instants::Instants;
 use super::kinematics::{BackwardRule, NodeKinematics};
 use super::oversampled::Oversampled;
@@ -12,7 +12,7 @@ use crate::error::Result;
 use crate::fourier::{Differentiation, TimeGrid};
 use crate::motion::{DualMatrix, Motion};
 use crate::system::{System, Workspace};
-use crate::workers::Workers;
+use crate::workers::{Workers, parts};
 use nalgebra::Vector6;
 use std::sync::Arc;
 

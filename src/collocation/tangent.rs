@@ -10,7 +10,7 @@
 //!
 //! where `Bᵀ` takes resultants to forces and `L` motions to resultants.
 
-use super::division::{Share, parts};
+use super::division::Share;
 use super::instants::Instants;
 use super::kinematics::VariationScratch;
 use super::problem::Collocation;
@@ -20,6 +20,7 @@ use crate::error::Result;
 use crate::fourier::Differentiation;
 use crate::motion::DualVector;
 use crate::system::{System, Workspace};
+use crate::workers::parts;
 use nalgebra::{DMatrix, Matrix6, Vector6};
 use std::collections::BTreeMap;
 use std::ops::Range;
@@ -579,17 +580,15 @@ impl TangentLayout {
         share: &Share,
         state: &GridState,
         workspace: &mut Workspace,
-        (pairs, own): (&mut [Vec<PairTangent>], &mut [OwnPart]),
+        (pairs, own): (&mut [Vec<PairTangent>], &mut [Option<OwnPart>]),
     ) -> Result<()> {
         let first_pair = self.couplings_of(share.nodes.clone()).start;
         let points = state.points();
-        let mut own = own.iter_mut();
-        for &(index, has_own) in &share.elements {
+        for (&index, own) in share.elements.iter().zip(own) {
             let placed = &instants.system().elements()[index];
             let nodes = placed.element.nodes();
             let couplings = &self.places[index].couplings;
-            let mut own = if has_own { own.next() } else { None };
-            if let Some((strains, own)) = &mut own {
+            if let Some((strains, own)) = own {
                 strains.iter_mut().for_each(Vec::clear);
                 own.gradients.clear();
                 own.own.clear();
@@ -620,7 +619,7 @@ impl TangentLayout {
                     }
                     sums.push(part_of_sum);
                 }
-                let Some((strains, own)) = &mut own else {
+                let Some((strains, own)) = own else {
                     continue;
                 };
                 for (all, strain) in strains.iter_mut().zip(&out.strains) {

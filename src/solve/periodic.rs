@@ -339,10 +339,19 @@ fn is_final(outcome: Outcome) -> bool {
 }
 
 impl Attempts<'_> {
-    pub(super) fn newton(&mut self, mut state: GridState) -> Result<(GridState, NewtonReport)> {
+    pub(super) fn newton(&mut self, state: GridState) -> Result<(GridState, NewtonReport)> {
+        let options = self.options;
+        self.newton_to(state, &options)
+    }
+
+    fn newton_to(
+        &mut self,
+        mut state: GridState,
+        options: &NewtonOptions,
+    ) -> Result<(GridState, NewtonReport)> {
         let observe = &mut *self.observe;
         let mut observe = |iteration: &Iteration| observe(Stage::Newton, iteration);
-        match self.newton.solve(&mut state, &self.options, &mut observe) {
+        match self.newton.solve(&mut state, options, &mut observe) {
             Ok(report) => Ok((state, report)),
             // Where the start cannot be interpolated there is no residual to begin with.
             Err(e) if e.kind() == ErrorKind::GridTooCoarse && self.oversampling > 1 => {
@@ -429,14 +438,15 @@ impl Attempts<'_> {
     /// From a solution on the present grid, which is coarse, if that resolves the motion; as [`find`](Self::find) otherwise.
     fn find_from_coarse(&mut self, grid: TimeGrid) -> Result<(GridState, NewtonReport)> {
         let coarse = self.grid;
-        let wanted = self.options.tolerance;
         // The error after the last increment goes with its square.
-        self.options.tolerance = wanted.max(RESOLVED);
+        let enough = NewtonOptions {
+            tolerance: self.options.tolerance.max(RESOLVED),
+            ..self.options
+        };
         let solution = match self.start()? {
-            Some(start) => Some(self.newton(start)?),
+            Some(start) => Some(self.newton_to(start, &enough)?),
             None => None,
         };
-        self.options.tolerance = wanted;
         self.move_to(grid)?;
         let start = match solution {
             Some((state, report))

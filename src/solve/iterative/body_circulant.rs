@@ -19,7 +19,7 @@ use super::mean::{Averages, MeanStrain};
 use super::resultants::Resultants;
 use crate::collocation::{Aliasing, Collocation, Tangent};
 use crate::error::Result;
-use crate::workers::Workers;
+use crate::workers::{Workers, parts};
 use nalgebra::{Complex, Matrix6};
 use realfft::{ComplexToReal, RealFftPlanner, RealToComplex};
 use std::sync::Arc;
@@ -338,13 +338,10 @@ impl BodyCirculant {
     fn transform_all(&mut self, x: &[f64]) {
         let harmonics = self.points / 2 + 1;
         let regions = &self.layout.regions;
-        let mut rest = &mut self.spectra[..];
-        let mut parts = Vec::with_capacity(regions.len());
-        for region in regions {
-            let (part, next) = rest.split_at_mut(region.unknowns.len() * harmonics);
-            parts.push(part);
-            rest = next;
-        }
+        let counts = regions
+            .iter()
+            .map(|region| region.unknowns.len() * harmonics);
+        let mut parts: Vec<_> = parts(&mut self.spectra, counts).collect();
         let new = || self.transform.clone();
         self.workers
             .for_each(&mut parts, &mut self.rooms, new, |transform, i, spectra| {

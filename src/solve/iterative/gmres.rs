@@ -63,7 +63,8 @@ pub(super) fn gmres(
     operator: &mut impl Preconditioned,
     rhs: &mut [f64],
     options: &GmresOptions,
-    (workers, room): (&Workers, &mut GmresRoom),
+    workers: &Workers,
+    room: &mut GmresRoom,
 ) -> GmresEnd {
     let vectors = Vectors { workers };
     let norm = |x: &mut [f64]| vectors.norm(x);
@@ -396,7 +397,8 @@ mod tests {
                 &mut operator,
                 &mut x,
                 &options,
-                (&Workers::default(), &mut GmresRoom::default()),
+                &Workers::default(),
+                &mut GmresRoom::default(),
             );
             assert!(end.error <= 1e-10, "{end:?}");
             let error = x.iter().zip(&exact).map(|(x, e)| (x - e).abs());
@@ -425,7 +427,8 @@ mod tests {
             &mut Zero,
             &mut x,
             &options,
-            (&Workers::default(), &mut GmresRoom::default()),
+            &Workers::default(),
+            &mut GmresRoom::default(),
         );
         assert!(end.error > 0.5 && x.iter().all(|x| x.is_finite()));
     }

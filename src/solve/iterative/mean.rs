@@ -1,10 +1,10 @@
 //! The Jacobian averaged over time in the frames of the bodies, harmonic by harmonic.
 
-use super::block_lu::BlockLanes;
+use super::block_lu::{BlockLanes, BlockPlace};
 use super::constraints::Class;
 use super::lanes::{ComplexLanes, LANES, Lanes};
 use super::layout::{Layout, own_first};
-use crate::collocation::{Aliasing, Collocation, Station, Tangent};
+use crate::collocation::{Aliasing, Collocation, Coupling, Station, Tangent};
 use crate::elements::StressLaw;
 use nalgebra::{Complex, Matrix3, Matrix6, Vector3, Vector6};
 
@@ -193,6 +193,13 @@ impl Averages<'_> {
         means
     }
 
+    /// Where a coupling stands in the matrices.
+    fn place(&self, coupling: &Coupling) -> BlockPlace {
+        let at = |node: usize| self.layout.node_at[node];
+        let structure = &self.layout.structure;
+        structure.block_at(at(coupling.row), at(coupling.column))
+    }
+
     /// Writes the matrices of harmonics with these circular frequencies.
     fn fill(
         &self,
@@ -202,7 +209,7 @@ impl Averages<'_> {
     ) {
         let (structure, node_at) = (&self.layout.structure, &self.layout.node_at);
         for (mean, coupling) in means.iter().zip(self.tangent.couplings()) {
-            let place = structure.block_at(node_at[coupling.row], node_at[coupling.column]);
+            let place = self.place(coupling);
             let [stiffness, damping, mass] = &mean.orders;
             for i in 0..6 {
                 for j in 0..6 {
@@ -268,9 +275,7 @@ impl Averages<'_> {
             let complex = |m: &Matrix6<f64>| m.map(Complex::from);
             let change = complex(&mean.velocity) * aliasing.velocity
                 + complex(&mean.orders[2]) * aliasing.acceleration;
-            let node_at = &self.layout.node_at;
-            let structure = &self.layout.structure;
-            let place = structure.block_at(node_at[coupling.row], node_at[coupling.column]);
+            let place = self.place(coupling);
             for i in 0..6 {
                 for j in 0..6 {
                     let entry = lanes.at(place.entry(i, j));

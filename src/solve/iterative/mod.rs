@@ -326,7 +326,8 @@ impl LinearSolver for Iterative {
                 &mut operator,
                 &mut unknowns,
                 &options,
-                (workers, &mut self.room),
+                workers,
+                &mut self.room,
             );
             self.record.products.push(end.iterations);
             self.count_bytes(end.iterations.min(options.restart), unknowns.len());

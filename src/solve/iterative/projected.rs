@@ -115,7 +115,7 @@ impl<L: LinearSolver> LinearSolver for Projected<L> {
             accuracy: (SHARPER * accuracy).max(SHARPEST),
             end: Ok(true),
         };
-        let end = gmres(&mut operator, rhs, &options, (&workers, &mut self.room));
+        let end = gmres(&mut operator, rhs, &options, &workers, &mut self.room);
         #[cfg(test)]
         self.products.push(end.iterations);
         let sampled = operator.end?;
