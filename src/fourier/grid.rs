@@ -42,6 +42,14 @@ impl TimeGrid {
         (self.points - 1) / 2
     }
 
+    /// Over the same period, with half the harmonics, or half of one more.
+    pub fn of_half_the_harmonics(&self) -> Self {
+        TimeGrid {
+            points: 2 * self.harmonics().div_ceil(2) + 1,
+            ..*self
+        }
+    }
+
     /// Time of grid point `k`.
     pub fn time(&self, k: usize) -> f64 {
         self.period * k as f64 / self.points as f64

@@ -2,7 +2,7 @@
 
 use super::branch::Branch;
 use super::newton::{Iteration, Newton, NewtonOptions, Outcome};
-use crate::collocation::{Collocation, GridState};
+use crate::collocation::{Collocation, GivenRates, GridState};
 use crate::error::{ErrorKind, Result};
 use crate::fourier::TimeGrid;
 use crate::system::System;
@@ -22,10 +22,15 @@ const LARGEST_TURN: f64 = 1.0;
 /// Smallest fraction of a step before giving up.
 const SMALLEST_FRACTION: f64 = 1.0 / 1024.0;
 
+/// Parts of the period at which inertial forces are looked at: none of the first four harmonics vanishes at both.
+const LOOKED_AT: [f64; 2] = [0.0, 0.2];
+
 /// How the guess ended.
 pub(super) struct Guess {
     /// State at the grid points, complete only if `outcome` is [`Outcome::Converged`].
     pub state: GridState,
+    /// Largest increment of a motion, in scaled unknowns, that its inertial forces would cause at rest, at the times looked at.
+    pub inertial_displacement: f64,
     /// Whether the guess was found.
     pub outcome: Outcome,
     /// Why not, otherwise.
@@ -181,6 +186,45 @@ impl<'a> Tracker<'a> {
         self.reached = reached;
         Ok(true)
     }
+
+    /// Largest increment of a motion that inertial forces at point `k` of a quasi-static motion would cause at rest.
+    fn inertial_displacement(
+        &mut self,
+        state: &GridState,
+        grid: TimeGrid,
+        k: usize,
+    ) -> Result<f64> {
+        let newton = &mut self.newton;
+        let system = newton.equations.system().clone();
+        newton.equations.set_conditions(grid.time(k), 1.0)?;
+        let mut at = GridState::at_points(&system, 1);
+        at.copy_point(&system, 0, state, k);
+        let (next, last) = (
+            (k + 1) % grid.points(),
+            (k + grid.points() - 1) % grid.points(),
+        );
+        let interval = grid.period() / grid.points() as f64;
+        let (twist, twist_rate) = (0..system.nodes())
+            .map(|node| {
+                let motions = state.node(node);
+                let to = |other: usize| motions[k].relative(&motions[other]).logarithm();
+                let (forwards, backwards) = (to(next), to(last));
+                (
+                    (forwards - backwards) / (2.0 * interval),
+                    (forwards + backwards) / (interval * interval),
+                )
+            })
+            .unzip();
+        let given = GivenRates {
+            twist,
+            twist_rate,
+            rates: vec![0.0; system.multipliers()],
+            weight: 0.0,
+            added_mass: 0.0,
+            elastic: true,
+        };
+        Ok(newton.displacement_at(&at, given)?.unwrap_or(0.0))
+    }
 }
 
 /// Quasi-static states at all points of `grid`.
@@ -210,12 +254,21 @@ pub(super) fn quasi_static(
                 complete && tracker.follow(1.0, |fraction| (start + fraction * length, 1.0))?;
         }
     }
+    let mut inertial_displacement = 0.0f64;
+    if complete {
+        for part in LOOKED_AT {
+            let k = (part * grid.points() as f64) as usize;
+            let found = tracker.inertial_displacement(&state, grid, k)?;
+            inertial_displacement = inertial_displacement.max(found);
+        }
+    }
     let (outcome, explanation) = tracker
         .failure
         .take()
         .unwrap_or((Outcome::Converged, String::new()));
     Ok(Guess {
         state,
+        inertial_displacement,
         outcome,
         explanation,
     })

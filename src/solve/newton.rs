@@ -5,7 +5,7 @@ use super::assembly::describe_turned_over;
 use super::dense::largest;
 use super::diagnosis::{Singularity, describe_inconsistency, describe_open_joint};
 use super::linear::LinearSolver;
-use crate::collocation::{Collocation, GridState};
+use crate::collocation::{Collocation, GivenRates, GridState};
 use crate::error::{ErrorKind, Result};
 use serde::{Deserialize, Serialize};
 use std::time::{Duration, Instant};
@@ -201,6 +201,21 @@ impl Newton {
             .linear
             .linearise(&mut self.equations, state, &mut self.timings)?;
         Ok(regular.then(|| self.linear.determinant()))
+    }
+
+    /// Largest increment of a motion that the equations at these rates ask for, with the Jacobian at rest; none if that is
+    /// singular.
+    pub fn displacement_at(&mut self, state: &GridState, given: GivenRates) -> Result<Option<f64>> {
+        let regular = self
+            .linear
+            .linearise(&mut self.equations, state, &mut self.timings)?;
+        let mut increment = vec![0.0; self.equations.size()];
+        self.equations.set_given_rates(given);
+        let residual = self.equations.residual(state, &mut increment);
+        self.equations.clear_past();
+        residual?;
+        let solved = regular && self.solve_linear(&mut increment, COARSE)?;
+        Ok(solved.then(|| self.motion_norm(&increment)))
     }
 
     /// Growth of the factored Jacobian, see [`LinearSolver::growth`].

@@ -167,8 +167,16 @@ impl PeriodicSolve {
 
 /// Grids of more than this many times the points that a first guess takes start from a solution on fewer.
 const COARSER: usize = 2;
-/// Estimated error of such a solution that leaves it nearer than the quasi-static motion.
+/// Estimated error of such a solution that leaves it nearer than the quasi-static motion: this, or so many times what inertial
+/// forces displace that by.
 const RESOLVED: f64 = 1e-4;
+const NEARER: f64 = 0.1;
+/// Tolerance of such a solution: the error after the last increment goes with its square.
+const ENOUGH: f64 = 1e-3;
+/// Inertial displacement, in scaled unknowns, of a quasi-static motion from which Newton's method takes more than a few iterations.
+const FAR: f64 = 0.01;
+/// Fewest points of a grid with half the harmonics that may serve as a start.
+const LEAST_COARSE: usize = 7;
 /// Smallest step of the continuation in the inertia factor.
 const SMALLEST_INERTIA_STEP: f64 = 1.0 / 64.0;
 
@@ -283,8 +291,7 @@ pub fn solve_periodic(
     let (mut state, report) = match (&options.grid_points, given) {
         (GridPoints::Adaptive(adaptation), given) => attempts.refine(adaptation, given)?,
         (GridPoints::Fixed(_), Some(state)) => attempts.newton(state)?,
-        (GridPoints::Fixed(_), None) if grid == wanted => attempts.find()?,
-        (GridPoints::Fixed(_), None) => attempts.find_from_coarse(wanted)?,
+        (GridPoints::Fixed(_), None) => attempts.find_on(wanted)?,
     };
     attempts.newton.equations.update_kinematics(&state);
     // Between grid points, too, what has no effect at them may have some.
@@ -435,12 +442,29 @@ impl Attempts<'_> {
         }
     }
 
+    /// On a grid that may be finer than the present one, from the library's own start.
+    fn find_on(&mut self, grid: TimeGrid) -> Result<(GridState, NewtonReport)> {
+        if self.grid == grid {
+            let coarser = grid.of_half_the_harmonics();
+            if coarser.points() < LEAST_COARSE || !self.is_far()? {
+                return self.find();
+            }
+            self.move_to(coarser)?;
+        }
+        self.find_from_coarse(grid)
+    }
+
+    /// Whether the quasi-static motion is so far from the periodic one that Newton's method takes long.
+    fn is_far(&mut self) -> Result<bool> {
+        let guess = self.quasi_static()?;
+        Ok(guess.outcome == Outcome::Converged && guess.inertial_displacement > FAR)
+    }
+
     /// From a solution on the present grid, which is coarse, if that resolves the motion; as [`find`](Self::find) otherwise.
     fn find_from_coarse(&mut self, grid: TimeGrid) -> Result<(GridState, NewtonReport)> {
         let coarse = self.grid;
-        // The error after the last increment goes with its square.
         let enough = NewtonOptions {
-            tolerance: self.options.tolerance.max(RESOLVED),
+            tolerance: self.options.tolerance.max(ENOUGH),
             ..self.options
         };
         let solution = match self.start()? {
@@ -448,10 +472,11 @@ impl Attempts<'_> {
             None => None,
         };
         self.move_to(grid)?;
+        let resolved = RESOLVED.max(NEARER * self.quasi_static()?.inertial_displacement);
         let start = match solution {
             Some((state, report))
                 if report.outcome == Outcome::Converged
-                    && assess(&self.system, coarse, &state, &self.workers)?.error < RESOLVED =>
+                    && assess(&self.system, coarse, &state, &self.workers)?.error < resolved =>
             {
                 self.carried(&state, coarse)?
             }
@@ -468,7 +493,7 @@ impl Attempts<'_> {
             }
             self.begin_again()?;
         }
-        if self.quasi_static()?.outcome != Outcome::Cancelled {
+        if self.guess_grid != grid && self.quasi_static()?.outcome != Outcome::Cancelled {
             self.quasi_static = None;
         }
         self.guess_grid = grid;
