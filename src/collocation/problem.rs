@@ -9,7 +9,7 @@ use super::state::GridState;
 use super::step::{AlphaStep, GivenRates};
 use crate::elements::{Measure, NodeState, Unknown};
 use crate::error::Result;
-use crate::fourier::{Differentiation, TimeGrid};
+use crate::fourier::{Differentiation, Resampling, TimeGrid};
 use crate::motion::{DualMatrix, Motion};
 use crate::system::{System, Workspace};
 use crate::workers::{Workers, parts};
@@ -254,6 +254,44 @@ impl Collocation {
         )?;
         self.instants.resultants = all;
         Ok(())
+    }
+
+    /// Stress resultants of all stations at `state`, at the points of another grid of the same period.
+    ///
+    /// # Errors
+    /// If an element is too distorted.
+    pub fn resampled_resultants(
+        &mut self,
+        state: &GridState,
+        other: TimeGrid,
+    ) -> Result<Vec<Vector6<f64>>> {
+        self.extrapolate_resultants(state, &vec![0.0; self.size()])?;
+        let resultants = std::mem::take(&mut self.instants.resultants);
+        let stations = self.system.stations();
+        let mut all = vec![Vector6::zeros(); other.points() * stations];
+        let mut resampling = Resampling::new(self.grid, 0.0, other.points());
+        let mut values = vec![0.0; other.points()];
+        for station in 0..stations {
+            for row in 0..6 {
+                let own = resultants.iter().skip(station).step_by(stations);
+                resampling.read(own.map(|resultants| resultants[row]));
+                resampling.write(0, 0, &mut values);
+                for (k, value) in values.iter().enumerate() {
+                    all[k * stations + station][row] = *value;
+                }
+            }
+        }
+        Ok(all)
+    }
+
+    /// From now on takes geometric stiffness at these stress resultants.
+    pub fn set_resultants(&mut self, resultants: Vec<Vector6<f64>>) {
+        self.instants.resultants = resultants;
+    }
+
+    /// Whether geometric stiffness is taken at stress resultants other than those of the strains.
+    pub fn has_resultants(&self) -> bool {
+        !self.instants.resultants.is_empty()
     }
 
     /// From now on takes geometric stiffness at the stress resultants of the strains: the tangent is exact.

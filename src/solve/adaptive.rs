@@ -242,8 +242,7 @@ impl Attempts<'_> {
                 return Ok((state, report));
             }
             let coarse = self.grid;
-            self.move_to(TimeGrid::new(next, coarse.period())?)?;
-            let start = self.carried(&state, coarse)?;
+            let start = self.carry_to(TimeGrid::new(next, coarse.period())?, &state)?;
             let (fine, fine_report) = match &start {
                 Some(start) => self.newton(start.clone())?,
                 None => self.find()?,

@@ -351,7 +351,12 @@ impl<L: LinearSolver> Newton<L> {
         })?;
         let mut accuracy = COARSE;
         let mut may_leap = self.equations.system().stations() > 0;
-        let mut leap: Option<Leap> = None;
+        // What stress resultants are given are trusted as after a leap.
+        let mut leap = self.equations.has_resultants().then(|| Leap {
+            start: state.clone(),
+            residual: residual.clone(),
+            bound: f64::INFINITY,
+        });
         while report.iterations.len() < options.iteration_limit {
             let number = report.iterations.len() + 1;
             self.contraction = None;
@@ -365,8 +370,7 @@ impl<L: LinearSolver> Newton<L> {
             let solved = factored && self.solve_linear(&mut step_vector, accuracy)?;
             let increment = self.motion_norm(&step_vector);
             if let Some(failed) = leap.take_if(|leap| !solved || increment > leap.bound) {
-                *state = failed.start;
-                residual = failed.residual;
+                (*state, residual) = (failed.start, failed.residual);
                 self.equations.clear_resultants();
                 may_leap = false;
                 continue;
@@ -458,6 +462,14 @@ impl<L: LinearSolver> Newton<L> {
                     break None;
                 }
             };
+            if accepted.is_none()
+                && let Some(failed) = leap.take()
+            {
+                (*state, residual) = (failed.start, failed.residual);
+                self.equations.clear_resultants();
+                may_leap = false;
+                continue;
+            }
             leaping &= accepted.is_some();
             if leaping {
                 let equations = &mut self.equations;

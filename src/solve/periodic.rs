@@ -433,8 +433,27 @@ impl Attempts<'_> {
         self.carried(&state, from)
     }
 
+    /// Goes on with another grid, from a solution on the present one; none if that is too coarse to tell.
+    ///
+    /// The first tangent there is of stress resultants that are carried, too: those of strains between grid points know too much
+    /// of stretching by turns that are a little off.
+    pub(super) fn carry_to(
+        &mut self,
+        grid: TimeGrid,
+        state: &GridState,
+    ) -> Result<Option<GridState>> {
+        let from = self.grid;
+        let resultants = self.newton.equations.resampled_resultants(state, grid)?;
+        self.move_to(grid)?;
+        let start = self.carried(state, from)?;
+        if start.is_some() {
+            self.newton.equations.set_resultants(resultants);
+        }
+        Ok(start)
+    }
+
     /// A state on the grid `from`, at the points of the present one; none if `from` is too coarse to tell.
-    pub(super) fn carried(&self, state: &GridState, from: TimeGrid) -> Result<Option<GridState>> {
+    fn carried(&self, state: &GridState, from: TimeGrid) -> Result<Option<GridState>> {
         match state.resampled(&self.system, from, 0.0, self.grid, &self.workers) {
             Ok(state) => Ok(Some(state)),
             Err(e) if e.kind() == ErrorKind::GridTooCoarse => Ok(None),
@@ -471,20 +490,20 @@ impl Attempts<'_> {
             Some(start) => Some(self.newton_to(start, &enough)?),
             None => None,
         };
-        self.move_to(grid)?;
         let resolved = RESOLVED.max(NEARER * self.quasi_static()?.inertial_displacement);
         let start = match solution {
             Some((state, report))
                 if report.outcome == Outcome::Converged
                     && assess(&self.system, coarse, &state, &self.workers)?.error < resolved =>
             {
-                self.carried(&state, coarse)?
+                self.carry_to(grid, &state)?
             }
             Some((_, report)) if report.outcome == Outcome::Cancelled => {
                 return Ok((GridState::reference(&self.system, grid), report));
             }
             _ => None,
         };
+        self.move_to(grid)?;
         if let Some(start) = start {
             let found = self.newton(start)?;
             // What is prolonged may miss constraints that depend on each other.
