@@ -265,9 +265,12 @@ impl Collocation {
         state: &GridState,
         other: TimeGrid,
     ) -> Result<Vec<Vector6<f64>>> {
+        let stations = self.system.stations();
+        if stations == 0 {
+            return Ok(Vec::new());
+        }
         self.extrapolate_resultants(state, &vec![0.0; self.size()])?;
         let resultants = std::mem::take(&mut self.instants.resultants);
-        let stations = self.system.stations();
         let mut all = vec![Vector6::zeros(); other.points() * stations];
         let mut resampling = Resampling::new(self.grid, 0.0, other.points());
         let mut values = vec![0.0; other.points()];

@@ -389,37 +389,45 @@ fn adjoint_variations(
     (mu, nu)
 }
 
-/// Geometric stiffness: row of blocks for node `a`, passed to `add(b, block)`.
-fn geometric_row(
+/// Geometric stiffness, block by block: passed to `add(a, b, block)`.
+///
+/// Increments of two nodes commute, so that blocks on both sides of the diagonal are transposes of each other.
+fn geometric_stiffness(
     at: &StationMotion,
     (mu, nu): (&DualVector, &DualVector),
     nodes: &[NodeTerms],
-    a: usize,
-    mut add: impl FnMut(usize, DualMatrix),
+    mut add: impl FnMut(usize, usize, &Matrix6<f64>),
 ) {
-    let node = &nodes[a];
-    let (n, n_prime) = node.shape;
     let e_skew = at.e.skew();
-    let c_transposed = node.c.transpose();
-    let x_transposed = node.x.transpose();
-    let x_mu = (x_transposed * *mu).skew();
     let mu_e = mu.dot(&at.e);
-    let by_mu =
-        c_transposed * n_prime + (node.x_axial.outer(&at.e) * 2.0 + e_skew * x_transposed) * n;
-    let by_nu = c_transposed * n;
-    let by_strain = (node.x_axial.outer(mu) * 2.0 - x_mu) * n;
-    let by_turn = turned(node, mu) * n_prime
-        + (turned(node, nu) - node.x.trace_minus() * mu_e - e_skew * (x_transposed * mu.skew()))
-            * n;
-    let own = (node.c * mu_e + e_skew * x_mu - spread_variation(node, nu)) * n
-        - spread_variation(node, mu) * n_prime;
-    for (b, other) in nodes.iter().enumerate() {
-        let mut block =
-            by_mu * other.mu + by_nu * other.nu + by_strain * other.strain + by_turn * other.turn;
-        if a == b {
-            block += own;
+    let mu_skew = mu.skew();
+    for (a, node) in nodes.iter().enumerate() {
+        let (n, n_prime) = node.shape;
+        let c_transposed = node.c.transpose();
+        let x_transposed = node.x.transpose();
+        let x_mu = (x_transposed * *mu).skew();
+        let by_mu =
+            c_transposed * n_prime + (node.x_axial.outer(&at.e) * 2.0 + e_skew * x_transposed) * n;
+        let by_nu = c_transposed * n;
+        let by_strain = (node.x_axial.outer(mu) * 2.0 - x_mu) * n;
+        let by_turn = turned(node, mu) * n_prime
+            + (turned(node, nu) - node.x.trace_minus() * mu_e - e_skew * (x_transposed * mu_skew))
+                * n;
+        for (b, other) in nodes.iter().enumerate().skip(a) {
+            let block = by_mu * other.mu
+                + by_nu * other.nu
+                + by_strain * other.strain
+                + by_turn * other.turn;
+            if a == b {
+                let own = (node.c * mu_e + e_skew * x_mu - spread_variation(node, nu)) * n
+                    - spread_variation(node, mu) * n_prime;
+                add(a, a, &(block + own).to_stiffness_matrix());
+            } else {
+                let block = block.to_stiffness_matrix();
+                add(a, b, &block);
+                add(b, a, &block.transpose());
+            }
         }
-        add(b, block);
     }
 }
 
@@ -516,6 +524,7 @@ impl Element for Beam {
 
     fn evaluate(&self, instant: &Instant, out: &mut Contribution) -> Result<()> {
         let states = instant.nodes;
+        let moves = states.iter().any(|state| state.twist != Vector6::zeros());
         let mut terms = std::mem::take(&mut out.beam_terms);
         for (place, station) in self.stations.iter().enumerate() {
             let relative = |a: usize| states[0].motion.relative(&states[a].motion);
@@ -546,7 +555,11 @@ impl Element for Beam {
                 None => stress,
             };
             let (mu, nu) = adjoint_variations(&at, &stress, &mut terms);
-            if self.damped {
+            geometric_stiffness(&at, (&mu, &nu), &terms, |a, b, block| {
+                out.add_stiffness(a, b, block);
+            });
+            let turns_rates = self.damped && moves;
+            if turns_rates {
                 rate_variations(&at, &rate, twist, &mut terms);
             }
             if out.with_resultants_apart {
@@ -554,30 +567,30 @@ impl Element for Beam {
                     strain: node.strain,
                     rate: node.rate,
                 }));
-                for a in 0..terms.len() {
-                    geometric_row(&at, (&mu, &nu), &terms, a, |b, block| {
-                        out.add_stiffness(a, b, &block.to_stiffness_matrix());
-                    });
-                }
                 continue;
             }
+            // `K_ab = B_aᵀ (K B_b + D R_b)`, `C_ab = B_aᵀ D B_b`, all transposed.
             let StressLaw { stiffness, damping } = station.stress_law();
-            for a in 0..terms.len() {
-                let b_a = terms[a].strain.to_twist_matrix();
-                let elastic = b_a.tr_mul(&stiffness);
-                let viscous = b_a.tr_mul(&damping);
-                geometric_row(&at, (&mu, &nu), &terms, a, |b, block| {
-                    let node = &terms[b];
-                    let mut k = block.to_stiffness_matrix();
-                    node.strain.add_product_to(&elastic, &mut k);
+            for (b, column) in terms.iter().enumerate() {
+                let (mut by_motion, mut by_velocity) = (Matrix6::zeros(), Matrix6::zeros());
+                column.strain.add_product_to(&stiffness, &mut by_motion);
+                if turns_rates {
+                    column.rate.add_product_to(&damping, &mut by_motion);
+                }
+                if self.damped {
+                    column.strain.add_product_to(&damping, &mut by_velocity);
+                }
+                let (by_motion, by_velocity) = (by_motion.transpose(), by_velocity.transpose());
+                for (a, row) in terms.iter().enumerate() {
+                    let mut k = Matrix6::zeros();
+                    row.strain.add_product_to(&by_motion, &mut k);
+                    out.add_stiffness(a, b, &k.transpose());
                     if self.damped {
-                        node.rate.add_product_to(&viscous, &mut k);
                         let mut c = Matrix6::zeros();
-                        node.strain.add_product_to(&viscous, &mut c);
-                        out.add_damping(a, b, &c);
+                        row.strain.add_product_to(&by_velocity, &mut c);
+                        out.add_damping(a, b, &c.transpose());
                     }
-                    out.add_stiffness(a, b, &k);
-                });
+                }
             }
         }
         out.beam_terms = terms;
