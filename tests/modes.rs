@@ -141,12 +141,17 @@ fn timoshenko(r: f64, guess: f64) -> f64 {
     0.5 * (a + b)
 }
 
+/// What rounding leaves of frequencies: it grows with the ratio of stiffnesses, 1/r².
+fn rounding(r: f64) -> f64 {
+    2e-14 / (r * r)
+}
+
 const CANTILEVER: [f64; 3] = [1.875104068712, 4.694091132974, 7.854757438238];
 
 #[test]
 fn clamped_free_beam() {
-    // What rounding leaves grows with the ratio of stiffnesses, 1/r².
-    for (r, rounding) in [(1e-3, 2e-8), (1e-4, 2e-6)] {
+    for r in [1e-3, 1e-4] {
+        let rounding = rounding(r);
         let mut model = Model::new();
         let ids = Slender {
             r,
@@ -188,7 +193,8 @@ fn clamped_free_beam() {
     let exact = timoshenko(r, CANTILEVER[0].powi(2) * 0.985);
     assert!((exact / CANTILEVER[0].powi(2) - 1.0).abs() > 0.01);
     for w in found {
-        assert!((w / exact - 1.0).abs() < 1e-12, "{:e}", w / exact - 1.0);
+        let error = (w / exact - 1.0).abs();
+        assert!(error < rounding(r), "{error:e}");
     }
 }
 
@@ -312,13 +318,15 @@ fn turning_blade() {
                 (w / expected - 1.0).abs() < 1e-4,
                 "{eta}, {k}: {w} {expected}"
             );
-            // Lag moves in the plane, flap out of it.
+            // Lag moves in the plane, flap out of it. The squares of their frequencies differ by that of the speed: rounding
+            // mixes them as it is large beside that.
+            let mixed = 2.0 * rounding(r) * (flap / eta).powi(2);
             let tip = found.shape(k, ids.last_node).unwrap();
             let (lag, flap) = (tip[1].norm(), tip[2].norm());
             assert!(if k % 2 == 0 {
-                flap < 1e-6 * lag
+                flap < mixed * lag
             } else {
-                lag < 1e-6 * flap
+                lag < mixed * flap
             });
         }
     }

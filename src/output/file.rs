@@ -51,6 +51,8 @@ struct Content<'a> {
     #[serde(default)]
     grids: Cow<'a, [GridTried]>,
     #[serde(default)]
+    coarse_start: Option<GridTried>,
+    #[serde(default)]
     filter: Option<SpectralFilter>,
     #[serde(default)]
     iterative: Option<Cow<'a, IterativeRecord>>,
@@ -84,6 +86,7 @@ impl Solution {
             diagnostics: Cow::Borrowed(self.diagnostics()),
             forces: Cow::Borrowed(&self.forces),
             grids: Cow::Borrowed(&self.solve.grids),
+            coarse_start: self.solve.coarse_start,
             filter: self.filter,
             iterative: self.solve.iterative.as_ref().map(Cow::Borrowed),
             march: self.solve.march.as_ref().map(Cow::Borrowed),
@@ -264,6 +267,7 @@ impl Content<'_> {
                 guess_time: self.guess_time,
                 timings: self.timings,
                 grids: self.grids.into_owned(),
+                coarse_start: self.coarse_start,
                 iterative: self.iterative.map(Cow::into_owned),
                 threads: 1,
                 march,

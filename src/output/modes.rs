@@ -138,6 +138,7 @@ impl Modes {
             guess_time: Duration::ZERO,
             timings: Timings::default(),
             grids: Vec::new(),
+            coarse_start: None,
             iterative: None,
             threads: 1,
             march: None,

@@ -98,6 +98,12 @@ impl Solution {
                 ));
             }
         }
+        if let Some(coarse) = &solve.coarse_start {
+            line(format_args!(
+                "  start: a solution on {} grid points, after {} iterations, with an estimated error of {:.1e}",
+                coarse.points, coarse.iterations, coarse.error_estimate
+            ));
+        }
         if solve.march.is_none() && !solve.report.iterations.is_empty() {
             line(format_args!("  iteration   residual  increment   step"));
         }

@@ -147,6 +147,8 @@ pub struct PeriodicSolve {
     pub timings: Timings,
     /// The grids that an adaptive solve has tried, coarsest first.
     pub grids: Vec<GridTried>,
+    /// The coarser grid whose solution Newton's method began at, if the library chose to.
+    pub coarse_start: Option<GridTried>,
     /// What iterative solution of linear equations took on the last grid, where it was used.
     pub iterative: Option<IterativeRecord>,
     /// Threads that shared the work, 0 for as many as there are processors.
@@ -177,6 +179,8 @@ const ENOUGH: f64 = 1e-3;
 const FAR: f64 = 0.01;
 /// Fewest points of a grid with half the harmonics that may serve as a start.
 const LEAST_COARSE: usize = 7;
+/// Most iterations on it: more would take longer than those it is to spare.
+const MOST_COARSE: usize = 8;
 /// Smallest step of the continuation in the inertia factor.
 const SMALLEST_INERTIA_STEP: f64 = 1.0 / 64.0;
 
@@ -198,6 +202,7 @@ pub(super) struct Attempts<'a> {
     /// Time spent on grids before the present one.
     timings: Timings,
     pub(super) grids: Vec<GridTried>,
+    coarse_start: Option<GridTried>,
 }
 
 /// Finds the periodic response of `model` with period `period`.
@@ -283,6 +288,7 @@ pub fn solve_periodic(
         guess_time: Duration::ZERO,
         timings: Timings::default(),
         grids: Vec::new(),
+        coarse_start: None,
     };
     let given = match &options.guess {
         InitialGuess::State(state) => Some(state.clone()),
@@ -309,6 +315,7 @@ pub fn solve_periodic(
         timings: attempts.timings + attempts.newton.timings,
         iterative: attempts.newton.linear.sampled().record().cloned(),
         grids: attempts.grids,
+        coarse_start: attempts.coarse_start,
         threads: options.threads,
         march: None,
     })
@@ -463,14 +470,16 @@ impl Attempts<'_> {
 
     /// On a grid that may be finer than the present one, from the library's own start.
     fn find_on(&mut self, grid: TimeGrid) -> Result<(GridState, NewtonReport)> {
+        let mut most = self.options.iteration_limit;
         if self.grid == grid {
             let coarser = grid.of_half_the_harmonics();
             if coarser.points() < LEAST_COARSE || !self.is_far()? {
                 return self.find();
             }
             self.move_to(coarser)?;
+            most = most.min(MOST_COARSE);
         }
-        self.find_from_coarse(grid)
+        self.find_from_coarse(grid, most)
     }
 
     /// Whether the quasi-static motion is so far from the periodic one that Newton's method takes long.
@@ -479,30 +488,43 @@ impl Attempts<'_> {
         Ok(guess.outcome == Outcome::Converged && guess.inertial_displacement > FAR)
     }
 
-    /// From a solution on the present grid, which is coarse, if that resolves the motion; as [`find`](Self::find) otherwise.
-    fn find_from_coarse(&mut self, grid: TimeGrid) -> Result<(GridState, NewtonReport)> {
+    /// From a solution on the present grid, which is coarse, if `most` iterations find one that resolves the motion; as
+    /// [`find`](Self::find) otherwise.
+    fn find_from_coarse(
+        &mut self,
+        grid: TimeGrid,
+        most: usize,
+    ) -> Result<(GridState, NewtonReport)> {
         let coarse = self.grid;
         let enough = NewtonOptions {
             tolerance: self.options.tolerance.max(ENOUGH),
-            ..self.options
+            iteration_limit: most,
         };
-        let solution = match self.start()? {
-            Some(start) => Some(self.newton_to(start, &enough)?),
-            None => None,
-        };
-        let resolved = RESOLVED.max(NEARER * self.quasi_static()?.inertial_displacement);
-        let start = match solution {
-            Some((state, report))
-                if report.outcome == Outcome::Converged
-                    && assess(&self.system, coarse, &state, &self.workers)?.error < resolved =>
-            {
-                self.carry_to(grid, &state)?
+        let mut start = None;
+        if let Some(state) = self.start()? {
+            let (state, report) = self.newton_to(state, &enough)?;
+            match report.outcome {
+                Outcome::Converged => {
+                    let error = assess(&self.system, coarse, &state, &self.workers)?.error;
+                    let distance = self.quasi_static()?.inertial_displacement;
+                    if error < RESOLVED.max(NEARER * distance) {
+                        start = self.carry_to(grid, &state)?;
+                        self.coarse_start = start.is_some().then_some(GridTried {
+                            points: coarse.points(),
+                            iterations: report.iterations.len(),
+                            error_estimate: error,
+                        });
+                    }
+                }
+                Outcome::Cancelled => {
+                    self.move_to(grid)?;
+                    let reached = self.carried(&state, coarse)?;
+                    let state = reached.unwrap_or_else(|| GridState::reference(&self.system, grid));
+                    return Ok((state, report));
+                }
+                _ => {}
             }
-            Some((_, report)) if report.outcome == Outcome::Cancelled => {
-                return Ok((GridState::reference(&self.system, grid), report));
-            }
-            _ => None,
-        };
+        }
         self.move_to(grid)?;
         if let Some(start) = start {
             let found = self.newton(start)?;
@@ -510,6 +532,7 @@ impl Attempts<'_> {
             if matches!(found.1.outcome, Outcome::Converged | Outcome::Cancelled) {
                 return Ok(found);
             }
+            self.coarse_start = None;
             self.begin_again()?;
         }
         if self.guess_grid != grid && self.quasi_static()?.outcome != Outcome::Cancelled {

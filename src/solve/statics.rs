@@ -178,6 +178,7 @@ pub(super) fn find_equilibrium(
         guess_time,
         timings: newton.timings,
         grids: Vec::new(),
+        coarse_start: None,
         iterative: None,
         threads: 1,
         march: None,

@@ -614,6 +614,7 @@ pub(super) fn finish(
         guess_time: Duration::ZERO,
         timings: super::Timings::default(),
         grids: Vec::new(),
+        coarse_start: None,
         iterative: None,
         threads: 1,
         march: Some(record),
