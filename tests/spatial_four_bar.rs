@@ -131,6 +131,17 @@ fn error_estimate_is_not_optimistic() {
     }
 }
 
+#[test]
+fn reports_say_where_nothing_is_resolved() {
+    let warned = |n: usize| {
+        SOLUTIONS[&n]
+            .report()
+            .contains("more grid points are needed")
+    };
+    assert!(warned(3));
+    assert!(!warned(11));
+}
+
 /// The position loop: B on a circle about A in the plane y = 0, at the distance |BC| from C, which is on
 /// a circle about D. `deflections` of B on bar 1 and of C on bar 3 are added, each in the axes of its
 /// bar at its fixed end. Returns B at each of `times`, followed from the reference configuration.

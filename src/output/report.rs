@@ -24,6 +24,9 @@ impl Outcome {
     }
 }
 
+/// An estimated error beyond this, relative to the size of the mechanism or in radians, is one of the motion itself.
+const UNRESOLVED: f64 = 0.1;
+
 impl Solution {
     /// Outcome and why, iterations, error estimates and time spent, in readable lines.
     pub fn report(&self) -> String {
@@ -121,6 +124,11 @@ impl Solution {
                 diagnostics.between.force,
                 diagnostics.between.constraint
             ));
+            if self.outcome().is_solution() && diagnostics.error_estimate > UNRESOLVED {
+                line(format_args!(
+                    "  so large an error leaves nothing resolved: more grid points are needed, or an error tolerance instead of their number"
+                ));
+            }
             if diagnostics.decay == DecayKind::Slow {
                 line(format_args!(
                     "  harmonics fall slowly, as j^-{:.1}: a kink, or a peak too narrow for the grid, near t = {:.6}; forces may oscillate about their values",

@@ -175,7 +175,7 @@ pub(super) fn describe_open_joint(equations: &Collocation, residual: &[f64]) -> 
         return String::new();
     }
     format!(
-        "; {} stays open by {:.2e} (relative to the size of the mechanism, or in radians)",
+        "; {} stays open by {:.2e} (relative to the size of the mechanism, or in radians): the mechanism may be locked",
         worst.1, worst.0
     )
 }

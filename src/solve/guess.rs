@@ -273,3 +273,50 @@ pub(super) fn quasi_static(
         explanation,
     })
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::elements::{Coordinate, JointKind};
+    use crate::model::{JointCoordinate, Model, Signal, SpringDefinition};
+    use nalgebra::{Matrix3, Vector3};
+    use std::f64::consts::TAU;
+
+    #[test]
+    fn inertial_forces_of_a_quasi_static_oscillation_displace_it_by_their_share_of_the_spring() {
+        let (mass, stiffness, force, period) = (2.0, 50.0, 3.0, 1.7);
+        let mut model = Model::new();
+        let body = model
+            .add_rigid_body(mass, &Vector3::zeros(), &Matrix3::identity())
+            .unwrap();
+        let axis = Model::frame_at("axis", &Vector3::zeros(), &Vector3::x()).unwrap();
+        let joint = model
+            .add_joint(JointKind::Prismatic, None, Some(body), &axis, &axis)
+            .unwrap();
+        let at = JointCoordinate {
+            joint,
+            coordinate: Coordinate::Displacement1,
+        };
+        let spring = SpringDefinition {
+            at,
+            stiffness,
+            damping: 1.0,
+            rest: 0.0,
+        };
+        model.add_spring_damper(spring).unwrap();
+        let push = Signal::harmonics(0.0, 0.0, &[force], &[0.0]).unwrap();
+        model.add_actuator(at, &push).unwrap();
+
+        let system = Arc::new(System::new(&model, period).unwrap());
+        let grid = TimeGrid::new(15, period).unwrap();
+        let guess = quasi_static(&system, grid, &Workers::default(), &mut |_| true).unwrap();
+        assert_eq!(guess.outcome, Outcome::Converged);
+        // Second differences of a cosine over a grid interval; the damper has no share in it where the motion turns.
+        let interval = period / 15.0;
+        let acceleration =
+            force / stiffness * (2.0 - 2.0 * (TAU / 15.0).cos()) / (interval * interval);
+        let expected = mass * acceleration / stiffness / system.scales().length;
+        let error = guess.inertial_displacement / expected - 1.0;
+        assert!(error.abs() < 1e-9, "{error:e}");
+    }
+}
