@@ -166,7 +166,8 @@ pub unsafe extern "C" fn pdn_periodic_options_init(
 /// Finds the periodic response of a model directly, by Fourier spectral collocation.
 ///
 /// Newton's method with the exact tangent on the equations of motion at N equispaced times, from the
-/// quasi-static motion unless another start is given. Unless N is given, it is raised, each solution starting
+/// quasi-static motion unless another start is given; where inertia takes the response far from that, or N is
+/// large, from a solution on fewer points. Unless N is given, it is raised, each solution starting
 /// the next, until the estimated error meets the tolerance. Not converging is no error: PDN_OK says that
 /// the solve was carried out, ::pdn_solution_outcome how it ended, ::pdn_solution_report why.
 ///

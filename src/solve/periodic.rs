@@ -209,8 +209,8 @@ pub(super) struct Attempts<'a> {
 ///
 /// On an adaptive grid, each solution starts from that on the grid before; the last is given.
 ///
-/// Without a given start, Newton begins at the quasi-static motion or, on a large grid, at a solution on a smaller one if
-/// that resolves the motion. Where the quasi-static motion does not lead to a solution, it continues from there in a factor
+/// Without a given start, Newton begins at the quasi-static motion or, on a large grid or where inertial forces would displace
+/// that much, at a solution on a smaller grid if that resolves the motion. Where the quasi-static motion does not lead to a solution, it continues from there in a factor
 /// of the inertial forces, and then begins at the end of a march in time.
 ///
 /// `observe` sees each iteration and returns `false` to cancel.
