@@ -10,10 +10,11 @@
 //! that is sought. For a complex shift the real part of the map serves, with
 //! `θ = ½ (1/(s − σ) + 1/(s − σ̄))`. The state holds only unknowns that `C` or `M` know of.
 
+use super::eigenvalues::eigenvectors;
 use super::pencil::{C64, Inverse, Pencil};
 use crate::error::{Error, ErrorKind, Result};
 use faer::Mat;
-use faer::linalg::solvers::{Eigen, PartialPivLu, Solve};
+use faer::linalg::solvers::{PartialPivLu, Solve};
 
 /// A new direction smaller than this, relative to what it was before, is rounding.
 const DEPENDENT: f64 = 1e-11;
@@ -176,7 +177,7 @@ impl Space {
         let size = self.columns.len();
         let at = |i: usize, j: usize| self.columns[j].get(i).copied().unwrap_or(0.0);
         let square = Mat::from_fn(size, size, at);
-        let eigen = Eigen::new_from_real(square.as_ref()).map_err(|_| {
+        let (values, vectors) = eigenvectors(&square).ok_or_else(|| {
             Error::new(
                 ErrorKind::Overflow,
                 "modes: the small eigenproblem cannot be solved",
@@ -184,11 +185,11 @@ impl Space {
         })?;
         let mut found = Vec::with_capacity(size);
         for j in 0..size {
-            let theta = eigen.S()[j];
+            let theta = values[j];
             if !(theta.norm().is_finite() && theta.norm() > 0.0) {
                 continue;
             }
-            let mut y: Vec<C64> = (0..size).map(|i| eigen.U()[(i, j)]).collect();
+            let mut y: Vec<C64> = (0..size).map(|i| vectors[(i, j)]).collect();
             let (mut inside, mut outside) = self.residual(theta, &mut y);
             // The decomposition is careless about the vectors of equal eigenvalues.
             if inside.is_nan() || inside > INSIDE {

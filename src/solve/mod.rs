@@ -10,6 +10,7 @@ mod diagnosis;
 mod direct;
 mod direct_trial;
 mod eigen;
+mod eigenvalues;
 mod estimate;
 mod free_motions;
 mod guess;

@@ -5,6 +5,7 @@
 //! and no projection is needed: what the map gives satisfies the constraints. Its derivative is propagated
 //! through the linearised steps, with the factors of each.
 
+use super::eigenvalues::eigenvalues;
 use super::newton::{Iteration, NewtonOptions, NewtonReport, Outcome};
 use super::periodic::{PeriodicSolve, Stage};
 use super::trajectory::{
@@ -431,7 +432,7 @@ fn multipliers(shooting: &Shooting, monodromy: &Mat<f64>) -> Vec<[f64; 2]> {
     let independent = system.constraint_count() - system.redundant_constraints();
     let freedoms = (6 * system.nodes()).saturating_sub(independent);
     let count = 2 * freedoms + shooting.scales.states().count();
-    let Ok(values) = monodromy.eigenvalues() else {
+    let Some(values) = eigenvalues(monodromy) else {
         return Vec::new();
     };
     let mut values: Vec<Complex<f64>> = values.iter().map(|z| Complex::new(z.re, z.im)).collect();
