@@ -169,6 +169,31 @@ impl Workers {
     }
 }
 
+/// Things that threads take and give back.
+#[derive(Debug)]
+pub(crate) struct Spare<T>(Mutex<Vec<T>>);
+
+impl<T> Default for Spare<T> {
+    fn default() -> Self {
+        Spare(Mutex::new(Vec::new()))
+    }
+}
+
+impl<T> Spare<T> {
+    /// One that was given back, or a new one.
+    pub fn take(&self, new: impl FnOnce() -> T) -> T {
+        let spare = self.0.lock().ok().and_then(|mut all| all.pop());
+        spare.unwrap_or_else(new)
+    }
+
+    /// Gives one back.
+    pub fn give(&self, one: T) {
+        if let Ok(mut all) = self.0.lock() {
+            all.push(one);
+        }
+    }
+}
+
 /// Parts of `values` of so many each, one after the other.
 pub(crate) fn parts<T>(
     values: &mut [T],

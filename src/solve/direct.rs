@@ -5,7 +5,7 @@ use super::dense::{largest, solve_unit_lower, solve_upper, subtract_product};
 use super::ordering::{FrontPlan, plan};
 use crate::collocation::{Panel, Pattern};
 use crate::error::{Error, ErrorKind, Result};
-use crate::workers::Workers;
+use crate::workers::{Spare, Workers, parts};
 use faer::dyn_stack::{MemBuffer, MemStack, StackReq};
 use faer::linalg::lu::partial_pivoting::factor::{lu_in_place, lu_in_place_scratch};
 use faer::linalg::matmul::matmul;
@@ -13,6 +13,7 @@ use faer::linalg::triangular_solve::{
     solve_lower_triangular_in_place, solve_unit_lower_triangular_in_place,
 };
 use faer::{Accum, Mat, Par};
+use rayon::iter::{IntoParallelIterator, ParallelIterator};
 use std::collections::BTreeSet;
 use std::ops::Range;
 
@@ -25,8 +26,10 @@ const ACCURATE: f64 = 1e-10;
 /// Residual of a refined solve that calls for safer pivots, relative to the right-hand side or, if that is more, to the
 /// largest number that the product may add up.
 const INACCURATE: f64 = 1e-9;
-/// Multiply-adds of a front that is worth sharing among threads.
-const LARGE_FRONT: f64 = 2e6;
+/// Multiply-adds of a front, or several, that are worth sharing among threads.
+const LARGE_FRONT: f64 = 2e7;
+/// Most forks of the tree of fronts, one above the other, where threads part: each takes room on the stack.
+const MOST_FORKS: usize = 32;
 /// Most refinements of a solve.
 const REFINEMENTS: usize = 4;
 
@@ -40,9 +43,16 @@ struct Front {
     upper: Mat<f64>,
     /// `L₂₁`; before, `F₂₁`.
     lower: Mat<f64>,
+    /// Whether it was found singular on its own: its unknowns wait for its parent's ever after.
+    waits: bool,
+    /// Until the parent takes it.
+    remainder: Option<Remainder>,
+    /// Largest entry of the matrix that enters here.
+    largest_entry: f64,
 }
 
 /// What a front leaves to its parent.
+#[derive(Debug)]
 struct Remainder {
     groups: Vec<usize>,
     /// How many of the groups were to be eliminated, but must wait.
@@ -50,15 +60,23 @@ struct Remainder {
     schur: Mat<f64>,
 }
 
-/// Direct solver for matrices of one pattern.
+/// What does not depend on the values of a matrix.
 #[derive(Debug)]
-pub struct DirectSolver {
+struct Analysis {
     groups: Vec<Range<usize>>,
     plans: Vec<FrontPlan>,
     /// Entries of the matrix that enter each front.
     panels: Vec<Vec<Panel>>,
-    /// Fronts that were found singular on their own: their unknowns wait for their parents' ever after.
-    waits: Vec<bool>,
+    /// Multiply-adds of a factorisation, as planned.
+    work: f64,
+    /// Of each front with all those that lead to it, which come just before it: multiply-adds, and their number.
+    subtrees: Vec<(f64, usize)>,
+}
+
+/// Direct solver for matrices of one pattern.
+#[derive(Debug)]
+pub struct DirectSolver {
+    analysis: Analysis,
     fronts: Vec<Front>,
     factored: bool,
     /// Largest entry of the matrix.
@@ -66,27 +84,21 @@ pub struct DirectSolver {
     /// Whether solves with the present factors are known to need no refinement.
     accurate: bool,
     smallest_pivot: f64,
-    /// Multiply-adds of a factorisation, as planned.
-    work: f64,
     workers: Workers,
 }
 
-impl DirectSolver {
-    /// Orders and analyses matrices of `pattern`.
-    pub fn new(pattern: &Pattern) -> Self {
-        Self::with_panels(pattern.groups(), pattern.node_groups(), pattern.panels())
-    }
+/// What a factorisation is of, and how.
+struct Factorisation<'a> {
+    analysis: &'a Analysis,
+    values: &'a [f64],
+    smallest_pivot: f64,
+    rooms: Spare<Room>,
+}
 
-    /// The same for matrices with the entries of `panels`, whose unknowns are kept together in `groups`; the
-    /// first `node_groups` of them are those of nodes.
-    pub fn with_panels(
-        groups: Vec<Range<usize>>,
-        node_groups: usize,
-        panels: impl IntoIterator<Item = Panel>,
-    ) -> Self {
-        let panels: Vec<Panel> = panels.into_iter().collect();
+impl Analysis {
+    fn new(groups: Vec<Range<usize>>, node_groups: usize, all_panels: Vec<Panel>) -> Self {
         let mut coupled = vec![BTreeSet::new(); groups.len()];
-        for panel in &panels {
+        for panel in &all_panels {
             coupled[panel.row.0].insert(panel.column.0);
             coupled[panel.column.0].insert(panel.row.0);
         }
@@ -99,117 +111,152 @@ impl DirectSolver {
             }
         }
         // An entry enters the front that is first to eliminate its row or column.
-        let mut panels_of = vec![Vec::new(); plans.len()];
-        for panel in panels {
-            panels_of[front_of[panel.row.0].min(front_of[panel.column.0])].push(panel);
+        let mut panels = vec![Vec::new(); plans.len()];
+        for panel in all_panels {
+            panels[front_of[panel.row.0].min(front_of[panel.column.0])].push(panel);
         }
-        let size = |groups: &[usize]| groups.iter().map(|&g| sizes[g]).sum::<usize>();
-        let work = plans
-            .iter()
-            .map(|front| elimination_work(size(&front.own), size(&front.boundary)));
-        DirectSolver {
-            work: work.sum(),
-            workers: Workers::default(),
+        let mut analysis = Analysis {
             groups,
-            waits: vec![false; plans.len()],
-            fronts: plans.iter().map(|_| Front::new()).collect(),
             plans,
-            panels: panels_of,
-            factored: false,
-            largest_entry: 0.0,
-            accurate: false,
-            smallest_pivot: SMALLEST_PIVOT,
+            panels,
+            work: 0.0,
+            subtrees: Vec::new(),
+        };
+        analysis.measure();
+        analysis
+    }
+
+    fn measure(&mut self) {
+        self.subtrees = vec![(0.0, 0); self.plans.len()];
+        for (f, plan) in self.plans.iter().enumerate() {
+            let own = elimination_work(self.size_of(&plan.own), self.size_of(&plan.boundary));
+            let (mut work, mut count) = (own, 1);
+            for &child in &plan.children {
+                work += self.subtrees[child].0;
+                count += self.subtrees[child].1;
+            }
+            self.subtrees[f] = (work, count);
+            self.work += own;
         }
     }
 
-    /// Shares the work on large fronts among these threads.
-    pub fn set_workers(&mut self, workers: Workers) {
-        self.workers = workers;
+    /// The subtrees that end with these fronts, which are in order, from `fronts` that begin with their first.
+    fn split<'f>(&self, roots: &[usize], fronts: &'f mut [Front]) -> Vec<(usize, &'f mut [Front])> {
+        let counts = roots.iter().map(|&root| self.subtrees[root].1);
+        roots.iter().copied().zip(parts(fronts, counts)).collect()
     }
 
     fn size_of(&self, groups: &[usize]) -> usize {
         groups.iter().map(|&g| self.groups[g].len()).sum()
     }
+}
 
-    /// Factors the matrix with these values. `false` if it is singular.
-    ///
-    /// # Errors
-    /// If memory runs out.
-    pub fn factor(&mut self, values: &[f64]) -> Result<bool> {
-        let workers = self.workers.for_work(self.work as usize);
-        workers.dense(|parallelism| self.factor_fronts(values, parallelism))
+impl Factorisation<'_> {
+    /// Factors subtrees, each with its fronts, in parallel. `false` if a singular front has no parent.
+    fn factor_all(
+        &self,
+        subtrees: Vec<(usize, &mut [Front])>,
+        forks: usize,
+        parallelism: Par,
+    ) -> Result<bool> {
+        let results = subtrees
+            .into_par_iter()
+            .map(|(root, fronts)| self.factor_subtree(root, fronts, forks, parallelism));
+        results.reduce(|| Ok(true), |a, b| Ok(a? && b?))
     }
 
-    fn factor_fronts(&mut self, values: &[f64], parallelism: Par) -> Result<bool> {
-        self.factored = false;
-        self.accurate = false;
-        self.largest_entry = 0.0;
-        let mut remainders: Vec<Option<Remainder>> = Vec::with_capacity(self.plans.len());
-        let mut place = vec![usize::MAX; self.groups.len()];
-        let mut scratch = Scratch::new();
-        for f in 0..self.plans.len() {
-            let plan = &self.plans[f];
-            let mut pivots = plan.own.clone();
-            for &child in &plan.children {
-                if let Some(r) = &remainders[child] {
-                    pivots.extend(&r.groups[..r.delayed]);
-                }
-            }
-            let mut size = 0;
-            for &g in pivots.iter().chain(&plan.boundary) {
-                place[g] = size;
-                size += self.groups[g].len();
-            }
-            let is_root = plan.parent.is_none();
-            let smallest_pivot = if is_root { 0.0 } else { self.smallest_pivot };
-            let mut front = std::mem::replace(&mut self.fronts[f], Front::new());
-            let mut left = None;
-            if !self.waits[f] {
-                let count = self.size_of(&pivots);
-                let mut schur =
-                    self.assemble(f, values, &remainders, &place, (&mut front, count, size))?;
-                if front.eliminate(&mut schur, smallest_pivot, &mut scratch, parallelism) {
-                    left = Some(Remainder {
-                        groups: self.plans[f].boundary.clone(),
-                        delayed: 0,
-                        schur,
-                    });
-                    front.pivots.clone_from(&pivots);
-                } else if is_root {
-                    return Ok(false);
-                }
-                self.waits[f] = left.is_none();
-            }
-            let remainder = match left {
-                Some(remainder) => remainder,
-                None => {
-                    front = Front::new();
-                    let schur =
-                        self.assemble(f, values, &remainders, &place, (&mut front, 0, size))?;
-                    Remainder {
-                        delayed: pivots.len(),
-                        groups: pivots
-                            .into_iter()
-                            .chain(self.plans[f].boundary.clone())
-                            .collect(),
-                        schur,
-                    }
-                }
-            };
-            self.fronts[f] = front;
-            // Where the entries have just been read.
-            for panel in &self.panels[f] {
-                for column in 0..panel.columns {
-                    let entries = &values[panel.value + column * panel.stride..][..panel.rows];
-                    self.largest_entry = self.largest_entry.max(largest(entries));
-                }
-            }
-            for &child in &self.plans[f].children {
-                remainders[child] = None;
-            }
-            remainders.push(Some(remainder));
+    /// Factors a subtree; where it divides, in parallel, for so many forks one above the other.
+    fn factor_subtree(
+        &self,
+        root: usize,
+        fronts: &mut [Front],
+        forks: usize,
+        parallelism: Par,
+    ) -> Result<bool> {
+        let analysis = self.analysis;
+        let first = root + 1 - fronts.len();
+        let mut fork = root;
+        while let [child] = analysis.plans[fork].children[..] {
+            fork = child;
         }
-        self.factored = true;
+        let mut next = first;
+        if forks > 0 && analysis.subtrees[fork].0 > LARGE_FRONT {
+            let before = &mut fronts[..fork - first];
+            let subtrees = analysis.split(&analysis.plans[fork].children, before);
+            if !self.factor_all(subtrees, forks - 1, parallelism)? {
+                return Ok(false);
+            }
+            next = fork;
+        }
+        let mut room = self.rooms.take(|| Room::new(analysis));
+        for f in next..=root {
+            if !self.factor(f, (first, fronts), &mut room, parallelism)? {
+                return Ok(false);
+            }
+        }
+        self.rooms.give(room);
+        Ok(true)
+    }
+
+    /// Factors front `f`, one of `fronts`, of which front `first` is the first. `false` if it is singular and has no parent.
+    fn factor(
+        &self,
+        f: usize,
+        (first, fronts): (usize, &mut [Front]),
+        room: &mut Room,
+        parallelism: Par,
+    ) -> Result<bool> {
+        let analysis = self.analysis;
+        let plan = &analysis.plans[f];
+        let children = plan.children.iter();
+        let children: Vec<Remainder> = children
+            .filter_map(|child| fronts[child - first].remainder.take())
+            .collect();
+        let mut pivots = plan.own.clone();
+        for child in &children {
+            pivots.extend(&child.groups[..child.delayed]);
+        }
+        let mut size = 0;
+        for &g in pivots.iter().chain(&plan.boundary) {
+            room.place[g] = size;
+            size += analysis.groups[g].len();
+        }
+        let is_root = plan.parent.is_none();
+        let smallest_pivot = if is_root { 0.0 } else { self.smallest_pivot };
+        let front = &mut fronts[f - first];
+        let mut left = None;
+        if !front.waits {
+            let count = analysis.size_of(&pivots);
+            let mut schur = self.assemble(f, &children, &room.place, (&mut *front, count, size))?;
+            if front.eliminate(&mut schur, smallest_pivot, room, parallelism) {
+                left = Some(Remainder {
+                    groups: plan.boundary.clone(),
+                    delayed: 0,
+                    schur,
+                });
+                front.pivots.clone_from(&pivots);
+            } else if is_root {
+                return Ok(false);
+            }
+        }
+        if left.is_none() {
+            *front = Front::empty();
+            front.waits = true;
+            left = Some(Remainder {
+                delayed: pivots.len(),
+                schur: self.assemble(f, &children, &room.place, (&mut *front, 0, size))?,
+                groups: pivots.into_iter().chain(plan.boundary.clone()).collect(),
+            });
+        }
+        front.remainder = left;
+        // Where the entries have just been read.
+        front.largest_entry = 0.0;
+        for panel in &analysis.panels[f] {
+            for column in 0..panel.columns {
+                let entries = &self.values[panel.value + column * panel.stride..][..panel.rows];
+                front.largest_entry = front.largest_entry.max(largest(entries));
+            }
+        }
         Ok(true)
     }
 
@@ -218,11 +265,11 @@ impl DirectSolver {
     fn assemble(
         &self,
         f: usize,
-        values: &[f64],
-        remainders: &[Option<Remainder>],
+        children: &[Remainder],
         place: &[usize],
         (front, count, size): (&mut Front, usize, usize),
     ) -> Result<Mat<f64>> {
+        let analysis = self.analysis;
         let rest = size - count;
         make_zero(&mut front.upper, count, size)?;
         make_zero(&mut front.lower, rest, count)?;
@@ -240,28 +287,25 @@ impl DirectSolver {
                 };
                 work(&mut whole[..length]);
             };
-        for panel in &self.panels[f] {
+        for panel in &analysis.panels[f] {
             let row = place[panel.row.0] + panel.row.1;
             let first = place[panel.column.0] + panel.column.1;
             for column in 0..panel.columns {
-                let entries = &values[panel.value + column * panel.stride..][..panel.rows];
+                let entries = &self.values[panel.value + column * panel.stride..][..panel.rows];
                 part(row, first + column, panel.rows, &mut |to| {
                     to.copy_from_slice(entries);
                 });
             }
         }
-        for &child in &self.plans[f].children {
-            let Some(remainder) = &remainders[child] else {
-                continue;
-            };
+        for remainder in children {
             let mut source_column = 0;
             for &column_group in &remainder.groups {
-                for offset in 0..self.groups[column_group].len() {
+                for offset in 0..analysis.groups[column_group].len() {
                     let source = remainder.schur.col_as_slice(source_column);
                     let column = place[column_group] + offset;
                     let mut row = 0;
                     for &row_group in &remainder.groups {
-                        let length = self.groups[row_group].len();
+                        let length = analysis.groups[row_group].len();
                         part(place[row_group], column, length, &mut |to| {
                             for (t, s) in to.iter_mut().zip(&source[row..row + length]) {
                                 *t += s;
@@ -274,6 +318,79 @@ impl DirectSolver {
             }
         }
         Ok(schur)
+    }
+}
+
+impl DirectSolver {
+    /// Orders and analyses matrices of `pattern`.
+    pub fn new(pattern: &Pattern) -> Self {
+        Self::with_panels(pattern.groups(), pattern.node_groups(), pattern.panels())
+    }
+
+    /// The same for matrices with the entries of `panels`, whose unknowns are kept together in `groups`; the
+    /// first `node_groups` of them are those of nodes.
+    pub fn with_panels(
+        groups: Vec<Range<usize>>,
+        node_groups: usize,
+        panels: impl IntoIterator<Item = Panel>,
+    ) -> Self {
+        let analysis = Analysis::new(groups, node_groups, panels.into_iter().collect());
+        DirectSolver {
+            fronts: analysis.plans.iter().map(|_| Front::empty()).collect(),
+            analysis,
+            workers: Workers::default(),
+            factored: false,
+            largest_entry: 0.0,
+            accurate: false,
+            smallest_pivot: SMALLEST_PIVOT,
+        }
+    }
+
+    /// Shares the work of factorisations among these threads.
+    pub fn set_workers(&mut self, workers: Workers) {
+        self.workers = workers;
+    }
+
+    /// Factors the matrix with these values. `false` if it is singular.
+    ///
+    /// # Errors
+    /// If memory runs out.
+    pub fn factor(&mut self, values: &[f64]) -> Result<bool> {
+        self.accurate = false;
+        self.factored = false;
+        let regular = self.factor_fronts(values);
+        for front in &mut self.fronts {
+            front.remainder = None;
+        }
+        self.factored = regular?;
+        let entries = self.fronts.iter().map(|front| front.largest_entry);
+        self.largest_entry = entries.fold(0.0, f64::max);
+        Ok(self.factored)
+    }
+
+    fn factor_fronts(&mut self, values: &[f64]) -> Result<bool> {
+        let analysis = &self.analysis;
+        let factorisation = Factorisation {
+            analysis,
+            values,
+            smallest_pivot: self.smallest_pivot,
+            rooms: Spare::default(),
+        };
+        let roots = (0..analysis.plans.len()).filter(|&f| analysis.plans[f].parent.is_none());
+        let subtrees = analysis.split(&roots.collect::<Vec<_>>(), &mut self.fronts);
+        let workers = self.workers.for_work(analysis.work as usize);
+        workers.dense(|parallelism| match parallelism {
+            Par::Seq => {
+                subtrees
+                    .into_iter()
+                    .try_fold(true, |regular, (root, fronts)| {
+                        let forks = 0;
+                        Ok(regular
+                            && factorisation.factor_subtree(root, fronts, forks, parallelism)?)
+                    })
+            }
+            Par::Rayon(_) => factorisation.factor_all(subtrees, MOST_FORKS, parallelism),
+        })
     }
 
     /// Size of the largest entry of the matrix that was factored.
@@ -303,7 +420,7 @@ impl DirectSolver {
             return false;
         }
         let (mut local, mut y) = (Vec::new(), Vec::new());
-        for (plan, front) in self.plans.iter().zip(&self.fronts) {
+        for (plan, front) in self.analysis.plans.iter().zip(&self.fronts) {
             let count = front.permutation.len();
             if count == 0 {
                 continue;
@@ -317,7 +434,7 @@ impl DirectSolver {
             self.scatter(&plan.boundary, &local, rhs);
             self.scatter(&front.pivots, &y, rhs);
         }
-        for (plan, front) in self.plans.iter().zip(&self.fronts).rev() {
+        for (plan, front) in self.analysis.plans.iter().zip(&self.fronts).rev() {
             let count = front.permutation.len();
             if count == 0 {
                 continue;
@@ -388,9 +505,9 @@ impl DirectSolver {
     /// `b − A x`.
     fn residual(&self, values: &[f64], b: &[f64], x: &[f64]) -> Vec<f64> {
         let mut rest = b.to_vec();
-        for panel in self.panels.iter().flatten() {
-            let row = self.groups[panel.row.0].start + panel.row.1;
-            let column = self.groups[panel.column.0].start + panel.column.1;
+        for panel in self.analysis.panels.iter().flatten() {
+            let row = self.analysis.groups[panel.row.0].start + panel.row.1;
+            let column = self.analysis.groups[panel.column.0].start + panel.column.1;
             subtract_product(
                 &mut rest[row..][..panel.rows],
                 |j| &values[panel.value + j * panel.stride..][..panel.rows],
@@ -403,15 +520,15 @@ impl DirectSolver {
     fn gather(&self, groups: &[usize], from: &[f64], to: &mut Vec<f64>) {
         to.clear();
         for &g in groups {
-            to.extend_from_slice(&from[self.groups[g].clone()]);
+            to.extend_from_slice(&from[self.analysis.groups[g].clone()]);
         }
     }
 
     fn scatter(&self, groups: &[usize], from: &[f64], to: &mut [f64]) {
         let mut first = 0;
         for &g in groups {
-            let length = self.groups[g].len();
-            to[self.groups[g].clone()].copy_from_slice(&from[first..first + length]);
+            let length = self.analysis.groups[g].len();
+            to[self.analysis.groups[g].clone()].copy_from_slice(&from[first..first + length]);
             first += length;
         }
     }
@@ -458,8 +575,10 @@ fn make_zero(matrix: &mut Mat<f64>, rows: usize, columns: usize) -> Result<()> {
     Ok(())
 }
 
-/// Memory that the elimination of a front needs.
-struct Scratch {
+/// Memory that the factorisation of a front needs.
+struct Room {
+    /// Where each group begins in the front.
+    place: Vec<usize>,
     /// Size of a square matrix that the memory is enough for the factors of.
     most: usize,
     memory: MemBuffer,
@@ -469,9 +588,10 @@ struct Scratch {
     sizes: Vec<f64>,
 }
 
-impl Scratch {
-    fn new() -> Self {
-        Scratch {
+impl Room {
+    fn new(analysis: &Analysis) -> Self {
+        Room {
+            place: vec![usize::MAX; analysis.groups.len()],
             most: 0,
             memory: MemBuffer::new(StackReq::EMPTY),
             inverse: Vec::new(),
@@ -493,13 +613,15 @@ impl Scratch {
 }
 
 impl Front {
-    /// Of nothing.
-    fn new() -> Self {
+    fn empty() -> Self {
         Front {
             pivots: Vec::new(),
             permutation: Vec::new(),
             upper: Mat::new(),
             lower: Mat::new(),
+            waits: false,
+            remainder: None,
+            largest_entry: 0.0,
         }
     }
 
@@ -510,28 +632,28 @@ impl Front {
         &mut self,
         schur: &mut Mat<f64>,
         smallest_pivot: f64,
-        scratch: &mut Scratch,
+        room: &mut Room,
         parallelism: Par,
     ) -> bool {
         let (count, size) = (self.upper.nrows(), self.upper.ncols());
-        scratch.sizes.clear();
+        room.sizes.clear();
         let sizes = (0..count).map(|j| largest(self.upper.col_as_slice(j)));
-        scratch.sizes.extend(sizes);
+        room.sizes.extend(sizes);
         self.permutation.resize(count, 0);
         let parallelism = match elimination_work(count, size - count) < LARGE_FRONT {
             true => Par::Seq,
             false => parallelism,
         };
-        scratch.grow(count, parallelism);
+        room.grow(count, parallelism);
         lu_in_place(
             self.upper.as_mut().subcols_mut(0, count),
             &mut self.permutation,
-            &mut scratch.inverse[..count],
+            &mut room.inverse[..count],
             parallelism,
-            MemStack::new(&mut scratch.memory),
+            MemStack::new(&mut room.memory),
             Default::default(),
         );
-        for (j, size) in scratch.sizes.iter().enumerate() {
+        for (j, size) in room.sizes.iter().enumerate() {
             let pivot = self.upper[(j, j)].abs();
             // Written so that NaN fails too.
             let good = pivot > smallest_pivot * size && pivot.is_finite();
@@ -541,10 +663,10 @@ impl Front {
         }
         for j in count..size {
             let column = self.upper.col_as_slice_mut(j);
-            scratch.column.clear();
-            scratch.column.extend_from_slice(column);
+            room.column.clear();
+            room.column.extend_from_slice(column);
             for (to, &from) in column.iter_mut().zip(&self.permutation) {
-                *to = scratch.column[from];
+                *to = room.column[from];
             }
         }
         let (factors, mut beyond) = self.upper.as_mut().split_at_col_mut(count);
@@ -623,7 +745,7 @@ mod tests {
 
     #[test]
     fn solves_what_a_dense_factorisation_solves() {
-        for points in [1, 3, 7] {
+        for (points, threads) in [(1, 1), (3, 1), (7, 1), (7, 3), (21, 3)] {
             let period = std::f64::consts::TAU / 3.0;
             let system = Arc::new(System::new(&mechanism(), period).unwrap());
             let grid = TimeGrid::new(points, period).unwrap();
@@ -646,6 +768,7 @@ mod tests {
             let exact = Mat::from_fn(size, 1, |i, _| (0.7 * i as f64).sin());
             let rhs = &dense * &exact;
             let mut solver = DirectSolver::new(&pattern);
+            solver.set_workers(Workers::new(threads).unwrap());
             assert!(solver.factor(&values).unwrap());
             assert!(
                 solver.fronts.iter().any(|f| f.pivots.is_empty()),

@@ -20,7 +20,8 @@ const SMALLEST_FRONT: usize = 48;
 
 /// Plans the elimination of groups of unknowns with the given `sizes` and couplings, children first.
 ///
-/// Minimum degree, weighted by size; but groups from `first_multiplier` on wait until all that they were
+/// Minimum degree, weighted by size; of equals the one that has least to wait for, so that the tree of fronts is bushy and
+/// threads find work. But groups from `first_multiplier` on wait until all that they were
 /// coupled to is eliminated: their own diagonal is zero.
 pub(super) fn plan(
     sizes: &[usize],
@@ -57,10 +58,12 @@ pub(super) fn elimination(
     let degree =
         |g: usize, graph: &[BTreeSet<usize>]| -> usize { graph[g].iter().map(|&n| sizes[n]).sum() };
     let mut degrees: Vec<usize> = (0..count).map(|g| degree(g, &graph)).collect();
+    // Length of the longest way to each front from the leaves of the tree.
+    let mut height = vec![0; count];
     while let Some(&next) = left
         .iter()
         .filter(|&&g| waiting[g] == 0)
-        .min_by_key(|&&g| (degrees[g], g))
+        .min_by_key(|&&g| (degrees[g], height[g], g))
     {
         left.remove(&next);
         let boundary: Vec<usize> = graph[next].iter().copied().collect();
@@ -73,6 +76,7 @@ pub(super) fn elimination(
         }
         for &a in &boundary {
             degrees[a] = degree(a, &graph);
+            height[a] = height[a].max(height[next] + 1);
         }
         fronts.push(FrontPlan {
             own: vec![next],
@@ -133,11 +137,40 @@ fn merge(sizes: &[usize], fronts: Vec<FrontPlan>) -> Vec<FrontPlan> {
             result.push(front);
         }
     }
-    for i in 0..result.len() {
-        if let Some(p) = result[i].parent {
-            result[p].children.push(i);
+    link_children(&mut result);
+    subtree_by_subtree(result)
+}
+
+/// Tells fronts of their children, in order.
+fn link_children(fronts: &mut [FrontPlan]) {
+    fronts.iter_mut().for_each(|front| front.children.clear());
+    for i in 0..fronts.len() {
+        if let Some(p) = fronts[i].parent {
+            fronts[p].children.push(i);
         }
     }
+}
+
+/// The same fronts in an order in which all those that lead to one come just before it.
+fn subtree_by_subtree(fronts: Vec<FrontPlan>) -> Vec<FrontPlan> {
+    // Parents before children, and then backwards.
+    let roots = (0..fronts.len()).filter(|&i| fronts[i].parent.is_none());
+    let mut to_visit: Vec<usize> = roots.collect();
+    let mut order = Vec::with_capacity(fronts.len());
+    while let Some(i) = to_visit.pop() {
+        order.push(i);
+        to_visit.extend(&fronts[i].children);
+    }
+    order.reverse();
+    let mut number = vec![0; fronts.len()];
+    for (new, &old) in order.iter().enumerate() {
+        number[old] = new;
+    }
+    let mut result: Vec<FrontPlan> = order.iter().map(|&old| fronts[old].clone()).collect();
+    for front in &mut result {
+        front.parent = front.parent.map(|p| number[p]);
+    }
+    link_children(&mut result);
     result
 }
 
@@ -162,8 +195,17 @@ mod tests {
         for unit in [1, 60] {
             let fronts = plan(&[unit; 11], &coupled, 9);
             let mut order = Vec::new();
+            // Fronts that lead to each, itself among them: the ones just before it.
+            let mut leading = vec![1; fronts.len()];
             for (i, front) in fronts.iter().enumerate() {
                 assert!(front.parent.is_none_or(|p| p > i));
+                for &child in &front.children {
+                    assert_eq!(fronts[child].parent, Some(i));
+                    leading[i] += leading[child];
+                }
+                let first = i + 1 - leading[i];
+                let inside = |f: usize| (first..=i).contains(&f);
+                assert!((first..i).all(|f| fronts[f].parent.is_some_and(inside)));
                 assert!(front.boundary.iter().all(|b| !order.contains(b)));
                 order.extend(&front.own);
             }
