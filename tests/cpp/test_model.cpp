@@ -35,9 +35,10 @@ static void solution()
     CHECK(told > 0);
 
     const auto figures = solution.diagnostics();
-    CHECK(figures.grid_points == 31 && figures.iterations == told);
+    // A coarser grid's iterations are told, too, where one leads to the solution.
+    CHECK(figures.grid_points == 31 && figures.iterations > 0 && figures.iterations <= told);
     const auto history = solution.history();
-    CHECK(history.increments.size() == static_cast<std::size_t>(told));
+    CHECK(history.increments.size() == static_cast<std::size_t>(figures.iterations));
     CHECK(history.increments.back() < 1e-9 && history.steps.back() == 1);
     CHECK(history.residuals.size() == history.steps.size());
     CHECK(solution.decay().size() == 16);
