@@ -135,8 +135,8 @@ fn record(case: &Case) -> Record {
 }
 
 /// Runs the cases one after the other, and again if that does not take long; of each the shortest run counts.
-fn shortest(cases: &[&Case]) -> Vec<Record> {
-    let mut found: Vec<Record> = cases.iter().map(|case| record(case)).collect();
+fn shortest(cases: &[Case]) -> Vec<Record> {
+    let mut found: Vec<Record> = cases.iter().map(record).collect();
     for _ in 1..ROUNDS {
         if found.iter().map(|record| record.seconds).sum::<f64>() > LONG {
             break;
@@ -168,45 +168,37 @@ fn main() {
         run(&arguments[at + 1], count(2), count(3), count(4));
         return;
     }
-    // From 1e4 to 1e6 unknowns; of the two largest, with two threads, too.
-    let rotor_sizes = [
+    // From 1e4 to 1e6 unknowns; the two largest with one thread and with two, side by side.
+    let grids = [101, 201, 401, 801, 1023, 2047].map(|points| (5, points));
+    let all = [
         (
             "rotor: elements",
-            [(9, 63), (28, 63), (88, 63), (280, 63), (890, 63)],
+            "rotor",
+            &[(9, 63), (28, 63), (88, 63), (280, 63), (890, 63)][..],
         ),
         (
             "rotor: grid points",
-            [(32, 17), (32, 55), (32, 175), (32, 525), (32, 1701)],
+            "rotor",
+            &[(32, 17), (32, 55), (32, 175), (32, 525), (32, 1701)],
         ),
+        ("planar four-bar: grid points", "planar four-bar", &grids),
     ];
-    let grids = [101, 201, 401, 801, 1023, 2047];
-    let case = |series, model, elements, points, threads| Case {
-        series,
-        model,
-        elements,
-        points,
-        threads,
-    };
-    // The same case with one thread and with two, side by side.
-    let mut series: Vec<Vec<Vec<Case>>> = Vec::new();
-    let threads = |large: bool| if large { vec![1, 2] } else { vec![1] };
-    for (name, sizes) in rotor_sizes {
-        let of = |(place, &(elements, points)): (usize, &(usize, usize))| {
-            let threads = threads(place >= 3).into_iter();
-            threads
-                .map(|t| case(name, "rotor", elements, points, t))
-                .collect()
+    let series = all.map(|(series, model, sizes)| {
+        let is_large = |place: usize| place + 2 >= sizes.len();
+        let of_size = |(place, &(elements, points)): (usize, &(usize, usize))| {
+            let counts = 1..if is_large(place) { 3 } else { 2 };
+            let case = |threads| Case {
+                series,
+                model,
+                elements,
+                points,
+                threads,
+            };
+            counts.map(case).collect()
         };
-        series.push(sizes.iter().enumerate().map(of).collect());
-    }
-    let name = "planar four-bar: grid points";
-    let of = |(place, &points): (usize, &usize)| {
-        let threads = threads(place >= 4).into_iter();
-        threads
-            .map(|t| case(name, "planar four-bar", 5, points, t))
-            .collect()
-    };
-    series.push(grids.iter().enumerate().map(of).collect());
+        let cases = sizes.iter().enumerate().map(of_size);
+        cases.collect::<Vec<Vec<Case>>>()
+    });
 
     let mut table = Table::new(
         "scaling",
@@ -228,11 +220,10 @@ fn main() {
     let mut fits = Vec::new();
     for sizes in &series {
         let (mut times, mut memory) = (Vec::new(), Vec::new());
-        for (case, record) in sizes.iter().flat_map(|cases| {
-            let cases: Vec<&Case> = cases.iter().collect();
-            let records = shortest(&cases);
-            cases.into_iter().zip(records)
-        }) {
+        for (case, record) in sizes
+            .iter()
+            .flat_map(|cases| cases.iter().zip(shortest(cases)))
+        {
             let mut row: Vec<String> = cells![
                 case.series,
                 case.elements,

@@ -256,7 +256,8 @@ impl Collocation {
         Ok(())
     }
 
-    /// Stress resultants of all stations at `state`, at the points of another grid of the same period.
+    /// Stress resultants of all stations at `state`, at the points of another grid of the same period; none where tangents
+    /// have no use for them.
     ///
     /// # Errors
     /// If an element is too distorted.
@@ -266,7 +267,7 @@ impl Collocation {
         other: TimeGrid,
     ) -> Result<Vec<Vector6<f64>>> {
         let stations = self.system.stations();
-        if stations == 0 {
+        if stations == 0 || self.oversampled.is_some() {
             return Ok(Vec::new());
         }
         self.extrapolate_resultants(state, &vec![0.0; self.size()])?;

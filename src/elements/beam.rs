@@ -558,8 +558,8 @@ impl Element for Beam {
             geometric_stiffness(&at, (&mu, &nu), &terms, |a, b, block| {
                 out.add_stiffness(a, b, block);
             });
-            let turns_rates = self.damped && moves;
-            if turns_rates {
+            let rates_vary = self.damped && moves;
+            if rates_vary {
                 rate_variations(&at, &rate, twist, &mut terms);
             }
             if out.with_resultants_apart {
@@ -574,7 +574,7 @@ impl Element for Beam {
             for (b, column) in terms.iter().enumerate() {
                 let (mut by_motion, mut by_velocity) = (Matrix6::zeros(), Matrix6::zeros());
                 column.strain.add_product_to(&stiffness, &mut by_motion);
-                if turns_rates {
+                if rates_vary {
                     column.rate.add_product_to(&damping, &mut by_motion);
                 }
                 if self.damped {

@@ -67,8 +67,6 @@ struct Analysis {
     plans: Vec<FrontPlan>,
     /// Entries of the matrix that enter each front.
     panels: Vec<Vec<Panel>>,
-    /// Multiply-adds of a factorisation, as planned.
-    work: f64,
     /// Of each front with all those that lead to it, which come just before it: multiply-adds, and their number.
     subtrees: Vec<(f64, usize)>,
 }
@@ -115,29 +113,30 @@ impl Analysis {
         for panel in all_panels {
             panels[front_of[panel.row.0].min(front_of[panel.column.0])].push(panel);
         }
-        let mut analysis = Analysis {
+        let size = |groups: &[usize]| groups.iter().map(|&g| sizes[g]).sum::<usize>();
+        let mut subtrees: Vec<(f64, usize)> = Vec::with_capacity(plans.len());
+        for front in &plans {
+            let own = elimination_work(size(&front.own), size(&front.boundary));
+            let children = front.children.iter().map(|&child| subtrees[child]);
+            subtrees.push(children.fold((own, 1), |sum, child| (sum.0 + child.0, sum.1 + child.1)));
+        }
+        Analysis {
             groups,
             plans,
             panels,
-            work: 0.0,
-            subtrees: Vec::new(),
-        };
-        analysis.measure();
-        analysis
+            subtrees,
+        }
     }
 
-    fn measure(&mut self) {
-        self.subtrees = vec![(0.0, 0); self.plans.len()];
-        for (f, plan) in self.plans.iter().enumerate() {
-            let own = elimination_work(self.size_of(&plan.own), self.size_of(&plan.boundary));
-            let (mut work, mut count) = (own, 1);
-            for &child in &plan.children {
-                work += self.subtrees[child].0;
-                count += self.subtrees[child].1;
-            }
-            self.subtrees[f] = (work, count);
-            self.work += own;
-        }
+    /// The fronts that have no parents.
+    fn roots(&self) -> Vec<usize> {
+        let all = 0..self.plans.len();
+        all.filter(|&f| self.plans[f].parent.is_none()).collect()
+    }
+
+    /// Multiply-adds of a factorisation, as planned.
+    fn work(&self) -> f64 {
+        self.roots().iter().map(|&root| self.subtrees[root].0).sum()
     }
 
     /// The subtrees that end with these fronts, which are in order, from `fronts` that begin with their first.
@@ -188,8 +187,18 @@ impl Factorisation<'_> {
             }
             next = fork;
         }
-        let mut room = self.rooms.take(|| Room::new(analysis));
-        for f in next..=root {
+        self.factor_in_order(next..root + 1, (first, fronts), parallelism)
+    }
+
+    /// Factors some of `fronts`, of which front `first` is the first, one after the other; what leads to them has been factored.
+    fn factor_in_order(
+        &self,
+        some: Range<usize>,
+        (first, fronts): (usize, &mut [Front]),
+        parallelism: Par,
+    ) -> Result<bool> {
+        let mut room = self.rooms.take(|| Room::new(self.analysis));
+        for f in some {
             if !self.factor(f, (first, fronts), &mut room, parallelism)? {
                 return Ok(false);
             }
@@ -376,20 +385,14 @@ impl DirectSolver {
             smallest_pivot: self.smallest_pivot,
             rooms: Spare::default(),
         };
-        let roots = (0..analysis.plans.len()).filter(|&f| analysis.plans[f].parent.is_none());
-        let subtrees = analysis.split(&roots.collect::<Vec<_>>(), &mut self.fronts);
-        let workers = self.workers.for_work(analysis.work as usize);
+        let fronts = &mut self.fronts[..];
+        let workers = self.workers.for_work(analysis.work() as usize);
         workers.dense(|parallelism| match parallelism {
-            Par::Seq => {
-                subtrees
-                    .into_iter()
-                    .try_fold(true, |regular, (root, fronts)| {
-                        let forks = 0;
-                        Ok(regular
-                            && factorisation.factor_subtree(root, fronts, forks, parallelism)?)
-                    })
+            Par::Seq => factorisation.factor_in_order(0..fronts.len(), (0, fronts), parallelism),
+            Par::Rayon(_) => {
+                let subtrees = analysis.split(&analysis.roots(), fronts);
+                factorisation.factor_all(subtrees, MOST_FORKS, parallelism)
             }
-            Par::Rayon(_) => factorisation.factor_all(subtrees, MOST_FORKS, parallelism),
         })
     }
 

@@ -157,6 +157,14 @@ struct Leap {
     bound: f64,
 }
 
+impl Leap {
+    /// Goes back to where the steps began, and to the exact tangent.
+    fn undo(self, equations: &mut Collocation, state: &mut GridState, residual: &mut Vec<f64>) {
+        (*state, *residual) = (self.start, self.residual);
+        equations.clear_resultants();
+    }
+}
+
 /// Newton solver for one system and grid; keeps everything that can be used again.
 #[derive(Debug)]
 pub(super) struct Newton<L = Assembled> {
@@ -370,8 +378,7 @@ impl<L: LinearSolver> Newton<L> {
             let solved = factored && self.solve_linear(&mut step_vector, accuracy)?;
             let increment = self.motion_norm(&step_vector);
             if let Some(failed) = leap.take_if(|leap| !solved || increment > leap.bound) {
-                (*state, residual) = (failed.start, failed.residual);
-                self.equations.clear_resultants();
+                failed.undo(&mut self.equations, state, &mut residual);
                 may_leap = false;
                 continue;
             }
@@ -465,8 +472,7 @@ impl<L: LinearSolver> Newton<L> {
             if accepted.is_none()
                 && let Some(failed) = leap.take()
             {
-                (*state, residual) = (failed.start, failed.residual);
-                self.equations.clear_resultants();
+                failed.undo(&mut self.equations, state, &mut residual);
                 may_leap = false;
                 continue;
             }

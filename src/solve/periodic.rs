@@ -2,7 +2,7 @@
 
 use super::adaptive::{Adaptation, GridTried};
 use super::estimate::assess;
-use super::guess::{Guess, quasi_static};
+use super::guess::{Guess, inertial_displacement, quasi_static};
 use super::iterative::{IterativeRecord, Projected};
 use super::march::march_to_periodic;
 use super::method::{Linear, LinearMethod};
@@ -210,8 +210,8 @@ pub(super) struct Attempts<'a> {
 /// On an adaptive grid, each solution starts from that on the grid before; the last is given.
 ///
 /// Without a given start, Newton begins at the quasi-static motion or, on a large grid or where inertial forces would displace
-/// that much, at a solution on a smaller grid if that resolves the motion. Where the quasi-static motion does not lead to a solution, it continues from there in a factor
-/// of the inertial forces, and then begins at the end of a march in time.
+/// that much, at a solution on a smaller grid if that resolves the motion. Where the quasi-static motion does not lead to a
+/// solution, it continues from there in a factor of the inertial forces, and then begins at the end of a march in time.
 ///
 /// `observe` sees each iteration and returns `false` to cancel.
 ///
@@ -470,29 +470,41 @@ impl Attempts<'_> {
 
     /// On a grid that may be finer than the present one, from the library's own start.
     fn find_on(&mut self, grid: TimeGrid) -> Result<(GridState, NewtonReport)> {
+        let coarser = grid.of_half_the_harmonics();
+        let is_first = self.grid == grid;
+        if is_first && coarser.points() < LEAST_COARSE {
+            return self.find();
+        }
+        let distance = self.inertial_displacement()?;
         let mut most = self.options.iteration_limit;
-        if self.grid == grid {
-            let coarser = grid.of_half_the_harmonics();
-            if coarser.points() < LEAST_COARSE || !self.is_far()? {
+        if is_first {
+            if distance <= FAR {
                 return self.find();
             }
             self.move_to(coarser)?;
             most = most.min(MOST_COARSE);
         }
-        self.find_from_coarse(grid, most)
+        self.find_from_coarse(grid, distance, most)
     }
 
-    /// Whether the quasi-static motion is so far from the periodic one that Newton's method takes long.
-    fn is_far(&mut self) -> Result<bool> {
+    /// How far inertial forces would displace the quasi-static motion; zero where there is none.
+    fn inertial_displacement(&mut self) -> Result<f64> {
+        let at = self.guess_grid;
         let guess = self.quasi_static()?;
-        Ok(guess.outcome == Outcome::Converged && guess.inertial_displacement > FAR)
+        if guess.outcome != Outcome::Converged {
+            return Ok(0.0);
+        }
+        let state = guess.state.clone();
+        let workers = self.workers.clone();
+        self.guess(|system, _, _| inertial_displacement(system, at, &state, &workers))
     }
 
-    /// From a solution on the present grid, which is coarse, if `most` iterations find one that resolves the motion; as
-    /// [`find`](Self::find) otherwise.
+    /// From a solution on the present grid, which is coarse, if `most` iterations find one with an error that is small beside
+    /// the `distance` of the quasi-static motion; as [`find`](Self::find) otherwise.
     fn find_from_coarse(
         &mut self,
         grid: TimeGrid,
+        distance: f64,
         most: usize,
     ) -> Result<(GridState, NewtonReport)> {
         let coarse = self.grid;
@@ -506,7 +518,6 @@ impl Attempts<'_> {
             match report.outcome {
                 Outcome::Converged => {
                     let error = assess(&self.system, coarse, &state, &self.workers)?.error;
-                    let distance = self.quasi_static()?.inertial_displacement;
                     if error < RESOLVED.max(NEARER * distance) {
                         start = self.carry_to(grid, &state)?;
                         self.coarse_start = start.is_some().then_some(GridTried {
