@@ -3,7 +3,7 @@
 use super::aliasing::Aliasing;
 use super::division::Division;
 use super::instants::Instants;
-use super::kinematics::{BackwardRule, NodeKinematics};
+use super::kinematics::{BackwardRule, NodeKinematics, VariationScratch};
 use super::oversampled::Oversampled;
 use super::state::GridState;
 use super::step::{AlphaStep, GivenRates};
@@ -229,6 +229,7 @@ impl Collocation {
         self.update_kinematics(state);
         let (points, stations) = (self.grid.points(), self.system.stations());
         let mut all = vec![Vector6::zeros(); points * stations];
+        let changes = self.increments_with_rates(increment);
         let mut instants: Vec<&mut [Vector6<f64>]> = all.chunks_exact_mut(stations).collect();
         let (system, states) = (&self.system, &self.instants.states);
         self.workers.try_for_each(
@@ -241,9 +242,7 @@ impl Collocation {
                     nodes.clear();
                     nodes.extend(places.clone().map(|at| states[at]));
                     increments.clear();
-                    let increment =
-                        |at: usize| Vector6::from_column_slice(&increment[6 * at..][..6]);
-                    increments.extend(places.map(increment));
+                    increments.extend(places.map(|at| changes[at]));
                     let out = &mut out[placed.stations.clone()];
                     placed
                         .element
@@ -254,6 +253,33 @@ impl Collocation {
         )?;
         self.instants.resultants = all;
         Ok(())
+    }
+
+    /// Increments of the nodes, and of their velocities, that an unscaled increment of all unknowns is; kinematics are
+    /// those of the last evaluation.
+    fn increments_with_rates(&mut self, increment: &[f64]) -> Vec<[Vector6<f64>; 2]> {
+        let points = self.grid.points();
+        let mut changes = vec![[Vector6::zeros(); 2]; points * self.system.nodes()];
+        let mut scratch = VariationScratch::default();
+        let of_nodes = increment.chunks_exact(6 * points);
+        for (node, (changes, increments)) in changes.chunks_mut(points).zip(of_nodes).enumerate() {
+            for (change, u) in changes.iter_mut().zip(increments.chunks_exact(6)) {
+                change[0] = Vector6::from_column_slice(u);
+            }
+            match &self.derivatives {
+                Derivatives::Grid => self.kinematics[node].variation(
+                    &mut self.operators,
+                    increments,
+                    &mut scratch,
+                    |l, velocity, _| changes[l][1] = *velocity,
+                ),
+                _ => {
+                    let by_increment = self.kinematic_tangent(node, 0, 0).0;
+                    changes[0][1] = by_increment.to_twist_matrix() * changes[0][0];
+                }
+            }
+        }
+        changes
     }
 
     /// Stress resultants of all stations at `state`, at the points of another grid of the same period; none where tangents

@@ -11,6 +11,8 @@ use std::sync::Arc;
 
 /// Largest increment of a quasi-static solve: its square is the error left.
 const TOLERANCE: f64 = 1e-3;
+/// What that error stretches slender beams by is to be no more geometric stiffness than this part of their bending stiffness.
+const SPURIOUS: f64 = 0.5;
 /// A step that needs more iterations than this is halved.
 const ITERATION_LIMIT: usize = 12;
 /// A step that needs fewer is doubled.
@@ -48,6 +50,7 @@ pub(super) struct Tracker<'a> {
     branch: Branch,
     /// State before the present one, and time since.
     before: Option<(GridState, f64)>,
+    tolerance: f64,
 }
 
 impl<'a> Tracker<'a> {
@@ -68,6 +71,7 @@ impl<'a> Tracker<'a> {
             reached: 0.0,
             branch: Branch::default(),
             before: None,
+            tolerance: TOLERANCE.min((SPURIOUS / system.slenderness()).sqrt()),
         })
     }
 
@@ -135,7 +139,7 @@ impl<'a> Tracker<'a> {
                 _ => self.state.clone(),
             };
             let options = NewtonOptions {
-                tolerance: TOLERANCE,
+                tolerance: self.tolerance,
                 iteration_limit: ITERATION_LIMIT,
             };
             let report = self
