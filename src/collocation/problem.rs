@@ -10,7 +10,7 @@ use super::step::{AlphaStep, GivenRates};
 use crate::elements::{Measure, NodeState, Unknown};
 use crate::error::Result;
 use crate::fourier::{Differentiation, Resampling, TimeGrid};
-use crate::motion::{DualMatrix, Motion};
+use crate::motion::{DualMatrix, DualVector, Motion};
 use crate::system::{System, Workspace};
 use crate::workers::{Workers, parts};
 use nalgebra::Vector6;
@@ -64,6 +64,8 @@ pub(super) enum Derivatives {
     Step(AlphaStep),
     /// On a grid of one point: nothing, they are given.
     Given(GivenRates),
+    /// On a grid of one point: each node turns steadily, with this twist about the origin, resolved in space.
+    Steady(Vec<Vector6<f64>>),
 }
 
 impl Collocation {
@@ -374,6 +376,13 @@ impl Collocation {
         self.derivatives = Derivatives::Given(given);
     }
 
+    /// Makes everything on a grid of one point turn steadily: `V = Ad(M⁻¹) W` with the twist `W` of each node about the
+    /// origin, resolved in space, and `V̇ = 0`. Internal states are at rest.
+    pub fn set_steady(&mut self, twists: Vec<Vector6<f64>>) {
+        debug_assert_eq!(self.grid.points(), 1);
+        self.derivatives = Derivatives::Steady(twists);
+    }
+
     /// Sets the values of all signals on a grid of one point.
     pub fn set_signals(&mut self, values: &[f64]) {
         self.instants.signals.copy_from_slice(values);
@@ -473,6 +482,11 @@ impl Collocation {
                 identity.primal.fill_with_identity();
                 (DualMatrix::zeros(), identity * given.weight)
             }
+            // Δ(Ad(M⁻¹) W) = Ṽ Δu.
+            Derivatives::Steady(_) => {
+                let twist = &self.instants.states[node].twist;
+                (DualVector::from_twist(twist).skew(), DualMatrix::zeros())
+            }
         }
     }
 
@@ -522,6 +536,15 @@ impl Collocation {
                     };
                 }
             }
+            Derivatives::Steady(twists) => {
+                for (node, (_, states)) in nodes.iter_mut().enumerate() {
+                    let motion = state.node(node)[0];
+                    states[0] = NodeState {
+                        twist: motion.inverse().adjoint() * twists[node],
+                        ..NodeState::at_rest(motion)
+                    };
+                }
+            }
         }
     }
 
@@ -554,6 +577,7 @@ impl Collocation {
                     Derivatives::Given(given) => {
                         rates[0] = given.rates[placed.first_multiplier + row];
                     }
+                    Derivatives::Steady(_) => rates[0] = 0.0,
                 }
                 for (k, rate) in rates.iter().enumerate() {
                     self.instants.rates[state.first_multiplier(placed, k) + row] = *rate;

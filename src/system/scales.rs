@@ -122,7 +122,7 @@ impl System {
     }
 
     /// Diagonal of the box around all nodes.
-    fn extent(&self) -> f64 {
+    pub(super) fn extent(&self) -> f64 {
         let first = self.reference[0].position;
         let (low, high) = self
             .reference
