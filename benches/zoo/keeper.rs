@@ -106,24 +106,19 @@ fn visit(seed: u64, family: usize, index: usize) -> Record {
 /// All machines of all families.
 pub fn visit_all(seed: u64, count: usize) -> Vec<Record> {
     let mut records = Vec::new();
-    for (family, (name, _)) in FAMILIES.iter().enumerate() {
-        for index in 0..count {
+    for index in 0..count {
+        for family in 0..FAMILIES.len() {
             let record = visit(seed, family, index);
-            if !record.converged() || record.verdict() != Verdict::Right {
-                println!(
-                    "{} {}: {:?} {}",
-                    record.place(),
-                    record.outcome,
-                    record.verdict(),
-                    record.why
-                );
+            let (place, verdict) = (record.place(), record.verdict());
+            if !record.converged() || verdict != Verdict::Right {
+                println!("{place} {}: {verdict:?} {}", record.outcome, record.why);
             }
             records.push(record);
         }
-        let here = records.iter().filter(|r| r.family == family);
-        let converged = here.clone().filter(|r| r.converged()).count();
-        let time: f64 = here.map(|r| r.seconds).sum();
-        println!("{name}: {converged} of {count} converged, {time:.1} s");
+        let converged = records.iter().filter(|r| r.converged()).count();
+        let seconds: f64 = records.iter().map(|r| r.seconds).sum();
+        println!("{converged} of {} converged, {seconds:.1} s", records.len());
     }
+    records.sort_by_key(|record| (record.family, record.index));
     records
 }

@@ -9,10 +9,12 @@ use rustix::time::{ClockId, clock_gettime};
 
 /// Processor time for a solve, and for each check of it, in seconds.
 const LIMIT: u64 = 60;
+const CHECK_LIMIT: u64 = 30;
 /// Most memory, in bytes.
 const MEMORY: u64 = 6 << 30;
-/// Solves from cold on finer grids, for comparison, where that takes no longer than some seconds.
-const CHEAP: f64 = 2.0;
+/// Solves from cold on finer grids, for comparison, where that is likely to take no longer than seconds.
+const CHEAP: f64 = 0.3;
+const FEW: usize = 64;
 /// Of so many models one is marched.
 const MARCHED: usize = 10;
 
@@ -89,13 +91,13 @@ pub fn visit(seed: u64, family: usize, index: usize, verbose: bool) {
 }
 
 fn check(machine: &crate::machines::Machine, solution: &Solution, seconds: f64, marched: bool) {
-    limit(LIMIT);
+    limit(CHECK_LIMIT);
     let error = judge::check(machine, solution);
     if let Some(error) = error {
         tell(&format!("error {error:e}"));
     }
-    if seconds < CHEAP {
-        limit(LIMIT);
+    if seconds < CHEAP && solution.grid().points() < FEW {
+        limit(CHECK_LIMIT);
         if let Some(difference) = judge::check_from_cold(machine, solution) {
             tell(&format!("cold {difference:e}"));
         }
@@ -107,7 +109,7 @@ fn check(machine: &crate::machines::Machine, solution: &Solution, seconds: f64, 
     };
     // What the finer grid leaves in doubt is marched in any case.
     if marched || checked.verdict(estimate) != judge::Verdict::Right {
-        limit(LIMIT);
+        limit(CHECK_LIMIT);
         if let Some([away, unsure]) = judge::march(machine, solution) {
             tell(&format!("march {away:e} {unsure:e}"));
         }

@@ -38,35 +38,37 @@ pub fn build(w: &mut Workshop) {
             -3.0 * bending * sag / (tip_mass + 1.0),
         ));
     }
-    let (wave, target) = (w.wave(), w.target());
     let soft = Vec3::y().cross(&direction);
-    let moving = target / wave.base_response(w.speed, w.ratio);
-    match w.random.below(4) {
-        0 => {
-            w.note(format!("base moved {moving:.1e}"));
+    if w.random.percent(50) {
+        let (wave, target) = (w.motion(), w.target());
+        let size = target / wave.base_response(w.speed, w.ratio);
+        w.note(format!("base moved {size:.1e}"));
+        let (joint, coordinate) = if w.random.percent(50) {
             let slide = w.joint(JointKind::Prismatic, None, bar.first, &root, &soft);
-            w.prescribe(slide, Displacement1, 0.0, Some((&wave, moving)));
-        }
-        1 => {
-            w.note(format!("base turned {moving:.1e}"));
+            (slide, Displacement1)
+        } else {
             let hinge = w.joint(JointKind::Revolute, None, bar.first, &root, &Vec3::y());
-            w.prescribe(hinge, Rotation1, 0.0, Some((&wave, moving)));
-        }
-        which => {
-            w.note(format!("tip force {target:.1e}"));
-            w.clamp(None, bar.first, &root);
-            let size = 3.0 * bending * target / wave.response(w.speed, w.ratio);
-            let across = if w.random.percent(30) {
-                soft + 0.3 * Vec3::y()
-            } else {
-                soft
-            };
-            let mean = if w.random.percent(30) {
-                0.3 * size
-            } else {
-                0.0
-            };
-            w.force(bar.last, which == 3, &across, mean, (&wave, size));
-        }
+            (hinge, Rotation1)
+        };
+        w.prescribe(joint, coordinate, 0.0, Some((&wave, size)));
+        return;
     }
+    let (wave, target) = (w.wave(), w.target());
+    w.note(format!("tip force {target:.1e}"));
+    w.clamp(None, bar.first, &root);
+    let size = 3.0 * bending * target / wave.response(w.speed, w.ratio);
+    let oblique = w.random.percent(30);
+    let across = soft
+        + if oblique {
+            0.3 * Vec3::y()
+        } else {
+            Vec3::zeros()
+        };
+    let mean = if w.random.percent(30) {
+        0.3 * size
+    } else {
+        0.0
+    };
+    let follows = w.random.percent(30);
+    w.force(bar.last, follows, &across, mean, (&wave, size));
 }

@@ -31,6 +31,7 @@ fn first_eigenvalue(n: usize, spring: f64, gravity: f64) -> f64 {
 }
 
 pub fn build(w: &mut Workshop) {
+    w.damped_by_joints();
     let n = 1 + w.random.below(6);
     // Shares of springs and gravity.
     let (springs, gravity) = w
@@ -94,50 +95,33 @@ fn joint_damper(w: &Workshop, n: usize, spring: f64) -> f64 {
 }
 
 fn drive(w: &mut Workshop, links: &[Bar], joints: &[usize]) {
-    let wave = w.wave();
-    let target = w.target();
-    let response = wave.response(w.speed, w.ratio);
-    let last = links[links.len() - 1].last;
-    // Moment that turns it by one radian.
+    if links.len() > 1 && w.random.percent(30) {
+        let wave = w.motion();
+        let swing = w.target() / wave.base_response(w.speed, w.ratio);
+        w.note(format!("base turned {swing:.1e}"));
+        w.prescribe(joints[0], Rotation1, 0.0, Some((&wave, swing)));
+        return;
+    }
+    let (wave, target) = (w.wave(), w.target());
+    // Moment that turns it by a radian, over its length.
     let stiffness = FREQUENCY * FREQUENCY / 3.0;
-    let slow = 0.5 * target / wave.base_response(w.speed, w.ratio);
-    match w.random.below(4) {
+    let size = stiffness * target / wave.response(w.speed, w.ratio);
+    let across = Vec3::new(1.0, 0.3 * w.random.number(), 0.0);
+    match w.random.below(3) {
         0 => {
             w.note(format!("torque {target:.1e}"));
-            w.actuator(
-                joints[0],
-                Rotation1,
-                0.0,
-                (&wave, stiffness * target / response),
-            );
+            w.actuator(joints[0], Rotation1, 0.0, (&wave, size));
         }
         1 => {
-            w.note(format!("force {target:.1e}"));
-            let direction = Vec3::new(1.0, 0.0, 0.0);
+            w.note(format!("force at the end {target:.1e}"));
             let follows = w.random.percent(20);
-            w.force(
-                last,
-                follows,
-                &direction,
-                0.0,
-                (&wave, stiffness * target / response),
-            );
-        }
-        2 if links.len() > 1 => {
-            w.note(format!("base turned {slow:.1e}"));
-            w.prescribe(joints[0], Rotation1, 0.0, Some((&wave, slow)));
+            let last = links[links.len() - 1].last;
+            w.force(last, follows, &across, 0.0, (&wave, size));
         }
         _ => {
             w.note(format!("force in the middle {target:.1e}"));
             let middle = links[links.len() / 2].last;
-            let direction = Vec3::new(1.0, 0.3 * w.random.number(), 0.0);
-            w.force(
-                middle,
-                false,
-                &direction,
-                0.0,
-                (&wave, stiffness * target / response),
-            );
+            w.force(middle, false, &across, 0.0, (&wave, size));
         }
     }
 }

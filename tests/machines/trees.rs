@@ -35,7 +35,8 @@ pub fn build(w: &mut Workshop) {
     w.note(format!("{count} masses, hardening {hard:.1}"));
     let deepest = masses.iter().map(|mass| mass.depth).max().unwrap_or(0) as f64;
     let moved = w.random.percent(30);
-    let (wave, target) = (w.wave(), w.target());
+    let wave = if moved { w.motion() } else { w.wave() };
+    let target = w.target();
     let base = w.node(&Vec3::zeros());
     if moved {
         let axis = w.random.vector();

@@ -37,7 +37,19 @@ impl Wave {
                 let count = random.decades(2.0, 20.99) as usize;
                 Self::harmonics(random, count)
             }
-            _ => Self::pulse(random),
+            _ => Self::pulse(random, 0.02, 2),
+        }
+    }
+
+    /// The same as a motion: pulses are wider and have no jumps of acceleration, as every cam's.
+    pub fn random_motion(random: &mut Random) -> Self {
+        match random.below(10) {
+            0..=4 => Self::harmonics(random, 1),
+            5..=7 => {
+                let count = random.decades(2.0, 20.99) as usize;
+                Self::harmonics(random, count)
+            }
+            _ => Self::pulse(random, 0.06, 4),
         }
     }
 
@@ -60,9 +72,11 @@ impl Wave {
         }
     }
 
-    /// A smooth pulse, as if measured or tabulated.
-    pub fn pulse(random: &mut Random) -> Self {
-        let width = random.decades(0.02, 0.3);
+    /// A smooth pulse, a power of a cosine, as if measured or tabulated.
+    fn pulse(random: &mut Random, least: f64, order: i32) -> Self {
+        let width = random.decades(least, 0.3);
+        // At half its height it is as wide as told.
+        let reach = 0.25 * PI * width / 0.5f64.powf(1.0 / f64::from(order)).acos();
         let count = random.pick(&[180, 360, 720]);
         let centre = random.between(0.0, 1.0);
         let samples: Vec<f64> = (0..count)
@@ -70,7 +84,7 @@ impl Wave {
                 let from = k as f64 / count as f64 - centre;
                 let from = from - from.round();
                 match from.abs() {
-                    away if away < width => (0.5 * PI * away / width).cos().powi(2),
+                    away if away < reach => (0.5 * PI * away / reach).cos().powi(order),
                     _ => 0.0,
                 }
             })

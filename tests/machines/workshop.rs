@@ -81,12 +81,12 @@ impl Workshop {
             0 => 0.0,
             _ => random.decades(1e-3, 0.1),
         };
-        let damped = random.pick(&[
-            Damped::AllStrains,
-            Damped::AllStrains,
-            Damped::Bending,
-            Damped::Joints,
-        ]);
+        let all = random.percent(65);
+        let damped = if all {
+            Damped::AllStrains
+        } else {
+            Damped::Bending
+        };
         Workshop {
             speed: random.decades(0.02, 3.0),
             random,
@@ -142,6 +142,20 @@ impl Workshop {
         let wave = Wave::random(&mut self.random);
         self.note(wave.what.clone());
         wave
+    }
+
+    /// A wave to move something by.
+    pub fn motion(&mut self) -> Wave {
+        let wave = Wave::random_motion(&mut self.random);
+        self.note(wave.what.clone());
+        wave
+    }
+
+    /// Leaves beams undamped in some cases, where joints damp.
+    pub fn damped_by_joints(&mut self) {
+        if self.random.percent(30) {
+            self.damped = Damped::Joints;
+        }
     }
 
     pub fn gravity(&mut self, acceleration: &Vec3) {
