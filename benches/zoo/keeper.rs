@@ -19,8 +19,8 @@ pub struct Record {
     pub unknowns: usize,
     pub estimate: f64,
     pub checked: Checked,
-    /// The solution could be checked to the end.
-    pub complete: bool,
+    /// There is no periodic solution near.
+    pub grows: bool,
 }
 
 impl Record {
@@ -32,7 +32,7 @@ impl Record {
         self.checked.verdict(self.estimate)
     }
 
-    /// Whether the true error is at most so many times the estimate, if both are known.
+    /// Family, from 1, and index.
     pub fn place(&self) -> String {
         format!("{}:{}", self.family + 1, self.index)
     }
@@ -47,7 +47,7 @@ impl Record {
             "error" => self.checked.error = Some(number()?),
             "cold" => self.checked.from_cold = Some(number()?),
             "march" => self.checked.march = Some([number()?, number()?]),
-            "checked" => self.complete = true,
+            "grows" => self.grows = true,
             "solved" => {
                 let (outcome, rest) = rest.split_once(' ')?;
                 let numbers: Vec<f64> = rest.split(' ').filter_map(|x| x.parse().ok()).collect();

@@ -28,7 +28,8 @@ fn main() {
     let only: Option<String> = value(&arguments, "--only");
     let Some(only) = only else {
         let records = keeper::visit_all(seed, count);
-        table::write(seed, count, &records);
+        let docs = arguments.iter().any(|a| a == "--docs");
+        table::write(seed, count, &records, docs);
         return;
     };
     let place = only.split_once(':').and_then(|(family, index)| {

@@ -114,5 +114,4 @@ fn check(machine: &crate::machines::Machine, solution: &Solution, seconds: f64, 
             tell(&format!("march {away:e} {unsure:e}"));
         }
     }
-    tell("checked");
 }

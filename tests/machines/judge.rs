@@ -23,6 +23,14 @@ const DISPROVED: f64 = 10.0;
 const LEAST_STEPS: usize = 400;
 const STEPS_OF_HARMONIC: usize = 16;
 
+/// An undamped machine has no periodic solution near if, in a march from rest, the largest distances from the start in so many
+/// blocks of so many periods each grow, by this factor at least from one to the next.
+const BLOCKS: usize = 4;
+const PERIODS: usize = 15;
+const GROWTH: f64 = 1.15;
+/// Steps to a period in that march.
+const GROWTH_STEPS: usize = 96;
+
 fn go_on(_: Stage, _: &Iteration) -> bool {
     true
 }
@@ -143,4 +151,34 @@ fn march_twice(machine: &Machine, solution: &Solution) -> Result<Option<[f64; 2]
         }
     }
     Ok(Some(largest))
+}
+
+/// Whether a machine has no periodic solution near: it is undamped, and its vibrations grow from period to period, as those of a
+/// linear one do at resonance.
+pub fn grows(machine: &Machine) -> bool {
+    machine.undamped && growth(machine).unwrap_or(false)
+}
+
+fn growth(machine: &Machine) -> Result<bool> {
+    let period = machine.period;
+    let duration = (BLOCKS * PERIODS) as f64 * period;
+    let step = period / GROWTH_STEPS as f64;
+    let mut options = MarchOptions::with_step(step, MarchEnd::Duration(duration));
+    options.period = Some(period);
+    // Hardly any numerical damping.
+    options.spectral_radius = 0.95;
+    let march = Solution::march(&machine.model, &options, &mut go_on)?;
+    if march.outcome() != Outcome::Converged {
+        return Ok(false);
+    }
+    let instant = TimeGrid::new(1, period)?;
+    let start = march.prolonged_from(0.0, instant)?;
+    let length = march.details().system.scales().length;
+    let mut largest = [0.0f64; BLOCKS];
+    for k in 1..BLOCKS * PERIODS {
+        let state = march.prolonged_from(k as f64 * period, instant)?;
+        let block = &mut largest[k / PERIODS];
+        *block = block.max(start.distance(&state, length));
+    }
+    Ok(largest.windows(2).all(|pair| pair[1] > GROWTH * pair[0]))
 }

@@ -26,6 +26,8 @@ pub struct Machine {
     pub model: Model,
     pub period: f64,
     pub what: String,
+    /// Nothing in it damps.
+    pub undamped: bool,
 }
 
 /// A family's name, and what builds one of it.

@@ -116,6 +116,7 @@ impl Workshop {
             model: self.model,
             period,
             what,
+            undamped: self.ratio == 0.0,
         }
     }
 
