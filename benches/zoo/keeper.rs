@@ -66,11 +66,12 @@ impl Record {
     }
 }
 
-fn visit(seed: u64, family: usize, index: usize) -> Record {
+fn visit(seed: u64, family: usize, index: usize, limit: u64) -> Record {
     let program = std::env::current_exe().expect("this program");
     let only = format!("{}:{index}", family + 1);
     let output = Command::new(program)
         .args(["--seed", &seed.to_string(), "--only", &only])
+        .args(["--limit", &limit.to_string()])
         .output()
         .expect("this program runs");
     let mut record = Record {
@@ -90,7 +91,7 @@ fn visit(seed: u64, family: usize, index: usize) -> Record {
             .find(|line| !line.trim().is_empty())
             .unwrap_or("");
         (record.outcome, record.why) = match output.status.signal() {
-            Some(PROCESSOR_TIME) => ("TimeLimit".into(), "more than a minute".into()),
+            Some(PROCESSOR_TIME) => ("TimeLimit".into(), format!("more than {limit} s")),
             _ => ("Crash".into(), format!("{}: {message}", output.status)),
         };
         record.seconds = if record.outcome == "TimeLimit" {
@@ -104,11 +105,11 @@ fn visit(seed: u64, family: usize, index: usize) -> Record {
 }
 
 /// All machines of all families.
-pub fn visit_all(seed: u64, count: usize) -> Vec<Record> {
+pub fn visit_all(seed: u64, count: usize, limit: u64) -> Vec<Record> {
     let mut records = Vec::new();
     for index in 0..count {
         for family in 0..FAMILIES.len() {
-            let record = visit(seed, family, index);
+            let record = visit(seed, family, index, limit);
             let (place, verdict) = (record.place(), record.verdict());
             if !record.converged() || verdict != Verdict::Right {
                 println!("{place} {}: {verdict:?} {}", record.outcome, record.why);

@@ -1,6 +1,6 @@
 //! Random machines of ten families, solved by default options and judged; see docs/robustness.md.
 //!
-//!     script/zoo [--seed S] [--count N] [--only FAMILY:INDEX] [--verbose] [--docs]
+//!     script/zoo [--seed S] [--count N] [--only FAMILY:INDEX] [--limit SECONDS] [--verbose] [--docs]
 
 #[path = "../../tests/common/mod.rs"]
 mod common;
@@ -24,10 +24,11 @@ fn main() {
     let arguments: Vec<String> = std::env::args().collect();
     let seed = value(&arguments, "--seed").unwrap_or(1);
     let count = value(&arguments, "--count").unwrap_or(50);
+    let limit = value(&arguments, "--limit").unwrap_or(60);
     let verbose = arguments.iter().any(|a| a == "--verbose");
     let only: Option<String> = value(&arguments, "--only");
     let Some(only) = only else {
-        let records = keeper::visit_all(seed, count);
+        let records = keeper::visit_all(seed, count, limit);
         let docs = arguments.iter().any(|a| a == "--docs");
         table::write(seed, count, &records, docs);
         return;
@@ -38,5 +39,5 @@ fn main() {
     });
     let (family, index) =
         place.unwrap_or_else(|| panic!("--only: expected FAMILY:INDEX, got {only}"));
-    visit::visit(seed, family, index, verbose);
+    visit::visit(seed, family, index, limit, verbose);
 }

@@ -1,15 +1,12 @@
 //! One machine, in a process of its own: what comes out is printed line by line, so that what was known before a
 //! crash or a limit is not lost.
 
-use crate::machines::{FAMILIES, judge, machine};
+use crate::machines::{FAMILIES, Machine, judge, machine};
 use periodyn::output::Solution;
 use periodyn::solve::Outcome;
 use rustix::process::{Resource, Rlimit, setrlimit};
 use rustix::time::{ClockId, clock_gettime};
 
-/// Processor time for a solve, and for each check of it, in seconds.
-const LIMIT: u64 = 60;
-const CHECK_LIMIT: u64 = 30;
 /// Most memory, in bytes.
 const MEMORY: u64 = 6 << 30;
 /// Solves from cold on finer grids, for comparison, where that is likely to take no longer than seconds.
@@ -41,7 +38,9 @@ fn tell(line: &str) {
 }
 
 /// Solves and judges a machine.
-pub fn visit(seed: u64, family: usize, index: usize, verbose: bool) {
+///
+/// A solve and each check of it end after `most` seconds of processor time.
+pub fn visit(seed: u64, family: usize, index: usize, most: u64, verbose: bool) {
     let memory = Rlimit {
         current: Some(MEMORY),
         maximum: None,
@@ -49,7 +48,7 @@ pub fn visit(seed: u64, family: usize, index: usize, verbose: bool) {
     setrlimit(Resource::As, memory).expect("a limit of memory");
     let machine = machine(seed, family, index);
     tell(&format!("what {}: {}", FAMILIES[family].0, machine.what));
-    limit(LIMIT);
+    limit(most);
     let start = processor_time();
     let solved = judge::solve(&machine);
     let seconds = processor_time() - start;
@@ -81,23 +80,24 @@ pub fn visit(seed: u64, family: usize, index: usize, verbose: bool) {
         ));
     }
     if solution.outcome() == Outcome::Converged {
-        check(
-            &machine,
-            &solution,
-            seconds,
-            index % MARCHED == 3 || verbose,
-        );
+        let marched = index % MARCHED == 3 || verbose;
+        check(&machine, &solution, seconds, most, marched);
+    } else {
+        limit(most);
+        if judge::grows(&machine) {
+            tell("grows");
+        }
     }
 }
 
-fn check(machine: &crate::machines::Machine, solution: &Solution, seconds: f64, marched: bool) {
-    limit(CHECK_LIMIT);
+fn check(machine: &Machine, solution: &Solution, seconds: f64, most: u64, marched: bool) {
+    limit(most);
     let error = judge::check(machine, solution);
     if let Some(error) = error {
         tell(&format!("error {error:e}"));
     }
     if seconds < CHEAP && solution.grid().points() < FEW {
-        limit(CHECK_LIMIT);
+        limit(most);
         if let Some(difference) = judge::check_from_cold(machine, solution) {
             tell(&format!("cold {difference:e}"));
         }
@@ -109,7 +109,7 @@ fn check(machine: &crate::machines::Machine, solution: &Solution, seconds: f64, 
     };
     // What the finer grid leaves in doubt is marched in any case.
     if marched || checked.verdict(estimate) != judge::Verdict::Right {
-        limit(CHECK_LIMIT);
+        limit(most);
         if let Some([away, unsure]) = judge::march(machine, solution) {
             tell(&format!("march {away:e} {unsure:e}"));
         }
