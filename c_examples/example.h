@@ -1,8 +1,9 @@
-/* What the examples share, none of it about Periodyn: options of the command line, and the CSV file. */
+/* What the examples share: options of the command line, the CSV file, and a check by marching. */
 
 #ifndef EXAMPLE_H
 #define EXAMPLE_H
 
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -80,6 +81,56 @@ static inline FILE *open_out(int argc, char **argv)
         exit(2);
     }
     return file;
+}
+
+/* Largest distance of a node in two solutions at 100 times of a period. */
+static inline int largest_distance(const pdn_solution *a, const pdn_solution *b, int32_t node,
+                                   double period, double *out)
+{
+    double t[100], x[100][3], y[100][3];
+    *out = 0;
+    for (int i = 0; i < 100; ++i) {
+        t[i] = period * i / 99;
+    }
+    TRY(pdn_solution_node_position(a, node, t, 100, x[0]));
+    TRY(pdn_solution_node_position(b, node, t, 100, y[0]));
+    for (int i = 0; i < 100; ++i) {
+        const double d[3] = {x[i][0] - y[i][0], x[i][1] - y[i][1], x[i][2] - y[i][2]};
+        *out = fmax(*out, sqrt(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]));
+    }
+    return 0;
+done:
+    return 1;
+}
+
+/* Marches a period from a solution, in `steps` and in twice as many steps: how far a node gets from
+ * its periodic motion, and how far the two marches, of second order, are in error by their difference.
+ */
+static inline int check_by_march(const pdn_model *model, const pdn_solution *solution, int32_t node,
+                                 double period, size_t steps)
+{
+    int failed = 1;
+    pdn_solution *march[2] = {NULL, NULL};
+    double away, apart;
+    pdn_march_options options;
+    PDN_INIT(pdn_march_options, &options);
+    options.initial = solution;
+    options.duration = options.period = period;
+    for (int i = 0; i < 2; ++i) {
+        options.steps_per_period = (size_t)(i + 1) * steps;
+        TRY(pdn_march(model, &options, &march[i]));
+    }
+    if (largest_distance(solution, march[1], node, period, &away) != 0 ||
+        largest_distance(march[0], march[1], node, period, &apart) != 0) {
+        goto done;
+    }
+    printf("Marched for a period in %d steps, node %d gets %.1e away; the march is right to %.1e\n",
+           (int)(2 * steps), (int)node, away, apart / 3);
+    failed = away > apart;
+done:
+    pdn_solution_free(march[0]);
+    pdn_solution_free(march[1]);
+    return failed;
 }
 
 #endif

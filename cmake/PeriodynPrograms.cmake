@@ -17,6 +17,9 @@ if(CMAKE_Fortran_COMPILER_ID STREQUAL "GNU")
 endif()
 
 find_program(PDN_VALGRIND valgrind)
+if(PDN_BUILD_TESTS AND NOT PDN_VALGRIND)
+    pdn_leave_out("valgrind" "tests under it")
+endif()
 set(pdn_valgrind ${PDN_VALGRIND} --quiet --leak-check=full --error-exitcode=1
     --suppressions=${PROJECT_SOURCE_DIR}/tests/c/valgrind.supp)
 

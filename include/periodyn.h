@@ -1362,7 +1362,7 @@ typedef struct pdn_march_options {
     double duration;
     /**
      * Period T that harmonics and samples of signals refer to, and that the motion may repeat itself with;
-     * 0 if neither matters. Default 0.
+     * 0 if neither matters. Steps must not be longer, unless error_tolerance chooses them. Default 0.
      */
     double period;
     /**

@@ -743,6 +743,18 @@ fn times_harmonics_and_options_that_make_no_sense_are_refused() {
         "options.error_tolerance",
     );
     refused(&with(&|o| o.period = Some(-1.0)), "options.period");
+    // Steps of 0.01 would skip such periods, or be none at all; with error control these are too many.
+    for period in [0.0099, 1e-7, 1e-9, 1e-300] {
+        let skipped = "options.period: expected at least 1.000e-2";
+        refused(&with(&|o| o.period = Some(period)), skipped);
+    }
+    let controlled = with(&|o| {
+        o.period = Some(1e-9);
+        o.error_tolerance = Some(1e-3);
+    });
+    refused(&controlled, "options.period: expected at least 1.000e-8");
+    // There the next number is farther than a step.
+    refused(&with(&|o| o.start_time = -1e17), "options.start_time");
     let periodic = |tolerance, most_periods| {
         with(&|o| {
             o.end = MarchEnd::Periodic {

@@ -3,7 +3,7 @@
 
 use nalgebra::{Matrix3, Matrix6, Vector3, Vector6};
 use periodyn::elements::{Coordinate, JointKind, LoadFrame};
-use periodyn::error::Result;
+use periodyn::error::{ErrorKind, Result};
 use periodyn::model::{JointCoordinate, Model, SectionInput, Signal, SpringDefinition};
 use periodyn::motion::{Motion, rotation_from_vector};
 use periodyn::output::{BeamQuantity, JointQuantity, NodeQuantity, ResolvedIn, Solution};
@@ -244,4 +244,21 @@ fn whatever_is_described_is_answered() {
         outcomes.get("Converged").is_some_and(|n| *n >= 10),
         "{outcomes:?}"
     );
+}
+
+#[test]
+fn bodies_as_heavy_as_numbers_go_are_taken_or_refused_but_not_by_half() {
+    let mut model = Model::new();
+    for inertia in [1.0, 1e200, 1e308, f64::MAX, f64::INFINITY] {
+        let before = model.node_count();
+        let tensor = Matrix3::from_diagonal_element(inertia);
+        let added = model.add_rigid_body(1e10, &Vector3::x(), &tensor);
+        assert_eq!(added.is_ok(), inertia.is_finite(), "{inertia}: {added:?}");
+        assert_eq!(model.node_count() - before, usize::from(added.is_ok()));
+    }
+    // Its moment of inertia about the node is no number.
+    let point = Matrix3::zeros();
+    let refused = model.add_mass(0, 1.0, &Vector3::new(1e160, 0.0, 0.0), &point);
+    assert_eq!(refused.unwrap_err().kind(), ErrorKind::NotFinite);
+    assert_eq!(model.mass_and_moment().0, 4e10);
 }

@@ -29,7 +29,7 @@ pub struct pdn_march_options {
     /// How long it is; leave it 0 to march until periodic. Default 0.
     pub duration: f64,
     /// Period T that harmonics and samples of signals refer to, and that the motion may repeat itself with;
-    /// 0 if neither matters. Default 0.
+    /// 0 if neither matters. Steps must not be longer, unless error_tolerance chooses them. Default 0.
     pub period: f64,
     /// Length of the steps, made shorter by what lets a whole number of them fit the duration or the
     /// period. With error_tolerance the length of the first. Default 0.

@@ -63,7 +63,7 @@ pub(super) fn require_positive(
         let got = format!("one with the scaled eigenvalue {smallest:.3e}");
         return Err(Error::value(name, expected, got));
     }
-    Ok(0.5 * (m + m.transpose()))
+    Ok(0.5 * m + 0.5 * m.transpose()) // the sum of large entries would overflow
 }
 
 impl SectionInput {
@@ -148,6 +148,13 @@ fn central_inertia(mass: f64, inertia: &Matrix3<f64>) -> Result<Matrix6<f64>> {
     matrix = require_positive("inertia", &matrix, false)?;
     matrix.fixed_view_mut::<3, 3>(0, 0).fill_diagonal(mass);
     Ok(matrix)
+}
+
+/// The inertia `matrix`, about a frame at `offset` from `node`.
+fn inertia_at(node: usize, offset: &Motion, matrix: &Matrix6<f64>) -> Result<Inertia> {
+    let inertia = Inertia::rigid_body(node, offset, matrix);
+    require_finite("inertia about the node", inertia.mass().as_slice())?;
+    Ok(inertia)
 }
 
 /// Checks a motion and removes the rounding of its rotation.
@@ -252,8 +259,9 @@ impl Model {
             return Err(Error::value("mass", "a positive number", mass));
         }
         require_finite("centre", centre.as_slice())?;
+        let body = inertia_at(self.nodes.len(), &Motion::identity(), &matrix)?;
         let node = self.add_node(&Motion::new(Matrix3::identity(), *centre))?;
-        self.add_inertia(node, None, &matrix)?;
+        self.inertias.push(body);
         Ok(node)
     }
 
@@ -285,8 +293,7 @@ impl Model {
             Some(frame) => self.nodes[node].relative(&require_motion("frame", frame)?),
         };
         let matrix = require_positive("matrix", matrix, false)?;
-        self.inertias
-            .push(Inertia::rigid_body(node, &offset, &matrix));
+        self.inertias.push(inertia_at(node, &offset, &matrix)?);
         Ok(())
     }
 

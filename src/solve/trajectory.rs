@@ -148,8 +148,12 @@ impl MarchOptions {
             let expected = "the period, to store the last of them";
             return Err(Error::value("options.period", expected, "none"));
         }
-        let longest = self.span() / self.step;
-        if longest > MOST_STEPS {
+        self.validate_times()
+    }
+
+    /// Steps must be neither too many nor lost in the rounding of time, and must not skip periods.
+    fn validate_times(&self) -> Result<()> {
+        if self.span() / self.step > MOST_STEPS {
             return Err(Error::value(
                 "options.step",
                 format!(
@@ -158,6 +162,25 @@ impl MarchOptions {
                 ),
                 self.step,
             ));
+        }
+        let latest = MOST_STEPS_AWAY * self.step;
+        if self.start_time.abs() > latest {
+            let expected = format!("at most {latest:.3e} in size, to tell its steps apart");
+            return Err(Error::value(
+                "options.start_time",
+                expected,
+                self.start_time,
+            ));
+        }
+        if let (Some(period), MarchEnd::Duration(duration)) = (self.period, self.end) {
+            let (least, why) = match self.error_tolerance {
+                None => (self.step.min(duration), "steps must not skip periods"),
+                Some(_) => (duration / MOST_STEPS, "the duration has too many of them"),
+            };
+            if period < (1.0 - END) * least {
+                let expected = format!("at least {least:.3e}, as {why}");
+                return Err(Error::value("options.period", expected, period));
+            }
         }
         Ok(())
     }
@@ -173,6 +196,8 @@ impl MarchOptions {
 
 /// More steps to a duration or period than this are a mistake.
 const MOST_STEPS: f64 = 1e8;
+/// Farther from time zero steps drown in the rounding of time, by more than [`END`].
+const MOST_STEPS_AWAY: f64 = 1e10;
 /// Steps of constant length that end within this part of one are ends.
 const END: f64 = 1e-6;
 /// Shortest step with error control, relative to the first.

@@ -230,7 +230,8 @@ static pdn_status march(void)
 static void refusals_of_each_argument(void)
 {
     static const double not_positive[] = {0.0, -1.0}, negative[] = {-1.0, -1e-300};
-    static const double no_radius[] = {-0.1, 1.1};
+    static const double no_radius[] = {-0.1, 1.1}, skipped[] = {1e-7, 1e-9, 1e-300};
+    static const double far_away[] = {1e17, -1e300};
     static const size_t zero[] = {0}, some[] = {10};
     static const size_t bad_struct_sizes[] = {0, 1, 7, 8, 144, 5000, (size_t)-1};
     static const size_t bad_figure_sizes[] = {0, 1, 7, 8, 80, 5000, (size_t)-1};
@@ -267,6 +268,10 @@ static void refusals_of_each_argument(void)
     REFUSES_NOT_FINITE(in.options.period, march(), "options.period");
     REFUSES_EACH(in.options.period, double, negative, march(), PDN_ERR_VALUE,
                  "options.period: expected a positive");
+    REFUSES_EACH(in.options.period, double, skipped, march(), PDN_ERR_VALUE,
+                 "options.period: expected at least 1.000e-2, as steps must not skip periods");
+    REFUSES_EACH(in.options.start_time, double, far_away, march(), PDN_ERR_VALUE,
+                 "options.start_time: expected at most 1.000e8 in size");
     REFUSES_NOT_FINITE(in.options.step, march(), "options.step");
     REFUSES_EACH(in.options.step, double, not_positive, march(), PDN_ERR_VALUE,
                  "options.step: expected a positive");

@@ -313,7 +313,7 @@ static void nodes_and_masses(void)
     static const double not_positive[] = {0.0, -1.0};
     static const double negative[] = {-1.0};
     static const double negative_inertia[] = {-1e-12, -1.0};
-    static const double lopsided[] = {1.0};
+    static const double lopsided[] = {1.0}, far_away[] = {1e160, -1e300};
     static const double stretched[] = {2.0, -1.0, 1.0001};
 
 #define CALL pdn_model_add_node(in.model, in.point, in.rotation, &out.id)
@@ -353,6 +353,8 @@ static void nodes_and_masses(void)
                  "inertia: expected a positive semi-definite matrix");
     REFUSES_EACH(in.inertia[5], double, lopsided, CALL, PDN_ERR_VALUE,
                  "inertia: expected a symmetric matrix");
+    REFUSES_EACH(in.point[0], double, far_away, CALL, PDN_ERR_NOT_FINITE,
+                 "inertia about the node[");
 #undef CALL
 
 #define CALL pdn_model_add_inertia(in.model, in.node, &in.frame, in.matrix)
