@@ -21,7 +21,7 @@ mod step;
 mod tangent;
 
 pub use aliasing::Aliasing;
-pub use between::{NodeInterpolation, ResidualBetween, residual_between, too_coarse};
+pub use between::{Defect, NodeInterpolation, ResidualBetween, too_coarse};
 pub use decay::{Decay, DecayKind};
 pub use jacobian::TangentBlocks;
 pub use kinematics::{BackwardRule, NodeKinematics};

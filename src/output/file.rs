@@ -270,6 +270,7 @@ impl Content<'_> {
                 coarse_start: self.coarse_start,
                 iterative: self.iterative.map(Cow::into_owned),
                 threads: 1,
+                assessment: None,
                 march,
             },
             model,

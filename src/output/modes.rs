@@ -141,6 +141,7 @@ impl Modes {
             coarse_start: None,
             iterative: None,
             threads: 1,
+            assessment: None,
             march: None,
         };
         Solution::of(&self.model, solve)

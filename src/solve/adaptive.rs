@@ -1,6 +1,6 @@
 //! Grids made finer until the estimated error meets a tolerance.
 
-use super::estimate::{Assessment, assess};
+use super::estimate::Assessment;
 use super::newton::{NewtonReport, Outcome};
 use super::periodic::Attempts;
 use crate::collocation::{DecayKind, GridState};
@@ -190,7 +190,7 @@ impl Attempts<'_> {
             if report.outcome != Outcome::Converged {
                 return Ok((state, report));
             }
-            let mut found = assess(&self.system, self.grid, &state, &self.workers)?;
+            let mut found = self.assess(&mut state, &report)?;
             let own = found.error;
             if let Some((estimate, coarse)) = &before {
                 // The error of the grid before, as measured, shows how far to trust estimates.

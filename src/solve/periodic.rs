@@ -1,7 +1,7 @@
 //! The periodic solve from model to solution.
 
 use super::adaptive::{Adaptation, GridTried};
-use super::estimate::assess;
+use super::estimate::Assessment;
 use super::guess::{Guess, inertial_displacement, quasi_static};
 use super::iterative::{IterativeRecord, Projected};
 use super::march::march_to_periodic;
@@ -153,6 +153,8 @@ pub struct PeriodicSolve {
     pub iterative: Option<IterativeRecord>,
     /// Threads that shared the work, 0 for as many as there are processors.
     pub threads: usize,
+    /// Of a periodic solution: what it tells of its error.
+    pub assessment: Option<Assessment>,
     /// Of a march: its times, and how it went.
     pub march: Option<MarchRecord>,
 }
@@ -192,7 +194,7 @@ pub(super) struct Attempts<'a> {
     linear: LinearMethod,
     pub(super) workers: Workers,
     oversampling: usize,
-    newton: Newton<Projected<Linear>>,
+    pub(super) newton: Newton<Projected<Linear>>,
     observe: &'a mut dyn FnMut(Stage, &Iteration) -> bool,
     /// Where the quasi-static start is found, and the start once it is.
     pub(super) guess_grid: TimeGrid,
@@ -202,6 +204,8 @@ pub(super) struct Attempts<'a> {
     /// Time spent on grids before the present one.
     timings: Timings,
     pub(super) grids: Vec<GridTried>,
+    /// Of the last solution that was assessed, on this grid.
+    pub(super) assessed: Option<(TimeGrid, Assessment)>,
     coarse_start: Option<GridTried>,
 }
 
@@ -288,6 +292,7 @@ pub fn solve_periodic(
         guess_time: Duration::ZERO,
         timings: Timings::default(),
         grids: Vec::new(),
+        assessed: None,
         coarse_start: None,
     };
     let given = match &options.guess {
@@ -299,11 +304,17 @@ pub fn solve_periodic(
         (GridPoints::Fixed(_), Some(state)) => attempts.newton(state)?,
         (GridPoints::Fixed(_), None) => attempts.find_on(wanted)?,
     };
+    if let (GridPoints::Fixed(_), Outcome::Converged) = (options.grid_points, report.outcome) {
+        attempts.assess(&mut state, &report)?;
+    }
     attempts.newton.equations.update_kinematics(&state);
     // Between grid points, too, what has no effect at them may have some.
     if options.oversampling == 1 {
         attempts.newton.equations.reduce_to_least_norm(&mut state)?;
     }
+    let assessment = attempts
+        .assessed
+        .take_if(|(grid, _)| *grid == attempts.grid && report.outcome.is_solution());
     Ok(PeriodicSolve {
         system,
         grid: attempts.grid,
@@ -317,6 +328,7 @@ pub fn solve_periodic(
         grids: attempts.grids,
         coarse_start: attempts.coarse_start,
         threads: options.threads,
+        assessment: assessment.map(|(_, assessment)| assessment),
         march: None,
     })
 }
@@ -514,10 +526,10 @@ impl Attempts<'_> {
         };
         let mut start = None;
         if let Some(state) = self.start()? {
-            let (state, report) = self.newton_to(state, &enough)?;
+            let (mut state, report) = self.newton_to(state, &enough)?;
             match report.outcome {
                 Outcome::Converged => {
-                    let error = assess(&self.system, coarse, &state, &self.workers)?.error;
+                    let error = self.assess(&mut state, &report)?.error;
                     if error < RESOLVED.max(NEARER * distance) {
                         start = self.carry_to(grid, &state)?;
                         self.coarse_start = start.is_some().then_some(GridTried {

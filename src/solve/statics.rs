@@ -181,6 +181,7 @@ pub(super) fn find_equilibrium(
         coarse_start: None,
         iterative: None,
         threads: 1,
+        assessment: None,
         march: None,
     };
     if solve.report.outcome == Outcome::Singular && indifferent == Indifferent::Accepted {

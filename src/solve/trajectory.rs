@@ -617,6 +617,7 @@ pub(super) fn finish(
         coarse_start: None,
         iterative: None,
         threads: 1,
+        assessment: None,
         march: Some(record),
     })
 }
