@@ -289,77 +289,52 @@ impl Defect {
         })
     }
 
-    /// What the grid has taken for its own harmonics, scaled and ordered as the rows of `equations`, its phase left open: as if all of
-    /// it came from the harmonics next to those of the grid (`p = ±1`).
+    /// What the grid has taken for its own harmonics, scaled and ordered as the rows of `equations`, but for its phase: as if all of it
+    /// came from the harmonics next above those of the grid (`p = ±1`).
     pub fn aliased(&self, equations: &Collocation) -> Vec<f64> {
         let (system, grid) = (equations.system(), equations.grid());
         let points = grid.points();
         let mut resampling = Resampling::new(grid, -PART / points as f64, points);
-        let mut aliased = vec![0.0; equations.size()];
+        let mut all = vec![0.0; equations.size()];
         let mut values = vec![0.0; points];
-        let mut take = |row: usize, place: &dyn Fn(usize) -> usize| {
+        for (row, places) in places(system, points) {
             resampling.read((0..points).map(|k| self.rows[k * self.count + row]));
             resampling.write(0, 0, &mut values);
             for (k, value) in values.iter().enumerate() {
-                aliased[place(k)] = value * equations.row_scale()[place(k)] / Self::SHOWN;
-            }
-        };
-        for node in 0..system.nodes() {
-            for i in 0..6 {
-                take(6 * node + i, &|k| 6 * (node * points + k) + i);
+                let scale = equations.row_scale()[places(k)];
+                all[places(k)] = value * scale / Self::SHOWN;
             }
         }
-        let nodes = 6 * system.nodes();
-        for placed in system.elements() {
-            let count = placed.element.multipliers();
-            for row in 0..count {
-                let first = points * (nodes + placed.first_multiplier) + row;
-                take(nodes + placed.first_multiplier + row, &|k| first + count * k);
-            }
-        }
-        aliased
+        all
     }
 
-    /// `|exp(2πi θ) − 1|`.
+    /// `|exp(2πi θ) − 1|`: what an alias of a harmonic next above those of the grid leaves between its points, relative to it.
     const SHOWN: f64 = 1.864_064_8;
 
     /// What a grid of three points leaves out at grid point `k` of this one, scaled and ordered as the rows of `equations`: a
     /// cosine.
     pub fn left_out(&self, equations: &Collocation, k: usize) -> Vec<f64> {
         let system = equations.system();
-        let mut all = vec![0.0; equations.size()];
         let here = &self.rows[k * self.count..][..self.count];
         let wave = [1.0, -0.5, -0.5].map(|cosine| cosine / Self::SHOWN);
-        let nodes = 6 * system.nodes();
-        for (point, factor) in wave.iter().enumerate() {
-            for node in 0..system.nodes() {
-                for i in 0..6 {
-                    all[6 * (3 * node + point) + i] = factor * here[6 * node + i];
-                }
-            }
-            for placed in system.elements() {
-                let count = placed.element.multipliers();
-                let first = 3 * (nodes + placed.first_multiplier) + count * point;
-                for row in 0..count {
-                    all[first + row] = factor * here[nodes + placed.first_multiplier + row];
-                }
+        let mut all = vec![0.0; equations.size()];
+        for (row, places) in places(system, 3) {
+            for (point, factor) in wave.iter().enumerate() {
+                let place = places(point);
+                all[place] = factor * here[row] * equations.row_scale()[place];
             }
         }
-        let scaled = all.iter().zip(equations.row_scale());
-        scaled.map(|(x, scale)| x * scale).collect()
+        all
     }
 
     /// The grid points after which most is left of the equations of forces, and of those of the elements, all scaled as those of
     /// `equations`, which are on a grid of three points.
     pub fn worst(&self, equations: &Collocation) -> [usize; 2] {
-        let system = equations.system();
-        let nodes = 6 * system.nodes();
-        let mut scales: Vec<f64> = (0..nodes).map(|i| equations.row_scale()[i % 6]).collect();
-        for placed in system.elements() {
-            let first = 3 * (nodes + placed.first_multiplier);
-            let own = &equations.row_scale()[first..][..placed.element.multipliers()];
-            scales.extend(own);
-        }
+        let nodes = 6 * equations.system().nodes();
+        let scales = equations.row_scale();
+        let scales: Vec<f64> = places(equations.system(), 3)
+            .map(|(_, places)| scales[places(0)])
+            .collect();
         let (mut worst, mut most) = ([0; 2], [0.0f64; 2]);
         for (k, rows) in self.rows.chunks_exact(self.count).enumerate() {
             for (i, (x, scale)) in rows.iter().zip(&scales).enumerate() {
@@ -371,6 +346,24 @@ impl Defect {
         }
         worst
     }
+}
+
+/// Each equation of an instant, and its places at the points of a grid among those of the whole period.
+fn places(
+    system: &System,
+    points: usize,
+) -> impl Iterator<Item = (usize, impl Fn(usize) -> usize)> + '_ {
+    let nodes = 6 * system.nodes();
+    let of_nodes = (0..nodes).map(move |row| (row, 6 * (row / 6) * points + row % 6, 6));
+    let own = system.elements().iter().flat_map(move |placed| {
+        let (first, count) = (
+            nodes + placed.first_multiplier,
+            placed.element.multipliers(),
+        );
+        (0..count).map(move |row| (first + row, points * first + row, count))
+    });
+    let places = of_nodes.chain(own);
+    places.map(|(row, first, step)| (row, move |k: usize| first + step * k))
 }
 
 impl ResidualBetween {

@@ -1,12 +1,12 @@
 //! Grids made finer until the estimated error meets a tolerance.
 
 use super::estimate::Assessment;
+use super::loads::Loads;
 use super::newton::{NewtonReport, Outcome};
 use super::periodic::Attempts;
 use crate::collocation::{DecayKind, GridState};
 use crate::error::{Error, Result};
-use crate::fourier::{Resampling, TimeGrid};
-use crate::system::System;
+use crate::fourier::TimeGrid;
 use serde::{Deserialize, Serialize};
 
 /// A grid that an adaptive solve has tried.
@@ -45,10 +45,6 @@ impl Default for Adaptation {
 const FIRST: usize = 11;
 /// Points of the initial guess to one of a first grid that small: quasi-static steps are as many anyway.
 const GUESS_FACTOR: usize = 3;
-/// Points at which signals are probed for harmonics.
-const PROBE: usize = 255;
-/// Harmonics of a signal below this fraction of its largest are not looked at.
-const PROBED: f64 = 1e-3;
 /// Least and largest factor from one grid to the next; of an unresolved response, whose decay tells little.
 const GROWTH: [f64; 3] = [1.3, 4.0, 2.0];
 /// The next grid aims at this fraction of the tolerance.
@@ -79,10 +75,11 @@ impl Adaptation {
         self.largest.saturating_sub((self.largest + 1) % 2)
     }
 
-    /// Points of the first grid: enough for the harmonics of the signals and as many again, if allowed.
-    pub(super) fn first(&self, system: &System, period: f64) -> Result<usize> {
-        let harmonics = highest_harmonic(system, period)?;
-        Ok((4 * harmonics + 1).max(FIRST).min(self.largest_odd()))
+    /// Points of the first grid: enough for the harmonics of the signals that motions owe most to, if allowed.
+    pub(super) fn first(&self, loads: &Loads) -> usize {
+        let most = (self.largest_odd() - 1) / 2;
+        let points = 2 * loads.essential(most) + 1;
+        points.max(FIRST).min(self.largest_odd())
     }
 
     /// Points of the first grid from a solution on `points`, or from a march, which has none.
@@ -105,7 +102,7 @@ impl Adaptation {
     }
 
     /// Points of the grid after one of `points` with this estimate.
-    fn next(&self, points: usize, found: &Assessment) -> usize {
+    fn next(&self, points: usize, found: &Assessment, loads: &Loads) -> usize {
         let [least, largest, unresolved] = GROWTH;
         let most = match found.decay.kind {
             DecayKind::Fast if found.error.is_finite() => largest,
@@ -115,7 +112,20 @@ impl Adaptation {
         // Each harmonic takes two points.
         let wanted = points as f64 + 2.0 * reduction / found.decay.ratio.ln();
         let wanted = if wanted.is_finite() { wanted } else { f64::MAX };
-        let (least, most) = (least * points as f64, most * points as f64);
+        let (least, mut most) = (least * points as f64, most * points as f64);
+        // What loads need is known.
+        let mut wanted = wanted;
+        if let Some(unheld) = &found.unheld {
+            let fraction = AIM * self.error_tolerance / unheld.error;
+            let needed = loads.needed((points - 1) / 2, fraction);
+            let needed = needed.map_or(0.0, |(_, harmonic)| (2 * harmonic + 1) as f64);
+            if unheld.error > 0.5 * found.error {
+                wanted = needed;
+                most = most.max(needed);
+            } else {
+                wanted = wanted.max(needed);
+            }
+        }
         let next = wanted.clamp(least, most).ceil() as usize;
         quick(next).min(self.largest_odd())
     }
@@ -139,35 +149,6 @@ fn quick(points: usize) -> usize {
         candidate += 2;
     }
     candidate
-}
-
-/// Highest harmonic of the signals that counts, of those below half of [`PROBE`].
-fn highest_harmonic(system: &System, period: f64) -> Result<usize> {
-    let grid = TimeGrid::new(PROBE, period)?;
-    let count = system.signals();
-    let values = |time: f64| -> Result<Vec<f64>> {
-        let mut values = vec![0.0; count];
-        system.signal_values(time, 1.0, &mut values)?;
-        Ok(values)
-    };
-    let samples = grid.times().map(values).collect::<Result<Vec<_>>>()?;
-    let end = values(period)?;
-    let mut resampling = Resampling::new(grid, 0.0, 1);
-    let mut highest = 0;
-    for signal in 0..count {
-        let growth = end[signal] - samples[0][signal];
-        resampling.read((0..PROBE).map(|k| samples[k][signal] - growth * k as f64 / PROBE as f64));
-        let amplitudes: Vec<f64> = resampling.amplitudes().skip(1).collect();
-        let largest = amplitudes.iter().fold(0.0f64, |most, x| most.max(*x));
-        let size = samples
-            .iter()
-            .fold(0.0f64, |most, x| most.max(x[signal].abs()));
-        // A constant has harmonics of rounding only.
-        let least = (PROBED * largest).max(1e-12 * size);
-        let last = amplitudes.iter().rposition(|x| *x > least);
-        highest = highest.max(last.map_or(0, |j| j + 1));
-    }
-    Ok(highest)
 }
 
 impl Attempts<'_> {
@@ -208,7 +189,7 @@ impl Attempts<'_> {
                 iterations: report.iterations.len(),
                 error_estimate: found.error,
             });
-            let next = adaptation.next(points, &found);
+            let next = adaptation.next(points, &found, &self.loads);
             let accepted = found.error <= adaptation.error_tolerance;
             if accepted && (!deceivable || next <= points) {
                 return Ok((state, report));
@@ -228,11 +209,13 @@ impl Attempts<'_> {
                 return Ok((state, report));
             }
             if next <= points {
+                let unheld = self.describe_unheld();
                 missed(&format!(
                     "no more than {} grid points are allowed{}",
                     adaptation.largest,
-                    match found.decay.kind {
-                        DecayKind::Slow => format!(
+                    match (unheld, found.decay.kind) {
+                        (Some(unheld), _) => format!("; {unheld}"),
+                        (None, DecayKind::Slow) => format!(
                             "; harmonics fall slowly, as with a kink or a narrow peak near t = {:.4}",
                             found.decay.least_resolved
                         ),

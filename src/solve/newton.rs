@@ -251,11 +251,11 @@ impl<L: LinearSolver> Newton<L> {
         }
     }
 
-    /// Largest motion of the scaled unknowns that these scaled forces and constraints cause, with the Jacobian of the last
-    /// linearisation; none if that is singular.
-    pub fn response(&mut self, mut scaled: Vec<f64>) -> Result<Option<f64>> {
-        let solved = self.solve_linear(&mut scaled, ESTIMATE)?;
-        let largest = self.motion_norm(&scaled);
+    /// Turns scaled forces and constraints into the increment of the scaled unknowns that they cause, with the Jacobian of the last
+    /// linearisation, and gives its largest motion; none if that is singular.
+    pub fn response(&mut self, scaled: &mut [f64]) -> Result<Option<f64>> {
+        let solved = self.solve_linear(scaled, ESTIMATE)?;
+        let largest = self.motion_norm(scaled);
         Ok((solved && largest.is_finite()).then_some(largest))
     }
 

@@ -4,6 +4,7 @@ use super::adaptive::{Adaptation, GridTried};
 use super::estimate::Assessment;
 use super::guess::{Guess, inertial_displacement, quasi_static};
 use super::iterative::{IterativeRecord, Projected};
+use super::loads::Loads;
 use super::march::march_to_periodic;
 use super::method::{Linear, LinearMethod};
 use super::newton::{Iteration, Newton, NewtonOptions, NewtonReport, Outcome, Timings};
@@ -204,6 +205,7 @@ pub(super) struct Attempts<'a> {
     /// Time spent on grids before the present one.
     timings: Timings,
     pub(super) grids: Vec<GridTried>,
+    pub(super) loads: Loads,
     /// Of the last solution that was assessed, on this grid.
     pub(super) assessed: Option<(TimeGrid, Assessment)>,
     coarse_start: Option<GridTried>,
@@ -243,18 +245,21 @@ pub fn solve_periodic(
     };
     TimeGrid::new(points, period)?;
     let system = Arc::new(System::new(model, period)?);
+    let largest = match options.grid_points {
+        GridPoints::Fixed(points) => points,
+        GridPoints::Adaptive(adaptation) => adaptation.largest,
+    };
+    let loads = Loads::of(&system, largest)?;
     let points = match (&options.guess, &options.grid_points) {
         (_, GridPoints::Fixed(points)) => *points,
         (InitialGuess::State(state), _) => state.points(),
-        (InitialGuess::Default, GridPoints::Adaptive(adaptation)) => {
-            adaptation.first(&system, period)?
-        }
+        (InitialGuess::Default, GridPoints::Adaptive(adaptation)) => adaptation.first(&loads),
     };
     let wanted = TimeGrid::new(points, period)?;
     let guess_points = match (&options.guess, &options.grid_points) {
         (InitialGuess::Default, GridPoints::Fixed(_)) => {
             let coarse = Adaptation::default();
-            let coarse = coarse.guess(coarse.first(&system, period)?);
+            let coarse = coarse.guess(coarse.first(&loads));
             if points > COARSER * coarse {
                 coarse
             } else {
@@ -292,6 +297,7 @@ pub fn solve_periodic(
         guess_time: Duration::ZERO,
         timings: Timings::default(),
         grids: Vec::new(),
+        loads,
         assessed: None,
         coarse_start: None,
     };
@@ -299,13 +305,14 @@ pub fn solve_periodic(
         InitialGuess::State(state) => Some(state.clone()),
         InitialGuess::Default => None,
     };
-    let (mut state, report) = match (&options.grid_points, given) {
+    let (mut state, mut report) = match (&options.grid_points, given) {
         (GridPoints::Adaptive(adaptation), given) => attempts.refine(adaptation, given)?,
         (GridPoints::Fixed(_), Some(state)) => attempts.newton(state)?,
         (GridPoints::Fixed(_), None) => attempts.find_on(wanted)?,
     };
     if let (GridPoints::Fixed(_), Outcome::Converged) = (options.grid_points, report.outcome) {
         attempts.assess(&mut state, &report)?;
+        report.explanation = attempts.describe_unheld().unwrap_or_default();
     }
     attempts.newton.equations.update_kinematics(&state);
     // Between grid points, too, what has no effect at them may have some.

@@ -3,6 +3,7 @@
 mod check;
 mod constraints;
 mod scales;
+mod spectra;
 mod summary;
 mod turning;
 
