@@ -4,6 +4,7 @@
 //! static equilibrium at the grid's start time.
 
 mod aliasing;
+mod amplitude;
 mod between;
 mod decay;
 mod division;

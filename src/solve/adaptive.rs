@@ -7,6 +7,7 @@ use super::periodic::Attempts;
 use crate::collocation::{DecayKind, GridState};
 use crate::error::{Error, Result};
 use crate::fourier::TimeGrid;
+use crate::system::System;
 use serde::{Deserialize, Serialize};
 
 /// A grid that an adaptive solve has tried.
@@ -26,6 +27,9 @@ pub struct Adaptation {
     /// Largest estimated error of the motions that is accepted: positions relative to the characteristic
     /// length, entries of rotation matrices.
     pub error_tolerance: f64,
+    /// If not zero, also the largest that is accepted relative to the amplitude of the response: the largest deviation of a node
+    /// from its mean, or from its steady turn.
+    pub response_tolerance: f64,
     /// Largest number of grid points.
     pub largest: usize,
 }
@@ -36,6 +40,7 @@ impl Default for Adaptation {
     fn default() -> Self {
         Adaptation {
             error_tolerance: 1e-6,
+            response_tolerance: 0.0,
             largest: 255,
         }
     }
@@ -53,6 +58,8 @@ const AIM: f64 = 0.1;
 const DECEIVED: f64 = 10.0;
 /// A difference of solutions that is larger is none of rounding.
 const ROUNDING: f64 = 1e-10;
+/// A deviation from rest or from a steady turn that is none.
+const AT_REST: f64 = 1e-13;
 /// From this number of points on they are chosen for quick Fourier transforms.
 const LARGE: usize = 64;
 
@@ -63,11 +70,31 @@ impl Adaptation {
             let name = "options.error_tolerance";
             return Err(Error::value(name, expected, self.error_tolerance));
         }
+        if !(self.response_tolerance.is_finite() && self.response_tolerance >= 0.0) {
+            let expected = "zero or a positive, finite number";
+            let name = "options.response_tolerance";
+            return Err(Error::value(name, expected, self.response_tolerance));
+        }
         if self.largest < 3 {
             let name = "options.largest_grid_points";
             return Err(Error::size(name, "at least 3", self.largest));
         }
         Ok(())
+    }
+
+    /// The same for a response as in `state`: with the tolerance that its amplitude leaves.
+    fn of_response(&self, system: &System, state: &GridState) -> Self {
+        let wanted = self.response_tolerance * state.amplitude(system);
+        // Nothing but rounding moves.
+        let moves = wanted > self.response_tolerance * AT_REST;
+        Adaptation {
+            error_tolerance: if moves {
+                self.error_tolerance.min(wanted)
+            } else {
+                self.error_tolerance
+            },
+            ..*self
+        }
     }
 
     /// The largest odd number of points.
@@ -171,6 +198,7 @@ impl Attempts<'_> {
             if report.outcome != Outcome::Converged {
                 return Ok((state, report));
             }
+            let adaptation = adaptation.of_response(&self.system, &state);
             let mut found = self.assess(&mut state, &report)?;
             let own = found.error;
             if let Some((estimate, coarse)) = &before {
