@@ -253,6 +253,7 @@ module periodyn_c
         integer(c_int32_t) :: linear_solver
         integer(c_int32_t) :: threads
         integer(c_size_t) :: oversampling
+        real(c_double) :: response_tolerance
     end type pdn_periodic_options
 
     type, bind(C) :: pdn_static_options

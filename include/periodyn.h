@@ -1225,6 +1225,12 @@ typedef struct pdn_periodic_options {
      * vanish. 1: at the grid points alone. Default 1.
      */
     size_t oversampling;
+    /**
+     * If grid_points is 0 and this is not, the estimated error of the motions is also to be below this times the amplitude of the
+     * response: the largest deviation of a node from its mean or, if it makes whole turns in a period, from a steady turn, in
+     * the measure of error_tolerance. For responses that are small beside the mechanism. Default 0.
+     */
+    double response_tolerance;
 } pdn_periodic_options;
 
 /**

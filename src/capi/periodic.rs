@@ -119,11 +119,15 @@ pub struct pdn_periodic_options {
     /// are interpolated; their virtual work, and the harmonics of the constraints up to those of the grid, are to
     /// vanish. 1: at the grid points alone. Default 1.
     pub oversampling: usize,
+    /// If grid_points is 0 and this is not, the estimated error of the motions is also to be below this times the amplitude of the
+    /// response: the largest deviation of a node from its mean or, if it makes whole turns in a period, from a steady turn, in
+    /// the measure of error_tolerance. For responses that are small beside the mechanism. Default 0.
+    pub response_tolerance: f64,
 }
 
 // SAFETY: all fields are plain numbers or pointers, `struct_size` is the first, no padding.
 unsafe impl Options for pdn_periodic_options {
-    const SIZES: &'static [usize] = &[80, 96, 104, 112];
+    const SIZES: &'static [usize] = &[80, 96, 104, 112, 120];
 
     fn defaults() -> Self {
         let core = PeriodicOptions::default();
@@ -144,6 +148,7 @@ unsafe impl Options for pdn_periodic_options {
             linear_solver: PDN_LINEAR_AUTOMATIC,
             threads: 1,
             oversampling: core.oversampling,
+            response_tolerance: adaptation.response_tolerance,
         }
     }
 }
@@ -275,8 +280,10 @@ fn read_options(
     let (points, grid) = match grid_points {
         0 => {
             call.number(given.error_tolerance, "options.error_tolerance")?;
+            call.number(given.response_tolerance, "options.response_tolerance")?;
             let adaptation = Adaptation {
                 error_tolerance: given.error_tolerance,
+                response_tolerance: given.response_tolerance,
                 largest: given.largest_grid_points,
             };
             (GridPoints::Adaptive(adaptation), None)

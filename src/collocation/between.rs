@@ -1,5 +1,10 @@
 //! The equations between grid points: where aliasing shows, since collocation does not look there.
+//!
+//! A force of the harmonic `a + pN` counts on the grid as one of the harmonic `a`. The part `θ` of an interval after each
+//! grid point, it is off by the factor `exp(2πi pθ) − 1`: half-way between them nothing shows where `p` is even. With the
+//! golden section, `pθ` is as far from whole numbers as can be, for all `p`.
 
+use super::problem::Collocation;
 use super::resampled::{ResampledNodes, dual, primal};
 use super::state::GridState;
 use crate::elements::{Measure, NodeState, Unknown};
@@ -83,7 +88,10 @@ pub fn too_coarse(node: usize, time: f64, points: usize) -> Error {
     )
 }
 
-/// Largest residuals half-way between grid points.
+/// Where between two grid points the equations are looked at: the golden section of the interval.
+const PART: f64 = 0.381_966_011_250_105_1;
+
+/// Largest residuals between grid points, at their golden section.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct ResidualBetween {
     /// Of forces (moments divided by the characteristic length), relative to the largest force that
@@ -107,9 +115,21 @@ impl ResidualBetween {
     }
 }
 
+/// The equations between grid points, an equal part of an interval after each.
+#[derive(Debug, Clone)]
+pub struct Defect {
+    /// Largest of them.
+    pub largest: ResidualBetween,
+    /// All of them, not scaled, time by time: the forces on each node, then the own equations of the elements.
+    rows: Vec<f64>,
+    count: usize,
+}
+
 /// What is left of the equations at one time.
 #[derive(Debug, Clone, Default)]
 struct Unbalance {
+    /// All of it, of the nodes and then of the elements.
+    rows: Vec<f64>,
     /// Of forces.
     force: f64,
     /// Largest force that an element exerts.
@@ -163,7 +183,10 @@ impl Room {
                 }
             }
         }
-        let mut found = Unbalance::default();
+        let mut found = Unbalance {
+            rows: vec![0.0; 6 * system.nodes() + system.multipliers()],
+            ..Unbalance::default()
+        };
         self.sums.fill(Vector6::zeros());
         for placed in system.elements() {
             let range =
@@ -185,7 +208,9 @@ impl Room {
                 found.level = found.level.max(size(&force));
                 self.sums[node] += force;
             }
+            let own = 6 * system.nodes() + placed.first_multiplier;
             for (row, violation) in out.constraint.iter().enumerate() {
+                found.rows[own + row] = *violation;
                 match system.unknown(placed.first_multiplier + row) {
                     Unknown::Multiplier(Measure::Length) => {
                         found.constraint = found.constraint.max(violation.abs() / length);
@@ -205,77 +230,168 @@ impl Room {
             }
         }
         found.force = self.sums.iter().fold(found.force, |r, f| r.max(size(f)));
+        for (rows, sum) in found.rows.chunks_exact_mut(6).zip(&self.sums) {
+            rows.copy_from_slice(sum.as_slice());
+        }
         Ok(found)
     }
 }
 
-/// Evaluates the governing equations at the points that a twice finer grid adds.
-///
-/// # Errors
-/// [`ErrorKind::GridTooCoarse`] if a motion cannot be interpolated, or a failing callback.
-pub fn residual_between(
+impl Defect {
+    /// Of a state on a grid.
+    ///
+    /// # Errors
+    /// [`ErrorKind::GridTooCoarse`] if a motion cannot be interpolated, or a failing callback.
+    pub fn of(
+        system: &System,
+        grid: TimeGrid,
+        state: &GridState,
+        workers: &Workers,
+    ) -> Result<Self> {
+        let points = grid.points();
+        let start = PART / points as f64;
+        let nodes = ResampledNodes::new(system, grid, state, start, points, workers)?;
+        let unknowns = state.resampled_own(system, grid, start, points);
+        let time = |k: usize| grid.time(k) + PART * grid.period() / points as f64;
+        // Functions of the user are called here, not by other threads.
+        let count = system.signals();
+        let mut signals = vec![0.0; points * count];
+        for k in 0..points {
+            system.signal_values(time(k), 1.0, &mut signals[k * count..][..count])?;
+        }
+        let workers = system.element_workers(workers);
+        let mut found = vec![Unbalance::default(); points];
+        workers.try_for_each(
+            &mut found,
+            &mut Vec::new(),
+            || Room::new(system),
+            |room, k, found| {
+                let conditions = Conditions {
+                    time: time(k),
+                    signals: &signals[k * count..][..count],
+                    coordinates: state.tracked(system, k),
+                    inertia_factor: 1.0,
+                };
+                let node_state = |node: usize| nodes.states[node * points + k];
+                *found = room.unbalance(system, &conditions, node_state, |place| {
+                    (
+                        unknowns.values[place * points + k],
+                        unknowns.rates[place * points + k],
+                    )
+                })?;
+                Ok(())
+            },
+        )?;
+        Ok(Defect {
+            largest: ResidualBetween::of(&found, time),
+            rows: found.iter().flat_map(|here| &here.rows).copied().collect(),
+            count: 6 * system.nodes() + system.multipliers(),
+        })
+    }
+
+    /// What the grid has taken for its own harmonics, scaled and ordered as the rows of `equations`, but for its phase: as if all of it
+    /// came from the harmonics next above those of the grid (`p = ±1`).
+    pub fn aliased(&self, equations: &Collocation) -> Vec<f64> {
+        let (system, grid) = (equations.system(), equations.grid());
+        let points = grid.points();
+        let mut resampling = Resampling::new(grid, -PART / points as f64, points);
+        let mut all = vec![0.0; equations.size()];
+        let mut values = vec![0.0; points];
+        for (row, places) in places(system, points) {
+            resampling.read((0..points).map(|k| self.rows[k * self.count + row]));
+            resampling.write(0, 0, &mut values);
+            for (k, value) in values.iter().enumerate() {
+                let scale = equations.row_scale()[places(k)];
+                all[places(k)] = value * scale / Self::SHOWN;
+            }
+        }
+        all
+    }
+
+    /// `|exp(2πi θ) − 1|`: what an alias of a harmonic next above those of the grid leaves between its points, relative to it.
+    const SHOWN: f64 = 1.864_064_8;
+
+    /// What a grid of three points leaves out at grid point `k` of this one, scaled and ordered as the rows of `equations`: a
+    /// cosine.
+    pub fn left_out(&self, equations: &Collocation, k: usize) -> Vec<f64> {
+        let system = equations.system();
+        let here = &self.rows[k * self.count..][..self.count];
+        let wave = [1.0, -0.5, -0.5].map(|cosine| cosine / Self::SHOWN);
+        let mut all = vec![0.0; equations.size()];
+        for (row, places) in places(system, 3) {
+            for (point, factor) in wave.iter().enumerate() {
+                let place = places(point);
+                all[place] = factor * here[row] * equations.row_scale()[place];
+            }
+        }
+        all
+    }
+
+    /// The grid points after which most is left of the equations of forces, and of those of the elements, all scaled as those of
+    /// `equations`, which are on a grid of three points.
+    pub fn worst(&self, equations: &Collocation) -> [usize; 2] {
+        let nodes = 6 * equations.system().nodes();
+        let scales = equations.row_scale();
+        let scales: Vec<f64> = places(equations.system(), 3)
+            .map(|(_, places)| scales[places(0)])
+            .collect();
+        let (mut worst, mut most) = ([0; 2], [0.0f64; 2]);
+        for (k, rows) in self.rows.chunks_exact(self.count).enumerate() {
+            for (i, (x, scale)) in rows.iter().zip(&scales).enumerate() {
+                let part = usize::from(i >= nodes);
+                if x.abs() * scale > most[part] {
+                    (worst[part], most[part]) = (k, x.abs() * scale);
+                }
+            }
+        }
+        worst
+    }
+}
+
+/// Each equation of an instant, and its places at the points of a grid among those of the whole period.
+fn places(
     system: &System,
-    grid: TimeGrid,
-    state: &GridState,
-    workers: &Workers,
-) -> Result<ResidualBetween> {
-    let points = grid.points();
-    let half = 0.5 / points as f64;
-    let nodes = ResampledNodes::new(system, grid, state, half, points, workers)?;
-    let unknowns = state.resampled_own(system, grid, half, points);
-    let time = |k: usize| grid.time(k) + 0.5 * grid.period() / points as f64;
-    // Functions of the user are called here, not by other threads.
-    let count = system.signals();
-    let mut signals = vec![0.0; points * count];
-    for k in 0..points {
-        system.signal_values(time(k), 1.0, &mut signals[k * count..][..count])?;
-    }
-    let workers = system.element_workers(workers);
-    let mut found = vec![Unbalance::default(); points];
-    workers.try_for_each(
-        &mut found,
-        &mut Vec::new(),
-        || Room::new(system),
-        |room, k, found| {
-            let conditions = Conditions {
-                time: time(k),
-                signals: &signals[k * count..][..count],
-                coordinates: state.tracked(system, k),
-                inertia_factor: 1.0,
-            };
-            let node_state = |node: usize| nodes.states[node * points + k];
-            *found = room.unbalance(system, &conditions, node_state, |place| {
-                (
-                    unknowns.values[place * points + k],
-                    unknowns.rates[place * points + k],
-                )
-            })?;
-            Ok(())
-        },
-    )?;
-    let (mut residual, mut worst, mut level, mut constraint) = (0.0f64, 0.0, 0.0f64, 0.0f64);
-    let mut overflow = false;
-    for (k, here) in found.iter().enumerate() {
-        if here.force > residual {
-            residual = here.force;
-            worst = time(k);
+    points: usize,
+) -> impl Iterator<Item = (usize, impl Fn(usize) -> usize)> + '_ {
+    let nodes = 6 * system.nodes();
+    let of_nodes = (0..nodes).map(move |row| (row, 6 * (row / 6) * points + row % 6, 6));
+    let own = system.elements().iter().flat_map(move |placed| {
+        let (first, count) = (
+            nodes + placed.first_multiplier,
+            placed.element.multipliers(),
+        );
+        (0..count).map(move |row| (first + row, points * first + row, count))
+    });
+    let places = of_nodes.chain(own);
+    places.map(|(row, first, step)| (row, move |k: usize| first + step * k))
+}
+
+impl ResidualBetween {
+    fn of(found: &[Unbalance], time: impl Fn(usize) -> f64) -> Self {
+        let (mut residual, mut worst, mut level, mut constraint) = (0.0f64, 0.0, 0.0f64, 0.0f64);
+        let mut overflow = false;
+        for (k, here) in found.iter().enumerate() {
+            if here.force > residual {
+                residual = here.force;
+                worst = time(k);
+            }
+            level = level.max(here.level);
+            constraint = constraint.max(here.constraint);
+            overflow |= here.overflow;
         }
-        level = level.max(here.level);
-        constraint = constraint.max(here.constraint);
-        overflow |= here.overflow;
-    }
-    let relative = if level > 0.0 { residual / level } else { 0.0 };
-    // Forces beyond any number say nothing, and say so.
-    let known = |x: f64| {
-        if overflow || !x.is_finite() {
-            f64::INFINITY
-        } else {
-            x
+        let relative = if level > 0.0 { residual / level } else { 0.0 };
+        // Forces beyond any number say nothing, and say so.
+        let known = |x: f64| {
+            if overflow || !x.is_finite() {
+                f64::INFINITY
+            } else {
+                x
+            }
+        };
+        ResidualBetween {
+            force: known(relative),
+            constraint: known(constraint),
+            time: worst,
         }
-    };
-    Ok(ResidualBetween {
-        force: known(relative),
-        constraint: known(constraint),
-        time: worst,
-    })
+    }
 }

@@ -4,6 +4,7 @@
 //! static equilibrium at the grid's start time.
 
 mod aliasing;
+mod amplitude;
 mod between;
 mod decay;
 mod division;
@@ -21,7 +22,7 @@ mod step;
 mod tangent;
 
 pub use aliasing::Aliasing;
-pub use between::{NodeInterpolation, ResidualBetween, residual_between, too_coarse};
+pub use between::{Defect, NodeInterpolation, ResidualBetween, too_coarse};
 pub use decay::{Decay, DecayKind};
 pub use jacobian::TangentBlocks;
 pub use kinematics::{BackwardRule, NodeKinematics};

@@ -383,7 +383,12 @@ impl Collocation {
         self.derivatives = Derivatives::Steady(twists);
     }
 
-    /// Sets the values of all signals on a grid of one point.
+    /// Values of all signals, grid point by grid point.
+    pub fn signals(&self) -> &[f64] {
+        &self.instants.signals
+    }
+
+    /// Sets the values of all signals, grid point by grid point.
     pub fn set_signals(&mut self, values: &[f64]) {
         self.instants.signals.copy_from_slice(values);
     }

@@ -276,6 +276,7 @@ impl Content<'_> {
                 attempts: self.attempts.into_owned(),
                 iterative: self.iterative.map(Cow::into_owned),
                 threads: 1,
+                assessment: None,
                 march,
             },
             model,

@@ -142,6 +142,7 @@ impl Modes {
             attempts: Vec::new(),
             iterative: None,
             threads: 1,
+            assessment: None,
             march: None,
         };
         Solution::of(&self.model, solve)

@@ -1,11 +1,12 @@
 //! Grids made finer until the estimated error meets a tolerance.
 
-use super::estimate::{Assessment, assess};
+use super::estimate::Assessment;
+use super::loads::Loads;
 use super::newton::{NewtonReport, Outcome};
 use super::periodic::{Attempts, is_final};
 use crate::collocation::{DecayKind, GridState};
 use crate::error::{Error, Result};
-use crate::fourier::{Resampling, TimeGrid};
+use crate::fourier::TimeGrid;
 use crate::system::System;
 use serde::{Deserialize, Serialize};
 
@@ -26,6 +27,9 @@ pub struct Adaptation {
     /// Largest estimated error of the motions that is accepted: positions relative to the characteristic
     /// length, entries of rotation matrices.
     pub error_tolerance: f64,
+    /// If not zero, also the largest that is accepted relative to the amplitude of the response: the largest deviation of a node
+    /// from its mean, or from its steady turn.
+    pub response_tolerance: f64,
     /// Largest number of grid points.
     pub largest: usize,
 }
@@ -36,6 +40,7 @@ impl Default for Adaptation {
     fn default() -> Self {
         Adaptation {
             error_tolerance: 1e-6,
+            response_tolerance: 0.0,
             largest: 255,
         }
     }
@@ -45,10 +50,6 @@ impl Default for Adaptation {
 const FIRST: usize = 11;
 /// Points of the initial guess to one of a first grid that small: quasi-static steps are as many anyway.
 const GUESS_FACTOR: usize = 3;
-/// Points at which signals are probed for harmonics.
-const PROBE: usize = 255;
-/// Harmonics of a signal below this fraction of its largest are not looked at.
-const PROBED: f64 = 1e-3;
 /// Least and largest factor from one grid to the next; of an unresolved response, whose decay tells little.
 const GROWTH: [f64; 3] = [1.3, 4.0, 2.0];
 /// The next grid aims at this fraction of the tolerance.
@@ -57,6 +58,8 @@ const AIM: f64 = 0.1;
 const DECEIVED: f64 = 10.0;
 /// A difference of solutions that is larger is none of rounding.
 const ROUNDING: f64 = 1e-10;
+/// A deviation from rest or from a steady turn that is none.
+const AT_REST: f64 = 1e-13;
 /// From this number of points on they are chosen for quick Fourier transforms.
 const LARGE: usize = 64;
 
@@ -67,6 +70,11 @@ impl Adaptation {
             let name = "options.error_tolerance";
             return Err(Error::value(name, expected, self.error_tolerance));
         }
+        if !(self.response_tolerance.is_finite() && self.response_tolerance >= 0.0) {
+            let expected = "zero or a positive, finite number";
+            let name = "options.response_tolerance";
+            return Err(Error::value(name, expected, self.response_tolerance));
+        }
         if self.largest < 3 {
             let name = "options.largest_grid_points";
             return Err(Error::size(name, "at least 3", self.largest));
@@ -74,15 +82,31 @@ impl Adaptation {
         Ok(())
     }
 
+    /// The same for a response as in `state`: with the tolerance that its amplitude leaves.
+    fn of_response(&self, system: &System, state: &GridState) -> Self {
+        let wanted = self.response_tolerance * state.amplitude(system);
+        // Nothing but rounding moves.
+        let moves = wanted > self.response_tolerance * AT_REST;
+        Adaptation {
+            error_tolerance: if moves {
+                self.error_tolerance.min(wanted)
+            } else {
+                self.error_tolerance
+            },
+            ..*self
+        }
+    }
+
     /// The largest odd number of points.
     fn largest_odd(&self) -> usize {
         self.largest.saturating_sub((self.largest + 1) % 2)
     }
 
-    /// Points of the first grid: enough for the harmonics of the signals and as many again, if allowed.
-    pub(super) fn first(&self, system: &System, period: f64) -> Result<usize> {
-        let harmonics = highest_harmonic(system, period)?;
-        Ok((4 * harmonics + 1).max(FIRST).min(self.largest_odd()))
+    /// Points of the first grid: enough for the harmonics of the signals that motions owe most to, if allowed.
+    pub(super) fn first(&self, loads: &Loads) -> usize {
+        let most = (self.largest_odd() - 1) / 2;
+        let points = 2 * loads.essential(most) + 1;
+        points.max(FIRST).min(self.largest_odd())
     }
 
     /// Points of the first grid from a solution on `points`, or from a march, which has none.
@@ -105,7 +129,7 @@ impl Adaptation {
     }
 
     /// Points of the grid after one of `points` with this estimate.
-    fn next(&self, points: usize, found: &Assessment) -> usize {
+    fn next(&self, points: usize, found: &Assessment, loads: &Loads) -> usize {
         let [least, largest, unresolved] = GROWTH;
         let most = match found.decay.kind {
             DecayKind::Fast if found.error.is_finite() => largest,
@@ -115,7 +139,20 @@ impl Adaptation {
         // Each harmonic takes two points.
         let wanted = points as f64 + 2.0 * reduction / found.decay.ratio.ln();
         let wanted = if wanted.is_finite() { wanted } else { f64::MAX };
-        let (least, most) = (least * points as f64, most * points as f64);
+        let (least, mut most) = (least * points as f64, most * points as f64);
+        // What loads need is known.
+        let mut wanted = wanted;
+        if let Some(unheld) = &found.unheld {
+            let fraction = AIM * self.error_tolerance / unheld.error;
+            let needed = loads.needed((points - 1) / 2, fraction);
+            let needed = needed.map_or(0.0, |(_, harmonic)| (2 * harmonic + 1) as f64);
+            if unheld.error > 0.5 * found.error {
+                wanted = needed;
+                most = most.max(needed);
+            } else {
+                wanted = wanted.max(needed);
+            }
+        }
         let next = wanted.clamp(least, most).ceil() as usize;
         quick(next).min(self.largest_odd())
     }
@@ -141,35 +178,6 @@ fn quick(points: usize) -> usize {
     candidate
 }
 
-/// Highest harmonic of the signals that counts, of those below half of [`PROBE`].
-fn highest_harmonic(system: &System, period: f64) -> Result<usize> {
-    let grid = TimeGrid::new(PROBE, period)?;
-    let count = system.signals();
-    let values = |time: f64| -> Result<Vec<f64>> {
-        let mut values = vec![0.0; count];
-        system.signal_values(time, 1.0, &mut values)?;
-        Ok(values)
-    };
-    let samples = grid.times().map(values).collect::<Result<Vec<_>>>()?;
-    let end = values(period)?;
-    let mut resampling = Resampling::new(grid, 0.0, 1);
-    let mut highest = 0;
-    for signal in 0..count {
-        let growth = end[signal] - samples[0][signal];
-        resampling.read((0..PROBE).map(|k| samples[k][signal] - growth * k as f64 / PROBE as f64));
-        let amplitudes: Vec<f64> = resampling.amplitudes().skip(1).collect();
-        let largest = amplitudes.iter().fold(0.0f64, |most, x| most.max(*x));
-        let size = samples
-            .iter()
-            .fold(0.0f64, |most, x| most.max(x[signal].abs()));
-        // A constant has harmonics of rounding only.
-        let least = (PROBED * largest).max(1e-12 * size);
-        let last = amplitudes.iter().rposition(|x| *x > least);
-        highest = highest.max(last.map_or(0, |j| j + 1));
-    }
-    Ok(highest)
-}
-
 impl Attempts<'_> {
     /// Solves on ever finer grids, from a given state or the library's own start.
     pub(super) fn refine(
@@ -190,7 +198,8 @@ impl Attempts<'_> {
             if report.outcome != Outcome::Converged {
                 return Ok((state, report));
             }
-            let mut found = assess(&self.system, self.grid, &state, &self.workers)?;
+            let adaptation = adaptation.of_response(&self.system, &state);
+            let mut found = self.assess(&mut state, &report)?;
             let own = found.error;
             if let Some((estimate, coarse)) = &before {
                 // The error of the grid before, as measured, shows how far to trust estimates.
@@ -208,7 +217,7 @@ impl Attempts<'_> {
                 iterations: report.iterations.len(),
                 error_estimate: found.error,
             });
-            let next = adaptation.next(points, &found);
+            let next = adaptation.next(points, &found, &self.loads);
             let accepted = found.error <= adaptation.error_tolerance;
             if accepted && (!deceivable || next <= points) {
                 return Ok((state, report));
@@ -228,11 +237,13 @@ impl Attempts<'_> {
                 return Ok((state, report));
             }
             if next <= points {
+                let unheld = self.describe_unheld();
                 missed(&format!(
                     "no more than {} grid points are allowed{}",
                     adaptation.largest,
-                    match found.decay.kind {
-                        DecayKind::Slow => format!(
+                    match (unheld, found.decay.kind) {
+                        (Some(unheld), _) => format!("; {unheld}"),
+                        (None, DecayKind::Slow) => format!(
                             "; harmonics fall slowly, as with a kink or a narrow peak near t = {:.4}",
                             found.decay.least_resolved
                         ),

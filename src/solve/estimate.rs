@@ -1,8 +1,9 @@
 //! How far the motions of a periodic solution are from those that any finer grid would give.
 
-use super::newton::Outcome;
-use super::periodic::PeriodicSolve;
-use crate::collocation::{Decay, GridState, ResidualBetween, residual_between};
+use super::loads::Unheld;
+use super::newton::{Iteration, Newton, NewtonReport, Outcome};
+use super::periodic::{Attempts, PeriodicSolve};
+use crate::collocation::{Collocation, Decay, DecayKind, Defect, GridState, ResidualBetween};
 use crate::error::{ErrorKind, Result};
 use crate::fourier::TimeGrid;
 use crate::system::System;
@@ -13,33 +14,43 @@ use crate::workers::Workers;
 pub struct Assessment {
     /// Fall of the harmonics.
     pub decay: Decay,
-    /// Residuals half-way between grid points.
+    /// Residuals between grid points.
     pub between: ResidualBetween,
     /// Estimated error of the motions, positions relative to the characteristic length and entries of rotation
-    /// matrices: the larger of the harmonics left out and of the violation of constraints between grid
-    /// points.
+    /// matrices.
     pub error: f64,
+    /// What harmonics of loads and prescribed motions that the grid cannot hold have to do with it.
+    pub unheld: Option<Unheld>,
+    /// debug
+    pub parts: [f64; 4],
 }
 
-/// Assesses a converged solution on a grid.
+/// Harmonics of the loads that are looked at one by one.
+const WAVES: usize = 6;
+/// The harmonics of a load that are named are those that leave this fraction of the error.
+const MOST: f64 = 0.1;
+/// Residuals so small are rounding.
+const BALANCED: f64 = 1e-9;
+
+/// Assesses a solution on a grid by its harmonics and constraints alone.
 ///
 /// # Errors
 /// That of a callback.
-pub fn assess(
+fn assess(
     system: &System,
     grid: TimeGrid,
     state: &GridState,
     workers: &Workers,
-) -> Result<Assessment> {
+) -> Result<(Assessment, Option<Defect>)> {
     let decay = Decay::of(system, grid, state);
-    let between = match residual_between(system, grid, state, workers) {
-        Ok(between) => between,
+    let defect = match Defect::of(system, grid, state, workers) {
+        Ok(defect) => Some(defect),
         // What cannot be interpolated, or is distorted between points, is no failure of the call.
-        Err(e) if matches!(e.kind(), ErrorKind::GridTooCoarse | ErrorKind::Model) => {
-            ResidualBetween::unknown()
-        }
+        Err(e) if matches!(e.kind(), ErrorKind::GridTooCoarse | ErrorKind::Model) => None,
         Err(e) => return Err(e),
     };
+    let unknown = ResidualBetween::unknown();
+    let between = defect.as_ref().map_or(unknown, |defect| defect.largest);
     // A static solution tells nothing of what is driven in time.
     let error = if grid.points() > 1 {
         decay.tail.max(between.constraint)
@@ -48,11 +59,214 @@ pub fn assess(
     } else {
         0.0
     };
-    Ok(Assessment {
+    let assessment = Assessment {
+        unheld: None,
+        parts: [decay.tail, 0.0, 0.0, between.constraint],
         decay,
         between,
         error,
-    })
+    };
+    Ok((assessment, defect))
+}
+
+/// What the last step of Newton's method leaves, from its last two increments.
+fn left_by_newton(iterations: &[Iteration]) -> f64 {
+    match iterations {
+        [] => 0.0,
+        [only] => only.increment,
+        [.., before, last] => last.increment * (last.increment / before.increment).min(1.0),
+    }
+}
+
+impl Attempts<'_> {
+    /// Assesses a converged solution on the present grid, where the equations have been solved last; multipliers become those of
+    /// least norm.
+    ///
+    /// What is left of the equations between grid points is what the grid has taken for its own harmonics, and what it has left out, which
+    /// is as much. The linearised equations turn the one into motions at the grid points; the other is above the harmonics
+    /// of the grid: the mechanism hardly moves during such a wave, and it is enough to look at one on its own.
+    pub(super) fn assess(
+        &mut self,
+        state: &mut GridState,
+        report: &NewtonReport,
+    ) -> Result<Assessment> {
+        let sampled = self.newton.equations.oversampled().is_none();
+        if sampled {
+            self.newton.equations.update_kinematics(state);
+            // Between grid points, what has no effect at them may have some.
+            self.newton.equations.reduce_to_least_norm(state)?;
+        }
+        let (system, workers) = (self.system.clone(), self.workers.clone());
+        let (mut found, defect) = assess(&system, self.grid, state, &workers)?;
+        if let (Some(defect), true) = (defect, sampled && self.grid.points() > 1) {
+            let mut aliased = defect.aliased(&self.newton.equations);
+            let aliased = self.newton.response(&mut aliased)?;
+            let left_out = self.left_out(&defect, state)?;
+            if let (Some(mut aliased), Some(mut left_out)) = (aliased, left_out) {
+                if let Some((low, high)) = self.unheld(&defect, state)? {
+                    (aliased, left_out) = (aliased.max(low), left_out.max(high));
+                    found.unheld = self.name_unheld(low + high);
+                }
+                found.error = (aliased + left_out).max(found.between.constraint);
+                found.parts = [
+                    found.decay.tail,
+                    aliased,
+                    left_out,
+                    found.between.constraint,
+                ];
+            }
+            // Harmonics that do not fall, but which the loads have, and the grid resolves.
+            let balanced = found.between.force.max(found.between.constraint) < BALANCED;
+            if balanced && found.decay.kind == DecayKind::Slow {
+                found.decay.kind = DecayKind::Fast;
+            }
+        }
+        found.error += left_by_newton(&report.iterations);
+        self.assessed = Some((self.grid, found.clone()));
+        Ok(found)
+    }
+
+    /// Motions by what the grid takes the harmonics of the loads for that it cannot hold, and by these themselves. None where there are no such.
+    fn unheld(&mut self, defect: &Defect, state: &GridState) -> Result<Option<(f64, f64)>> {
+        let harmonics = self.grid.harmonics();
+        if !self.loads.has_above(harmonics) {
+            return Ok(None);
+        }
+        let equations = &mut self.newton.equations;
+        let (mut full, mut held) = (vec![0.0; equations.size()], vec![0.0; equations.size()]);
+        equations.residual(state, &mut full)?;
+        let signals = equations.signals().to_vec();
+        let count = self.system.signals();
+        let mut without = signals.clone();
+        let mut rest = vec![0.0; count];
+        for (values, time) in without.chunks_exact_mut(count).zip(self.grid.times()) {
+            self.loads.rest(time, harmonics, &mut rest);
+            values
+                .iter_mut()
+                .zip(&rest)
+                .for_each(|(x, rest)| *x -= rest);
+        }
+        equations.set_signals(&without);
+        let evaluated = equations.residual(state, &mut held);
+        equations.set_signals(&signals);
+        evaluated?;
+        full.iter_mut()
+            .zip(&held)
+            .for_each(|(full, held)| *full -= held);
+        let low = self.newton.response(&mut full)?;
+        let high = self.waves(defect, state)?;
+        Ok(low.zip(high))
+    }
+
+    /// Motions by the harmonics of the loads that the grid cannot hold, where most is left of the equations.
+    fn waves(&self, defect: &Defect, state: &GridState) -> Result<Option<f64>> {
+        let (harmonics, part) = self.loads.strongest(self.grid.harmonics(), WAVES);
+        let mut sum = 0.0;
+        for harmonic in harmonics {
+            let mut newton = wave(&self.newton.equations, harmonic)?;
+            let [k, _] = defect.worst(&newton.equations);
+            if !freeze(&mut newton, state, k)? {
+                return Ok(None);
+            }
+            let at = frozen(&newton, state, k);
+            let count = self.system.signals();
+            let still = newton.equations.signals().to_vec();
+            let mut moving = still.clone();
+            for (point, values) in moving.chunks_exact_mut(count).enumerate() {
+                self.loads.wave(harmonic, point, values);
+            }
+            let size = newton.equations.size();
+            let (mut rest, mut rows) = (vec![0.0; size], vec![0.0; size]);
+            newton.equations.residual(&at, &mut rest)?;
+            newton.equations.set_signals(&moving);
+            newton.equations.residual(&at, &mut rows)?;
+            rows.iter_mut().zip(&rest).for_each(|(x, rest)| *x -= rest);
+            let Some(response) = newton.response(&mut rows)? else {
+                return Ok(None);
+            };
+            sum += response;
+        }
+        Ok(Some(sum / part))
+    }
+
+    /// The signal that needs the finest grid, to get rid of most of this error.
+    fn name_unheld(&self, error: f64) -> Option<Unheld> {
+        let (signal, harmonic) = self.loads.needed(self.grid.harmonics(), MOST)?;
+        Some(Unheld {
+            place: self.system.signal_place(signal).to_string(),
+            harmonic,
+            error,
+        })
+    }
+
+    /// Which harmonics the grid cannot hold, if much of the error is theirs.
+    pub(super) fn describe_unheld(&self) -> Option<String> {
+        let (_, found) = self.assessed.as_ref()?;
+        let unheld = found.unheld.as_ref()?;
+        let counts = unheld.error > BALANCED && unheld.error > 0.1 * found.error;
+        counts.then(|| {
+            format!(
+                "{} has harmonics up to {}, which take at least {} grid points: {} take them for lower ones, an error of about {:.1e}",
+                unheld.place,
+                unheld.harmonic,
+                2 * unheld.harmonic + 1,
+                self.grid.points(),
+                unheld.error
+            )
+        })
+    }
+
+    /// Motions by what is left out of the equations, as a wave next above the harmonics of the grid, at the worst points.
+    fn left_out(&self, defect: &Defect, state: &GridState) -> Result<Option<f64>> {
+        let harmonic = self.grid.harmonics() + 1;
+        let mut newton = wave(&self.newton.equations, harmonic)?;
+        let mut most = Some(0.0f64);
+        let [force, own] = defect.worst(&newton.equations);
+        for k in [Some(force), (own != force).then_some(own)]
+            .into_iter()
+            .flatten()
+        {
+            if !freeze(&mut newton, state, k)? {
+                return Ok(None);
+            }
+            let mut rows = defect.left_out(&newton.equations, k);
+            let response = newton.response(&mut rows)?;
+            most = most.zip(response).map(|(most, here)| most.max(here));
+        }
+        Ok(most)
+    }
+}
+
+/// Equations of a wave of this harmonic of the period.
+fn wave(equations: &Collocation, harmonic: usize) -> Result<Newton> {
+    let grid = TimeGrid::new(3, equations.grid().period() / harmonic as f64)?;
+    let mut wave = Collocation::new(equations.system().clone(), grid)?;
+    if equations.is_regularised() {
+        wave.regularise();
+    }
+    Ok(Newton::new(wave))
+}
+
+/// The state at grid point `k`, at the points of a wave.
+fn frozen(wave: &Newton, state: &GridState, k: usize) -> GridState {
+    let system = wave.equations.system();
+    let mut at = GridState::reference(system, wave.equations.grid());
+    for point in 0..3 {
+        at.copy_point(system, point, state, k);
+    }
+    at
+}
+
+/// Linearises the equations of a wave about grid point `k` of a state. `false` if they are singular.
+fn freeze(wave: &mut Newton, state: &GridState, k: usize) -> Result<bool> {
+    let system = wave.equations.system().clone();
+    let time = system.period() * k as f64 / state.points() as f64;
+    let at = frozen(wave, state, k);
+    wave.equations.set_conditions(time, 1.0)?;
+    let mut signals = vec![0.0; system.signals()];
+    system.signal_values(time, 1.0, &mut signals)?;
+    wave.equations.set_signals(&signals.repeat(3));
+    wave.linearise(&at)
 }
 
 impl PeriodicSolve {
@@ -61,9 +275,14 @@ impl PeriodicSolve {
     /// # Errors
     /// That of a callback.
     pub fn assess(&self) -> Result<Assessment> {
-        // Without more threads than one it takes longer: no reason to lose the solution.
-        let workers = Workers::new(self.threads).unwrap_or_default();
-        let mut assessment = assess(&self.system, self.grid, &self.state, &workers)?;
+        let mut assessment = match &self.assessment {
+            Some(assessment) => assessment.clone(),
+            None => {
+                // Without more threads than one it takes longer: no reason to lose the solution.
+                let workers = Workers::new(self.threads).unwrap_or_default();
+                assess(&self.system, self.grid, &self.state, &workers)?.0
+            }
+        };
         assessment.error = match (self.report.outcome, self.grids.last()) {
             (Outcome::Converged | Outcome::ToleranceNotMet, Some(tried)) => tried.error_estimate,
             (Outcome::Converged, None) => assessment.error,

@@ -135,6 +135,8 @@ const ERROR_LEFT: f64 = 1e-3;
 const FAITHFUL: f64 = 0.05;
 /// Accuracy of linear solves, relative to the increment: far from the solution and of simplified increments.
 const COARSE: f64 = 1e-4;
+/// Of those that estimate errors.
+const ESTIMATE: f64 = 1e-2;
 /// The finest that is asked for.
 const FINEST: f64 = 1e-8;
 /// Accuracy relative to the last increment, so that convergence stays quadratic.
@@ -234,6 +236,12 @@ impl Newton {
         Ok(solved.then(|| self.motion_norm(&increment)))
     }
 
+    /// Linearises the equations at `state`. `false` if they are singular.
+    pub fn linearise(&mut self, state: &GridState) -> Result<bool> {
+        self.linear
+            .linearise(&mut self.equations, state, &mut self.timings)
+    }
+
     /// Growth of the factored Jacobian, see [`LinearSolver::growth`].
     pub fn growth(&mut self) -> f64 {
         self.linear.growth(&mut self.equations)
@@ -251,6 +259,14 @@ impl<L: LinearSolver> Newton<L> {
             equations,
             timings: Timings::default(),
         }
+    }
+
+    /// Turns scaled forces and constraints into the increment of the scaled unknowns that they cause, with the Jacobian of the last
+    /// linearisation, and gives its largest motion; none if that is singular.
+    pub fn response(&mut self, scaled: &mut [f64]) -> Result<Option<f64>> {
+        let solved = self.solve_linear(scaled, ESTIMATE)?;
+        let largest = self.motion_norm(scaled);
+        Ok((solved && largest.is_finite()).then_some(largest))
     }
 
     /// Largest motion increment in scaled unknowns.

@@ -1,9 +1,10 @@
 //! The periodic solve from model to solution.
 
 use super::adaptive::{Adaptation, GridTried};
-use super::estimate::assess;
+use super::estimate::Assessment;
 use super::guess::Guess;
 use super::iterative::{IterativeRecord, Projected};
+use super::loads::Loads;
 use super::method::{Linear, LinearMethod};
 use super::newton::{Iteration, Newton, NewtonOptions, NewtonReport, Outcome, Timings};
 use super::starts::{Attempt, Start};
@@ -157,6 +158,8 @@ pub struct PeriodicSolve {
     pub iterative: Option<IterativeRecord>,
     /// Threads that shared the work, 0 for as many as there are processors.
     pub threads: usize,
+    /// Of a periodic solution: what it tells of its error.
+    pub assessment: Option<Assessment>,
     /// Of a march: its times, and how it went.
     pub march: Option<MarchRecord>,
 }
@@ -211,6 +214,9 @@ pub(super) struct Attempts<'a> {
     /// Time spent on grids before the present one.
     timings: Timings,
     pub(super) grids: Vec<GridTried>,
+    pub(super) loads: Loads,
+    /// Of the last solution that was assessed, on this grid.
+    pub(super) assessed: Option<(TimeGrid, Assessment)>,
     coarse_start: Option<GridTried>,
 }
 
@@ -248,17 +254,22 @@ pub fn solve_periodic(
     };
     TimeGrid::new(points, period)?;
     let system = Arc::new(System::new(model, period)?);
+    let largest = match options.grid_points {
+        GridPoints::Fixed(points) => points,
+        GridPoints::Adaptive(adaptation) => adaptation.largest,
+    };
+    let loads = Loads::of(&system, largest)?;
     let points = match (&options.guess, &options.grid_points) {
         (_, GridPoints::Fixed(points)) => *points,
         (InitialGuess::State(state), _) => state.points(),
-        (_, GridPoints::Adaptive(adaptation)) => adaptation.first(&system, period)?,
+        (_, GridPoints::Adaptive(adaptation)) => adaptation.first(&loads),
     };
     let wanted = TimeGrid::new(points, period)?;
     let guess_points = match (&options.guess, &options.grid_points) {
         (InitialGuess::State(_), GridPoints::Fixed(_)) => points,
         (_, GridPoints::Fixed(_)) => {
             let coarse = Adaptation::default();
-            let coarse = coarse.guess(coarse.first(&system, period)?);
+            let coarse = coarse.guess(coarse.first(&loads));
             if points > COARSER * coarse {
                 coarse
             } else {
@@ -301,22 +312,31 @@ pub fn solve_periodic(
         guess_time: Duration::ZERO,
         timings: Timings::default(),
         grids: Vec::new(),
+        loads,
+        assessed: None,
         coarse_start: None,
     };
     let given = match &options.guess {
         InitialGuess::State(state) => Some(state.clone()),
         InitialGuess::Default | InitialGuess::By(_) => None,
     };
-    let (mut state, report) = match (&options.grid_points, given) {
+    let (mut state, mut report) = match (&options.grid_points, given) {
         (GridPoints::Adaptive(adaptation), given) => attempts.refine(adaptation, given)?,
         (GridPoints::Fixed(_), Some(state)) => attempts.newton(state)?,
         (GridPoints::Fixed(_), None) => attempts.find_on(wanted)?,
     };
+    if let (GridPoints::Fixed(_), Outcome::Converged) = (options.grid_points, report.outcome) {
+        attempts.assess(&mut state, &report)?;
+        report.explanation = attempts.describe_unheld().unwrap_or_default();
+    }
     attempts.newton.equations.update_kinematics(&state);
     // Between grid points, too, what has no effect at them may have some.
     if options.oversampling == 1 {
         attempts.newton.equations.reduce_to_least_norm(&mut state)?;
     }
+    let assessment = attempts
+        .assessed
+        .take_if(|(grid, _)| *grid == attempts.grid && report.outcome.is_solution());
     Ok(PeriodicSolve {
         system,
         grid: attempts.grid,
@@ -331,6 +351,7 @@ pub fn solve_periodic(
         coarse_start: attempts.coarse_start,
         attempts: attempts.tried,
         threads: options.threads,
+        assessment: assessment.map(|(_, assessment)| assessment),
         march: None,
     })
 }
@@ -489,10 +510,10 @@ impl Attempts<'_> {
         };
         let mut start = None;
         if let Some(state) = self.start()? {
-            let (state, report) = self.newton_to(state, &enough)?;
+            let (mut state, report) = self.newton_to(state, &enough)?;
             match report.outcome {
                 Outcome::Converged => {
-                    let error = assess(&self.system, coarse, &state, &self.workers)?.error;
+                    let error = self.assess(&mut state, &report)?.error;
                     if error < RESOLVED.max(NEARER * distance) {
                         start = self.carry_to(grid, &state)?;
                         self.coarse_start = start.is_some().then_some(GridTried {

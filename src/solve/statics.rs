@@ -182,6 +182,7 @@ pub(super) fn find_equilibrium(
         attempts: Vec::new(),
         iterative: None,
         threads: 1,
+        assessment: None,
         march: None,
     };
     if solve.report.outcome == Outcome::Singular && indifferent == Indifferent::Accepted {

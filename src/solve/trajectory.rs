@@ -643,6 +643,7 @@ pub(super) fn finish(
         attempts: Vec::new(),
         iterative: None,
         threads: 1,
+        assessment: None,
         march: Some(record),
     })
 }

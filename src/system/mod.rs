@@ -4,6 +4,7 @@ mod check;
 mod constraints;
 mod driven;
 mod scales;
+mod spectra;
 mod summary;
 mod turning;
 

@@ -99,7 +99,7 @@ AT(pdn_progress, increment, 24);
 AT(pdn_progress, step, 32);
 AT(pdn_progress, time, 40);
 
-SIZE(pdn_periodic_options, 112);
+SIZE(pdn_periodic_options, 120);
 AT(pdn_periodic_options, struct_size, 0);
 AT(pdn_periodic_options, grid_points, 8);
 AT(pdn_periodic_options, harmonics, 16);
@@ -115,6 +115,7 @@ AT(pdn_periodic_options, largest_grid_points, 88);
 AT(pdn_periodic_options, linear_solver, 96);
 AT(pdn_periodic_options, threads, 100);
 AT(pdn_periodic_options, oversampling, 104);
+AT(pdn_periodic_options, response_tolerance, 112);
 
 IS(PDN_OK, 0);
 IS(PDN_ERR_NULL, -1);

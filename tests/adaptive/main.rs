@@ -24,6 +24,7 @@ fn adaptive(example: &Example, error_tolerance: f64, largest: usize) -> Solution
         grid_points: GridPoints::Adaptive(Adaptation {
             error_tolerance,
             largest,
+            ..Adaptation::default()
         }),
         ..PeriodicOptions::default()
     };
