@@ -22,7 +22,8 @@ mod viscoelastic;
 pub(crate) use absent::{call_absent, serialize as serialize_absent, with_zero_for_absent};
 pub use beam::Beam;
 pub use coordinate_force::{
-    CoordinateForce, CoordinateFunction, CoordinateLaw, CoordinateState, Effort, Law,
+    ActedCoordinate, CoordinateForce, CoordinateFunction, CoordinateLaw, CoordinateState, Effort,
+    Law,
 };
 pub use damper::ViscousDamper;
 pub use distributed_load::DistributedLoad;

@@ -193,7 +193,10 @@ fn cases() -> Vec<Case> {
                 let mut force = |name: &str, law: Law| {
                     add(
                         name,
-                        Box::new(CoordinateForce::new(&joint, coordinate, 0, law)),
+                        Box::new(CoordinateForce::new(
+                            ActedCoordinate::new(&joint, coordinate, 0, None),
+                            law,
+                        )),
                     );
                 };
                 let polynomial = |stiffness: &[f64], damping: &[f64]| Law::Polynomial {
@@ -221,7 +224,12 @@ fn cases() -> Vec<Case> {
                 let branches = vec![branch(1.3, 0.4), branch(0.6, 2.0)];
                 add(
                     "viscoelastic",
-                    Box::new(Viscoelastic::new(&joint, coordinate, 0, 0.8, 0.2, branches)),
+                    Box::new(Viscoelastic::new(
+                        ActedCoordinate::new(&joint, coordinate, 0, None),
+                        0.8,
+                        0.2,
+                        branches,
+                    )),
                 );
             }
         }

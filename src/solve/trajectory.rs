@@ -341,6 +341,9 @@ impl Marcher {
         self.next
             .coordinates
             .copy_from_slice(&self.step.start.state.coordinates);
+        let start = &self.step.start;
+        let length = self.step.length;
+        system.foresee(|n| start.node(n), length, &mut self.next.coordinates);
         self.next.track(&system);
         self.newton.equations.set_step(self.step.clone());
         let report = self

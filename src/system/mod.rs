@@ -11,9 +11,10 @@ pub use constraints::{ConstraintLoop, Dependency, name_all, name_constraints};
 pub use scales::Scales;
 pub use summary::Summary;
 
+use crate::elements::{ActedCoordinate, Coordinate, CoordinateForce, JointKind, Law};
 use crate::elements::{Contribution, Element, Instant, Joint, NodalLoad, NodeState, Prescribed};
-use crate::elements::{Coordinate, CoordinateForce, JointKind, Law, UserForce, ViscousDamper};
 use crate::elements::{Measure, Unknown, Viscoelastic};
+use crate::elements::{UserForce, ViscousDamper};
 use crate::error::{Error, ErrorKind, Result};
 use crate::model::{BoundSignal, ForceDefinition, JointCoordinate, Model, Signal};
 use crate::motion::Motion;
@@ -58,11 +59,11 @@ pub struct Placed {
     shape: usize,
 }
 
-/// A coordinate whose whole turns are followed, because a force acts on it.
+/// A coordinate whose whole turns are followed.
 #[derive(Debug, Clone)]
 struct Tracked {
     joint: Joint,
-    coordinate: Coordinate,
+    at: JointCoordinate,
 }
 
 /// A signal, and the value it grows from when loads are raised in steps.
@@ -154,7 +155,10 @@ pub struct System {
     transient: Option<Transient>,
     /// Signals of the frame's angular velocity, if it turns.
     turning: Option<[usize; 3]>,
+    /// Coordinates that forces act on, force by force, then all other angles whose whole turns are open.
     tracked: Vec<Tracked>,
+    /// How many of them forces act on.
+    acted_on: usize,
     /// What each own unknown of the elements is.
     unknowns: Vec<Unknown>,
     /// Loops of constraints, where some may depend on others.
@@ -227,6 +231,7 @@ impl System {
             transient,
             turning: None,
             tracked: Vec::new(),
+            acted_on: 0,
             unknowns: Vec::new(),
             loops: Vec::new(),
             dependencies: Vec::new(),
@@ -266,6 +271,8 @@ impl System {
             let element = system.force(model, index, force, length)?;
             system.place(element, ElementRole::Force(index));
         }
+        system.acted_on = system.tracked.len();
+        system.track_other_angles(model);
         for load in &model.loads {
             let place = format!("load on node {}", load.node);
             let numbers = system.add_components(&load.components, &place)?;
@@ -309,6 +316,8 @@ impl System {
         length: f64,
     ) -> Result<Arc<dyn Element>> {
         let frequency = TAU / self.period;
+        // Signals of prescribed coordinates are the first, in their order.
+        let turns_of = |at: &JointCoordinate| model.prescribed_index(at);
         let (at, law) = match force {
             ForceDefinition::SpringDamper {
                 at,
@@ -347,8 +356,8 @@ impl System {
                 let joint = &model.joints[at.joint];
                 let coordinate = at.coordinate;
                 let branches = branches.clone();
-                let element =
-                    Viscoelastic::new(joint, coordinate, tracked, *stiffness, *rest, branches);
+                let acted = ActedCoordinate::new(joint, coordinate, tracked, turns_of(at));
+                let element = Viscoelastic::new(acted, *stiffness, *rest, branches);
                 return Ok(Arc::new(element));
             }
             ForceDefinition::ViscousDamper {
@@ -363,21 +372,38 @@ impl System {
         };
         let tracked = self.track_coordinate(model, at);
         let joint = &model.joints[at.joint];
-        Ok(Arc::new(CoordinateForce::new(
-            joint,
-            at.coordinate,
-            tracked,
-            law,
-        )))
+        let acted = ActedCoordinate::new(joint, at.coordinate, tracked, turns_of(at));
+        Ok(Arc::new(CoordinateForce::new(acted, law)))
     }
 
     /// Follows the whole turns of a joint coordinate; its place among the tracked ones.
     fn track_coordinate(&mut self, model: &Model, at: &JointCoordinate) -> usize {
         self.tracked.push(Tracked {
             joint: model.joints[at.joint].clone(),
-            coordinate: at.coordinate,
+            at: *at,
         });
         self.tracked.len() - 1
+    }
+
+    /// Follows the angles that no force acts on; those of prescribed ones are told by their signals.
+    fn track_other_angles(&mut self, model: &Model) {
+        for (joint, definition) in model.joints.iter().enumerate() {
+            let kind = definition.kind();
+            for &coordinate in kind.coordinates() {
+                let at = JointCoordinate { joint, coordinate };
+                if kind.leaves_turns_open(coordinate)
+                    && model.prescribed_index(&at).is_none()
+                    && self.tracked_place(&at).is_none()
+                {
+                    self.track_coordinate(model, &at);
+                }
+            }
+        }
+    }
+
+    /// Place of a joint coordinate among those whose turns are followed.
+    pub fn tracked_place(&self, at: &JointCoordinate) -> Option<usize> {
+        self.tracked.iter().position(|tracked| tracked.at == *at)
     }
 
     /// Adds a signal that repeats itself, or gains whole multiples of `unit` in a period.
@@ -481,6 +507,11 @@ impl System {
     /// Number of coordinates whose turns are followed.
     pub fn tracked(&self) -> usize {
         self.tracked.len()
+    }
+
+    /// Number of those that forces act on: the first.
+    pub fn acted_on(&self) -> usize {
+        self.acted_on
     }
 
     /// The elements.
@@ -694,8 +725,23 @@ impl System {
             let states: Vec<NodeState> = tracked.joint.nodes().iter().map(|&n| state(n)).collect();
             let z = tracked.joint.relative_motion(&states);
             let kind: JointKind = tracked.joint.kind();
-            let value = kind.coordinate(tracked.coordinate, &z).value;
-            *last = kind.follow(tracked.coordinate, value, *last);
+            let value = kind.coordinate(tracked.at.coordinate, &z).value;
+            *last = kind.follow(tracked.at.coordinate, value, *last);
+        }
+    }
+
+    /// Moves the tracked coordinates on by what velocities and accelerations at `state` make of them in `time`, so
+    /// that they may then be followed through more than half a turn.
+    pub fn foresee(&self, state: impl Fn(usize) -> NodeState, time: f64, coordinates: &mut [f64]) {
+        for (tracked, last) in self.tracked.iter().zip(coordinates) {
+            let states: Vec<NodeState> = tracked.joint.nodes().iter().map(|&n| state(n)).collect();
+            let [_, rate, acceleration] = tracked
+                .joint
+                .coordinate_derivatives(tracked.at.coordinate, &states);
+            let change = time * (rate + 0.5 * time * acceleration);
+            if change.is_finite() {
+                *last += change;
+            }
         }
     }
 }
