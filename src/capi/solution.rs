@@ -1009,6 +1009,9 @@ pub(super) struct SeriesOut {
     pub sines: *mut f64,
 }
 
+/// No grid has more; what asks for more is a mistake.
+const MOST_HARMONICS: usize = 1 << 20;
+
 pub(super) fn harmonics_of(
     solution: *const pdn_solution,
     to: &SeriesOut,
@@ -1018,13 +1021,9 @@ pub(super) fn harmonics_of(
     guard(|call| {
         let solution = call.shared(solution, "solution")?;
         solution.require_harmonics()?;
-        let most = solution.grid().harmonics();
-        if to.harmonics > most {
-            return Err(Error::size(
-                "harmonics",
-                format!("at most {most}"),
-                to.harmonics,
-            ));
+        if to.harmonics > MOST_HARMONICS {
+            let expected = format!("at most {MOST_HARMONICS}");
+            return Err(Error::size("harmonics", expected, to.harmonics));
         }
         let (single, many) = {
             let components = components()?;
@@ -1041,7 +1040,11 @@ pub(super) fn harmonics_of(
         let by_harmonic = |value: &dyn Fn(&crate::fourier::PeriodicSeries, usize) -> f64| {
             let mut all = Vec::new();
             for j in 0..to.harmonics {
-                all.extend(series.iter().map(|s| value(s, j)));
+                // There are none above those of the grid.
+                all.extend(series.iter().map(|s| match j < s.cosines.len() {
+                    true => value(s, j),
+                    false => 0.0,
+                }));
             }
             all
         };
@@ -1068,7 +1071,7 @@ pub(super) fn harmonics_of(
 /// @param solution  the solution; not NULL
 /// @param node  id of the node
 /// @param quantity  PDN_NODE_POSITION, ...; it has C components
-/// @param harmonics  number of harmonics wanted, at most (N - 1) / 2
+/// @param harmonics  number of harmonics wanted; those above (N - 1) / 2 are zero
 /// @param mean  array of length C; may be NULL
 /// @param cosines  array of shape C x [harmonics], components of each harmonic together; may be NULL
 /// @param sines  as cosines; may be NULL
@@ -1107,7 +1110,7 @@ pub unsafe extern "C" fn pdn_solution_node_harmonics(
 /// @param joint  id of the joint
 /// @param quantity  PDN_JOINT_COORDINATE, ...; it has C components
 /// @param detail  the coordinate (PDN_DISPLACEMENT, ...) or, for PDN_JOINT_REACTION, the axes (PDN_AXES_SPACE, ...)
-/// @param harmonics  number of harmonics wanted, at most (N - 1) / 2
+/// @param harmonics  number of harmonics wanted; those above (N - 1) / 2 are zero
 /// @param mean  array of length C; may be NULL
 /// @param rate  array of length C: growth per unit of time, of an angle that gains turns; may be NULL
 /// @param cosines  array of shape C x [harmonics], components of each harmonic together; may be NULL
@@ -1151,7 +1154,7 @@ pub unsafe extern "C" fn pdn_solution_joint_harmonics(
 /// @param element  id of the beam element
 /// @param station  place along the element, from -1 at its first to 1 at its last node
 /// @param quantity  PDN_BEAM_STRAIN or PDN_BEAM_FORCE
-/// @param harmonics  number of harmonics wanted, at most (N - 1) / 2
+/// @param harmonics  number of harmonics wanted; those above (N - 1) / 2 are zero
 /// @param mean  array of length 6; may be NULL
 /// @param cosines  array of shape 6 x [harmonics], components of each harmonic together; may be NULL
 /// @param sines  as cosines; may be NULL

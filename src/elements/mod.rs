@@ -290,6 +290,11 @@ pub trait Element: Send + Sync + std::fmt::Debug {
         false
     }
 
+    /// Whether velocities relative to the inertial frame matter; to all others the ground may turn.
+    fn knows_inertial_frame(&self) -> bool {
+        self.has_mass()
+    }
+
     /// Whether the forces depend on the velocity.
     fn has_damping(&self) -> bool {
         false

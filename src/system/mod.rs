@@ -660,6 +660,14 @@ impl System {
         }
     }
 
+    /// Twist of the frame that motions are described in, if it turns and the element knows of it.
+    fn frame_seen_by(&self, placed: &Placed, signals: &[f64]) -> Option<Vector6<f64>> {
+        match placed.element.knows_inertial_frame() {
+            true => self.frame_twist(signals),
+            false => None,
+        }
+    }
+
     /// Evaluates one element for node states given by index, and returns its contribution.
     pub fn evaluate<'w>(
         &self,
@@ -669,11 +677,7 @@ impl System {
         own: OwnValues,
         workspace: &'w mut Workspace,
     ) -> Result<&'w Contribution> {
-        // Forces of inertia alone know of a turning frame; to all others it is at rest.
-        let frame = match placed.element.has_mass() {
-            true => self.frame_twist(conditions.signals),
-            false => None,
-        };
+        let frame = self.frame_seen_by(placed, conditions.signals);
         workspace.states.clear();
         workspace
             .states
@@ -710,7 +714,14 @@ impl System {
         conditions: &Conditions,
         own: OwnValues,
     ) -> Result<(DVector<f64>, Vec<f64>)> {
-        let instant = self.instant(states, conditions, own);
+        let seen: Vec<NodeState> = match self.frame_seen_by(placed, conditions.signals) {
+            Some(frame) => {
+                let inertial = |state| turning::inertial(state, &frame);
+                states.iter().map(inertial).collect()
+            }
+            None => states.to_vec(),
+        };
+        let instant = self.instant(&seen, conditions, own);
         let mut contribution = Contribution::new(states.len(), own.values.len(), false);
         placed.element.evaluate(&instant, &mut contribution)?;
         let mut outputs = Vec::new();
