@@ -83,7 +83,7 @@ impl Element for DistributedLoad {
         let states = instant.nodes;
         let given = Vector6::from_fn(|i, _| self.signals[i].map_or(0.0, |s| instant.signals[s]));
         let (force, moment) = halves(&given);
-        let mut terms = std::mem::take(&mut out.beam_terms);
+        let mut terms = std::mem::take(&mut out.beam.terms);
         for (station, length) in &self.stations {
             let relative = |a: usize| states[0].motion.relative(&states[a].motion);
             let at = station.motion(relative)?;
@@ -138,7 +138,7 @@ impl Element for DistributedLoad {
                 }
             }
         }
-        out.beam_terms = terms;
+        out.beam.terms = terms;
         Ok(())
     }
 }

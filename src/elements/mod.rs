@@ -5,6 +5,7 @@
 
 mod absent;
 mod beam;
+mod beam_law;
 mod coordinate_force;
 mod damper;
 mod distributed_load;
@@ -114,9 +115,23 @@ pub enum Unknown {
     },
 }
 
-/// Stress resultants at a station of an element, integrated with its weight: `f = S e + D ė` of its strains `e`.
-#[derive(Debug, Clone, Copy, PartialEq)]
+/// Stress resultants at a station of an element, integrated with its weight: `f = S e + D ė` of its strains `e`, and
+/// likewise of those at other stations of the element.
+#[derive(Debug, Clone, PartialEq)]
 pub struct StressLaw {
+    /// `S`.
+    pub stiffness: Matrix6<f64>,
+    /// `D`.
+    pub damping: Matrix6<f64>,
+    /// The other stations, if any matter.
+    pub others: Vec<OtherStation>,
+}
+
+/// Another station of the same element, whose strains a [`StressLaw`] depends on.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct OtherStation {
+    /// So many stations further.
+    pub offset: isize,
     /// `S`.
     pub stiffness: Matrix6<f64>,
     /// `D`.
@@ -171,7 +186,7 @@ pub struct Contribution {
     /// Of each station with [`StressLaw`], for each node, if wanted apart.
     pub strains: Vec<StrainTangent>,
     /// Scratch of the beam kernel.
-    beam_terms: Vec<beam::NodeTerms>,
+    beam: beam::Scratch,
     /// Scratch of user's forces.
     user_force: user_force::Scratch,
 }
@@ -192,7 +207,7 @@ impl Contribution {
             own_rate: DMatrix::zeros(multipliers, multipliers),
             with_resultants_apart: false,
             strains: Vec::new(),
-            beam_terms: Vec::new(),
+            beam: beam::Scratch::default(),
             user_force: user_force::Scratch::default(),
         }
     }
