@@ -4,7 +4,7 @@
 //! decomposition `G = R S`, and the strain is the "velocity in ξ": `A e = 2 axial(Rᵀ Σ N'_a M_a)`.
 //! All of it is dual algebra; twists and wrenches enter as dual vectors.
 
-use super::beam_law::{CoupledLaw, Flexibility, inverse};
+use super::beam_law::{CoupledLaw, LawIntegrals};
 use super::inertia::Inertia;
 use super::section::{Section, SectionLine};
 use super::shape::{gauss_legendre, lobatto_points, shape_functions};
@@ -85,7 +85,7 @@ pub(super) struct Scratch {
 /// No beam has more nodes: where a file says so, it is wrong.
 const MOST_NODES: usize = 100;
 
-/// Quadrature points of the flexibility in a piece, more than nodes: it is a rational function of the length.
+/// Quadrature points of a section's flexibility in a piece, more than nodes: it is a rational function of the length.
 const FLEXIBILITY_POINTS: usize = 3;
 
 /// What a beam is made from.
@@ -167,13 +167,12 @@ impl Beam {
     /// The law where the section changes: integrated from station to station of the section table.
     fn coupled_law(&self) -> Result<CoupledLaw> {
         let count = self.nodes.len();
-        let points = gauss_legendre(count - 1).iter().map(|p| p.0).collect();
-        let mut flexibility = Flexibility::new(points);
+        let mut integrals = LawIntegrals::new(gauss_legendre(count - 1));
         for (xi, weight) in self.pieces(count + FLEXIBILITY_POINTS) {
             let station = self.station(xi, weight)?;
-            flexibility.add(xi, &station.section, weight * station.stretch)?;
+            integrals.add(xi, &station.section, station.stretch, weight)?;
         }
-        flexibility.law(&self.stations)
+        integrals.law()
     }
 
     /// Quadrature points and weights, so many from each station of the section table to the next.
@@ -314,8 +313,7 @@ impl Beam {
     /// Strains `[γ; κ]` per unit of reference length, and stress resultants `[force; moment]`, in the
     /// section's frame at `xi` in `[−1, 1]`, for the element's nodes at `motions` with `twists`.
     ///
-    /// Resultants are the polynomial through those at the Gauss points, where they are most accurate; strains are those
-    /// that the section has under the elastic part of them.
+    /// Both are the polynomials through those at the Gauss points, where they are most accurate.
     pub fn strain_and_stress(
         &self,
         xi: f64,
@@ -342,36 +340,30 @@ impl Beam {
             .iter()
             .map(|p| p.0)
             .collect();
-        let (mut elastic, mut viscous) = (Vector6::zeros(), Vector6::zeros());
+        let (mut strain, mut stress) = (Vector6::zeros(), Vector6::zeros());
         for (i, shape) in shape_functions(&points, xi).iter().enumerate() {
-            let (of_strains, of_rates) = self.resultants(i, &room.strains, &room.rates);
-            elastic += of_strains * shape.0;
-            viscous += of_rates * shape.0;
+            strain += room.strains[i] * (shape.0 / self.stations[i].stretch);
+            stress += self.resultants(i, &room.strains, &room.rates) * shape.0;
         }
-        let station = self.station(xi, 0.0)?;
-        let strain = inverse(&station.section.stiffness)? * elastic;
-        let own = |v: &Vector6<f64>| turned_about_axis(v, -station.turn);
-        Ok((own(&strain), own(&(elastic + viscous))))
+        let turn = self.station(xi, 0.0)?.turn;
+        let own = |v: &Vector6<f64>| turned_about_axis(v, -turn);
+        Ok((own(&strain), own(&stress)))
     }
 
-    /// Stress resultants at Gauss point `i`, elastic and viscous, for all "velocities in ξ" less those of the reference, and
-    /// their rates.
+    /// Stress resultants at Gauss point `i`, for all "velocities in ξ" less those of the reference, and their rates.
     fn resultants(
         &self,
         i: usize,
         strains: &[Vector6<f64>],
         rates: &[Vector6<f64>],
-    ) -> (Vector6<f64>, Vector6<f64>) {
+    ) -> Vector6<f64> {
         let station = &self.stations[i];
         match &self.law {
-            Some(law) => {
-                let (elastic, viscous) = law.resultants(i, strains, rates);
-                (elastic / station.weight, viscous / station.weight)
+            Some(law) => law.resultants(i, strains, rates) / station.weight,
+            None => {
+                let section = &station.section;
+                (section.stiffness * strains[i] + section.damping * rates[i]) / station.stretch
             }
-            None => (
-                station.section.stiffness * strains[i] / station.stretch,
-                station.section.damping * rates[i] / station.stretch,
-            ),
         }
     }
 
@@ -406,7 +398,7 @@ impl Beam {
 }
 
 /// A 6-vector of a section in axes that are turned by `angle` about axis 1.
-fn turned_about_axis(v: &Vector6<f64>, angle: f64) -> Vector6<f64> {
+pub(super) fn turned_about_axis(v: &Vector6<f64>, angle: f64) -> Vector6<f64> {
     let turn = rotation_from_vector(&(Vector3::x() * angle));
     let (first, second) = (v.fixed_rows::<3>(0), v.fixed_rows::<3>(3));
     let (first, second) = (turn * first, turn * second);
@@ -706,8 +698,7 @@ impl Element for Beam {
             rates.push(rate.to_twist());
         }
         for (i, resultants) in out.iter_mut().enumerate() {
-            let (elastic, viscous) = self.resultants(i, &strains, &rates);
-            *resultants = elastic + viscous;
+            *resultants = self.resultants(i, &strains, &rates);
         }
         Ok(())
     }
@@ -798,8 +789,7 @@ impl Beam {
             room.motions.push(at);
         }
         for (place, station) in self.stations.iter().enumerate() {
-            let (elastic, viscous) = law.resultants(place, &room.strains, &room.rates);
-            let stress = elastic + viscous;
+            let stress = law.resultants(place, &room.strains, &room.rates);
             let terms = &mut room.terms[place * count..][..count];
             add_forces(terms, &stress, out);
             if !out.with_tangents {

@@ -117,7 +117,8 @@ fn cases() -> Vec<Case> {
         for frame in [LoadFrame::Space, LoadFrame::Follower] {
             let signals = [0, 1, 2, 3, 4, 5].map(Some);
             let places = [(-1.0, 0.5), (0.1, -2.0), (0.1, 1.0), (1.0, 3.0)];
-            let load = DistributedLoad::new(&beam, frame, signals, &places).unwrap();
+            let mut load = DistributedLoad::new(&beam).unwrap();
+            load.add(&beam, frame, signals, &places).unwrap();
             cases.push(Case {
                 name: format!("distributed load {frame:?}, {count} nodes"),
                 element: Box::new(load),

@@ -21,6 +21,7 @@ use crate::motion::Motion;
 use crate::workers::{Workers, no_threads_unasked};
 use nalgebra::{DVector, Vector3, Vector6};
 use serde::{Deserialize, Serialize};
+use std::collections::BTreeMap;
 use std::f64::consts::TAU;
 use std::ops::Range;
 use std::sync::Arc;
@@ -279,12 +280,15 @@ impl System {
             let element = NodalLoad::new(load.node, load.frame, numbers);
             system.place(Arc::new(element), ElementRole::Load);
         }
+        // All those of a beam element together.
+        let mut along = BTreeMap::new();
         for load in &model.distributed_loads {
             let place = format!("load along beam elements {:?}", load.range());
             let numbers = system.add_components(&load.components, &place)?;
-            for element in load.elements(&model.beams, numbers)? {
-                system.place(Arc::new(element), ElementRole::Load);
-            }
+            load.add_to(&mut along, &model.beams, numbers)?;
+        }
+        for element in along.into_values().filter(|load| !load.is_empty()) {
+            system.place(Arc::new(element), ElementRole::Load);
         }
         if let Some(gravity) = &model.gravity {
             let mut numbers = [0; 3];
