@@ -930,7 +930,8 @@ pub unsafe extern "C" fn pdn_solution_joint_reaction(
 /// Strains of a beam element at a station and any times.
 ///
 /// Per unit of reference length, along the section's axes: axial and two shear strains, twist and two
-/// curvatures. Interpolated from their values at the grid points.
+/// curvatures. Along the element they are the polynomial through those at its Gauss points; in time they are interpolated
+/// from their values at the grid points.
 ///
 /// @param solution  the solution; not NULL
 /// @param element  id of the beam element
@@ -966,8 +967,9 @@ pub unsafe extern "C" fn pdn_solution_beam_strain(
 /// Internal forces of a beam element at a station and any times.
 ///
 /// Along the section's axes: axial force and two shear forces, torque and two bending moments, exerted by
-/// the part beyond the station. They follow from the strains, and are most accurate at the element's
-/// Gauss points: for two nodes the middle, for three 1/sqrt(3) either side of it.
+/// the part beyond the station. They are the polynomial through those at the element's Gauss points (one fewer than
+/// nodes), where they are most accurate. At its ends, as all along, errors fall with the power n - 1 of the element's
+/// length, for n nodes. At a node, each of two elements has its own: their difference tells how fine the mesh is.
 ///
 /// @param solution  the solution; not NULL
 /// @param element  id of the beam element

@@ -69,6 +69,8 @@ pub struct Beam {
     damped: bool,
     /// The Gauss points.
     stations: Vec<Station>,
+    /// Reference length for each unit of ξ, if it is the same all along.
+    even: Option<f64>,
     /// Of all Gauss points, where the section changes; else each has that of its own section.
     law: Option<CoupledLaw>,
 }
@@ -84,6 +86,9 @@ pub(super) struct Scratch {
 
 /// No beam has more nodes: where a file says so, it is wrong.
 const MOST_NODES: usize = 100;
+
+/// Lengths that are equal to this, relatively, are: rounding.
+const EVEN: f64 = 1e-13;
 
 /// Quadrature points of a section's flexibility in a piece, more than nodes: it is a rational function of the length.
 const FLEXIBILITY_POINTS: usize = 3;
@@ -151,6 +156,7 @@ impl Beam {
             damped: sections.has(|s| &s.damping),
             sections,
             stations: Vec::new(),
+            even: None,
             law: None,
         };
         // One point fewer than nodes: no shear locking, no spurious mode.
@@ -158,6 +164,11 @@ impl Beam {
             .into_iter()
             .map(|(xi, weight)| beam.station(xi, weight))
             .collect::<Result<_>>()?;
+        let stretch = beam.stations[0].stretch;
+        let mut places = beam.points.iter().map(|&xi| beam.stretch_at(xi));
+        if places.all(|here| here.is_ok_and(|x| (x - stretch).abs() <= EVEN * stretch)) {
+            beam.even = Some(stretch);
+        }
         if beam.sections.changes() {
             beam.law = Some(beam.coupled_law()?);
         }
@@ -218,14 +229,7 @@ impl Beam {
         };
         let kinematics = station.motion(|a| self.reference[0].relative(&self.reference[a]))?;
         station.reference = kinematics.e.to_twist();
-        station.stretch = if self.sections.is_twisted() {
-            // Lengths are those of the line, whatever the twist does to its interpolation.
-            let first = self.untwisted(0);
-            let line = station.motion(|a| first.relative(&self.untwisted(a)))?;
-            line.e.to_twist().fixed_rows::<3>(0).norm()
-        } else {
-            station.reference.fixed_rows::<3>(0).norm()
-        };
+        station.stretch = self.stretch_at(xi)?;
         if self.sections.has_corners() {
             let own = self.reference_frames(xi)?.1.rotation;
             let given = self.reference[0].compose(&kinematics.polar.motion());
@@ -245,6 +249,24 @@ impl Beam {
             ));
         }
         Ok(station)
+    }
+
+    /// Reference length for each unit of ξ at `xi`: that of the line, whatever twist does to its interpolation.
+    ///
+    /// # Errors
+    /// If the reference shape is too distorted there.
+    pub fn stretch_at(&self, xi: f64) -> Result<f64> {
+        if let Some(stretch) = self.even {
+            return Ok(stretch);
+        }
+        let station = Station::bare(shape_functions(&self.points, xi));
+        let line = if self.sections.is_twisted() {
+            let first = self.untwisted(0);
+            station.motion(|a| first.relative(&self.untwisted(a)))?
+        } else {
+            station.motion(|a| self.reference[0].relative(&self.reference[a]))?
+        };
+        Ok(line.e.to_twist().fixed_rows::<3>(0).norm())
     }
 
     /// Length of the reference line.
@@ -370,24 +392,25 @@ impl Beam {
     /// Reference length from the element's start to `xi`.
     pub fn length_to(&self, xi: f64) -> Result<f64> {
         let half = 0.5 * (xi + 1.0);
+        if let Some(stretch) = self.even {
+            return Ok(2.0 * half * stretch);
+        }
         // A smooth integrand, exact for straight elements; two points more for curved ones.
         gauss_legendre(self.nodes.len() + 2)
             .into_iter()
-            .map(|(x, weight)| {
-                Ok(weight * half * self.station(half * (x + 1.0) - 1.0, 0.0)?.stretch)
-            })
+            .map(|(x, weight)| Ok(weight * half * self.stretch_at(half * (x + 1.0) - 1.0)?))
             .sum()
     }
 
     /// Where a share, from 0 to 1, of the reference length is reached.
     pub fn xi_at(&self, share: f64) -> Result<f64> {
-        if share <= 0.0 || share >= 1.0 {
+        if share <= 0.0 || share >= 1.0 || self.even.is_some() {
             return Ok(2.0 * share.clamp(0.0, 1.0) - 1.0);
         }
         let length = self.length_to(1.0)? * share;
         let mut xi = 2.0 * share - 1.0;
         for _ in 0..20 {
-            let change = (self.length_to(xi)? - length) / self.station(xi, 0.0)?.stretch;
+            let change = (self.length_to(xi)? - length) / self.stretch_at(xi)?;
             xi = (xi - change).clamp(-1.0, 1.0);
             if change.abs() < 1e-14 {
                 break;

@@ -84,7 +84,7 @@ impl DistributedLoad {
                 let t = 0.5 * (point + 1.0);
                 let xi = start + half * (point + 1.0);
                 let factor = first + t * (second - first);
-                let length = beam.station(xi, 0.0)?.stretch * weight * half * factor;
+                let length = beam.stretch_at(xi)? * weight * half * factor;
                 let shapes = shape_functions(&points, xi);
                 for (sum, shape) in lengths.iter_mut().zip(shapes) {
                     *sum += shape.0 * length;

@@ -293,7 +293,8 @@ impl Model {
     /// [`straight_line`], [`circular_arc`](super::circular_arc) and [`smooth_curve`](super::smooth_curve) make. Sections and twist
     /// are linear in the fraction between `stations`, which ascend from 0 to 1; two stations at the same
     /// fraction make a jump of the section, where the mesh gets a boundary. One station alone stands for all.
-    /// Where the slope of section or twist jumps inside an element, convergence with the degree is slower.
+    /// Stations may lie anywhere: elements are integrated from each to the next. Where the slope of section or twist
+    /// jumps inside an element, convergence with the degree is slower all the same.
     ///
     /// # Errors
     /// If the line, the stations or the numbers of the mesh are not valid; the model is then as it was.

@@ -21,7 +21,7 @@ pub struct SectionInput {
     pub stiffness: Matrix6<f64>,
     /// Mass, symmetric and positive semi-definite.
     pub mass: Matrix6<f64>,
-    /// Damping, symmetric and positive semi-definite.
+    /// Damping, whose symmetric part is positive semi-definite.
     pub damping: Matrix6<f64>,
 }
 
