@@ -889,8 +889,9 @@ typedef struct pdn_force_state {
      */
     const double *rotations;
     /**
-     * Array of shape 6 x [node_count]: velocity and angular velocity of each node, along the global axes
-     * (PDN_FRAME_SPACE) or the node's own (PDN_FRAME_MATERIAL).
+     * Array of shape 6 x [node_count]: velocity and angular velocity of each node relative to the inertial frame,
+     * also in a steady rotation (::pdn_solve_static), along the global axes (PDN_FRAME_SPACE) or the node's own
+     * (PDN_FRAME_MATERIAL).
      */
     const double *velocities;
 } pdn_force_state;
@@ -3380,7 +3381,7 @@ pdn_status pdn_solution_beam_force(const struct pdn_solution *solution,
  * @param solution  the solution; not NULL
  * @param node  id of the node
  * @param quantity  PDN_NODE_POSITION, ...; it has C components
- * @param harmonics  number of harmonics wanted, at most (N - 1) / 2
+ * @param harmonics  number of harmonics wanted; those above (N - 1) / 2 are zero
  * @param mean  array of length C; may be NULL
  * @param cosines  array of shape C x [harmonics], components of each harmonic together; may be NULL
  * @param sines  as cosines; may be NULL
@@ -3407,7 +3408,7 @@ pdn_status pdn_solution_node_harmonics(const struct pdn_solution *solution,
  * @param joint  id of the joint
  * @param quantity  PDN_JOINT_COORDINATE, ...; it has C components
  * @param detail  the coordinate (PDN_DISPLACEMENT, ...) or, for PDN_JOINT_REACTION, the axes (PDN_AXES_SPACE, ...)
- * @param harmonics  number of harmonics wanted, at most (N - 1) / 2
+ * @param harmonics  number of harmonics wanted; those above (N - 1) / 2 are zero
  * @param mean  array of length C; may be NULL
  * @param rate  array of length C: growth per unit of time, of an angle that gains turns; may be NULL
  * @param cosines  array of shape C x [harmonics], components of each harmonic together; may be NULL
@@ -3436,7 +3437,7 @@ pdn_status pdn_solution_joint_harmonics(const struct pdn_solution *solution,
  * @param element  id of the beam element
  * @param station  place along the element, from -1 at its first to 1 at its last node
  * @param quantity  PDN_BEAM_STRAIN or PDN_BEAM_FORCE
- * @param harmonics  number of harmonics wanted, at most (N - 1) / 2
+ * @param harmonics  number of harmonics wanted; those above (N - 1) / 2 are zero
  * @param mean  array of length 6; may be NULL
  * @param cosines  array of shape 6 x [harmonics], components of each harmonic together; may be NULL
  * @param sines  as cosines; may be NULL
@@ -3566,7 +3567,7 @@ pdn_status pdn_solution_force_on_node(const struct pdn_solution *solution,
  * @param force  id of the force
  * @param quantity  PDN_FORCE_EFFORT, ...; it has C components
  * @param detail  the branch (PDN_FORCE_BRANCH_...) or the node (PDN_FORCE_ON_NODE...); otherwise 0
- * @param harmonics  number of harmonics wanted, at most (N - 1) / 2
+ * @param harmonics  number of harmonics wanted; those above (N - 1) / 2 are zero
  * @param mean  array of length C; may be NULL
  * @param rate  array of length C: growth per unit of time, of a dashpot that gains turns; may be NULL
  * @param cosines  array of shape C x [harmonics], components of each harmonic together; may be NULL
@@ -3684,8 +3685,8 @@ void pdn_static_options_init(struct pdn_static_options *options,
  * With options.angular_velocity everything turns steadily, the ground too: the solution is the
  * equilibrium in the turning frame, under centrifugal and gyroscopic forces. Positions and directions
  * are those in that frame, at a moment at which its axes are the inertial ones; velocities and
- * accelerations of nodes are those in the inertial frame; rates of joints, and dampers, know the
- * motion in the frame only. Loads with PDN_FRAME_SPACE keep their directions in the turning frame, as the
+ * accelerations of nodes are those in the inertial frame, in forces of yours on nodes, too; rates of joints, and
+ * dampers, know the motion in the frame only. Loads with PDN_FRAME_SPACE keep their directions in the turning frame, as the
  * ground does. Gravity must be along the axis.
  *
  * @param model  the model; it is copied, so that later changes do not touch the solution

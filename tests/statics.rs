@@ -4,14 +4,18 @@ mod common;
 
 use common::*;
 use nalgebra::{Matrix3, Vector3};
-use periodyn::elements::{Coordinate, LoadFrame};
+use periodyn::collocation::GridState;
+use periodyn::elements::{Coordinate, LoadFrame, NodeForceLaw};
 use periodyn::error::ErrorKind;
 use periodyn::fourier::TimeGrid;
 use periodyn::model::*;
-use periodyn::output::{BeamQuantity, JointQuantity, NodeQuantity, ResolvedIn, Solution};
+use periodyn::output::{
+    BeamQuantity, ForceQuantity, JointQuantity, NodeQuantity, ResolvedIn, Solution,
+};
 use periodyn::solve::*;
-use periodyn::system::Standstill;
+use periodyn::system::{Standstill, System};
 use std::f64::consts::{PI, TAU};
+use std::sync::Arc;
 
 fn try_statics(model: &Model, options: &StaticOptions) -> periodyn::error::Result<Solution> {
     Solution::solve_static(model, options, &mut |_, _| true)
@@ -542,4 +546,76 @@ fn a_space_fixed_load_turns_with_the_frame() {
     let angle = (9.81 / (speed * speed * ARM)).acos();
     let found = position(&solution, body);
     assert!((found.x - ARM * angle.sin()).abs() < 1e-13, "{found}");
+}
+
+/// A force along x of `−c v₂²`, with its tangents, along the axes of `frame`.
+fn outward_drag(c: f64, frame: LoadFrame, gives_tangents: bool) -> NodeForceLaw {
+    NodeForceLaw {
+        function: Arc::new(move |input, output| {
+            let v = input.velocities[0][1];
+            output.forces[0][0] = -c * v * v;
+            if let Some((_, by_velocity)) = &mut output.tangents {
+                by_velocity[(0, 1)] = -2.0 * c * v;
+            }
+            Ok(())
+        }),
+        gives_tangents,
+        frame,
+    }
+}
+
+#[test]
+fn forces_of_the_user_see_the_velocities_of_a_steady_rotation() {
+    // A mass on a radial slide with a spring: k x = m ω² (r + x) − c (ω (r + x))².
+    let (mass, stiffness, radius, speed, c) = (1.4f64, 900.0, 5.0, 4.0, 0.7);
+    let square = speed * speed;
+    let linear = mass * square - 2.0 * c * square * radius - stiffness;
+    let constant = mass * square * radius - c * square * radius * radius;
+    let quadratic = -c * square;
+    let root = (linear * linear - 4.0 * quadratic * constant).sqrt();
+    let exact = (-linear - root) / (2.0 * quadratic);
+    for frame in [LoadFrame::Space, LoadFrame::Follower] {
+        for gives_tangents in [true, false] {
+            let (mut model, at) = mass_on_a_slide(mass, &Vector3::x());
+            let spring = SpringDefinition {
+                at,
+                stiffness,
+                damping: 20.0,
+                rest: 0.0,
+            };
+            model.add_spring_damper(spring).unwrap();
+            let law = outward_drag(c, frame, gives_tangents);
+            let force = model.add_node_forces(&[0], law).unwrap();
+            let options = turning(Vector3::z() * speed, Vector3::new(-radius, 0.0, 0.0));
+            let solution = statics(&model, &options);
+            let x = position(&solution, 0).x;
+            assert!((x - exact).abs() < 1e-12 * radius, "{x} {exact}");
+            let quantity = ForceQuantity::OnNode(0, LoadFrame::Space);
+            let found = solution.force(force, quantity, &[0.0]).unwrap();
+            let velocity = solution.node(0, NodeQuantity::Velocity, &[0.0]).unwrap();
+            assert!((velocity[1] - speed * (radius + x)).abs() < 1e-12 * speed * radius);
+            assert!((found[0] + c * velocity[1] * velocity[1]).abs() < 1e-10);
+            // From load 0 to 1 at once, in full steps; the square of an increment is left, or what differences leave.
+            let start = InitialGuess::State(GridState::at_points(
+                &System::at_standstill(&model, &options.standstill).unwrap(),
+                1,
+            ));
+            let cold = statics(
+                &model,
+                &StaticOptions {
+                    guess: start,
+                    ..options
+                },
+            );
+            let iterations = &cold.details().report.iterations;
+            for pair in iterations.windows(2) {
+                let (before, after) = (pair[0].increment, pair[1].increment);
+                assert!(
+                    after <= (before * before).max(1e-9 * before),
+                    "{iterations:?}"
+                );
+            }
+            assert!(iterations[0].increment > 0.01 && iterations.len() <= 5);
+        }
+    }
 }

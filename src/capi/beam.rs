@@ -229,8 +229,8 @@ pub unsafe extern "C" fn pdn_model_add_straight_beam(
 ///
 /// Axis 1 of every node is along the line; axes 2 and 3 are those of the line, turned by the twist. The
 /// mesh is even but for jumps of the section, where an element ends and the next begins; so there must
-/// be more elements than jumps. Where slopes of section or twist jump inside an element, degrees gain
-/// less accuracy.
+/// be more elements than jumps. Stations may lie anywhere: elements are integrated from each to the next. Where slopes
+/// of section or twist jump inside an element, degrees gain less accuracy all the same.
 ///
 /// Beams are joined by joints between their nodes. To fix a beam's end to a body at a distance, use
 /// ::pdn_model_add_rigid_joint between the two nodes: they need not be at the same place.

@@ -183,7 +183,7 @@ pub unsafe extern "C" fn pdn_solution_force_on_node(
 /// @param force  id of the force
 /// @param quantity  PDN_FORCE_EFFORT, ...; it has C components
 /// @param detail  the branch (PDN_FORCE_BRANCH_...) or the node (PDN_FORCE_ON_NODE...); otherwise 0
-/// @param harmonics  number of harmonics wanted, at most (N - 1) / 2
+/// @param harmonics  number of harmonics wanted; those above (N - 1) / 2 are zero
 /// @param mean  array of length C; may be NULL
 /// @param rate  array of length C: growth per unit of time, of a dashpot that gains turns; may be NULL
 /// @param cosines  array of shape C x [harmonics], components of each harmonic together; may be NULL

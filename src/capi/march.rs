@@ -42,9 +42,9 @@ pub struct pdn_march_options {
     /// If not 0, steps are chosen so that each has at most this estimated error of a motion (lengths
     /// relative to the size of the mechanism, angles in radians). Default 0.
     pub error_tolerance: f64,
-    /// If not 0, march until motions and velocities differ by at most this from those one period before:
-    /// displacements relative to the size of the mechanism, entries of rotation matrices, velocities likewise
-    /// in the time T / (2 pi). Default 0.
+    /// If not 0, march until motions and velocities differ by at most this from the periodic ones, by how the differences
+    /// from each period to the next decay: displacements relative to the size of the mechanism, entries of rotation
+    /// matrices, velocities likewise in the time T / (2 pi). Default 0.
     pub periodic_tolerance: f64,
     /// Most periods of a march until periodic; then its outcome is PDN_ITERATION_LIMIT. Default 200.
     pub most_periods: usize,

@@ -371,7 +371,7 @@ fn read_guess(
     for (i, motion) in state.motions.iter_mut().enumerate() {
         *motion = read_motion(positions, rotations, i, "options.guess_rotations")?;
     }
-    state.track(&system);
+    state.track_through(&system);
     Ok(state)
 }
 

@@ -11,7 +11,7 @@ use std::mem::offset_of;
 
 /// Cross-section of a beam, per unit of length.
 ///
-/// The matrices are 6 x 6, column-major, symmetric, and resolved in the axes of the section: axis 1 is
+/// The matrices are 6 x 6, column-major, symmetric (damping need not be), and resolved in the axes of the section: axis 1 is
 /// along the beam. Rows and columns are in the order force 1, 2, 3, moment 1, 2, 3, which is axial,
 /// shear 2, shear 3, torsion, bending about axis 2, bending about axis 3. Any consistent set of units.
 ///
@@ -26,7 +26,9 @@ pub struct pdn_section {
     pub stiffness: [f64; 36],
     /// Momenta for unit velocities; positive semi-definite.
     pub mass: [f64; 36],
-    /// Forces and moments for unit rates of strain and curvature; positive semi-definite.
+    /// Forces and moments for unit rates of strain and curvature. It may be unsymmetric, as a diagonal matrix of times
+    /// times the stiffness is for coupled sections; its symmetric part is positive semi-definite, so that no motion gains
+    /// energy.
     pub damping: [f64; 36],
 }
 

@@ -930,7 +930,8 @@ pub unsafe extern "C" fn pdn_solution_joint_reaction(
 /// Strains of a beam element at a station and any times.
 ///
 /// Per unit of reference length, along the section's axes: axial and two shear strains, twist and two
-/// curvatures. Interpolated from their values at the grid points.
+/// curvatures. Along the element they are the polynomial through those at its Gauss points; in time they are interpolated
+/// from their values at the grid points.
 ///
 /// @param solution  the solution; not NULL
 /// @param element  id of the beam element
@@ -966,8 +967,9 @@ pub unsafe extern "C" fn pdn_solution_beam_strain(
 /// Internal forces of a beam element at a station and any times.
 ///
 /// Along the section's axes: axial force and two shear forces, torque and two bending moments, exerted by
-/// the part beyond the station. They follow from the strains, and are most accurate at the element's
-/// Gauss points: for two nodes the middle, for three 1/sqrt(3) either side of it.
+/// the part beyond the station. They are the polynomial through those at the element's Gauss points (one fewer than
+/// nodes), where they are most accurate. At its ends, as all along, errors fall with the power n - 1 of the element's
+/// length, for n nodes. At a node, each of two elements has its own: their difference tells how fine the mesh is.
 ///
 /// @param solution  the solution; not NULL
 /// @param element  id of the beam element
@@ -1009,6 +1011,9 @@ pub(super) struct SeriesOut {
     pub sines: *mut f64,
 }
 
+/// No grid has more; what asks for more is a mistake.
+const MOST_HARMONICS: usize = 1 << 20;
+
 pub(super) fn harmonics_of(
     solution: *const pdn_solution,
     to: &SeriesOut,
@@ -1018,13 +1023,9 @@ pub(super) fn harmonics_of(
     guard(|call| {
         let solution = call.shared(solution, "solution")?;
         solution.require_harmonics()?;
-        let most = solution.grid().harmonics();
-        if to.harmonics > most {
-            return Err(Error::size(
-                "harmonics",
-                format!("at most {most}"),
-                to.harmonics,
-            ));
+        if to.harmonics > MOST_HARMONICS {
+            let expected = format!("at most {MOST_HARMONICS}");
+            return Err(Error::size("harmonics", expected, to.harmonics));
         }
         let (single, many) = {
             let components = components()?;
@@ -1041,7 +1042,11 @@ pub(super) fn harmonics_of(
         let by_harmonic = |value: &dyn Fn(&crate::fourier::PeriodicSeries, usize) -> f64| {
             let mut all = Vec::new();
             for j in 0..to.harmonics {
-                all.extend(series.iter().map(|s| value(s, j)));
+                // There are none above those of the grid.
+                all.extend(series.iter().map(|s| match j < s.cosines.len() {
+                    true => value(s, j),
+                    false => 0.0,
+                }));
             }
             all
         };
@@ -1068,7 +1073,7 @@ pub(super) fn harmonics_of(
 /// @param solution  the solution; not NULL
 /// @param node  id of the node
 /// @param quantity  PDN_NODE_POSITION, ...; it has C components
-/// @param harmonics  number of harmonics wanted, at most (N - 1) / 2
+/// @param harmonics  number of harmonics wanted; those above (N - 1) / 2 are zero
 /// @param mean  array of length C; may be NULL
 /// @param cosines  array of shape C x [harmonics], components of each harmonic together; may be NULL
 /// @param sines  as cosines; may be NULL
@@ -1107,7 +1112,7 @@ pub unsafe extern "C" fn pdn_solution_node_harmonics(
 /// @param joint  id of the joint
 /// @param quantity  PDN_JOINT_COORDINATE, ...; it has C components
 /// @param detail  the coordinate (PDN_DISPLACEMENT, ...) or, for PDN_JOINT_REACTION, the axes (PDN_AXES_SPACE, ...)
-/// @param harmonics  number of harmonics wanted, at most (N - 1) / 2
+/// @param harmonics  number of harmonics wanted; those above (N - 1) / 2 are zero
 /// @param mean  array of length C; may be NULL
 /// @param rate  array of length C: growth per unit of time, of an angle that gains turns; may be NULL
 /// @param cosines  array of shape C x [harmonics], components of each harmonic together; may be NULL
@@ -1151,7 +1156,7 @@ pub unsafe extern "C" fn pdn_solution_joint_harmonics(
 /// @param element  id of the beam element
 /// @param station  place along the element, from -1 at its first to 1 at its last node
 /// @param quantity  PDN_BEAM_STRAIN or PDN_BEAM_FORCE
-/// @param harmonics  number of harmonics wanted, at most (N - 1) / 2
+/// @param harmonics  number of harmonics wanted; those above (N - 1) / 2 are zero
 /// @param mean  array of length 6; may be NULL
 /// @param cosines  array of shape 6 x [harmonics], components of each harmonic together; may be NULL
 /// @param sines  as cosines; may be NULL

@@ -99,8 +99,8 @@ pub unsafe extern "C" fn pdn_static_options_init(
 /// With options.angular_velocity everything turns steadily, the ground too: the solution is the
 /// equilibrium in the turning frame, under centrifugal and gyroscopic forces. Positions and directions
 /// are those in that frame, at a moment at which its axes are the inertial ones; velocities and
-/// accelerations of nodes are those in the inertial frame; rates of joints, and dampers, know the
-/// motion in the frame only. Loads with PDN_FRAME_SPACE keep their directions in the turning frame, as the
+/// accelerations of nodes are those in the inertial frame, in forces of yours on nodes, too; rates of joints, and
+/// dampers, know the motion in the frame only. Loads with PDN_FRAME_SPACE keep their directions in the turning frame, as the
 /// ground does. Gravity must be along the axis.
 ///
 /// @param model  the model; it is copied, so that later changes do not touch the solution

@@ -76,8 +76,9 @@ pub struct pdn_force_state {
     /// Array of shape 9 x [node_count]: rotation matrices, column by column; the columns are the nodes' axes
     /// in global coordinates.
     pub rotations: *const f64,
-    /// Array of shape 6 x [node_count]: velocity and angular velocity of each node, along the global axes
-    /// (PDN_FRAME_SPACE) or the node's own (PDN_FRAME_MATERIAL).
+    /// Array of shape 6 x [node_count]: velocity and angular velocity of each node relative to the inertial frame,
+    /// also in a steady rotation (::pdn_solve_static), along the global axes (PDN_FRAME_SPACE) or the node's own
+    /// (PDN_FRAME_MATERIAL).
     pub velocities: *const f64,
 }
 

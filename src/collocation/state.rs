@@ -6,6 +6,11 @@ use crate::motion::Motion;
 use crate::system::{Placed, System};
 use serde::{Deserialize, Serialize};
 
+/// Angles are followed through larger turns of a node in parts: between them none moves half a turn.
+const SAFE_TURN: f64 = 1.0;
+/// Parts at most: what turns further in a Newton increment is far from any solution.
+const MOST_PARTS: f64 = 100.0;
+
 /// Motions of all nodes and multipliers of all joints over the grid, or at the times of a march.
 ///
 /// For `n` nodes and `N` grid points the unknowns are, in order: for each node and grid point the six
@@ -118,14 +123,78 @@ impl GridState {
 
     /// Follows the tracked coordinates to the present motions.
     pub fn track(&mut self, system: &System) {
+        for k in 0..self.points {
+            self.track_point(system, k);
+        }
+    }
+
+    fn track_point(&mut self, system: &System, k: usize) {
+        let (motions, points, count) = (&self.motions, self.points, system.tracked());
+        system.track(
+            |node| NodeState::at_rest(motions[node * points + k]),
+            &mut self.coordinates[k * count..][..count],
+        );
+    }
+
+    /// Makes room for tracked coordinates of a state that was kept with the first `old` of them only.
+    pub fn complete_tracked(&mut self, system: &System, old: usize) {
+        let count = system.tracked();
+        if count == old || self.coordinates.len() != old * self.points {
+            return;
+        }
+        let mut all = vec![0.0; count * self.points];
+        for k in 0..self.points {
+            all[k * count..][..old].copy_from_slice(&self.coordinates[k * old..][..old]);
+        }
+        self.coordinates = all;
+        for k in 0..self.points {
+            if k > 0 {
+                self.coordinates
+                    .copy_within((k - 1) * count + old..k * count, k * count + old);
+            }
+            self.track_point(system, k);
+        }
+    }
+
+    /// Follows the tracked coordinates as [`track`](Self::track) does, through increments that may turn nodes far:
+    /// `increment` of the motions before, in parts.
+    fn track_along(&mut self, system: &System, before: &Self, increment: &[f64], step: f64) {
+        let turns = increment.chunks_exact(6).map(|u| {
+            let turn = u[3] * u[3] + u[4] * u[4] + u[5] * u[5];
+            (step * turn.sqrt()).abs()
+        });
+        let largest = turns.fold(0.0, f64::max);
+        let parts = (largest / SAFE_TURN).ceil().clamp(1.0, MOST_PARTS) as usize;
+        let count = system.tracked();
+        if count == 0 {
+            return;
+        }
+        for part in 1..parts {
+            let fraction = step * part as f64 / parts as f64;
+            for k in 0..self.points {
+                let motion = |node: usize| {
+                    let at = node * before.points + k;
+                    let u = nalgebra::Vector6::from_column_slice(&increment[6 * at..][..6]);
+                    before.motions[at].increment(&(u * fraction))
+                };
+                system.track(
+                    |node| NodeState::at_rest(motion(node)),
+                    &mut self.coordinates[k * count..][..count],
+                );
+            }
+        }
+        self.track(system);
+    }
+
+    /// Follows the tracked coordinates from each point to the next: nothing else tells their whole turns.
+    pub fn track_through(&mut self, system: &System) {
         let count = system.tracked();
         for k in 0..self.points {
-            let motions = &self.motions;
-            let points = self.points;
-            system.track(
-                |node| NodeState::at_rest(motions[node * points + k]),
-                &mut self.coordinates[k * count..][..count],
-            );
+            if k > 0 {
+                self.coordinates
+                    .copy_within((k - 1) * count..k * count, k * count);
+            }
+            self.track_point(system, k);
         }
     }
 
@@ -137,10 +206,10 @@ impl GridState {
             let u = nalgebra::Vector6::from_column_slice(u) * step;
             *motion = motion.increment(&u).renormalised();
         }
+        next.track_along(system, self, motions, step);
         for (multiplier, change) in next.multipliers.iter_mut().zip(multipliers) {
             *multiplier += step * change;
         }
-        next.track(system);
         next
     }
 

@@ -60,6 +60,14 @@ pub struct Station {
     pub couplings: Vec<usize>,
 }
 
+impl Station {
+    /// The first strain tangent of another station of the element, so many further.
+    pub fn first_of(&self, offset: isize) -> usize {
+        self.first
+            .saturating_add_signed(offset * self.nodes.len() as isize)
+    }
+}
+
 /// Which tangents there are, for all grid points.
 #[derive(Debug, Clone)]
 pub struct TangentLayout {
@@ -246,10 +254,23 @@ impl Tangent {
         let mut sum = self.pair(pair, k).stiffness;
         for &(station, row, column) in &self.layout.within[pair] {
             let station = &self.layout.stations[station];
-            let column = self.strain(column, k);
-            let mut stress = station.law.stiffness * column.strain.to_twist_matrix();
-            if station.damped {
-                stress += station.law.damping * column.rate.to_twist_matrix();
+            let mut stress = Matrix6::zeros();
+            let mut add = |place: usize, stiffness: &Matrix6<f64>, damping: &Matrix6<f64>| {
+                let column = self.strain(place, k);
+                stress += stiffness * column.strain.to_twist_matrix();
+                if station.damped {
+                    stress += damping * column.rate.to_twist_matrix();
+                }
+            };
+            let StressLaw {
+                stiffness,
+                damping,
+                others,
+            } = &station.law;
+            add(column, stiffness, damping);
+            for other in others {
+                let place = station.first_of(other.offset) + column - station.first;
+                add(place, &other.stiffness, &other.damping);
             }
             sum += self.strain(row, k).strain.to_twist_matrix().tr_mul(&stress);
         }
@@ -541,10 +562,10 @@ impl Station {
         rates: &[[Vector6<f64>; 2]],
         stresses: &mut [DualVector],
     ) {
-        for (k, stress) in stresses.iter_mut().enumerate() {
+        let add = |first: usize, k: usize, stiffness, damping, wrench: &mut Vector6<f64>| {
             let (mut strain, mut strain_rate) = (DualVector::zeros(), DualVector::zeros());
             for (a, &node) in self.nodes.iter().enumerate() {
-                let tangent = &strains[self.first + a][k];
+                let tangent = &strains[first + a][k];
                 let u = Vector6::from_column_slice(&of_node(node)[6 * k..6 * k + 6]);
                 let u = DualVector::from_twist(&u);
                 strain += tangent.strain * u;
@@ -553,9 +574,19 @@ impl Station {
                     strain_rate += tangent.strain * v + tangent.rate * u;
                 }
             }
-            let mut wrench = self.law.stiffness * strain.to_twist();
+            let (stiffness, damping): (&Matrix6<f64>, &Matrix6<f64>) = (stiffness, damping);
+            *wrench += stiffness * strain.to_twist();
             if self.damped {
-                wrench += self.law.damping * strain_rate.to_twist();
+                *wrench += damping * strain_rate.to_twist();
+            }
+        };
+        let law = &self.law;
+        for (k, stress) in stresses.iter_mut().enumerate() {
+            let mut wrench = Vector6::zeros();
+            add(self.first, k, &law.stiffness, &law.damping, &mut wrench);
+            for other in &law.others {
+                let first = self.first_of(other.offset);
+                add(first, k, &other.stiffness, &other.damping, &mut wrench);
             }
             *stress = DualVector::from_wrench(&wrench);
         }

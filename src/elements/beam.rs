@@ -4,13 +4,14 @@
 //! decomposition `G = R S`, and the strain is the "velocity in ξ": `A e = 2 axial(Rᵀ Σ N'_a M_a)`.
 //! All of it is dual algebra; twists and wrenches enter as dual vectors.
 
+use super::beam_law::{CoupledLaw, LawIntegrals};
 use super::inertia::Inertia;
 use super::section::{Section, SectionLine};
 use super::shape::{gauss_legendre, lobatto_points, shape_functions};
 use super::{Contribution, Element, Instant, NodeState, StrainTangent, StressLaw};
 use crate::error::{Error, ErrorKind, Result, require_finite};
-use crate::motion::{DualMatrix, DualPolar, DualVector, Motion};
-use nalgebra::{DMatrix, Matrix6, Vector6};
+use crate::motion::{DualMatrix, DualPolar, DualVector, Motion, rotation_from_vector};
+use nalgebra::{DMatrix, Matrix6, Vector3, Vector6};
 use serde::{Deserialize, Serialize};
 
 /// One quadrature point, or any other station, of a beam element.
@@ -22,12 +23,16 @@ pub(super) struct Station {
     pub weight: f64,
     /// Reference length for each unit of ξ.
     pub stretch: f64,
+    /// In the axes that the element's nodes give it.
     section: Section,
+    /// Angle by which the section's own axes are turned about axis 1 from these: where twist has a corner.
+    pub turn: f64,
     /// "Velocity in ξ" of the reference configuration.
     reference: Vector6<f64>,
 }
 
 /// Kinematics of a station: polar factors, and `G'` in the section's frame.
+#[derive(Debug, Clone)]
 pub(super) struct StationMotion {
     pub polar: DualPolar,
     q: DualMatrix,
@@ -62,11 +67,31 @@ pub struct Beam {
     reference: Vec<Motion>,
     sections: SectionLine,
     damped: bool,
+    /// The Gauss points.
     stations: Vec<Station>,
+    /// Reference length for each unit of ξ, if it is the same all along.
+    even: Option<f64>,
+    /// Of all Gauss points, where the section changes; else each has that of its own section.
+    law: Option<CoupledLaw>,
+}
+
+/// Room for what the element finds at its stations.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Scratch {
+    pub terms: Vec<NodeTerms>,
+    motions: Vec<StationMotion>,
+    strains: Vec<Vector6<f64>>,
+    rates: Vec<Vector6<f64>>,
 }
 
 /// No beam has more nodes: where a file says so, it is wrong.
 const MOST_NODES: usize = 100;
+
+/// Lengths that are equal to this, relatively, are: rounding.
+const EVEN: f64 = 1e-13;
+
+/// Quadrature points of a section's flexibility in a piece, more than nodes: it is a rational function of the length.
+const FLEXIBILITY_POINTS: usize = 3;
 
 /// What a beam is made from.
 #[derive(Serialize, Deserialize)]
@@ -74,6 +99,9 @@ struct BeamRecord {
     nodes: Vec<usize>,
     reference: Vec<Motion>,
     sections: SectionLine,
+    /// Twist at the places of the sections; none at all if empty.
+    #[serde(default)]
+    twists: Vec<f64>,
 }
 
 impl From<Beam> for BeamRecord {
@@ -81,6 +109,7 @@ impl From<Beam> for BeamRecord {
         BeamRecord {
             nodes: beam.nodes,
             reference: beam.reference,
+            twists: beam.sections.twists().to_vec(),
             sections: beam.sections,
         }
     }
@@ -98,7 +127,8 @@ impl TryFrom<BeamRecord> for Beam {
             require_finite("beam", motion.position.as_slice())?;
             require_finite("beam", motion.rotation.as_slice())?;
         }
-        Beam::new(record.nodes, record.reference, record.sections)
+        let sections = record.sections.twisted(record.twists)?;
+        Beam::new(record.nodes, record.reference, sections)
     }
 }
 
@@ -126,27 +156,87 @@ impl Beam {
             damped: sections.has(|s| &s.damping),
             sections,
             stations: Vec::new(),
+            even: None,
+            law: None,
         };
         // One point fewer than nodes: no shear locking, no spurious mode.
         beam.stations = gauss_legendre(count - 1)
             .into_iter()
             .map(|(xi, weight)| beam.station(xi, weight))
             .collect::<Result<_>>()?;
+        let stretch = beam.stations[0].stretch;
+        let mut places = beam.points.iter().map(|&xi| beam.stretch_at(xi));
+        if places.all(|here| here.is_ok_and(|x| (x - stretch).abs() <= EVEN * stretch)) {
+            beam.even = Some(stretch);
+        }
+        if beam.sections.changes() {
+            beam.law = Some(beam.coupled_law()?);
+        }
         Ok(beam)
+    }
+
+    /// The law where the section changes: integrated from station to station of the section table.
+    fn coupled_law(&self) -> Result<CoupledLaw> {
+        let count = self.nodes.len();
+        let mut integrals = LawIntegrals::new(gauss_legendre(count - 1));
+        for (xi, weight) in self.pieces(count + FLEXIBILITY_POINTS) {
+            let station = self.station(xi, weight)?;
+            integrals.add(xi, &station.section, station.stretch, weight)?;
+        }
+        integrals.law()
+    }
+
+    /// Quadrature points and weights, so many from each station of the section table to the next.
+    fn pieces(&self, points: usize) -> Vec<(f64, f64)> {
+        let rule = gauss_legendre(points);
+        let ends = self.sections.pieces();
+        let piece = |ends: &[f64]| {
+            let (middle, half) = (0.5 * (ends[0] + ends[1]), 0.5 * (ends[1] - ends[0]));
+            rule.iter()
+                .map(move |(x, weight)| (middle + half * x, half * weight))
+                .collect::<Vec<_>>()
+        };
+        ends.windows(2).flat_map(piece).collect()
+    }
+
+    /// Reference motions of the nodes without their twist.
+    fn untwisted(&self, node: usize) -> Motion {
+        let twist = Vector3::x() * -self.sections.twist(self.points[node]);
+        let motion = &self.reference[node];
+        Motion::new(
+            motion.rotation * rotation_from_vector(&twist),
+            motion.position,
+        )
+    }
+
+    /// Frame in which the section at `xi` is described, in the reference configuration, without and with its twist.
+    fn reference_frames(&self, xi: f64) -> Result<(Motion, Motion)> {
+        let station = Station::bare(shape_functions(&self.points, xi));
+        let first = self.untwisted(0);
+        let line = station.motion(|a| first.relative(&self.untwisted(a)))?;
+        let line = first.compose(&line.polar.motion());
+        let twist = rotation_from_vector(&(Vector3::x() * self.sections.twist(xi)));
+        let section = Motion::new(line.rotation * twist, line.position);
+        Ok((line, section))
     }
 
     /// The station at `xi`, with this weight.
     pub(super) fn station(&self, xi: f64, weight: f64) -> Result<Station> {
         let mut station = Station {
-            shapes: shape_functions(&self.points, xi),
             weight,
-            stretch: 0.0,
             section: self.sections.at(xi),
-            reference: Vector6::zeros(),
+            ..Station::bare(shape_functions(&self.points, xi))
         };
         let kinematics = station.motion(|a| self.reference[0].relative(&self.reference[a]))?;
         station.reference = kinematics.e.to_twist();
-        station.stretch = station.reference.fixed_rows::<3>(0).norm();
+        station.stretch = self.stretch_at(xi)?;
+        if self.sections.has_corners() {
+            let own = self.reference_frames(xi)?.1.rotation;
+            let given = self.reference[0].compose(&kinematics.polar.motion());
+            let turn = given.rotation.tr_mul(&own);
+            station.turn = (turn[(2, 1)] - turn[(1, 2)]).atan2(turn[(1, 1)] + turn[(2, 2)]);
+            station.section = station.section.turned(station.turn);
+        }
         let span = self
             .reference
             .iter()
@@ -161,6 +251,24 @@ impl Beam {
         Ok(station)
     }
 
+    /// Reference length for each unit of ξ at `xi`: that of the line, whatever twist does to its interpolation.
+    ///
+    /// # Errors
+    /// If the reference shape is too distorted there.
+    pub fn stretch_at(&self, xi: f64) -> Result<f64> {
+        if let Some(stretch) = self.even {
+            return Ok(stretch);
+        }
+        let station = Station::bare(shape_functions(&self.points, xi));
+        let line = if self.sections.is_twisted() {
+            let first = self.untwisted(0);
+            station.motion(|a| first.relative(&self.untwisted(a)))?
+        } else {
+            station.motion(|a| self.reference[0].relative(&self.reference[a]))?
+        };
+        Ok(line.e.to_twist().fixed_rows::<3>(0).norm())
+    }
+
     /// Length of the reference line.
     pub fn length(&self) -> f64 {
         self.stations.iter().map(|s| s.weight * s.stretch).sum()
@@ -171,17 +279,22 @@ impl Beam {
         self.sections.at(0.0)
     }
 
-    /// The element's inertia, integrated by one quadrature point for each node.
+    /// The element's inertia, integrated by one quadrature point for each node from station to station of the section table.
     ///
     /// Nodal velocities are first carried to the section's reference frame, then interpolated, so
     /// that the matrix is constant and a rigid motion has exact inertia.
     pub fn inertia(&self) -> Result<Inertia> {
         let count = self.nodes.len();
         let mut mass = DMatrix::zeros(6 * count, 6 * count);
-        for (xi, weight) in gauss_legendre(count) {
+        for (xi, weight) in self.pieces(count) {
             let station = self.station(xi, weight)?;
-            let relative = station.motion(|a| self.reference[0].relative(&self.reference[a]))?;
-            let section = self.reference[0].compose(&relative.polar.motion());
+            let section = if self.sections.is_twisted() {
+                self.reference_frames(xi)?.1
+            } else {
+                let relative =
+                    station.motion(|a| self.reference[0].relative(&self.reference[a]))?;
+                self.reference[0].compose(&relative.polar.motion())
+            };
             let carry: Vec<Matrix6<f64>> = self
                 .reference
                 .iter()
@@ -189,8 +302,9 @@ impl Beam {
                 .map(|(node, shape)| section.relative(node).adjoint() * shape.0)
                 .collect();
             let length = weight * station.stretch;
+            let own = self.sections.at(xi).mass;
             for a in 0..count {
-                let left = carry[a].transpose() * station.section.mass * length;
+                let left = carry[a].transpose() * own * length;
                 for (b, right) in carry.iter().enumerate() {
                     let mut block = mass.fixed_view_mut::<6, 6>(6 * a, 6 * b);
                     block += left * right;
@@ -213,56 +327,90 @@ impl Beam {
     pub fn section_motion(&self, xi: f64, motions: &[Motion]) -> Result<Motion> {
         let station = self.station(xi, 0.0)?;
         let kinematics = station.motion(|a| motions[0].relative(&motions[a]))?;
-        Ok(motions[0].compose(&kinematics.polar.motion()))
+        let motion = motions[0].compose(&kinematics.polar.motion());
+        let turn = rotation_from_vector(&(Vector3::x() * station.turn));
+        Ok(Motion::new(motion.rotation * turn, motion.position))
     }
 
     /// Strains `[γ; κ]` per unit of reference length, and stress resultants `[force; moment]`, in the
     /// section's frame at `xi` in `[−1, 1]`, for the element's nodes at `motions` with `twists`.
+    ///
+    /// Both are the polynomials through those at the Gauss points, where they are most accurate.
     pub fn strain_and_stress(
         &self,
         xi: f64,
         motions: &[Motion],
         twists: &[Vector6<f64>],
     ) -> Result<(Vector6<f64>, Vector6<f64>)> {
-        let station = self.station(xi, 0.0)?;
-        let kinematics = station.motion(|a| motions[0].relative(&motions[a]))?;
-        let strain = station.strain(&kinematics.e);
-        let mut stress = station.section.stiffness * strain;
-        if self.damped {
-            let terms: Vec<NodeTerms> = station
-                .node_terms(&kinematics, |a| motions[0].relative(&motions[a]))
-                .collect();
-            let rate: Vector6<f64> = terms
-                .iter()
-                .zip(twists)
-                .map(|(n, v)| n.strain.to_twist_matrix() * v)
-                .sum();
-            stress += station.section.damping * rate / station.stretch;
+        let mut room = Scratch::default();
+        let states: Vec<NodeState> = motions
+            .iter()
+            .zip(twists)
+            .map(|(motion, twist)| NodeState {
+                twist: *twist,
+                ..NodeState::at_rest(*motion)
+            })
+            .collect();
+        for station in &self.stations {
+            room.terms.clear();
+            let at = room.add_terms(station, &states)?;
+            room.strains.push(at.e.to_twist() - station.reference);
+            room.rates
+                .push(strain_rate(&room.terms, &states).to_twist());
         }
-        Ok((strain, stress))
+        let points: Vec<f64> = gauss_legendre(self.stations.len())
+            .iter()
+            .map(|p| p.0)
+            .collect();
+        let (mut strain, mut stress) = (Vector6::zeros(), Vector6::zeros());
+        for (i, shape) in shape_functions(&points, xi).iter().enumerate() {
+            strain += room.strains[i] * (shape.0 / self.stations[i].stretch);
+            stress += self.resultants(i, &room.strains, &room.rates) * shape.0;
+        }
+        let turn = self.station(xi, 0.0)?.turn;
+        let own = |v: &Vector6<f64>| turned_about_axis(v, -turn);
+        Ok((own(&strain), own(&stress)))
+    }
+
+    /// Stress resultants at Gauss point `i`, for all "velocities in ξ" less those of the reference, and their rates.
+    fn resultants(
+        &self,
+        i: usize,
+        strains: &[Vector6<f64>],
+        rates: &[Vector6<f64>],
+    ) -> Vector6<f64> {
+        let station = &self.stations[i];
+        match &self.law {
+            Some(law) => law.resultants(i, strains, rates) / station.weight,
+            None => {
+                let section = &station.section;
+                (section.stiffness * strains[i] + section.damping * rates[i]) / station.stretch
+            }
+        }
     }
 
     /// Reference length from the element's start to `xi`.
     pub fn length_to(&self, xi: f64) -> Result<f64> {
         let half = 0.5 * (xi + 1.0);
+        if let Some(stretch) = self.even {
+            return Ok(2.0 * half * stretch);
+        }
         // A smooth integrand, exact for straight elements; two points more for curved ones.
         gauss_legendre(self.nodes.len() + 2)
             .into_iter()
-            .map(|(x, weight)| {
-                Ok(weight * half * self.station(half * (x + 1.0) - 1.0, 0.0)?.stretch)
-            })
+            .map(|(x, weight)| Ok(weight * half * self.stretch_at(half * (x + 1.0) - 1.0)?))
             .sum()
     }
 
     /// Where a share, from 0 to 1, of the reference length is reached.
     pub fn xi_at(&self, share: f64) -> Result<f64> {
-        if share <= 0.0 || share >= 1.0 {
+        if share <= 0.0 || share >= 1.0 || self.even.is_some() {
             return Ok(2.0 * share.clamp(0.0, 1.0) - 1.0);
         }
         let length = self.length_to(1.0)? * share;
         let mut xi = 2.0 * share - 1.0;
         for _ in 0..20 {
-            let change = (self.length_to(xi)? - length) / self.station(xi, 0.0)?.stretch;
+            let change = (self.length_to(xi)? - length) / self.stretch_at(xi)?;
             xi = (xi - change).clamp(-1.0, 1.0);
             if change.abs() < 1e-14 {
                 break;
@@ -272,28 +420,62 @@ impl Beam {
     }
 }
 
+/// A 6-vector of a section in axes that are turned by `angle` about axis 1.
+pub(super) fn turned_about_axis(v: &Vector6<f64>, angle: f64) -> Vector6<f64> {
+    let turn = rotation_from_vector(&(Vector3::x() * angle));
+    let (first, second) = (v.fixed_rows::<3>(0), v.fixed_rows::<3>(3));
+    let (first, second) = (turn * first, turn * second);
+    Vector6::new(first.x, first.y, first.z, second.x, second.y, second.z)
+}
+
+/// `ė = Σ B_a V_a`.
+fn strain_rate(terms: &[NodeTerms], states: &[NodeState]) -> DualVector {
+    let mut rate = DualVector::zeros();
+    for (node, state) in terms.iter().zip(states) {
+        rate += node.strain * DualVector::from_twist(&state.twist);
+    }
+    rate
+}
+
+impl Scratch {
+    /// Appends the terms of a station.
+    fn add_terms(&mut self, station: &Station, states: &[NodeState]) -> Result<StationMotion> {
+        let relative = |a: usize| states[0].motion.relative(&states[a].motion);
+        let at = station.motion(relative)?;
+        self.terms.extend(station.node_terms(&at, relative));
+        Ok(at)
+    }
+}
+
 impl Station {
+    /// Shape functions alone.
+    fn bare(shapes: Vec<(f64, f64)>) -> Self {
+        Station {
+            shapes,
+            weight: 0.0,
+            stretch: 0.0,
+            section: Section {
+                stiffness: Matrix6::zeros(),
+                mass: Matrix6::zeros(),
+                damping: Matrix6::zeros(),
+            },
+            turn: 0.0,
+            reference: Vector6::zeros(),
+        }
+    }
+
     /// Strain, for the "velocity in ξ" `e`.
     fn strain(&self, e: &DualVector) -> Vector6<f64> {
         (e.to_twist() - self.reference) / self.stretch
     }
 
-    /// Rate of the "velocity in ξ": `ė = Σ B_a V_a`.
-    fn rate(&self, terms: &[NodeTerms], twist: impl Fn(usize) -> DualVector) -> DualVector {
-        let mut rate = DualVector::zeros();
-        for (a, node) in terms.iter().enumerate() {
-            rate += node.strain * twist(a);
-        }
-        rate
-    }
-
-    /// Of the resultants, integrated.
-    fn stress_law(&self) -> StressLaw {
+    /// Stiffness and damping of the resultants, integrated.
+    fn own_law(&self) -> (Matrix6<f64>, Matrix6<f64>) {
         let factor = self.weight / self.stretch;
-        StressLaw {
-            stiffness: self.section.stiffness * factor,
-            damping: self.section.damping * factor,
-        }
+        (
+            self.section.stiffness * factor,
+            self.section.damping * factor,
+        )
     }
 
     /// Kinematics, for node motions given relative to some common frame.
@@ -504,7 +686,18 @@ impl Element for Beam {
     }
 
     fn stress_laws(&self) -> Vec<StressLaw> {
-        self.stations.iter().map(Station::stress_law).collect()
+        if let Some(law) = &self.law {
+            return law.stress_laws();
+        }
+        let own = |station: &Station| {
+            let (stiffness, damping) = station.own_law();
+            StressLaw {
+                stiffness,
+                damping,
+                others: Vec::new(),
+            }
+        };
+        self.stations.iter().map(own).collect()
     }
 
     fn extrapolate_resultants(
@@ -513,8 +706,9 @@ impl Element for Beam {
         increments: &[[Vector6<f64>; 2]],
         out: &mut [Vector6<f64>],
     ) -> Result<()> {
+        let (mut strains, mut rates) = (Vec::new(), Vec::new());
         let mut terms = Vec::new();
-        for (station, resultants) in self.stations.iter().zip(out) {
+        for station in &self.stations {
             let relative = |a: usize| nodes[0].motion.relative(&nodes[a].motion);
             let twist = |a: usize| DualVector::from_twist(&nodes[a].twist);
             let at = station.motion(relative)?;
@@ -525,89 +719,194 @@ impl Element for Beam {
                 e += node.strain * DualVector::from_twist(motion);
                 rate += node.strain * (twist(a) + DualVector::from_twist(velocity));
             }
-            *resultants = station.section.stiffness * station.strain(&e);
             if self.damped {
-                let present = station.rate(&terms, twist);
+                let present = strain_rate(&terms, nodes);
                 rate_variations(&at, &present, twist, &mut terms);
                 for (node, [motion, _]) in terms.iter().zip(increments) {
                     rate += node.rate * DualVector::from_twist(motion);
                 }
-                *resultants += station.section.damping * (rate.to_twist() / station.stretch);
             }
+            strains.push(e.to_twist() - station.reference);
+            rates.push(rate.to_twist());
+        }
+        for (i, resultants) in out.iter_mut().enumerate() {
+            *resultants = self.resultants(i, &strains, &rates);
         }
         Ok(())
     }
 
     fn evaluate(&self, instant: &Instant, out: &mut Contribution) -> Result<()> {
-        let states = instant.nodes;
-        let moves = states.iter().any(|state| state.twist != Vector6::zeros());
-        let mut terms = std::mem::take(&mut out.beam_terms);
-        for (place, station) in self.stations.iter().enumerate() {
-            let relative = |a: usize| states[0].motion.relative(&states[a].motion);
-            let twist = |a: usize| DualVector::from_twist(&states[a].twist);
-            let at = station.motion(relative)?;
-            terms.clear();
-            terms.extend(station.node_terms(&at, relative));
+        // Taken out while `out` is written to.
+        let mut room = std::mem::take(&mut out.beam);
+        let result = match &self.law {
+            Some(law) => self.add_coupled(law, instant, &mut room, out),
+            None => self.add_stations(instant, &mut room, out),
+        };
+        out.beam = room;
+        result
+    }
+}
 
+/// Whether strain rates matter, and whether they vary with the motion.
+#[derive(Debug, Clone, Copy)]
+struct Damping {
+    damped: bool,
+    rates_vary: bool,
+}
+
+impl Beam {
+    fn damping(&self, states: &[NodeState]) -> Damping {
+        let moves = states.iter().any(|state| state.twist != Vector6::zeros());
+        Damping {
+            damped: self.damped,
+            rates_vary: self.damped && moves,
+        }
+    }
+
+    /// Forces and tangents where each station has its own law.
+    fn add_stations(
+        &self,
+        instant: &Instant,
+        room: &mut Scratch,
+        out: &mut Contribution,
+    ) -> Result<()> {
+        let states = instant.nodes;
+        let damping = self.damping(states);
+        for (place, station) in self.stations.iter().enumerate() {
+            room.terms.clear();
+            let at = room.add_terms(station, states)?;
             let section = &station.section;
             let mut stress = section.stiffness * station.strain(&at.e);
             let mut rate = DualVector::zeros();
             if self.damped {
-                rate = station.rate(&terms, twist);
+                rate = strain_rate(&room.terms, states);
                 stress += section.damping * (rate.to_twist() / station.stretch);
             }
-            let stress = DualVector::from_wrench(&stress) * station.weight;
-            for (a, node) in terms.iter().enumerate() {
-                out.add_force(a, &(node.strain.transpose() * stress).to_wrench());
-            }
+            let stress = stress * station.weight;
+            add_forces(&room.terms, &stress, out);
             if !out.with_tangents {
                 continue;
             }
-
-            let stress = match instant.resultants.get(place) {
-                Some(resultants) => DualVector::from_wrench(resultants) * station.weight,
-                None => stress,
-            };
-            let (mu, nu) = adjoint_variations(&at, &stress, &mut terms);
-            geometric_stiffness(&at, (&mu, &nu), &terms, |a, b, block| {
-                out.add_stiffness(a, b, block);
-            });
-            let rates_vary = self.damped && moves;
-            if rates_vary {
-                rate_variations(&at, &rate, twist, &mut terms);
+            let held = instant.resultants.get(place);
+            let held = held.map_or(stress, |resultants| resultants * station.weight);
+            add_geometric_stiffness(&at, &held, &mut room.terms, out);
+            if damping.rates_vary {
+                let twist = |a: usize| DualVector::from_twist(&states[a].twist);
+                rate_variations(&at, &rate, twist, &mut room.terms);
             }
-            if out.with_resultants_apart {
-                out.strains.extend(terms.iter().map(|node| StrainTangent {
-                    strain: node.strain,
-                    rate: node.rate,
-                }));
+            add_material_stiffness(&room.terms, &[station.own_law()], &room.terms, damping, out);
+        }
+        Ok(())
+    }
+
+    /// Forces and tangents where resultants depend on the strains of all stations.
+    fn add_coupled(
+        &self,
+        law: &CoupledLaw,
+        instant: &Instant,
+        room: &mut Scratch,
+        out: &mut Contribution,
+    ) -> Result<()> {
+        let (states, count) = (instant.nodes, self.nodes.len());
+        let damping = self.damping(states);
+        room.terms.clear();
+        room.motions.clear();
+        room.strains.clear();
+        room.rates.clear();
+        for (place, station) in self.stations.iter().enumerate() {
+            let at = room.add_terms(station, states)?;
+            let rate = strain_rate(&room.terms[place * count..], states);
+            room.strains.push(at.e.to_twist() - station.reference);
+            room.rates.push(rate.to_twist());
+            room.motions.push(at);
+        }
+        for (place, station) in self.stations.iter().enumerate() {
+            let stress = law.resultants(place, &room.strains, &room.rates);
+            let terms = &mut room.terms[place * count..][..count];
+            add_forces(terms, &stress, out);
+            if !out.with_tangents {
                 continue;
             }
-            // `K_ab = B_aᵀ (K B_b + D R_b)`, `C_ab = B_aᵀ D B_b`, all transposed.
-            let StressLaw { stiffness, damping } = station.stress_law();
-            for (b, column) in terms.iter().enumerate() {
-                let (mut by_motion, mut by_velocity) = (Matrix6::zeros(), Matrix6::zeros());
-                column.strain.add_product_to(&stiffness, &mut by_motion);
-                if rates_vary {
-                    column.rate.add_product_to(&damping, &mut by_motion);
-                }
-                if self.damped {
-                    column.strain.add_product_to(&damping, &mut by_velocity);
-                }
-                let (by_motion, by_velocity) = (by_motion.transpose(), by_velocity.transpose());
-                for (a, row) in terms.iter().enumerate() {
-                    let mut k = Matrix6::zeros();
-                    row.strain.add_product_to(&by_motion, &mut k);
-                    out.add_stiffness(a, b, &k.transpose());
-                    if self.damped {
-                        let mut c = Matrix6::zeros();
-                        row.strain.add_product_to(&by_velocity, &mut c);
-                        out.add_damping(a, b, &c.transpose());
-                    }
-                }
+            let held = instant.resultants.get(place);
+            let held = held.map_or(stress, |resultants| resultants * station.weight);
+            let at = &room.motions[place];
+            add_geometric_stiffness(at, &held, terms, out);
+            if damping.rates_vary {
+                let rate = DualVector::from_twist(&room.rates[place]);
+                let twist = |a: usize| DualVector::from_twist(&states[a].twist);
+                rate_variations(at, &rate, twist, terms);
             }
         }
-        out.beam_terms = terms;
+        if out.with_tangents {
+            for (place, rows) in room.terms.chunks_exact(count).enumerate() {
+                add_material_stiffness(rows, law.row(place), &room.terms, damping, out);
+            }
+        }
         Ok(())
+    }
+}
+
+/// Adds the forces of integrated resultants.
+fn add_forces(terms: &[NodeTerms], stress: &Vector6<f64>, out: &mut Contribution) {
+    let stress = DualVector::from_wrench(stress);
+    for (a, node) in terms.iter().enumerate() {
+        out.add_force(a, &(node.strain.transpose() * stress).to_wrench());
+    }
+}
+
+/// Adds the geometric stiffness of integrated resultants.
+fn add_geometric_stiffness(
+    at: &StationMotion,
+    stress: &Vector6<f64>,
+    terms: &mut [NodeTerms],
+    out: &mut Contribution,
+) {
+    let (mu, nu) = adjoint_variations(at, &DualVector::from_wrench(stress), terms);
+    geometric_stiffness(at, (&mu, &nu), terms, |a, b, block| {
+        out.add_stiffness(a, b, block);
+    });
+}
+
+/// Adds `K_ab = B_aᵀ Σ (S B_b + D R_b)` and `C_ab = B_aᵀ Σ D B_b`, sums over the stations that the `laws` of this one are of,
+/// whose `columns` follow each other; or puts `B` and `R` aside, if they are wanted apart.
+fn add_material_stiffness(
+    rows: &[NodeTerms],
+    laws: &[(Matrix6<f64>, Matrix6<f64>)],
+    columns: &[NodeTerms],
+    Damping { damped, rates_vary }: Damping,
+    out: &mut Contribution,
+) {
+    if out.with_resultants_apart {
+        out.strains.extend(rows.iter().map(|node| StrainTangent {
+            strain: node.strain,
+            rate: node.rate,
+        }));
+        return;
+    }
+    let count = rows.len();
+    // All transposed.
+    for b in 0..count {
+        let (mut by_motion, mut by_velocity) = (Matrix6::zeros(), Matrix6::zeros());
+        for ((stiffness, damping), columns) in laws.iter().zip(columns.chunks_exact(count)) {
+            let column = &columns[b];
+            column.strain.add_product_to(stiffness, &mut by_motion);
+            if rates_vary {
+                column.rate.add_product_to(damping, &mut by_motion);
+            }
+            if damped {
+                column.strain.add_product_to(damping, &mut by_velocity);
+            }
+        }
+        let (by_motion, by_velocity) = (by_motion.transpose(), by_velocity.transpose());
+        for (a, row) in rows.iter().enumerate() {
+            let mut k = Matrix6::zeros();
+            row.strain.add_product_to(&by_motion, &mut k);
+            out.add_stiffness(a, b, &k.transpose());
+            if damped {
+                let mut c = Matrix6::zeros();
+                row.strain.add_product_to(&by_velocity, &mut c);
+                out.add_damping(a, b, &c.transpose());
+            }
+        }
     }
 }

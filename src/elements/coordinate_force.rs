@@ -11,12 +11,14 @@ use std::sync::Arc;
 
 /// A joint coordinate that something acts on, and its whole turns.
 #[derive(Debug, Clone)]
-pub(super) struct ActedCoordinate {
+pub struct ActedCoordinate {
     pair: FramePair,
     kind: JointKind,
     coordinate: Coordinate,
     /// Place among the tracked coordinates.
     tracked: usize,
+    /// Number of the signal that prescribes it, if one does, and so tells its whole turns.
+    prescribed: Option<usize>,
 }
 
 /// The coordinate at one instant.
@@ -29,32 +31,43 @@ pub(super) struct ActedState {
 }
 
 impl ActedCoordinate {
-    pub fn new(joint: &Joint, coordinate: Coordinate, tracked: usize) -> Self {
+    /// `coordinate` of `joint`, which is tracked coordinate number `tracked` and, maybe, `prescribed` by the signal
+    /// of that number.
+    pub fn new(
+        joint: &Joint,
+        coordinate: Coordinate,
+        tracked: usize,
+        prescribed: Option<usize>,
+    ) -> Self {
         ActedCoordinate {
             pair: joint.pair.clone(),
             kind: joint.kind(),
             coordinate,
             tracked,
+            prescribed,
         }
     }
 
-    pub fn nodes(&self) -> &[usize] {
+    pub(super) fn nodes(&self) -> &[usize] {
         self.pair.nodes()
     }
 
     /// An internal state that measures what the coordinate does.
-    pub fn internal_state(&self) -> Unknown {
+    pub(super) fn internal_state(&self) -> Unknown {
         Unknown::State {
             measure: self.coordinate.measure(),
             tracked: self.tracked,
         }
     }
 
-    pub fn state(&self, instant: &Instant) -> Result<ActedState> {
+    pub(super) fn state(&self, instant: &Instant) -> Result<ActedState> {
         let relative = self.pair.state(instant.nodes);
         let mut q = self.kind.coordinate(self.coordinate, &relative.z);
-        let last = instant.coordinates[self.tracked];
-        q.value = self.kind.follow(self.coordinate, q.value, last);
+        let near = match self.prescribed {
+            Some(signal) => instant.signals[signal],
+            None => instant.coordinates[self.tracked],
+        };
+        q.value = self.kind.follow(self.coordinate, q.value, near);
         // A length of the order of what a solve leaves is none.
         if self.kind == JointKind::Strut && q.value <= 1e-8 * self.pair.extent(instant.nodes) {
             let message = "the points of its strut coincide: its force has no direction";
@@ -276,12 +289,9 @@ pub struct CoordinateForce {
 }
 
 impl CoordinateForce {
-    /// On `coordinate` of `joint`, which is tracked coordinate number `tracked`.
-    pub fn new(joint: &Joint, coordinate: Coordinate, tracked: usize, law: Law) -> Self {
-        CoordinateForce {
-            at: ActedCoordinate::new(joint, coordinate, tracked),
-            law,
-        }
+    /// On this coordinate.
+    pub fn new(at: ActedCoordinate, law: Law) -> Self {
+        CoordinateForce { at, law }
     }
 
     fn effort(

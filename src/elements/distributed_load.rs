@@ -4,41 +4,76 @@
 //! through the section's turn `A Δρ = Σ N_a C_a Δu_a` (see `beam`), so that a node's share of the load `w`
 //! is `N_a C_aᵀ μ` with `μ = A⁻¹ w`.
 
-use super::beam::{Beam, Station, spread_variation, turned};
-use super::shape::gauss_legendre;
+use super::beam::{Beam, Station, spread_variation, turned, turned_about_axis};
+use super::shape::{gauss_legendre, shape_functions};
 use super::{Contribution, Element, Instant, LoadFrame};
 use crate::error::Result;
 use crate::motion::{DualVector, skew};
 use nalgebra::{Matrix6, Vector3, Vector6};
 
-/// Load along one beam element.
+/// Loads along one beam element, taken together.
+///
+/// Each acts at one quadrature point for each node, with its integral times the point's Lagrange polynomial, so that however many
+/// components and places there are, the beam is interpolated there only.
 #[derive(Debug, Clone)]
 pub struct DistributedLoad {
     nodes: Vec<usize>,
+    stations: Vec<Station>,
+    parts: Vec<LoadPart>,
+}
+
+/// One component of a load.
+#[derive(Debug, Clone)]
+struct LoadPart {
     frame: LoadFrame,
-    /// Signal numbers of `[force; moment]`; `None` is zero.
-    signals: [Option<usize>; 6],
-    /// Quadrature points, each with the length of reference line that it stands for times the factor of
-    /// the load there.
-    stations: Vec<(Station, f64)>,
+    /// Of `[force; moment]`.
+    component: usize,
+    /// Number of the signal.
+    signal: usize,
+    /// Length times factor at each station.
+    lengths: Vec<f64>,
 }
 
 impl DistributedLoad {
-    /// Load on `beam` of the signals times a factor that is linear between the given places
-    /// `(ξ, factor)`, which ascend from −1 to 1; two at the same ξ make a jump.
-    ///
-    /// Between places it is integrated by one point for each node.
+    /// No load on `beam` yet.
     ///
     /// # Errors
     /// If the beam cannot be evaluated at its quadrature points.
-    pub fn new(
+    pub fn new(beam: &Beam) -> Result<Self> {
+        let stations = gauss_legendre(beam.nodes().len());
+        Ok(DistributedLoad {
+            nodes: beam.nodes().to_vec(),
+            stations: stations
+                .into_iter()
+                .map(|(xi, weight)| beam.station(xi, weight))
+                .collect::<Result<_>>()?,
+            parts: Vec::new(),
+        })
+    }
+
+    /// Whether there is no load.
+    pub fn is_empty(&self) -> bool {
+        self.parts.is_empty()
+    }
+
+    /// Adds a load of the signals of `[force; moment]` (`None` is zero) times a factor that is linear between the given
+    /// places `(ξ, factor)`, which ascend from −1 to 1; two at the same ξ make a jump.
+    ///
+    /// # Errors
+    /// As [`DistributedLoad::new`].
+    pub fn add(
+        &mut self,
         beam: &Beam,
         frame: LoadFrame,
         signals: [Option<usize>; 6],
         places: &[(f64, f64)],
-    ) -> Result<Self> {
-        let rule = gauss_legendre(beam.nodes().len());
-        let mut stations = Vec::new();
+    ) -> Result<()> {
+        let rule = gauss_legendre(self.nodes.len() + 1);
+        let points: Vec<f64> = gauss_legendre(self.nodes.len())
+            .iter()
+            .map(|point| point.0)
+            .collect();
+        let mut lengths = vec![0.0; points.len()];
         for pair in places.windows(2) {
             let ((start, first), (end, second)) = (pair[0], pair[1]);
             let half = 0.5 * (end - start);
@@ -47,18 +82,39 @@ impl DistributedLoad {
             }
             for (point, weight) in &rule {
                 let t = 0.5 * (point + 1.0);
-                let station = beam.station(start + half * (point + 1.0), weight * half)?;
+                let xi = start + half * (point + 1.0);
                 let factor = first + t * (second - first);
-                let length = station.weight * station.stretch;
-                stations.push((station, factor * length));
+                let length = beam.stretch_at(xi)? * weight * half * factor;
+                let shapes = shape_functions(&points, xi);
+                for (sum, shape) in lengths.iter_mut().zip(shapes) {
+                    *sum += shape.0 * length;
+                }
             }
         }
-        Ok(DistributedLoad {
-            nodes: beam.nodes().to_vec(),
-            frame,
-            signals,
-            stations,
-        })
+        for (component, signal) in signals.into_iter().enumerate() {
+            if let Some(signal) = signal {
+                self.parts.push(LoadPart {
+                    frame,
+                    component,
+                    signal,
+                    lengths: lengths.clone(),
+                });
+            }
+        }
+        Ok(())
+    }
+
+    /// Loads of all parts at a station, along the inertial axes and along those of the section.
+    fn at(&self, station: usize, signals: &[f64]) -> [Vector6<f64>; 2] {
+        let (mut space, mut follower) = (Vector6::zeros(), Vector6::zeros());
+        for part in &self.parts {
+            let sum = match part.frame {
+                LoadFrame::Space => &mut space,
+                LoadFrame::Follower => &mut follower,
+            };
+            sum[part.component] += signals[part.signal] * part.lengths[station];
+        }
+        [space, follower]
     }
 }
 
@@ -81,30 +137,26 @@ impl Element for DistributedLoad {
 
     fn evaluate(&self, instant: &Instant, out: &mut Contribution) -> Result<()> {
         let states = instant.nodes;
-        let given = Vector6::from_fn(|i, _| self.signals[i].map_or(0.0, |s| instant.signals[s]));
-        let (force, moment) = halves(&given);
-        let mut terms = std::mem::take(&mut out.beam_terms);
-        for (station, length) in &self.stations {
+        let mut terms = std::mem::take(&mut out.beam.terms);
+        for (place, station) in self.stations.iter().enumerate() {
             let relative = |a: usize| states[0].motion.relative(&states[a].motion);
             let at = station.motion(relative)?;
             terms.clear();
             terms.extend(station.node_terms(&at, relative));
 
             // The load in the section's axes, and what it gains for an increment of the section.
+            let [space, follower] = self.at(place, instant.signals);
+            let (force, moment) = halves(&space);
+            let section = states[0].motion.rotation * at.polar.rotation.primal;
+            let (force, moment) = (section.tr_mul(&force), section.tr_mul(&moment));
             let mut variation = Matrix6::zeros();
-            let load = match self.frame {
-                LoadFrame::Follower => given,
-                LoadFrame::Space => {
-                    let section = states[0].motion.rotation * at.polar.rotation.primal;
-                    let (force, moment) = (section.tr_mul(&force), section.tr_mul(&moment));
-                    let mut columns = variation.fixed_view_mut::<3, 3>(0, 3);
-                    columns.copy_from(&(skew(&force) * *length));
-                    let mut columns = variation.fixed_view_mut::<3, 3>(3, 3);
-                    columns.copy_from(&(skew(&moment) * *length));
-                    joined(&force, &moment)
-                }
-            };
-            let load = DualVector::from_wrench(&(load * *length));
+            let mut columns = variation.fixed_view_mut::<3, 3>(0, 3);
+            columns.copy_from(&skew(&force));
+            let mut columns = variation.fixed_view_mut::<3, 3>(3, 3);
+            columns.copy_from(&skew(&moment));
+            let turns = space != Vector6::zeros();
+            let own = turned_about_axis(&follower, station.turn);
+            let load = DualVector::from_wrench(&(joined(&force, &moment) + own));
             let mu = at.polar.spread_inverse * load;
             for (a, node) in terms.iter().enumerate() {
                 out.add_force(a, &-(node.turn.transpose() * load).to_wrench());
@@ -131,14 +183,14 @@ impl Element for DistributedLoad {
                         block = block - own;
                     }
                     let mut k = block.to_stiffness_matrix();
-                    if self.frame == LoadFrame::Space {
+                    if turns {
                         k += turn_transposed * variation * other.turn.to_twist_matrix();
                     }
                     out.add_stiffness(a, b, &-k);
                 }
             }
         }
-        out.beam_terms = terms;
+        out.beam.terms = terms;
         Ok(())
     }
 }

@@ -5,6 +5,7 @@
 
 mod absent;
 mod beam;
+mod beam_law;
 mod coordinate_force;
 mod damper;
 mod distributed_load;
@@ -22,7 +23,8 @@ mod viscoelastic;
 pub(crate) use absent::{call_absent, serialize as serialize_absent, with_zero_for_absent};
 pub use beam::Beam;
 pub use coordinate_force::{
-    CoordinateForce, CoordinateFunction, CoordinateLaw, CoordinateState, Effort, Law,
+    ActedCoordinate, CoordinateForce, CoordinateFunction, CoordinateLaw, CoordinateState, Effort,
+    Law,
 };
 pub use damper::ViscousDamper;
 pub use distributed_load::DistributedLoad;
@@ -113,9 +115,23 @@ pub enum Unknown {
     },
 }
 
-/// Stress resultants at a station of an element, integrated with its weight: `f = S e + D ė` of its strains `e`.
-#[derive(Debug, Clone, Copy, PartialEq)]
+/// Stress resultants at a station of an element, integrated with its weight: `f = S e + D ė` of its strains `e`, and
+/// likewise of those at other stations of the element.
+#[derive(Debug, Clone, PartialEq)]
 pub struct StressLaw {
+    /// `S`.
+    pub stiffness: Matrix6<f64>,
+    /// `D`.
+    pub damping: Matrix6<f64>,
+    /// The other stations, if any matter.
+    pub others: Vec<OtherStation>,
+}
+
+/// Another station of the same element, whose strains a [`StressLaw`] depends on.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct OtherStation {
+    /// So many stations further.
+    pub offset: isize,
     /// `S`.
     pub stiffness: Matrix6<f64>,
     /// `D`.
@@ -170,7 +186,7 @@ pub struct Contribution {
     /// Of each station with [`StressLaw`], for each node, if wanted apart.
     pub strains: Vec<StrainTangent>,
     /// Scratch of the beam kernel.
-    beam_terms: Vec<beam::NodeTerms>,
+    beam: beam::Scratch,
     /// Scratch of user's forces.
     user_force: user_force::Scratch,
 }
@@ -191,7 +207,7 @@ impl Contribution {
             own_rate: DMatrix::zeros(multipliers, multipliers),
             with_resultants_apart: false,
             strains: Vec::new(),
-            beam_terms: Vec::new(),
+            beam: beam::Scratch::default(),
             user_force: user_force::Scratch::default(),
         }
     }
@@ -287,6 +303,11 @@ pub trait Element: Send + Sync + std::fmt::Debug {
     /// Whether the forces depend on the acceleration.
     fn has_mass(&self) -> bool {
         false
+    }
+
+    /// Whether velocities relative to the inertial frame matter; to all others the ground may turn.
+    fn knows_inertial_frame(&self) -> bool {
+        self.has_mass()
     }
 
     /// Whether the forces depend on the velocity.

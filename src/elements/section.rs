@@ -1,7 +1,8 @@
 //! Cross-sections, and how they change along a beam element.
 
 use crate::error::{Error, ErrorKind, Result, require_finite};
-use nalgebra::Matrix6;
+use crate::motion::rotation_from_vector;
+use nalgebra::{Matrix6, Vector3};
 use serde::{Deserialize, Serialize};
 
 /// Properties of a beam's cross-section, per unit of length, in the order
@@ -26,23 +27,46 @@ impl Section {
             damping: between(&self.damping, &other.damping),
         }
     }
+
+    /// This section in axes from which its own are turned by `angle` about axis 1.
+    pub(super) fn turned(&self, angle: f64) -> Section {
+        let turn = rotation_from_vector(&(Vector3::x() * angle));
+        let mut both = Matrix6::zeros();
+        for half in [0, 3] {
+            let mut block = both.fixed_view_mut::<3, 3>(half, half);
+            block.copy_from(&turn);
+        }
+        let turned = |m: &Matrix6<f64>| both * m * both.transpose();
+        Section {
+            stiffness: turned(&self.stiffness),
+            mass: turned(&self.mass),
+            damping: turned(&self.damping),
+        }
+    }
 }
 
 /// The cross-section along an element: given at places in `[−1, 1]`, linear between neighbours, and
-/// constant beyond the first and the last.
+/// constant beyond the first and the last. So is its twist.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(try_from = "Vec<(f64, Section)>", into = "Vec<(f64, Section)>")]
-pub struct SectionLine(Vec<(f64, Section)>);
+pub struct SectionLine {
+    places: Vec<(f64, Section)>,
+    /// Angle about axis 1 at each place, as part of the reference motions; none at all if empty.
+    twists: Vec<f64>,
+}
 
 impl From<Section> for SectionLine {
     fn from(section: Section) -> Self {
-        SectionLine(vec![(0.0, section)])
+        SectionLine {
+            places: vec![(0.0, section)],
+            twists: Vec::new(),
+        }
     }
 }
 
 impl From<SectionLine> for Vec<(f64, Section)> {
     fn from(line: SectionLine) -> Self {
-        line.0
+        line.places
     }
 }
 
@@ -61,9 +85,15 @@ impl TryFrom<Vec<(f64, Section)>> for SectionLine {
             require_finite("section mass", section.mass.as_slice())?;
             require_finite("section damping", section.damping.as_slice())?;
         }
-        Ok(SectionLine(places))
+        Ok(SectionLine {
+            places,
+            twists: Vec::new(),
+        })
     }
 }
+
+/// Twists this far off a straight line make a corner.
+const CORNER: f64 = 1e-12;
 
 impl SectionLine {
     /// From the sections at the element's ends, and at ascending places in between.
@@ -71,25 +101,103 @@ impl SectionLine {
         let mut places = vec![(-1.0, start)];
         places.extend_from_slice(inside);
         places.push((1.0, end));
-        SectionLine(places)
+        SectionLine {
+            places,
+            twists: Vec::new(),
+        }
     }
 
-    /// The section at `xi`.
-    pub fn at(&self, xi: f64) -> Section {
-        let places = &self.0;
-        let next = places.partition_point(|(place, _)| *place < xi);
-        if next == 0 {
-            return places[0].1;
+    /// The same with these twists, one for each place, that are part of the reference motions of the nodes; or with none.
+    ///
+    /// # Errors
+    /// If they are not finite, or of another number.
+    pub fn twisted(self, twists: Vec<f64>) -> Result<Self> {
+        require_finite("twists", &twists)?;
+        if !twists.is_empty() && twists.len() != self.places.len() {
+            let expected = format!("none, or {}", self.places.len());
+            return Err(Error::size("twists", expected, twists.len()));
         }
-        let (start, first) = places[next - 1];
-        match places.get(next) {
-            Some((end, second)) => first.towards(second, (xi - start) / (end - start)),
-            None => first,
+        Ok(SectionLine { twists, ..self })
+    }
+
+    /// Twists at the places; none at all if empty.
+    pub(super) fn twists(&self) -> &[f64] {
+        &self.twists
+    }
+
+    /// Whether there is any twist.
+    pub(super) fn is_twisted(&self) -> bool {
+        self.twists.iter().any(|&twist| twist != 0.0)
+    }
+
+    /// Whether twist has a corner inside, which the motions of the nodes cannot follow.
+    pub(super) fn has_corners(&self) -> bool {
+        let (Some(first), Some(last)) = (self.twists.first(), self.twists.last()) else {
+            return false;
+        };
+        let (start, end) = (self.places[0].0, self.places[self.places.len() - 1].0);
+        let off = |(twist, place): (&f64, &(f64, Section))| {
+            let t = (place.0 - start) / (end - start);
+            (twist - first - (last - first) * t).abs() > CORNER
+        };
+        self.twists.iter().zip(&self.places).any(off)
+    }
+
+    /// Whether sections differ, or turn otherwise than the nodes do.
+    pub(super) fn changes(&self) -> bool {
+        self.places.iter().any(|(_, s)| *s != self.places[0].1) || self.has_corners()
+    }
+
+    /// Ends of the pieces in which all is linear, from −1 to 1.
+    pub(super) fn pieces(&self) -> Vec<f64> {
+        let inside = self.places.iter().map(|place| place.0);
+        let mut ends = vec![-1.0];
+        ends.extend(inside.filter(|&xi| xi > -1.0 && xi < 1.0 && self.changes()));
+        ends.push(1.0);
+        ends.dedup();
+        ends
+    }
+
+    /// The piece that `xi` is in: the place before, and how far on to the next.
+    fn locate(&self, xi: f64) -> (usize, f64) {
+        let places = &self.places;
+        let next = places.partition_point(|(place, _)| *place < xi);
+        match (next.checked_sub(1), places.get(next)) {
+            (Some(before), Some((end, _))) => {
+                let start = places[before].0;
+                (before, (xi - start) / (end - start))
+            }
+            (Some(before), None) => (before, 0.0),
+            (None, _) => (0, 0.0),
+        }
+    }
+
+    /// The section at `xi`, in its own axes.
+    pub fn at(&self, xi: f64) -> Section {
+        let (before, t) = self.locate(xi);
+        match (t > 0.0, self.places.get(before + 1)) {
+            (true, Some((_, next))) => self.places[before].1.towards(next, t),
+            _ => self.places[before].1,
+        }
+    }
+
+    /// The twist at `xi`.
+    pub fn twist(&self, xi: f64) -> f64 {
+        if self.twists.is_empty() {
+            return 0.0;
+        }
+        let (before, t) = self.locate(xi);
+        let here = self.twists[before];
+        match self.twists.get(before + 1) {
+            Some(next) => here + (next - here) * t,
+            None => here,
         }
     }
 
     /// Whether any section has an entry in the matrix that `which` gives.
     pub fn has(&self, which: impl Fn(&Section) -> &Matrix6<f64>) -> bool {
-        self.0.iter().any(|(_, s)| *which(s) != Matrix6::zeros())
+        self.places
+            .iter()
+            .any(|(_, s)| *which(s) != Matrix6::zeros())
     }
 }

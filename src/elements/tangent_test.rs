@@ -117,7 +117,8 @@ fn cases() -> Vec<Case> {
         for frame in [LoadFrame::Space, LoadFrame::Follower] {
             let signals = [0, 1, 2, 3, 4, 5].map(Some);
             let places = [(-1.0, 0.5), (0.1, -2.0), (0.1, 1.0), (1.0, 3.0)];
-            let load = DistributedLoad::new(&beam, frame, signals, &places).unwrap();
+            let mut load = DistributedLoad::new(&beam).unwrap();
+            load.add(&beam, frame, signals, &places).unwrap();
             cases.push(Case {
                 name: format!("distributed load {frame:?}, {count} nodes"),
                 element: Box::new(load),
@@ -193,7 +194,10 @@ fn cases() -> Vec<Case> {
                 let mut force = |name: &str, law: Law| {
                     add(
                         name,
-                        Box::new(CoordinateForce::new(&joint, coordinate, 0, law)),
+                        Box::new(CoordinateForce::new(
+                            ActedCoordinate::new(&joint, coordinate, 0, None),
+                            law,
+                        )),
                     );
                 };
                 let polynomial = |stiffness: &[f64], damping: &[f64]| Law::Polynomial {
@@ -221,7 +225,12 @@ fn cases() -> Vec<Case> {
                 let branches = vec![branch(1.3, 0.4), branch(0.6, 2.0)];
                 add(
                     "viscoelastic",
-                    Box::new(Viscoelastic::new(&joint, coordinate, 0, 0.8, 0.2, branches)),
+                    Box::new(Viscoelastic::new(
+                        ActedCoordinate::new(&joint, coordinate, 0, None),
+                        0.8,
+                        0.2,
+                        branches,
+                    )),
                 );
             }
         }

@@ -20,7 +20,8 @@ pub struct NodeForceInput<'a> {
     pub positions: &'a [Vector3<f64>],
     /// Rotation matrices; their columns are the nodes' axes in the inertial frame.
     pub rotations: &'a [Matrix3<f64>],
-    /// `[velocity; angular velocity]`, along the inertial or the nodes' own axes.
+    /// `[velocity; angular velocity]` relative to the inertial frame, along its or the nodes' own axes. In a frame that
+    /// turns steadily, positions, rotations and these are along its axes.
     pub velocities: &'a [Vector6<f64>],
 }
 
@@ -319,6 +320,10 @@ impl Element for UserForce {
     }
 
     fn has_damping(&self) -> bool {
+        true
+    }
+
+    fn knows_inertial_frame(&self) -> bool {
         true
     }
 

@@ -1,8 +1,6 @@
 //! Generalised Maxwell model on a joint coordinate: a spring and branches of spring and dashpot in series.
 
 use super::coordinate_force::{ActedCoordinate, ActedState, Effort};
-use super::joint::Joint;
-use super::relative::Coordinate;
 use super::{Contribution, Element, Instant, Unknown};
 use crate::error::Result;
 use serde::{Deserialize, Serialize};
@@ -30,17 +28,15 @@ pub struct Viscoelastic {
 }
 
 impl Viscoelastic {
-    /// On `coordinate` of `joint`, which is tracked coordinate number `tracked`.
+    /// On this coordinate.
     pub fn new(
-        joint: &Joint,
-        coordinate: Coordinate,
-        tracked: usize,
+        at: ActedCoordinate,
         stiffness: f64,
         rest: f64,
         branches: Vec<MaxwellBranch>,
     ) -> Self {
         Viscoelastic {
-            at: ActedCoordinate::new(joint, coordinate, tracked),
+            at,
             stiffness,
             rest,
             branches,

@@ -123,22 +123,27 @@ impl Stations {
     }
 
     /// The sections of an element from `start` to `end`, between which there is no jump.
-    fn over(&self, start: f64, end: f64) -> SectionLine {
+    fn over(&self, start: f64, end: f64) -> Result<SectionLine> {
         let first = self.before(start);
-        if self.0.len() == 1 {
-            return self.0[0].1.into();
+        if let [(_, section, twist)] = &self.0[..] {
+            let line = SectionLine::from(*section);
+            return line.twisted(vec![*twist]);
         }
         // The last station before the end is on its near side, if there is a jump.
         let last = self.0.partition_point(|s| s.0 < end).saturating_sub(1);
-        let inside: Vec<(f64, Section)> = self.0[first + 1..last.max(first) + 1]
+        let between = &self.0[first + 1..last.max(first) + 1];
+        let inside: Vec<(f64, Section)> = between
             .iter()
             .map(|(fraction, section, _)| {
                 let xi = 2.0 * (fraction - start) / (end - start) - 1.0;
                 (xi, *section)
             })
             .collect();
-        let ends = (self.between(first, start).0, self.between(last, end).0);
-        SectionLine::new(ends.0, &inside, ends.1)
+        let ends = (self.between(first, start), self.between(last, end));
+        let mut twists = vec![ends.0.1];
+        twists.extend(between.iter().map(|station| station.2));
+        twists.push(ends.1.1);
+        SectionLine::new(ends.0.0, &inside, ends.1.0).twisted(twists)
     }
 
     /// Fractions of the element boundaries: some where the section jumps, and the others so that the
@@ -288,7 +293,8 @@ impl Model {
     /// [`straight_line`], [`circular_arc`](super::circular_arc) and [`smooth_curve`](super::smooth_curve) make. Sections and twist
     /// are linear in the fraction between `stations`, which ascend from 0 to 1; two stations at the same
     /// fraction make a jump of the section, where the mesh gets a boundary. One station alone stands for all.
-    /// Where the slope of section or twist jumps inside an element, convergence with the degree is slower.
+    /// Stations may lie anywhere: elements are integrated from each to the next. Where the slope of section or twist
+    /// jumps inside an element, convergence with the degree is slower all the same.
     ///
     /// # Errors
     /// If the line, the stations or the numbers of the mesh are not valid; the model is then as it was.
@@ -320,7 +326,7 @@ impl Model {
                     nodes.push(node_at(model, start + 0.5 * (x + 1.0) * (end - start))?);
                 }
                 nodes.push(node_at(model, end)?);
-                model.place_beam_element(&nodes, stations.over(start, end))?;
+                model.place_beam_element(&nodes, stations.over(start, end)?)?;
                 previous += degree;
             }
             Ok(BeamIds {
@@ -500,8 +506,8 @@ mod tests {
             &[0.0, 0.2, 0.4, 0.6, 0.8, 1.0],
         );
         let scale = |line: &SectionLine, xi: f64| line.at(xi).stiffness[(3, 3)];
-        let first = stations.over(0.0, 0.4);
-        let second = stations.over(0.4, 1.0);
+        let first = stations.over(0.0, 0.4).unwrap();
+        let second = stations.over(0.4, 1.0).unwrap();
         for (line, xi, exact) in [
             (&first, -1.0, 1.0),
             (&first, -0.5, 2.0),
@@ -510,10 +516,10 @@ mod tests {
             (&second, -1.0, 5.0),
             (&second, 0.5, 7.25),
             (&second, 1.0, 8.0),
-            (&stations.over(0.1, 0.3), -1.0, 2.0),
-            (&stations.over(0.1, 0.3), 0.0, 3.0),
-            (&stations.over(0.1, 0.3), 1.0, 2.5),
-            (&stations.over(0.5, 0.6), 0.0, 5.75),
+            (&stations.over(0.1, 0.3).unwrap(), -1.0, 2.0),
+            (&stations.over(0.1, 0.3).unwrap(), 0.0, 3.0),
+            (&stations.over(0.1, 0.3).unwrap(), 1.0, 2.5),
+            (&stations.over(0.5, 0.6).unwrap(), 0.0, 5.75),
         ] {
             assert!((scale(line, xi) - exact).abs() < 1e-14, "{xi} {exact}");
         }

@@ -21,7 +21,7 @@ pub struct SectionInput {
     pub stiffness: Matrix6<f64>,
     /// Mass, symmetric and positive semi-definite.
     pub mass: Matrix6<f64>,
-    /// Damping, symmetric and positive semi-definite.
+    /// Damping, whose symmetric part is positive semi-definite.
     pub damping: Matrix6<f64>,
 }
 
@@ -66,6 +66,22 @@ pub(super) fn require_positive(
     Ok(0.5 * m + 0.5 * m.transpose()) // the sum of large entries would overflow
 }
 
+/// Checks a damping matrix, which may be unsymmetric (as stiffness times a matrix of times is for coupled sections): whatever
+/// the rates, it must not add energy.
+fn require_dissipating(name: &str, m: &Matrix6<f64>) -> Result<Matrix6<f64>> {
+    require_finite(name, m.as_slice())?;
+    let symmetric = 0.5 * (m + m.transpose());
+    let smallest = smallest_scaled_eigenvalue(&symmetric);
+    if smallest < -1e-9 {
+        return Err(Error::value(
+            name,
+            "a matrix whose symmetric part is positive semi-definite, so that no motion gains energy",
+            format!("one whose symmetric part has the scaled eigenvalue {smallest:.3e}"),
+        ));
+    }
+    Ok(*m)
+}
+
 impl SectionInput {
     /// A section without couplings or damping: the six stiffnesses in their order, mass per length,
     /// and moments of inertia per length about axes 1, 2, 3.
@@ -98,11 +114,27 @@ impl SectionInput {
         Ok(())
     }
 
+    /// Makes the damping `diag(seconds) 𝒦`, with one time for each resultant, as BeamDyn has it; the stiffness must have been set.
+    ///
+    /// # Errors
+    /// If times are negative, or so different that a coupled section would gain energy in some motion.
+    pub fn damp_by_component(&mut self, seconds: &[f64; 6]) -> Result<()> {
+        require_finite("seconds", seconds)?;
+        if let Some(i) = seconds.iter().position(|&time| time < 0.0) {
+            let name = format!("seconds[{i}]");
+            return Err(Error::value(&name, "zero or more", seconds[i]));
+        }
+        let stiffness = require_positive("section stiffness", &self.stiffness, true)?;
+        let times = Matrix6::from_diagonal(&Vector6::from(*seconds));
+        self.damping = require_dissipating("section damping", &(times * stiffness))?;
+        Ok(())
+    }
+
     pub(super) fn validated(&self) -> Result<Section> {
         Ok(Section {
             stiffness: require_positive("section stiffness", &self.stiffness, true)?,
             mass: require_positive("section mass", &self.mass, false)?,
-            damping: require_positive("section damping", &self.damping, false)?,
+            damping: require_dissipating("section damping", &self.damping)?,
         })
     }
 }

@@ -4,6 +4,8 @@ use super::{Model, Signal};
 use crate::elements::{Beam, DistributedLoad, LoadFrame};
 use crate::error::{Error, ErrorKind, Result, require_finite};
 use serde::{Deserialize, Serialize};
+use std::collections::BTreeMap;
+use std::collections::btree_map::Entry;
 use std::ops::Range;
 
 /// Force and moment per unit of reference length, along consecutive beam elements.
@@ -28,32 +30,35 @@ impl DistributedLoadDefinition {
         self.first_element..self.first_element + self.elements
     }
 
-    /// The load on each of the beam elements of `beams`, with `signals` for its components; none for an
-    /// element that is free of load.
-    pub(crate) fn elements(
+    /// Adds the load, with `signals` for its components, to those on each beam element of `beams`.
+    pub(crate) fn add_to(
         &self,
+        loads: &mut BTreeMap<usize, DistributedLoad>,
         beams: &[Beam],
         signals: [Option<usize>; 6],
-    ) -> Result<Vec<DistributedLoad>> {
-        let beams = &beams[self.range()];
-        let lengths = beams
+    ) -> Result<()> {
+        let lengths = beams[self.range()]
             .iter()
             .map(|beam| beam.length_to(1.0))
             .collect::<Result<Vec<_>>>()?;
         let total: f64 = lengths.iter().sum();
         let mut start = 0.0;
-        let mut loads = Vec::new();
-        for (beam, length) in beams.iter().zip(lengths) {
+        for (element, length) in self.range().zip(lengths) {
+            let beam = &beams[element];
             let places = places_within(&self.factors, start / total, (start + length) / total)
                 .into_iter()
                 .map(|(share, factor)| Ok((beam.xi_at(share)?, factor)))
                 .collect::<Result<Vec<_>>>()?;
             if places.iter().any(|place| place.1 != 0.0) {
-                loads.push(DistributedLoad::new(beam, self.frame, signals, &places)?);
+                let load = match loads.entry(element) {
+                    Entry::Occupied(there) => there.into_mut(),
+                    Entry::Vacant(free) => free.insert(DistributedLoad::new(beam)?),
+                };
+                load.add(beam, self.frame, signals, &places)?;
             }
             start += length;
         }
-        Ok(loads)
+        Ok(())
     }
 }
 

@@ -235,7 +235,7 @@ impl Content<'_> {
             None => grid.points(),
         };
         let times = |count: usize| count.checked_mul(points);
-        let state = self.state.into_owned();
+        let mut state = self.state.into_owned();
         let states = Some(self.node_states.len());
         require(state.points() == points, "grid points")?;
         require(
@@ -245,6 +245,8 @@ impl Content<'_> {
         require(states == times(system.nodes()), "states of nodes")?;
         let multipliers = Some(state.multipliers.len());
         require(multipliers == times(system.multipliers()), "multipliers")?;
+        // Older files have those only that forces act on.
+        state.complete_tracked(&system, system.acted_on());
         let coordinates = Some(state.coordinates.len());
         require(coordinates == times(system.tracked()), "coordinates")?;
         let starts = self.prescribed_start.len();

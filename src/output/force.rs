@@ -236,10 +236,14 @@ impl Solution {
                 let own = self.solve.state.multipliers_of(placed, k);
                 let here = self.solve.state.tracked(system, k);
                 let later: Vec<f64> = here.iter().map(|q| q + gain).collect();
+                let mut signals_later = signals.as_ref().map_or(Vec::new(), |s| s[k].clone());
+                if let Some(prescribed) = self.model.prescribed_index(&at) {
+                    signals_later[prescribed] += gain;
+                }
                 let state_gain = gain_of(&self.solve, placed);
                 let own_later: Vec<f64> = own.iter().map(|x| x + state_gain).collect();
                 let rates = vec![0.0; own.len()];
-                let at = |coordinates: &[f64], values: &[f64]| {
+                let outputs = |coordinates: &[f64], signals: &[f64], values: &[f64]| {
                     let own = OwnValues {
                         values,
                         rates: &rates,
@@ -247,13 +251,15 @@ impl Solution {
                     };
                     let conditions = Conditions {
                         time,
-                        signals: signals.as_ref().map_or(&[], |s| &s[k]),
+                        signals,
                         coordinates,
                         inertia_factor: 1.0,
                     };
                     system.outputs(placed, &states, &conditions, own)
                 };
-                let (now, then) = (at(here, own)?.0, at(&later, &own_later)?.0);
+                let signals = signals.as_ref().map_or(&[][..], |s| &s[k]);
+                let now = outputs(here, signals, own)?.0;
+                let then = outputs(&later, &signals_later, &own_later)?.0;
                 size = size.max(now.amax());
                 change = change.max((then - now).amax());
             }

@@ -65,8 +65,11 @@ impl Solution {
             | JointQuantity::Acceleration(c) => {
                 let definition = self.require_coordinate(joint, c)?;
                 if self.is_trajectory() {
-                    let start = self.prescribed_start_of(joint, c);
-                    self.coordinate_along(definition, c, start, order, times)?
+                    let at = JointCoordinate {
+                        joint,
+                        coordinate: c,
+                    };
+                    self.coordinate_along(definition, &at, order, times)?
                 } else {
                     let series = self.coordinate(joint, c)?;
                     times.iter().map(|&t| series.derivative(t, order)).collect()
@@ -87,11 +90,15 @@ impl Solution {
         Ok(definition)
     }
 
-    /// What the signal of a prescribed coordinate starts from.
-    fn prescribed_start_of(&self, joint: usize, coordinate: Coordinate) -> Option<f64> {
-        let at = JointCoordinate { joint, coordinate };
-        let index = self.model.prescribed_index(&at)?;
-        Some(self.prescribed_start[index])
+    /// What tells the whole turns of a coordinate at the first grid point or step: the signal that prescribes it
+    /// or, without one, how the solve came there.
+    pub(super) fn start_of(&self, at: &JointCoordinate) -> f64 {
+        if let Some(index) = self.model.prescribed_index(at) {
+            return self.prescribed_start[index];
+        }
+        let system = &self.solve.system;
+        let place = system.tracked_place(at);
+        place.map_or(0.0, |place| self.solve.state.tracked(system, 0)[place])
     }
 
     /// Fourier series of each component of a quantity of a joint.
@@ -179,7 +186,11 @@ impl Solution {
                 .collect();
             return Ok(self.interpolate(&values, 0.0));
         }
-        let mut angle = nearest_turn(value(&self.states_of(definition, 0)), 0.0);
+        let at = JointCoordinate {
+            joint,
+            coordinate: which,
+        };
+        let mut angle = nearest_turn(value(&self.states_of(definition, 0)), self.start_of(&at));
         let mut values = vec![angle];
         for k in 1..=points {
             // In small steps where motions can be interpolated, so that no turn is missed.
@@ -202,12 +213,6 @@ impl Solution {
         }
         let turns = ((angle - values[0]) / TAU).round();
         let rate = TAU * turns / grid.period();
-        // Of the possible whole turns, a prescribed coordinate shows those of its signal.
-        let shift = match self.prescribed_start_of(joint, which) {
-            Some(start) => nearest_turn(values[0], start) - values[0],
-            None => 0.0,
-        };
-        values.iter_mut().for_each(|v| *v += shift);
         Ok(self.interpolate(&values, rate))
     }
 }

@@ -2,10 +2,10 @@
 
 use super::solution::Solution;
 use crate::collocation::GridState;
-use crate::elements::{Coordinate, Joint, NodeState, nearest_turn};
+use crate::elements::{Joint, NodeState, nearest_turn};
 use crate::error::{Error, ErrorKind, Result};
 use crate::fourier::TimeGrid;
-use crate::model::Model;
+use crate::model::{JointCoordinate, Model};
 use crate::motion::inverse_tangent;
 use crate::solve::{
     Iteration, MarchOptions, ShootingOptions, Stage, StartState, march, solve_shooting,
@@ -168,13 +168,12 @@ impl Solution {
     pub(super) fn coordinate_along(
         &self,
         definition: &Joint,
-        which: Coordinate,
-        start: Option<f64>,
+        which: &JointCoordinate,
         order: u32,
         times: &[f64],
     ) -> Result<Vec<f64>> {
         let places = self.places(times)?;
-        let history = self.coordinate_history(definition, which, start);
+        let history = self.coordinate_history(definition, which);
         let at = |place: &Between| match order {
             0 => place.hermite(&history.values, &history.rates),
             1 => place.hermite(&history.rates, &history.accelerations),
@@ -183,12 +182,8 @@ impl Solution {
         Ok(places.iter().map(at).collect())
     }
 
-    fn coordinate_history(
-        &self,
-        definition: &Joint,
-        which: Coordinate,
-        start: Option<f64>,
-    ) -> CoordinateHistory {
+    fn coordinate_history(&self, definition: &Joint, at: &JointCoordinate) -> CoordinateHistory {
+        let which = at.coordinate;
         let steps = self.solve.times();
         let kind = definition.kind();
         let mut history = CoordinateHistory {
@@ -201,8 +196,7 @@ impl Solution {
             let [mut value, rate, acceleration] = definition.coordinate_derivatives(which, &states);
             if kind.leaves_turns_open(which) {
                 let expected = match k {
-                    // Of the possible whole turns, a prescribed coordinate shows those of its signal.
-                    0 => start.unwrap_or(0.0),
+                    0 => self.start_of(at),
                     // Half a step of either rate.
                     _ => {
                         let half = 0.5 * (steps[k] - steps[k - 1]);
@@ -264,9 +258,12 @@ impl Solution {
                 *value = before[i] + (after[i] - before[i]) * place.fraction;
             }
         }
-        state
-            .coordinates
-            .copy_from_slice(from.tracked(system, place.before));
+        let tracked = from.tracked(system, place.before);
+        let ends = tracked.iter().zip(from.tracked(system, place.after));
+        for (coordinate, (before, after)) in state.coordinates.iter_mut().zip(ends) {
+            *coordinate = before + (after - before) * place.fraction;
+        }
+        state.track(system);
         Ok(state)
     }
 

@@ -44,9 +44,9 @@ pub enum MarchStart {
 pub enum MarchEnd {
     /// After this time.
     Duration(f64),
-    /// When motions and velocities are those of one period before.
+    /// When motions and velocities are those of the periodic motion.
     Periodic {
-        /// Largest difference: displacements relative to the characteristic length, rotation matrices entry
+        /// Largest difference from it, by how the differences between neighbouring periods decay: displacements relative to the characteristic length, rotation matrices entry
         /// by entry, velocities likewise in units of a radian of the period.
         tolerance: f64,
         /// Periods after which it is given up.
@@ -366,6 +366,9 @@ impl Marcher {
         self.next
             .coordinates
             .copy_from_slice(&self.step.start.state.coordinates);
+        let start = &self.step.start;
+        let length = self.step.length;
+        system.foresee(|n| start.node(n), length, &mut self.next.coordinates);
         self.next.track(&system);
         self.newton.equations.set_step(self.step.clone());
         let report = self
@@ -507,6 +510,7 @@ impl Run<'_> {
             MarchEnd::Periodic { most_periods, .. } => (f64::INFINITY, most_periods),
         };
         let mut before = self.marcher.now().clone();
+        let mut changes = Vec::new();
         for number in 1..=most {
             let next = start + period * number as f64;
             let constant = self.options.error_tolerance.is_none();
@@ -529,8 +533,9 @@ impl Run<'_> {
             before = now.clone();
             self.marcher.record.periods = number;
             self.marcher.record.repetition = change;
+            changes.push(change);
             if let MarchEnd::Periodic { tolerance, .. } = self.options.end
-                && change <= tolerance
+                && is_periodic(&changes, tolerance)
             {
                 return Ok(None);
             }
@@ -540,12 +545,38 @@ impl Run<'_> {
             MarchEnd::Periodic { .. } => Some((
                 Outcome::IterationLimit,
                 format!(
-                    "not periodic after {most} periods: the last differs from the one before by {:.3e}",
-                    self.marcher.record.repetition
+                    "not periodic after {most} periods: the last differs from the one before by {:.3e}, and by about {:.3e} \
+                     from the periodic motion",
+                    self.marcher.record.repetition,
+                    distance(&changes)
                 ),
             )),
         })
     }
+}
+
+/// Changes this much below the tolerance may be rounding, which does not decay.
+const NEGLIGIBLE: f64 = 1e-2;
+
+/// How far the last period is from the periodic motion, by the `changes` from each period to the next: what is left of them if
+/// they go on to decay as they did in the last three.
+fn distance(changes: &[f64]) -> f64 {
+    let Some(&last) = changes.last() else {
+        return f64::INFINITY;
+    };
+    let recent = &changes[changes.len().saturating_sub(3)..];
+    let decay = recent.windows(2).map(|pair| pair[1] / pair[0]);
+    let slowest = decay.fold(0.0, f64::max);
+    match slowest < 1.0 {
+        true => last * (slowest / (1.0 - slowest)).max(1.0),
+        false => f64::INFINITY,
+    }
+}
+
+/// Whether these changes tell that the motion is periodic.
+fn is_periodic(changes: &[f64], tolerance: f64) -> bool {
+    let last = changes.last().copied().unwrap_or(f64::INFINITY);
+    last <= NEGLIGIBLE * tolerance || distance(changes) <= tolerance
 }
 
 /// Length of equal steps of at most `step` in `span`.
@@ -646,4 +677,22 @@ pub(super) fn finish(
         assessment: None,
         march: Some(record),
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn slow_decay_is_told_from_being_there() {
+        // A change of 8.6e-5 a period that decays by half a percent: 200 times as far away.
+        let slow: Vec<f64> = (0..9).map(|k| 8.6e-5 * 0.995f64.powi(k - 8)).collect();
+        assert!((distance(&slow) / (8.6e-5 * 199.0) - 1.0).abs() < 1e-9);
+        assert!(!is_periodic(&slow, 1e-4) && is_periodic(&slow, 2e-2));
+        // Fast decay: the next change is less than the last.
+        assert!((distance(&[1e-1, 1e-3, 1e-5]) / 1e-5 - 1.0).abs() < 1e-12);
+        // Growth is none, rounding may be.
+        assert!(!is_periodic(&[1e-5, 2e-5], 1e-4) && is_periodic(&[1e-15, 2e-15], 1e-4));
+        assert!(is_periodic(&[1e-9], 1e-8) && !is_periodic(&[], 1.0));
+    }
 }

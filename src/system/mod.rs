@@ -14,9 +14,10 @@ pub use driven::Driven;
 pub use scales::Scales;
 pub use summary::Summary;
 
+use crate::elements::{ActedCoordinate, Coordinate, CoordinateForce, JointKind, Law};
 use crate::elements::{Contribution, Element, Instant, Joint, NodalLoad, NodeState, Prescribed};
-use crate::elements::{Coordinate, CoordinateForce, JointKind, Law, UserForce, ViscousDamper};
 use crate::elements::{Measure, Unknown, Viscoelastic};
+use crate::elements::{UserForce, ViscousDamper};
 use crate::error::{Error, ErrorKind, Result};
 use crate::model::{BoundSignal, ForceDefinition, JointCoordinate, Model, Signal};
 use crate::motion::Motion;
@@ -24,6 +25,7 @@ use crate::workers::{Workers, no_threads_unasked};
 use driven::Drive;
 use nalgebra::{DVector, Vector3, Vector6};
 use serde::{Deserialize, Serialize};
+use std::collections::BTreeMap;
 use std::f64::consts::TAU;
 use std::ops::Range;
 use std::sync::Arc;
@@ -62,11 +64,11 @@ pub struct Placed {
     shape: usize,
 }
 
-/// A coordinate whose whole turns are followed, because a force acts on it.
+/// A coordinate whose whole turns are followed.
 #[derive(Debug, Clone)]
 struct Tracked {
     joint: Joint,
-    coordinate: Coordinate,
+    at: JointCoordinate,
 }
 
 /// A signal, and the value it grows from when loads are raised in steps.
@@ -160,7 +162,10 @@ pub struct System {
     turning: Option<[usize; 3]>,
     /// Prescribed angles whose whole turns are open.
     drives: Vec<Drive>,
+    /// Coordinates that forces act on, force by force, then all other angles whose whole turns are open.
     tracked: Vec<Tracked>,
+    /// How many of them forces act on.
+    acted_on: usize,
     /// What each own unknown of the elements is.
     unknowns: Vec<Unknown>,
     /// Loops of constraints, where some may depend on others.
@@ -234,6 +239,7 @@ impl System {
             turning: None,
             drives: Vec::new(),
             tracked: Vec::new(),
+            acted_on: 0,
             unknowns: Vec::new(),
             loops: Vec::new(),
             dependencies: Vec::new(),
@@ -280,18 +286,23 @@ impl System {
             let element = system.force(model, index, force, length)?;
             system.place(element, ElementRole::Force(index));
         }
+        system.acted_on = system.tracked.len();
+        system.track_other_angles(model);
         for load in &model.loads {
             let place = format!("load on node {}", load.node);
             let numbers = system.add_components(&load.components, &place)?;
             let element = NodalLoad::new(load.node, load.frame, numbers);
             system.place(Arc::new(element), ElementRole::Load);
         }
+        // All those of a beam element together.
+        let mut along = BTreeMap::new();
         for load in &model.distributed_loads {
             let place = format!("load along beam elements {:?}", load.range());
             let numbers = system.add_components(&load.components, &place)?;
-            for element in load.elements(&model.beams, numbers)? {
-                system.place(Arc::new(element), ElementRole::Load);
-            }
+            load.add_to(&mut along, &model.beams, numbers)?;
+        }
+        for element in along.into_values().filter(|load| !load.is_empty()) {
+            system.place(Arc::new(element), ElementRole::Load);
         }
         if let Some(gravity) = &model.gravity {
             let mut numbers = [0; 3];
@@ -323,6 +334,8 @@ impl System {
         length: f64,
     ) -> Result<Arc<dyn Element>> {
         let frequency = TAU / self.period;
+        // Signals of prescribed coordinates are the first, in their order.
+        let turns_of = |at: &JointCoordinate| model.prescribed_index(at);
         let (at, law) = match force {
             ForceDefinition::SpringDamper {
                 at,
@@ -361,8 +374,8 @@ impl System {
                 let joint = &model.joints[at.joint];
                 let coordinate = at.coordinate;
                 let branches = branches.clone();
-                let element =
-                    Viscoelastic::new(joint, coordinate, tracked, *stiffness, *rest, branches);
+                let acted = ActedCoordinate::new(joint, coordinate, tracked, turns_of(at));
+                let element = Viscoelastic::new(acted, *stiffness, *rest, branches);
                 return Ok(Arc::new(element));
             }
             ForceDefinition::ViscousDamper {
@@ -377,21 +390,38 @@ impl System {
         };
         let tracked = self.track_coordinate(model, at);
         let joint = &model.joints[at.joint];
-        Ok(Arc::new(CoordinateForce::new(
-            joint,
-            at.coordinate,
-            tracked,
-            law,
-        )))
+        let acted = ActedCoordinate::new(joint, at.coordinate, tracked, turns_of(at));
+        Ok(Arc::new(CoordinateForce::new(acted, law)))
     }
 
     /// Follows the whole turns of a joint coordinate; its place among the tracked ones.
     fn track_coordinate(&mut self, model: &Model, at: &JointCoordinate) -> usize {
         self.tracked.push(Tracked {
             joint: model.joints[at.joint].clone(),
-            coordinate: at.coordinate,
+            at: *at,
         });
         self.tracked.len() - 1
+    }
+
+    /// Follows the angles that no force acts on; those of prescribed ones are told by their signals.
+    fn track_other_angles(&mut self, model: &Model) {
+        for (joint, definition) in model.joints.iter().enumerate() {
+            let kind = definition.kind();
+            for &coordinate in kind.coordinates() {
+                let at = JointCoordinate { joint, coordinate };
+                if kind.leaves_turns_open(coordinate)
+                    && model.prescribed_index(&at).is_none()
+                    && self.tracked_place(&at).is_none()
+                {
+                    self.track_coordinate(model, &at);
+                }
+            }
+        }
+    }
+
+    /// Place of a joint coordinate among those whose turns are followed.
+    pub fn tracked_place(&self, at: &JointCoordinate) -> Option<usize> {
+        self.tracked.iter().position(|tracked| tracked.at == *at)
     }
 
     /// Adds a signal that repeats itself, or gains whole multiples of `unit` in a period.
@@ -495,6 +525,11 @@ impl System {
     /// Number of coordinates whose turns are followed.
     pub fn tracked(&self) -> usize {
         self.tracked.len()
+    }
+
+    /// Number of those that forces act on: the first.
+    pub fn acted_on(&self) -> usize {
+        self.acted_on
     }
 
     /// The elements.
@@ -643,6 +678,14 @@ impl System {
         }
     }
 
+    /// Twist of the frame that motions are described in, if it turns and the element knows of it.
+    fn frame_seen_by(&self, placed: &Placed, signals: &[f64]) -> Option<Vector6<f64>> {
+        match placed.element.knows_inertial_frame() {
+            true => self.frame_twist(signals),
+            false => None,
+        }
+    }
+
     /// Evaluates one element for node states given by index, and returns its contribution.
     pub fn evaluate<'w>(
         &self,
@@ -652,11 +695,7 @@ impl System {
         own: OwnValues,
         workspace: &'w mut Workspace,
     ) -> Result<&'w Contribution> {
-        // Forces of inertia alone know of a turning frame; to all others it is at rest.
-        let frame = match placed.element.has_mass() {
-            true => self.frame_twist(conditions.signals),
-            false => None,
-        };
+        let frame = self.frame_seen_by(placed, conditions.signals);
         workspace.states.clear();
         workspace
             .states
@@ -693,7 +732,14 @@ impl System {
         conditions: &Conditions,
         own: OwnValues,
     ) -> Result<(DVector<f64>, Vec<f64>)> {
-        let instant = self.instant(states, conditions, own);
+        let seen: Vec<NodeState> = match self.frame_seen_by(placed, conditions.signals) {
+            Some(frame) => {
+                let inertial = |state| turning::inertial(state, &frame);
+                states.iter().map(inertial).collect()
+            }
+            None => states.to_vec(),
+        };
+        let instant = self.instant(&seen, conditions, own);
         let mut contribution = Contribution::new(states.len(), own.values.len(), false);
         placed.element.evaluate(&instant, &mut contribution)?;
         let mut outputs = Vec::new();
@@ -708,8 +754,23 @@ impl System {
             let states: Vec<NodeState> = tracked.joint.nodes().iter().map(|&n| state(n)).collect();
             let z = tracked.joint.relative_motion(&states);
             let kind: JointKind = tracked.joint.kind();
-            let value = kind.coordinate(tracked.coordinate, &z).value;
-            *last = kind.follow(tracked.coordinate, value, *last);
+            let value = kind.coordinate(tracked.at.coordinate, &z).value;
+            *last = kind.follow(tracked.at.coordinate, value, *last);
+        }
+    }
+
+    /// Moves the tracked coordinates on by what velocities and accelerations at `state` make of them in `time`, so
+    /// that they may then be followed through more than half a turn.
+    pub fn foresee(&self, state: impl Fn(usize) -> NodeState, time: f64, coordinates: &mut [f64]) {
+        for (tracked, last) in self.tracked.iter().zip(coordinates) {
+            let states: Vec<NodeState> = tracked.joint.nodes().iter().map(|&n| state(n)).collect();
+            let [_, rate, acceleration] = tracked
+                .joint
+                .coordinate_derivatives(tracked.at.coordinate, &states);
+            let change = time * (rate + 0.5 * time * acceleration);
+            if change.is_finite() {
+                *last += change;
+            }
         }
     }
 }

@@ -94,6 +94,22 @@ impl Summary {
     }
 }
 
+/// A number with seven digits, without zeros at the end.
+fn readable(x: f64) -> String {
+    if x == 0.0 {
+        return "0".into();
+    }
+    let digits = 6 - x.abs().log10().floor() as i32;
+    if !(0..=10).contains(&digits) {
+        return format!("{x:.6e}");
+    }
+    let text = format!("{x:.*}", digits as usize);
+    match text.contains('.') {
+        true => text.trim_end_matches('0').trim_end_matches('.').into(),
+        false => text,
+    }
+}
+
 impl fmt::Display for Summary {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         writeln!(f, "Model:")?;
@@ -118,7 +134,10 @@ impl fmt::Display for Summary {
         writeln!(
             f,
             "  mass {}, centre ({}, {}, {})",
-            self.mass, self.centre.x, self.centre.y, self.centre.z
+            readable(self.mass),
+            readable(self.centre.x),
+            readable(self.centre.y),
+            readable(self.centre.z)
         )?;
         for warning in &self.warnings {
             writeln!(f, "  warning: {warning}")?;

@@ -537,7 +537,7 @@ static void readings(void)
     REFUSES_NULL(WITH(NULL, 1), "solution");
     REFUSES_IDS(in.force, bad_ids, WITH(good, 1), "force");
     REFUSES_ENUMS(in.coordinate, WITH(good, 1), "quantity");
-    REFUSED(WITH(good, 16), PDN_ERR_SIZE, "harmonics: expected at most 5, got 16");
+    REFUSED(WITH(good, 1048577), PDN_ERR_SIZE, "harmonics: expected at most 1048576, got 1048577");
     in.place = 1;
     REFUSED(WITH(good, 1), PDN_ERR_VALUE, "detail: expected zero");
     in.coordinate = PDN_FORCE_BRANCH_EFFORT;

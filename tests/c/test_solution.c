@@ -563,6 +563,25 @@ static void check_series(const struct series *series, int components, const doub
         CHECK(part.cosines[0] == 0);                                                               \
     } while (0)
 
+/* More than the grid has are given, zeros above. */
+static void harmonics_beyond_those_of_the_grid_are_zero(void)
+{
+    enum { MORE = HARMONICS + 3 };
+    double cosines[3 * MORE], sines[3 * MORE], fewer[3 * HARMONICS];
+    size_t i;
+    CHECK_STATUS(pdn_solution_node_harmonics(solution, rotor, PDN_NODE_POSITION, HARMONICS, NULL,
+                                             fewer, NULL),
+                 PDN_OK);
+    for (i = 0; i < 3 * MORE; i++)
+        cosines[i] = sines[i] = 7;
+    CHECK_STATUS(pdn_solution_node_harmonics(solution, rotor, PDN_NODE_POSITION, MORE, NULL,
+                                             cosines, sines),
+                 PDN_OK);
+    CHECK(memcmp(cosines, fewer, sizeof fewer) == 0);
+    for (i = 3 * HARMONICS; i < 3 * MORE; i++)
+        CHECK(cosines[i] == 0 && sines[i] == 0);
+}
+
 static void node_harmonics_are_those_of_the_samples(void)
 {
     static const struct {
@@ -792,6 +811,7 @@ int main(void)
     reactions_are_those_of_newton();
     the_beam_bends_evenly();
     node_harmonics_are_those_of_the_samples();
+    harmonics_beyond_those_of_the_grid_are_zero();
     joint_harmonics_are_those_of_the_samples();
     beam_harmonics_are_those_of_the_samples();
     history_and_decay_are_told();

@@ -444,7 +444,7 @@ static void samples_of_beams(void)
 
 /* --- Harmonics --- */
 
-static const size_t too_many_harmonics[] = {2, 3, (size_t)-1};
+static const size_t too_many_harmonics[] = {((size_t)1 << 20) + 1, (size_t)-1 / 2, (size_t)-1};
 
 static void harmonics(void)
 {

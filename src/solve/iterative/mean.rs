@@ -80,22 +80,32 @@ impl MeanStrain {
         node: usize,
     ) -> Self {
         let points = equations.grid().points();
-        let (mut strain, mut rate) = (Matrix6::zeros(), Matrix6::zeros());
-        for k in 0..points {
-            let t = tangent.strain(station.first + local, k);
-            let b = t.strain.to_twist_matrix();
-            strain += b;
-            if station.damped {
-                let state = &equations.node_states()[node * points + k];
-                rate += b * twist_skew(&state.twist) + t.rate.to_twist_matrix();
+        let mean = |first: usize| {
+            let (mut strain, mut rate) = (Matrix6::zeros(), Matrix6::zeros());
+            for k in 0..points {
+                let t = tangent.strain(first + local, k);
+                let b = t.strain.to_twist_matrix();
+                strain += b;
+                if station.damped {
+                    let state = &equations.node_states()[node * points + k];
+                    rate += b * twist_skew(&state.twist) + t.rate.to_twist_matrix();
+                }
             }
+            (strain / points as f64, rate / points as f64)
+        };
+        let StressLaw {
+            stiffness,
+            damping,
+            others,
+        } = &station.law;
+        let (strain, rate) = mean(station.first);
+        let mut orders = [stiffness * strain + damping * rate, damping * strain];
+        for other in others {
+            let (strain, rate) = mean(station.first_of(other.offset));
+            orders[0] += other.stiffness * strain + other.damping * rate;
+            orders[1] += other.damping * strain;
         }
-        let (strain, rate) = (strain / points as f64, rate / points as f64);
-        let StressLaw { stiffness, damping } = station.law;
-        MeanStrain {
-            strain,
-            orders: [stiffness * strain + damping * rate, damping * strain],
-        }
+        MeanStrain { strain, orders }
     }
 }
 

@@ -1,0 +1,176 @@
+//! A real blade, whose 49 stations lie anywhere between the nodes.
+
+#[path = "common/blade.rs"]
+mod blade;
+mod common;
+
+use common::*;
+use nalgebra::Vector3;
+use periodyn::elements::{JointKind, LoadFrame};
+use periodyn::model::*;
+use periodyn::output::{JointQuantity, Modes, NodeQuantity, ResolvedIn};
+use periodyn::solve::*;
+use std::f64::consts::TAU;
+
+/// Mass and centre of sections that are linear between stations, exactly.
+fn exact_mass(stations: &[SectionStation]) -> (f64, f64) {
+    let (mut mass, mut moment) = (0.0, 0.0);
+    for pair in stations.windows(2) {
+        let (a, b) = (pair[0].fraction, pair[1].fraction);
+        let (p, q) = (pair[0].section.mass[(0, 0)], pair[1].section.mass[(0, 0)]);
+        let length = (b - a) * blade::LENGTH;
+        mass += 0.5 * (p + q) * length;
+        let arm = (a * (2.0 * p + q) + b * (p + 2.0 * q)) / 6.0 * blade::LENGTH;
+        moment += arm * length;
+    }
+    (mass, moment / mass)
+}
+
+/// The first frequencies at rest, and the model.
+fn frequencies(elements: usize, degree: usize) -> Vec<f64> {
+    let mut model = Model::new();
+    let ids = blade::add(&mut model, &blade::stations(true), elements, degree);
+    let root = *model.node(ids.first_node).unwrap();
+    model
+        .add_joint(JointKind::Rigid, None, Some(ids.first_node), &root, &root)
+        .unwrap();
+    let options = ModesOptions {
+        count: 8,
+        ..ModesOptions::default()
+    };
+    let modes = Modes::solve(&model, &options, &mut |_, _| true).unwrap();
+    modes
+        .modes()
+        .iter()
+        .map(|m| m.eigenvalue.im / TAU)
+        .collect()
+}
+
+#[test]
+fn its_mass_is_exact_on_any_mesh() {
+    let stations = blade::stations(true);
+    let (mass, centre) = exact_mass(&stations);
+    for (elements, degree) in [(1, 5), (2, 5), (4, 4), (48, 3)] {
+        let mut model = Model::new();
+        blade::add(&mut model, &stations, elements, degree);
+        let (found, moment) = model.mass_and_moment();
+        assert!(
+            (found / mass - 1.0).abs() < 1e-12,
+            "{elements} {degree}: {found} {mass}"
+        );
+        let off = (moment.z / found - centre).abs();
+        assert!(off < 1e-12 * blade::LENGTH, "{elements} {degree}: {off:e}");
+        assert!(moment.xy().norm() < 1e-9 * moment.z);
+    }
+}
+
+#[test]
+fn its_frequencies_on_four_elements_of_degree_four_are_those_of_a_fine_mesh() {
+    // First flapwise and edgewise, second flapwise: of 48 elements of degree 3, whose sections were those of their
+    // Gauss points.
+    let fine = frequencies(48, 3);
+    let coarse = frequencies(4, 4);
+    println!("{fine:?}\n{coarse:?}");
+    for (i, hertz) in [(0, 0.68576), (1, 1.08051), (2, 1.94643), (5, 5.572)] {
+        assert!((fine[i] / hertz - 1.0).abs() < 1e-3, "{fine:?}");
+        assert!((coarse[i] / hertz - 1.0).abs() < 3e-3, "{coarse:?}");
+    }
+    // No mode comes between that the fine mesh has not.
+    for (fine, coarse) in fine.iter().zip(&coarse).take(7) {
+        assert!((coarse / fine - 1.0).abs() < 1e-2, "{fine} {coarse}");
+    }
+    for (elements, degree) in [(1, 5), (2, 5), (6, 3), (8, 2)] {
+        println!("{elements} {degree} {:?}", frequencies(elements, degree));
+    }
+}
+
+/// The blade turning at 12.1 rpm in gravity, and the joint at its root; `places` of load for a unit of length along its axes.
+fn rotor(places: usize) -> (Model, BeamIds, usize) {
+    let mut model = Model::new();
+    let mut stations = blade::stations(true);
+    for station in &mut stations {
+        station.section.damp_by_component(&blade::DAMPING).unwrap();
+    }
+    let ids = blade::add(&mut model, &stations, 4, 4);
+    let origin = Vector3::zeros();
+    let hub = revolute(
+        &mut model,
+        None,
+        Some(ids.first_node),
+        &origin,
+        &Vector3::x(),
+    );
+    let speed = Signal::harmonics(0.0, OMEGA, &[], &[]).unwrap();
+    model.prescribe(rotation1(hub), &speed).unwrap();
+    model.set_gravity([0.0, 0.0, -9.81].map(|g| Signal::constant(g).unwrap()));
+    for place in 0..places {
+        // Loads between neighbouring places, in three components with a harmonic of the rotation.
+        let at = |i: usize| i as f64 / (places + 1) as f64;
+        let mut factors = vec![(0.0, 0.0), (at(place), 0.0), (at(place + 1), 1.0)];
+        factors.extend([(at(place + 2), 0.0), (1.0, 0.0)]);
+        factors.dedup();
+        for component in 0..3 {
+            let mut components = [const { None }; 6];
+            let signal = Signal::harmonics(200.0, 0.0, &[40.0], &[10.0]).unwrap();
+            components[component] = Some(signal);
+            let load = DistributedLoadDefinition {
+                first_element: ids.first_element,
+                elements: ids.elements,
+                frame: LoadFrame::Follower,
+                components,
+                factors: factors.clone(),
+            };
+            model.add_distributed_load(load).unwrap();
+        }
+    }
+    (model, ids, hub)
+}
+
+const OMEGA: f64 = 12.1 * TAU / 60.0;
+
+#[test]
+fn its_root_bears_its_weight_as_it_turns() {
+    let (model, ids, hub) = rotor(0);
+    let solution = solve(&model, TAU / OMEGA, 11);
+    let stations = blade::stations(true);
+    let (mass, _) = exact_mass(&stations);
+    let times = times(TAU / OMEGA, 9);
+    let reaction = JointQuantity::Reaction(ResolvedIn::Space);
+    let reaction = solution.joint(hub, reaction, &times).unwrap();
+    let velocity = solution
+        .node(ids.last_node, NodeQuantity::Velocity, &times)
+        .unwrap();
+    // The mean of the reaction is the weight: no motion of the mass has a mean acceleration.
+    let series = solution
+        .joint_series(hub, JointQuantity::Reaction(ResolvedIn::Space))
+        .unwrap();
+    assert!((series[2].mean / (mass * 9.81) - 1.0).abs() < 1e-9);
+    assert!(series[0].mean.abs() < 1e-6 * mass && series[1].mean.abs() < 1e-6 * mass);
+    assert!(reaction.len() == 54 && velocity.len() == 54);
+}
+
+/// Processor time of this process.
+fn processor_seconds() -> f64 {
+    let text = std::fs::read_to_string("/proc/self/stat").unwrap_or_default();
+    let fields: Vec<&str> = text
+        .rsplit(')')
+        .next()
+        .unwrap()
+        .split_whitespace()
+        .collect();
+    let ticks = |i: usize| fields.get(i).and_then(|x| x.parse::<f64>().ok());
+    (ticks(11).unwrap_or(0.0) + ticks(12).unwrap_or(0.0)) / 100.0
+}
+
+#[test]
+#[ignore = "measures, asserts nothing"]
+fn time_of_its_periodic_motion() {
+    for places in [0, 42, 0, 42] {
+        let (model, ..) = rotor(places);
+        let start = processor_seconds();
+        for _ in 0..10 {
+            solve(&model, TAU / OMEGA, 11);
+        }
+        println!("{places}: {} s", (processor_seconds() - start) / 10.0);
+    }
+}
