@@ -95,7 +95,7 @@ fn visit(seed: u64, family: usize, index: usize, limit: u64) -> Record {
             _ => ("Crash".into(), format!("{}: {message}", output.status)),
         };
         record.seconds = if record.outcome == "TimeLimit" {
-            60.0
+            limit as f64
         } else {
             f64::NAN
         };
@@ -110,10 +110,20 @@ pub fn visit_all(seed: u64, count: usize, limit: u64) -> Vec<Record> {
     for index in 0..count {
         for family in 0..FAMILIES.len() {
             let record = visit(seed, family, index, limit);
-            let (place, verdict) = (record.place(), record.verdict());
-            if !record.converged() || verdict != Verdict::Right {
-                println!("{place} {}: {verdict:?} {}", record.outcome, record.why);
-            }
+            println!(
+                "{:5} {:16} {:10} {:6.2} s  N {:3}  {}  {}",
+                record.place(),
+                record.outcome,
+                if record.converged() {
+                    format!("{:?}", record.verdict())
+                } else {
+                    String::new()
+                },
+                record.seconds,
+                record.points,
+                record.what,
+                record.why
+            );
             records.push(record);
         }
         let converged = records.iter().filter(|r| r.converged()).count();

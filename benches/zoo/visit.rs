@@ -12,6 +12,8 @@ const MEMORY: u64 = 6 << 30;
 /// Solves from cold on finer grids, for comparison, where that is likely to take no longer than seconds.
 const CHEAP: f64 = 0.3;
 const FEW: usize = 64;
+/// What a solve is doing is shown after so many seconds, if asked for.
+const TELL: f64 = 0.5;
 /// Of so many models one is marched.
 const MARCHED: usize = 10;
 
@@ -50,7 +52,15 @@ pub fn visit(seed: u64, family: usize, index: usize, most: u64, verbose: bool) {
     tell(&format!("what {}: {}", FAMILIES[family].0, machine.what));
     limit(most);
     let start = processor_time();
-    let solved = judge::solve(&machine);
+    let mut told = 0.0;
+    let solved = judge::solve_watched(&machine, &mut |stage, iteration| {
+        let now = processor_time() - start;
+        if verbose && now > told + TELL {
+            told = now;
+            println!("{now:6.1} s: {stage:?} {iteration:?}");
+        }
+        true
+    });
     let seconds = processor_time() - start;
     let solution = match solved {
         Ok(solution) => solution,

@@ -82,7 +82,8 @@ pub fn planar(w: &mut Workshop) {
     let [pin, other] = bars.pins(angle).unwrap();
     let points = [Vec3::zeros(), pin, other, Vec3::x()];
     let longest = crank.max(coupler).max(rocker);
-    let flexible = link_material(w, longest, crank, swing);
+    let held = [true, false, false];
+    let flexible = link_material(w, [crank, coupler, rocker], held, swing);
     let bars = links(w, &points, &Vec3::y(), flexible.as_ref());
     let axis = -Vec3::y();
     let motor = w.joint(JointKind::Revolute, None, bars[0].first, &points[0], &axis);
@@ -99,22 +100,38 @@ pub fn planar(w: &mut Workshop) {
     run(w, motor, pivot, &bars, swing, flexible.as_ref(), longest);
 }
 
-/// Flexible links, and a speed that they can run at: bending by inertia stays below a third of their length.
+/// How much stiffer the crank is than the other links.
+const CRANK: f64 = 3.0;
+
+/// Bending stiffness that gives links of these lengths the first frequency wanted: the longest on two hinges, and those
+/// that hinges or a motor hold at their root with half the coupler at their end.
+fn bending(lengths: [f64; 3], held: [bool; 3]) -> f64 {
+    let longest = lengths.iter().copied().fold(0.0, f64::max);
+    let mut compliance = longest.powi(4) / PI.powi(4);
+    for (i, &length) in lengths.iter().enumerate().filter(|(i, _)| held[*i]) {
+        let stiffer: f64 = if i == 0 { CRANK } else { 1.0 };
+        let moving = 0.24 * length * stiffer.sqrt() + 0.5 * lengths[1];
+        compliance = compliance.max(length.powi(3) * moving / (3.0 * stiffer));
+    }
+    FREQUENCY * FREQUENCY * compliance
+}
+
+/// Flexible links, and a speed that they can run at: bending by inertia stays below a quarter of their length.
 fn link_material(
     w: &mut Workshop,
-    longest: f64,
-    crank: f64,
+    lengths: [f64; 3],
+    held: [bool; 3],
     swing: Option<f64>,
 ) -> Option<Flexible> {
     if w.random.percent(35) {
         w.note("rigid");
         return None;
     }
-    let travel = crank * swing.unwrap_or(1.0);
+    let longest = lengths.iter().copied().fold(0.0, f64::max);
+    let travel = lengths[0] * swing.unwrap_or(1.0);
     let most = (0.25 * longest / travel).sqrt().min(0.4);
     w.speed = w.random.decades(0.02, most);
-    let bending = longest.powi(4) * FREQUENCY * FREQUENCY / PI.powi(4);
-    Some(w.flexible(bending))
+    Some(w.flexible(bending(lengths, held)))
 }
 
 fn links(
@@ -126,7 +143,7 @@ fn links(
     std::array::from_fn(|i| {
         let (start, end) = (&points[i], &points[i + 1]);
         let length = (end - start).norm();
-        let stiffer = if i == 0 { 3.0 } else { 1.0 };
+        let stiffer: f64 = if i == 0 { CRANK } else { 1.0 };
         let own = flexible.map(|f| Flexible {
             bending: f.bending * stiffer,
             ..*f
@@ -277,7 +294,8 @@ pub fn spatial(w: &mut Workshop) {
         rocker.norm()
     ));
     let longest = coupler.max(rocker.norm()).max(crank.norm());
-    let flexible = link_material(w, longest, crank.norm(), swing);
+    let lengths = [crank.norm(), coupler, rocker.norm()];
+    let flexible = link_material(w, lengths, [true, false, true], swing);
     let bars = links(w, &points, &Vec3::y(), flexible.as_ref());
     let motor = w.joint(
         JointKind::Revolute,

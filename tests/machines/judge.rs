@@ -37,8 +37,16 @@ fn go_on(_: Stage, _: &Iteration) -> bool {
 
 /// Solves by default options.
 pub fn solve(machine: &Machine) -> Result<Solution> {
+    solve_watched(machine, &mut go_on)
+}
+
+/// The same, and shows each iteration.
+pub fn solve_watched(
+    machine: &Machine,
+    observe: &mut dyn FnMut(Stage, &Iteration) -> bool,
+) -> Result<Solution> {
     let options = PeriodicOptions::default();
-    Solution::solve(&machine.model, machine.period, &options, &mut go_on)
+    Solution::solve(&machine.model, machine.period, &options, observe)
 }
 
 /// What is known of a solution's error.
