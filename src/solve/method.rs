@@ -110,6 +110,9 @@ impl Linear {
                 let cheap = numbers < SMALL || cost.work < AFFORDABLE * numbers;
                 if cost.bytes < LARGE && cheap {
                     direct()
+                } else if falls_back {
+                    let iterative = Iterative::new(equations, None).or_directly(cost.work);
+                    Active::Iterative(Box::new(iterative))
                 } else {
                     iterative(None)
                 }

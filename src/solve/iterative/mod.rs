@@ -161,6 +161,8 @@ pub(super) struct Iterative {
     tangent: Tangent,
     /// What was asked for, if anything was.
     wanted: Option<Preconditioner>,
+    /// Multiply-adds that factors of the whole Jacobian would take, if they are to be had.
+    direct_work: Option<f64>,
     /// What is in use, and what is left to be tried, each with the products that a solve may take.
     candidates: Vec<(Preconditioner, usize)>,
     factors: Option<Factors>,
@@ -198,6 +200,7 @@ impl Iterative {
         Iterative {
             tangent: Tangent::new(equations.system(), equations.grid().points()),
             wanted,
+            direct_work: None,
             candidates: Vec::new(),
             factors: None,
             is_old: false,
@@ -207,6 +210,12 @@ impl Iterative {
             room: GmresRoom::default(),
             record: IterativeRecord::default(),
         }
+    }
+
+    /// Gives up for factors of the whole Jacobian, which take so many multiply-adds, where a dense system would take more.
+    pub fn or_directly(mut self, work: f64) -> Self {
+        self.direct_work = Some(work);
+        self
     }
 
     /// Factors the first candidate that can be.
@@ -254,6 +263,10 @@ impl Iterative {
         } else {
             FEW_FOR_A_LARGE_INTERFACE
         };
+        let dense = (interface as f64).powi(3) / 3.0;
+        if self.direct_work.is_some_and(|work| work < dense) {
+            return vec![local(few)];
+        }
         vec![local(few), body, local(ITERATION_LIMIT)]
     }
 
