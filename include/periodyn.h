@@ -1037,12 +1037,12 @@ typedef struct pdn_diagnostics {
      */
     double error_estimate;
     /**
-     * Largest residual force half-way between grid points, relative to the largest force that any
+     * Largest residual force between grid points, relative to the largest force that any
      * element exerts; infinite if the motion cannot be interpolated. Large values mean aliasing.
      */
     double force_residual_between;
     /**
-     * Largest violation of a constraint half-way between grid points: lengths relative to the size of
+     * Largest violation of a constraint between grid points: lengths relative to the size of
      * the mechanism, angles in radians; infinite if the motion cannot be interpolated.
      */
     double constraint_residual_between;

@@ -197,10 +197,10 @@ pub struct pdn_diagnostics {
     /// between grid points and, if several grids were tried, the difference between two of them.
     /// Velocities and forces have larger errors: see force_residual_between.
     pub error_estimate: f64,
-    /// Largest residual force half-way between grid points, relative to the largest force that any
+    /// Largest residual force between grid points, relative to the largest force that any
     /// element exerts; infinite if the motion cannot be interpolated. Large values mean aliasing.
     pub force_residual_between: f64,
-    /// Largest violation of a constraint half-way between grid points: lengths relative to the size of
+    /// Largest violation of a constraint between grid points: lengths relative to the size of
     /// the mechanism, angles in radians; infinite if the motion cannot be interpolated.
     pub constraint_residual_between: f64,
     /// Seconds spent on the initial guess.

@@ -289,20 +289,17 @@ impl Defect {
         })
     }
 
-    /// What the grid has taken for its own harmonics, scaled and ordered as the rows of `equations`, but for its phase: as if all of it
-    /// came from the harmonics next above those of the grid (`p = ±1`).
+    /// What the grid has taken for its own harmonics, scaled and ordered as the rows of `equations`, but for its phase and a part of an
+    /// interval: as if all of it came from the harmonics next above those of the grid (`p = ±1`).
+    ///
+    /// Forces stay together that belong to one time, in the axes of the nodes then: stresses hold each other.
     pub fn aliased(&self, equations: &Collocation) -> Vec<f64> {
-        let (system, grid) = (equations.system(), equations.grid());
-        let points = grid.points();
-        let mut resampling = Resampling::new(grid, -PART / points as f64, points);
+        let (system, points) = (equations.system(), equations.grid().points());
         let mut all = vec![0.0; equations.size()];
-        let mut values = vec![0.0; points];
         for (row, places) in places(system, points) {
-            resampling.read((0..points).map(|k| self.rows[k * self.count + row]));
-            resampling.write(0, 0, &mut values);
-            for (k, value) in values.iter().enumerate() {
+            for k in 0..points {
                 let scale = equations.row_scale()[places(k)];
-                all[places(k)] = value * scale / Self::SHOWN;
+                all[places(k)] = self.rows[k * self.count + row] * scale / Self::SHOWN;
             }
         }
         all

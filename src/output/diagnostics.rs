@@ -15,7 +15,7 @@ pub struct Diagnostics {
     /// violation of constraints between grid points and, if several grids were tried, the difference to the
     /// grid before.
     pub error_estimate: f64,
-    /// Residuals half-way between grid points.
+    /// Residuals between grid points.
     pub between: ResidualBetween,
     /// How the upper half of the harmonics falls.
     #[serde(default)]

@@ -21,8 +21,6 @@ pub struct Assessment {
     pub error: f64,
     /// What harmonics of loads and prescribed motions that the grid cannot hold have to do with it.
     pub unheld: Option<Unheld>,
-    /// debug
-    pub parts: [f64; 4],
 }
 
 /// Harmonics of the loads that are looked at one by one.
@@ -61,7 +59,6 @@ fn assess(
     };
     let assessment = Assessment {
         unheld: None,
-        parts: [decay.tail, 0.0, 0.0, between.constraint],
         decay,
         between,
         error,
@@ -108,12 +105,6 @@ impl Attempts<'_> {
                     found.unheld = self.name_unheld(low + high);
                 }
                 found.error = (aliased + left_out).max(found.between.constraint);
-                found.parts = [
-                    found.decay.tail,
-                    aliased,
-                    left_out,
-                    found.between.constraint,
-                ];
             }
             // Harmonics that do not fall, but which the loads have, and the grid resolves.
             let balanced = found.between.force.max(found.between.constraint) < BALANCED;

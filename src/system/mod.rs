@@ -825,6 +825,15 @@ fn constant(signal: &BoundSignal, standstill: &Standstill, place: &str) -> Resul
 
 /// Checks that a signal returns to itself, or gains whole multiples of `unit` (if not zero).
 fn require_periodic(signal: &BoundSignal, unit: f64) -> Result<()> {
+    let (first, again) = (signal.value(0.0)?, signal.value(0.0)?);
+    if first != again {
+        return Err(Error::new(
+            ErrorKind::NotPeriodic,
+            format!(
+                "the function gives different values at the same time: {first}, then {again} at t = 0"
+            ),
+        ));
+    }
     let growth = signal.growth()?;
     let rest = if unit > 0.0 {
         growth - unit * (growth / unit).round()
