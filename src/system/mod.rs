@@ -2,9 +2,11 @@
 
 mod check;
 mod constraints;
+mod partition;
 mod scales;
 mod summary;
 mod turning;
+mod warnings;
 
 pub use check::{TangentCheck, check_tangents};
 pub use constraints::{ConstraintLoop, Dependency, name_all, name_constraints};
