@@ -24,36 +24,6 @@ const PERIOD: f64 = 1.0;
 /// and conditioning takes a few digits of that (measured 2e-11, of the beams' forces).
 const TOLERANCE: f64 = 1e-9;
 
-struct Random(u64);
-
-impl Random {
-    fn below(&mut self, n: usize) -> usize {
-        let next = self.0.wrapping_mul(6364136223846793005);
-        self.0 = next.wrapping_add(1442695040888963407);
-        ((self.0 >> 33) as usize) % n
-    }
-
-    /// From -1 to 1.
-    fn number(&mut self) -> f64 {
-        self.below(2_000_001) as f64 / 1e6 - 1.0
-    }
-
-    fn between(&mut self, low: f64, high: f64) -> f64 {
-        low + 0.5 * (high - low) * (1.0 + self.number())
-    }
-
-    fn vector(&mut self) -> Vector3<f64> {
-        Vector3::from_fn(|_, _| self.number())
-    }
-
-    /// Symmetric, with eigenvalues from 1/2 to 3/2 times the products of `sizes`.
-    fn coupled(&mut self, sizes: &Vector6<f64>) -> Matrix6<f64> {
-        let half = Matrix6::from_fn(|_, _| self.number() / 24.0);
-        let coupling = Matrix6::identity() + half + half.transpose();
-        Matrix6::from_fn(|i, j| coupling[(i, j)] * (sizes[i] * sizes[j]).sqrt())
-    }
-}
-
 /// A body that others can be joined to: its first and last node, and where they are, in SI units and in
 /// the mechanism's own place.
 #[derive(Clone, Copy)]

@@ -126,6 +126,33 @@ pub fn shaken_rod(force: f64, elements: usize, degree: usize) -> (Model, f64) {
     (model, 0.3)
 }
 
+/// A steel strip of 1 m, all of whose strains are damped by `seconds` times the stiffness, and its period: the tip is
+/// pushed by 10 N and shaken by 20 N.
+pub fn damped_strip(seconds: f64, axial: f64, elements: usize, degree: usize) -> (Model, f64) {
+    let (root, tip) = (Vector3::zeros(), Vector3::x());
+    let shear = 0.32 * axial;
+    let stiffness = [axial, shear, shear, 35.0, 43.75, 43.75];
+    let mut steel = SectionInput::diagonal(&stiffness, &[0.785, 8e-6, 4e-6, 4e-6]).unwrap();
+    steel.damping = steel.stiffness * seconds;
+    let mut model = Model::new();
+    let strip = model
+        .add_straight_beam(&root, &tip, &Vector3::y(), &steel, elements, degree)
+        .unwrap();
+    let clamp = Motion::identity();
+    model
+        .add_joint(
+            JointKind::Rigid,
+            None,
+            Some(strip.first_node),
+            &clamp,
+            &clamp,
+        )
+        .unwrap();
+    let shake = Signal::harmonics(10.0, 0.0, &[20.0], &[0.0]).unwrap();
+    push(&mut model, strip.last_node, 2, shake);
+    (model, TAU / 20.0)
+}
+
 /// The blade on a turning hub of `c_examples/rotor_blade.c`, and its period.
 pub fn rotor_blade(elements: usize, degree: usize) -> (Model, f64) {
     let (root, tip) = (Vector3::new(0.0, 0.0, 0.5), Vector3::new(0.0, 0.0, 10.5));

@@ -298,6 +298,7 @@ impl Collocation {
                         Derivatives::Grid => self.operators.first(k, other),
                         Derivatives::Step(step) => step.state_weight(),
                         Derivatives::Given(given) => given.weight,
+                        Derivatives::Steady(_) => 0.0,
                     };
                     let first =
                         pattern.own_value(index, other, column, count) - first_value + count * k;

@@ -3,14 +3,14 @@
 use super::aliasing::Aliasing;
 use super::division::Division;
 use super::instants::Instants;
-use super::kinematics::{BackwardRule, NodeKinematics};
+use super::kinematics::{BackwardRule, NodeKinematics, VariationScratch};
 use super::oversampled::Oversampled;
 use super::state::GridState;
 use super::step::{AlphaStep, GivenRates};
 use crate::elements::{Measure, NodeState, Unknown};
 use crate::error::Result;
 use crate::fourier::{Differentiation, Resampling, TimeGrid};
-use crate::motion::{DualMatrix, Motion};
+use crate::motion::{DualMatrix, DualVector, Motion};
 use crate::system::{System, Workspace};
 use crate::workers::{Workers, parts};
 use nalgebra::Vector6;
@@ -64,6 +64,8 @@ pub(super) enum Derivatives {
     Step(AlphaStep),
     /// On a grid of one point: nothing, they are given.
     Given(GivenRates),
+    /// On a grid of one point: each node turns steadily, with this twist about the origin, resolved in space.
+    Steady(Vec<Vector6<f64>>),
 }
 
 impl Collocation {
@@ -229,6 +231,7 @@ impl Collocation {
         self.update_kinematics(state);
         let (points, stations) = (self.grid.points(), self.system.stations());
         let mut all = vec![Vector6::zeros(); points * stations];
+        let changes = self.increments_with_rates(increment);
         let mut instants: Vec<&mut [Vector6<f64>]> = all.chunks_exact_mut(stations).collect();
         let (system, states) = (&self.system, &self.instants.states);
         self.workers.try_for_each(
@@ -241,9 +244,7 @@ impl Collocation {
                     nodes.clear();
                     nodes.extend(places.clone().map(|at| states[at]));
                     increments.clear();
-                    let increment =
-                        |at: usize| Vector6::from_column_slice(&increment[6 * at..][..6]);
-                    increments.extend(places.map(increment));
+                    increments.extend(places.map(|at| changes[at]));
                     let out = &mut out[placed.stations.clone()];
                     placed
                         .element
@@ -254,6 +255,33 @@ impl Collocation {
         )?;
         self.instants.resultants = all;
         Ok(())
+    }
+
+    /// Increments of the nodes, and of their velocities, that an unscaled increment of all unknowns is; kinematics are
+    /// those of the last evaluation.
+    fn increments_with_rates(&mut self, increment: &[f64]) -> Vec<[Vector6<f64>; 2]> {
+        let points = self.grid.points();
+        let mut changes = vec![[Vector6::zeros(); 2]; points * self.system.nodes()];
+        let mut scratch = VariationScratch::default();
+        let of_nodes = increment.chunks_exact(6 * points);
+        for (node, (changes, increments)) in changes.chunks_mut(points).zip(of_nodes).enumerate() {
+            for (change, u) in changes.iter_mut().zip(increments.chunks_exact(6)) {
+                change[0] = Vector6::from_column_slice(u);
+            }
+            match &self.derivatives {
+                Derivatives::Grid => self.kinematics[node].variation(
+                    &mut self.operators,
+                    increments,
+                    &mut scratch,
+                    |l, velocity, _| changes[l][1] = *velocity,
+                ),
+                _ => {
+                    let by_increment = self.kinematic_tangent(node, 0, 0).0;
+                    changes[0][1] = by_increment.to_twist_matrix() * changes[0][0];
+                }
+            }
+        }
+        changes
     }
 
     /// Stress resultants of all stations at `state`, at the points of another grid of the same period; none where tangents
@@ -346,6 +374,13 @@ impl Collocation {
     pub fn set_given_rates(&mut self, given: GivenRates) {
         debug_assert_eq!(self.grid.points(), 1);
         self.derivatives = Derivatives::Given(given);
+    }
+
+    /// Makes everything on a grid of one point turn steadily: `V = Ad(M⁻¹) W` with the twist `W` of each node about the
+    /// origin, resolved in space, and `V̇ = 0`. Internal states are at rest.
+    pub fn set_steady(&mut self, twists: Vec<Vector6<f64>>) {
+        debug_assert_eq!(self.grid.points(), 1);
+        self.derivatives = Derivatives::Steady(twists);
     }
 
     /// Sets the values of all signals on a grid of one point.
@@ -447,6 +482,11 @@ impl Collocation {
                 identity.primal.fill_with_identity();
                 (DualMatrix::zeros(), identity * given.weight)
             }
+            // Δ(Ad(M⁻¹) W) = Ṽ Δu.
+            Derivatives::Steady(_) => {
+                let twist = &self.instants.states[node].twist;
+                (DualVector::from_twist(twist).skew(), DualMatrix::zeros())
+            }
         }
     }
 
@@ -496,6 +536,15 @@ impl Collocation {
                     };
                 }
             }
+            Derivatives::Steady(twists) => {
+                for (node, (_, states)) in nodes.iter_mut().enumerate() {
+                    let motion = state.node(node)[0];
+                    states[0] = NodeState {
+                        twist: motion.inverse().adjoint() * twists[node],
+                        ..NodeState::at_rest(motion)
+                    };
+                }
+            }
         }
     }
 
@@ -528,6 +577,7 @@ impl Collocation {
                     Derivatives::Given(given) => {
                         rates[0] = given.rates[placed.first_multiplier + row];
                     }
+                    Derivatives::Steady(_) => rates[0] = 0.0,
                 }
                 for (k, rate) in rates.iter().enumerate() {
                     self.instants.rates[state.first_multiplier(placed, k) + row] = *rate;

@@ -278,6 +278,15 @@ impl Station {
         (e.to_twist() - self.reference) / self.stretch
     }
 
+    /// Rate of the "velocity in ξ": `ė = Σ B_a V_a`.
+    fn rate(&self, terms: &[NodeTerms], twist: impl Fn(usize) -> DualVector) -> DualVector {
+        let mut rate = DualVector::zeros();
+        for (a, node) in terms.iter().enumerate() {
+            rate += node.strain * twist(a);
+        }
+        rate
+    }
+
     /// Of the resultants, integrated.
     fn stress_law(&self) -> StressLaw {
         let factor = self.weight / self.stretch;
@@ -501,21 +510,28 @@ impl Element for Beam {
     fn extrapolate_resultants(
         &self,
         nodes: &[NodeState],
-        increments: &[Vector6<f64>],
+        increments: &[[Vector6<f64>; 2]],
         out: &mut [Vector6<f64>],
     ) -> Result<()> {
+        let mut terms = Vec::new();
         for (station, resultants) in self.stations.iter().zip(out) {
             let relative = |a: usize| nodes[0].motion.relative(&nodes[a].motion);
+            let twist = |a: usize| DualVector::from_twist(&nodes[a].twist);
             let at = station.motion(relative)?;
+            terms.clear();
+            terms.extend(station.node_terms(&at, relative));
             let (mut e, mut rate) = (at.e, DualVector::zeros());
-            for ((node, increment), state) in
-                station.node_terms(&at, relative).zip(increments).zip(nodes)
-            {
-                e += node.strain * DualVector::from_twist(increment);
-                rate += node.strain * DualVector::from_twist(&state.twist);
+            for (a, (node, [motion, velocity])) in terms.iter().zip(increments).enumerate() {
+                e += node.strain * DualVector::from_twist(motion);
+                rate += node.strain * (twist(a) + DualVector::from_twist(velocity));
             }
             *resultants = station.section.stiffness * station.strain(&e);
             if self.damped {
+                let present = station.rate(&terms, twist);
+                rate_variations(&at, &present, twist, &mut terms);
+                for (node, [motion, _]) in terms.iter().zip(increments) {
+                    rate += node.rate * DualVector::from_twist(motion);
+                }
                 *resultants += station.section.damping * (rate.to_twist() / station.stretch);
             }
         }
@@ -537,9 +553,7 @@ impl Element for Beam {
             let mut stress = section.stiffness * station.strain(&at.e);
             let mut rate = DualVector::zeros();
             if self.damped {
-                for (a, node) in terms.iter().enumerate() {
-                    rate += node.strain * twist(a);
-                }
+                rate = station.rate(&terms, twist);
                 stress += section.damping * (rate.to_twist() / station.stretch);
             }
             let stress = DualVector::from_wrench(&stress) * station.weight;

@@ -270,15 +270,15 @@ pub trait Element: Send + Sync + std::fmt::Debug {
         Vec::new()
     }
 
-    /// Writes the stress resultants at each station that has a [`StressLaw`] for strains that change in proportion to
-    /// increments of the nodes, which are at `nodes`.
+    /// Writes the stress resultants at each station that has a [`StressLaw`] for strains and strain rates that change in
+    /// proportion to increments of the nodes, which are at `nodes`, and of their velocities.
     ///
     /// # Errors
     /// As [`Element::evaluate`].
     fn extrapolate_resultants(
         &self,
         _nodes: &[NodeState],
-        _increments: &[Vector6<f64>],
+        _increments: &[[Vector6<f64>; 2]],
         _out: &mut [Vector6<f64>],
     ) -> Result<()> {
         Ok(())

@@ -473,11 +473,10 @@ fn tangents_are_the_derivatives_of_forces() {
 #[test]
 fn extrapolated_resultants_are_tangent_to_those_of_the_strains() {
     for case in cases() {
-        let mut still = case.states.clone();
-        still.iter_mut().for_each(|s| s.twist = Vector6::zeros());
-        let zero = vec![Vector6::zeros(); still.len()];
+        let still = case.states.clone();
+        let zero = vec![[Vector6::zeros(); 2]; still.len()];
         let stations = case.element.stress_laws().len();
-        let resultants = |states: &[NodeState], increments: &[Vector6<f64>]| {
+        let resultants = |states: &[NodeState], increments: &[[Vector6<f64>; 2]]| {
             let mut out = vec![Vector6::zeros(); stations];
             let element = &case.element;
             element
@@ -486,14 +485,13 @@ fn extrapolated_resultants_are_tangent_to_those_of_the_strains() {
             out
         };
         let mut random = Random(5);
-        let increments: Vec<Vector6<f64>> = zero
-            .iter()
-            .map(|_| random.motion().logarithm() * 0.1)
-            .collect();
+        let mut increment = || random.motion().logarithm() * 0.1;
+        let increments: Vec<_> = zero.iter().map(|_| [increment(), increment()]).collect();
         let at = |step: f64| {
             let mut moved = still.clone();
-            for (state, u) in moved.iter_mut().zip(&increments) {
+            for (state, [u, velocity]) in moved.iter_mut().zip(&increments) {
                 state.motion = state.motion.increment(&(u * step));
+                state.twist += velocity * step;
             }
             resultants(&moved, &zero)
         };

@@ -16,7 +16,9 @@ use crate::elements::{NodeState, with_zero_for_absent};
 use crate::error::{Error, ErrorKind, Result, require_finite};
 use crate::fourier::{SpectralFilter, TimeGrid};
 use crate::model::Model;
-use crate::solve::{GridTried, IterativeRecord, MarchRecord, NewtonReport, PeriodicSolve, Timings};
+use crate::solve::{
+    Attempt, GridTried, IterativeRecord, MarchRecord, NewtonReport, PeriodicSolve, Timings,
+};
 use crate::system::{Standstill, System, Transient};
 use serde::{Deserialize, Serialize};
 use std::borrow::Cow;
@@ -61,6 +63,8 @@ struct Content<'a> {
     march: Option<Cow<'a, MarchRecord>>,
     #[serde(default)]
     transient: Option<Transient>,
+    #[serde(default)]
+    attempts: Cow<'a, [Attempt]>,
 }
 
 impl Solution {
@@ -87,6 +91,7 @@ impl Solution {
             forces: Cow::Borrowed(&self.forces),
             grids: Cow::Borrowed(&self.solve.grids),
             coarse_start: self.solve.coarse_start,
+            attempts: Cow::Borrowed(&self.solve.attempts),
             filter: self.filter,
             iterative: self.solve.iterative.as_ref().map(Cow::Borrowed),
             march: self.solve.march.as_ref().map(Cow::Borrowed),
@@ -269,6 +274,7 @@ impl Content<'_> {
                 timings: self.timings,
                 grids: self.grids.into_owned(),
                 coarse_start: self.coarse_start,
+                attempts: self.attempts.into_owned(),
                 iterative: self.iterative.map(Cow::into_owned),
                 threads: 1,
                 march,

@@ -139,6 +139,7 @@ impl Modes {
             timings: Timings::default(),
             grids: Vec::new(),
             coarse_start: None,
+            attempts: Vec::new(),
             iterative: None,
             threads: 1,
             march: None,

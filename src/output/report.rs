@@ -2,7 +2,7 @@
 
 use super::solution::Solution;
 use crate::collocation::DecayKind;
-use crate::solve::{Outcome, describe_dependencies};
+use crate::solve::{Attempt, Outcome, Start, describe_dependencies};
 use std::fmt::Write;
 
 impl Outcome {
@@ -122,6 +122,12 @@ impl Solution {
                     "  {:11} {:11} {:16.1e}",
                     grid.points, grid.iterations, grid.error_estimate
                 ));
+            }
+        }
+        let is_plain = |attempt: &Attempt| attempt.start == Start::QuasiStatic;
+        if solve.attempts.len() > 1 || !solve.attempts.iter().all(is_plain) {
+            for attempt in &solve.attempts {
+                line(format_args!("  start: {attempt}"));
             }
         }
         if let Some(coarse) = &solve.coarse_start {

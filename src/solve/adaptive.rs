@@ -2,7 +2,7 @@
 
 use super::estimate::{Assessment, assess};
 use super::newton::{NewtonReport, Outcome};
-use super::periodic::Attempts;
+use super::periodic::{Attempts, is_final};
 use crate::collocation::{DecayKind, GridState};
 use crate::error::{Error, Result};
 use crate::fourier::{Resampling, TimeGrid};
@@ -268,13 +268,11 @@ impl Attempts<'_> {
 
     /// A solution on the first grid; where it is too coarse for that, on that of the initial guess.
     fn on_first_grid(&mut self) -> Result<(GridState, NewtonReport)> {
-        let (state, report) = self.find()?;
-        if self.grid == self.guess_grid
-            || !matches!(
-                report.outcome,
-                Outcome::Stalled | Outcome::IterationLimit | Outcome::WrongAssembly
-            )
-        {
+        if self.grid == self.guess_grid {
+            return self.find();
+        }
+        let (state, report) = self.find_at_once()?;
+        if is_final(report.outcome) {
             return Ok((state, report));
         }
         self.move_to(self.guess_grid)?;

@@ -5,12 +5,14 @@ use super::newton::{Iteration, Newton, NewtonOptions, Outcome};
 use crate::collocation::{Collocation, GivenRates, GridState};
 use crate::error::{ErrorKind, Result};
 use crate::fourier::TimeGrid;
-use crate::system::System;
+use crate::system::{Driven, System};
 use crate::workers::Workers;
 use std::sync::Arc;
 
 /// Largest increment of a quasi-static solve: its square is the error left.
 const TOLERANCE: f64 = 1e-3;
+/// What that error stretches slender beams by is to be no more geometric stiffness than this part of their bending stiffness.
+const SPURIOUS: f64 = 0.5;
 /// A step that needs more iterations than this is halved.
 const ITERATION_LIMIT: usize = 12;
 /// A step that needs fewer is doubled.
@@ -48,6 +50,9 @@ pub(super) struct Tracker<'a> {
     branch: Branch,
     /// State before the present one, and time since.
     before: Option<(GridState, f64)>,
+    tolerance: f64,
+    /// What turns steadily.
+    driven: Option<Driven>,
 }
 
 impl<'a> Tracker<'a> {
@@ -68,7 +73,38 @@ impl<'a> Tracker<'a> {
             reached: 0.0,
             branch: Branch::default(),
             before: None,
+            tolerance: TOLERANCE.min((SPURIOUS / system.slenderness()).sqrt()),
+            driven: None,
         })
+    }
+
+    /// Sets time and load factor, which steady rotation follows.
+    fn set_conditions(&mut self, time: f64, load_factor: f64) -> Result<()> {
+        let equations = &mut self.newton.equations;
+        equations.set_conditions(time, load_factor)?;
+        if let Some(driven) = &self.driven {
+            let nodes = 0..equations.system().nodes();
+            equations.set_steady(nodes.map(|n| driven.twist(n) * load_factor).collect());
+        }
+        Ok(())
+    }
+
+    /// Where the present state is expected after this time, and by this change of the load factor.
+    fn expected(&self, system: &System, passed: f64) -> GridState {
+        match (&self.before, &self.driven) {
+            (Some((before, since)), _) if passed > 0.0 => {
+                self.state.extrapolated(system, before, passed / since)
+            }
+            (None, Some(driven)) if passed > 0.0 => {
+                let mut state = self.state.clone();
+                for (node, motion) in state.motions.iter_mut().enumerate() {
+                    *motion = driven.moved(node, motion, passed);
+                }
+                state.track(system);
+                state
+            }
+            _ => self.state.clone(),
+        }
     }
 
     /// Goes from parameter 0 to 1 in adaptive steps of at most `largest_step`, with conditions
@@ -127,15 +163,10 @@ impl<'a> Tracker<'a> {
             };
             let passed = span * (next - reached);
             let (time, load_factor) = conditions(next);
-            self.newton.equations.set_conditions(time, load_factor)?;
-            let mut trial = match &self.before {
-                Some((before, since)) if passed > 0.0 => {
-                    self.state.extrapolated(&system, before, passed / since)
-                }
-                _ => self.state.clone(),
-            };
+            self.set_conditions(time, load_factor)?;
+            let mut trial = self.expected(&system, passed);
             let options = NewtonOptions {
-                tolerance: TOLERANCE,
+                tolerance: self.tolerance,
                 iteration_limit: ITERATION_LIMIT,
             };
             let report = self
@@ -186,15 +217,17 @@ impl<'a> Tracker<'a> {
     }
 }
 
-/// Quasi-static states at all points of `grid`.
+/// Quasi-static states at all points of `grid`: of what is at rest or, if `driven` is given, turns steadily.
 pub(super) fn quasi_static(
     system: &Arc<System>,
     grid: TimeGrid,
+    driven: Option<&Driven>,
     workers: &Workers,
     observe: &mut dyn FnMut(&Iteration) -> bool,
 ) -> Result<Guess> {
     let instant = TimeGrid::new(1, grid.period())?;
     let mut tracker = Tracker::new(system, instant, workers, observe)?;
+    tracker.driven = driven.cloned();
     let mut state = GridState::reference(system, grid);
 
     // From the unloaded reference configuration to time zero, then from grid point to grid point.
@@ -225,10 +258,11 @@ pub(super) fn quasi_static(
 }
 
 /// Largest increment of a motion, in scaled unknowns, that the inertial forces of the quasi-static motion `state` would cause at
-/// rest, at the times looked at.
+/// rest, or on what turns steadily, at the times looked at.
 pub(super) fn inertial_displacement(
     system: &Arc<System>,
     grid: TimeGrid,
+    driven: Option<&Driven>,
     state: &GridState,
     workers: &Workers,
 ) -> Result<f64> {
@@ -242,6 +276,10 @@ pub(super) fn inertial_displacement(
     for part in LOOKED_AT {
         let k = (part * count as f64) as usize;
         newton.equations.set_conditions(grid.time(k), 1.0)?;
+        if let Some(driven) = driven {
+            let twists = (0..system.nodes()).map(|node| driven.twist(node));
+            newton.equations.set_steady(twists.collect());
+        }
         at.copy_point(system, 0, state, k);
         let (next, last) = ((k + 1) % count, (k + count - 1) % count);
         let differences = |node: usize| {
@@ -303,9 +341,9 @@ mod tests {
         let system = Arc::new(System::new(&model, period).unwrap());
         let grid = TimeGrid::new(15, period).unwrap();
         let workers = Workers::default();
-        let guess = quasi_static(&system, grid, &workers, &mut |_| true).unwrap();
+        let guess = quasi_static(&system, grid, None, &workers, &mut |_| true).unwrap();
         assert_eq!(guess.outcome, Outcome::Converged);
-        let found = inertial_displacement(&system, grid, &guess.state, &workers).unwrap();
+        let found = inertial_displacement(&system, grid, None, &guess.state, &workers).unwrap();
         // Second differences of a cosine over a grid interval; the damper has no share in it where the motion turns.
         let interval = period / 15.0;
         let acceleration =

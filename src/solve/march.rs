@@ -1,5 +1,5 @@
 //! Strongly dissipative marching by backward differences (Houbolt's rule, spectral radius zero at
-//! infinity), from rest until the motion nearly repeats. It serves as an initial guess only.
+//! infinity). It serves as an initial guess only.
 
 use super::newton::{Iteration, Newton, NewtonOptions, Outcome};
 use crate::collocation::{BackwardRule, Collocation, GridState};
@@ -13,8 +13,8 @@ use std::sync::Arc;
 const LEAST_STEPS: usize = 96;
 /// Times that the number of steps is doubled before giving up.
 const REFINEMENTS: usize = 3;
-/// Most periods.
-const MOST_PERIODS: usize = 24;
+/// Motions before the present one that the rule takes.
+const PAST: usize = 3;
 /// Two periods alike to this (relative to the characteristic length, or in radians) end the march.
 const REPEATED: f64 = 1e-3;
 
@@ -32,56 +32,116 @@ fn houbolt(h: f64) -> BackwardRule {
     }
 }
 
-/// How a march ended: states over the last period, or why there are none.
+/// States over the last period, or why there are none.
 pub(super) type March = std::result::Result<GridState, (Outcome, String)>;
 
-/// Marches from rest in the reference configuration and returns the states at the grid points of the
-/// last period.
-pub(super) fn march_to_periodic(
-    system: &Arc<System>,
+/// A march on its way, in steps that are finer than the grid's where they must be.
+pub(super) struct DissipativeMarch {
+    system: Arc<System>,
     grid: TimeGrid,
-    observe: &mut dyn FnMut(&Iteration) -> bool,
-) -> Result<March> {
-    let mut parts = LEAST_STEPS.div_ceil(grid.points());
-    let mut last = march(system, grid, parts, observe)?;
-    for _ in 0..REFINEMENTS {
-        match &last {
-            Err((Outcome::Stalled | Outcome::IterationLimit | Outcome::WrongAssembly, _)) => {
-                parts *= 2
-            }
-            _ => break,
-        }
-        last = march(system, grid, parts, observe)?;
-    }
-    Ok(last)
+    /// Where it starts: states over a period that lead to the first point, or everything at rest.
+    start: Option<GridState>,
+    newton: Newton,
+    /// Steps of a grid interval.
+    parts: usize,
+    refinements: usize,
+    past: VecDeque<GridState>,
+    /// The last period.
+    before: Option<GridState>,
+    /// Change of the last period from the one before.
+    change: f64,
 }
 
-/// One march, with `parts` steps to a grid interval.
-fn march(
-    system: &Arc<System>,
-    grid: TimeGrid,
-    parts: usize,
-    observe: &mut dyn FnMut(&Iteration) -> bool,
-) -> Result<March> {
-    let instant = TimeGrid::new(1, grid.period())?;
-    let mut newton = Newton::new(Collocation::new(system.clone(), instant)?);
-    let rest = GridState::reference(system, instant);
-    let mut past: VecDeque<GridState> = std::iter::repeat_n(rest, 3).collect();
-    let step = grid.period() / (grid.points() * parts) as f64;
-    let rule = houbolt(step);
-    let mut before: Option<GridState> = None;
-    for _ in 0..MOST_PERIODS {
-        let mut state = GridState::reference(system, grid);
+impl DissipativeMarch {
+    /// From the first point of `start`, with the velocity that leads there, or from rest in the reference configuration.
+    pub fn new(system: &Arc<System>, grid: TimeGrid, start: Option<&GridState>) -> Result<Self> {
+        let instant = TimeGrid::new(1, grid.period())?;
+        let mut march = DissipativeMarch {
+            system: system.clone(),
+            grid,
+            start: start.cloned(),
+            newton: Newton::new(Collocation::new(system.clone(), instant)?),
+            parts: LEAST_STEPS.div_ceil(grid.points()),
+            refinements: 0,
+            past: VecDeque::new(),
+            before: None,
+            change: f64::INFINITY,
+        };
+        march.begin();
+        Ok(march)
+    }
+
+    /// States before the first step, latest first.
+    fn begin(&mut self) {
+        let system = &self.system;
+        let now = GridState::at_points(system, 1);
+        let states = (1..=PAST).map(|steps| {
+            let mut past = now.clone();
+            if let Some(start) = &self.start {
+                past.copy_point(system, 0, start, 0);
+                let part = -(steps as f64) / self.parts as f64;
+                for (node, motion) in past.motions.iter_mut().enumerate() {
+                    let over = start.node(node);
+                    let step = over[over.len() - 1].relative(&over[0]).logarithm();
+                    *motion = motion.increment(&(step * part)).renormalised();
+                }
+                past.track(system);
+            }
+            past
+        });
+        self.past = states.collect();
+        self.before = None;
+    }
+
+    /// Whether the last two periods are alike.
+    pub fn repeats(&self) -> bool {
+        self.change < REPEATED
+    }
+
+    /// Marches so many periods, or until they repeat.
+    pub fn go_on(
+        &mut self,
+        periods: usize,
+        observe: &mut dyn FnMut(&Iteration) -> bool,
+    ) -> Result<March> {
+        let mut left = periods;
+        while left > 0 && !self.repeats() {
+            match self.period(observe)? {
+                Ok(state) => {
+                    if let Some(before) = &self.before {
+                        self.change = before.distance(&state, self.system.scales().length);
+                    }
+                    self.before = Some(state);
+                    left -= 1;
+                }
+                Err((Outcome::Stalled | Outcome::IterationLimit | Outcome::WrongAssembly, _))
+                    if self.refinements < REFINEMENTS =>
+                {
+                    self.refinements += 1;
+                    self.parts *= 2;
+                    self.begin();
+                    left = periods;
+                }
+                Err(failure) => return Ok(Err(failure)),
+            }
+        }
+        let none = (Outcome::Stalled, String::new());
+        Ok(self.before.clone().ok_or(none))
+    }
+
+    /// Marches one period.
+    fn period(&mut self, observe: &mut dyn FnMut(&Iteration) -> bool) -> Result<March> {
+        let (grid, parts) = (self.grid, self.parts);
+        let step = grid.period() / (grid.points() * parts) as f64;
+        let rule = houbolt(step);
+        let mut state = GridState::reference(&self.system, grid);
         for k in 0..grid.points() {
             for part in 0..parts {
-                newton
-                    .equations
-                    .set_conditions(grid.time(k) + step * part as f64, 1.0)?;
-                newton
-                    .equations
-                    .set_past(rule, past.iter().cloned().collect());
-                let mut next = past[0].clone();
-                let report = match newton.solve(&mut next, &NEWTON, observe) {
+                let equations = &mut self.newton.equations;
+                equations.set_conditions(grid.time(k) + step * part as f64, 1.0)?;
+                equations.set_past(rule, self.past.iter().cloned().collect());
+                let mut next = self.past[0].extrapolated(&self.system, &self.past[1], 1.0);
+                let report = match self.newton.solve(&mut next, &NEWTON, observe) {
                     Ok(report) => report,
                     Err(error) if error.kind() == ErrorKind::Callback => return Err(error),
                     Err(error) => return Ok(Err((Outcome::Stalled, error.to_string()))),
@@ -89,19 +149,13 @@ fn march(
                 if report.outcome != Outcome::Converged {
                     return Ok(Err((report.outcome, report.explanation)));
                 }
-                past.pop_back();
-                past.push_front(next);
+                self.past.pop_back();
+                self.past.push_front(next);
                 if part == 0 {
-                    state.copy_point(system, k, &past[0], 0);
+                    state.copy_point(&self.system, k, &self.past[0], 0);
                 }
             }
         }
-        let repeats = before.is_some_and(|b| b.distance(&state, system.scales().length) < REPEATED);
-        if repeats {
-            return Ok(Ok(state));
-        }
-        before = Some(state);
+        Ok(Ok(state))
     }
-    // Not periodic yet, as for light damping: still the best that there is.
-    Ok(before.ok_or((Outcome::Stalled, String::new())))
 }

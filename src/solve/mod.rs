@@ -26,6 +26,7 @@ mod pencil;
 mod periodic;
 mod settle;
 mod shooting;
+mod starts;
 mod statics;
 #[cfg(test)]
 pub(crate) mod test_models;
@@ -44,5 +45,6 @@ pub use periodic::{
     GridPoints, InitialGuess, PeriodicOptions, PeriodicSolve, Stage, solve_periodic,
 };
 pub use shooting::{ShootingOptions, solve_shooting};
+pub use starts::{Attempt, Start};
 pub use statics::{StaticOptions, solve_static};
 pub use trajectory::{MarchEnd, MarchOptions, MarchRecord, MarchStart, StartState, march};

@@ -115,6 +115,8 @@ pub struct NewtonReport {
 
 /// Shortest step of the line search.
 const SHORTEST_STEP: f64 = 1.0 / 256.0;
+/// A step shorter than this is far from a solution.
+const SHORT_STEP: f64 = 0.1;
 /// Largest turn of a node in one step; beyond it the linearisation means little.
 const LARGEST_TURN: f64 = 1.0;
 /// Largest contraction, from one increment to the next with extrapolated stress resultants, that is progress.
@@ -174,6 +176,10 @@ pub(super) struct Newton<L = Assembled> {
     pub linear: L,
     /// What the second increment with the same Jacobian was relative to the first, if it is known.
     contraction: Option<f64>,
+    /// Short steps after which it is given up, if there are other ways.
+    pub patience: Option<usize>,
+    /// Iterations since this object was made.
+    pub iterations: usize,
     /// Time spent since this object was made.
     pub timings: Timings,
 }
@@ -194,6 +200,8 @@ impl Newton {
         Newton {
             linear,
             contraction: None,
+            patience: None,
+            iterations: 0,
             equations,
             timings,
         }
@@ -238,6 +246,8 @@ impl<L: LinearSolver> Newton<L> {
         Newton {
             linear,
             contraction: None,
+            patience: None,
+            iterations: 0,
             equations,
             timings: Timings::default(),
         }
@@ -306,6 +316,7 @@ impl<L: LinearSolver> Newton<L> {
         let report = self.iterate(state, options, with_multipliers, observe);
         self.equations.clear_resultants();
         let mut report = report?;
+        self.iterations += report.iterations.len();
         // Some are singular where they are turned over.
         if matches!(report.outcome, Outcome::Converged | Outcome::Singular)
             && let Some(why) = describe_turned_over(self.equations.system(), state)
@@ -358,6 +369,7 @@ impl<L: LinearSolver> Newton<L> {
             self.equations.residual(state, &mut residual)
         })?;
         let mut accuracy = COARSE;
+        let mut short_steps = 0;
         let mut may_leap = self.equations.system().stations() > 0;
         // What stress resultants are given are trusted as after a leap.
         let mut leap = self.equations.has_resultants().then(|| Leap {
@@ -535,6 +547,12 @@ impl<L: LinearSolver> Newton<L> {
             }
             if !keep_going {
                 report.outcome = Outcome::Cancelled;
+                return Ok(report);
+            }
+            short_steps += usize::from(step < SHORT_STEP);
+            if self.patience.is_some_and(|most| short_steps >= most) {
+                report.outcome = Outcome::Stalled;
+                report.explanation = format!("{short_steps} short steps led nowhere near");
                 return Ok(report);
             }
             if step < 1.0 || leaping {

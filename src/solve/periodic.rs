@@ -2,18 +2,18 @@
 
 use super::adaptive::{Adaptation, GridTried};
 use super::estimate::assess;
-use super::guess::{Guess, inertial_displacement, quasi_static};
+use super::guess::Guess;
 use super::iterative::{IterativeRecord, Projected};
-use super::march::march_to_periodic;
 use super::method::{Linear, LinearMethod};
 use super::newton::{Iteration, Newton, NewtonOptions, NewtonReport, Outcome, Timings};
+use super::starts::{Attempt, Start};
 use super::trajectory::MarchRecord;
 use crate::collocation::{Collocation, GridState};
 use crate::elements::NodeState;
 use crate::error::{Error, ErrorKind, Result};
 use crate::fourier::TimeGrid;
 use crate::model::Model;
-use crate::system::System;
+use crate::system::{Driven, System};
 use crate::workers::Workers;
 use std::sync::Arc;
 use std::time::{Duration, Instant};
@@ -38,6 +38,8 @@ pub enum InitialGuess {
     /// Found by the library.
     #[default]
     Default,
+    /// Found in this way alone.
+    By(Start),
     /// These states at the points of the grid; of the first, if grids are adapted.
     State(GridState),
 }
@@ -149,6 +151,8 @@ pub struct PeriodicSolve {
     pub grids: Vec<GridTried>,
     /// The coarser grid whose solution Newton's method began at, if the library chose to.
     pub coarse_start: Option<GridTried>,
+    /// Where the library began, in the order in which it tried; empty where a start was given.
+    pub attempts: Vec<Attempt>,
     /// What iterative solution of linear equations took on the last grid, where it was used.
     pub iterative: Option<IterativeRecord>,
     /// Threads that shared the work, 0 for as many as there are processors.
@@ -181,23 +185,28 @@ const FAR: f64 = 0.01;
 const LEAST_COARSE: usize = 7;
 /// Most iterations on it: more would take longer than those it is to spare.
 const MOST_COARSE: usize = 8;
-/// Smallest step of the continuation in the inertia factor.
-const SMALLEST_INERTIA_STEP: f64 = 1.0 / 64.0;
 
 /// One solve on its way through the attempts.
 pub(super) struct Attempts<'a> {
     pub(super) system: Arc<System>,
     pub(super) grid: TimeGrid,
-    options: NewtonOptions,
+    pub(super) options: NewtonOptions,
     linear: LinearMethod,
     pub(super) workers: Workers,
     oversampling: usize,
-    newton: Newton<Projected<Linear>>,
+    pub(super) newton: Newton<Projected<Linear>>,
     observe: &'a mut dyn FnMut(Stage, &Iteration) -> bool,
     /// Where the quasi-static start is found, and the start once it is.
     pub(super) guess_grid: TimeGrid,
-    quasi_static: Option<Guess>,
-    guess_iterations: usize,
+    /// The quasi-static motions that were found, or not.
+    pub(super) guesses: Vec<(Start, Guess)>,
+    /// What turns with drives.
+    pub(super) driven: Option<Driven>,
+    /// What was tried.
+    pub(super) tried: Vec<Attempt>,
+    /// Where to start, if the user says so.
+    pub(super) chosen: Option<Start>,
+    pub(super) guess_iterations: usize,
     guess_time: Duration,
     /// Time spent on grids before the present one.
     timings: Timings,
@@ -209,9 +218,9 @@ pub(super) struct Attempts<'a> {
 ///
 /// On an adaptive grid, each solution starts from that on the grid before; the last is given.
 ///
-/// Without a given start, Newton begins at the quasi-static motion or, on a large grid or where inertial forces would displace
-/// that much, at a solution on a smaller grid if that resolves the motion. Where the quasi-static motion does not lead to a
-/// solution, it continues from there in a factor of the inertial forces, and then begins at the end of a march in time.
+/// Without a given start, Newton begins at the quasi-static motion, in steady rotation of what hangs on drives, or, on a large
+/// grid or where inertial forces would displace that much, at a solution on a smaller grid if that resolves the motion.
+/// Where that does not lead to a solution, other starts are tried, see [`Start`].
 ///
 /// `observe` sees each iteration and returns `false` to cancel.
 ///
@@ -242,13 +251,12 @@ pub fn solve_periodic(
     let points = match (&options.guess, &options.grid_points) {
         (_, GridPoints::Fixed(points)) => *points,
         (InitialGuess::State(state), _) => state.points(),
-        (InitialGuess::Default, GridPoints::Adaptive(adaptation)) => {
-            adaptation.first(&system, period)?
-        }
+        (_, GridPoints::Adaptive(adaptation)) => adaptation.first(&system, period)?,
     };
     let wanted = TimeGrid::new(points, period)?;
     let guess_points = match (&options.guess, &options.grid_points) {
-        (InitialGuess::Default, GridPoints::Fixed(_)) => {
+        (InitialGuess::State(_), GridPoints::Fixed(_)) => points,
+        (_, GridPoints::Fixed(_)) => {
             let coarse = Adaptation::default();
             let coarse = coarse.guess(coarse.first(&system, period)?);
             if points > COARSER * coarse {
@@ -257,7 +265,6 @@ pub fn solve_periodic(
                 points
             }
         }
-        (_, GridPoints::Fixed(_)) => points,
         (_, GridPoints::Adaptive(adaptation)) => adaptation.guess(points),
     };
     let guess_grid = TimeGrid::new(guess_points, period)?;
@@ -283,7 +290,13 @@ pub fn solve_periodic(
         options: options.newton,
         observe,
         guess_grid,
-        quasi_static: None,
+        guesses: Vec::new(),
+        driven: system.driven()?,
+        tried: Vec::new(),
+        chosen: match options.guess {
+            InitialGuess::By(start) => Some(start),
+            _ => None,
+        },
         guess_iterations: 0,
         guess_time: Duration::ZERO,
         timings: Timings::default(),
@@ -292,7 +305,7 @@ pub fn solve_periodic(
     };
     let given = match &options.guess {
         InitialGuess::State(state) => Some(state.clone()),
-        InitialGuess::Default => None,
+        InitialGuess::Default | InitialGuess::By(_) => None,
     };
     let (mut state, report) = match (&options.grid_points, given) {
         (GridPoints::Adaptive(adaptation), given) => attempts.refine(adaptation, given)?,
@@ -316,6 +329,7 @@ pub fn solve_periodic(
         iterative: attempts.newton.linear.sampled().record().cloned(),
         grids: attempts.grids,
         coarse_start: attempts.coarse_start,
+        attempts: attempts.tried,
         threads: options.threads,
         march: None,
     })
@@ -342,10 +356,10 @@ fn newton(
 }
 
 /// Sees each iteration and returns `false` to cancel.
-type Observer<'a> = dyn FnMut(&Iteration) -> bool + 'a;
+pub(super) type Observer<'a> = dyn FnMut(&Iteration) -> bool + 'a;
 
 /// Whether an outcome leaves no reason to try something else.
-fn is_final(outcome: Outcome) -> bool {
+pub(super) fn is_final(outcome: Outcome) -> bool {
     matches!(
         outcome,
         Outcome::Converged | Outcome::Cancelled | Outcome::Inconsistent
@@ -381,7 +395,7 @@ impl Attempts<'_> {
     }
 
     /// Looks for a start by `find`, and keeps count of its cost.
-    fn guess<G>(
+    pub(super) fn guess<G>(
         &mut self,
         find: impl FnOnce(&Arc<System>, TimeGrid, &mut Observer) -> Result<G>,
     ) -> Result<G> {
@@ -405,39 +419,12 @@ impl Attempts<'_> {
     }
 
     /// Forgets what has been found about the equations, which the present grid may not share.
-    fn begin_again(&mut self) -> Result<()> {
+    pub(super) fn begin_again(&mut self) -> Result<()> {
         let (method, oversampling) = (self.linear, self.oversampling);
         let next = newton(&self.system, self.grid, method, oversampling, &self.workers)?;
         let last = std::mem::replace(&mut self.newton, next);
         self.timings = self.timings + last.timings;
         Ok(())
-    }
-
-    /// The quasi-static motion at the points of its grid, found at the first call.
-    fn quasi_static(&mut self) -> Result<&Guess> {
-        let at = self.guess_grid;
-        let guess = match self.quasi_static.take() {
-            Some(guess) => guess,
-            None => {
-                let workers = self.workers.clone();
-                self.guess(|system, _, observe| quasi_static(system, at, &workers, observe))?
-            }
-        };
-        Ok(self.quasi_static.insert(guess))
-    }
-
-    /// The quasi-static motion at the points of the present grid, if there is one.
-    pub(super) fn start(&mut self) -> Result<Option<GridState>> {
-        let (grid, from) = (self.grid, self.guess_grid);
-        let guess = self.quasi_static()?;
-        if guess.outcome != Outcome::Converged {
-            return Ok(None);
-        }
-        if grid == from {
-            return Ok(Some(guess.state.clone()));
-        }
-        let state = guess.state.clone();
-        self.carried(&state, from)
     }
 
     /// Goes on with another grid, from a solution on the present one; none if that is too coarse to tell.
@@ -460,7 +447,7 @@ impl Attempts<'_> {
     }
 
     /// A state on the grid `from`, at the points of the present one; none if `from` is too coarse to tell.
-    fn carried(&self, state: &GridState, from: TimeGrid) -> Result<Option<GridState>> {
+    pub(super) fn carried(&self, state: &GridState, from: TimeGrid) -> Result<Option<GridState>> {
         match state.resampled(&self.system, from, 0.0, self.grid, &self.workers) {
             Ok(state) => Ok(Some(state)),
             Err(e) if e.kind() == ErrorKind::GridTooCoarse => Ok(None),
@@ -485,18 +472,6 @@ impl Attempts<'_> {
             most = most.min(MOST_COARSE);
         }
         self.find_from_coarse(grid, distance, most)
-    }
-
-    /// How far inertial forces would displace the quasi-static motion; zero where there is none.
-    fn inertial_displacement(&mut self) -> Result<f64> {
-        let at = self.guess_grid;
-        let guess = self.quasi_static()?;
-        if guess.outcome != Outcome::Converged {
-            return Ok(0.0);
-        }
-        let state = guess.state.clone();
-        let workers = self.workers.clone();
-        self.guess(|system, _, _| inertial_displacement(system, at, &state, &workers))
     }
 
     /// From a solution on the present grid, which is coarse, if `most` iterations find one with an error that is small beside
@@ -546,111 +521,7 @@ impl Attempts<'_> {
             self.coarse_start = None;
             self.begin_again()?;
         }
-        if self.guess_grid != grid && self.quasi_static()?.outcome != Outcome::Cancelled {
-            self.quasi_static = None;
-        }
-        self.guess_grid = grid;
+        self.guess_on(grid)?;
         self.find()
-    }
-
-    /// From the library's own start.
-    pub(super) fn find(&mut self) -> Result<(GridState, NewtonReport)> {
-        let start = self.start()?;
-        let guess = self.quasi_static()?;
-        let (outcome, explanation) = (guess.outcome, guess.explanation.clone());
-
-        let first = if let Some(start) = start {
-            let first = self.newton(start.clone())?;
-            if is_final(first.1.outcome) {
-                return Ok(first);
-            }
-            if let Some(solved) = self.through_inertia(start)? {
-                return Ok(solved);
-            }
-            first
-        } else {
-            let outcome = match outcome {
-                Outcome::Cancelled
-                | Outcome::Singular
-                | Outcome::Inconsistent
-                | Outcome::WrongAssembly => outcome,
-                _ => Outcome::NoInitialGuess,
-            };
-            let report = NewtonReport {
-                outcome,
-                iterations: Vec::new(),
-                explanation,
-            };
-            let state = self.last_of_guess()?;
-            if matches!(outcome, Outcome::Cancelled | Outcome::Inconsistent) {
-                return Ok((state, report));
-            }
-            (state, report)
-        };
-        Ok(self.through_march()?.unwrap_or(first))
-    }
-
-    /// What there is of the quasi-static motion where it was not found.
-    fn last_of_guess(&mut self) -> Result<GridState> {
-        let (system, grid) = (self.system.clone(), self.grid);
-        let guess = self.quasi_static()?;
-        Ok(if guess.state.points() == grid.points() {
-            guess.state.clone()
-        } else {
-            GridState::reference(&system, grid)
-        })
-    }
-
-    /// Raises the inertial forces in steps, from a solution without them.
-    fn through_inertia(
-        &mut self,
-        mut state: GridState,
-    ) -> Result<Option<(GridState, NewtonReport)>> {
-        let (mut reached, mut step) = (0.0, 0.25f64);
-        let mut outcome = None;
-        while reached < 1.0 {
-            let next = (reached + step).min(1.0);
-            self.newton.equations.set_inertia_factor(next);
-            let (trial, report) = self.newton(state.clone())?;
-            match report.outcome {
-                Outcome::Converged => {
-                    state = trial;
-                    reached = next;
-                    step *= 1.5;
-                    outcome = Some((state.clone(), report));
-                }
-                Outcome::Cancelled => {
-                    outcome = Some((trial, report));
-                    break;
-                }
-                _ if step <= SMALLEST_INERTIA_STEP => {
-                    outcome = None;
-                    break;
-                }
-                _ => step *= 0.5,
-            }
-        }
-        self.newton.equations.set_inertia_factor(1.0);
-        Ok(outcome)
-    }
-
-    /// Starts from the end of a march in time. `None` if that leads nowhere either.
-    fn through_march(&mut self) -> Result<Option<(GridState, NewtonReport)>> {
-        let march = self.guess(|system, grid, observe| march_to_periodic(system, grid, observe))?;
-        match march {
-            Ok(state) => self.newton(state).map(Some),
-            Err((Outcome::Cancelled, explanation)) => {
-                let report = NewtonReport {
-                    outcome: Outcome::Cancelled,
-                    iterations: Vec::new(),
-                    explanation,
-                };
-                Ok(Some((
-                    GridState::reference(&self.system, self.grid),
-                    report,
-                )))
-            }
-            Err(_) => Ok(None),
-        }
     }
 }

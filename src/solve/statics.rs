@@ -139,7 +139,7 @@ pub(super) fn find_equilibrium(
     let mut failure = None;
     match &options.guess {
         InitialGuess::State(state) => tracker.state = state.clone(),
-        InitialGuess::Default => {
+        InitialGuess::Default | InitialGuess::By(_) => {
             if !find_start(&mut tracker, &system, options.least_load_steps)? {
                 failure = tracker.failure.take();
             }
@@ -179,6 +179,7 @@ pub(super) fn find_equilibrium(
         timings: newton.timings,
         grids: Vec::new(),
         coarse_start: None,
+        attempts: Vec::new(),
         iterative: None,
         threads: 1,
         march: None,

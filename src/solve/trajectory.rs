@@ -643,6 +643,7 @@ pub(super) fn finish(
         timings: super::Timings::default(),
         grids: Vec::new(),
         coarse_start: None,
+        attempts: Vec::new(),
         iterative: None,
         threads: 1,
         march: Some(record),

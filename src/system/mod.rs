@@ -2,6 +2,7 @@
 
 mod check;
 mod constraints;
+mod driven;
 mod partition;
 mod scales;
 mod summary;
@@ -10,6 +11,7 @@ mod warnings;
 
 pub use check::{TangentCheck, check_tangents};
 pub use constraints::{ConstraintLoop, Dependency, name_all, name_constraints};
+pub use driven::Driven;
 pub use scales::Scales;
 pub use summary::Summary;
 
@@ -20,6 +22,7 @@ use crate::error::{Error, ErrorKind, Result};
 use crate::model::{BoundSignal, ForceDefinition, JointCoordinate, Model, Signal};
 use crate::motion::Motion;
 use crate::workers::{Workers, no_threads_unasked};
+use driven::Drive;
 use nalgebra::{DVector, Vector3, Vector6};
 use serde::{Deserialize, Serialize};
 use std::f64::consts::TAU;
@@ -156,6 +159,8 @@ pub struct System {
     transient: Option<Transient>,
     /// Signals of the frame's angular velocity, if it turns.
     turning: Option<[usize; 3]>,
+    /// Prescribed angles whose whole turns are open.
+    drives: Vec<Drive>,
     tracked: Vec<Tracked>,
     /// What each own unknown of the elements is.
     unknowns: Vec<Unknown>,
@@ -228,6 +233,7 @@ impl System {
             counted_turns: Vec::new(),
             transient,
             turning: None,
+            drives: Vec::new(),
             tracked: Vec::new(),
             unknowns: Vec::new(),
             loops: Vec::new(),
@@ -258,6 +264,13 @@ impl System {
             let signal = system.add_signal(bound, start, unit, place)?;
             if turns && has_screw {
                 system.counted_turns.push(signal);
+            }
+            if turns {
+                system.drives.push(Drive {
+                    joint: at.joint,
+                    coordinate: at.coordinate,
+                    signal,
+                });
             }
             let element = Prescribed::new(joint, at.coordinate, signal);
             system.place(Arc::new(element), ElementRole::Prescribed(index));

@@ -1,7 +1,7 @@
 //! Characteristic scales, so that nothing in the solution depends on the user's units.
 
 use super::{Conditions, OwnValues, System};
-use crate::elements::NodeState;
+use crate::elements::{NodeState, StressLaw};
 use crate::error::Result;
 use nalgebra::Vector6;
 
@@ -107,8 +107,22 @@ impl Scales {
 }
 
 impl System {
+    /// Axial or shear stiffness of beams relative to that in bending or torsion, for curvatures over the characteristic
+    /// length: the largest of all stations, zero without beams.
+    pub fn slenderness(&self) -> f64 {
+        let laws = self
+            .elements
+            .iter()
+            .flat_map(|placed| placed.element.stress_laws());
+        let of = |law: StressLaw| {
+            let diagonal = law.stiffness.diagonal();
+            diagonal.fixed_rows::<3>(0).max() / diagonal.fixed_rows::<3>(3).min()
+        };
+        laws.map(of).fold(0.0, f64::max) * self.scales.length * self.scales.length
+    }
+
     /// Diagonal of the box around all nodes.
-    fn extent(&self) -> f64 {
+    pub(super) fn extent(&self) -> f64 {
         let first = self.reference[0].position;
         let (low, high) = self
             .reference

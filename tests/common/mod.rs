@@ -3,6 +3,10 @@
 // Each test binary uses its own part of this module.
 #![allow(dead_code)]
 
+mod random;
+
+pub use random::Random;
+
 use nalgebra::{Matrix3, Matrix6, Vector3};
 use periodyn::elements::{Coordinate, JointKind, LoadFrame, MaxwellBranch};
 use periodyn::model::*;

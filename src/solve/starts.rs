@@ -1,0 +1,362 @@
+//! Where Newton's method begins: ways to start, cheapest first, each with its share of work.
+
+use super::guess::{Guess, inertial_displacement, quasi_static};
+use super::march::DissipativeMarch;
+use super::newton::{NewtonReport, Outcome};
+use super::periodic::{Attempts, is_final};
+use crate::collocation::GridState;
+use crate::error::Result;
+use crate::fourier::TimeGrid;
+use serde::{Deserialize, Serialize};
+use std::fmt;
+use std::time::{Duration, Instant};
+
+/// A way to start Newton's method.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+pub enum Start {
+    /// Equilibrium at each time, without velocities.
+    QuasiStatic,
+    /// Equilibrium at each time of what turns steadily with its drives, with its centrifugal and gyroscopic forces.
+    SteadyRotation,
+    /// All that hangs on drives turned with them, undeformed.
+    RigidRotation,
+    /// The quasi-static motion, and inertial forces that are raised in steps.
+    RaisedInertia,
+    /// A march in time, from the quasi-static motion or rigid rotation, with strong numerical dissipation.
+    March,
+}
+
+impl Start {
+    /// What it is, for people.
+    pub fn describe(self) -> &'static str {
+        match self {
+            Start::QuasiStatic => "the quasi-static motion",
+            Start::SteadyRotation => "the quasi-static motion in steady rotation",
+            Start::RigidRotation => "rigid rotation",
+            Start::RaisedInertia => "raising inertial forces from the quasi-static motion",
+            Start::March => "a dissipative march in time",
+        }
+    }
+}
+
+/// What came of a way to start.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Attempt {
+    /// The way.
+    pub start: Start,
+    /// Number of grid points.
+    pub points: usize,
+    /// Newton iterations at single instants, to find the start.
+    pub guess_iterations: usize,
+    /// Newton iterations on the grid.
+    pub iterations: usize,
+    /// Time that it took.
+    pub time: Duration,
+    /// How it ended.
+    pub outcome: Outcome,
+    /// Why it was left.
+    pub explanation: String,
+}
+
+impl fmt::Display for Attempt {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(
+            f,
+            "{} on {} points, {} and {} iterations, {:.3} s: {}",
+            self.start.describe(),
+            self.points,
+            self.guess_iterations,
+            self.iterations,
+            self.time.as_secs_f64(),
+            self.outcome.describe()
+        )?;
+        if self.outcome.is_solution() || self.explanation.is_empty() {
+            return Ok(());
+        }
+        write!(f, " ({})", self.explanation)
+    }
+}
+
+/// Short steps after which Newton's method is given up where there are other ways to start.
+const PATIENCE: usize = 4;
+/// Smallest step of the continuation in the inertia factor.
+const SMALLEST_INERTIA_STEP: f64 = 1.0 / 16.0;
+/// Most Newton iterations of that continuation.
+const MOST_RAISING: usize = 40;
+/// Periods that are marched before Newton's method is tried, each time.
+const MARCHED: [usize; 5] = [1, 2, 4, 8, 9];
+
+/// State and report of a Newton solve.
+type Found = (GridState, NewtonReport);
+
+impl Attempts<'_> {
+    /// The quasi-static start that comes first.
+    fn first_start(&self) -> Start {
+        match (self.chosen, &self.driven) {
+            (Some(start @ (Start::QuasiStatic | Start::SteadyRotation)), _) => start,
+            (_, Some(driven)) if driven.is_rigid() => Start::SteadyRotation,
+            _ => Start::QuasiStatic,
+        }
+    }
+
+    /// The ways to start, cheapest first.
+    fn starts(&self) -> Vec<Start> {
+        if let Some(start) = self.chosen {
+            return vec![start];
+        }
+        let first = self.first_start();
+        let mut starts = vec![first];
+        if first == Start::SteadyRotation {
+            starts.extend([Start::RigidRotation, Start::QuasiStatic]);
+        }
+        starts.extend([Start::RaisedInertia, Start::March]);
+        starts
+    }
+
+    /// A quasi-static motion at the points of its grid, found at the first call.
+    fn quasi_static(&mut self, start: Start) -> Result<&Guess> {
+        let at = match self.guesses.iter().position(|(of, _)| *of == start) {
+            Some(at) => at,
+            None => {
+                let (grid, workers) = (self.guess_grid, self.workers.clone());
+                let driven = self.driven.clone();
+                let driven = driven.filter(|_| start == Start::SteadyRotation);
+                let guess = self.guess(|system, _, observe| {
+                    quasi_static(system, grid, driven.as_ref(), &workers, observe)
+                })?;
+                self.guesses.push((start, guess));
+                self.guesses.len() - 1
+            }
+        };
+        Ok(&self.guesses[at].1)
+    }
+
+    /// Finds quasi-static motions at the points of another grid from now on.
+    pub(super) fn guess_on(&mut self, grid: TimeGrid) -> Result<()> {
+        if self.guess_grid != grid {
+            self.guesses
+                .retain(|(_, guess)| guess.outcome == Outcome::Cancelled);
+        }
+        self.guess_grid = grid;
+        Ok(())
+    }
+
+    /// The first quasi-static motion at the points of the present grid, if there is one.
+    pub(super) fn start(&mut self) -> Result<Option<GridState>> {
+        self.quasi_static_here(self.first_start())
+    }
+
+    fn quasi_static_here(&mut self, start: Start) -> Result<Option<GridState>> {
+        let (grid, from) = (self.grid, self.guess_grid);
+        let guess = self.quasi_static(start)?;
+        if guess.outcome != Outcome::Converged {
+            return Ok(None);
+        }
+        let state = guess.state.clone();
+        if grid == from {
+            return Ok(Some(state));
+        }
+        self.carried(&state, from)
+    }
+
+    /// How far inertial forces would displace the first quasi-static motion; zero where there is none.
+    pub(super) fn inertial_displacement(&mut self) -> Result<f64> {
+        let (at, start) = (self.guess_grid, self.first_start());
+        let guess = self.quasi_static(start)?;
+        if guess.outcome != Outcome::Converged {
+            return Ok(0.0);
+        }
+        let state = guess.state.clone();
+        let (workers, driven) = (self.workers.clone(), self.driven.clone());
+        let driven = driven.filter(|_| start == Start::SteadyRotation);
+        self.guess(|system, _, _| {
+            inertial_displacement(system, at, driven.as_ref(), &state, &workers)
+        })
+    }
+
+    /// From the library's own starts, the quasi-static ones alone.
+    pub(super) fn find_at_once(&mut self) -> Result<Found> {
+        let starts = self.starts();
+        let quick = |start: &Start| !matches!(start, Start::RaisedInertia | Start::March);
+        let quick: Vec<Start> = starts.iter().copied().filter(quick).collect();
+        self.find_from(if quick.is_empty() { &starts } else { &quick })
+    }
+
+    /// From the library's own starts.
+    pub(super) fn find(&mut self) -> Result<Found> {
+        let starts = self.starts();
+        self.find_from(&starts)
+    }
+
+    fn find_from(&mut self, starts: &[Start]) -> Result<Found> {
+        let mut left: Option<Found> = None;
+        for (number, &start) in starts.iter().enumerate() {
+            let others = number + 1 < starts.len();
+            self.newton.patience = others.then_some(PATIENCE);
+            let (began, guessed) = (Instant::now(), self.guess_iterations);
+            let before = self.newton.iterations;
+            let found = self.find_by(start);
+            self.newton.patience = None;
+            let Some((state, report)) = found? else {
+                continue;
+            };
+            self.tried.push(Attempt {
+                start,
+                points: self.grid.points(),
+                guess_iterations: self.guess_iterations - guessed,
+                iterations: self.newton.iterations - before,
+                time: began.elapsed(),
+                outcome: report.outcome,
+                explanation: report.explanation.clone(),
+            });
+            if is_final(report.outcome) {
+                return Ok((state, report));
+            }
+            // What stopped Newton's method on the grid says more than why there was no start.
+            if left.is_none() || !report.iterations.is_empty() {
+                left = Some((state, report));
+            }
+        }
+        Ok(left.unwrap_or_else(|| {
+            let report = NewtonReport {
+                outcome: Outcome::NoInitialGuess,
+                iterations: Vec::new(),
+                explanation: "there is no such start".into(),
+            };
+            (GridState::reference(&self.system, self.grid), report)
+        }))
+    }
+
+    /// By one way; `None` where it cannot be gone.
+    fn find_by(&mut self, start: Start) -> Result<Option<Found>> {
+        match start {
+            Start::QuasiStatic | Start::SteadyRotation => self.from_quasi_static(start).map(Some),
+            Start::RigidRotation => match self.rigid_rotation()? {
+                Some(state) => self.newton(state).map(Some),
+                None => Ok(None),
+            },
+            Start::RaisedInertia => match self.quasi_static_here(Start::QuasiStatic)? {
+                Some(state) => self.through_inertia(state),
+                None => Ok(None),
+            },
+            Start::March => self.through_march(),
+        }
+    }
+
+    fn from_quasi_static(&mut self, start: Start) -> Result<Found> {
+        if let Some(state) = self.quasi_static_here(start)? {
+            return self.newton(state);
+        }
+        let (system, grid) = (self.system.clone(), self.grid);
+        let guess = self.quasi_static(start)?;
+        let outcome = match guess.outcome {
+            Outcome::Cancelled
+            | Outcome::Singular
+            | Outcome::Inconsistent
+            | Outcome::WrongAssembly => guess.outcome,
+            _ => Outcome::NoInitialGuess,
+        };
+        let report = NewtonReport {
+            outcome,
+            iterations: Vec::new(),
+            explanation: guess.explanation.clone(),
+        };
+        let state = if guess.state.points() == grid.points() {
+            guess.state.clone()
+        } else {
+            GridState::reference(&system, grid)
+        };
+        Ok((state, report))
+    }
+
+    /// All that hangs on drives turned with them.
+    fn rigid_rotation(&self) -> Result<Option<GridState>> {
+        let Some(driven) = &self.driven else {
+            return Ok(None);
+        };
+        let (system, points) = (&self.system, self.grid.points());
+        let mut state = GridState::reference(system, self.grid);
+        let mut signals = vec![0.0; system.signals()];
+        for k in 0..points {
+            system.signal_values(self.grid.time(k), 1.0, &mut signals)?;
+            for (node, reference) in system.reference().iter().enumerate() {
+                state.motions[node * points + k] = driven.carried(node, reference, &signals);
+            }
+        }
+        state.track(system);
+        Ok(Some(state))
+    }
+
+    /// Raises the inertial forces in steps, from a solution without them.
+    fn through_inertia(&mut self, mut state: GridState) -> Result<Option<Found>> {
+        let (mut reached, mut step) = (0.0, 0.25f64);
+        let before = self.newton.iterations;
+        let mut found = None;
+        while reached < 1.0 {
+            let next = (reached + step).min(1.0);
+            self.newton.equations.set_inertia_factor(next);
+            let (trial, report) = self.newton(state.clone())?;
+            match report.outcome {
+                Outcome::Converged => {
+                    state = trial;
+                    reached = next;
+                    step *= 1.5;
+                    found = Some((state.clone(), report));
+                }
+                Outcome::Cancelled => {
+                    found = Some((trial, report));
+                    break;
+                }
+                _ => step *= 0.5,
+            }
+            let spent = self.newton.iterations - before;
+            if reached < 1.0 && (step < SMALLEST_INERTIA_STEP || spent > MOST_RAISING) {
+                let explanation = format!("ended at the fraction {reached:.3} of inertial forces");
+                let report = NewtonReport {
+                    outcome: Outcome::Stalled,
+                    iterations: Vec::new(),
+                    explanation,
+                };
+                found = Some((state, report));
+                break;
+            }
+        }
+        self.newton.equations.set_inertia_factor(1.0);
+        Ok(found)
+    }
+
+    /// Marches in time, and tries Newton's method from its periods now and then.
+    fn through_march(&mut self) -> Result<Option<Found>> {
+        let start = match self.quasi_static_here(Start::QuasiStatic)? {
+            Some(state) => Some(state),
+            None => self.rigid_rotation()?,
+        };
+        let mut march = DissipativeMarch::new(&self.system, self.grid, start.as_ref())?;
+        let mut found: Option<Found> = None;
+        for periods in MARCHED {
+            let marched = self.guess(|_, _, observe| march.go_on(periods, observe))?;
+            match marched {
+                Ok(state) => {
+                    let next = self.newton(state)?;
+                    if is_final(next.1.outcome) {
+                        return Ok(Some(next));
+                    }
+                    found = Some(next);
+                }
+                Err((outcome, explanation)) => {
+                    let report = NewtonReport {
+                        outcome,
+                        iterations: Vec::new(),
+                        explanation,
+                    };
+                    let state = GridState::reference(&self.system, self.grid);
+                    return Ok(found.or(Some((state, report))));
+                }
+            }
+            if march.repeats() {
+                break;
+            }
+        }
+        Ok(found)
+    }
+}
