@@ -45,7 +45,8 @@ static double gas_pressure(double degrees)
 static pdn_status set_section(pdn_section *section, double A, double I2, double I3, double J)
 {
     const double shear = 0.85 * G_STEEL * A;
-    const double stiffness[6] = {E_STEEL * A, shear, shear, G_STEEL * J, E_STEEL * I2, E_STEEL * I3};
+    const double stiffness[6] = {E_STEEL * A, shear,        shear,
+                                 G_STEEL * J, E_STEEL * I2, E_STEEL * I3};
     const double mass[4] = {DENSITY * A, DENSITY * (I2 + I3), DENSITY * I2, DENSITY * I3};
     PDN_INIT(pdn_section, section);
     const pdn_status status = pdn_section_set_diagonal(section, stiffness, mass);
@@ -129,9 +130,14 @@ static int build(engine *e, double speed)
         const struct {
             double dx, dz;
             const pdn_section *section;
-        } parts[8] = {{half_journal, 0, &journal}, {0, up, &web},   {0, up, &web},
-                      {half_pin, 0, &pin},         {half_pin, 0, &pin}, {0, -up, &web},
-                      {0, -up, &web},              {half_journal, 0, &journal}};
+        } parts[8] = {{half_journal, 0, &journal},
+                      {0, up, &web},
+                      {0, up, &web},
+                      {half_pin, 0, &pin},
+                      {half_pin, 0, &pin},
+                      {0, -up, &web},
+                      {0, -up, &web},
+                      {half_journal, 0, &journal}};
         for (int k = 0; k < 8; ++k) {
             const double to[3] = {at[0] + parts[k].dx, 0, at[2] + parts[k].dz};
             const double opposite[3] = {at[0], 0, -0.8 * throws[i]};
@@ -169,7 +175,8 @@ static int build(engine *e, double speed)
     TRY(pdn_model_add_free_joint(e->model, PDN_GROUND, flywheel, behind, &e->drive));
     TRY(pdn_model_prescribe(e->model, e->drive, PDN_ROTATION, &turn));
     TRY(pdn_model_add_spring_damper(e->model, e->drive, PDN_DISPLACEMENT, 1e8, 2e4, 0, &thrust));
-    TRY(pdn_model_add_free_joint(e->model, flywheel, e->front, origin, &e->gauge)); /* measures only */
+    TRY(pdn_model_add_free_joint(e->model, flywheel, e->front, origin,
+                                 &e->gauge)); /* measures only */
     return 0;
 done:
     return 1;
@@ -193,7 +200,8 @@ static int sample(const engine *e, const pdn_solution *solution, double period, 
     TRY(pdn_solution_node_acceleration(solution, e->pistons[0], PDN_FRAME_SPACE, out->t, TIMES,
                                        out->piston[0]));
     for (int k = 0; k < 2; ++k) {
-        TRY(pdn_solution_force_effort(solution, e->bearings[BEARINGS / 2][k], out->t, TIMES, side[k]));
+        TRY(pdn_solution_force_effort(solution, e->bearings[BEARINGS / 2][k], out->t, TIMES,
+                                      side[k]));
     }
     for (int i = 0; i < TIMES; ++i) {
         out->torque[i] = -out->torque[i]; /* that of the engine on what holds its speed */
@@ -205,7 +213,8 @@ done:
     return 1;
 }
 
-/* A line of the table: mean torque, its amplitude at the firing frequency, largest twist and force. */
+/* A line of the table: mean torque, its amplitude at the firing frequency, largest twist and force.
+ */
 static int print_line(const engine *e, const pdn_solution *solution, int rpm, const response *r)
 {
     double mean, cosines[FIRING], sines[FIRING], twist = 0, force = 0;
@@ -243,7 +252,8 @@ int main(int argc, char **argv)
     PDN_INIT(pdn_periodic_options, &options);
     options.grid_points = option_count(argc, argv, "--grid", 0); /* 0: as many as needed */
     options.error_tolerance = option_number(argc, argv, "--tolerance", 1e-4);
-    printf("  rpm    N  it.    error  torque [N m]  twice a turn  twist [deg]  middle bearing [kN]\n");
+    printf(
+        "  rpm    N  it.    error  torque [N m]  twice a turn  twist [deg]  middle bearing [kN]\n");
     for (int i = 0; i < SPEEDS; ++i) {
         const double speed = rpm[i] * PI / 30, period = 4 * PI / speed;
         if (build(&engines[i], speed) != 0) {

@@ -104,7 +104,8 @@ done:
 }
 
 /* Marches a period from a solution, in `steps` and in twice as many steps: how far a node gets from
- * its periodic motion, and how far the two marches, of second order, are in error by their difference.
+ * its periodic motion, and how far the two marches, of second order, are in error by their
+ * difference.
  */
 static inline int check_by_march(const pdn_model *model, const pdn_solution *solution, int32_t node,
                                  double period, size_t steps)

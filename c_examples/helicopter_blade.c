@@ -11,7 +11,8 @@
  *                    [--out FILE] [--animation FILE.pvd]
  *
  * Solves for flight at 0, 20, 40 and 60 m/s, each speed from the motion at the one before, and
- * prints flap and lag; FILE gets those of the last over 401 times. --march checks it by marching. */
+ * prints flap and lag; FILE gets those of the last over 401 times. --march checks it by marching.
+ */
 
 #include <math.h>
 
@@ -20,7 +21,8 @@
 enum { TIMES = 401, SPEEDS = 4, HARMONICS = 3, MOST_NODES = 400 };
 
 static const double PI = 3.14159265358979323846, OMEGA = 44;
-static const double HINGE = 0.25, BEARING = 0.45, RADIUS = 5.0, CHORD = 0.27, TWIST = -0.14; /* rad */
+static const double HINGE = 0.25, BEARING = 0.45, RADIUS = 5.0, CHORD = 0.27,
+                    TWIST = -0.14; /* rad */
 static const double DENSITY = 1.225, SLOPE = 5.7, DRAG = 0.011, THRUST = 22e3, CONING = 0.035;
 
 /* Wind as a body at rest feels it, along global axes; known to all blade elements. */
@@ -50,10 +52,10 @@ static int airload(const pdn_force_state *state, pdn_force_values *values, void 
     if (!values->by_motion) {
         return 0;
     }
-    const double by_wind[2][2] = {
-        {factor * DRAG * (speed + w2 * w2 / speed), factor * (2 * SLOPE * w3 + DRAG * w2 * w3 / speed)},
-        {factor * (-SLOPE * w3 + DRAG * w2 * w3 / speed),
-         factor * (-SLOPE * w2 + DRAG * (speed + w3 * w3 / speed))}};
+    const double by_wind[2][2] = {{factor * DRAG * (speed + w2 * w2 / speed),
+                                   factor * (2 * SLOPE * w3 + DRAG * w2 * w3 / speed)},
+                                  {factor * (-SLOPE * w3 + DRAG * w2 * w3 / speed),
+                                   factor * (-SLOPE * w2 + DRAG * (speed + w3 * w3 / speed))}};
     /* a turn x of the node changes the wind along its axes by u cross x */
     const double turned[2][3] = {{u[2], 0, -u[0]}, {-u[1], u[0], 0}};
     for (int i = 0; i < 2; ++i) {
@@ -78,9 +80,11 @@ typedef struct rotor {
 static int build(rotor *r, double speed, size_t elements, size_t order)
 {
     const double centre[3] = {0, 0, 0}, hinge[3] = {HINGE, 0, 0}, root[3] = {BEARING, 0, 0};
-    const double tip[3] = {RADIUS, 0, 0}, span[3] = {1, 0, 0}, flap[3] = {0, -1, 0}, up[3] = {0, 0, 1};
+    const double tip[3] = {RADIUS, 0, 0}, span[3] = {1, 0, 0}, flap[3] = {0, -1, 0},
+                 up[3] = {0, 0, 1};
     const double chordwise[3] = {0, 1, 0}, gravity[3] = {0, 0, -9.81};
-    const double cuff_centre[3] = {0.35, 0, 0}, cuff_inertia[9] = {0.02, 0, 0, 0, 0.05, 0, 0, 0, 0.05};
+    const double cuff_centre[3] = {0.35, 0, 0},
+                 cuff_inertia[9] = {0.02, 0, 0, 0, 0.05, 0, 0, 0, 0.05};
 
     /* Sections: bending about axis 2 is flap, about axis 3 lag. */
     const double stiffness[6] = {2e7, 4e6, 4e6, 1e4, 1.2e4, 2e5}, mass[4] = {6, 0.04, 0.002, 0.038};
@@ -115,14 +119,17 @@ static int build(rotor *r, double speed, size_t elements, size_t order)
     TRY(pdn_model_add_viscoelastic(r->model, r->hinge, PDN_ROTATION_2, 4e3, 0, &branch, &relaxation,
                                    1, &r->damper));
 
-    /* The shaft leans forward by 4 degrees. Inflow by momentum theory, for a thrust that four blades
-     * share; pitch by that of blade elements, for a blade that keeps to a cone. */
+    /* The shaft leans forward by 4 degrees. Inflow by momentum theory, for a thrust that four
+     * blades share; pitch by that of blade elements, for a blade that keeps to a cone. */
     const double tilt = 4 * PI / 180, disc = PI * RADIUS * RADIUS, tip_speed = OMEGA * RADIUS;
-    const double hover = sqrt(THRUST / (2 * DENSITY * disc)), ratio = speed * speed / (2 * hover * hover);
+    const double hover = sqrt(THRUST / (2 * DENSITY * disc)),
+                 ratio = speed * speed / (2 * hover * hover);
     const double down = speed * sin(tilt) + hover * sqrt(sqrt(ratio * ratio + 1) - ratio);
     const double advance = speed / tip_speed, inflow = down / tip_speed, period = 2 * PI / OMEGA;
-    const double lift = THRUST / 4 / (0.5 * DENSITY * SLOPE * CHORD * RADIUS * tip_speed * tip_speed);
-    const double middle = 3 * (lift + inflow / 2) / (1 + 1.5 * advance * advance); /* at 3/4 of the span */
+    const double lift =
+        THRUST / 4 / (0.5 * DENSITY * SLOPE * CHORD * RADIUS * tip_speed * tip_speed);
+    const double middle =
+        3 * (lift + inflow / 2) / (1 + 1.5 * advance * advance); /* at 3/4 of the span */
     const double collective = middle - 0.75 * TWIST, cosine = 4.0 / 3 * advance * CONING;
     const double sine = -2 * advance * (4.0 / 3 * middle - inflow) / (1 + 1.5 * advance * advance);
     r->air = (wind){{speed * cos(tilt), 0, -down}};
@@ -192,11 +199,12 @@ static int write_csv(const rotor *r, const pdn_solution *solution, FILE *file)
     TRY(pdn_solution_joint_coordinate(solution, r->hinge, PDN_ROTATION_2, t, TIMES, lag));
     TRY(pdn_solution_force_effort(solution, r->damper, t, TIMES, effort));
     TRY(pdn_solution_node_position(solution, r->blade.last, t, TIMES, tip[0]));
-    fputs("azimuth [deg],flap [deg],lag [deg],moment of the lag damper [N m],height of the tip [m]\n",
-          file);
+    fputs(
+        "azimuth [deg],flap [deg],lag [deg],moment of the lag damper [N m],height of the tip [m]\n",
+        file);
     for (int i = 0; i < TIMES; ++i) {
-        fprintf(file, "%.17g,%.17g,%.17g,%.17g,%.17g\n", 360.0 * i / (TIMES - 1), flap[i] * 180 / PI,
-                lag[i] * 180 / PI, effort[i], tip[i][2]);
+        fprintf(file, "%.17g,%.17g,%.17g,%.17g,%.17g\n", 360.0 * i / (TIMES - 1),
+                flap[i] * 180 / PI, lag[i] * 180 / PI, effort[i], tip[i][2]);
     }
     return 0;
 done:
@@ -225,7 +233,8 @@ int main(int argc, char **argv)
         goto done;
     }
     printf("Mean and amplitudes per revolution, degrees\n"
-           "  m/s    N  it.    error      flap       1       2       3       lag       1       2       3\n");
+           "  m/s    N  it.    error      flap       1       2       3       lag       1       2   "
+           "    3\n");
     for (int i = 0; i < SPEEDS; ++i) {
         if (build(&rotors[i], speeds[i], elements, order) != 0) {
             goto done;

@@ -1,11 +1,11 @@
 /* A wind turbine of 5 MW: tower, nacelle and three blades, whose lift dips in the tower's shadow.
  *
- * Axis 3 points up, the wind blows along axis 1. The rotor is upwind of the tower, on a shaft tilted
- * by 5 degrees, and turns evenly; blade 1 points up at first. Lift and thrust come with the azimuth
- * of each blade, once a degree: more of it high up (shear), less before the tower. They grow with the
- * square of the speed, and dampers between blades and air stand for the change of lift with the
- * blades' own velocity. Round numbers of the size of the NREL 5-MW reference turbine (Jonkman et al.,
- * NREL/TP-500-38060, 2009). Metres, newtons, kilograms, seconds.
+ * Axis 3 points up, the wind blows along axis 1. The rotor is upwind of the tower, on a shaft
+ * tilted by 5 degrees, and turns evenly; blade 1 points up at first. Lift and thrust come with the
+ * azimuth of each blade, once a degree: more of it high up (shear), less before the tower. They
+ * grow with the square of the speed, and dampers between blades and air stand for the change of
+ * lift with the blades' own velocity. Round numbers of the size of the NREL 5-MW reference turbine
+ * (Jonkman et al., NREL/TP-500-38060, 2009). Metres, newtons, kilograms, seconds.
  *
  *   wind_turbine [--grid N] [--tolerance E] [--elements E] [--order P] [--march STEPS]
  *                [--out FILE] [--animation FILE.pvd]
@@ -98,7 +98,8 @@ static int add_tower(turbine *e)
         TRY(pdn_section_set_diagonal(&sections[i], stiffness, mass));
         TRY(pdn_section_set_proportional_damping(&sections[i], 0.01)); /* 1 % in the first mode */
     }
-    if (add_beam(e, foot, top, wind, fractions, sections, NULL, TOWER_STATIONS, 4, 3, &tower) != 0) {
+    if (add_beam(e, foot, top, wind, fractions, sections, NULL, TOWER_STATIONS, 4, 3, &tower) !=
+        0) {
         goto done;
     }
     TRY(pdn_model_add_rigid_joint(e->model, PDN_GROUND, tower.first, foot, &clamp));
@@ -128,7 +129,8 @@ done:
     return 1;
 }
 
-/* What is left of the lift of a blade at an azimuth: it grows upwards, and dips before the tower. */
+/* What is left of the lift of a blade at an azimuth: it grows upwards, and dips before the tower.
+ */
 static double wind_at(double azimuth)
 {
     const double before_tower = fabs(remainder(azimuth - PI, 2 * PI)), wide = PI / 9;
@@ -136,7 +138,8 @@ static double wind_at(double azimuth)
     return 1 + 0.12 * cos(azimuth) - 0.25 * shadow;
 }
 
-/* Lift and thrust on blade i, by samples over a turn, and dampers in its nodes between it and air. */
+/* Lift and thrust on blade i, by samples over a turn, and dampers in its nodes between it and air.
+ */
 static int add_airloads(turbine *e, int i, double speed)
 {
     const pdn_beam *blade = &e->blades[i];
@@ -233,7 +236,8 @@ static int build(turbine *e, double speed, size_t elements, size_t order)
     }
     /* Holds nothing: where the tip of blade 1 is, downwind and back in the plane of rotation. */
     const double far = HUB_RADIUS + LENGTH;
-    const pdn_frame tip = {{centre[0] + far * s, 0, centre[2] + far * c}, {c, 0, -s, 0, 1, 0, s, 0, c}};
+    const pdn_frame tip = {{centre[0] + far * s, 0, centre[2] + far * c},
+                           {c, 0, -s, 0, 1, 0, s, 0, c}};
     TRY(pdn_model_add_joint(e->model, PDN_JOINT_FREE, e->hub, e->blades[0].last, &tip, &tip,
                             &e->gauge));
     return 0;
@@ -346,7 +350,8 @@ int main(int argc, char **argv)
     }
     const turbine *last = &turbines[SPEEDS - 1];
     const pdn_solution *solution = solutions[SPEEDS - 1];
-    if (steps && check_by_march(last->model, solution, last->blades[0].last, r.t[TIMES - 1], steps) != 0) {
+    if (steps &&
+        check_by_march(last->model, solution, last->blades[0].last, r.t[TIMES - 1], steps) != 0) {
         goto done;
     }
     if (file) {

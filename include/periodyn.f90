@@ -1650,7 +1650,7 @@ module periodyn_c
             integer(c_int32_t) :: pdn_model_summary
         end function pdn_model_summary
 
-        ! The same in readable lines, with warnings: unconnected parts, nodes without inertia, joints open in the ...
+        ! The same in readable lines, with warnings: parts that nothing connects or holds, ends of beams without a ...
         function pdn_model_describe(model, buffer, capacity) bind(C, name="pdn_model_describe")
             import
             type(c_ptr), value :: model

@@ -324,7 +324,7 @@
 #define PDN_STALLED 2
 
 /**
- * Outcome: the Jacobian is singular; something is free to move.
+ * Outcome: the Jacobian is singular; something is free to move, or in resonance without damping.
  */
 #define PDN_SINGULAR 3
 
@@ -4145,8 +4145,9 @@ pdn_status pdn_model_summary(const struct pdn_model *model,
                              struct pdn_summary *out);
 
 /**
- * The same in readable lines, with warnings: unconnected parts, nodes without inertia, joints open in the
- * reference configuration, impossible moments of inertia, sections very stiff or very soft.
+ * The same in readable lines, with warnings: parts that nothing connects or holds, ends of beams without a joint,
+ * nodes without inertia, joints open in the reference configuration or far from all else, impossible moments of
+ * inertia, sizes, masses and stiffnesses that do not fit each other.
  *
  * @param model  the model; not NULL
  * @param buffer  array of length [capacity] for the text, UTF-8, always ended by NUL; may be NULL if

@@ -348,3 +348,39 @@ fn grids_periods_and_options_are_checked_by_name() {
     let empty = try_solve(&Model::new(), 1.0, 5);
     assert_error(empty, ErrorKind::Model, &["at least one node"]);
 }
+
+#[test]
+fn resonance_without_damping_is_not_called_a_freedom() {
+    // ω = 2 is once, twice or thrice the frequency of the period.
+    for (times, said) in [(1.0, "once"), (2.0, "2 times"), (3.0, "3 times")] {
+        let (mut model, slide) = mass_on_a_slide(1.0, &Vector3::z());
+        let spring = SpringDefinition {
+            at: slide,
+            stiffness: 4.0,
+            damping: 0.0,
+            rest: 0.0,
+        };
+        model.add_spring_damper(spring).unwrap();
+        let force = [0.0, 0.0, 1.0, 0.0, 0.0, 0.0];
+        add_load(&mut model, 0, LoadFrame::Space, &[0.0; 6], &force);
+        let solution = try_solve(&model, 0.5 * TAU * times, 11).unwrap();
+        let (outcome, explanation) = outcome_and_explanation(&solution);
+        assert!(!outcome.is_solution());
+        let expected = format!("resonance without damping: node 0 may vibrate {said} in a period");
+        assert!(explanation.contains(&expected), "{explanation}");
+        assert!(!explanation.contains("free to move"), "{explanation}");
+    }
+}
+
+#[test]
+fn a_grid_that_resolves_nothing_is_told_at_once() {
+    let model = driven_arm(&cosine(1.5));
+    let report = solve(&model, 1.0, 3).report();
+    let second = report.lines().nth(1).unwrap();
+    assert!(
+        second.contains("but 3 grid points resolve nothing"),
+        "{report}"
+    );
+    let report = solve(&model, 1.0, 41).report();
+    assert!(!report.contains("resolve nothing"), "{report}");
+}

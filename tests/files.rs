@@ -164,6 +164,13 @@ fn files_come_whole_or_not_at_all() {
         let named = format!("path: cannot write \"{}\": ", path.display());
         assert!(error.to_string().starts_with(&named), "{error}");
     }
+    // Of reading and writing alike.
+    let nowhere = at("none/x.csv");
+    let why = "there is no such file or directory";
+    let written = table.write_csv(&nowhere).unwrap_err().to_string();
+    assert!(written.ends_with(&format!("x.csv\": {why}")), "{written}");
+    let read = Solution::load(&nowhere).unwrap_err().to_string();
+    assert_eq!(read, written.replace("cannot write", "cannot read"));
     assert!(names(directory.path()).is_empty());
 
     // What is there is replaced, through a link too, and nothing is left beside it.
@@ -392,5 +399,7 @@ fn what_an_animation_refuses_writes_nothing() {
     fs::write(directory.path().join("x"), "mine").unwrap();
     let error = solution.write_vtk(&[0.0], 5, &path).unwrap_err();
     assert_eq!(error.kind(), ErrorKind::Io);
+    let why = "x\", but that is a file";
+    assert!(error.to_string().ends_with(why), "{error}");
     assert_eq!(names(directory.path()), ["x"]);
 }

@@ -104,6 +104,11 @@ fn an_oscillator_has_its_closed_form_and_floquet_multipliers() {
             .map(|t| (gain * Complex::new(0.0, omega * t).exp()).re)
             .collect();
         errors[i] = largest_difference(&found, &closed);
+        let report = solution.report();
+        assert!(report.starts_with("Shooting: converged\n"), "{report}");
+        assert!(report.contains(&format!("  {steps} steps over the period")));
+        assert!(report.contains("largest Floquet multiplier 0."), "{report}");
+        assert!(report.contains("iteration   residual"), "{report}");
         let found = floquet(&solution);
         assert_eq!(found.len(), 2);
         println!("multipliers {found:?}, exact {exact}");

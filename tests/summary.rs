@@ -4,8 +4,8 @@ mod common;
 
 use common::*;
 use nalgebra::{Matrix3, Vector3};
-use periodyn::elements::JointKind;
-use periodyn::model::{Model, SectionInput, Signal};
+use periodyn::elements::{Coordinate, JointKind};
+use periodyn::model::{JointCoordinate, Model, SectionInput, Signal, SpringDefinition};
 use periodyn::system::Summary;
 
 fn ball(model: &mut Model, at: Vector3<f64>) -> usize {
@@ -154,7 +154,7 @@ fn likely_mistakes_are_warned_of() {
     // Second moments of area in the wrong unit.
     let soft = [1e6, 4e5, 4e5, 5e-5, 8e-5, 8e-5];
     warns_of(
-        &beam(soft, [1.0; 4]),
+        &beam(soft, [1.0, 0.0, 0.0, 0.0]),
         &["beam element 0", "bending", "units"],
     );
     let no_shear = [1e6, 4.0, 4.0, 50.0, 80.0, 80.0];
@@ -205,4 +205,111 @@ fn motions_that_need_their_own_period_are_no_obstacle() {
         (found.mobility, found.freedoms, found.constraints),
         (0, 0, 6)
     );
+}
+
+/// Warnings of a model, each with one of these words.
+fn assert_warnings(model: &Model, words: &[&str]) {
+    let found = summary(model).warnings;
+    assert_eq!(found.len(), words.len(), "{found:?}");
+    for (warning, words) in found.iter().zip(words) {
+        assert!(warning.contains(words), "{found:?}");
+    }
+}
+
+/// A beam of 1 m on the ground, and what else there is, with lengths times `unit`.
+fn cantilever(unit: f64, stiffness: [f64; 6], mass: [f64; 4]) -> Model {
+    let section = SectionInput::diagonal(&stiffness, &mass).unwrap();
+    let mut model = Model::new();
+    let (start, end) = (Vector3::zeros(), unit * Vector3::x());
+    let beam = model
+        .add_straight_beam(&start, &end, &Vector3::y(), &section, 4, 2)
+        .unwrap();
+    let clamp = Model::frame_at("axis", &start, &Vector3::z()).unwrap();
+    let first = Some(beam.first_node);
+    model
+        .add_joint(JointKind::Rigid, None, first, &clamp, &clamp)
+        .unwrap();
+    model
+}
+
+#[test]
+fn millimetres_among_metres_are_warned_of() {
+    // A steel bar of 20 mm by 10 mm, 1 m long, in metres throughout.
+    let (area, i2, i3) = (2e-4, 6.7e-9, 1.7e-9);
+    let stiffness = |e: f64, area: f64, i2: f64, i3: f64| {
+        let g = 0.4 * e;
+        [e * area, g * area, g * area, g * (i2 + i3), e * i2, e * i3]
+    };
+    let mass = [7850.0 * area, 6.6e-5, 5.3e-5, 1.3e-5];
+    let metres = stiffness(2.1e11, area, i2, i3);
+    assert_warnings(&cantilever(1.0, metres, mass), &[]);
+    // Coordinates in millimetres.
+    assert_warnings(&cantilever(1000.0, metres, mass), &["very soft in bending"]);
+    // Areas in metres, second moments in millimetres.
+    let mut mixed = metres;
+    (3..6).for_each(|i| mixed[i] *= 1e12);
+    assert_warnings(
+        &cantilever(1.0, mixed, mass),
+        &["very stiff in bending", "by mass"],
+    );
+    // Inertia for each length in kilograms and millimetres, and that of a body.
+    let wrong = [mass[0], 1e6 * mass[1], 1e6 * mass[2], 1e6 * mass[3]];
+    assert_warnings(&cantilever(1.0, metres, wrong), &["by mass"]);
+    for (inertia, words) in [(1e-3, &[][..]), (1e3, &["another order of size"][..])] {
+        let mut model = cantilever(1.0, metres, mass);
+        let ball = Matrix3::from_diagonal_element(inertia);
+        let body = model.add_rigid_body(1.0, &Vector3::x(), &ball).unwrap();
+        let at = Model::frame_at("axis", &Vector3::x(), &Vector3::z()).unwrap();
+        model
+            .add_joint(JointKind::Rigid, Some(8), Some(body), &at, &at)
+            .unwrap();
+        assert_warnings(&model, words);
+    }
+}
+
+#[test]
+fn a_forgotten_joint_is_warned_of() {
+    let good = [1e6, 4e5, 4e5, 50.0, 80.0, 80.0];
+    // A hub at the beam's end that only a spring to the ground holds.
+    let with_hub = |joined: bool, stiffness: f64| {
+        let mut model = cantilever(1.0, good, [1.0; 4]);
+        let hub = ball(&mut model, Vector3::x());
+        let at = Model::frame_at("axis", &Vector3::x(), &Vector3::z()).unwrap();
+        if joined {
+            model
+                .add_joint(JointKind::Rigid, Some(8), Some(hub), &at, &at)
+                .unwrap();
+        }
+        let free = model
+            .add_joint(JointKind::Free, None, Some(hub), &at, &at)
+            .unwrap();
+        let at = JointCoordinate {
+            joint: free,
+            coordinate: Coordinate::Displacement3,
+        };
+        let spring = SpringDefinition {
+            at,
+            stiffness,
+            damping: 1.0,
+            rest: 0.0,
+        };
+        model.add_spring_damper(spring).unwrap();
+        model
+    };
+    assert_warnings(&with_hub(true, 0.0), &[]);
+    assert_warnings(&with_hub(false, 5.0), &["nodes 8, 9 are at the same place"]);
+    let words = ["nothing holds node 9", "nodes 8, 9 are at the same place"];
+    assert_warnings(&with_hub(false, 0.0), &words);
+}
+
+#[test]
+fn a_joint_far_from_all_else_is_warned_of() {
+    for (far, words) in [(1.5, &[][..]), (10.0, &["joint 1 is 9."][..])] {
+        let mut model = Model::new();
+        let bars = [0.5, 1.5].map(|x| Some(ball(&mut model, x * Vector3::x())));
+        let z = Vector3::z();
+        revolute(&mut model, None, bars[0], &Vector3::zeros(), &z);
+        revolute(&mut model, bars[0], bars[1], &(far * Vector3::x()), &z);
+        assert_warnings(&model, words);
+    }
 }

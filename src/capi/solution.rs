@@ -33,7 +33,7 @@ pub const PDN_CONVERGED: i32 = 0;
 pub const PDN_ITERATION_LIMIT: i32 = 1;
 /// Outcome: no step along the Newton direction brings progress.
 pub const PDN_STALLED: i32 = 2;
-/// Outcome: the Jacobian is singular; something is free to move.
+/// Outcome: the Jacobian is singular; something is free to move, or in resonance without damping.
 pub const PDN_SINGULAR: i32 = 3;
 /// Outcome: the progress callback cancelled the solve.
 pub const PDN_CANCELLED: i32 = 4;

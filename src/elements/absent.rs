@@ -29,7 +29,7 @@ pub(crate) fn call_absent() -> Result<()> {
     if ZERO.get() {
         return Ok(());
     }
-    let message = "its function is not there, as the model was loaded from a file; set it anew";
+    let message = "its function is not there, as the model was loaded from a file, which holds none: build the model again to solve it";
     Err(Error::new(ErrorKind::Callback, message))
 }
 

@@ -23,7 +23,7 @@ use crate::system::{Standstill, System, Transient};
 use serde::{Deserialize, Serialize};
 use std::borrow::Cow;
 use std::fs::File;
-use std::io::Read;
+use std::io::{self, Read};
 use std::path::Path;
 use std::sync::Arc;
 use std::time::Duration;
@@ -97,7 +97,8 @@ impl Solution {
             march: self.solve.march.as_ref().map(Cow::Borrowed),
             transient: self.solve.system.transient().copied(),
         };
-        let body = rmp_serde::to_vec_named(&content).map_err(|e| refused("write", path, e))?;
+        let body = rmp_serde::to_vec_named(&content)
+            .map_err(|e| refused("write", path, &io::Error::other(e)))?;
         let header = header(&body);
         write_file(path, |file| {
             file.write_all(&header)?;
@@ -113,7 +114,7 @@ impl Solution {
     /// # Errors
     /// [`ErrorKind::Io`]; [`ErrorKind::Format`] if the file is no solution, damaged, or of a newer version.
     pub fn load(path: &Path) -> Result<Self> {
-        let mut file = File::open(path).map_err(|e| refused("read", path, e))?;
+        let mut file = File::open(path).map_err(|e| refused("read", path, &e))?;
         let file_of = |what: String| {
             let message = format!("path: \"{}\" {what}", path.display());
             Error::new(ErrorKind::Format, message)
@@ -122,12 +123,12 @@ impl Solution {
         let head = Read::by_ref(&mut file)
             .take(HEADER as u64)
             .read_to_end(&mut header);
-        head.map_err(|e| refused("read", path, e))?;
+        head.map_err(|e| refused("read", path, &e))?;
         let (checksum, length) = read_header(&header).map_err(file_of)?;
         // As long as the file is, whatever its header says.
         let mut body = Vec::new();
         let rest = file.take(length.saturating_add(1)).read_to_end(&mut body);
-        rest.map_err(|e| refused("read", path, e))?;
+        rest.map_err(|e| refused("read", path, &e))?;
         let found = body.len() as u64;
         if found < length {
             let what = format!("is cut off: {found} of {length} bytes after its header are there");

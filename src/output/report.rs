@@ -39,12 +39,21 @@ impl Solution {
         let standstill = solve.system.standstill();
         let outcome = self.outcome().describe();
         match (standstill, &solve.march) {
+            (None, Some(march)) if march.shooting => line(format_args!("Shooting: {outcome}")),
             (None, Some(_)) => line(format_args!("March: {outcome}")),
             (None, None) => line(format_args!("Periodic solve: {outcome}")),
             (Some(_), _) if solve.grid.points() == 1 => {
                 line(format_args!("Static solve: {outcome}"));
             }
             (Some(_), _) => line(format_args!("Small motion")),
+        }
+        let resolves = || self.diagnostics().error_estimate <= UNRESOLVED;
+        if solve.march.is_none() && self.outcome().is_solution() && !resolves() {
+            line(format_args!(
+                "  but {} grid points resolve nothing, as the estimated error says: more are needed, or an error tolerance \
+                 instead of their number",
+                solve.grid.points()
+            ));
         }
         if let Some(standstill) = standstill {
             let w = standstill.angular_velocity;
@@ -74,7 +83,21 @@ impl Solution {
                 "  {dependent}: the multipliers of least norm are given"
             ));
         }
-        if let Some(march) = &solve.march {
+        if let Some(shooting) = solve.march.as_ref().filter(|march| march.shooting) {
+            line(format_args!(
+                "  {} steps over the period {}, {} in all marches; the end differs from the start by {:.1e}",
+                shooting.times.len() - 1,
+                solve.grid.period(),
+                shooting.steps,
+                shooting.repetition
+            ));
+            if let Some([re, im]) = shooting.floquet.first() {
+                let size = re.hypot(*im);
+                line(format_args!(
+                    "  largest Floquet multiplier {size:.6} in size"
+                ));
+            }
+        } else if let Some(march) = &solve.march {
             let (first, last) = (march.times[0], march.times[march.times.len() - 1]);
             line(format_args!(
                 "  {} steps to t = {last} ({} given up, {} iterations), kept from t = {first}; largest error of a step {:.1e}",
@@ -113,16 +136,16 @@ impl Solution {
                 coarse.points, coarse.iterations, coarse.error_estimate
             ));
         }
-        if solve.march.is_none() && !solve.report.iterations.is_empty() {
+        if !solve.report.iterations.is_empty() {
             line(format_args!("  iteration   residual  increment   step"));
         }
+        for i in &solve.report.iterations {
+            line(format_args!(
+                "  {:9} {:10.2e} {:10.2e} {:6.3}",
+                i.number, i.residual, i.increment, i.step
+            ));
+        }
         if solve.march.is_none() {
-            for i in &solve.report.iterations {
-                line(format_args!(
-                    "  {:9} {:10.2e} {:10.2e} {:6.3}",
-                    i.number, i.residual, i.increment, i.step
-                ));
-            }
             let diagnostics = self.diagnostics();
             line(format_args!(
                 "  estimated error of the motions {:.1e}; between grid points: residual force {:.1e}, constraints {:.1e}",
@@ -130,11 +153,6 @@ impl Solution {
                 diagnostics.between.force,
                 diagnostics.between.constraint
             ));
-            if self.outcome().is_solution() && diagnostics.error_estimate > UNRESOLVED {
-                line(format_args!(
-                    "  so large an error leaves nothing resolved: more grid points are needed, or an error tolerance instead of their number"
-                ));
-            }
             if diagnostics.decay == DecayKind::Slow {
                 line(format_args!(
                     "  harmonics fall slowly, as j^-{:.1}: a kink, or a peak too narrow for the grid, near t = {:.6}; forces may oscillate about their values",

@@ -89,7 +89,7 @@ impl Solution {
         parts.retain(|(_, pieces)| !pieces.is_empty());
         let names: Vec<&str> = parts.iter().map(|part| part.0).collect();
         let written = write_pieces(path, stem, parts);
-        written.map_err(|e| refused("write", path, e))?;
+        written.map_err(|e| refused("write", path, &e))?;
         write_file(path, |file| {
             let written = write_collection(file, stem, times, &names);
             written.map_err(|error| match error {
@@ -344,6 +344,13 @@ fn write_pieces(path: &Path, stem: &str, parts: Vec<(&str, Vec<PolyDataPiece>)>)
     let directory = parent.join(stem);
     match fs::create_dir(&directory) {
         Err(e) if e.kind() == io::ErrorKind::AlreadyExists && directory.is_dir() => {}
+        Err(e) if e.kind() == io::ErrorKind::AlreadyExists => {
+            let reason = format!(
+                "its files go to the directory \"{}\", but that is a file",
+                directory.display()
+            );
+            return Err(io::Error::other(reason));
+        }
         other => other?,
     }
     for name in names {

@@ -8,7 +8,15 @@ use std::path::{Path, PathBuf};
 use tempfile::{Builder, NamedTempFile};
 
 /// The system refused something that was tried with `path`.
-pub(super) fn refused(what: &str, path: &Path, reason: impl std::fmt::Display) -> Error {
+pub(super) fn refused(what: &str, path: &Path, error: &io::Error) -> Error {
+    // In the same words, whether the system says so or what was asked before it.
+    let reason = match error.kind() {
+        io::ErrorKind::NotFound => "there is no such file or directory".into(),
+        io::ErrorKind::PermissionDenied => "permission is denied".into(),
+        io::ErrorKind::IsADirectory => "it is a directory".into(),
+        io::ErrorKind::NotADirectory => "it is beyond what is no directory".into(),
+        _ => error.to_string(),
+    };
     let message = format!("path: cannot {what} \"{}\": {reason}", path.display());
     Error::new(ErrorKind::Io, message)
 }
@@ -22,7 +30,7 @@ pub(super) fn write_file(
     path: &Path,
     write: impl FnOnce(&mut dyn Write) -> io::Result<()>,
 ) -> Result<()> {
-    attempt(path, write).map_err(|e| refused("write", path, e))
+    attempt(path, write).map_err(|e| refused("write", path, &e))
 }
 
 fn attempt(path: &Path, write: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> io::Result<()> {

@@ -6,6 +6,7 @@ use faer::MatMut;
 use faer::linalg::solvers::Solve;
 use faer::sparse::{SparseColMat, Triplet};
 use nalgebra::Vector3;
+use std::f64::consts::TAU;
 
 /// Why a Jacobian is singular, in words.
 pub(super) enum Singularity {
@@ -93,12 +94,73 @@ fn describe_freedom(motions: &[f64], largest: f64, points: usize, state: &GridSt
     } else {
         format!("turn about {}", direction(&angular))
     };
+    let names = name_all("node", &free);
+    if let Some(harmonic) = vibration(motions, points, state) {
+        let times = match harmonic {
+            1 => "once".into(),
+            harmonic => format!("{harmonic} times"),
+        };
+        return format!(
+            "resonance without damping: {names} may vibrate {times} in a period at any amplitude, with stiffness and \
+             inertia in balance; there node {worst} can {how}. Add damping, or change the period"
+        );
+    }
     format!(
-        "{} {} free to move: nothing resists a motion in which node {worst} can {how}. \
+        "{names} {} free to move: nothing resists a motion in which node {worst} can {how}. \
          Add a joint, a spring, a damper or inertia, or prescribe a coordinate",
-        name_all("node", &free),
         if free.len() == 1 { "is" } else { "are" }
     )
+}
+
+/// Part of a motion that a mean must have, or else it vibrates.
+const MEAN: f64 = 0.1;
+
+/// The harmonic of a free motion that vibrates: one without a mean, along the inertial axes and along those of
+/// the nodes alike.
+fn vibration(motions: &[f64], points: usize, state: &GridState) -> Option<usize> {
+    let mut found = (0.0, 0);
+    for inertial in [true, false] {
+        let mut power = vec![0.0; points / 2 + 1];
+        for (node, part) in motions.chunks_exact(6 * points).enumerate() {
+            let mut series = vec![Vector3::zeros(); 2 * points];
+            for (k, u) in part.chunks_exact(6).enumerate() {
+                let rotation = state.node(node)[k].rotation;
+                for (half, u) in u.chunks_exact(3).enumerate() {
+                    let u = Vector3::new(u[0], u[1], u[2]);
+                    series[half * points + k] = if inertial { rotation * u } else { u };
+                }
+            }
+            for values in series.chunks_exact(points) {
+                for (harmonic, power) in power.iter_mut().enumerate() {
+                    *power += power_of(values, harmonic);
+                }
+            }
+        }
+        let total: f64 = power.iter().sum();
+        if power[0] > MEAN * total {
+            return None;
+        }
+        let largest = (power.iter().enumerate()).max_by(|a, b| a.1.total_cmp(b.1));
+        if let Some((harmonic, &power)) = largest
+            && power / total > found.0
+        {
+            found = (power / total, harmonic);
+        }
+    }
+    (found.1 > 0).then_some(found.1)
+}
+
+/// Mean square of one harmonic of a series over the period.
+fn power_of(values: &[Vector3<f64>], harmonic: usize) -> f64 {
+    let points = values.len() as f64;
+    let (mut cosine, mut sine) = (Vector3::zeros(), Vector3::zeros());
+    for (k, value) in values.iter().enumerate() {
+        let angle = TAU * (harmonic * k) as f64 / points;
+        cosine += value * (angle.cos() / points);
+        sine += value * (angle.sin() / points);
+    }
+    let both_signs = if harmonic == 0 { 1.0 } else { 2.0 };
+    both_signs * (cosine.norm_squared() + sine.norm_squared())
 }
 
 fn describe_redundancy(equations: &Collocation, multipliers: &[f64]) -> String {

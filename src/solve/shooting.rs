@@ -266,7 +266,11 @@ pub fn solve_shooting(
         Ok(marcher) => marcher,
         Err((refusal, at)) => {
             let kept = vec![Kept::of(&at)];
-            return finish(&system, MarchRecord::default(), kept, Some(refusal));
+            let record = MarchRecord {
+                shooting: true,
+                ..MarchRecord::default()
+            };
+            return finish(&system, record, kept, Some(refusal));
         }
     };
     let mut shooting = Shooting {
@@ -330,6 +334,7 @@ pub fn solve_shooting(
         }
         None => vec![Kept::of(shooting.marcher.now())],
     };
+    record.shooting = true;
     record.floquet = floquet;
     let mut solve = finish(&system, record, kept, None)?;
     solve.report = report;

@@ -234,6 +234,9 @@ pub struct MarchRecord {
     pub start_moved: f64,
     /// Likewise of velocities, in the unit of time.
     pub start_corrected: f64,
+    /// Whether this is the orbit of a shooting solve.
+    #[serde(default)]
+    pub shooting: bool,
     /// Of a shooting solve: real and imaginary parts of the Floquet multipliers, the largest first.
     #[serde(default)]
     pub floquet: Vec<[f64; 2]>,

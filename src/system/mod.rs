@@ -3,10 +3,12 @@
 mod check;
 mod constraints;
 mod driven;
+mod partition;
 mod scales;
 mod spectra;
 mod summary;
 mod turning;
+mod warnings;
 
 pub use check::{TangentCheck, check_tangents};
 pub use constraints::{ConstraintLoop, Dependency, name_all, name_constraints};

@@ -1,0 +1,339 @@
+//! What looks like a mistake in a model.
+
+use super::constraints::name_all;
+use super::partition::{Partition, parts};
+use super::{ElementRole, Placed, System};
+use crate::elements::{Element, Joint, NodeState, rigid_body_inertia};
+use crate::model::{ForceDefinition, Model};
+use crate::motion::Motion;
+use nalgebra::{Matrix3, Matrix6, Vector3};
+use std::collections::HashMap;
+
+/// Range of the ratio of a section's radius of gyration to the element's length beyond which units look mixed
+/// up: millimetres for metres are a factor of 1000.
+const SLENDER: std::ops::RangeInclusive<f64> = 5e-5..=5.0;
+/// Ratio of stiffnesses in one model beyond which results lose most of their digits.
+const SPREAD: f64 = 1e12;
+/// A section's radii of gyration by mass and by stiffness are alike; their squares must not differ by more.
+const UNLIKE: f64 = 1e5;
+/// Range of the ratio of a body's radius of gyration to the size of the model, likewise.
+const BODY: std::ops::RangeInclusive<f64> = 5e-5..=30.0;
+/// A joint is no farther from its nodes than this many times the size of the model without that joint.
+const FAR: f64 = 3.0;
+/// Nodes closer than this part of the model's size are at the same place.
+const SAME_PLACE: f64 = 1e-6;
+
+/// One sentence for each, with the node that stands for the member of each node, and the parts that nothing
+/// connects.
+pub(super) fn warnings(
+    model: &Model,
+    system: &System,
+    members: &[usize],
+    unconnected: &[Option<usize>],
+) -> Vec<String> {
+    let mut warnings = Vec::new();
+    warn_of_parts(unconnected, &mut warnings);
+    warn_of_loose_parts(model, system, unconnected, &mut warnings);
+    warn_of_missing_joints(model, system, members, &mut warnings);
+    warn_of_bare_nodes(system, &mut warnings);
+    warn_of_beams(model, &mut warnings);
+    warn_of_bodies(model, system.scales().length, &mut warnings);
+    warn_of_open_joints(model, system.scales().length, &mut warnings);
+    warn_of_far_joints(model, system.scales().length, &mut warnings);
+    warnings
+}
+
+fn warn_of_parts(parts: &[Option<usize>], warnings: &mut Vec<String>) {
+    let last = parts.iter().flatten().max().copied().unwrap_or(0);
+    for part in 1..=last {
+        let nodes: Vec<usize> = (0..parts.len())
+            .filter(|&n| parts[n] == Some(part))
+            .collect();
+        warnings.push(format!(
+            "nothing connects {} to the rest of the model",
+            name_all("node", &nodes)
+        ));
+    }
+}
+
+/// Whether an element constrains or resists motions of its nodes, not only their velocities.
+fn holds(model: &Model, placed: &Placed) -> bool {
+    match placed.role {
+        ElementRole::Inertia | ElementRole::Load => false,
+        ElementRole::Beam(_) | ElementRole::Prescribed(_) => true,
+        ElementRole::Joint(index) => model.joints[index].kind().constraints() > 0,
+        ElementRole::Force(index) => match &model.forces[index] {
+            ForceDefinition::SpringDamper { stiffness, .. } => stiffness.iter().any(|&k| k != 0.0),
+            ForceDefinition::Viscoelastic { stiffness, .. } => *stiffness != 0.0,
+            ForceDefinition::Actuator { .. } | ForceDefinition::ViscousDamper { .. } => false,
+            // What they do is not known.
+            ForceDefinition::CoordinateLaw { .. } | ForceDefinition::NodeForces { .. } => true,
+        },
+    }
+}
+
+fn warn_of_loose_parts(
+    model: &Model,
+    system: &System,
+    unconnected: &[Option<usize>],
+    warnings: &mut Vec<String>,
+) {
+    let loose = parts(system, |placed| holds(model, placed));
+    let last = loose.iter().flatten().max().copied().unwrap_or(0);
+    for part in 1..=last {
+        let nodes: Vec<usize> = (0..loose.len())
+            .filter(|&n| loose[n] == Some(part))
+            .collect();
+        if nodes.iter().any(|&n| unconnected[n].is_none()) {
+            warnings.push(format!(
+                "nothing holds {} to the rest of the model: what connects them has neither constraints nor stiffness; is a \
+                 joint or a spring missing?",
+                name_all("node", &nodes)
+            ));
+        }
+    }
+}
+
+/// Ends of beams at the same place as another member, with nothing between them.
+fn warn_of_missing_joints(
+    model: &Model,
+    system: &System,
+    members: &[usize],
+    warnings: &mut Vec<String>,
+) {
+    let mut on_beam = vec![false; system.nodes()];
+    for beam in &model.beams {
+        beam.nodes().iter().for_each(|&node| on_beam[node] = true);
+    }
+    let unit = SAME_PLACE * system.scales().length;
+    let mut places: HashMap<[i64; 3], Vec<usize>> = HashMap::new();
+    for (node, motion) in model.nodes.iter().enumerate() {
+        let place = motion.position.map(|x| (x / unit).round() as i64);
+        places.entry(place.into()).or_default().push(node);
+    }
+    let mut groups: Vec<Vec<usize>> = places.into_values().filter(|g| g.len() > 1).collect();
+    groups.sort();
+    let place_of: HashMap<usize, (usize, usize)> = (groups.iter().enumerate())
+        .flat_map(|(g, group)| group.iter().enumerate().map(move |(i, &n)| (n, (g, i))))
+        .collect();
+    let mut connected: Vec<Partition> = groups.iter().map(|g| Partition::new(g.len())).collect();
+    let mut join = |a: usize, b: usize| {
+        if let (Some(&(group, a)), Some(&(other, b))) = (place_of.get(&a), place_of.get(&b))
+            && group == other
+        {
+            connected[group].join(a, b);
+        }
+    };
+    for placed in system.elements() {
+        for pair in placed.element.nodes().windows(2) {
+            join(pair[0], pair[1]);
+        }
+    }
+    for group in &groups {
+        for (i, &a) in group.iter().enumerate() {
+            for &b in &group[..i] {
+                if members[a] == members[b] {
+                    join(a, b);
+                }
+            }
+        }
+    }
+    for (group, connected) in groups.iter().zip(connected) {
+        let representatives = connected.representatives();
+        if representatives.iter().any(|&r| r != 0) && group.iter().any(|&n| on_beam[n]) {
+            warnings.push(format!(
+                "{} are at the same place, but not all connected there: is a joint missing?",
+                name_all("node", group)
+            ));
+        }
+    }
+}
+
+fn warn_of_bare_nodes(system: &System, warnings: &mut Vec<String>) {
+    let mut bare = vec![true; system.nodes()];
+    for placed in system.elements() {
+        if matches!(placed.role, ElementRole::Inertia | ElementRole::Beam(_)) {
+            for &node in placed.element.nodes() {
+                bare[node] = false;
+            }
+        }
+    }
+    let bare: Vec<usize> = (0..bare.len()).filter(|&n| bare[n]).collect();
+    if !bare.is_empty() {
+        let verb = if bare.len() == 1 { "has" } else { "have" };
+        warnings.push(format!(
+            "{} {verb} neither inertia nor a beam",
+            name_all("node", &bare)
+        ));
+    }
+}
+
+fn warn_of_beams(model: &Model, warnings: &mut Vec<String>) {
+    let mut massless = Vec::new();
+    let (mut slender, mut thick, mut odd_shear) = (Vec::new(), Vec::new(), Vec::new());
+    let (mut odd_mass, mut radii) = (Vec::new(), (0.0, 0.0));
+    // Stiffness against stretching and bending, as forces for a displacement of the element's length.
+    let (mut stiffest, mut softest) = ((0.0, 0), (f64::INFINITY, 0));
+    for (index, beam) in model.beams.iter().enumerate() {
+        let section = beam.middle_section();
+        let length = beam.length();
+        let (axial, shear) = (
+            section.stiffness[(0, 0)],
+            section.stiffness[(1, 1)].min(section.stiffness[(2, 2)]),
+        );
+        let bending = section.stiffness[(4, 4)].min(section.stiffness[(5, 5)]);
+        if section.mass == Matrix6::zeros() {
+            massless.push(index);
+        }
+        let slenderness = (bending / axial).sqrt() / length;
+        if slenderness < *SLENDER.start() {
+            slender.push(index);
+        } else if slenderness > *SLENDER.end() {
+            thick.push(index);
+        }
+        let of_mass = section.mass[(4, 4)].max(section.mass[(5, 5)]) / section.mass[(0, 0)];
+        let of_stiffness = section.stiffness[(4, 4)].max(section.stiffness[(5, 5)]) / axial;
+        if of_mass > 0.0 && !(1.0 / UNLIKE..=UNLIKE).contains(&(of_mass / of_stiffness)) {
+            odd_mass.push(index);
+            radii = (of_mass.sqrt(), of_stiffness.sqrt());
+        }
+        if !(1e-4..=1e2).contains(&(shear / axial)) {
+            odd_shear.push(index);
+        }
+        let soft = bending / (length * length);
+        if axial > stiffest.0 {
+            stiffest = (axial, index);
+        }
+        if soft < softest.0 {
+            softest = (soft, index);
+        }
+    }
+    if !massless.is_empty() {
+        warnings.push(format!("{}: no mass", name_all("beam element", &massless)));
+    }
+    if !slender.is_empty() {
+        warnings.push(format!(
+            "{}: very soft in bending against its axial stiffness, as if units were mixed up",
+            name_all("beam element", &slender)
+        ));
+    }
+    if !thick.is_empty() {
+        warnings.push(format!(
+            "{}: very stiff in bending for its length and axial stiffness, as if units were mixed up",
+            name_all("beam element", &thick)
+        ));
+    }
+    if !odd_mass.is_empty() {
+        warnings.push(format!(
+            "{}: a radius of gyration of {:.1e} by mass, but {:.1e} by stiffness, as if units were mixed up",
+            name_all("beam element", &odd_mass),
+            radii.0,
+            radii.1
+        ));
+    }
+    if !odd_shear.is_empty() {
+        warnings.push(format!(
+            "{}: shear stiffness of another order than the axial one",
+            name_all("beam element", &odd_shear)
+        ));
+    }
+    if stiffest.0 > SPREAD * softest.0 {
+        warnings.push(format!(
+            "beam element {} is {:.0e} times as stiff in tension as beam element {} is in bending: results lose as \
+             many digits",
+            stiffest.1,
+            stiffest.0 / softest.0,
+            softest.1
+        ));
+    }
+}
+
+fn warn_of_bodies(model: &Model, size: f64, warnings: &mut Vec<String>) {
+    let (mut impossible, mut odd) = (Vec::new(), Vec::new());
+    for inertia in &model.inertias {
+        let &[node] = inertia.nodes() else { continue };
+        let m = inertia.mass();
+        let mass = m[(0, 0)];
+        if mass <= 0.0 {
+            continue;
+        }
+        // m = [m I, m c̃ᵀ; m c̃, J]: the moment about the centre c.
+        let c = Vector3::new(m[(5, 1)], m[(3, 2)], m[(4, 0)]) / mass;
+        let offset = rigid_body_inertia(mass, &c, &Matrix3::zeros());
+        let central = Matrix3::from_fn(|i, j| m[(3 + i, 3 + j)] - offset[(3 + i, 3 + j)]);
+        let moments = central.symmetric_eigenvalues();
+        let largest = moments.max();
+        if largest > 0.0 && 2.0 * largest > moments.sum() * (1.0 + 1e-9) {
+            impossible.push(node);
+        }
+        let radius = (largest / mass).sqrt();
+        if radius > 0.0 && !BODY.contains(&(radius / size)) {
+            odd.push(node);
+        }
+    }
+    if !odd.is_empty() {
+        warnings.push(format!(
+            "body at {}: its mass and moments of inertia are those of a body of another order of size than the model, as \
+             if units were mixed up",
+            name_all("node", &odd)
+        ));
+    }
+    if !impossible.is_empty() {
+        warnings.push(format!(
+            "body at {}: no body has these moments of inertia, as the largest exceeds the sum of the others",
+            name_all("node", &impossible)
+        ));
+    }
+}
+
+fn warn_of_open_joints(model: &Model, length: f64, warnings: &mut Vec<String>) {
+    for (index, joint) in model.joints.iter().enumerate() {
+        let states: Vec<NodeState> = joint
+            .nodes()
+            .iter()
+            .map(|&n| NodeState::at_rest(model.nodes[n]))
+            .collect();
+        let z: Motion = joint.relative_motion(&states);
+        let kind = joint.kind();
+        let mut gap = 0.0f64;
+        for row in 0..kind.constraints() {
+            let scale = match kind.measure(row) {
+                crate::elements::Measure::Length => length,
+                crate::elements::Measure::Angle => 1.0,
+            };
+            gap = gap.max(kind.constraint(row, &z).value.abs() / scale);
+        }
+        if gap > 1e-9 {
+            warnings.push(format!(
+                "joint {index} is open by {gap:.1e} (relative to the size of the model, or in radians) in the \
+                 reference configuration; a solve closes it"
+            ));
+        }
+    }
+}
+
+/// Joints at a place far from all else, as a coordinate in the wrong unit puts them.
+fn warn_of_far_joints(model: &Model, size: f64, warnings: &mut Vec<String>) {
+    if model.nodes.len() < 2 {
+        return; // there is nothing that one body's joints could be compared with
+    }
+    let distance = |joint: &Joint| {
+        let (first, second) = joint.attachments();
+        [first, second]
+            .iter()
+            .filter(|end| end.node.is_some())
+            .map(|end| end.offset.position.norm())
+            .fold(0.0, f64::max)
+    };
+    let distances: Vec<f64> = model.joints.iter().map(distance).collect();
+    for (index, &far) in distances.iter().enumerate() {
+        let others = distances.iter().enumerate().filter(|(i, _)| *i != index);
+        let elsewhere = others.fold(size, |most, (_, &d)| most.max(d));
+        if far > FAR * elsewhere {
+            warnings.push(format!(
+                "joint {index} is {far:.3e} away from a node that it joins, in a model of the size {elsewhere:.3e}: is its \
+                 point right?"
+            ));
+        }
+    }
+}
