@@ -585,7 +585,7 @@ typedef int32_t pdn_status;
 /**
  * Cross-section of a beam, per unit of length.
  *
- * The matrices are 6 x 6, column-major, symmetric, and resolved in the axes of the section: axis 1 is
+ * The matrices are 6 x 6, column-major, symmetric (damping need not be), and resolved in the axes of the section: axis 1 is
  * along the beam. Rows and columns are in the order force 1, 2, 3, moment 1, 2, 3, which is axial,
  * shear 2, shear 3, torsion, bending about axis 2, bending about axis 3. Any consistent set of units.
  *
@@ -606,7 +606,9 @@ typedef struct pdn_section {
      */
     double mass[36];
     /**
-     * Forces and moments for unit rates of strain and curvature; positive semi-definite.
+     * Forces and moments for unit rates of strain and curvature. It may be unsymmetric, as a diagonal matrix of times
+     * times the stiffness is for coupled sections; its symmetric part is positive semi-definite, so that no motion gains
+     * energy.
      */
     double damping[36];
 } pdn_section;
@@ -1392,9 +1394,9 @@ typedef struct pdn_march_options {
      */
     double error_tolerance;
     /**
-     * If not 0, march until motions and velocities differ by at most this from those one period before:
-     * displacements relative to the size of the mechanism, entries of rotation matrices, velocities likewise
-     * in the time T / (2 pi). Default 0.
+     * If not 0, march until motions and velocities differ by at most this from the periodic ones, by how the differences
+     * from each period to the next decay: displacements relative to the size of the mechanism, entries of rotation
+     * matrices, velocities likewise in the time T / (2 pi). Default 0.
      */
     double periodic_tolerance;
     /**
@@ -2572,8 +2574,8 @@ pdn_status pdn_model_add_straight_beam(struct pdn_model *model,
  *
  * Axis 1 of every node is along the line; axes 2 and 3 are those of the line, turned by the twist. The
  * mesh is even but for jumps of the section, where an element ends and the next begins; so there must
- * be more elements than jumps. Where slopes of section or twist jump inside an element, degrees gain
- * less accuracy.
+ * be more elements than jumps. Stations may lie anywhere: elements are integrated from each to the next. Where slopes
+ * of section or twist jump inside an element, degrees gain less accuracy all the same.
  *
  * Beams are joined by joints between their nodes. To fix a beam's end to a body at a distance, use
  * ::pdn_model_add_rigid_joint between the two nodes: they need not be at the same place.
@@ -3324,7 +3326,8 @@ pdn_status pdn_solution_joint_reaction(const struct pdn_solution *solution,
  * Strains of a beam element at a station and any times.
  *
  * Per unit of reference length, along the section's axes: axial and two shear strains, twist and two
- * curvatures. Interpolated from their values at the grid points.
+ * curvatures. Along the element they are the polynomial through those at its Gauss points; in time they are interpolated
+ * from their values at the grid points.
  *
  * @param solution  the solution; not NULL
  * @param element  id of the beam element
@@ -3350,8 +3353,9 @@ pdn_status pdn_solution_beam_strain(const struct pdn_solution *solution,
  * Internal forces of a beam element at a station and any times.
  *
  * Along the section's axes: axial force and two shear forces, torque and two bending moments, exerted by
- * the part beyond the station. They follow from the strains, and are most accurate at the element's
- * Gauss points: for two nodes the middle, for three 1/sqrt(3) either side of it.
+ * the part beyond the station. They are the polynomial through those at the element's Gauss points (one fewer than
+ * nodes), where they are most accurate. At its ends, as all along, errors fall with the power n - 1 of the element's
+ * length, for n nodes. At a node, each of two elements has its own: their difference tells how fine the mesh is.
  *
  * @param solution  the solution; not NULL
  * @param element  id of the beam element

@@ -149,6 +149,51 @@ fn its_root_bears_its_weight_as_it_turns() {
     assert!(reaction.len() == 54 && velocity.len() == 54);
 }
 
+/// A section that couples bending and torsion.
+fn coupled() -> SectionInput {
+    let stiffness = [9e6, 2e6, 2e6, 5e4, 8e4, 9e4];
+    let mut section = SectionInput::diagonal(&stiffness, &[3.0, 0.02, 0.01, 0.01]).unwrap();
+    for (i, j) in [(3, 4), (4, 3)] {
+        section.stiffness[(i, j)] = 2.5e4;
+    }
+    section
+}
+
+#[test]
+fn damping_by_component_is_taken_where_it_dissipates() {
+    let mut section = coupled();
+    let times = [1e-5, 1e-5, 1e-5, 2e-5, 1.4e-5, 2.2e-5];
+    section.damp_by_component(&times).unwrap();
+    assert!(section.damping[(3, 4)] != section.damping[(4, 3)]);
+    assert_eq!(section.damping[(3, 4)], 2e-5 * 2.5e4);
+    let mut model = Model::new();
+    let end = Vector3::x() * 4.0;
+    let beam = model
+        .add_straight_beam(&Vector3::zeros(), &end, &Vector3::y(), &section, 3, 3)
+        .unwrap();
+    let root = *model.node(beam.first_node).unwrap();
+    model
+        .add_joint(JointKind::Rigid, None, Some(beam.first_node), &root, &root)
+        .unwrap();
+    let options = ModesOptions {
+        count: 6,
+        ..ModesOptions::default()
+    };
+    let modes = Modes::solve(&model, &options, &mut |_, _| true).unwrap();
+    for mode in modes.modes() {
+        // Between the least and the largest time, halved, as all modes oscillate.
+        let ratio = -mode.eigenvalue.re / mode.eigenvalue.norm_sqr();
+        assert!((0.499e-5..1.101e-5).contains(&ratio), "{ratio:e}");
+    }
+
+    let mut section = coupled();
+    // Torsion has no damping of its own, but is driven by that of bending.
+    let error = section.damp_by_component(&[1e-3, 1e-3, 1e-3, 0.0, 1e-3, 1e-3]);
+    let message = error.unwrap_err().to_string();
+    assert!(message.contains("symmetric part"), "{message}");
+    assert!(section.damp_by_component(&[-1e-3; 6]).is_err());
+}
+
 /// Processor time of this process.
 fn processor_seconds() -> f64 {
     let text = std::fs::read_to_string("/proc/self/stat").unwrap_or_default();

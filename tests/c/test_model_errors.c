@@ -92,6 +92,7 @@ static const size_t bad_struct_sizes[] = {0, 7, 8, 80, 5000, (size_t)-1};
         static const double not_positive[] = {0.0, -1e-9, -1.0};                                   \
         static const double negative[] = {-1e-12, -1.0};                                           \
         static const double lopsided[] = {1.0};                                                    \
+        static const double gaining[] = {1e30};                                                    \
         REFUSES_STRUCT_SIZES(in.section, call, "section");                                         \
         REFUSES_NOT_FINITE_ENTRIES(in.section.stiffness, LENGTH(in.section.stiffness), call,       \
                                    "section stiffness");                                           \
@@ -104,13 +105,13 @@ static const size_t bad_struct_sizes[] = {0, 7, 8, 80, 5000, (size_t)-1};
         REFUSES_EACH(in.section.mass[28], double, negative, call, PDN_ERR_VALUE,                   \
                      "section mass: expected a positive semi-definite matrix");                    \
         REFUSES_EACH(in.section.damping[28], double, negative, call, PDN_ERR_VALUE,                \
-                     "section damping: expected a positive semi-definite matrix");                 \
+                     "section damping: expected a matrix whose symmetric part is positive");       \
         REFUSES_EACH(in.section.stiffness[1], double, lopsided, call, PDN_ERR_VALUE,               \
                      "section stiffness: expected a symmetric matrix");                            \
         REFUSES_EACH(in.section.mass[1], double, lopsided, call, PDN_ERR_VALUE,                    \
                      "section mass: expected a symmetric matrix");                                 \
-        REFUSES_EACH(in.section.damping[1], double, lopsided, call, PDN_ERR_VALUE,                 \
-                     "section damping: expected a symmetric matrix");                              \
+        REFUSES_EACH(in.section.damping[1], double, gaining, call, PDN_ERR_VALUE,                  \
+                     "section damping: expected a matrix whose symmetric part is positive");       \
     } while (0)
 
 /* Signals that the setters would not have made. */
