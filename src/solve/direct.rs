@@ -413,6 +413,16 @@ impl DirectSolver {
         rhs.iter().all(|x| x.is_finite())
     }
 
+    /// Numbers that the factors take.
+    #[cfg(test)]
+    fn size_of_factors(&self) -> usize {
+        let sizes = self.fronts.iter().map(|front| {
+            let (upper, lower) = (&front.upper, &front.lower);
+            upper.nrows() * upper.ncols() + lower.nrows() * lower.ncols()
+        });
+        sizes.sum()
+    }
+
     /// As [`DirectSolver::solve`], for the `values` of the matrix that was factored: refines the result by its
     /// residual, unless an earlier one with the same factors was accurate. Pivots are sought within a front
     /// only: where that has cost too many digits, the matrix is factored again with more of them waiting.
@@ -583,6 +593,120 @@ mod tests {
             model.add_spring_damper(spring).unwrap();
         }
         model
+    }
+
+    /// How a shaft is held.
+    #[derive(Clone, Copy)]
+    enum Support {
+        Hinge,
+        Springs,
+    }
+
+    /// A turning shaft of `count` beams in a row, which rigid joints join, each `throw` beside the one before, there and back.
+    fn shaft(count: usize, throw: f64, support: Support) -> Model {
+        let mut model = Model::new();
+        let at = |i: usize, y: usize| Vector3::new(0.1 * i as f64, throw * (y % 2) as f64, 0.0);
+        let stiffness = [5e8, 2e8, 2e8, 7e4, 9e4, 9e4];
+        let section = SectionInput::diagonal(&stiffness, &[18.0, 7e-3, 3.5e-3, 3.5e-3]).unwrap();
+        let mut ends: Vec<(usize, usize)> = Vec::new();
+        for i in 0..count {
+            let beam = model
+                .add_straight_beam(&at(i, i), &at(i + 1, i), &Vector3::z(), &section, 1, 2)
+                .unwrap();
+            if let Some(&(_, last)) = ends.last() {
+                let middle = (at(i, i - 1) + at(i, i)) / 2.0;
+                let frame = Model::frame_at("joint", &middle, &Vector3::x()).unwrap();
+                let (kind, first, second) = (JointKind::Rigid, last, beam.first_node);
+                model
+                    .add_joint(kind, Some(first), Some(second), &frame, &frame)
+                    .unwrap();
+            }
+            ends.push((beam.first_node, beam.last_node));
+        }
+        let mut hold = |kind, i: usize| {
+            let frame = Model::frame_at("support", &at(i, i), &Vector3::x()).unwrap();
+            let node = Some(ends[i].0);
+            model.add_joint(kind, None, node, &frame, &frame).unwrap()
+        };
+        // A turn about the shaft.
+        let (joint, coordinate, bearings) = match support {
+            Support::Hinge => (
+                hold(JointKind::Revolute, 0),
+                Coordinate::Rotation1,
+                Vec::new(),
+            ),
+            Support::Springs => {
+                let places = [0, count / 2, count - 1];
+                let bearings = places.map(|i| hold(JointKind::Free, i));
+                (bearings[0], Coordinate::Rotation3, bearings.to_vec())
+            }
+        };
+        for joint in bearings {
+            for coordinate in [
+                Coordinate::Displacement1,
+                Coordinate::Displacement2,
+                Coordinate::Displacement3,
+            ] {
+                let spring = SpringDefinition {
+                    at: JointCoordinate { joint, coordinate },
+                    stiffness: 1e8,
+                    damping: 1e4,
+                    rest: 0.0,
+                };
+                model.add_spring_damper(spring).unwrap();
+            }
+        }
+        let turn = Signal::harmonics(0.0, 3.0, &[], &[]).unwrap();
+        model
+            .prescribe(JointCoordinate { joint, coordinate }, &turn)
+            .unwrap();
+        model
+    }
+
+    #[test]
+    fn factors_of_a_shaft_on_springs_are_as_small_as_with_a_hinge() {
+        let points = 5;
+        let period = std::f64::consts::TAU / 3.0;
+        let size = |model: &Model| {
+            let system = Arc::new(System::new(model, period).unwrap());
+            let grid = TimeGrid::new(points, period).unwrap();
+            let state = GridState::reference(&system, grid);
+            let mut equations = Collocation::new(system.clone(), grid).unwrap();
+            let pattern = Pattern::new(&system, points);
+            let mut values = vec![0.0; pattern.entries()];
+            let mut blocks = TangentBlocks::default();
+            equations
+                .jacobian(&state, &pattern, &mut blocks, &mut values)
+                .unwrap();
+            let mut solver = DirectSolver::new(&pattern);
+            assert!(solver.factor(&values).unwrap());
+            let count = pattern.size();
+            let exact: Vec<f64> = (0..count).map(|i| (0.7 * i as f64).sin()).collect();
+            let minus = solver.residual(&values, &vec![0.0; count], &exact);
+            let wanted: Vec<f64> = minus.iter().map(|b| -b).collect();
+            let mut found = wanted.clone();
+            assert!(solver.solve_refined(&values, &mut found).unwrap());
+            let left = largest(&solver.residual(&values, &wanted, &found));
+            // What refinement leaves at most.
+            assert!(left <= ACCURATE * largest(&wanted), "{left:e}");
+            solver.size_of_factors()
+        };
+        for throw in [0.0, 0.05] {
+            let sizes = [10, 20, 40].map(|count| {
+                let hinge = size(&shaft(count, throw, Support::Hinge));
+                let springs = size(&shaft(count, throw, Support::Springs));
+                // Each beam leaves 6 of its 90 unknowns, its motions as a whole, until it is joined to what is held.
+                assert!(
+                    springs as f64 <= 1.2 * hinge as f64,
+                    "{count} beams: {springs} numbers instead of {hinge}"
+                );
+                springs as f64
+            });
+            // In proportion to the beams.
+            for pair in sizes.windows(2) {
+                assert!(pair[1] < 2.2 * pair[0], "{sizes:?}");
+            }
+        }
     }
 
     #[test]

@@ -15,6 +15,9 @@ use faer::{Accum, Mat, MatRef, Par};
 /// Multiply-adds of a front, or several, that are worth sharing among threads.
 pub(super) const LARGE_FRONT: f64 = 2e7;
 
+/// Smallest pivot, relative to its column, of a front that leaves something to its parent: to leave more costs little there.
+const SMALLEST_PARTIAL_PIVOT: f64 = 1e-4;
+
 /// A front, and then its factors: `P F₁₁ Q = L U`, `U₁₂`, `L₂₁`.
 #[derive(Debug)]
 pub(super) struct Front {
@@ -139,7 +142,11 @@ impl Front {
         };
         self.waits = true;
         assemble(self, &room.place)?;
-        self.eliminate_some(smallest_pivot, room, parallelism)?;
+        self.eliminate_some(
+            smallest_pivot.max(SMALLEST_PARTIAL_PIVOT),
+            room,
+            parallelism,
+        )?;
         Ok(true)
     }
 
