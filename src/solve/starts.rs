@@ -230,7 +230,7 @@ impl Attempts<'_> {
     /// By one way; `None` where it cannot be gone.
     fn find_by(&mut self, start: Start) -> Result<Option<Found>> {
         match start {
-            Start::QuasiStatic | Start::SteadyRotation => self.from_quasi_static(start).map(Some),
+            Start::QuasiStatic | Start::SteadyRotation => self.by_quasi_static(start).map(Some),
             Start::RigidRotation => match self.rigid_rotation()? {
                 Some(state) => self.newton(state).map(Some),
                 None => Ok(None),
@@ -243,7 +243,7 @@ impl Attempts<'_> {
         }
     }
 
-    fn from_quasi_static(&mut self, start: Start) -> Result<Found> {
+    fn by_quasi_static(&mut self, start: Start) -> Result<Found> {
         if let Some(state) = self.quasi_static_here(start)? {
             return self.newton(state);
         }
