@@ -296,7 +296,7 @@ fn a_grid_too_coarse_to_interpolate_a_motion_says_so() {
     }
     assert!(position(0.3 * period).is_ok());
     // The solve itself had told.
-    assert_eq!(solution.diagnostics().between.force, f64::INFINITY);
+    assert!(solution.diagnostics().error_estimate > 0.1);
 
     // More points resolve it.
     let fine = solve(&model, period, 41);

@@ -54,6 +54,8 @@ const GUESS_FACTOR: usize = 3;
 const GROWTH: [f64; 3] = [1.3, 4.0, 2.0];
 /// The next grid aims at this fraction of the tolerance.
 const AIM: f64 = 0.1;
+/// And at this one of what harmonics of loads cause, which are known.
+const AIM_OF_LOADS: f64 = 0.3;
 /// A measured error this many times its estimate shows that the decay deceives.
 const DECEIVED: f64 = 10.0;
 /// A difference of solutions that is larger is none of rounding.
@@ -143,7 +145,7 @@ impl Adaptation {
         // What loads need is known.
         let mut wanted = wanted;
         if let Some(unheld) = &found.unheld {
-            let fraction = AIM * self.error_tolerance / unheld.error;
+            let fraction = AIM_OF_LOADS * self.error_tolerance / unheld.error;
             let needed = loads.needed((points - 1) / 2, fraction);
             let needed = needed.map_or(0.0, |(_, harmonic)| (2 * harmonic + 1) as f64);
             if unheld.error > 0.5 * found.error {
