@@ -8,7 +8,7 @@ use super::linear::LinearSolver;
 use super::newton::{Timings, timed};
 use super::ordering::plan;
 use crate::collocation::{Collocation, GridState};
-use crate::error::{ErrorKind, Result};
+use crate::error::{Error, ErrorKind, Result};
 use crate::system::System;
 use std::collections::BTreeSet;
 
@@ -87,6 +87,8 @@ pub(super) struct Linear {
     active: Active,
     /// Whether factors may be tried where iteration fails.
     falls_back: bool,
+    /// Whether iteration may be tried where factors do not fit in memory.
+    may_iterate: bool,
     /// Where the equations were linearised last.
     last: Option<GridState>,
     /// What iteration took until it was given up.
@@ -118,6 +120,7 @@ impl Linear {
         Linear {
             active,
             falls_back,
+            may_iterate: method == LinearMethod::Automatic,
             last: None,
             given_up: None,
         }
@@ -129,6 +132,19 @@ impl Linear {
             Active::Iterative(iterative) => Some(&iterative.record),
             Active::Direct(_) => self.given_up.as_ref(),
         }
+    }
+
+    /// Whether factors were refused memory, and iteration may do without.
+    fn refused(&self, factored: &Result<bool>) -> bool {
+        let is_refused = |error: &Error| error.kind() == ErrorKind::OutOfMemory;
+        self.may_iterate && factored.as_ref().is_err_and(is_refused)
+    }
+
+    /// Gives factors up for iteration.
+    fn give_up_factors(&mut self, equations: &Collocation) {
+        self.falls_back = false;
+        self.may_iterate = false;
+        self.active = Active::Iterative(Box::new(Iterative::new(equations, None)));
     }
 
     /// Gives iteration up for factors.
@@ -149,6 +165,7 @@ impl Linear {
             return Ok(false);
         }
         self.active = Active::Direct(Box::new(direct));
+        self.may_iterate = false;
         regular
     }
 }
@@ -162,6 +179,13 @@ impl LinearSolver for Linear {
     ) -> Result<bool> {
         if self.falls_back {
             self.last = Some(state.clone());
+        }
+        if let Active::Direct(direct) = &mut self.active {
+            let regular = direct.linearise(equations, state, timings);
+            if !self.refused(&regular) {
+                return regular;
+            }
+            self.give_up_factors(equations);
         }
         let done = match &mut self.active {
             Active::Direct(direct) => return direct.linearise(equations, state, timings),
@@ -206,6 +230,51 @@ impl LinearSolver for Linear {
         match &mut self.active {
             Active::Direct(direct) => direct.explain(equations, state),
             Active::Iterative(iterative) => iterative.explain(equations, state),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::fourier::TimeGrid;
+    use crate::solve::test_models::rotor;
+    use std::sync::Arc;
+
+    #[test]
+    fn iteration_solves_what_factors_get_no_memory_for() {
+        let (model, period) = rotor(2);
+        let system = Arc::new(System::new(&model, period).unwrap());
+        let grid = TimeGrid::new(9, period).unwrap();
+        let state = GridState::reference(&system, grid);
+        let mut equations = Collocation::new(system, grid).unwrap();
+        let refused = Err(Error::new(ErrorKind::OutOfMemory, "a dense block"));
+        let mut linear = Linear::new(&equations, LinearMethod::Automatic);
+        let chosen = Linear::new(&equations, LinearMethod::Direct);
+        assert!(linear.refused(&refused) && !chosen.refused(&refused));
+        assert!(!linear.refused(&Ok(true)));
+
+        let wave = |i: usize| (0.37 * i as f64).sin();
+        let rhs: Vec<f64> = (0..equations.size()).map(|i| 1e-3 * wave(i)).collect();
+        let mut timings = Timings::default();
+        let mut solve = |linear: &mut Linear, equations: &mut Collocation| {
+            assert!(linear.linearise(equations, &state, &mut timings).unwrap());
+            let mut x = rhs.clone();
+            assert!(linear.solve(equations, &mut x, 1e-8).unwrap());
+            x
+        };
+        let by_factors = solve(&mut linear, &mut equations);
+        assert!(linear.record().is_none());
+        linear.give_up_factors(&equations);
+        let by_iteration = solve(&mut linear, &mut equations);
+        assert!(linear.record().is_some());
+        let motions = 6 * equations.system().nodes() * grid.points();
+        let largest = by_factors[..motions]
+            .iter()
+            .fold(0.0f64, |m, x| m.max(x.abs()));
+        for (a, b) in by_factors[..motions].iter().zip(&by_iteration) {
+            // A hundred times the accuracy that was asked for.
+            assert!((a - b).abs() < 1e-6 * largest, "{a} {b} of {largest}");
         }
     }
 }
