@@ -4,7 +4,7 @@
 mod common;
 
 use common::*;
-use nalgebra::{Matrix3, Matrix6, Vector3, Vector6};
+use nalgebra::{Matrix3, Vector3, Vector6};
 use periodyn::elements::{
     Coordinate, CoordinateLaw, CoordinateState, Effort, JointKind, LoadFrame, MaxwellBranch,
     NodeForceInput, NodeForceLaw, NodeForceOutput,

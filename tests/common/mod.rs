@@ -5,6 +5,7 @@
 
 mod random;
 
+#[allow(unused_imports)] // not all tests need it
 pub use random::Random;
 
 use nalgebra::{Matrix3, Matrix6, Vector3};
