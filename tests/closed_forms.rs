@@ -506,5 +506,6 @@ fn statics_of_a_single_point_has_no_error_estimate_to_speak_of() {
     );
     let solution = solve(&model, 1.0, 1);
     assert_eq!(solution.outcome(), Outcome::Converged);
-    assert_eq!(solution.diagnostics().error_estimate, 0.0);
+    // What the last increment leaves, which is rounding.
+    assert!(solution.diagnostics().error_estimate < 1e-15);
 }

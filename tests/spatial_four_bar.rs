@@ -136,7 +136,7 @@ fn reports_say_where_nothing_is_resolved() {
     let warned = |n: usize| {
         SOLUTIONS[&n]
             .report()
-            .contains("more grid points are needed")
+            .contains("grid points resolve nothing")
     };
     assert!(warned(3));
     assert!(!warned(11));

@@ -34,7 +34,7 @@ const BALANCED: f64 = 1e-9;
 ///
 /// # Errors
 /// That of a callback.
-fn assess(
+pub(super) fn assess(
     system: &System,
     grid: TimeGrid,
     state: &GridState,

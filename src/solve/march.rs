@@ -15,8 +15,6 @@ const LEAST_STEPS: usize = 96;
 const REFINEMENTS: usize = 3;
 /// Motions before the present one that the rule takes.
 const PAST: usize = 3;
-/// Two periods alike to this (relative to the characteristic length, or in radians) end the march.
-const REPEATED: f64 = 1e-3;
 
 const NEWTON: NewtonOptions = NewtonOptions {
     tolerance: 1e-6,
@@ -93,26 +91,21 @@ impl DissipativeMarch {
         self.before = None;
     }
 
-    /// Whether the last two periods are alike.
-    pub fn repeats(&self) -> bool {
-        self.change < REPEATED
+    /// Change of the last period from the one before: motions relative to the characteristic length, or in radians.
+    pub fn change(&self) -> f64 {
+        self.change
     }
 
-    /// Marches so many periods, or until they repeat.
-    pub fn go_on(
-        &mut self,
-        periods: usize,
-        observe: &mut dyn FnMut(&Iteration) -> bool,
-    ) -> Result<March> {
-        let mut left = periods;
-        while left > 0 && !self.repeats() {
+    /// Marches one more period; from the start again, in shorter steps, where these fail.
+    pub fn go_on(&mut self, observe: &mut dyn FnMut(&Iteration) -> bool) -> Result<March> {
+        loop {
             match self.period(observe)? {
                 Ok(state) => {
                     if let Some(before) = &self.before {
                         self.change = before.distance(&state, self.system.scales().length);
                     }
-                    self.before = Some(state);
-                    left -= 1;
+                    self.before = Some(state.clone());
+                    return Ok(Ok(state));
                 }
                 Err((Outcome::Stalled | Outcome::IterationLimit | Outcome::WrongAssembly, _))
                     if self.refinements < REFINEMENTS =>
@@ -120,13 +113,10 @@ impl DissipativeMarch {
                     self.refinements += 1;
                     self.parts *= 2;
                     self.begin();
-                    left = periods;
                 }
                 Err(failure) => return Ok(Err(failure)),
             }
         }
-        let none = (Outcome::Stalled, String::new());
-        Ok(self.before.clone().ok_or(none))
     }
 
     /// Marches one period.

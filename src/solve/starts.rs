@@ -83,8 +83,11 @@ const PATIENCE: usize = 4;
 const SMALLEST_INERTIA_STEP: f64 = 1.0 / 16.0;
 /// Most Newton iterations of that continuation.
 const MOST_RAISING: usize = 40;
-/// Periods that are marched before Newton's method is tried, each time.
-const MARCHED: [usize; 5] = [1, 2, 4, 8, 9];
+/// Periods that a march takes at most.
+const MOST_PERIODS: usize = 24;
+/// Changes from one period to the next, relative to the characteristic length or in radians, at which Newton's method is tried:
+/// from a motion that is still far from periodic it may find one that nobody meant.
+const TRIED: [f64; 3] = [5e-2, 5e-3, 1e-3];
 
 /// State and report of a Newton solve.
 type Found = (GridState, NewtonReport);
@@ -333,16 +336,11 @@ impl Attempts<'_> {
         };
         let mut march = DissipativeMarch::new(&self.system, self.grid, start.as_ref())?;
         let mut found: Option<Found> = None;
-        for periods in MARCHED {
-            let marched = self.guess(|_, _, observe| march.go_on(periods, observe))?;
-            match marched {
-                Ok(state) => {
-                    let next = self.newton(state)?;
-                    if is_final(next.1.outcome) {
-                        return Ok(Some(next));
-                    }
-                    found = Some(next);
-                }
+        let mut tries = TRIED.iter().peekable();
+        for period in 1..=MOST_PERIODS {
+            let marched = self.guess(|_, _, observe| march.go_on(observe))?;
+            let state = match marched {
+                Ok(state) => state,
                 Err((outcome, explanation)) => {
                     let report = NewtonReport {
                         outcome,
@@ -352,10 +350,17 @@ impl Attempts<'_> {
                     let state = GridState::reference(&self.system, self.grid);
                     return Ok(found.or(Some((state, report))));
                 }
+            };
+            let is_near = tries.next_if(|most| march.change() < **most).is_some();
+            if !is_near && period < MOST_PERIODS {
+                continue;
             }
-            if march.repeats() {
-                break;
+            while tries.next_if(|most| march.change() < **most).is_some() {}
+            let next = self.newton(state)?;
+            if is_final(next.1.outcome) || tries.peek().is_none() {
+                return Ok(Some(next));
             }
+            found = Some(next);
         }
         Ok(found)
     }
