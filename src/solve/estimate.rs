@@ -253,7 +253,9 @@ fn freeze(wave: &mut Newton, state: &GridState, k: usize) -> Result<bool> {
     let system = wave.equations.system().clone();
     let time = system.period() * k as f64 / state.points() as f64;
     let at = frozen(wave, state, k);
-    wave.equations.set_conditions(time, 1.0)?;
+    // Functions of the user see no times beyond the period.
+    let last = system.period() - wave.equations.grid().period();
+    wave.equations.set_conditions(time.min(last), 1.0)?;
     let mut signals = vec![0.0; system.signals()];
     system.signal_values(time, 1.0, &mut signals)?;
     wave.equations.set_signals(&signals.repeat(3));

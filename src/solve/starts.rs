@@ -272,9 +272,9 @@ impl Attempts<'_> {
         Ok((state, report))
     }
 
-    /// All that hangs on drives turned with them.
+    /// All that hangs on drives turned with them, if the joints let it.
     fn rigid_rotation(&self) -> Result<Option<GridState>> {
-        let Some(driven) = &self.driven else {
+        let Some(driven) = self.driven.as_ref().filter(|driven| driven.is_rigid()) else {
             return Ok(None);
         };
         let (system, points) = (&self.system, self.grid.points());

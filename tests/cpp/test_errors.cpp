@@ -188,8 +188,8 @@ static void solutions()
     REFUSED(s.node_harmonics(0, pdn::NodeQuantity::position, huge), PDN_ERR_SIZE, "harmonics: ");
     REFUSED(s.node_harmonics(0, static_cast<pdn::NodeQuantity>(50), 1), PDN_ERR_VALUE,
             "quantity: ");
-    REFUSED(s.joint_harmonics(0, pdn::JointQuantity::rate, Coordinate::rotation, 16), PDN_ERR_SIZE,
-            "harmonics: ");
+    REFUSED(s.joint_harmonics(0, pdn::JointQuantity::rate, Coordinate::rotation, huge),
+            PDN_ERR_SIZE, "harmonics: ");
     REFUSED(s.joint_reaction_harmonics(3, pdn::Axes::space, 1), PDN_ERR_ID, "joint: ");
     REFUSED(s.beam_harmonics(0, 0, pdn::BeamQuantity::force, 1), PDN_ERR_ID, "element: ");
     REFUSED(s.force_harmonics(0, static_cast<pdn::ForceQuantity>(-3), 0, 1), PDN_ERR_VALUE,

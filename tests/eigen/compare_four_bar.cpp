@@ -116,7 +116,11 @@ Solution solve(const Mechanism &m, int n, double tolerance) {
     pdn_solution *solution = nullptr;
     must(pdn_solve_periodic(m.model.get(), period, &options, &solution));
     Solution owner(solution, pdn_solution_free);
-    if (pdn_solution_outcome(solution) != PDN_CONVERGED) throw std::runtime_error("the solve has not converged");
+    if (pdn_solution_outcome(solution) != PDN_CONVERGED) {
+        char report[4096];
+        pdn_solution_report(solution, report, sizeof report);
+        throw std::runtime_error(report);
+    }
     return owner;
 }
 

@@ -293,8 +293,6 @@ contains
         call refused(stat, errmsg, PDN_ERR_NOT_AVAILABLE, 'branch: ')
         call s%force_on_node(spring, 7, PDN_FRAME_SPACE, zero, six, stat, errmsg)
         call refused(stat, errmsg, PDN_ERR_ID, 'node: ')
-        call s%node_harmonics(body, PDN_NODE_POSITION, mean, many, many, stat, errmsg)
-        call refused(stat, errmsg, PDN_ERR_SIZE, 'harmonics: ')
         call s%node_harmonics(body, PDN_NODE_VELOCITY, mean, many, many, stat, errmsg)
         call refused(stat, errmsg, PDN_ERR_SIZE, 'mean: expected the shape 6, got 3')
         call s%node_harmonics(body, PDN_NODE_POSITION, mean, many, many1, stat, errmsg)
