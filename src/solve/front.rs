@@ -18,6 +18,9 @@ pub(super) const LARGE_FRONT: f64 = 2e7;
 /// Smallest pivot, relative to its column, of a front that leaves something to its parent: to leave more costs little there.
 const SMALLEST_PARTIAL_PIVOT: f64 = 1e-4;
 
+/// What rows in the boundary count of in the size of a column there.
+const BOUNDARY_SHARE: f64 = 1e-2;
+
 /// A front, and then its factors: `P F₁₁ Q = L U`, `U₁₂`, `L₂₁`.
 #[derive(Debug)]
 pub(super) struct Front {
@@ -223,6 +226,10 @@ impl Front {
     ) -> Result<()> {
         let (own, size) = (self.upper.nrows(), self.upper.ncols());
         self.measure_columns(&mut room.sizes);
+        // A column that is tiny but for its rows in the boundary has its pivot there.
+        for (j, size) in room.sizes.iter_mut().enumerate() {
+            *size = size.max(BOUNDARY_SHARE * largest(self.lower.col_as_slice(j)));
+        }
         let parallelism = self.parallelism(parallelism);
         let mut order: Vec<usize> = (0..own).collect();
         let count = factor_partially(
