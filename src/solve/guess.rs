@@ -83,13 +83,12 @@ impl<'a> Tracker<'a> {
         let equations = &mut self.newton.equations;
         equations.set_conditions(time, load_factor)?;
         if let Some(driven) = &self.driven {
-            let nodes = 0..equations.system().nodes();
-            equations.set_steady(nodes.map(|n| driven.twist(n) * load_factor).collect());
+            equations.set_steady(driven.twists(load_factor));
         }
         Ok(())
     }
 
-    /// Where the present state is expected after this time, and by this change of the load factor.
+    /// Where the present state is expected after this time.
     fn expected(&self, system: &System, passed: f64) -> GridState {
         match (&self.before, &self.driven) {
             (Some((before, since)), _) if passed > 0.0 => {
@@ -277,8 +276,7 @@ pub(super) fn inertial_displacement(
         let k = (part * count as f64) as usize;
         newton.equations.set_conditions(grid.time(k), 1.0)?;
         if let Some(driven) = driven {
-            let twists = (0..system.nodes()).map(|node| driven.twist(node));
-            newton.equations.set_steady(twists.collect());
+            newton.equations.set_steady(driven.twists(1.0));
         }
         at.copy_point(system, 0, state, k);
         let (next, last) = ((k + 1) % count, (k + count - 1) % count);

@@ -7,6 +7,7 @@ use super::periodic::{Attempts, is_final};
 use crate::collocation::GridState;
 use crate::error::Result;
 use crate::fourier::TimeGrid;
+use crate::system::Driven;
 use serde::{Deserialize, Serialize};
 use std::fmt;
 use std::time::{Duration, Instant};
@@ -116,14 +117,19 @@ impl Attempts<'_> {
         starts
     }
 
+    /// What turns steadily in a start.
+    fn turning(&self, start: Start) -> Option<Driven> {
+        let driven = self.driven.as_ref();
+        driven.filter(|_| start == Start::SteadyRotation).cloned()
+    }
+
     /// A quasi-static motion at the points of its grid, found at the first call.
     fn quasi_static(&mut self, start: Start) -> Result<&Guess> {
         let at = match self.guesses.iter().position(|(of, _)| *of == start) {
             Some(at) => at,
             None => {
                 let (grid, workers) = (self.guess_grid, self.workers.clone());
-                let driven = self.driven.clone();
-                let driven = driven.filter(|_| start == Start::SteadyRotation);
+                let driven = self.turning(start);
                 let guess = self.guess(|system, _, observe| {
                     quasi_static(system, grid, driven.as_ref(), &workers, observe)
                 })?;
@@ -170,8 +176,7 @@ impl Attempts<'_> {
             return Ok(0.0);
         }
         let state = guess.state.clone();
-        let (workers, driven) = (self.workers.clone(), self.driven.clone());
-        let driven = driven.filter(|_| start == Start::SteadyRotation);
+        let (workers, driven) = (self.workers.clone(), self.turning(start));
         self.guess(|system, _, _| {
             inertial_displacement(system, at, driven.as_ref(), &state, &workers)
         })

@@ -57,6 +57,12 @@ impl Driven {
         parts.map(|part| part.unit * part.rate).sum()
     }
 
+    /// Twists of all nodes, times `factor`.
+    pub fn twists(&self, factor: f64) -> Vec<Vector6<f64>> {
+        let nodes = self.parts.first().map_or(0, |part| part.hangs.len());
+        (0..nodes).map(|node| self.twist(node) * factor).collect()
+    }
+
     /// `motion` of a node after this time of steady rotation.
     pub fn moved(&self, node: usize, motion: &Motion, time: f64) -> Motion {
         turned(motion, &(self.twist(node) * time))
