@@ -11,7 +11,9 @@
 //! dynamic stiffness of the bodies between them, and a dense system over all grid points.
 
 use super::block_lu::BlockLanes;
-use super::constraints::{Joints, RowRotation, classify, row_rotations};
+use super::constraints::{
+    Class, Joints, RowRotation, classify, row_rotations, turning_nodes,
+};
 use super::interface::Interface;
 use super::lanes::{ComplexLanes, LANES, Lanes};
 use super::layout::{Layout, Region};
@@ -112,9 +114,26 @@ impl BodyCirculant {
         joints: Joints,
         largest_interface: usize,
     ) -> Result<Option<Self>> {
-        let points = equations.grid().points();
         let classes = classify(equations, tangent, joints);
-        let layout = Layout::new(equations, tangent, &classes);
+        // What is joined rigidly to a node of a joint that turns is eliminated, if it can be without that node.
+        let turning = turning_nodes(equations.system(), &classes);
+        let few = Self::factored(equations, tangent, &classes, &turning, largest_interface)?;
+        if few.is_some() || !turning.contains(&true) {
+            return Ok(few);
+        }
+        let together = vec![false; turning.len()];
+        Self::factored(equations, tangent, &classes, &together, largest_interface)
+    }
+
+    fn factored(
+        equations: &Collocation,
+        tangent: &Tangent,
+        classes: &[Class],
+        kept_alone: &[bool],
+        largest_interface: usize,
+    ) -> Result<Option<Self>> {
+        let points = equations.grid().points();
+        let layout = Layout::new(equations, tangent, classes, kept_alone);
         if layout.largest_block() > LARGEST_BLOCK {
             return Ok(None);
         }
@@ -123,7 +142,7 @@ impl BodyCirculant {
             None
         } else {
             let places: Vec<_> = kept.iter().map(|&i| layout.places[i]).collect();
-            match Interface::new(equations, &classes, &places) {
+            match Interface::new(equations, classes, &places) {
                 Some(interface) if interface.size() <= largest_interface => Some(interface),
                 _ => return Ok(None),
             }
@@ -141,7 +160,7 @@ impl BodyCirculant {
             equations,
             tangent,
             layout: &layout,
-            classes: &classes,
+            classes,
             strains: &strains,
             aliasing: &aliasing,
         };
@@ -163,7 +182,7 @@ impl BodyCirculant {
         }
         let mut circulant = BodyCirculant {
             points,
-            rotations: row_rotations(equations, &classes),
+            rotations: row_rotations(equations, classes),
             interface: None,
             transform: Transform::new(points),
             products: if kept.is_empty() {

@@ -2,8 +2,8 @@
 
 use super::layout::own_first;
 use crate::collocation::{Collocation, Tangent};
+use crate::system::System;
 use nalgebra::DMatrix;
-use std::collections::BTreeSet;
 
 /// Constraints whose gradients change by less than this, relative to themselves, count as steady.
 const STEADY: f64 = 0.05;
@@ -27,6 +27,13 @@ pub(super) enum Class {
     Exact(Vec<DMatrix<f64>>),
 }
 
+impl Class {
+    /// Whether it is a constraint that is the same at all times in the frames of its bodies.
+    fn is_steady(&self) -> bool {
+        matches!(self, Class::Averaged(average) if average.inverse_rotations.is_some())
+    }
+}
+
 pub(super) struct Average {
     /// Scaled gradient, a row for each own unknown.
     pub gradient: DMatrix<f64>,
@@ -34,7 +41,36 @@ pub(super) struct Average {
     pub inverse_rotations: Option<Vec<DMatrix<f64>>>,
 }
 
+/// What becomes of the own unknowns of each element.
+///
+/// Steady constraints all of whose nodes have a joint that turns stay exact as well, which leaves fewer motions free there.
 pub(super) fn classify(equations: &Collocation, tangent: &Tangent, joints: Joints) -> Vec<Class> {
+    let mut classes = classify_alone(equations, tangent, joints);
+    let turning = turning_nodes(equations.system(), &classes);
+    for (index, class) in classes.iter_mut().enumerate() {
+        let nodes = equations.system().elements()[index].element.nodes();
+        if class.is_steady() && nodes.iter().all(|&node| turning[node]) {
+            *class = Class::Exact(scaled_gradients(equations, tangent, index));
+        }
+    }
+    classes
+}
+
+/// Which nodes have a constraint that stays exact.
+pub(super) fn turning_nodes(system: &System, classes: &[Class]) -> Vec<bool> {
+    let mut turning = vec![false; system.nodes()];
+    for (class, placed) in classes.iter().zip(system.elements()) {
+        if matches!(class, Class::Exact(_)) {
+            for &node in placed.element.nodes() {
+                turning[node] = true;
+            }
+        }
+    }
+    turning
+}
+
+/// The same, each element for itself.
+fn classify_alone(equations: &Collocation, tangent: &Tangent, joints: Joints) -> Vec<Class> {
     let points = equations.grid().points();
     let elements = equations.system().elements().iter().enumerate();
     elements
@@ -42,9 +78,7 @@ pub(super) fn classify(equations: &Collocation, tangent: &Tangent, joints: Joint
             if placed.element.multipliers() == 0 {
                 return Class::None;
             }
-            let gradients: Vec<DMatrix<f64>> = (0..points)
-                .map(|k| scaled_gradient(equations, tangent, index, k))
-                .collect();
+            let gradients = scaled_gradients(equations, tangent, index);
             let mean = || {
                 let zero = DMatrix::zeros(gradients[0].nrows(), gradients[0].ncols());
                 gradients.iter().fold(zero, |sum, g| sum + g) / points as f64
@@ -77,6 +111,13 @@ pub(super) fn classify_at(equations: &Collocation, tangent: &Tangent, k: usize) 
                 inverse_rotations: None,
             }),
         })
+        .collect()
+}
+
+/// Scaled gradient of an element at each grid point.
+fn scaled_gradients(equations: &Collocation, tangent: &Tangent, index: usize) -> Vec<DMatrix<f64>> {
+    (0..equations.grid().points())
+        .map(|k| scaled_gradient(equations, tangent, index, k))
         .collect()
 }
 
@@ -132,15 +173,14 @@ pub(super) struct RowRotation {
 /// Motions that joints which turn leave their nodes at a grid point; none if there are no such joints.
 pub(super) fn count_free(equations: &Collocation, tangent: &Tangent) -> Option<usize> {
     let classes = classify(equations, tangent, Joints::Exact);
-    let mut nodes: BTreeSet<usize> = BTreeSet::new();
-    let mut constraints = 0;
-    for (class, placed) in classes.iter().zip(equations.system().elements()) {
-        if let Class::Exact(gradients) = class {
-            constraints += gradients[0].nrows();
-            nodes.extend(placed.element.nodes());
-        }
-    }
-    (constraints > 0).then(|| (6 * nodes.len()).saturating_sub(constraints))
+    let rows = |class: &Class| match class {
+        Class::Exact(gradients) => gradients[0].nrows(),
+        _ => 0,
+    };
+    let constraints: usize = classes.iter().map(rows).sum();
+    let turning = turning_nodes(equations.system(), &classes);
+    let nodes = turning.iter().filter(|turns| **turns).count();
+    (constraints > 0).then(|| (6 * nodes).saturating_sub(constraints))
 }
 
 /// Rotations of all steady constraints.

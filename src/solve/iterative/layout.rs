@@ -1,7 +1,7 @@
 //! Where nodes and own unknowns of elements stand in the block rows of a preconditioner.
 
 use super::block_lu::BlockStructure;
-use super::constraints::Class;
+use super::constraints::{Class, turning_nodes};
 use crate::collocation::{Collocation, Tangent};
 use crate::system::System;
 use std::collections::BTreeSet;
@@ -65,10 +65,17 @@ impl Region {
 impl Layout {
     /// Constraints stand together with all nodes that they constrain, as their own diagonal is zero; all else
     /// stands alone. Constraints that `classes` keep exact are left out, rows with nodes that they constrain are kept.
-    pub fn new(equations: &Collocation, tangent: &Tangent, classes: &[Class]) -> Self {
+    ///
+    /// `kept_alone`: nodes that stand alone although they are constrained, as long as another node of the constraint does not.
+    pub fn new(
+        equations: &Collocation,
+        tangent: &Tangent,
+        classes: &[Class],
+        kept_alone: &[bool],
+    ) -> Self {
         let system = equations.system();
         let points = equations.grid().points();
-        let rows = block_rows(system, classes);
+        let rows = block_rows(system, classes, kept_alone);
         let mut node_at = vec![(0, 0); system.nodes()];
         let mut own_at = vec![(0, 0); system.elements().len()];
         let mut sizes = Vec::with_capacity(rows.len());
@@ -99,12 +106,8 @@ impl Layout {
             }
         }
         let mut kept = vec![false; rows.len()];
-        for (class, placed) in classes.iter().zip(system.elements()) {
-            if matches!(class, Class::Exact(_)) {
-                for &node in placed.element.nodes() {
-                    kept[node_at[node].0] = true;
-                }
-            }
+        for (node, turns) in turning_nodes(system, classes).into_iter().enumerate() {
+            kept[node_at[node].0] |= turns;
         }
         let structure = BlockStructure::new(sizes, coupled, &kept);
         let mut places = vec![(0, 0); structure.unknowns()];
@@ -187,7 +190,7 @@ fn size_of(system: &System, member: Member) -> usize {
     }
 }
 
-fn block_rows(system: &System, classes: &[Class]) -> Vec<Vec<Member>> {
+fn block_rows(system: &System, classes: &[Class], kept_alone: &[bool]) -> Vec<Vec<Member>> {
     fn root(group: &[usize], mut node: usize) -> usize {
         while group[node] != node {
             node = group[node];
@@ -196,11 +199,21 @@ fn block_rows(system: &System, classes: &[Class]) -> Vec<Vec<Member>> {
     }
     let constrains =
         |class: &Class, has_states: bool| matches!(class, Class::Averaged(_)) && !has_states;
+    // Nodes that a constraint stands with.
+    let joined = |index: usize| {
+        let nodes = system.elements()[index].element.nodes();
+        let others: Vec<usize> = nodes.iter().copied().filter(|&n| !kept_alone[n]).collect();
+        if others.is_empty() {
+            nodes.to_vec()
+        } else {
+            others
+        }
+    };
     let mut group: Vec<usize> = (0..system.nodes()).collect();
-    for (class, placed) in classes.iter().zip(system.elements()) {
+    for (index, (class, placed)) in classes.iter().zip(system.elements()).enumerate() {
         if constrains(class, placed.has_states) {
-            let nodes = placed.element.nodes();
-            for &node in nodes {
+            let nodes = joined(index);
+            for &node in &nodes {
                 let (a, b) = (root(&group, nodes[0]), root(&group, node));
                 group[a.max(b)] = a.min(b);
             }
@@ -212,7 +225,7 @@ fn block_rows(system: &System, classes: &[Class]) -> Vec<Vec<Member>> {
     }
     for (index, (class, placed)) in classes.iter().zip(system.elements()).enumerate() {
         if constrains(class, placed.has_states) {
-            rows[root(&group, placed.element.nodes()[0])].push(Member::Own(index));
+            rows[root(&group, joined(index)[0])].push(Member::Own(index));
         } else if let Class::Averaged(_) = class {
             rows.push(vec![Member::Own(index)]);
         }

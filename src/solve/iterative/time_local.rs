@@ -22,7 +22,13 @@ impl TimeLocal {
     /// Factors the static part of the Jacobian `tangent`. None if it is singular.
     pub fn new(equations: &Collocation, tangent: &Tangent) -> Option<Self> {
         let points = equations.grid().points();
-        let layout = Layout::new(equations, tangent, &classify_at(equations, tangent, 0));
+        let classes = classify_at(equations, tangent, 0);
+        let layout = Layout::new(
+            equations,
+            tangent,
+            &classes,
+            &vec![false; equations.system().nodes()],
+        );
         let workers = equations.workers().clone();
         let mut factors: Vec<Option<BlockLanes<RealLanes>>> = vec![None; points.div_ceil(LANES)];
         workers.for_each(
