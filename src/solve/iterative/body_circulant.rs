@@ -11,9 +11,7 @@
 //! dynamic stiffness of the bodies between them, and a dense system over all grid points.
 
 use super::block_lu::BlockLanes;
-use super::constraints::{
-    Class, Joints, RowRotation, classify, row_rotations, turning_nodes,
-};
+use super::constraints::{Class, Joints, RowRotation, classify, row_rotations, turning_nodes};
 use super::interface::Interface;
 use super::lanes::{ComplexLanes, LANES, Lanes};
 use super::layout::{Layout, Region};
