@@ -35,6 +35,8 @@ const AFFORDABLE: f64 = 1e4;
 const SMALL: f64 = 1500.0;
 /// Growth of a preconditioner that means a Jacobian which may be singular: factors will tell.
 const SUSPECT: f64 = 1e13;
+/// The same for each time that a beam is stiffer in tension than in bending.
+const SUSPECT_SLENDER: f64 = 1e7;
 
 /// What factors of the whole Jacobian take, as planned.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -89,6 +91,8 @@ pub(super) struct Linear {
     falls_back: bool,
     /// Whether iteration may be tried where factors do not fit in memory.
     may_iterate: bool,
+    /// Growth of a preconditioner from which on factors are asked.
+    suspect: f64,
     /// Where the equations were linearised last.
     last: Option<GridState>,
     /// What iteration took until it was given up.
@@ -123,6 +127,7 @@ impl Linear {
         Linear {
             active,
             falls_back,
+            suspect: SUSPECT.max(SUSPECT_SLENDER * system.slenderness()),
             may_iterate: method == LinearMethod::Automatic,
             last: None,
             given_up: None,
@@ -194,7 +199,7 @@ impl LinearSolver for Linear {
             Active::Direct(direct) => return direct.linearise(equations, state, timings),
             Active::Iterative(iterative) => iterative.linearise(equations, state, timings)?,
         };
-        let suspect = self.falls_back && self.growth(equations) > SUSPECT;
+        let suspect = self.falls_back && self.growth(equations) > self.suspect;
         if done && !suspect {
             return Ok(true);
         }
