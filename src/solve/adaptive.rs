@@ -51,9 +51,9 @@ const FIRST: usize = 11;
 /// Points of the initial guess to one of a first grid that small: quasi-static steps are as many anyway.
 const GUESS_FACTOR: usize = 3;
 /// Least and largest factor from one grid to the next; of an unresolved response, whose decay tells little.
-const GROWTH: [f64; 3] = [1.3, 4.0, 2.0];
+const GROWTH: [f64; 3] = [1.15, 4.0, 2.0];
 /// The next grid aims at this fraction of the tolerance.
-const AIM: f64 = 0.1;
+const AIM: f64 = 0.2;
 /// And at this one of what harmonics of loads cause, which are known.
 const AIM_OF_LOADS: f64 = 0.3;
 /// A measured error this many times its estimate shows that the decay deceives.
