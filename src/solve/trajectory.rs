@@ -4,6 +4,7 @@
 use super::consistent::{Initial, Refusal};
 use super::newton::{Iteration, Newton, NewtonOptions, NewtonReport, Outcome};
 use super::periodic::{PeriodicSolve, Stage};
+use super::watch::Watch;
 use crate::collocation::{AlphaStep, Collocation, GeneralizedAlpha, GridState, MotionState};
 use crate::elements::NodeState;
 use crate::error::{Error, ErrorKind, Result, require_finite};
@@ -11,6 +12,7 @@ use crate::fourier::TimeGrid;
 use crate::model::Model;
 use crate::motion::Motion;
 use crate::system::{Scales, System, Transient};
+use crate::workers::Workers;
 use nalgebra::Vector6;
 use serde::{Deserialize, Serialize};
 use std::f64::consts::TAU;
@@ -78,6 +80,8 @@ pub struct MarchOptions {
     pub newton: NewtonOptions,
     /// Keep only this number of the last periods; all if zero.
     pub stored_periods: usize,
+    /// Who is told how the march goes on, and may cancel it.
+    pub watch: Watch,
 }
 
 impl MarchOptions {
@@ -101,6 +105,7 @@ impl MarchOptions {
                 iteration_limit: 20,
             },
             stored_periods: 0,
+            watch: Watch::default(),
         }
     }
 
@@ -287,9 +292,12 @@ impl Marcher {
         system: &Arc<System>,
         options: &MarchOptions,
         step: f64,
+        workers: &Workers,
     ) -> Result<std::result::Result<Self, (Refusal, MotionState)>> {
         let instant = TimeGrid::new(1, system.period())?;
-        let mut newton = Newton::new(Collocation::new(system.clone(), instant)?);
+        let mut equations = Collocation::new(system.clone(), instant)?;
+        equations.set_workers(workers.clone());
+        let mut newton = Newton::new(equations);
         let reference = GridState::reference(system, instant);
         let method = GeneralizedAlpha::new(options.spectral_radius);
         let (mut start, states_given) = match &options.start {
@@ -314,12 +322,17 @@ impl Marcher {
             ..MarchRecord::default()
         };
         let mut initial = Initial::new(&mut newton, step);
-        match initial.make_consistent(&mut start, states_given, &method)? {
-            Ok((moved, corrected)) => {
-                record.start_moved = moved;
-                record.start_corrected = corrected;
+        match initial.make_consistent(&mut start, states_given, &method) {
+            Err(_) if workers.is_stopped() => {
+                return Ok(Err(((Outcome::Cancelled, String::new()), start)));
             }
-            Err(refusal) => return Ok(Err((refusal, start))),
+            found => match found? {
+                Ok((moved, corrected)) => {
+                    record.start_moved = moved;
+                    record.start_corrected = corrected;
+                }
+                Err(refusal) => return Ok(Err((refusal, start))),
+            },
         }
         Ok(Ok(Marcher {
             newton,
@@ -386,6 +399,10 @@ impl Marcher {
         self.record.iterations += report.iterations.len();
         if let Some(last) = report.iterations.last() {
             self.last = *last;
+        }
+        if report.outcome == Outcome::Cancelled {
+            // Shorter steps are no way out.
+            self.newton.equations.workers().pulse()?;
         }
         if report.outcome != Outcome::Converged {
             return Ok(Err(Some((report.outcome, report.explanation))));
@@ -603,6 +620,7 @@ pub fn march(
         Some(_) => options.step.min(options.span()),
         None => fitting_step(options.span(), options.step),
     };
+    let began = Instant::now();
     let system = Arc::new(System::in_transient(
         model,
         &Transient {
@@ -611,8 +629,18 @@ pub fn march(
             step: length,
         },
     )?);
-    let began = Instant::now();
-    let marcher = match Marcher::new(&system, options, length)? {
+    let watching = options.watch.begin(
+        Stage::March {
+            time: options.start_time,
+        },
+        1,
+    );
+    let workers = Workers::default().telling(watching.pulse());
+    let mut observe = |stage: Stage, iteration: &Iteration| {
+        let goes_on = watching.iteration(stage, iteration);
+        observe(stage, iteration) && goes_on
+    };
+    let marcher = match Marcher::new(&system, options, length, &workers)? {
         Ok(marcher) => marcher,
         Err((refusal, at)) => {
             let record = MarchRecord {
@@ -628,16 +656,20 @@ pub fn march(
         kept: vec![Kept::of(marcher.now())],
         marcher,
         options,
-        observe,
+        observe: &mut observe,
         length,
         shortest: SHORTEST * length,
     };
-    let refusal = run.run()?;
+    let refusal = match run.run() {
+        Err(error) if watching.cancels(&error) => Some((Outcome::Cancelled, String::new())),
+        end => end?,
+    };
     let Run { marcher, kept, .. } = run;
     let timings = marcher.newton.timings;
     let mut solve = finish(&system, marcher.record, kept, refusal)?;
     solve.guess_time = guess_time;
     solve.timings = timings;
+    solve.total_time = began.elapsed();
     Ok(solve)
 }
 
@@ -659,6 +691,7 @@ pub(super) fn finish(
     }
     record.times = kept.iter().map(|kept| kept.time).collect();
     let (outcome, explanation) = refusal.unwrap_or((Outcome::Converged, String::new()));
+    let iterations = record.iterations;
     Ok(PeriodicSolve {
         system: system.clone(),
         grid: TimeGrid::new(1, system.period())?,
@@ -672,6 +705,8 @@ pub(super) fn finish(
         guess_iterations: 0,
         guess_time: Duration::ZERO,
         timings: super::Timings::default(),
+        total_time: Duration::ZERO,
+        total_iterations: iterations,
         grids: Vec::new(),
         coarse_start: None,
         attempts: Vec::new(),

@@ -119,6 +119,7 @@ impl Interface {
             to.iter_mut().zip(from).for_each(|(t, f)| *t += factor * f);
         };
         for l in 0..self.points {
+            workers.pulse()?;
             for b in 0..free {
                 for (force, row) in forces.iter_mut().zip(stiffness) {
                     force.fill(0.0);
@@ -140,7 +141,7 @@ impl Interface {
                 }
             }
         }
-        self.factors = DenseLu::new(matrix, workers);
+        self.factors = DenseLu::new(matrix, workers)?;
         Ok(self.factors.is_some())
     }
 
