@@ -11,7 +11,7 @@ use faer::linalg::triangular_solve::{
 use faer::{Accum, MatMut, MatRef, Par};
 
 /// Multiply-adds of a block: about 0.1 s of a slow processor.
-const BLOCK: usize = 400_000_000;
+const BLOCK: usize = 200_000_000;
 /// Columns of a block at least.
 const LEAST: usize = 32;
 /// Columns of a panel of a factorisation.

@@ -143,6 +143,8 @@ pub fn solve_modes(
         }
         found => found?,
     }
+    let outcome = &mut solve.equilibrium.report.outcome;
+    *outcome = watching.outcome(*outcome);
     Ok(solve)
 }
 

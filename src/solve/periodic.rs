@@ -345,7 +345,7 @@ pub fn solve_periodic(
     };
     // All that came before: the system, the loads, the first pattern.
     attempts.timings.analysis = began.elapsed() - attempts.newton.timings.analysis;
-    let (mut state, report) = match attempts.solve(&options.grid_points, given, wanted) {
+    let (mut state, mut report) = match attempts.solve(&options.grid_points, given, wanted) {
         Err(error) if watching.cancels(&error) => attempts.cancelled()?,
         end => end?,
     };
@@ -356,6 +356,7 @@ pub fn solve_periodic(
         attempts.newton.equations.reduce_to_least_norm(&mut state)?;
     }
     attempts.timings.assembly += finishing.elapsed();
+    report.outcome = watching.outcome(report.outcome);
     let assessment = attempts
         .assessed
         .take_if(|(grid, _)| *grid == attempts.grid && report.outcome.is_solution());
@@ -558,6 +559,7 @@ impl Attempts<'_> {
         if is_first && coarser.points() < LEAST_COARSE {
             return self.find();
         }
+        self.watching.attempt(0, Some(self.first_start()));
         let distance = self.inertial_displacement()?;
         let mut most = self.options.iteration_limit;
         if is_first {
@@ -584,7 +586,6 @@ impl Attempts<'_> {
             iteration_limit: most,
         };
         let mut start = None;
-        self.watching.attempt(0, Some(self.first_start()));
         if let Some(state) = self.start()? {
             let (state, report) = self.newton_to(state, &enough)?;
             match report.outcome {

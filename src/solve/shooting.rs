@@ -369,6 +369,7 @@ pub fn solve_shooting(
     solve.guess_iterations = options.guess_periods;
     solve.timings = shooting.marcher.newton.timings;
     solve.total_time = began.elapsed();
+    solve.report.outcome = watching.outcome(solve.report.outcome);
     Ok(solve)
 }
 

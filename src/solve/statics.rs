@@ -220,5 +220,6 @@ pub(super) fn find_equilibrium(
     }
     newton.equations.update_kinematics(&solve.state);
     solve.node_states = newton.equations.node_states().to_vec();
+    solve.report.outcome = watching.outcome(solve.report.outcome);
     Ok(solve)
 }

@@ -34,7 +34,8 @@ pub struct StartState {
 /// Where a march starts.
 #[derive(Debug, Clone, Default)]
 pub enum MarchStart {
-    /// The reference configuration, at rest but for what is prescribed.
+    /// The reference configuration, at rest but for what is prescribed and what hangs on drives that turn, which turns with them if
+    /// the joints let it.
     #[default]
     Reference,
     /// These motions and velocities.
@@ -274,6 +275,35 @@ pub(super) fn difference(a: &MotionState, b: &MotionState, scales: &Scales, peri
     velocities.max(a.state.distance(&b.state, scales.length))
 }
 
+/// Part of a step over which rates of drives are differenced.
+const SHORT: f64 = 1e-3;
+
+/// The reference configuration at rest, but for what hangs on drives that turn, if the joints let it turn with them as one rigid
+/// body: that is where they are, and has their velocity.
+fn rigid_rotation(
+    system: &System,
+    time: f64,
+    short: f64,
+    reference: GridState,
+) -> Result<MotionState> {
+    let driven = system.driven_at(time, short)?;
+    let Some(driven) = driven.filter(|driven| driven.is_rigid()) else {
+        return Ok(MotionState::at_rest(time, reference));
+    };
+    let mut signals = vec![0.0; system.signals()];
+    system.signal_values(time, 1.0, &mut signals)?;
+    let mut state = reference;
+    for (node, motion) in state.motions.iter_mut().enumerate() {
+        *motion = driven.carried(node, motion, &signals);
+    }
+    state.track(system);
+    let mut at = MotionState::at_rest(time, state);
+    for (node, twist) in at.twist.iter_mut().enumerate() {
+        *twist = at.state.motions[node].inverse().adjoint() * driven.twist(node);
+    }
+    Ok(at)
+}
+
 /// A march on its way.
 pub(super) struct Marcher {
     pub newton: Newton,
@@ -301,7 +331,11 @@ impl Marcher {
         let reference = GridState::reference(system, instant);
         let method = GeneralizedAlpha::new(options.spectral_radius);
         let (mut start, states_given) = match &options.start {
-            MarchStart::Reference => (MotionState::at_rest(options.start_time, reference), false),
+            MarchStart::Reference => {
+                let short = SHORT * step;
+                let at = rigid_rotation(system, options.start_time, short, reference)?;
+                (at, false)
+            }
             MarchStart::State(given) => {
                 let mut state = reference;
                 state.motions.copy_from_slice(&given.motions);
@@ -670,6 +704,7 @@ pub fn march(
     solve.guess_time = guess_time;
     solve.timings = timings;
     solve.total_time = began.elapsed();
+    solve.report.outcome = watching.outcome(solve.report.outcome);
     Ok(solve)
 }
 

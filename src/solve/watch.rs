@@ -1,6 +1,6 @@
 //! Who is told how a solve goes on, and may cancel it.
 
-use super::newton::Iteration;
+use super::newton::{Iteration, Outcome};
 use super::periodic::Stage;
 use super::starts::Start;
 use crate::error::{Error, ErrorKind, Result};
@@ -205,6 +205,14 @@ impl Watching {
     /// Whether the solve is to end.
     pub fn is_stopped(&self) -> bool {
         self.0.as_ref().is_some_and(|told| told.is_stopped())
+    }
+
+    /// `outcome`, unless the solve has been cancelled since.
+    pub fn outcome(&self, outcome: Outcome) -> Outcome {
+        if self.is_stopped() {
+            return Outcome::Cancelled;
+        }
+        outcome
     }
 
     /// Whether `error` says no more than that the solve is to end.

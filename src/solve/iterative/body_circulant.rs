@@ -387,6 +387,7 @@ impl BodyCirculant {
         let structure = &self.layout.structure;
         let number = |unknown: usize| self.kept.partition_point(|&k| k < unknown);
         for &(row, column, _) in structure.kept() {
+            let _ = self.workers.pulse();
             for i in 0..structure.size(row) {
                 for j in 0..structure.size(column) {
                     let place = structure.entry((row, column), (i, j));

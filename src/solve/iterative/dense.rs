@@ -8,17 +8,23 @@ use faer::linalg::lu::partial_pivoting::{factor, solve};
 use faer::perm::PermRef;
 use faer::{Mat, MatMut, Par};
 
+/// Columns that are made at a time.
+const PIECE: usize = 256;
+
 /// A zero matrix.
 ///
 /// # Errors
-/// If memory runs out.
-pub(super) fn zeros(rows: usize, columns: usize) -> Result<Mat<f64>> {
+/// If memory runs out, or work is to end.
+pub(super) fn zeros(rows: usize, columns: usize, workers: &Workers) -> Result<Mat<f64>> {
     let mut matrix = Mat::new();
     matrix.try_reserve(rows, columns).map_err(|_| {
         let message = format!("a dense block of {rows} × {columns} does not fit in memory");
         Error::new(ErrorKind::OutOfMemory, message)
     })?;
-    matrix.resize_with(rows, columns, |_, _| 0.0);
+    for end in (PIECE..columns).step_by(PIECE).chain([columns]) {
+        matrix.resize_with(rows, end, |_, _| 0.0);
+        workers.pulse()?;
+    }
     Ok(matrix)
 }
 

@@ -77,7 +77,11 @@ impl Interface {
         let compliant = equations.regularisation();
         let splits: Vec<Split> = gradients
             .iter()
-            .map(|rows| Split::new(&DMatrix::from_columns(rows).transpose(), compliant))
+            .map(|rows| {
+                // Whether work is to end is asked where it may fail.
+                let _ = equations.workers().pulse();
+                Split::new(&DMatrix::from_columns(rows).transpose(), compliant)
+            })
             .collect::<Option<_>>()?;
         let free = splits[0].free.ncols();
         splits
@@ -113,14 +117,14 @@ impl Interface {
         // The old factors' memory first.
         self.factors = None;
         let free = self.free();
-        let mut matrix = zeros(self.size(), self.size())?;
+        let mut matrix = zeros(self.size(), self.size(), workers)?;
         let mut forces = vec![vec![0.0; self.points]; stiffness.len()];
         let add = |to: &mut [f64], from: &[f64], factor: f64| {
             to.iter_mut().zip(from).for_each(|(t, f)| *t += factor * f);
         };
         for l in 0..self.points {
-            workers.pulse()?;
             for b in 0..free {
+                workers.pulse()?;
                 for (force, row) in forces.iter_mut().zip(stiffness) {
                     force.fill(0.0);
                     let (early, late) = force.split_at_mut(l);
