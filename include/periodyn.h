@@ -1211,8 +1211,8 @@ typedef struct pdn_progress {
      */
     size_t grid_points;
     /**
-     * Number of the attempt of a periodic solve, from 1, as the report lists them; 0 where the start was given, and on a coarse
-     * grid that is to give one.
+     * Number of the attempt of a periodic solve, from 1, as the report lists them; 0 where the start was given, and before the
+     * first, as on a coarse grid that is to give a start.
      */
     int32_t attempt;
     /**
@@ -4021,7 +4021,8 @@ void pdn_march_options_init(struct pdn_march_options *options,
  * The generalised-alpha method on SE(3) for the equations of index 3 (Arnold and Bruels 2007; Bruels, Cardona
  * and Arnold 2012), of second order: motions are updated by the exponential map, equilibrium and constraints
  * hold at the end of each step. It starts in the reference configuration at rest unless another start is
- * given; motions are moved and velocities changed by the least, by inertia, that satisfies the constraints
+ * given, but what hangs on a prescribed rotation turns with it as one rigid body, if the joints let it: a blade is not
+ * left behind a hub that spins. Then motions are moved and velocities changed by the least, by inertia, that satisfies the constraints
  * and prescribed motions, and accelerations and reactions follow. Internal states of viscoelastic
  * elements start relaxed, or as they are in the initial solution.
  *

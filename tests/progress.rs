@@ -64,13 +64,9 @@ fn a_periodic_solve_is_cancelled_within_factors_iteration_and_estimates() {
         });
         assert_eq!(all[0].stage, Stage::InitialGuess);
         assert!(all.iter().any(|p| p.stage == Stage::Newton && !p.iterated));
-        let attempts = all.iter().filter(|p| p.attempt > 0);
-        assert!(
-            attempts
-                .clone()
-                .all(|p| p.start == Some(Start::QuasiStatic))
-        );
-        assert!(attempts.count() > all.len() / 4);
+        assert!(all.iter().any(|p| p.attempt == 1));
+        let named = all.iter().filter(|p| p.start == Some(Start::QuasiStatic));
+        assert!(named.count() > all.len() / 2);
     }
 }
 
@@ -116,7 +112,11 @@ fn each_grid_and_start_is_told() {
 
 #[test]
 fn statics_modes_marches_and_shooting_are_cancelled_within() {
-    let mechanism = FourBar::default().build();
+    let mechanism = FourBar {
+        elements: 2,
+        ..FourBar::default()
+    };
+    let mechanism = mechanism.build();
     let (model, period) = (&mechanism.model, mechanism.period);
     let statics = |watch| {
         let mut options = StaticOptions {
@@ -141,17 +141,17 @@ fn statics_modes_marches_and_shooting_are_cancelled_within() {
             .outcome()
     });
     assert!(all.iter().any(|p| p.stage == Stage::Modes));
+    let (model, _) = oscillator();
     let all = cancel_everywhere(|watch| {
         let options = MarchOptions {
-            period: Some(period),
+            period: Some(1.3),
             watch,
-            ..MarchOptions::with_step(period / 100.0, MarchEnd::Duration(0.05 * period))
+            ..MarchOptions::with_step(0.013, MarchEnd::Duration(0.13))
         };
-        let solution = Solution::march(model, &options, &mut |_, _| true);
+        let solution = Solution::march(&model, &options, &mut |_, _| true);
         solution.unwrap().outcome()
     });
     assert!(all.iter().all(|p| matches!(p.stage, Stage::March { .. })));
-    let (model, _) = oscillator();
     cancel_everywhere(|watch| {
         let options = ShootingOptions {
             steps: 20,

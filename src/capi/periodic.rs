@@ -85,8 +85,8 @@ pub struct pdn_progress {
     pub elapsed: f64,
     /// Number of points of the grid that is worked on; 1 of an equilibrium or a march.
     pub grid_points: usize,
-    /// Number of the attempt of a periodic solve, from 1, as the report lists them; 0 where the start was given, and on a coarse
-    /// grid that is to give one.
+    /// Number of the attempt of a periodic solve, from 1, as the report lists them; 0 where the start was given, and before the
+    /// first, as on a coarse grid that is to give a start.
     pub attempt: i32,
     /// What it starts from: PDN_START_QUASI_STATIC, ...; 0 where the start was given.
     pub start: i32,
