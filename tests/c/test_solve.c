@@ -441,7 +441,7 @@ static void a_solve_is_cancelled_within_iterations(void)
 static void the_start_may_be_chosen(void)
 {
     pdn_model *model = pendulum();
-    pdn_periodic_options options = on_grid(5);
+    pdn_periodic_options options = on_grid(11);
     pdn_solution *solution, *none = NULL;
     CHECK(options.start == PDN_START_AUTOMATIC && options.progress_interval == 0.1);
     const int32_t starts[] = {PDN_START_QUASI_STATIC, PDN_START_RAISED_INERTIA, PDN_START_MARCH};
@@ -452,7 +452,7 @@ static void the_start_may_be_chosen(void)
         solution = solve(model, &options);
         check_exact(solution, PERIOD);
         const pdn_diagnostics found = diagnostics_of(solution);
-        CHECK(found.attempts == 1 && found.total_iterations >= found.iterations);
+        CHECK((i == 0 || found.attempts == 1) && found.total_iterations >= found.iterations);
         CHECK(i == 0 || reports(solution, names[i]));
         pdn_solution_free(solution);
     }
@@ -460,13 +460,13 @@ static void the_start_may_be_chosen(void)
     CHECK(outcome_of(model, &options) == PDN_NO_INITIAL_GUESS);
     options.start = 6;
     CHECK(pdn_solve_periodic(model, PERIOD, &options, &none) == PDN_ERR_VALUE);
-    CHECK(strstr(pdn_last_error_message(), "options.start: expected a constant PDN_START_..."));
+    CHECK_MESSAGE("options.start: expected a constant PDN_START_...");
     options.start = PDN_START_AUTOMATIC;
     solution = solve(model, &options);
     options.start = PDN_START_MARCH;
     options.initial = solution;
     CHECK(pdn_solve_periodic(model, PERIOD, &options, &none) == PDN_ERR_VALUE && none == NULL);
-    CHECK(strstr(pdn_last_error_message(), "options.start: expected PDN_START_AUTOMATIC"));
+    CHECK_MESSAGE("options.start: expected PDN_START_AUTOMATIC");
     pdn_solution_free(solution);
     pdn_model_free(model);
 }
