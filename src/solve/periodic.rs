@@ -554,6 +554,15 @@ impl Attempts<'_> {
 
     /// On a grid that may be finer than the present one, from the library's own start.
     fn find_on(&mut self, grid: TimeGrid) -> Result<(GridState, NewtonReport)> {
+        // No coarse solution from the quasi-static motion where another start was asked for.
+        if !matches!(
+            self.chosen,
+            None | Some(Start::QuasiStatic | Start::SteadyRotation)
+        ) {
+            self.move_to(grid)?;
+            self.guess_on(grid)?;
+            return self.find();
+        }
         let coarser = grid.of_half_the_harmonics();
         let is_first = self.grid == grid;
         if is_first && coarser.points() < LEAST_COARSE {
