@@ -107,6 +107,13 @@ module periodyn_c
     integer(c_int32_t), parameter :: PDN_STAGE_INITIAL_GUESS = 0
     integer(c_int32_t), parameter :: PDN_STAGE_NEWTON = 1
     integer(c_int32_t), parameter :: PDN_STAGE_MARCH = 2
+    integer(c_int32_t), parameter :: PDN_STAGE_MODES = 3
+    integer(c_int32_t), parameter :: PDN_START_AUTOMATIC = 0
+    integer(c_int32_t), parameter :: PDN_START_QUASI_STATIC = 1
+    integer(c_int32_t), parameter :: PDN_START_STEADY_ROTATION = 2
+    integer(c_int32_t), parameter :: PDN_START_RIGID_ROTATION = 3
+    integer(c_int32_t), parameter :: PDN_START_RAISED_INERTIA = 4
+    integer(c_int32_t), parameter :: PDN_START_MARCH = 5
     integer(c_int32_t), parameter :: PDN_LINEAR_AUTOMATIC = 0
     integer(c_int32_t), parameter :: PDN_LINEAR_DIRECT = 1
     integer(c_int32_t), parameter :: PDN_LINEAR_ITERATIVE = 2
@@ -225,6 +232,12 @@ module periodyn_c
         integer(c_int32_t) :: linear_solves
         integer(c_int32_t) :: most_linear_iterations
         integer(c_size_t) :: linear_bytes
+        real(c_double) :: preconditioner_seconds
+        real(c_double) :: interface_seconds
+        real(c_double) :: estimate_seconds
+        real(c_double) :: total_seconds
+        integer(c_int32_t) :: total_iterations
+        integer(c_int32_t) :: attempts
     end type pdn_diagnostics
 
     type, bind(C) :: pdn_progress
@@ -235,6 +248,12 @@ module periodyn_c
         real(c_double) :: increment
         real(c_double) :: step
         real(c_double) :: time
+        real(c_double) :: elapsed
+        integer(c_size_t) :: grid_points
+        integer(c_int32_t) :: attempt
+        integer(c_int32_t) :: start
+        integer(c_int32_t) :: iterated
+        integer(c_int32_t) :: reserved
     end type pdn_progress
 
     type, bind(C) :: pdn_periodic_options
@@ -254,6 +273,9 @@ module periodyn_c
         integer(c_int32_t) :: threads
         integer(c_size_t) :: oversampling
         real(c_double) :: response_tolerance
+        integer(c_int32_t) :: start
+        integer(c_int32_t) :: reserved
+        real(c_double) :: progress_interval
     end type pdn_periodic_options
 
     type, bind(C) :: pdn_static_options
@@ -401,7 +423,7 @@ module periodyn_c
             integer(c_int32_t) :: pdn_user_force_fn
         end function pdn_user_force_fn
 
-        ! Called after each Newton iteration, or after each step of a march, on the solving thread
+        ! Called after each Newton iteration, or after each step of a march, and while one lasts about ten times a ...
         function pdn_progress_fn(progress, user_data) bind(C)
             import
             type(pdn_progress), intent(in) :: progress

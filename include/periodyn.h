@@ -513,6 +513,42 @@
 #define PDN_STAGE_MARCH 2
 
 /**
+ * Stage of a modal analysis: looking for modes about the equilibrium.
+ */
+#define PDN_STAGE_MODES 3
+
+/**
+ * Start of a periodic solve: the library tries those that suit, cheapest first.
+ */
+#define PDN_START_AUTOMATIC 0
+
+/**
+ * Start of a periodic solve: equilibrium at each time, without velocities.
+ */
+#define PDN_START_QUASI_STATIC 1
+
+/**
+ * Start of a periodic solve: equilibrium at each time of what turns steadily with its drives, with its centrifugal and
+ * gyroscopic forces.
+ */
+#define PDN_START_STEADY_ROTATION 2
+
+/**
+ * Start of a periodic solve: all that hangs on drives turned with them, undeformed.
+ */
+#define PDN_START_RIGID_ROTATION 3
+
+/**
+ * Start of a periodic solve: the quasi-static motion, and inertial forces raised in steps.
+ */
+#define PDN_START_RAISED_INERTIA 4
+
+/**
+ * Start of a periodic solve: a march in time with strong numerical dissipation.
+ */
+#define PDN_START_MARCH 5
+
+/**
  * Linear equations: solved directly where that is quick, by iteration otherwise.
  */
 #define PDN_LINEAR_AUTOMATIC 0
@@ -1049,11 +1085,11 @@ typedef struct pdn_diagnostics {
      */
     double constraint_residual_between;
     /**
-     * Seconds spent on the initial guess.
+     * Seconds spent on the initial guess: quasi-static motions, marches, and what is carried from grid to grid.
      */
     double guess_seconds;
     /**
-     * Seconds spent on elements and assembly.
+     * Seconds spent on elements and assembly, on all grids and in all attempts, as all that follows.
      */
     double assembly_seconds;
     /**
@@ -1061,11 +1097,11 @@ typedef struct pdn_diagnostics {
      */
     double analysis_seconds;
     /**
-     * Seconds spent on numeric factorisation.
+     * Seconds spent on numeric factorisation of whole Jacobians.
      */
     double factorisation_seconds;
     /**
-     * Seconds spent on forward and backward substitution.
+     * Seconds spent on forward and backward substitution, or on iteration.
      */
     double substitution_seconds;
     /**
@@ -1105,10 +1141,34 @@ typedef struct pdn_diagnostics {
      * Bytes that iteration took at most; 0 if there was none.
      */
     size_t linear_bytes;
+    /**
+     * Seconds spent on preconditioners, without the dense system of joints that turn.
+     */
+    double preconditioner_seconds;
+    /**
+     * Seconds spent on that dense system.
+     */
+    double interface_seconds;
+    /**
+     * Seconds spent on error estimates, and on why a Jacobian is singular.
+     */
+    double estimate_seconds;
+    /**
+     * Seconds of the whole solve: all of these, and the little that is none of them.
+     */
+    double total_seconds;
+    /**
+     * Newton iterations on all grids and in all attempts, without those of the initial guess.
+     */
+    int32_t total_iterations;
+    /**
+     * Attempts, each from another start, as the report lists them; 0 where the start was given.
+     */
+    int32_t attempts;
 } pdn_diagnostics;
 
 /**
- * One Newton iteration, as told to a ::pdn_progress_fn.
+ * How far a solve is, as told to a ::pdn_progress_fn.
  */
 typedef struct pdn_progress {
     /**
@@ -1116,11 +1176,12 @@ typedef struct pdn_progress {
      */
     size_t struct_size;
     /**
-     * PDN_STAGE_INITIAL_GUESS, PDN_STAGE_NEWTON or PDN_STAGE_MARCH.
+     * PDN_STAGE_INITIAL_GUESS, PDN_STAGE_NEWTON, PDN_STAGE_MARCH or PDN_STAGE_MODES.
      */
     int32_t stage;
     /**
-     * Number of the iteration, from 1; starts again with each Newton solve. In a march, number of the step.
+     * Number of the last iteration, from 1, or 0 before the first; starts again with each Newton solve. In a march,
+     * number of the step.
      */
     int32_t iteration;
     /**
@@ -1141,10 +1202,36 @@ typedef struct pdn_progress {
      * In a march the end of the step; otherwise 0.
      */
     double time;
+    /**
+     * Seconds since the solve began.
+     */
+    double elapsed;
+    /**
+     * Number of points of the grid that is worked on; 1 of an equilibrium or a march.
+     */
+    size_t grid_points;
+    /**
+     * Number of the attempt of a periodic solve, from 1, as the report lists them; 0 where the start was given, and before the
+     * first, as on a coarse grid that is to give a start.
+     */
+    int32_t attempt;
+    /**
+     * What it starts from: PDN_START_QUASI_STATIC, ...; 0 where the start was given.
+     */
+    int32_t start;
+    /**
+     * 1 where an iteration, or a step of a march, has just ended; 0 while one lasts, or what comes between them.
+     */
+    int32_t iterated;
+    /**
+     * Zero.
+     */
+    int32_t reserved;
 } pdn_progress;
 
 /**
- * Called after each Newton iteration, or after each step of a march, on the solving thread.
+ * Called after each Newton iteration, or after each step of a march, and while one lasts about ten times a second, on
+ * the solving thread.
  *
  * `progress` is valid during the call only. It must not use the model that is being solved, nor
  * throw or jump out. Return 0 to go on, anything else to cancel: the outcome is PDN_CANCELLED.
@@ -1195,7 +1282,7 @@ typedef struct pdn_periodic_options {
      */
     const double *guess_rotations;
     /**
-     * Told of each iteration; may cancel. Default NULL.
+     * Told of each iteration, and while one lasts, see progress_interval; may cancel. Default NULL.
      */
     pdn_progress_fn progress;
     /**
@@ -1234,6 +1321,20 @@ typedef struct pdn_periodic_options {
      * the measure of error_tolerance. For responses that are small beside the mechanism. Default 0.
      */
     double response_tolerance;
+    /**
+     * Where the library starts, unless a start is given: PDN_START_AUTOMATIC, or one way alone: PDN_START_QUASI_STATIC, ...
+     * PDN_START_STEADY_ROTATION and PDN_START_RIGID_ROTATION need a drive that turns. Default PDN_START_AUTOMATIC.
+     */
+    int32_t start;
+    /**
+     * Leave it zero.
+     */
+    int32_t reserved;
+    /**
+     * Least time between two calls of progress while an iteration lasts, in seconds; 0 to be called at any opportunity.
+     * Default 0.1.
+     */
+    double progress_interval;
 } pdn_periodic_options;
 
 /**
@@ -1282,7 +1383,7 @@ typedef struct pdn_static_options {
      */
     const struct pdn_solution *initial;
     /**
-     * Told of each iteration; may cancel. Default NULL.
+     * Told of each iteration, and about ten times a second while one lasts; may cancel. Default NULL.
      */
     pdn_progress_fn progress;
     /**
@@ -1436,7 +1537,7 @@ typedef struct pdn_march_options {
      */
     const double *velocities;
     /**
-     * Told of each step; may cancel. Default NULL.
+     * Told of each step, and about ten times a second while one lasts; may cancel. Default NULL.
      */
     pdn_progress_fn progress;
     /**
@@ -1534,7 +1635,8 @@ typedef struct pdn_shooting_options {
      */
     const struct pdn_solution *initial;
     /**
-     * Told of each period of the guess and of each iteration; may cancel. Default NULL.
+     * Told of each period of the guess and of each iteration, and about ten times a second while one lasts; may cancel.
+     * Default NULL.
      */
     pdn_progress_fn progress;
     /**
@@ -3919,7 +4021,8 @@ void pdn_march_options_init(struct pdn_march_options *options,
  * The generalised-alpha method on SE(3) for the equations of index 3 (Arnold and Bruels 2007; Bruels, Cardona
  * and Arnold 2012), of second order: motions are updated by the exponential map, equilibrium and constraints
  * hold at the end of each step. It starts in the reference configuration at rest unless another start is
- * given; motions are moved and velocities changed by the least, by inertia, that satisfies the constraints
+ * given, but what hangs on a prescribed rotation turns with it as one rigid body, if the joints let it: a blade is not
+ * left behind a hub that spins. Then motions are moved and velocities changed by the least, by inertia, that satisfies the constraints
  * and prescribed motions, and accelerations and reactions follow. Internal states of viscoelastic
  * elements start relaxed, or as they are in the initial solution.
  *

@@ -160,6 +160,16 @@ enum class Stage : std::int32_t {
     initial_guess = PDN_STAGE_INITIAL_GUESS,
     newton = PDN_STAGE_NEWTON,
     march = PDN_STAGE_MARCH,
+    modes = PDN_STAGE_MODES,
+};
+/** Where a periodic solve starts, as pdn_periodic_options.start asks for and pdn_progress tells. */
+enum class Start : std::int32_t {
+    automatic = PDN_START_AUTOMATIC,
+    quasi_static = PDN_START_QUASI_STATIC,
+    steady_rotation = PDN_START_STEADY_ROTATION,
+    rigid_rotation = PDN_START_RIGID_ROTATION,
+    raised_inertia = PDN_START_RAISED_INERTIA,
+    march = PDN_START_MARCH,
 };
 enum class NodeQuantity : std::int32_t {
     position = PDN_NODE_POSITION,
@@ -1371,7 +1381,7 @@ class Solution
     std::unique_ptr<pdn_solution, detail::Free> handle_;
 };
 
-/** Told of each iteration: true to go on, false to cancel. */
+/** Told of each iteration, and now and then while one lasts: true to go on, false to cancel. */
 using Progress = std::function<bool(const pdn_progress &)>;
 
 /** Options of solve_periodic, with the fields of ::pdn_periodic_options and these in place of

@@ -6,9 +6,11 @@
 use crate::error::{Error, ErrorKind, Result};
 use rayon::iter::{IntoParallelRefMutIterator, ParallelIterator};
 use rayon::{ThreadPool, ThreadPoolBuilder};
+use std::fmt;
 use std::sync::atomic::{AtomicUsize, Ordering};
-use std::sync::{Arc, Mutex};
+use std::sync::{Arc, Condvar, Mutex};
 use std::thread::{self, JoinHandle};
+use std::time::Duration;
 
 /// Keeps faer's convenient functions on the calling thread: by default they would start a thread for each processor.
 pub(crate) fn no_threads_unasked() {
@@ -56,10 +58,42 @@ const WORTH_SHARING: usize = 300_000;
 /// Parts that items are divided into, for each thread.
 const SHARES: usize = 8;
 
-/// One thread, or several.
-#[derive(Debug, Clone, Default)]
+/// Someone who is told now and then that work goes on, and may stop it.
+pub trait Pulse: Send + Sync {
+    /// Work goes on. Does nothing on other threads than the one that is to tell.
+    fn beat(&self);
+    /// Whether this is the thread that tells.
+    fn is_here(&self) -> bool;
+    /// Whether work is to end.
+    fn is_stopped(&self) -> bool;
+}
+
+/// How often the thread that waits for others tells that they go on.
+const WAIT: Duration = Duration::from_millis(50);
+
+/// One thread, or several, and who is told that they work.
+#[derive(Clone, Default)]
 pub struct Workers {
     pool: Option<Arc<Pool>>,
+    pulse: Option<Arc<dyn Pulse>>,
+}
+
+impl fmt::Debug for Workers {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{} threads", self.threads())
+    }
+}
+
+/// Tells, when it is dropped, that work has ended, in whatever way.
+struct Finish<'a>(&'a Mutex<bool>, &'a Condvar);
+
+impl Drop for Finish<'_> {
+    fn drop(&mut self) {
+        if let Ok(mut ended) = self.0.lock() {
+            *ended = true;
+        }
+        self.1.notify_one();
+    }
 }
 
 impl Workers {
@@ -77,7 +111,63 @@ impl Workers {
         })?;
         Ok(Workers {
             pool: Some(Arc::new(pool)),
+            pulse: None,
         })
+    }
+
+    /// The same threads; this is told that they work.
+    pub fn telling(self, pulse: Option<Arc<dyn Pulse>>) -> Self {
+        Workers { pulse, ..self }
+    }
+
+    /// Tells that work goes on.
+    ///
+    /// # Errors
+    /// If it is to end; passed on as those of callbacks are.
+    pub fn pulse(&self) -> Result<()> {
+        let Some(pulse) = &self.pulse else {
+            return Ok(());
+        };
+        pulse.beat();
+        match pulse.is_stopped() {
+            true => Err(Error::new(ErrorKind::Callback, "cancelled")),
+            false => Ok(()),
+        }
+    }
+
+    /// Whether work is to end.
+    pub fn is_stopped(&self) -> bool {
+        self.pulse.as_ref().is_some_and(|pulse| pulse.is_stopped())
+    }
+
+    /// Does something by the threads of the pool, and tells meanwhile that they work.
+    fn install<R: Send>(&self, pool: &ThreadPool, work: impl FnOnce() -> R + Send) -> R {
+        let Some(pulse) = self.pulse.as_ref().filter(|pulse| pulse.is_here()) else {
+            return pool.install(work);
+        };
+        let (ended, changed) = (Mutex::new(false), Condvar::new());
+        let result = Mutex::new(None);
+        pool.in_place_scope(|scope| {
+            scope.spawn(|_| {
+                let _finish = Finish(&ended, &changed);
+                let found = work();
+                if let Ok(mut result) = result.lock() {
+                    *result = Some(found);
+                }
+            });
+            while let Ok(guard) = ended.lock()
+                && let Ok((guard, _)) = changed.wait_timeout_while(guard, WAIT, |ended| !*ended)
+                && !*guard
+            {
+                drop(guard);
+                pulse.beat();
+            }
+        });
+        // A panic of the work has been passed on by the scope.
+        match result.into_inner() {
+            Ok(Some(found)) => found,
+            _ => unreachable!("work that has ended has a result"),
+        }
     }
 
     fn pool(&self) -> Option<&ThreadPool> {
@@ -92,15 +182,23 @@ impl Workers {
     /// These threads, if work of about so many multiply-adds is worth sharing among them, or one.
     pub fn for_work(&self, size: usize) -> Self {
         match size < WORTH_SHARING {
-            true => Workers::default(),
+            true => self.alone(),
             false => self.clone(),
+        }
+    }
+
+    /// The calling thread alone.
+    pub fn alone(&self) -> Self {
+        Workers {
+            pool: None,
+            pulse: self.pulse.clone(),
         }
     }
 
     /// Does something with faer, by these threads.
     pub fn dense<R: Send>(&self, work: impl FnOnce(faer::Par) -> R + Send) -> R {
         match self.pool() {
-            Some(pool) => pool.install(|| work(faer::Par::rayon(0))),
+            Some(pool) => self.install(pool, || work(faer::Par::rayon(0))),
             None => work(faer::Par::Seq),
         }
     }
@@ -124,7 +222,7 @@ impl Workers {
                 let length = items.len().div_ceil(SHARES * threads);
                 let left = Mutex::new(items.chunks_mut(length).enumerate());
                 let next = || left.lock().ok().and_then(|mut left| left.next());
-                pool.install(|| {
+                self.install(pool, || {
                     rooms[..threads].par_iter_mut().for_each(|room| {
                         while let Some((part, items)) = next() {
                             for (i, item) in items.iter_mut().enumerate() {
@@ -137,12 +235,16 @@ impl Workers {
             _ => {
                 for (i, item) in items.iter_mut().enumerate() {
                     work(&mut rooms[0], i, item);
+                    if let Some(pulse) = &self.pulse {
+                        pulse.beat();
+                    }
                 }
             }
         }
     }
 
-    /// The same for work that may fail: the error of the first item that does. Items after it may be left out.
+    /// The same for work that may fail: the error of the first item that does. Items after it may be left out, as may be those
+    /// that follow where work is to end.
     pub fn try_for_each<T: Send, S: Send>(
         &self,
         items: &mut [T],
@@ -154,7 +256,7 @@ impl Workers {
         let first_failed = AtomicUsize::new(usize::MAX);
         self.for_each(items, rooms, new_room, |room, i, item| {
             if i < first_failed.load(Ordering::Relaxed)
-                && let Err(error) = work(room, i, item)
+                && let Err(error) = self.pulse().and_then(|()| work(room, i, item))
                 && let Ok(mut failure) = failure.lock()
                 && failure.as_ref().is_none_or(|(first, _)| i < *first)
             {

@@ -4,7 +4,7 @@ use super::call::{Call, null};
 use super::guard::guard;
 use super::model::pdn_model;
 use super::options::{self, Options};
-use super::periodic::{observer, pdn_progress_fn, read_motion};
+use super::periodic::{PROGRESS_INTERVAL, pdn_progress_fn, read_motion, watch};
 use super::section::init_struct;
 use super::solution::pdn_solution;
 use super::status::pdn_status;
@@ -66,7 +66,7 @@ pub struct pdn_march_options {
     /// Velocities of the same start, 6 x nodes: velocity of each node and its angular velocity, inertial
     /// frame; NULL for none. Default NULL.
     pub velocities: *const f64,
-    /// Told of each step; may cancel. Default NULL.
+    /// Told of each step, and about ten times a second while one lasts; may cancel. Default NULL.
     pub progress: pdn_progress_fn,
     /// Handed to progress.
     pub progress_data: *mut c_void,
@@ -122,7 +122,8 @@ pub unsafe extern "C" fn pdn_march_options_init(
 /// The generalised-alpha method on SE(3) for the equations of index 3 (Arnold and Bruels 2007; Bruels, Cardona
 /// and Arnold 2012), of second order: motions are updated by the exponential map, equilibrium and constraints
 /// hold at the end of each step. It starts in the reference configuration at rest unless another start is
-/// given; motions are moved and velocities changed by the least, by inertia, that satisfies the constraints
+/// given, but what hangs on a prescribed rotation turns with it as one rigid body, if the joints let it: a blade is not
+/// left behind a hub that spins. Then motions are moved and velocities changed by the least, by inertia, that satisfies the constraints
 /// and prescribed motions, and accelerations and reactions follow. Internal states of viscoelastic
 /// elements start relaxed, or as they are in the initial solution.
 ///
@@ -157,8 +158,7 @@ pub unsafe extern "C" fn pdn_march(
         let given = call.options(options, "options")?;
         let out = call.out(out, "out")?;
         let options = read_march_options(call, &given, &model)?;
-        let mut observe = observer(given.progress, given.progress_data);
-        out.give(Solution::march(&model, &options, &mut observe)?);
+        out.give(Solution::march(&model, &options, &mut |_, _| true)?);
         Ok(())
     })
 }
@@ -214,6 +214,7 @@ fn read_march_options(
             iteration_limit: given.iteration_limit,
         },
         stored_periods: given.stored_periods,
+        watch: watch(given.progress, given.progress_data, PROGRESS_INTERVAL)?,
         ..MarchOptions::with_step(step, end)
     })
 }

@@ -15,8 +15,8 @@ use crate::model::Model;
 use crate::motion::{Motion, is_rotation, polar_rotation};
 use crate::output::Solution;
 use crate::solve::{
-    Adaptation, GridPoints, InitialGuess, Iteration, LinearMethod, NewtonOptions, PeriodicOptions,
-    Preconditioner, Stage,
+    Adaptation, GridPoints, InitialGuess, LinearMethod, NewtonOptions, PeriodicOptions,
+    Preconditioner, Progress, Stage, Start, Watch,
 };
 use crate::system::System;
 use nalgebra::{Matrix3, Vector3};
@@ -28,6 +28,22 @@ pub const PDN_STAGE_INITIAL_GUESS: i32 = 0;
 pub const PDN_STAGE_NEWTON: i32 = 1;
 /// Stage of a march: a step, with the last of its iterations.
 pub const PDN_STAGE_MARCH: i32 = 2;
+/// Stage of a modal analysis: looking for modes about the equilibrium.
+pub const PDN_STAGE_MODES: i32 = 3;
+
+/// Start of a periodic solve: the library tries those that suit, cheapest first.
+pub const PDN_START_AUTOMATIC: i32 = 0;
+/// Start of a periodic solve: equilibrium at each time, without velocities.
+pub const PDN_START_QUASI_STATIC: i32 = 1;
+/// Start of a periodic solve: equilibrium at each time of what turns steadily with its drives, with its centrifugal and
+/// gyroscopic forces.
+pub const PDN_START_STEADY_ROTATION: i32 = 2;
+/// Start of a periodic solve: all that hangs on drives turned with them, undeformed.
+pub const PDN_START_RIGID_ROTATION: i32 = 3;
+/// Start of a periodic solve: the quasi-static motion, and inertial forces raised in steps.
+pub const PDN_START_RAISED_INERTIA: i32 = 4;
+/// Start of a periodic solve: a march in time with strong numerical dissipation.
+pub const PDN_START_MARCH: i32 = 5;
 
 /// Linear equations: solved directly where that is quick, by iteration otherwise.
 pub const PDN_LINEAR_AUTOMATIC: i32 = 0;
@@ -44,15 +60,16 @@ pub const PDN_LINEAR_TIME_LOCAL: i32 = 4;
 /// Linear equations: solved by iteration; everything is averaged over time for the preconditioner.
 pub const PDN_LINEAR_CIRCULANT: i32 = 5;
 
-/// One Newton iteration, as told to a ::pdn_progress_fn.
+/// How far a solve is, as told to a ::pdn_progress_fn.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct pdn_progress {
     /// Size of the struct in this library.
     pub struct_size: usize,
-    /// PDN_STAGE_INITIAL_GUESS, PDN_STAGE_NEWTON or PDN_STAGE_MARCH.
+    /// PDN_STAGE_INITIAL_GUESS, PDN_STAGE_NEWTON, PDN_STAGE_MARCH or PDN_STAGE_MODES.
     pub stage: i32,
-    /// Number of the iteration, from 1; starts again with each Newton solve. In a march, number of the step.
+    /// Number of the last iteration, from 1, or 0 before the first; starts again with each Newton solve. In a march,
+    /// number of the step.
     pub iteration: i32,
     /// Largest residual before the step: forces relative to the characteristic force (the largest
     /// stiffness times the size of the mechanism), lengths relative to its size, angles in radians.
@@ -64,9 +81,23 @@ pub struct pdn_progress {
     pub step: f64,
     /// In a march the end of the step; otherwise 0.
     pub time: f64,
+    /// Seconds since the solve began.
+    pub elapsed: f64,
+    /// Number of points of the grid that is worked on; 1 of an equilibrium or a march.
+    pub grid_points: usize,
+    /// Number of the attempt of a periodic solve, from 1, as the report lists them; 0 where the start was given, and before the
+    /// first, as on a coarse grid that is to give a start.
+    pub attempt: i32,
+    /// What it starts from: PDN_START_QUASI_STATIC, ...; 0 where the start was given.
+    pub start: i32,
+    /// 1 where an iteration, or a step of a march, has just ended; 0 while one lasts, or what comes between them.
+    pub iterated: i32,
+    /// Zero.
+    pub reserved: i32,
 }
 
-/// Called after each Newton iteration, or after each step of a march, on the solving thread.
+/// Called after each Newton iteration, or after each step of a march, and while one lasts about ten times a second, on
+/// the solving thread.
 ///
 /// `progress` is valid during the call only. It must not use the model that is being solved, nor
 /// throw or jump out. Return 0 to go on, anything else to cancel: the outcome is PDN_CANCELLED.
@@ -99,7 +130,7 @@ pub struct pdn_periodic_options {
     pub guess_positions: *const f64,
     /// Rotation matrices of the same start, 9 x N x nodes, each column by column. Default NULL.
     pub guess_rotations: *const f64,
-    /// Told of each iteration; may cancel. Default NULL.
+    /// Told of each iteration, and while one lasts, see progress_interval; may cancel. Default NULL.
     pub progress: pdn_progress_fn,
     /// Handed to progress.
     pub progress_data: *mut c_void,
@@ -123,11 +154,19 @@ pub struct pdn_periodic_options {
     /// response: the largest deviation of a node from its mean or, if it makes whole turns in a period, from a steady turn, in
     /// the measure of error_tolerance. For responses that are small beside the mechanism. Default 0.
     pub response_tolerance: f64,
+    /// Where the library starts, unless a start is given: PDN_START_AUTOMATIC, or one way alone: PDN_START_QUASI_STATIC, ...
+    /// PDN_START_STEADY_ROTATION and PDN_START_RIGID_ROTATION need a drive that turns. Default PDN_START_AUTOMATIC.
+    pub start: i32,
+    /// Leave it zero.
+    pub reserved: i32,
+    /// Least time between two calls of progress while an iteration lasts, in seconds; 0 to be called at any opportunity.
+    /// Default 0.1.
+    pub progress_interval: f64,
 }
 
 // SAFETY: all fields are plain numbers or pointers, `struct_size` is the first, no padding.
 unsafe impl Options for pdn_periodic_options {
-    const SIZES: &'static [usize] = &[80, 96, 104, 112, 120];
+    const SIZES: &'static [usize] = &[80, 96, 104, 112, 120, 136];
 
     fn defaults() -> Self {
         let core = PeriodicOptions::default();
@@ -149,6 +188,9 @@ unsafe impl Options for pdn_periodic_options {
             threads: 1,
             oversampling: core.oversampling,
             response_tolerance: adaptation.response_tolerance,
+            start: PDN_START_AUTOMATIC,
+            reserved: 0,
+            progress_interval: PROGRESS_INTERVAL,
         }
     }
 }
@@ -203,47 +245,92 @@ pub unsafe extern "C" fn pdn_solve_periodic(
         let given = call.options(options, "options")?;
         let out = call.out(out, "out")?;
         let options = read_options(call, &given, &model, period)?;
-        let mut observe = observer(given.progress, given.progress_data);
-        out.give(Solution::solve(&model, period, &options, &mut observe)?);
+        out.give(Solution::solve(&model, period, &options, &mut |_, _| true)?);
         Ok(())
     })
 }
 
-/// Tells `function` of each iteration.
-pub(super) fn observer(
-    function: pdn_progress_fn,
+/// Seconds between two calls while an iteration lasts.
+pub(super) const PROGRESS_INTERVAL: f64 = 0.1;
+
+/// A function of the caller that is told of progress.
+struct Caller {
+    function: unsafe extern "C" fn(progress: *const pdn_progress, user_data: *mut c_void) -> i32,
     data: *mut c_void,
-) -> impl FnMut(Stage, &Iteration) -> bool {
-    // Asked once, never asked again: an iteration that converges goes on to the next stage.
-    let mut cancelled = false;
-    move |stage, iteration| match function {
-        Some(function) if !cancelled => {
-            let progress = progress(stage, iteration);
-            // SAFETY: the caller gave the function for this data; `progress` outlives the call.
-            cancelled = unsafe { function(&progress, data) != 0 };
-            !cancelled
-        }
-        _ => !cancelled,
+}
+
+// SAFETY: it is called on the thread alone that the caller gave it on, as the header says.
+unsafe impl Send for Caller {}
+
+impl Caller {
+    /// `false` to cancel.
+    fn tell(&self, progress: &Progress) -> bool {
+        let progress = of_progress(progress);
+        // SAFETY: the caller gave the function for this data; `progress` outlives the call.
+        unsafe { (self.function)(&progress, self.data) == 0 }
     }
 }
 
-fn progress(stage: Stage, iteration: &Iteration) -> pdn_progress {
+/// Tells `function` how a solve goes on, at least every `interval` seconds.
+pub(super) fn watch(function: pdn_progress_fn, data: *mut c_void, interval: f64) -> Result<Watch> {
+    let Some(function) = function else {
+        return Ok(Watch::default());
+    };
+    let caller = Caller { function, data };
+    Watch::with_interval(interval, move |progress| caller.tell(progress))
+}
+
+fn of_progress(progress: &Progress) -> pdn_progress {
+    let count = |n: usize| i32::try_from(n).unwrap_or(i32::MAX);
+    let iteration = &progress.iteration;
     pdn_progress {
         struct_size: size_of::<pdn_progress>(),
-        stage: match stage {
+        stage: match progress.stage {
             Stage::InitialGuess => PDN_STAGE_INITIAL_GUESS,
             Stage::Newton => PDN_STAGE_NEWTON,
             Stage::March { .. } => PDN_STAGE_MARCH,
+            Stage::Modes => PDN_STAGE_MODES,
         },
-        iteration: i32::try_from(iteration.number).unwrap_or(i32::MAX),
+        iteration: count(iteration.number),
         residual: iteration.residual,
         increment: iteration.increment,
         step: iteration.step,
-        time: match stage {
+        time: match progress.stage {
             Stage::March { time } => time,
             _ => 0.0,
         },
+        elapsed: progress.elapsed.as_secs_f64(),
+        grid_points: progress.points,
+        attempt: count(progress.attempt),
+        start: progress.start.map_or(PDN_START_AUTOMATIC, start_code),
+        iterated: i32::from(progress.iterated),
+        reserved: 0,
     }
+}
+
+fn start_code(start: Start) -> i32 {
+    match start {
+        Start::QuasiStatic => PDN_START_QUASI_STATIC,
+        Start::SteadyRotation => PDN_START_STEADY_ROTATION,
+        Start::RigidRotation => PDN_START_RIGID_ROTATION,
+        Start::RaisedInertia => PDN_START_RAISED_INERTIA,
+        Start::March => PDN_START_MARCH,
+    }
+}
+
+fn read_start(value: i32) -> Result<InitialGuess> {
+    Ok(InitialGuess::By(match value {
+        PDN_START_AUTOMATIC => return Ok(InitialGuess::Default),
+        PDN_START_QUASI_STATIC => Start::QuasiStatic,
+        PDN_START_STEADY_ROTATION => Start::SteadyRotation,
+        PDN_START_RIGID_ROTATION => Start::RigidRotation,
+        PDN_START_RAISED_INERTIA => Start::RaisedInertia,
+        PDN_START_MARCH => Start::March,
+        _ => {
+            let expected = "a constant PDN_START_...";
+            return Err(unknown("options.start", expected, value));
+        }
+    }))
 }
 
 fn read_options(
@@ -290,6 +377,13 @@ fn read_options(
         }
         points => (GridPoints::Fixed(points), Some(grid_of(points)?)),
     };
+    let start = read_start(given.start)?;
+    let arrays = [given.guess_positions, given.guess_rotations];
+    let is_given = !given.initial.is_null() || arrays.iter().any(|array| !array.is_null());
+    if is_given && given.start != PDN_START_AUTOMATIC {
+        let expected = "PDN_START_AUTOMATIC, as a start is given";
+        return Err(unknown("options.start", expected, given.start));
+    }
     let guess = if !given.initial.is_null() {
         let initial = call.shared(given.initial, "options.initial")?;
         initial.require_same_shape(model)?;
@@ -302,7 +396,7 @@ fn read_options(
         };
         InitialGuess::State(initial.prolonged(grid)?)
     } else if given.guess_positions.is_null() && given.guess_rotations.is_null() {
-        InitialGuess::Default
+        start
     } else {
         let grid = grid.ok_or_else(|| {
             let expected = "the number of points of options.guess_positions";
@@ -320,6 +414,9 @@ fn read_options(
             iteration_limit: given.iteration_limit,
         },
         guess,
+        watch: watch(given.progress, given.progress_data, {
+            call.number(given.progress_interval, "options.progress_interval")?
+        })?,
     })
 }
 

@@ -5,7 +5,7 @@ use super::guard::guard;
 use super::march::no_trajectory;
 use super::model::pdn_model;
 use super::options::{self, Options};
-use super::periodic::{observer, pdn_progress_fn};
+use super::periodic::{PROGRESS_INTERVAL, pdn_progress_fn, watch};
 use super::solution::pdn_solution;
 use super::status::pdn_status;
 use crate::error::{Error, Result};
@@ -35,7 +35,8 @@ pub struct pdn_shooting_options {
     /// Start the march from this solution of a model with the same nodes and joints, at its time 0 or, of a
     /// march, at its first time; NULL for the reference configuration at rest. Default NULL.
     pub initial: *const pdn_solution,
-    /// Told of each period of the guess and of each iteration; may cancel. Default NULL.
+    /// Told of each period of the guess and of each iteration, and about ten times a second while one lasts; may cancel.
+    /// Default NULL.
     pub progress: pdn_progress_fn,
     /// Handed to progress.
     pub progress_data: *mut c_void,
@@ -112,12 +113,11 @@ pub unsafe extern "C" fn pdn_solve_shooting(
         let given = call.options(options, "options")?;
         let out = call.out(out, "out")?;
         let options = read_shooting_options(call, &given, &model)?;
-        let mut observe = observer(given.progress, given.progress_data);
         out.give(Solution::solve_shooting(
             &model,
             period,
             &options,
-            &mut observe,
+            &mut |_, _| true,
         )?);
         Ok(())
     })
@@ -147,6 +147,7 @@ fn read_shooting_options(
             tolerance: given.tolerance,
             iteration_limit: given.iteration_limit,
         },
+        watch: watch(given.progress, given.progress_data, PROGRESS_INTERVAL)?,
     })
 }
 

@@ -203,15 +203,15 @@ pub struct pdn_diagnostics {
     /// Largest violation of a constraint between grid points: lengths relative to the size of
     /// the mechanism, angles in radians; infinite if the motion cannot be interpolated.
     pub constraint_residual_between: f64,
-    /// Seconds spent on the initial guess.
+    /// Seconds spent on the initial guess: quasi-static motions, marches, and what is carried from grid to grid.
     pub guess_seconds: f64,
-    /// Seconds spent on elements and assembly.
+    /// Seconds spent on elements and assembly, on all grids and in all attempts, as all that follows.
     pub assembly_seconds: f64,
     /// Seconds spent on symbolic analysis.
     pub analysis_seconds: f64,
-    /// Seconds spent on numeric factorisation.
+    /// Seconds spent on numeric factorisation of whole Jacobians.
     pub factorisation_seconds: f64,
-    /// Seconds spent on forward and backward substitution.
+    /// Seconds spent on forward and backward substitution, or on iteration.
     pub substitution_seconds: f64,
     /// How the upper half of the harmonics of motions falls: PDN_DECAY_FAST, PDN_DECAY_SLOW, ...
     pub decay: i32,
@@ -232,11 +232,23 @@ pub struct pdn_diagnostics {
     pub most_linear_iterations: i32,
     /// Bytes that iteration took at most; 0 if there was none.
     pub linear_bytes: usize,
+    /// Seconds spent on preconditioners, without the dense system of joints that turn.
+    pub preconditioner_seconds: f64,
+    /// Seconds spent on that dense system.
+    pub interface_seconds: f64,
+    /// Seconds spent on error estimates, and on why a Jacobian is singular.
+    pub estimate_seconds: f64,
+    /// Seconds of the whole solve: all of these, and the little that is none of them.
+    pub total_seconds: f64,
+    /// Newton iterations on all grids and in all attempts, without those of the initial guess.
+    pub total_iterations: i32,
+    /// Attempts, each from another start, as the report lists them; 0 where the start was given.
+    pub attempts: i32,
 }
 
 // SAFETY: all fields are plain numbers, `struct_size` is the first, no padding.
 unsafe impl Options for pdn_diagnostics {
-    const SIZES: &'static [usize] = &[112, 136, 160];
+    const SIZES: &'static [usize] = &[112, 136, 160, 200];
 
     fn defaults() -> Self {
         pdn_diagnostics {
@@ -265,6 +277,12 @@ unsafe impl Options for pdn_diagnostics {
             linear_solves: 0,
             most_linear_iterations: 0,
             linear_bytes: 0,
+            preconditioner_seconds: 0.0,
+            interface_seconds: 0.0,
+            estimate_seconds: 0.0,
+            total_seconds: 0.0,
+            total_iterations: 0,
+            attempts: 0,
         }
     }
 }
@@ -324,6 +342,12 @@ pub unsafe extern "C" fn pdn_solution_diagnostics(
             assembly_seconds: timings.assembly.as_secs_f64(),
             analysis_seconds: timings.analysis.as_secs_f64(),
             factorisation_seconds: timings.factorisation.as_secs_f64(),
+            preconditioner_seconds: timings.preconditioner.as_secs_f64(),
+            interface_seconds: timings.interface.as_secs_f64(),
+            estimate_seconds: timings.estimates.as_secs_f64(),
+            total_seconds: details.total_time.as_secs_f64(),
+            total_iterations: count(details.total_iterations),
+            attempts: count(details.attempts.len()),
             substitution_seconds: timings.substitution.as_secs_f64(),
             decay: match solution.diagnostics().decay {
                 DecayKind::Unknown => PDN_DECAY_UNKNOWN,

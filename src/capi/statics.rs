@@ -4,7 +4,7 @@ use super::call::Call;
 use super::guard::guard;
 use super::model::pdn_model;
 use super::options::{self, Options};
-use super::periodic::{observer, pdn_progress_fn};
+use super::periodic::{PROGRESS_INTERVAL, pdn_progress_fn, watch};
 use super::solution::pdn_solution;
 use super::status::pdn_status;
 use crate::error::{Error, Result};
@@ -43,7 +43,7 @@ pub struct pdn_static_options {
     /// Start from this solution, at `time`, of a model with the same nodes and joints; NULL to start
     /// from the reference configuration. Default NULL.
     pub initial: *const pdn_solution,
-    /// Told of each iteration; may cancel. Default NULL.
+    /// Told of each iteration, and about ten times a second while one lasts; may cancel. Default NULL.
     pub progress: pdn_progress_fn,
     /// Handed to progress.
     pub progress_data: *mut c_void,
@@ -126,8 +126,7 @@ pub unsafe extern "C" fn pdn_solve_static(
         let given = call.options(options, "options")?;
         let out = call.out(out, "out")?;
         let options = read_static_options(call, &given, &model, "options")?;
-        let mut observe = observer(given.progress, given.progress_data);
-        out.give(Solution::solve_static(&model, &options, &mut observe)?);
+        out.give(Solution::solve_static(&model, &options, &mut |_, _| true)?);
         Ok(())
     })
 }
@@ -156,6 +155,7 @@ pub(super) fn read_static_options(
             iteration_limit: given.iteration_limit,
         },
         guess: InitialGuess::Default,
+        watch: watch(given.progress, given.progress_data, PROGRESS_INTERVAL)?,
     };
     let within = |e: Error| match name {
         "options" => e,

@@ -5,6 +5,7 @@ use super::state::GridState;
 use crate::elements::{Contribution, NodeState};
 use crate::error::Result;
 use crate::system::{Conditions, OwnValues, Placed, System, Workspace};
+use crate::workers::Workers;
 use nalgebra::Vector6;
 use std::sync::Arc;
 
@@ -40,9 +41,11 @@ impl Instants {
         state: &GridState,
         workspace: &mut Workspace,
         (forces, own): (&mut [f64], &mut [Option<&mut [f64]>]),
+        workers: &Workers,
     ) -> Result<()> {
         forces.fill(0.0);
         for (&index, own) in share.elements.iter().zip(own) {
+            workers.pulse()?;
             let placed = &self.system.elements()[index];
             let nodes = placed.element.nodes();
             let count = placed.element.multipliers();

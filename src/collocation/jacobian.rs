@@ -117,6 +117,7 @@ impl Collocation {
             .try_for_each(&mut all, rooms, room, |room, _, part| {
                 self.sum_elements(state, pattern, part, room)?;
                 for node in part.share.nodes.clone() {
+                    division.workers.pulse()?;
                     self.write_node_columns(node, pattern, part, &mut room.gammas);
                 }
                 Ok(())
@@ -169,6 +170,7 @@ impl Collocation {
         // Where rates are given inertia is all that matters of masses.
         let rates_are_given = matches!(self.derivatives, Derivatives::Given(_));
         for (i, &index) in share.elements.iter().enumerate() {
+            self.division.workers.pulse()?;
             let placed = &self.system().elements()[index];
             let nodes = placed.element.nodes();
             let count = placed.element.multipliers();

@@ -646,7 +646,8 @@ impl Collocation {
             &mut self.forces_only,
             || system.workspace(false),
             |workspace, i, (forces, own)| {
-                instants.forces(&division.shares[i], state, workspace, (forces, own))
+                let (share, workers) = (&division.shares[i], &division.workers);
+                instants.forces(share, state, workspace, (forces, own), workers)
             },
         )?;
         for (value, scale) in out.iter_mut().zip(&self.row_scale) {

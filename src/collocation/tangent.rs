@@ -20,7 +20,7 @@ use crate::error::Result;
 use crate::fourier::Differentiation;
 use crate::motion::DualVector;
 use crate::system::{System, Workspace};
-use crate::workers::parts;
+use crate::workers::{Workers, parts};
 use nalgebra::{DMatrix, Matrix6, Vector6};
 use std::collections::BTreeMap;
 use std::ops::Range;
@@ -353,7 +353,7 @@ impl Tangent {
             |workspace, i, (pairs, own)| {
                 layout.evaluate(
                     instants,
-                    &division.shares[i],
+                    (&division.shares[i], &division.workers),
                     state,
                     workspace,
                     (pairs, own),
@@ -608,7 +608,7 @@ impl TangentLayout {
     fn evaluate(
         &self,
         instants: &Instants,
-        share: &Share,
+        (share, workers): (&Share, &Workers),
         state: &GridState,
         workspace: &mut Workspace,
         (pairs, own): (&mut [Vec<PairTangent>], &mut [Option<OwnPart>]),
@@ -616,6 +616,7 @@ impl TangentLayout {
         let first_pair = self.couplings_of(share.nodes.clone()).start;
         let points = state.points();
         for (&index, own) in share.elements.iter().zip(own) {
+            workers.pulse()?;
             let placed = &instants.system().elements()[index];
             let nodes = placed.element.nodes();
             let couplings = &self.places[index].couplings;

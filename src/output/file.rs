@@ -47,6 +47,10 @@ struct Content<'a> {
     guess_iterations: usize,
     guess_time: Duration,
     timings: Timings,
+    #[serde(default)]
+    total_time: Duration,
+    #[serde(default)]
+    total_iterations: usize,
     prescribed_start: Cow<'a, [f64]>,
     diagnostics: Cow<'a, Diagnostics>,
     forces: Cow<'a, [Result<ForceRecord>]>,
@@ -86,6 +90,8 @@ impl Solution {
             guess_iterations: self.solve.guess_iterations,
             guess_time: self.solve.guess_time,
             timings: self.solve.timings,
+            total_time: self.solve.total_time,
+            total_iterations: self.solve.total_iterations,
             prescribed_start: Cow::Borrowed(&self.prescribed_start),
             diagnostics: Cow::Borrowed(self.diagnostics()),
             forces: Cow::Borrowed(&self.forces),
@@ -274,6 +280,8 @@ impl Content<'_> {
                 guess_iterations: self.guess_iterations,
                 guess_time: self.guess_time,
                 timings: self.timings,
+                total_time: self.total_time,
+                total_iterations: self.total_iterations,
                 grids: self.grids.into_owned(),
                 coarse_start: self.coarse_start,
                 attempts: self.attempts.into_owned(),

@@ -137,6 +137,8 @@ impl Modes {
             guess_iterations: 0,
             guess_time: Duration::ZERO,
             timings: Timings::default(),
+            total_time: Duration::ZERO,
+            total_iterations: 0,
             grids: Vec::new(),
             coarse_start: None,
             attempts: Vec::new(),

@@ -174,14 +174,26 @@ impl Solution {
         }
         let t = solve.timings;
         line(format_args!(
-            "  time: initial guess {:.4} s ({} iterations), assembly {:.4} s, analysis {:.4} s, factorisation {:.4} s, substitution {:.4} s",
-            solve.guess_time.as_secs_f64(),
-            solve.guess_iterations,
-            t.assembly.as_secs_f64(),
-            t.analysis.as_secs_f64(),
-            t.factorisation.as_secs_f64(),
-            t.substitution.as_secs_f64()
+            "  time: {:.4} s for {} iterations on all grids and in all attempts, and {} of the initial guess",
+            solve.total_time.as_secs_f64(),
+            solve.total_iterations,
+            solve.guess_iterations
         ));
+        let parts = [
+            ("initial guess", solve.guess_time),
+            ("assembly", t.assembly),
+            ("analysis", t.analysis),
+            ("factorisation", t.factorisation),
+            ("preconditioner", t.preconditioner),
+            ("joints that turn", t.interface),
+            ("substitution and iteration", t.substitution),
+            ("error estimates", t.estimates),
+        ];
+        let parts = parts.iter().filter(|(_, time)| !time.is_zero());
+        let parts: Vec<String> = parts
+            .map(|(what, time)| format!("{what} {:.4} s", time.as_secs_f64()))
+            .collect();
+        line(format_args!("    of it {}", parts.join(", ")));
         text
     }
 

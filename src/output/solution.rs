@@ -11,6 +11,7 @@ use crate::solve::{
     Iteration, Outcome, PeriodicOptions, PeriodicSolve, Stage, StaticOptions, solve_periodic,
     solve_static,
 };
+use crate::system::{Driven, System};
 use crate::workers::Workers;
 
 /// Result of a periodic or static solve or of a march, converged or not; otherwise it holds the last iterate,
@@ -151,7 +152,8 @@ impl Solution {
     }
 
     /// This solution at the points of another grid of the same period: where a solve may start.
-    /// On a grid of one point that is the start of the period. Of a trajectory it is the last period.
+    /// On a grid of one point that is the start of the period. Of a trajectory it is the last period. Of an equilibrium, in steady
+    /// rotation or not, what hangs on drives that turn is carried with them, if the joints let it turn as one rigid body.
     ///
     /// # Errors
     /// [`ErrorKind::GridTooCoarse`] if a motion cannot be interpolated.
@@ -159,7 +161,38 @@ impl Solution {
         if self.is_trajectory() {
             return self.last_period(grid);
         }
-        self.prolonged_from(0.0, grid)
+        let state = self.prolonged_from(0.0, grid)?;
+        match self.solve.system.standstill() {
+            Some(standstill) if grid.points() > 1 && self.solve.grid.points() == 1 => {
+                self.carried_with_drives(standstill.time, state, grid)
+            }
+            _ => Ok(state),
+        }
+    }
+
+    /// An equilibrium found with the drives as they are at this time, carried with them.
+    fn carried_with_drives(
+        &self,
+        time: f64,
+        mut state: GridState,
+        grid: TimeGrid,
+    ) -> Result<GridState> {
+        let system = System::new(&self.model, grid.period())?;
+        let Some(driven) = system.driven()?.filter(Driven::is_rigid) else {
+            return Ok(state);
+        };
+        let (mut still, mut now) = (vec![0.0; system.signals()], vec![0.0; system.signals()]);
+        system.signal_values(time, 1.0, &mut still)?;
+        let points = grid.points();
+        for k in 0..points {
+            system.signal_values(grid.time(k), 1.0, &mut now)?;
+            for node in 0..system.nodes() {
+                let motion = &mut state.motions[node * points + k];
+                *motion = driven.carried_between(node, motion, &still, &now);
+            }
+        }
+        state.track_through(&system);
+        Ok(state)
     }
 
     /// The same for a grid whose first point is at the time `start` of this solution; of a trajectory for a

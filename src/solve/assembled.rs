@@ -62,8 +62,16 @@ impl LinearSolver for Assembled {
         timed(&mut timings.factorisation, || self.factor())
     }
 
-    fn solve(&mut self, _: &mut Collocation, rhs: &mut [f64], _: f64) -> Result<bool> {
-        self.solver.solve_refined(&self.values, rhs)
+    fn solve(
+        &mut self,
+        _: &mut Collocation,
+        rhs: &mut [f64],
+        _: f64,
+        timings: &mut Timings,
+    ) -> Result<bool> {
+        timed(&mut timings.substitution, || {
+            self.solver.solve_refined(&self.values, rhs)
+        })
     }
 
     fn growth(&mut self, equations: &mut Collocation) -> f64 {

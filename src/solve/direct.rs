@@ -58,6 +58,7 @@ struct Factorisation<'a> {
     values: &'a [f64],
     smallest_pivot: f64,
     rooms: Spare<Room>,
+    workers: &'a Workers,
 }
 
 impl Analysis {
@@ -164,8 +165,11 @@ impl Factorisation<'_> {
         (first, fronts): (usize, &mut [Front]),
         parallelism: Par,
     ) -> Result<bool> {
-        let mut room = self.rooms.take(|| Room::new(self.analysis.groups.len()));
+        let mut room = self
+            .rooms
+            .take(|| Room::new(self.analysis.groups.len(), self.workers));
         for f in some {
+            self.workers.pulse()?;
             if !self.factor(f, (first, fronts), &mut room, parallelism)? {
                 return Ok(false);
             }
@@ -340,14 +344,15 @@ impl DirectSolver {
 
     fn factor_fronts(&mut self, values: &[f64]) -> Result<bool> {
         let analysis = &self.analysis;
+        let workers = self.workers.for_work(analysis.work() as usize);
         let factorisation = Factorisation {
             analysis,
             values,
             smallest_pivot: self.smallest_pivot,
             rooms: Spare::default(),
+            workers: &workers,
         };
         let fronts = &mut self.fronts[..];
-        let workers = self.workers.for_work(analysis.work() as usize);
         workers.dense(|parallelism| match parallelism {
             Par::Seq => factorisation.factor_in_order(0..fronts.len(), (0, fronts), parallelism),
             Par::Rayon(_) => {
@@ -390,6 +395,8 @@ impl DirectSolver {
         let mut reduced = Vec::with_capacity(rhs.len());
         let mut local = Vec::new();
         for (plan, front) in self.analysis.plans.iter().zip(&self.fronts) {
+            // Whether work is to end is asked where it may fail.
+            let _ = self.workers.pulse();
             let first = reduced.len();
             reduced.extend(front.rows.iter().map(|&row| rhs[row]));
             let y = &mut reduced[first..];
@@ -399,6 +406,7 @@ impl DirectSolver {
             self.scatter(&front.delayed_rows, &plan.boundary, &local, rhs);
         }
         for (plan, front) in self.analysis.plans.iter().zip(&self.fronts).rev() {
+            let _ = self.workers.pulse();
             let count = front.rows.len();
             let y = &mut reduced[..];
             let (_, y) = y.split_at_mut(y.len() - count);

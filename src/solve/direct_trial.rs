@@ -29,7 +29,7 @@ pub fn try_direct_solve(solve: &PeriodicSolve) -> Result<DirectTrial> {
     direct.linearise(&mut equations, &solve.state, &mut timings)?;
     let mut rhs = missing_inertia(&mut equations, &solve.state)?;
     timed(&mut timings.substitution, || {
-        direct.solve(&mut equations, &mut rhs, 1e-8)
+        direct.solve(&mut equations, &mut rhs, 1e-8, &mut Timings::default())
     })?;
     Ok(DirectTrial {
         cost: DirectCost::of(&solve.system, solve.grid.points()),

@@ -8,6 +8,7 @@ use crate::error::{ErrorKind, Result};
 use crate::fourier::TimeGrid;
 use crate::system::System;
 use crate::workers::Workers;
+use std::time::Instant;
 
 /// What a solution on one grid tells of its error.
 #[derive(Debug, Clone, PartialEq)]
@@ -87,6 +88,15 @@ impl Attempts<'_> {
         state: &mut GridState,
         report: &NewtonReport,
     ) -> Result<Assessment> {
+        let (began, before) = (Instant::now(), self.newton.timings.sum());
+        let found = self.estimate(state, report);
+        // What the solutions of linear equations have not booked.
+        let booked = self.newton.timings.sum() - before;
+        self.newton.timings.estimates += began.elapsed().saturating_sub(booked);
+        found
+    }
+
+    fn estimate(&mut self, state: &mut GridState, report: &NewtonReport) -> Result<Assessment> {
         let sampled = self.newton.equations.oversampled().is_none();
         if sampled {
             self.newton.equations.update_kinematics(state);
@@ -232,6 +242,7 @@ impl Attempts<'_> {
 fn wave(equations: &Collocation, harmonic: usize) -> Result<Newton> {
     let grid = TimeGrid::new(3, equations.grid().period() / harmonic as f64)?;
     let mut wave = Collocation::new(equations.system().clone(), grid)?;
+    wave.set_workers(equations.workers().alone());
     if equations.is_regularised() {
         wave.regularise();
     }

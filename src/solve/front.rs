@@ -1,16 +1,14 @@
 //! One front of the multifrontal solver: its own unknowns are eliminated by dense kernels, as far as they have pivots.
 
+use super::blocks;
 use super::dense::largest;
 use super::direct::elimination_work;
 use super::partial_lu::factor_partially;
 use crate::error::{Error, ErrorKind, Result};
-use faer::dyn_stack::{MemBuffer, MemStack, StackReq};
-use faer::linalg::lu::partial_pivoting::factor::{lu_in_place, lu_in_place_scratch};
-use faer::linalg::matmul::matmul;
-use faer::linalg::triangular_solve::{
-    solve_lower_triangular_in_place, solve_unit_lower_triangular_in_place,
-};
-use faer::{Accum, Mat, MatRef, Par};
+use crate::workers::Workers;
+use faer::dyn_stack::{MemBuffer, StackReq};
+use faer::linalg::lu::partial_pivoting::factor::lu_in_place_scratch;
+use faer::{Mat, MatRef, Par};
 
 /// Multiply-adds of a front, or several, that are worth sharing among threads.
 pub(super) const LARGE_FRONT: f64 = 2e7;
@@ -73,11 +71,14 @@ pub(super) struct Room {
     column: Vec<f64>,
     /// Sizes of columns.
     pub sizes: Vec<f64>,
+    /// Who tells that work goes on.
+    workers: Workers,
 }
 
 impl Room {
-    pub fn new(groups: usize) -> Self {
+    pub fn new(groups: usize, workers: &Workers) -> Self {
         Room {
+            workers: workers.alone(),
             place: vec![usize::MAX; groups],
             most: 0,
             memory: MemBuffer::new(StackReq::EMPTY),
@@ -136,7 +137,7 @@ impl Front {
         self.delayed_sizes.clear();
         if !self.waits {
             assemble(self, &room.place)?;
-            if self.eliminate_all(smallest_pivot.unwrap_or(0.0), room, parallelism) {
+            if self.eliminate_all(smallest_pivot.unwrap_or(0.0), room, parallelism)? {
                 return Ok(true);
             }
         }
@@ -169,25 +170,30 @@ impl Front {
     }
 
     /// Eliminates all unknowns. `false` if their block is singular, or has too small a pivot.
-    fn eliminate_all(&mut self, smallest_pivot: f64, room: &mut Room, parallelism: Par) -> bool {
+    fn eliminate_all(
+        &mut self,
+        smallest_pivot: f64,
+        room: &mut Room,
+        parallelism: Par,
+    ) -> Result<bool> {
         let (count, size) = (self.upper.nrows(), self.upper.ncols());
         self.measure_columns(&mut room.sizes);
         let parallelism = self.parallelism(parallelism);
         room.grow(count, parallelism);
-        lu_in_place(
+        blocks::lu(
             self.upper.as_mut().subcols_mut(0, count),
             &mut room.permutation[..count],
             &mut room.inverse[..count],
             parallelism,
-            MemStack::new(&mut room.memory),
-            Default::default(),
-        );
+            &mut room.memory,
+            &room.workers,
+        )?;
         for (j, size) in room.sizes.iter().enumerate() {
             let pivot = self.upper[(j, j)].abs();
             // Written so that NaN fails too.
             let good = pivot > smallest_pivot * size && pivot.is_finite();
             if !good {
-                return false;
+                return Ok(false);
             }
         }
         let permutation = &room.permutation[..count];
@@ -202,19 +208,19 @@ impl Front {
         }
         let (factors, mut beyond) = self.upper.as_mut().split_at_col_mut(count);
         let factors = factors.as_ref();
-        solve_unit_lower_triangular_in_place(factors, beyond.as_mut(), parallelism);
+        let workers = &room.workers;
+        blocks::solve_unit_lower(factors, beyond.as_mut(), parallelism, workers)?;
         // L₂₁ U = F₂₁, transposed: Uᵀ L₂₁ᵀ = F₂₁ᵀ.
         let transposed = self.lower.as_mut().transpose_mut();
-        solve_lower_triangular_in_place(factors.transpose(), transposed, parallelism);
-        matmul(
+        blocks::solve_lower(factors.transpose(), transposed, parallelism, workers)?;
+        blocks::subtract_matmul(
             self.remainder.as_mut(),
-            Accum::Add,
             self.lower.as_ref(),
             beyond.as_ref(),
-            -1.0,
             parallelism,
-        );
-        true
+            workers,
+        )?;
+        Ok(true)
     }
 
     /// Eliminates the unknowns that have pivots.
@@ -238,8 +244,8 @@ impl Front {
             &mut order,
             &mut room.sizes,
             smallest_pivot,
-            parallelism,
-        );
+            (parallelism, &room.workers),
+        )?;
         self.columns = order.iter().map(|&column| self.columns[column]).collect();
         self.delayed_rows = self.rows.split_off(count);
         self.delayed_columns = self.columns.split_off(count);
@@ -258,7 +264,7 @@ impl Front {
         (0..count).for_each(|j| below.as_mut().col_mut(j).copy_from(column(j)));
         let square = upper.as_ref().subcols(0, count);
         let transposed = below.as_mut().transpose_mut();
-        solve_lower_triangular_in_place(square.transpose(), transposed, parallelism);
+        blocks::solve_lower(square.transpose(), transposed, parallelism, &room.workers)?;
 
         let mut remainder = Mat::new();
         make_zero(&mut remainder, size - count, size - count)?;
@@ -270,7 +276,8 @@ impl Front {
         let boundary = rest.as_mut().subcols_mut(delayed, size - own);
         { boundary }.copy_from(self.remainder.as_ref());
         let beyond: MatRef<f64> = upper.as_ref().subcols(count, size - count);
-        matmul(rest, Accum::Add, below.as_ref(), beyond, -1.0, parallelism);
+        let workers = &room.workers;
+        blocks::subtract_matmul(rest, below.as_ref(), beyond, parallelism, workers)?;
         (self.upper, self.lower, self.remainder) = (upper, lower, remainder);
         Ok(())
     }

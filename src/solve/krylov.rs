@@ -56,6 +56,7 @@ impl Map<'_> {
 
     /// `u` over all unknowns, and `z'`.
     pub fn image(&self, z: &[C64]) -> Result<(Vec<C64>, Vec<C64>)> {
+        self.pencil.workers.pulse()?;
         let u = self
             .inverse
             .solve(self.pencil, &self.right_side(z))

@@ -28,6 +28,7 @@ pub(super) trait LinearSolver {
         equations: &mut Collocation,
         rhs: &mut [f64],
         accuracy: f64,
+        timings: &mut Timings,
     ) -> Result<bool>;
 
     /// Size of the inverse of the Jacobian, relative to the Jacobian: about the inverse of the rounding if it

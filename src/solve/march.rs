@@ -6,6 +6,7 @@ use crate::collocation::{BackwardRule, Collocation, GridState};
 use crate::error::{ErrorKind, Result};
 use crate::fourier::TimeGrid;
 use crate::system::System;
+use crate::workers::Workers;
 use std::collections::VecDeque;
 use std::sync::Arc;
 
@@ -52,13 +53,21 @@ pub(super) struct DissipativeMarch {
 
 impl DissipativeMarch {
     /// From the first point of `start`, with the velocity that leads there, or from rest in the reference configuration.
-    pub fn new(system: &Arc<System>, grid: TimeGrid, start: Option<&GridState>) -> Result<Self> {
+    pub fn new(
+        system: &Arc<System>,
+        grid: TimeGrid,
+        start: Option<&GridState>,
+        workers: &Workers,
+    ) -> Result<Self> {
         let instant = TimeGrid::new(1, grid.period())?;
+        let mut equations = Collocation::new(system.clone(), instant)?;
+        // Instants are too small to be shared.
+        equations.set_workers(workers.alone());
         let mut march = DissipativeMarch {
             system: system.clone(),
             grid,
             start: start.cloned(),
-            newton: Newton::new(Collocation::new(system.clone(), instant)?),
+            newton: Newton::new(equations),
             parts: LEAST_STEPS.div_ceil(grid.points()),
             refinements: 0,
             past: VecDeque::new(),
@@ -89,6 +98,7 @@ impl DissipativeMarch {
         });
         self.past = states.collect();
         self.before = None;
+        self.change = f64::INFINITY;
     }
 
     /// Change of the last period from the one before: motions relative to the characteristic length, or in radians.

@@ -156,7 +156,7 @@ impl Linear {
     }
 
     /// Gives iteration up for factors.
-    fn fall_back(&mut self, equations: &mut Collocation) -> Result<bool> {
+    fn fall_back(&mut self, equations: &mut Collocation, timings: &mut Timings) -> Result<bool> {
         let (Active::Iterative(iterative), Some(state), true) =
             (&self.active, &self.last, self.falls_back)
         else {
@@ -166,9 +166,9 @@ impl Linear {
             preconditioner: None,
             ..iterative.record.clone()
         });
-        let mut direct = Assembled::new(equations);
-        direct.assemble(equations, state)?;
-        let regular = direct.factor();
+        let mut direct = timed(&mut timings.analysis, || Assembled::new(equations));
+        timed(&mut timings.assembly, || direct.assemble(equations, state))?;
+        let regular = timed(&mut timings.factorisation, || direct.factor());
         if matches!(&regular, Err(e) if e.kind() == ErrorKind::OutOfMemory) {
             return Ok(false);
         }
@@ -203,7 +203,7 @@ impl LinearSolver for Linear {
         if done && !suspect {
             return Ok(true);
         }
-        let regular = timed(&mut timings.factorisation, || self.fall_back(equations))?;
+        let regular = self.fall_back(equations, timings)?;
         let is_direct = matches!(self.active, Active::Direct(_));
         Ok(if is_direct { regular } else { done })
     }
@@ -213,16 +213,17 @@ impl LinearSolver for Linear {
         equations: &mut Collocation,
         rhs: &mut [f64],
         accuracy: f64,
+        timings: &mut Timings,
     ) -> Result<bool> {
         let done = match &mut self.active {
-            Active::Direct(direct) => return direct.solve(equations, rhs, accuracy),
-            Active::Iterative(iterative) => iterative.solve(equations, rhs, accuracy)?,
+            Active::Direct(direct) => return direct.solve(equations, rhs, accuracy, timings),
+            Active::Iterative(iterative) => iterative.solve(equations, rhs, accuracy, timings)?,
         };
-        if done || !self.fall_back(equations)? {
+        if done || !self.fall_back(equations, timings)? {
             return Ok(done);
         }
         match &mut self.active {
-            Active::Direct(direct) => direct.solve(equations, rhs, accuracy),
+            Active::Direct(direct) => direct.solve(equations, rhs, accuracy, timings),
             Active::Iterative(_) => Ok(false),
         }
     }
@@ -268,7 +269,7 @@ mod tests {
         let mut solve = |linear: &mut Linear, equations: &mut Collocation| {
             assert!(linear.linearise(equations, &state, &mut timings).unwrap());
             let mut x = rhs.clone();
-            assert!(linear.solve(equations, &mut x, 1e-8).unwrap());
+            assert!(linear.solve(equations, &mut x, 1e-8, &mut timings).unwrap());
             x
         };
         let by_factors = solve(&mut linear, &mut equations);

@@ -3,6 +3,7 @@
 mod adaptive;
 mod assembled;
 mod assembly;
+mod blocks;
 mod branch;
 mod consistent;
 mod dense;
@@ -34,6 +35,7 @@ mod statics;
 #[cfg(test)]
 pub(crate) mod test_models;
 mod trajectory;
+mod watch;
 
 pub use adaptive::{Adaptation, GridTried};
 pub use diagnosis::describe_dependencies;
@@ -52,3 +54,4 @@ pub use shooting::{ShootingOptions, solve_shooting};
 pub use starts::{Attempt, Start};
 pub use statics::{StaticOptions, solve_static};
 pub use trajectory::{MarchEnd, MarchOptions, MarchRecord, MarchStart, StartState, march};
+pub use watch::{Progress, Watch};

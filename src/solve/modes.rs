@@ -6,9 +6,11 @@ use super::newton::{Iteration, Outcome};
 use super::pencil::{C64, Pencil};
 use super::periodic::{PeriodicSolve, Stage};
 use super::statics::{Indifferent, StaticOptions, find_equilibrium};
+use super::watch::Watching;
 use crate::collocation::{Collocation, Pattern};
 use crate::error::{Error, ErrorKind, Result, require_finite};
 use crate::model::Model;
+use crate::workers::Workers;
 use nalgebra::Complex;
 
 /// Options of a modal analysis.
@@ -114,13 +116,15 @@ pub fn solve_modes(
         cancelled |= !observe(stage, iteration);
         !cancelled
     };
+    let watching = options.equilibrium.watch.begin(Stage::InitialGuess, 1);
     let mut equilibrium = find_equilibrium(
         model,
         &options.equilibrium,
         Indifferent::Accepted,
+        &watching,
         &mut watch,
     )?;
-    if cancelled {
+    if cancelled || watching.is_stopped() {
         // Also if the iteration was the last one: the modes are not wanted any more.
         equilibrium.report.outcome = Outcome::Cancelled;
     }
@@ -132,6 +136,20 @@ pub fn solve_modes(
     if solve.equilibrium.report.outcome != Outcome::Converged {
         return Ok(solve);
     }
+    watching.stage(Stage::Modes);
+    match find_modes(&mut solve, options, &watching) {
+        Err(error) if watching.cancels(&error) => {
+            solve.equilibrium.report.outcome = Outcome::Cancelled;
+        }
+        found => found?,
+    }
+    let outcome = &mut solve.equilibrium.report.outcome;
+    *outcome = watching.outcome(*outcome);
+    Ok(solve)
+}
+
+/// Finds modes about an equilibrium.
+fn find_modes(solve: &mut ModesSolve, options: &ModesOptions, watching: &Watching) -> Result<()> {
     let PeriodicSolve {
         system,
         grid,
@@ -143,6 +161,7 @@ pub fn solve_modes(
     let pencil = Pencil {
         matrices: equations.linearise(state, &pattern)?,
         pattern,
+        workers: Workers::default().telling(watching.pulse()),
     };
     let numbers = [
         &pencil.matrices.stiffness,
@@ -180,7 +199,7 @@ pub fn solve_modes(
         )
     });
     solve.modes = modes.collect();
-    Ok(solve)
+    Ok(())
 }
 
 /// Unscaled mode of a scaled pair.

@@ -83,10 +83,32 @@ pub struct Timings {
     pub assembly: Duration,
     /// Symbolic analysis.
     pub analysis: Duration,
-    /// Numeric factorisation.
+    /// Numeric factorisation of whole Jacobians.
     pub factorisation: Duration,
-    /// Forward and backward substitution.
+    /// Preconditioners, without the dense system of joints that turn.
+    #[serde(default)]
+    pub preconditioner: Duration,
+    /// That dense system, assembled and factored.
+    #[serde(default)]
+    pub interface: Duration,
+    /// Forward and backward substitution, or iteration.
     pub substitution: Duration,
+    /// Error estimates, and why a Jacobian is singular.
+    #[serde(default)]
+    pub estimates: Duration,
+}
+
+impl Timings {
+    /// All of it.
+    pub fn sum(&self) -> Duration {
+        self.assembly
+            + self.analysis
+            + self.factorisation
+            + self.preconditioner
+            + self.interface
+            + self.substitution
+            + self.estimates
+    }
 }
 
 impl std::ops::Add for Timings {
@@ -97,7 +119,10 @@ impl std::ops::Add for Timings {
             assembly: self.assembly + other.assembly,
             analysis: self.analysis + other.analysis,
             factorisation: self.factorisation + other.factorisation,
+            preconditioner: self.preconditioner + other.preconditioner,
+            interface: self.interface + other.interface,
             substitution: self.substitution + other.substitution,
+            estimates: self.estimates + other.estimates,
         }
     }
 }
@@ -329,9 +354,17 @@ impl<L: LinearSolver> Newton<L> {
         with_multipliers: bool,
         observe: &mut dyn FnMut(&Iteration) -> bool,
     ) -> Result<NewtonReport> {
-        let report = self.iterate(state, options, with_multipliers, observe);
+        let mut report = NewtonReport {
+            outcome: Outcome::IterationLimit,
+            iterations: Vec::new(),
+            explanation: String::new(),
+        };
+        let end = self.iterate(state, options, with_multipliers, &mut report, observe);
         self.equations.clear_resultants();
-        let mut report = report?;
+        match end {
+            Err(_) if self.equations.workers().is_stopped() => report.outcome = Outcome::Cancelled,
+            end => end?,
+        }
         self.iterations += report.iterations.len();
         // Some are singular where they are turned over.
         if matches!(report.outcome, Outcome::Converged | Outcome::Singular)
@@ -348,20 +381,36 @@ impl<L: LinearSolver> Newton<L> {
     /// Where constraints have a compliance, takes back what that lets them open: motions are then those of the
     /// exact Jacobian, and the line search, which looks at motions only, does not take compliance for distance.
     fn solve_linear(&mut self, rhs: &mut [f64], accuracy: f64) -> Result<bool> {
-        timed(&mut self.timings.substitution, || {
-            let equations = &mut self.equations;
-            if !self.linear.solve(equations, rhs, accuracy)? {
+        let (equations, timings) = (&mut self.equations, &mut self.timings);
+        let solved = self.linear.solve(equations, rhs, accuracy, timings)?;
+        equations.workers().pulse()?;
+        if !solved {
+            return Ok(false);
+        }
+        if equations.is_regularised() {
+            let mut rest = vec![0.0; rhs.len()];
+            equations.compliance_of(rhs, &mut rest);
+            let solved = (self.linear).solve(equations, &mut rest, accuracy, timings)?;
+            equations.workers().pulse()?;
+            if !solved {
                 return Ok(false);
             }
-            if equations.is_regularised() {
-                let mut rest = vec![0.0; rhs.len()];
-                equations.compliance_of(rhs, &mut rest);
-                if !self.linear.solve(equations, &mut rest, accuracy)? {
-                    return Ok(false);
-                }
-                rhs.iter_mut().zip(&rest).for_each(|(x, d)| *x += d);
-            }
-            Ok(true)
+            rhs.iter_mut().zip(&rest).for_each(|(x, d)| *x += d);
+        }
+        Ok(true)
+    }
+
+    /// Growth of the Jacobian, see [`LinearSolver::growth`].
+    fn growth_of_solution(&mut self) -> f64 {
+        timed(&mut self.timings.substitution, || {
+            self.linear.growth(&mut self.equations)
+        })
+    }
+
+    /// Why the Jacobian is singular.
+    fn explain(&mut self, state: &GridState) -> Singularity {
+        timed(&mut self.timings.estimates, || {
+            self.linear.explain(&self.equations, state)
         })
     }
 
@@ -370,17 +419,13 @@ impl<L: LinearSolver> Newton<L> {
         state: &mut GridState,
         options: &NewtonOptions,
         with_multipliers: bool,
+        report: &mut NewtonReport,
         observe: &mut dyn FnMut(&Iteration) -> bool,
-    ) -> Result<NewtonReport> {
+    ) -> Result<()> {
         let size = self.equations.size();
         let mut residual = vec![0.0; size];
         let mut trial_residual = vec![0.0; size];
         let mut step_vector = vec![0.0; size];
-        let mut report = NewtonReport {
-            outcome: Outcome::IterationLimit,
-            iterations: Vec::new(),
-            explanation: String::new(),
-        };
         timed(&mut self.timings.assembly, || {
             self.equations.residual(state, &mut residual)
         })?;
@@ -410,9 +455,8 @@ impl<L: LinearSolver> Newton<L> {
                 may_leap = false;
                 continue;
             }
-            if !solved || (number == 1 && self.linear.growth(&mut self.equations) > SINGULAR_GROWTH)
-            {
-                match self.linear.explain(&self.equations, state) {
+            if !solved || (number == 1 && self.growth_of_solution() > SINGULAR_GROWTH) {
+                match self.explain(state) {
                     Singularity::Redundant(_) if !self.equations.is_regularised() => {
                         self.equations.regularise();
                         continue;
@@ -420,12 +464,12 @@ impl<L: LinearSolver> Newton<L> {
                     Singularity::Free(why) | Singularity::Redundant(why) => {
                         report.outcome = Outcome::Singular;
                         report.explanation = why;
-                        return Ok(report);
+                        return Ok(());
                     }
                     Singularity::Unsolved(why) => {
                         report.outcome = Outcome::Stalled;
                         report.explanation = why;
-                        return Ok(report);
+                        return Ok(());
                     }
                 }
             }
@@ -452,7 +496,7 @@ impl<L: LinearSolver> Newton<L> {
             if settled && self.is_contradicted(&residual, options) {
                 report.outcome = Outcome::Inconsistent;
                 report.explanation = describe_inconsistency(&self.equations, &residual);
-                return Ok(report);
+                return Ok(());
             }
 
             // Accept the longest step whose simplified Newton increment (same matrix, new residual)
@@ -529,8 +573,8 @@ impl<L: LinearSolver> Newton<L> {
             report.iterations.push(iteration);
             let keep_going = observe(&iteration);
             let Some(trial) = accepted else {
-                if self.linear.growth(&mut self.equations) > STALLED_GROWTH {
-                    match self.linear.explain(&self.equations, state) {
+                if self.growth_of_solution() > STALLED_GROWTH {
+                    match self.explain(state) {
                         Singularity::Redundant(_) if !self.equations.is_regularised() => {
                             self.equations.regularise();
                             continue;
@@ -538,7 +582,7 @@ impl<L: LinearSolver> Newton<L> {
                         Singularity::Free(why) | Singularity::Redundant(why) => {
                             report.outcome = Outcome::Singular;
                             report.explanation = why;
-                            return Ok(report);
+                            return Ok(());
                         }
                         Singularity::Unsolved(_) => {}
                     }
@@ -546,30 +590,30 @@ impl<L: LinearSolver> Newton<L> {
                 if self.is_contradicted(&residual, options) {
                     report.outcome = Outcome::Inconsistent;
                     report.explanation = describe_inconsistency(&self.equations, &residual);
-                    return Ok(report);
+                    return Ok(());
                 }
                 report.outcome = Outcome::Stalled;
                 report.explanation = format!(
                     "no step along the Newton direction brings progress; the last increment is {increment:.3e}{}",
                     describe_open_joint(&self.equations, &residual)
                 );
-                return Ok(report);
+                return Ok(());
             };
             *state = trial;
             residual.copy_from_slice(&trial_residual);
             if converged {
                 report.outcome = Outcome::Converged;
-                return Ok(report);
+                return Ok(());
             }
             if !keep_going {
                 report.outcome = Outcome::Cancelled;
-                return Ok(report);
+                return Ok(());
             }
             short_steps += usize::from(step < SHORT_STEP);
             if self.patience.is_some_and(|most| short_steps >= most) {
                 report.outcome = Outcome::Stalled;
                 report.explanation = format!("{short_steps} short steps led nowhere near");
-                return Ok(report);
+                return Ok(());
             }
             if step < 1.0 || leaping {
                 continue;
@@ -647,20 +691,20 @@ impl<L: LinearSolver> Newton<L> {
                 } else {
                     Outcome::Cancelled
                 };
-                return Ok(report);
+                return Ok(());
             }
         }
         if self.is_contradicted(&residual, options) {
             report.outcome = Outcome::Inconsistent;
             report.explanation = describe_inconsistency(&self.equations, &residual);
-            return Ok(report);
+            return Ok(());
         }
         report.explanation = format!(
             "not converged after {} iterations{}",
             options.iteration_limit,
             describe_open_joint(&self.equations, &residual)
         );
-        Ok(report)
+        Ok(())
     }
 
     /// Whether constraints that depend on each other are left open.

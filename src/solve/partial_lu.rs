@@ -1,5 +1,7 @@
 //! LU factorisation of as much of a matrix as has good pivots.
 
+use crate::error::Result;
+use crate::workers::Workers;
 use faer::linalg::matmul::matmul;
 use faer::linalg::triangular_solve::solve_unit_lower_triangular_in_place;
 use faer::perm::swap_cols_idx;
@@ -25,7 +27,7 @@ struct PartialLu<'a> {
 /// Factors the first columns of `matrix`, as many as it has rows: `P A Q = L U` as far as there are pivots larger than
 /// `smallest_pivot`, relative to the `sizes` of these columns; those where there is none come last.
 ///
-/// Returns the number of pivots. Of the other rows and columns, those to the right of the square among them, what remains is left
+/// Returns the number of pivots, or an error if work is to end. Of the other rows and columns, those to the right of the square among them, what remains is left
 /// in their place. `rows`, `columns` and `sizes` are exchanged with those of the square.
 pub(super) fn factor_partially(
     matrix: &mut Mat<f64>,
@@ -33,8 +35,8 @@ pub(super) fn factor_partially(
     columns: &mut [usize],
     sizes: &mut [f64],
     smallest_pivot: f64,
-    parallelism: Par,
-) -> usize {
+    (parallelism, workers): (Par, &Workers),
+) -> Result<usize> {
     let mut factors = PartialLu {
         matrix,
         count: 0,
@@ -52,13 +54,14 @@ pub(super) fn factor_partially(
         let panel_end = end.min(first + PANEL);
         factors.factor_panel(panel_end);
         factors.reduce_others(first, panel_end, parallelism);
+        workers.pulse()?;
         let (refused, untried) = (panel_end - factors.count, end - panel_end);
         for i in 0..refused.min(untried) {
             factors.exchange_columns(factors.count + i, end - 1 - i);
         }
         end -= refused;
     }
-    factors.count
+    Ok(factors.count)
 }
 
 impl PartialLu<'_> {
@@ -154,8 +157,9 @@ mod tests {
                 &mut columns,
                 &mut sizes,
                 1e-9,
-                Par::Seq,
-            );
+                (Par::Seq, &Workers::default()),
+            )
+            .unwrap();
             assert_eq!(count, rank, "of {size}");
             columns.extend(size..size + 7);
             let mut worst: f64 = 0.0;

@@ -3,6 +3,7 @@
 use super::direct::DirectSolver;
 use crate::collocation::{Linearisation, Panel, Pattern};
 use crate::error::Result;
+use crate::workers::Workers;
 use nalgebra::Complex;
 
 /// Complex number.
@@ -12,6 +13,8 @@ pub(super) type C64 = Complex<f64>;
 pub(super) struct Pencil {
     pub pattern: Pattern,
     pub matrices: Linearisation,
+    /// Who tells that work goes on.
+    pub workers: Workers,
 }
 
 impl Pencil {
@@ -159,6 +162,7 @@ impl Inverse {
         if shift.im == 0.0 {
             let real: Vec<f64> = values.iter().map(|v| v.re).collect();
             let mut solver = DirectSolver::new(&pencil.pattern);
+            solver.set_workers(pencil.workers.clone());
             let factored = solver.factor(&real)?;
             let inverse = Inverse {
                 shift,
@@ -167,7 +171,7 @@ impl Inverse {
             };
             return Ok(factored.then_some(inverse));
         }
-        let (solver, places) = factor_complex(&pencil.pattern, &values)?;
+        let (solver, places) = factor_complex(&pencil.pattern, &values, &pencil.workers)?;
         let inverse = |solver| Inverse {
             shift,
             solver,
@@ -233,6 +237,7 @@ impl Inverse {
 fn factor_complex(
     pattern: &Pattern,
     values: &[C64],
+    workers: &Workers,
 ) -> Result<(Option<DirectSolver>, Vec<[usize; 2]>)> {
     let groups = pattern.groups();
     let mut places = vec![[0; 2]; pattern.size()];
@@ -259,6 +264,7 @@ fn factor_complex(
     });
     let doubled_groups = groups.iter().map(|g| 2 * g.start..2 * g.end).collect();
     let mut solver = DirectSolver::with_panels(doubled_groups, pattern.node_groups(), panels);
+    solver.set_workers(workers.clone());
     let factored = solver.factor(&doubled)?;
     Ok((factored.then_some(solver), places))
 }

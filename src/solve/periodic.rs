@@ -9,6 +9,7 @@ use super::method::{Linear, LinearMethod};
 use super::newton::{Iteration, Newton, NewtonOptions, NewtonReport, Outcome, Timings};
 use super::starts::{Attempt, Start};
 use super::trajectory::MarchRecord;
+use super::watch::{Watch, Watching};
 use crate::collocation::{Collocation, GridState};
 use crate::elements::NodeState;
 use crate::error::{Error, ErrorKind, Result};
@@ -31,6 +32,8 @@ pub enum Stage {
         /// End of the step.
         time: f64,
     },
+    /// Looking for modes about an equilibrium.
+    Modes,
 }
 
 /// Where Newton starts.
@@ -73,6 +76,8 @@ pub struct PeriodicOptions {
     /// harmonics. 1 for the grid points alone: collocation, where higher harmonics of the equations count as
     /// the lower ones that they alias onto.
     pub oversampling: usize,
+    /// Who is told how the solve goes on, and may cancel it.
+    pub watch: Watch,
 }
 
 /// The largest factor of oversampling: sixteen times the points leave no alias of products of thirty-one.
@@ -90,6 +95,7 @@ impl Default for PeriodicOptions {
             linear: LinearMethod::Automatic,
             threads: 1,
             oversampling: 1,
+            watch: Watch::default(),
         }
     }
 }
@@ -146,8 +152,12 @@ pub struct PeriodicSolve {
     pub guess_iterations: usize,
     /// Time spent on the initial guess.
     pub guess_time: Duration,
-    /// Time spent on the periodic problem, by kind of work.
+    /// Time spent on the periodic problem, by kind of work, on all grids and in all attempts.
     pub timings: Timings,
+    /// Time of the whole solve: that of the guess, that by kind of work, and the little that is neither.
+    pub total_time: Duration,
+    /// Newton iterations on all grids and in all attempts.
+    pub total_iterations: usize,
     /// The grids that an adaptive solve has tried, coarsest first.
     pub grids: Vec<GridTried>,
     /// The coarser grid whose solution Newton's method began at, if the library chose to.
@@ -211,8 +221,12 @@ pub(super) struct Attempts<'a> {
     pub(super) chosen: Option<Start>,
     pub(super) guess_iterations: usize,
     guess_time: Duration,
-    /// Time spent on grids before the present one.
+    /// Time spent on grids before the present one, and iterations there.
     timings: Timings,
+    iterations: usize,
+    pub(super) watching: Watching,
+    /// Where Newton's method ended last, and how.
+    last: Option<(TimeGrid, GridState, NewtonReport)>,
     pub(super) grids: Vec<GridTried>,
     pub(super) loads: Loads,
     /// Of the last solution that was assessed, on this grid.
@@ -238,6 +252,7 @@ pub fn solve_periodic(
     options: &PeriodicOptions,
     observe: &mut dyn FnMut(Stage, &Iteration) -> bool,
 ) -> Result<PeriodicSolve> {
+    let began = Instant::now();
     options.newton.validate()?;
     if !(1..=MOST_OVERSAMPLING).contains(&options.oversampling) {
         let expected = format!("a number from 1 to {MOST_OVERSAMPLING}");
@@ -284,7 +299,12 @@ pub fn solve_periodic(
         GridPoints::Fixed(_) => guess_grid,
         GridPoints::Adaptive(_) => wanted,
     };
-    let workers = Workers::new(options.threads)?;
+    let watching = options.watch.begin(Stage::InitialGuess, grid.points());
+    let workers = Workers::new(options.threads)?.telling(watching.pulse());
+    let mut observe_all = |stage: Stage, iteration: &Iteration| {
+        let goes_on = watching.iteration(stage, iteration);
+        observe(stage, iteration) && goes_on
+    };
     let mut attempts = Attempts {
         newton: newton(
             &system,
@@ -299,7 +319,7 @@ pub fn solve_periodic(
         system: system.clone(),
         grid,
         options: options.newton,
-        observe,
+        observe: &mut observe_all,
         guess_grid,
         guesses: Vec::new(),
         driven: system.driven()?,
@@ -311,6 +331,9 @@ pub fn solve_periodic(
         guess_iterations: 0,
         guess_time: Duration::ZERO,
         timings: Timings::default(),
+        iterations: 0,
+        watching: watching.clone(),
+        last: None,
         grids: Vec::new(),
         loads,
         assessed: None,
@@ -320,20 +343,20 @@ pub fn solve_periodic(
         InitialGuess::State(state) => Some(state.clone()),
         InitialGuess::Default | InitialGuess::By(_) => None,
     };
-    let (mut state, mut report) = match (&options.grid_points, given) {
-        (GridPoints::Adaptive(adaptation), given) => attempts.refine(adaptation, given)?,
-        (GridPoints::Fixed(_), Some(state)) => attempts.newton(state)?,
-        (GridPoints::Fixed(_), None) => attempts.find_on(wanted)?,
+    // All that came before: the system, the loads, the first pattern.
+    attempts.timings.analysis = began.elapsed() - attempts.newton.timings.analysis;
+    let (mut state, mut report) = match attempts.solve(&options.grid_points, given, wanted) {
+        Err(error) if watching.cancels(&error) => attempts.cancelled()?,
+        end => end?,
     };
-    if let (GridPoints::Fixed(_), Outcome::Converged) = (options.grid_points, report.outcome) {
-        attempts.assess(&mut state, &report)?;
-        report.explanation = attempts.describe_unheld().unwrap_or_default();
-    }
+    let finishing = Instant::now();
     attempts.newton.equations.update_kinematics(&state);
     // Between grid points, too, what has no effect at them may have some.
-    if options.oversampling == 1 {
+    if options.oversampling == 1 && report.outcome != Outcome::Cancelled {
         attempts.newton.equations.reduce_to_least_norm(&mut state)?;
     }
+    attempts.timings.assembly += finishing.elapsed();
+    report.outcome = watching.outcome(report.outcome);
     let assessment = attempts
         .assessed
         .take_if(|(grid, _)| *grid == attempts.grid && report.outcome.is_solution());
@@ -346,6 +369,8 @@ pub fn solve_periodic(
         guess_iterations: attempts.guess_iterations,
         guess_time: attempts.guess_time,
         timings: attempts.timings + attempts.newton.timings,
+        total_time: began.elapsed(),
+        total_iterations: attempts.iterations + attempts.newton.iterations,
         iterative: attempts.newton.linear.sampled().record().cloned(),
         grids: attempts.grids,
         coarse_start: attempts.coarse_start,
@@ -388,6 +413,41 @@ pub(super) fn is_final(outcome: Outcome) -> bool {
 }
 
 impl Attempts<'_> {
+    fn solve(
+        &mut self,
+        grid_points: &GridPoints,
+        given: Option<GridState>,
+        wanted: TimeGrid,
+    ) -> Result<(GridState, NewtonReport)> {
+        let (mut state, mut report) = match (grid_points, given) {
+            (GridPoints::Adaptive(adaptation), given) => return self.refine(adaptation, given),
+            (GridPoints::Fixed(_), Some(state)) => self.newton(state)?,
+            (GridPoints::Fixed(_), None) => self.find_on(wanted)?,
+        };
+        if report.outcome == Outcome::Converged {
+            self.assess(&mut state, &report)?;
+            report.explanation = self.describe_unheld().unwrap_or_default();
+        }
+        Ok((state, report))
+    }
+
+    /// What there is when the solve is cancelled where Newton's method does not see it.
+    fn cancelled(&mut self) -> Result<(GridState, NewtonReport)> {
+        let (state, iterations) = match self.last.take() {
+            Some((grid, state, report)) => {
+                self.move_to(grid)?;
+                (state, report.iterations)
+            }
+            None => (GridState::reference(&self.system, self.grid), Vec::new()),
+        };
+        let report = NewtonReport {
+            outcome: Outcome::Cancelled,
+            iterations,
+            explanation: String::new(),
+        };
+        Ok((state, report))
+    }
+
     pub(super) fn newton(&mut self, state: GridState) -> Result<(GridState, NewtonReport)> {
         let options = self.options;
         self.newton_to(state, &options)
@@ -398,10 +458,14 @@ impl Attempts<'_> {
         mut state: GridState,
         options: &NewtonOptions,
     ) -> Result<(GridState, NewtonReport)> {
+        self.watching.stage(Stage::Newton);
         let observe = &mut *self.observe;
         let mut observe = |iteration: &Iteration| observe(Stage::Newton, iteration);
         match self.newton.solve(&mut state, options, &mut observe) {
-            Ok(report) => Ok((state, report)),
+            Ok(report) => {
+                self.last = Some((self.grid, state.clone(), report.clone()));
+                Ok((state, report))
+            }
             // Where the start cannot be interpolated there is no residual to begin with.
             Err(e) if e.kind() == ErrorKind::GridTooCoarse && self.oversampling > 1 => {
                 let report = NewtonReport {
@@ -421,6 +485,7 @@ impl Attempts<'_> {
         find: impl FnOnce(&Arc<System>, TimeGrid, &mut Observer) -> Result<G>,
     ) -> Result<G> {
         let start = Instant::now();
+        self.watching.stage(Stage::InitialGuess);
         let (observe, count) = (&mut *self.observe, &mut self.guess_iterations);
         let guess = find(&self.system, self.grid, &mut |iteration| {
             *count += 1;
@@ -436,6 +501,7 @@ impl Attempts<'_> {
             return Ok(());
         }
         self.grid = grid;
+        self.watching.grid(grid.points());
         self.begin_again()
     }
 
@@ -445,6 +511,7 @@ impl Attempts<'_> {
         let next = newton(&self.system, self.grid, method, oversampling, &self.workers)?;
         let last = std::mem::replace(&mut self.newton, next);
         self.timings = self.timings + last.timings;
+        self.iterations += last.iterations;
         Ok(())
     }
 
@@ -458,7 +525,9 @@ impl Attempts<'_> {
         state: &GridState,
     ) -> Result<Option<GridState>> {
         let from = self.grid;
+        let began = Instant::now();
         let resultants = self.newton.equations.resampled_resultants(state, grid)?;
+        self.guess_time += began.elapsed();
         self.move_to(grid)?;
         let start = self.carried(state, from)?;
         if start.is_some() {
@@ -468,8 +537,15 @@ impl Attempts<'_> {
     }
 
     /// A state on the grid `from`, at the points of the present one; none if `from` is too coarse to tell.
-    pub(super) fn carried(&self, state: &GridState, from: TimeGrid) -> Result<Option<GridState>> {
-        match state.resampled(&self.system, from, 0.0, self.grid, &self.workers) {
+    pub(super) fn carried(
+        &mut self,
+        state: &GridState,
+        from: TimeGrid,
+    ) -> Result<Option<GridState>> {
+        let began = Instant::now();
+        let carried = state.resampled(&self.system, from, 0.0, self.grid, &self.workers);
+        self.guess_time += began.elapsed();
+        match carried {
             Ok(state) => Ok(Some(state)),
             Err(e) if e.kind() == ErrorKind::GridTooCoarse => Ok(None),
             Err(e) => Err(e),
@@ -478,11 +554,21 @@ impl Attempts<'_> {
 
     /// On a grid that may be finer than the present one, from the library's own start.
     fn find_on(&mut self, grid: TimeGrid) -> Result<(GridState, NewtonReport)> {
+        // No coarse solution from the quasi-static motion where another start was asked for.
+        if !matches!(
+            self.chosen,
+            None | Some(Start::QuasiStatic | Start::SteadyRotation)
+        ) {
+            self.move_to(grid)?;
+            self.guess_on(grid)?;
+            return self.find();
+        }
         let coarser = grid.of_half_the_harmonics();
         let is_first = self.grid == grid;
         if is_first && coarser.points() < LEAST_COARSE {
             return self.find();
         }
+        self.watching.attempt(0, Some(self.first_start()));
         let distance = self.inertial_displacement()?;
         let mut most = self.options.iteration_limit;
         if is_first {
@@ -515,7 +601,9 @@ impl Attempts<'_> {
                 Outcome::Converged => {
                     // As a start it is as good as its harmonics fall: stretching between points, which is a part of the
                     // error, is taken out by the stress resultants that are carried.
+                    let began = Instant::now();
                     let (found, _) = assess(&self.system, coarse, &state, &self.workers)?;
+                    self.timings.estimates += began.elapsed();
                     let error = found.error;
                     if error < RESOLVED.max(NEARER * distance) {
                         start = self.carry_to(grid, &state)?;

@@ -11,6 +11,7 @@ use super::periodic::{PeriodicSolve, Stage};
 use super::trajectory::{
     Kept, MarchEnd, MarchOptions, MarchRecord, MarchStart, Marcher, difference, finish,
 };
+use super::watch::Watch;
 use crate::collocation::{
     AlphaStep, GridState, MotionState, StepVariation, Variation, VariationScales,
 };
@@ -18,6 +19,7 @@ use crate::elements::{Measure, Unknown};
 use crate::error::{Error, Result};
 use crate::model::Model;
 use crate::system::{System, Transient};
+use crate::workers::Workers;
 use faer::Mat;
 use faer::linalg::solvers::{PartialPivLu, Solve};
 use nalgebra::Complex;
@@ -38,6 +40,8 @@ pub struct ShootingOptions {
     pub spectral_radius: f64,
     /// When Newton's method stops; in each step it goes on to the square root of rounding.
     pub newton: NewtonOptions,
+    /// Who is told how the solve goes on, and may cancel it.
+    pub watch: Watch,
 }
 
 impl Default for ShootingOptions {
@@ -51,6 +55,7 @@ impl Default for ShootingOptions {
                 tolerance: 1e-8,
                 iteration_limit: 30,
             },
+            watch: Watch::default(),
         }
     }
 }
@@ -113,6 +118,7 @@ impl Shooting {
         self.marcher.restart(start);
         for k in 1..=self.steps {
             orbit.starts.push(self.marcher.now().clone());
+            self.marcher.newton.equations.workers().pulse()?;
             if let Err(refusal) = self.marcher.step(|_| true)? {
                 let time = self.marcher.now().time;
                 let why = refusal.map_or(String::new(), |(_, why)| why);
@@ -182,6 +188,7 @@ impl Shooting {
             }
             let mut linear = StepVariation::new(&step, &end.motions, newton.equations.size());
             for column in &mut columns {
+                newton.equations.workers().pulse()?;
                 let propagated = linear.propagate(
                     &newton.equations,
                     &step,
@@ -247,6 +254,7 @@ pub fn solve_shooting(
     observe: &mut dyn FnMut(Stage, &Iteration) -> bool,
 ) -> Result<PeriodicSolve> {
     options.validate()?;
+    let began = Instant::now();
     // Checks that everything repeats itself.
     System::new(model, period)?;
     let length = period / options.steps as f64;
@@ -258,11 +266,16 @@ pub fn solve_shooting(
             step: length,
         },
     )?);
-    let began = Instant::now();
+    let watching = options.watch.begin(Stage::InitialGuess, 1);
+    let workers = Workers::default().telling(watching.pulse());
+    let mut observe = |stage: Stage, iteration: &Iteration| {
+        let goes_on = watching.iteration(stage, iteration);
+        observe(stage, iteration) && goes_on
+    };
     let mut march = MarchOptions::with_step(length, MarchEnd::Duration(period));
     march.start = options.start.clone();
     march.spectral_radius = options.spectral_radius;
-    let marcher = match Marcher::new(&system, &march, length)? {
+    let marcher = match Marcher::new(&system, &march, length, &workers)? {
         Ok(marcher) => marcher,
         Err((refusal, at)) => {
             let kept = vec![Kept::of(&at)];
@@ -288,7 +301,14 @@ pub fn solve_shooting(
     let mut orbit = None;
     // The guess; then the orbit from its end.
     for number in 0..=options.guess_periods {
-        match shooting.march(&start)? {
+        let marched = match shooting.march(&start) {
+            Err(error) if watching.cancels(&error) => {
+                report.outcome = Outcome::Cancelled;
+                break;
+            }
+            marched => marched?,
+        };
+        match marched {
             Ok(found) => {
                 start = found.end.clone();
                 let miss = shooting.norm(&shooting.miss(&found));
@@ -314,7 +334,14 @@ pub fn solve_shooting(
     let guess_time = began.elapsed();
     let mut floquet = Vec::new();
     if let (Some(orbit), Outcome::IterationLimit) = (&mut orbit, report.outcome) {
-        floquet = iterate(&mut shooting, orbit, options, &mut report, observe)?;
+        watching.stage(Stage::Newton);
+        floquet = match iterate(&mut shooting, orbit, options, &mut report, &mut observe) {
+            Err(error) if watching.cancels(&error) => {
+                report.outcome = Outcome::Cancelled;
+                Vec::new()
+            }
+            found => found?,
+        };
     }
     let mut record = std::mem::take(&mut shooting.marcher.record);
     let kept = match orbit {
@@ -341,6 +368,8 @@ pub fn solve_shooting(
     solve.guess_time = guess_time;
     solve.guess_iterations = options.guess_periods;
     solve.timings = shooting.marcher.newton.timings;
+    solve.total_time = began.elapsed();
+    solve.report.outcome = watching.outcome(solve.report.outcome);
     Ok(solve)
 }
 

@@ -95,7 +95,7 @@ type Found = (GridState, NewtonReport);
 
 impl Attempts<'_> {
     /// The quasi-static start that comes first.
-    fn first_start(&self) -> Start {
+    pub(super) fn first_start(&self) -> Start {
         match (self.chosen, &self.driven) {
             (Some(start @ (Start::QuasiStatic | Start::SteadyRotation)), _) => start,
             (_, Some(driven)) if driven.is_rigid() => Start::SteadyRotation,
@@ -201,6 +201,7 @@ impl Attempts<'_> {
         for (number, &start) in starts.iter().enumerate() {
             let others = number + 1 < starts.len();
             self.newton.patience = others.then_some(PATIENCE);
+            self.watching.attempt(self.tried.len() + 1, Some(start));
             let (began, guessed) = (Instant::now(), self.guess_iterations);
             let before = self.newton.iterations;
             let found = self.find_by(start);
@@ -339,7 +340,8 @@ impl Attempts<'_> {
             Some(state) => Some(state),
             None => self.rigid_rotation()?,
         };
-        let mut march = DissipativeMarch::new(&self.system, self.grid, start.as_ref())?;
+        let (system, workers) = (&self.system, &self.workers);
+        let mut march = DissipativeMarch::new(system, self.grid, start.as_ref(), workers)?;
         let mut found: Option<Found> = None;
         let mut tries = TRIED.iter().peekable();
         for period in 1..=MOST_PERIODS {

@@ -1,8 +1,9 @@
 //! Equilibrium at one time, at rest or turning steadily: collocation on a grid of one point.
 
 use super::guess::Tracker;
-use super::newton::{Iteration, NewtonOptions, NewtonReport, Outcome};
+use super::newton::{Iteration, NewtonOptions, NewtonReport, Outcome, Timings};
 use super::periodic::{InitialGuess, PeriodicSolve, Stage};
+use super::watch::{Watch, Watching};
 use crate::error::{Error, ErrorKind, Result, require_finite};
 use crate::fourier::TimeGrid;
 use crate::model::Model;
@@ -26,6 +27,8 @@ pub struct StaticOptions {
     pub newton: NewtonOptions,
     /// Where to start: by default in the reference configuration, with load steps.
     pub guess: InitialGuess,
+    /// Who is told how the solve goes on, and may cancel it.
+    pub watch: Watch,
 }
 
 impl Default for StaticOptions {
@@ -38,6 +41,7 @@ impl Default for StaticOptions {
                 iteration_limit: 30,
             },
             guess: InitialGuess::Default,
+            watch: Watch::default(),
         }
     }
 }
@@ -100,7 +104,8 @@ pub fn solve_static(
     options: &StaticOptions,
     observe: &mut dyn FnMut(Stage, &Iteration) -> bool,
 ) -> Result<PeriodicSolve> {
-    find_equilibrium(model, options, Indifferent::Singular, observe)
+    let watching = options.watch.begin(Stage::InitialGuess, 1);
+    find_equilibrium(model, options, Indifferent::Singular, &watching, observe)
 }
 
 /// Looks for an equilibrium from the reference configuration.
@@ -124,24 +129,37 @@ pub(super) fn find_equilibrium(
     model: &Model,
     options: &StaticOptions,
     indifferent: Indifferent,
+    watching: &Watching,
     observe: &mut dyn FnMut(Stage, &Iteration) -> bool,
 ) -> Result<PeriodicSolve> {
     options.validate()?;
+    let start = Instant::now();
     let system = Arc::new(System::at_standstill(model, &options.standstill)?);
     let grid = TimeGrid::new(1, options.standstill.period())?;
-    let start = Instant::now();
+    let workers = Workers::default().telling(watching.pulse());
+    let mut observe = |stage: Stage, iteration: &Iteration| {
+        let goes_on = watching.iteration(stage, iteration);
+        observe(stage, iteration) && goes_on
+    };
     let mut guess_iterations = 0;
     let mut observe_steps = |iteration: &Iteration| {
         guess_iterations += 1;
         observe(Stage::InitialGuess, iteration)
     };
-    let mut tracker = Tracker::new(&system, grid, &Workers::default(), &mut observe_steps)?;
+    let mut tracker = Tracker::new(&system, grid, &workers, &mut observe_steps)?;
     let mut failure = None;
     match &options.guess {
         InitialGuess::State(state) => tracker.state = state.clone(),
         InitialGuess::Default | InitialGuess::By(_) => {
-            if !find_start(&mut tracker, &system, options.least_load_steps)? {
-                failure = tracker.failure.take();
+            match find_start(&mut tracker, &system, options.least_load_steps) {
+                Err(error) if watching.cancels(&error) => {
+                    failure = Some((Outcome::Cancelled, String::new()));
+                }
+                found => {
+                    if !found? {
+                        failure = tracker.failure.take();
+                    }
+                }
             }
         }
     }
@@ -152,6 +170,7 @@ pub(super) fn find_equilibrium(
         ..
     } = tracker;
     let guess_time = start.elapsed();
+    newton.timings = Timings::default();
     let report = match failure {
         Some((outcome, explanation)) => NewtonReport {
             outcome: match outcome {
@@ -165,9 +184,11 @@ pub(super) fn find_equilibrium(
         },
         None => {
             let mut observe_newton = |iteration: &Iteration| observe(Stage::Newton, iteration);
+            watching.stage(Stage::Newton);
             newton.solve(&mut state, &options.newton, &mut observe_newton)?
         }
     };
+    let iterations = report.iterations.len();
     let mut solve = PeriodicSolve {
         node_states: Vec::new(),
         system,
@@ -176,7 +197,10 @@ pub(super) fn find_equilibrium(
         report,
         guess_iterations,
         guess_time,
+        // Those of load steps are the guess.
         timings: newton.timings,
+        total_time: start.elapsed(),
+        total_iterations: iterations,
         grids: Vec::new(),
         coarse_start: None,
         attempts: Vec::new(),
@@ -196,5 +220,6 @@ pub(super) fn find_equilibrium(
     }
     newton.equations.update_kinematics(&solve.state);
     solve.node_states = newton.equations.node_states().to_vec();
+    solve.report.outcome = watching.outcome(solve.report.outcome);
     Ok(solve)
 }

@@ -4,6 +4,7 @@
 use super::consistent::{Initial, Refusal};
 use super::newton::{Iteration, Newton, NewtonOptions, NewtonReport, Outcome};
 use super::periodic::{PeriodicSolve, Stage};
+use super::watch::Watch;
 use crate::collocation::{AlphaStep, Collocation, GeneralizedAlpha, GridState, MotionState};
 use crate::elements::NodeState;
 use crate::error::{Error, ErrorKind, Result, require_finite};
@@ -11,6 +12,7 @@ use crate::fourier::TimeGrid;
 use crate::model::Model;
 use crate::motion::Motion;
 use crate::system::{Scales, System, Transient};
+use crate::workers::Workers;
 use nalgebra::Vector6;
 use serde::{Deserialize, Serialize};
 use std::f64::consts::TAU;
@@ -32,7 +34,8 @@ pub struct StartState {
 /// Where a march starts.
 #[derive(Debug, Clone, Default)]
 pub enum MarchStart {
-    /// The reference configuration, at rest but for what is prescribed.
+    /// The reference configuration, at rest but for what is prescribed and what hangs on drives that turn, which turns with them if
+    /// the joints let it.
     #[default]
     Reference,
     /// These motions and velocities.
@@ -78,6 +81,8 @@ pub struct MarchOptions {
     pub newton: NewtonOptions,
     /// Keep only this number of the last periods; all if zero.
     pub stored_periods: usize,
+    /// Who is told how the march goes on, and may cancel it.
+    pub watch: Watch,
 }
 
 impl MarchOptions {
@@ -101,6 +106,7 @@ impl MarchOptions {
                 iteration_limit: 20,
             },
             stored_periods: 0,
+            watch: Watch::default(),
         }
     }
 
@@ -269,6 +275,35 @@ pub(super) fn difference(a: &MotionState, b: &MotionState, scales: &Scales, peri
     velocities.max(a.state.distance(&b.state, scales.length))
 }
 
+/// Part of a step over which rates of drives are differenced.
+const SHORT: f64 = 1e-3;
+
+/// The reference configuration at rest, but for what hangs on drives that turn, if the joints let it turn with them as one rigid
+/// body: that is where they are, and has their velocity.
+fn rigid_rotation(
+    system: &System,
+    time: f64,
+    short: f64,
+    reference: GridState,
+) -> Result<MotionState> {
+    let driven = system.driven_at(time, short)?;
+    let Some(driven) = driven.filter(|driven| driven.is_rigid()) else {
+        return Ok(MotionState::at_rest(time, reference));
+    };
+    let mut signals = vec![0.0; system.signals()];
+    system.signal_values(time, 1.0, &mut signals)?;
+    let mut state = reference;
+    for (node, motion) in state.motions.iter_mut().enumerate() {
+        *motion = driven.carried(node, motion, &signals);
+    }
+    state.track(system);
+    let mut at = MotionState::at_rest(time, state);
+    for (node, twist) in at.twist.iter_mut().enumerate() {
+        *twist = at.state.motions[node].inverse().adjoint() * driven.twist(node);
+    }
+    Ok(at)
+}
+
 /// A march on its way.
 pub(super) struct Marcher {
     pub newton: Newton,
@@ -287,13 +322,20 @@ impl Marcher {
         system: &Arc<System>,
         options: &MarchOptions,
         step: f64,
+        workers: &Workers,
     ) -> Result<std::result::Result<Self, (Refusal, MotionState)>> {
         let instant = TimeGrid::new(1, system.period())?;
-        let mut newton = Newton::new(Collocation::new(system.clone(), instant)?);
+        let mut equations = Collocation::new(system.clone(), instant)?;
+        equations.set_workers(workers.clone());
+        let mut newton = Newton::new(equations);
         let reference = GridState::reference(system, instant);
         let method = GeneralizedAlpha::new(options.spectral_radius);
         let (mut start, states_given) = match &options.start {
-            MarchStart::Reference => (MotionState::at_rest(options.start_time, reference), false),
+            MarchStart::Reference => {
+                let short = SHORT * step;
+                let at = rigid_rotation(system, options.start_time, short, reference)?;
+                (at, false)
+            }
             MarchStart::State(given) => {
                 let mut state = reference;
                 state.motions.copy_from_slice(&given.motions);
@@ -314,12 +356,17 @@ impl Marcher {
             ..MarchRecord::default()
         };
         let mut initial = Initial::new(&mut newton, step);
-        match initial.make_consistent(&mut start, states_given, &method)? {
-            Ok((moved, corrected)) => {
-                record.start_moved = moved;
-                record.start_corrected = corrected;
+        match initial.make_consistent(&mut start, states_given, &method) {
+            Err(_) if workers.is_stopped() => {
+                return Ok(Err(((Outcome::Cancelled, String::new()), start)));
             }
-            Err(refusal) => return Ok(Err((refusal, start))),
+            found => match found? {
+                Ok((moved, corrected)) => {
+                    record.start_moved = moved;
+                    record.start_corrected = corrected;
+                }
+                Err(refusal) => return Ok(Err((refusal, start))),
+            },
         }
         Ok(Ok(Marcher {
             newton,
@@ -386,6 +433,10 @@ impl Marcher {
         self.record.iterations += report.iterations.len();
         if let Some(last) = report.iterations.last() {
             self.last = *last;
+        }
+        if report.outcome == Outcome::Cancelled {
+            // Shorter steps are no way out.
+            self.newton.equations.workers().pulse()?;
         }
         if report.outcome != Outcome::Converged {
             return Ok(Err(Some((report.outcome, report.explanation))));
@@ -603,6 +654,7 @@ pub fn march(
         Some(_) => options.step.min(options.span()),
         None => fitting_step(options.span(), options.step),
     };
+    let began = Instant::now();
     let system = Arc::new(System::in_transient(
         model,
         &Transient {
@@ -611,8 +663,18 @@ pub fn march(
             step: length,
         },
     )?);
-    let began = Instant::now();
-    let marcher = match Marcher::new(&system, options, length)? {
+    let watching = options.watch.begin(
+        Stage::March {
+            time: options.start_time,
+        },
+        1,
+    );
+    let workers = Workers::default().telling(watching.pulse());
+    let mut observe = |stage: Stage, iteration: &Iteration| {
+        let goes_on = watching.iteration(stage, iteration);
+        observe(stage, iteration) && goes_on
+    };
+    let marcher = match Marcher::new(&system, options, length, &workers)? {
         Ok(marcher) => marcher,
         Err((refusal, at)) => {
             let record = MarchRecord {
@@ -628,16 +690,21 @@ pub fn march(
         kept: vec![Kept::of(marcher.now())],
         marcher,
         options,
-        observe,
+        observe: &mut observe,
         length,
         shortest: SHORTEST * length,
     };
-    let refusal = run.run()?;
+    let refusal = match run.run() {
+        Err(error) if watching.cancels(&error) => Some((Outcome::Cancelled, String::new())),
+        end => end?,
+    };
     let Run { marcher, kept, .. } = run;
     let timings = marcher.newton.timings;
     let mut solve = finish(&system, marcher.record, kept, refusal)?;
     solve.guess_time = guess_time;
     solve.timings = timings;
+    solve.total_time = began.elapsed();
+    solve.report.outcome = watching.outcome(solve.report.outcome);
     Ok(solve)
 }
 
@@ -659,6 +726,7 @@ pub(super) fn finish(
     }
     record.times = kept.iter().map(|kept| kept.time).collect();
     let (outcome, explanation) = refusal.unwrap_or((Outcome::Converged, String::new()));
+    let iterations = record.iterations;
     Ok(PeriodicSolve {
         system: system.clone(),
         grid: TimeGrid::new(1, system.period())?,
@@ -672,6 +740,8 @@ pub(super) fn finish(
         guess_iterations: 0,
         guess_time: Duration::ZERO,
         timings: super::Timings::default(),
+        total_time: Duration::ZERO,
+        total_iterations: iterations,
         grids: Vec::new(),
         coarse_start: None,
         attempts: Vec::new(),

@@ -11,6 +11,8 @@ use std::f64::consts::TAU;
 /// Change of a joint's constraints, relative to the size of the mechanism or in radians, that parts which turn as one rigid body
 /// may leave to rounding.
 const CLOSED: f64 = 1e-6;
+/// Change of a drive, relative to its value, that is one of rounding.
+const ROUNDING: f64 = 1e-13;
 /// Parts of a turn at which that is looked at: of no common fraction.
 const LOOKED_AT: [f64; 3] = [0.13, 0.41, 0.77];
 
@@ -70,8 +72,24 @@ impl Driven {
 
     /// Reference `motion` of a node carried to where the drives are, given the values of all signals.
     pub fn carried(&self, node: usize, motion: &Motion, signals: &[f64]) -> Motion {
+        self.carried_by(node, motion, |part| signals[part.drive.signal] - part.start)
+    }
+
+    /// `motion` of a node carried from where the drives are with one set of values of all signals to where they are with another.
+    pub fn carried_between(
+        &self,
+        node: usize,
+        motion: &Motion,
+        from: &[f64],
+        to: &[f64],
+    ) -> Motion {
+        self.carried_by(node, motion, |part| {
+            to[part.drive.signal] - from[part.drive.signal]
+        })
+    }
+
+    fn carried_by(&self, node: usize, motion: &Motion, angle: impl Fn(&Part) -> f64) -> Motion {
         let parts = self.parts.iter().filter(|part| part.hangs[node]);
-        let angle = |part: &Part| signals[part.drive.signal] - part.start;
         turned(motion, &parts.map(|part| part.unit * angle(part)).sum())
     }
 }
@@ -91,12 +109,43 @@ impl System {
     /// # Errors
     /// Those of signals.
     pub fn driven(&self) -> Result<Option<Driven>> {
+        self.driven_with(|drive| self.mean_rate(drive.signal))
+    }
+
+    /// The same with the rates that drives have at the start of a march, as differences over so short a time tell.
+    ///
+    /// # Errors
+    /// Those of signals.
+    pub fn driven_at(&self, time: f64, short: f64) -> Result<Option<Driven>> {
+        let mut values =
+            [0.0, 0.5, 1.0].map(|part| (time + part * short, vec![0.0; self.signals()]));
+        for (time, values) in &mut values {
+            self.signal_values(*time, 1.0, values)?;
+        }
+        let [(_, start), (_, middle), (_, end)] = values;
+        self.driven_with(|drive| {
+            let s = drive.signal;
+            let is_known = self.transient.is_none_or(|t| t.period.is_some());
+            let turns = match self.signals[s].signal {
+                // Whether it goes on and on is not known.
+                BoundSignal::Function { .. } if !is_known => {
+                    drive.coordinate.measure() == Measure::Angle
+                }
+                _ => self.mean_rate(s)? != 0.0,
+            };
+            let change = 4.0 * (middle[s] - start[s]) - (end[s] - start[s]);
+            let moves = turns && change.abs() > ROUNDING * start[s].abs();
+            Ok(if moves { change / short } else { 0.0 })
+        })
+    }
+
+    fn driven_with(&self, rate_of: impl Fn(&Drive) -> Result<f64>) -> Result<Option<Driven>> {
         let mut driven = Driven {
             parts: Vec::new(),
             rigid: true,
         };
         for drive in &self.drives {
-            let rate = self.mean_rate(drive.signal)?;
+            let rate = rate_of(drive)?;
             let Some(unit) = self.unit_twist(drive).filter(|_| rate != 0.0) else {
                 continue;
             };

@@ -552,7 +552,7 @@ impl System {
     /// Those of `workers` that may evaluate elements: functions of the user are called on the thread of the caller.
     pub(crate) fn element_workers(&self, workers: &Workers) -> Workers {
         if self.calls_functions {
-            Workers::default()
+            workers.alone()
         } else {
             workers.clone()
         }

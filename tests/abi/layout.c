@@ -63,7 +63,7 @@ AT(pdn_stations, fractions, 16);
 AT(pdn_stations, sections, 24);
 AT(pdn_stations, twists, 32);
 
-SIZE(pdn_diagnostics, 160);
+SIZE(pdn_diagnostics, 200);
 AT(pdn_diagnostics, struct_size, 0);
 AT(pdn_diagnostics, outcome, 8);
 AT(pdn_diagnostics, iterations, 12);
@@ -89,8 +89,14 @@ AT(pdn_diagnostics, linear_iterations, 140);
 AT(pdn_diagnostics, linear_solves, 144);
 AT(pdn_diagnostics, most_linear_iterations, 148);
 AT(pdn_diagnostics, linear_bytes, 152);
+AT(pdn_diagnostics, preconditioner_seconds, 160);
+AT(pdn_diagnostics, interface_seconds, 168);
+AT(pdn_diagnostics, estimate_seconds, 176);
+AT(pdn_diagnostics, total_seconds, 184);
+AT(pdn_diagnostics, total_iterations, 192);
+AT(pdn_diagnostics, attempts, 196);
 
-SIZE(pdn_progress, 48);
+SIZE(pdn_progress, 80);
 AT(pdn_progress, struct_size, 0);
 AT(pdn_progress, stage, 8);
 AT(pdn_progress, iteration, 12);
@@ -98,8 +104,14 @@ AT(pdn_progress, residual, 16);
 AT(pdn_progress, increment, 24);
 AT(pdn_progress, step, 32);
 AT(pdn_progress, time, 40);
+AT(pdn_progress, elapsed, 48);
+AT(pdn_progress, grid_points, 56);
+AT(pdn_progress, attempt, 64);
+AT(pdn_progress, start, 68);
+AT(pdn_progress, iterated, 72);
+AT(pdn_progress, reserved, 76);
 
-SIZE(pdn_periodic_options, 120);
+SIZE(pdn_periodic_options, 136);
 AT(pdn_periodic_options, struct_size, 0);
 AT(pdn_periodic_options, grid_points, 8);
 AT(pdn_periodic_options, harmonics, 16);
@@ -116,6 +128,9 @@ AT(pdn_periodic_options, linear_solver, 96);
 AT(pdn_periodic_options, threads, 100);
 AT(pdn_periodic_options, oversampling, 104);
 AT(pdn_periodic_options, response_tolerance, 112);
+AT(pdn_periodic_options, start, 120);
+AT(pdn_periodic_options, reserved, 124);
+AT(pdn_periodic_options, progress_interval, 128);
 
 IS(PDN_OK, 0);
 IS(PDN_ERR_NULL, -1);
@@ -244,6 +259,13 @@ AT(pdn_mode, modal_mass, 40);
 AT(pdn_mode, residual, 48);
 
 IS(PDN_STAGE_MARCH, 2);
+IS(PDN_STAGE_MODES, 3);
+IS(PDN_START_AUTOMATIC, 0);
+IS(PDN_START_QUASI_STATIC, 1);
+IS(PDN_START_STEADY_ROTATION, 2);
+IS(PDN_START_RIGID_ROTATION, 3);
+IS(PDN_START_RAISED_INERTIA, 4);
+IS(PDN_START_MARCH, 5);
 
 SIZE(pdn_march_options, 152);
 AT(pdn_march_options, struct_size, 0);

@@ -341,7 +341,7 @@ struct progress_log {
     int calls, cancel_at;
     int stages[2];
     int32_t last_stage, last_iteration;
-    double last_increment;
+    double last_increment, elapsed;
 };
 
 static int32_t watch(const pdn_progress *progress, void *user_data)
@@ -349,6 +349,12 @@ static int32_t watch(const pdn_progress *progress, void *user_data)
     struct progress_log *log = user_data;
     CHECK(progress->struct_size == sizeof *progress);
     CHECK(progress->stage == PDN_STAGE_INITIAL_GUESS || progress->stage == PDN_STAGE_NEWTON);
+    CHECK(progress->elapsed >= log->elapsed && progress->grid_points == 5);
+    CHECK(progress->attempt == 1 && progress->start == PDN_START_QUASI_STATIC);
+    log->elapsed = progress->elapsed;
+    if (!progress->iterated) {
+        return 0; /* where the machine is slow */
+    }
     CHECK(progress->iteration == 1 ||
           (progress->stage == log->last_stage && progress->iteration == log->last_iteration + 1));
     CHECK(progress->residual >= 0 && progress->increment >= 0);
@@ -395,7 +401,73 @@ static void progress_is_told_and_may_cancel(void)
     }
     memset(&log, 0, sizeof log);
     log.cancel_at = full.calls;
+    CHECK(outcome_of(model, &options) == PDN_CANCELLED); /* before errors are estimated */
+    pdn_model_free(model);
+}
+
+struct counter {
+    int calls, within, cancel_at;
+};
+
+static int32_t count(const pdn_progress *progress, void *user_data)
+{
+    struct counter *counter = user_data;
+    counter->within += !progress->iterated;
+    return ++counter->calls == counter->cancel_at;
+}
+
+/* Also within iterations, at any opportunity. */
+static void a_solve_is_cancelled_within_iterations(void)
+{
+    pdn_model *model = pendulum();
+    pdn_periodic_options options = on_grid(5);
+    struct counter all = {0};
+    options.progress = count;
+    options.progress_data = &all;
+    options.progress_interval = 0;
     CHECK(outcome_of(model, &options) == PDN_CONVERGED);
+    CHECK(all.within > all.calls - all.within);
+    for (int at = 1; at <= all.calls; at += 1 + all.calls / 50) {
+        struct counter counter = {0, 0, at};
+        options.progress_data = &counter;
+        CHECK(outcome_of(model, &options) == PDN_CANCELLED);
+        CHECK(counter.calls == at);
+    }
+    options.progress_interval = -1;
+    CHECK(pdn_solve_periodic(model, PERIOD, &options, &(pdn_solution *){NULL}) == PDN_ERR_VALUE);
+    pdn_model_free(model);
+}
+
+static void the_start_may_be_chosen(void)
+{
+    pdn_model *model = pendulum();
+    pdn_periodic_options options = on_grid(11);
+    pdn_solution *solution, *none = NULL;
+    CHECK(options.start == PDN_START_AUTOMATIC && options.progress_interval == 0.1);
+    const int32_t starts[] = {PDN_START_QUASI_STATIC, PDN_START_RAISED_INERTIA, PDN_START_MARCH};
+    const char *const names[] = {"the quasi-static motion on", "raising inertial forces",
+                                 "a dissipative march"};
+    for (int i = 0; i < 3; ++i) {
+        options.start = starts[i];
+        solution = solve(model, &options);
+        check_exact(solution, PERIOD);
+        const pdn_diagnostics found = diagnostics_of(solution);
+        CHECK((i == 0 || found.attempts == 1) && found.total_iterations >= found.iterations);
+        CHECK(i == 0 || reports(solution, names[i]));
+        pdn_solution_free(solution);
+    }
+    options.start = PDN_START_RIGID_ROTATION; /* nothing turns */
+    CHECK(outcome_of(model, &options) == PDN_NO_INITIAL_GUESS);
+    options.start = 6;
+    CHECK(pdn_solve_periodic(model, PERIOD, &options, &none) == PDN_ERR_VALUE);
+    CHECK_MESSAGE("options.start: expected a constant PDN_START_...");
+    options.start = PDN_START_AUTOMATIC;
+    solution = solve(model, &options);
+    options.start = PDN_START_MARCH;
+    options.initial = solution;
+    CHECK(pdn_solve_periodic(model, PERIOD, &options, &none) == PDN_ERR_VALUE && none == NULL);
+    CHECK_MESSAGE("options.start: expected PDN_START_AUTOMATIC");
+    pdn_solution_free(solution);
     pdn_model_free(model);
 }
 
@@ -798,6 +870,8 @@ int main(void)
     a_solve_may_start_from_a_solution();
     a_solve_may_start_from_given_motions();
     progress_is_told_and_may_cancel();
+    a_solve_is_cancelled_within_iterations();
+    the_start_may_be_chosen();
     a_function_drives();
     a_function_may_start_at_zero();
     a_failing_function_fails_the_solve();

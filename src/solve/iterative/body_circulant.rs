@@ -23,6 +23,7 @@ use crate::workers::{Workers, parts};
 use nalgebra::{Complex, Matrix6};
 use realfft::{ComplexToReal, RealFftPlanner, RealToComplex};
 use std::sync::Arc;
+use std::time::{Duration, Instant};
 
 /// Most unknowns of a dense system of one harmonic.
 const LARGEST_BLOCK: usize = 240;
@@ -98,6 +99,8 @@ pub(super) struct BodyCirculant {
     frequency: f64,
     /// Of each node, scaled: what the grid adds to changes of velocity of the highest harmonic, the one below, and so on.
     aliasing: Vec<Vec<Aliasing>>,
+    /// Time that the dense system of the joints took.
+    pub interface_time: Duration,
 }
 
 impl BodyCirculant {
@@ -204,13 +207,16 @@ impl BodyCirculant {
             factors,
             layout,
             kept,
+            interface_time: Duration::ZERO,
         };
         if let Some(mut interface) = interface {
+            let began = Instant::now();
             let stiffness = circulant.kept_stiffness();
             if !interface.factor(&stiffness, equations.workers())? {
                 return Ok(None);
             }
             circulant.interface = Some(interface);
+            circulant.interface_time = began.elapsed();
         }
         Ok(Some(circulant))
     }
@@ -398,6 +404,7 @@ impl BodyCirculant {
         let structure = &self.layout.structure;
         let number = |unknown: usize| self.kept.partition_point(|&k| k < unknown);
         for &(row, column, _) in structure.kept() {
+            let _ = self.workers.pulse();
             for i in 0..structure.size(row) {
                 for j in 0..structure.size(column) {
                     let place = structure.entry((row, column), (i, j));

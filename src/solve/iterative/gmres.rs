@@ -109,6 +109,10 @@ pub(super) fn gmres(
             operator.product(&known[j * size..], w);
             operator.precondition(w);
             end.iterations += 1;
+            if workers.pulse().is_err() {
+                end.error = f64::INFINITY;
+                return end;
+            }
             let (mut column, length) = vectors.project_out(known, w);
             if length > 0.0 {
                 vectors.scale(w, 1.0 / length);

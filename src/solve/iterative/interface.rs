@@ -92,7 +92,7 @@ impl Interface {
         // The old factors' memory first.
         self.factors = None;
         let (points, free) = (self.points, self.size() / self.points);
-        let mut matrix = zeros(self.size(), self.size())?;
+        let mut matrix = zeros(self.size(), self.size(), workers)?;
         let mut columns: Vec<_> = if matrix.nrows() > 0 {
             matrix
                 .col_iter_mut()
@@ -116,7 +116,7 @@ impl Interface {
                 }
             },
         );
-        self.factors = DenseLu::new(matrix, workers);
+        self.factors = DenseLu::new(matrix, workers)?;
         Ok(self.factors.is_some())
     }
 
@@ -259,6 +259,8 @@ impl Part {
         }
         let compliant = equations.regularisation();
         let split = |rows: &Vec<DVector<f64>>| {
+            // Whether work is to end is asked where it may fail.
+            let _ = equations.workers().pulse();
             let gradient = match rows[..] {
                 [] => DMatrix::zeros(0, motions.len()),
                 _ => DMatrix::from_columns(rows).transpose(),

@@ -26,6 +26,7 @@ use constraints::Joints;
 use gmres::{GmresOptions, GmresRoom, Preconditioned, gmres};
 pub(super) use projected::Projected;
 use serde::{Deserialize, Serialize};
+use std::time::{Duration, Instant};
 use time_local::TimeLocal;
 pub(super) use trial::missing_inertia;
 pub use trial::{LinearTrial, try_linear_solve};
@@ -219,13 +220,26 @@ impl Iterative {
     }
 
     /// Factors the first candidate that can be.
-    fn prepare(&mut self, equations: &Collocation) -> Result<bool> {
+    fn prepare(&mut self, equations: &Collocation, timings: &mut Timings) -> Result<bool> {
+        let began = Instant::now();
+        let prepared = self.prepare_first(equations);
+        let interface = match &self.factors {
+            Some(Factors::Body(factors)) => factors.interface_time,
+            _ => Duration::ZERO,
+        };
+        timings.interface += interface;
+        timings.preconditioner += began.elapsed().saturating_sub(interface);
+        prepared
+    }
+
+    fn prepare_first(&mut self, equations: &Collocation) -> Result<bool> {
         // The memory of the old ones first.
         self.factors = None;
         self.first_products = None;
         self.is_scaled = false;
         self.tangent.set_resultant_scale(1.0);
         while let Some(&(preconditioner, limit)) = self.candidates.first() {
+            equations.workers().pulse()?;
             self.factors = Factors::new(equations, &self.tangent, preconditioner)?;
             if let Some(factors) = &self.factors {
                 self.is_old = false;
@@ -293,12 +307,10 @@ impl LinearSolver for Iterative {
         {
             return Ok(true);
         }
-        timed(&mut timings.factorisation, || {
-            if self.factors.is_none() {
-                self.candidates = self.choose(equations);
-            }
-            self.prepare(equations)
-        })
+        if self.factors.is_none() {
+            self.candidates = timed(&mut timings.preconditioner, || self.choose(equations));
+        }
+        self.prepare(equations, timings)
     }
 
     fn solve(
@@ -306,8 +318,10 @@ impl LinearSolver for Iterative {
         equations: &mut Collocation,
         rhs: &mut [f64],
         accuracy: f64,
+        timings: &mut Timings,
     ) -> Result<bool> {
         loop {
+            let began = Instant::now();
             let Some(factors) = &mut self.factors else {
                 return Ok(false);
             };
@@ -344,20 +358,22 @@ impl LinearSolver for Iterative {
             );
             self.record.products.push(end.iterations);
             self.count_bytes(end.iterations.min(options.restart), unknowns.len());
+            timings.substitution += began.elapsed();
+            equations.workers().pulse()?;
             let solved = end.error <= accuracy;
             let first = *self.first_products.get_or_insert(end.iterations);
             if solved {
                 let size = rhs.len();
                 rhs.copy_from_slice(&unknowns[..size]);
                 if self.is_old && end.iterations > first + MANY {
-                    self.prepare(equations)?;
+                    self.prepare(equations, timings)?;
                 }
                 return Ok(rhs.iter().all(|x| x.is_finite()));
             }
             if !self.is_old {
                 self.candidates.remove(0);
             }
-            if self.candidates.is_empty() || !self.prepare(equations)? {
+            if self.candidates.is_empty() || !self.prepare(equations, timings)? {
                 return Ok(false);
             }
         }

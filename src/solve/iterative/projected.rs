@@ -7,6 +7,7 @@ use crate::error::Result;
 use crate::solve::diagnosis::Singularity;
 use crate::solve::linear::LinearSolver;
 use crate::solve::newton::{Timings, timed};
+use std::time::Instant;
 
 /// Most products of a linear solve, and vectors that are kept.
 const ITERATION_LIMIT: usize = 200;
@@ -32,6 +33,7 @@ struct Operator<'a, L> {
     sampled: &'a mut L,
     tangent: &'a mut OversampledTangent,
     accuracy: f64,
+    timings: &'a mut Timings,
     /// What went wrong: no solution, or an error.
     end: Result<bool>,
 }
@@ -43,7 +45,8 @@ impl<L: LinearSolver> Preconditioned for Operator<'_, L> {
 
     fn precondition(&mut self, y: &mut [f64]) {
         if matches!(self.end, Ok(true)) {
-            self.end = self.sampled.solve(self.equations, y, self.accuracy);
+            let (accuracy, timings) = (self.accuracy, &mut *self.timings);
+            self.end = self.sampled.solve(self.equations, y, accuracy, timings);
         }
         if !matches!(self.end, Ok(true)) {
             // Which ends the iteration.
@@ -96,11 +99,13 @@ impl<L: LinearSolver> LinearSolver for Projected<L> {
         equations: &mut Collocation,
         rhs: &mut [f64],
         accuracy: f64,
+        timings: &mut Timings,
     ) -> Result<bool> {
         let Some(tangent) = &mut self.tangent else {
-            return self.sampled.solve(equations, rhs, accuracy);
+            return self.sampled.solve(equations, rhs, accuracy, timings);
         };
         let workers = equations.workers().clone();
+        let (began, before) = (Instant::now(), timings.sum());
         let options = GmresOptions {
             tolerance: accuracy,
             leading: rhs.len(),
@@ -113,12 +118,18 @@ impl<L: LinearSolver> LinearSolver for Projected<L> {
             sampled: &mut self.sampled,
             tangent,
             accuracy: (SHARPER * accuracy).max(SHARPEST),
+            timings,
             end: Ok(true),
         };
         let end = gmres(&mut operator, rhs, &options, &workers, &mut self.room);
         #[cfg(test)]
         self.products.push(end.iterations);
-        let sampled = operator.end?;
+        let sampled = operator.end;
+        // What the preconditioner has not booked.
+        let booked = timings.sum() - before;
+        timings.substitution += began.elapsed().saturating_sub(booked);
+        workers.pulse()?;
+        let sampled = sampled?;
         // Written so that NaN fails too.
         let accurate = end.error <= accuracy;
         self.failed = sampled && !accurate;
@@ -182,7 +193,8 @@ mod tests {
                         linear
                             .linearise(equations, &state, &mut Timings::default())
                             .unwrap();
-                        assert!(linear.solve(equations, &mut x, 1e-8).unwrap());
+                        let timings = &mut Timings::default();
+                        assert!(linear.solve(equations, &mut x, 1e-8, timings).unwrap());
                         let motions = 6 * state.motions.len();
                         increments.push(x[..motions].iter().fold(0.0, |m, x| m.max(x.abs())));
                         if increments.last().is_some_and(|last| *last < 1e-10) {

@@ -111,7 +111,7 @@ impl Iterative {
         tolerance: f64,
         prepared: bool,
     ) -> Result<Option<usize>> {
-        let solved = prepared && self.solve(equations, rhs, tolerance)?;
+        let solved = prepared && self.solve(equations, rhs, tolerance, &mut Timings::default())?;
         Ok(self.record.products.last().copied().filter(|_| solved))
     }
 }
