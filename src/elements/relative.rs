@@ -39,19 +39,17 @@ impl ScalarFunction {
 
     /// Direction cosine `e_aᵀ R e_b` between axis `a` of the first and axis `b` of the second frame.
     pub fn cosine(z: &RelativeMotion, a: usize, b: usize) -> Self {
-        let row = z.rotation.row(a).transpose();
-        let mut axis = Vector3::zeros();
-        axis[b] = 1.0;
-        let b_skew = skew(&axis);
+        let row: Vector3<f64> = z.rotation.row(a).transpose();
         let mut function = Self::constant(z.rotation[(a, b)]);
-        function
-            .gradient
-            .fixed_rows_mut::<3>(3)
-            .copy_from(&(b_skew * row));
-        function
-            .hessian
-            .fixed_view_mut::<3, 3>(3, 3)
-            .copy_from(&(b_skew * skew(&row)));
+        // ẽ_b row, and ẽ_b row~ = row e_bᵀ − (e_bᵀ row) I.
+        let (c, d) = ((b + 1) % 3, (b + 2) % 3);
+        function.gradient[3 + c] = -row[d];
+        function.gradient[3 + d] = row[c];
+        let hessian = &mut function.hessian;
+        hessian[(3 + c, 3 + b)] = row[c];
+        hessian[(3 + d, 3 + b)] = row[d];
+        hessian[(3 + c, 3 + c)] = -row[b];
+        hessian[(3 + d, 3 + d)] = -row[b];
         function
     }
 
