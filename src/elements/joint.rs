@@ -133,7 +133,8 @@ impl RelativeState {
         for (a, jacobian) in self.local_jacobians() {
             out.add_force(a, &jacobian.tr_mul(wrench));
         }
-        if !out.with_tangents {
+        let is_none = wrench.iter().chain(variation).all(|x| *x == 0.0) && damping.is_none();
+        if !out.with_tangents || is_none {
             return;
         }
         for (a, left) in self.local_jacobians() {

@@ -121,7 +121,7 @@ impl Point {
         // Of the constraints that wait, the one of which most is left comes first.
         let mut waiting: Vec<usize> = Vec::new();
         for row in 0..count {
-            if !self.reduce(row, size, count, 0) {
+            if !self.reduce(row, size, count) {
                 return false;
             }
             let left = self.left_of(row, size);
@@ -135,7 +135,7 @@ impl Point {
             // They have been reduced by what came before each alone.
             let mut most = (0, 0.0);
             for (place, &row) in waiting.iter().enumerate() {
-                if !self.reduce(row, size, count, 0) {
+                if !self.reduce(row, size, count) {
                     return false;
                 }
                 let left = self.left_of(row, size);
@@ -152,7 +152,7 @@ impl Point {
             self.take(row, size, count);
         }
         for &row in &waiting {
-            let reduced = self.reduce(row, size, count, 0);
+            let reduced = self.reduce(row, size, count);
             if !reduced || self.left_of(row, size) > LARGEST_REMAINDER {
                 return false;
             }
@@ -162,8 +162,8 @@ impl Point {
     }
 
     /// Takes from a constraint, which may have been reduced before, what those in order make of it. `false` if it is not finite.
-    fn reduce(&mut self, row: usize, size: usize, count: usize, first: usize) -> bool {
-        for place in first..self.rows.len() {
+    fn reduce(&mut self, row: usize, size: usize, count: usize) -> bool {
+        for place in 0..self.rows.len() {
             let column = self.columns[place];
             let part = self.upper[row * size + column];
             if part == 0.0 {
@@ -688,6 +688,151 @@ fn project(layout: &Layout, points: &[Point], forces: &[f64], out: &mut [f64]) {
         let places = &layout.coordinate_at[k * size..][..size];
         for (&at, z) in places.iter().zip(point.basis.chunks_exact(freedoms)) {
             add(out, forces[at], z);
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::collocation::{GridState, TangentBlocks};
+    use crate::elements::{Coordinate, JointKind};
+    use crate::fourier::TimeGrid;
+    use crate::model::{JointCoordinate, Model, Signal, SpringDefinition};
+    use crate::system::System;
+    use nalgebra::{Matrix3, Vector3};
+    use std::sync::Arc;
+
+    /// A planar four-bar of revolutes, three constraints of which depend on others; without its last joint a driven triple
+    /// pendulum. The crank is driven or on a spring.
+    fn four_bar(closed: bool, driven: bool) -> Model {
+        let mut model = Model::new();
+        let corners = [(0.0, 0.0), (0.1, 0.3), (0.7, 0.4), (0.8, 0.0)];
+        let corners = corners.map(|(x, y)| Vector3::new(x, y, 0.0));
+        let mut bodies = vec![None];
+        for pair in corners.windows(2) {
+            let ball = Matrix3::identity() * 0.02;
+            let middle = (pair[0] + pair[1]) / 2.0;
+            bodies.push(Some(model.add_rigid_body(2.0, &middle, &ball).unwrap()));
+        }
+        bodies.push(None);
+        let mut joints = Vec::new();
+        for (corner, pair) in corners.iter().zip(bodies.windows(2)).take(3 + usize::from(closed)) {
+            let frame = Model::frame_at("axis", corner, &Vector3::z()).unwrap();
+            let kind = JointKind::Revolute;
+            let joint = model.add_joint(kind, pair[0], pair[1], &frame, &frame);
+            joints.push(joint.unwrap());
+        }
+        let at = |joint: usize| JointCoordinate {
+            joint,
+            coordinate: Coordinate::Rotation1,
+        };
+        if driven {
+            let turn = Signal::harmonics(0.0, 3.0, &[], &[]).unwrap();
+            model.prescribe(at(joints[0]), &turn).unwrap();
+        }
+        for (joint, stiffness) in [(joints[usize::from(driven)], 40.0), (joints[2], 25.0)] {
+            let spring = SpringDefinition {
+                at: at(joint),
+                stiffness,
+                damping: 2.0,
+                rest: 0.1,
+            };
+            model.add_spring_damper(spring).unwrap();
+        }
+        model
+    }
+
+    /// The solver, and the Jacobian at the reference configuration.
+    fn jacobian_of(model: &Model, points: usize) -> (FreedomSolver, Pattern, Vec<f64>, f64) {
+        let period = std::f64::consts::TAU / 3.0;
+        let system = Arc::new(System::new(model, period).unwrap());
+        let grid = TimeGrid::new(points, period).unwrap();
+        let mut state = GridState::reference(&system, grid);
+        for (i, multiplier) in state.multipliers.iter_mut().enumerate() {
+            *multiplier = (0.9 * i as f64).sin();
+        }
+        let mut equations = Collocation::new(system.clone(), grid).unwrap();
+        let pattern = Pattern::new(&system, points);
+        let mut values = vec![0.0; pattern.entries()];
+        let mut blocks = TangentBlocks::default();
+        equations
+            .jacobian(&state, &pattern, &mut blocks, &mut values)
+            .unwrap();
+        let solver = FreedomSolver::new(&equations, &pattern).unwrap();
+        (solver, pattern, values, equations.regularisation())
+    }
+
+    fn dense(pattern: &Pattern, values: &[f64]) -> Mat<f64> {
+        let mut matrix = Mat::zeros(pattern.size(), pattern.size());
+        for (column, range) in pattern.column_pointers().windows(2).enumerate() {
+            for at in range[0]..range[1] {
+                matrix[(pattern.row_indices()[at], column)] = values[at];
+            }
+        }
+        matrix
+    }
+
+    #[test]
+    fn motions_and_forces_are_those_of_the_whole_jacobian() {
+        for (closed, driven, points) in [
+            (false, false, 1),
+            (false, true, 7),
+            (true, false, 5),
+            (true, true, 9),
+        ] {
+            let (mut solver, pattern, values, regularisation) =
+                jacobian_of(&four_bar(closed, driven), points);
+            assert_eq!(solver.layout.freedoms, 3 - 2 * usize::from(closed) - usize::from(driven));
+            assert!(solver.factor(&pattern, &values, regularisation != 0.0));
+            let mut matrix = dense(&pattern, &values);
+            let size = pattern.size();
+            // Without the compliance.
+            let exact = Mat::from_fn(size, 1, |i, _| (0.7 * i as f64).sin());
+            for &at in &solver.layout.multiplier_at {
+                matrix[(at, at)] = 0.0;
+            }
+            let rhs = &matrix * &exact;
+            let mut found = rhs.col_as_slice(0).to_vec();
+            assert!(solver.solve(&values, &mut found));
+            let motions = 6 * 3 * points;
+            for i in 0..motions {
+                // A thousand times rounding, of a matrix whose condition is no more.
+                let error = (found[i] - exact[(i, 0)]).abs();
+                assert!(error < 1e-11, "{closed} {driven} {points}: {i} {error:e}");
+            }
+            let found = Mat::from_fn(size, 1, |i, _| found[i]);
+            let left = &rhs - &matrix * &found;
+            let scale = largest(rhs.col_as_slice(0));
+            // Of all equations, also those of the constraints left out.
+            assert!(largest(left.col_as_slice(0)) < 1e-12 * scale, "{left:?}");
+        }
+    }
+
+    #[test]
+    fn what_closes_no_loop_is_not_solved() {
+        let (mut solver, pattern, values, _) = jacobian_of(&four_bar(true, true), 3);
+        assert!(solver.factor(&pattern, &values, true));
+        let mut rhs = vec![0.0; pattern.size()];
+        // A crank that is to move out of the plane.
+        rhs[solver.layout.multiplier_at[2]] = 1.0;
+        assert!(!solver.solve(&values, &mut rhs));
+        // And none are left out that are not known to depend on others.
+        assert!(!solver.factor(&pattern, &values, false));
+    }
+
+    #[test]
+    fn the_determinant_is_that_of_the_whole_jacobian() {
+        for (closed, driven, points) in [(false, false, 1), (true, false, 1), (true, true, 3)] {
+            let (mut solver, pattern, values, regularisation) =
+                jacobian_of(&four_bar(closed, driven), points);
+            assert!(solver.factor(&pattern, &values, regularisation != 0.0));
+            let (sign, logarithm) = solver.determinant(regularisation);
+            let determinant = dense(&pattern, &values).determinant();
+            assert_eq!(sign, determinant.signum(), "{closed} {driven} {points}");
+            // Terms of the order of the compliance, 1e-7, times the condition of the constraints.
+            let error = (logarithm - determinant.abs().ln()).abs();
+            assert!(error < 1e-4, "{closed} {driven} {points}: {error:e}");
         }
     }
 }

@@ -330,13 +330,13 @@ pub fn solve_periodic(
         report.explanation = attempts.describe_unheld().unwrap_or_default();
     }
     attempts.newton.equations.update_kinematics(&state);
-    // Between grid points, too, what has no effect at them may have some.
-    if options.oversampling == 1 {
-        attempts.newton.equations.reduce_to_least_norm(&mut state)?;
-    }
     let assessment = attempts
         .assessed
         .take_if(|(grid, _)| *grid == attempts.grid && report.outcome.is_solution());
+    // Between grid points, too, what has no effect at them may have some.
+    if options.oversampling == 1 && assessment.is_none() {
+        attempts.newton.equations.reduce_to_least_norm(&mut state)?;
+    }
     Ok(PeriodicSolve {
         system,
         grid: attempts.grid,

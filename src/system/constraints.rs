@@ -3,7 +3,7 @@
 //! Constraints of different elements can only depend on each other if they act on the same nodes all
 //! around a loop. So the gradient is looked at loop by loop, densely.
 
-use super::{Conditions, ElementRole, OwnValues, Placed, System};
+use super::{Conditions, ElementRole, OwnValues, Placed, System, Workspace};
 use crate::elements::{Measure, NodeState, Unknown};
 use crate::error::Result;
 use std::collections::{BTreeMap, BTreeSet};
@@ -182,12 +182,12 @@ impl ConstraintLoop {
         system: &System,
         members: &[usize],
         state: &impl Fn(usize) -> NodeState,
+        workspace: &mut Workspace,
     ) -> Result<Vec<Vec<f64>>> {
         let length = system.scales().length;
         let size = 6 * self.nodes.len();
         // Row by row.
         let mut gradient = vec![0.0; self.rows * size];
-        let mut workspace = system.workspace(true);
         // Neither signals nor turns change a gradient.
         let signals = vec![0.0; system.signals()];
         let coordinates = vec![0.0; system.tracked()];
@@ -205,7 +205,7 @@ impl ConstraintLoop {
                 rates: &zeros,
                 resultants: &[],
             };
-            let out = system.evaluate(placed, state, &conditions, own, &mut workspace)?;
+            let out = system.evaluate(placed, state, &conditions, own, workspace)?;
             for (local, &node) in placed.element.nodes().iter().enumerate() {
                 let member = members[node];
                 let column = 6 * self.nodes.partition_point(|&n| n < member);
@@ -329,8 +329,9 @@ impl System {
     ) -> Result<Vec<Dependency>> {
         let at_rest = |node: usize| NodeState::at_rest(self.reference[node]);
         let mut found = Vec::new();
+        let mut workspace = self.workspace(true);
         for l in loops {
-            let null = l.null_space(self, members, &at_rest)?;
+            let null = l.null_space(self, members, &at_rest, &mut workspace)?;
             if !null.is_empty() {
                 found.push(l.describe(self, &null));
             }
@@ -361,16 +362,17 @@ impl System {
 
     /// Takes from the multipliers of an instant the part that has no effect, so that their norm is least;
     /// moments count divided by the characteristic length. `at` is the place of the first
-    /// multiplier of an element, given by index, in `multipliers`.
+    /// multiplier of an element, given by index, in `multipliers`. `workspace` is one with tangents.
     pub fn reduce_to_least_norm(
         &self,
         state: impl Fn(usize) -> NodeState,
         at: impl Fn(usize) -> usize,
         multipliers: &mut [f64],
+        workspace: &mut Workspace,
     ) -> Result<()> {
         let members: Vec<usize> = (0..self.nodes()).collect();
         for l in &self.loops {
-            let null = l.null_space(self, &members, &state)?;
+            let null = l.null_space(self, &members, &state, workspace)?;
             if null.is_empty() {
                 continue;
             }
