@@ -16,7 +16,9 @@ fn processor_milliseconds() -> f64 {
 }
 
 fn main() {
-    println!("| mechanism | N = 15 | N = 25 | by default options | grid points | estimated error |");
+    println!(
+        "| mechanism | N = 15 | N = 25 | by default options | grid points | estimated error |"
+    );
     println!("|---|---:|---:|---:|---|---:|");
     for (name, (model, period)) in [
         ("slider-crank", slider_crank()),
@@ -42,7 +44,11 @@ fn main() {
             if number == 2 {
                 let grids = solution.details().grids.iter();
                 let grids: Vec<String> = grids.map(|grid| grid.points.to_string()).collect();
-                let error = solution.details().grids.last().map_or(0.0, |g| g.error_estimate);
+                let error = solution
+                    .details()
+                    .grids
+                    .last()
+                    .map_or(0.0, |g| g.error_estimate);
                 row += &format!(" | {} | {error:.1e}", grids.join(", "));
             }
         }

@@ -11,7 +11,11 @@ fn bar(model: &mut Model, mass: f64, from: &Vector3<f64>, to: &Vector3<f64>) -> 
     let square = along.norm_squared();
     let inertia =
         (Matrix3::identity() * (1.01 * square) - along * along.transpose()) * (mass / 12.0);
-    Some(model.add_rigid_body(mass, &((from + to) / 2.0), &inertia).unwrap())
+    Some(
+        model
+            .add_rigid_body(mass, &((from + to) / 2.0), &inertia)
+            .unwrap(),
+    )
 }
 
 fn join(
@@ -22,7 +26,9 @@ fn join(
     axis: &Vector3<f64>,
 ) -> usize {
     let frame = Model::frame_at("axis", point, axis).unwrap();
-    model.add_joint(kind, bodies[0], bodies[1], &frame, &frame).unwrap()
+    model
+        .add_joint(kind, bodies[0], bodies[1], &frame, &frame)
+        .unwrap()
 }
 
 fn rotation(joint: usize) -> JointCoordinate {
@@ -57,14 +63,24 @@ pub fn slider_crank() -> (Model, f64) {
     let mut model = Model::new();
     let m = &mut model;
     let [shaft, pin, wrist] = [0.0, 0.15, 0.45].map(|x| Vector3::new(x, 0.0, 0.0));
-    let crank = m.add_rigid_body(0.5, &shaft, &(Matrix3::identity() * 1e-3)).unwrap();
+    let crank = m
+        .add_rigid_body(0.5, &shaft, &(Matrix3::identity() * 1e-3))
+        .unwrap();
     let rod = bar(m, 0.0666, &pin, &wrist);
-    let slider = m.add_rigid_body(0.04, &wrist, &(Matrix3::identity() * 1e-5)).unwrap();
+    let slider = m
+        .add_rigid_body(0.04, &wrist, &(Matrix3::identity() * 1e-5))
+        .unwrap();
     let (crank, slider, z) = (Some(crank), Some(slider), Vector3::z());
     let motor = join(m, JointKind::Revolute, [None, crank], &shaft, &z);
     join(m, JointKind::Revolute, [crank, rod], &pin, &z);
     join(m, JointKind::Spherical, [rod, slider], &wrist, &z);
-    join(m, JointKind::Prismatic, [None, slider], &wrist, &Vector3::x());
+    join(
+        m,
+        JointKind::Prismatic,
+        [None, slider],
+        &wrist,
+        &Vector3::x(),
+    );
     drive(m, motor, 0.5);
     (model, 0.5)
 }
@@ -120,7 +136,8 @@ pub fn spatial_linkage() -> (Model, f64) {
     join(m, JointKind::Spherical, [crank, coupler], &b, &z);
     let across = Vector3::new(-0.3, 0.0, 0.25);
     let cross = Model::cross_frame(&c, &y, &across).unwrap();
-    m.add_joint(JointKind::Universal, coupler, lever, &cross, &cross).unwrap();
+    m.add_joint(JointKind::Universal, coupler, lever, &cross, &cross)
+        .unwrap();
     join(m, JointKind::Revolute, [None, lever], &d, &y);
     drive(m, motor, period);
     (model, period)

@@ -398,18 +398,13 @@ impl JointKind {
             | (_, Coordinate::Displacement3) => S::displacement(z, 2),
             (_, Coordinate::Displacement1) => S::displacement(z, 0),
             (_, Coordinate::Displacement2) => S::displacement(z, 1),
-            (JointKind::Universal, Coordinate::Rotation1) => {
-                S::angle(&cosine(2, 1), &cosine(1, 1))
-            }
+            (JointKind::Universal, Coordinate::Rotation1) => S::angle(&cosine(2, 1), &cosine(1, 1)),
             (JointKind::Universal, _) => S::angle(&cosine(0, 2), &cosine(0, 0)),
             (JointKind::Spherical | JointKind::Free, Coordinate::Rotation1) => {
                 S::angle(&minus(cosine(1, 2)), &cosine(2, 2))
             }
             (JointKind::Spherical | JointKind::Free, Coordinate::Rotation2) => {
-                S::angle(
-                    &cosine(0, 2),
-                    &S::length(&cosine(0, 0), &cosine(0, 1)),
-                )
+                S::angle(&cosine(0, 2), &S::length(&cosine(0, 0), &cosine(0, 1)))
             }
             (JointKind::Spherical | JointKind::Free, Coordinate::Rotation3) => {
                 S::angle(&minus(cosine(0, 1)), &cosine(0, 0))

@@ -268,9 +268,13 @@ fn dependent_rows(matrix: &mut [f64], count: usize) -> Vec<Vec<f64>> {
     while parts.len() < rows.len() {
         let rank = parts.len();
         let norms = rows[rank..].iter().map(|row| dot(row, row).sqrt());
-        let (place, norm) = norms.enumerate().fold((0, 0.0), |most, (i, norm)| {
-            if norm > most.1 { (i, norm) } else { most }
-        });
+        let (place, norm) =
+            norms.enumerate().fold(
+                (0, 0.0),
+                |most, (i, norm)| {
+                    if norm > most.1 { (i, norm) } else { most }
+                },
+            );
         largest = largest.max(norm);
         if norm <= DEPENDENT * largest {
             break;
