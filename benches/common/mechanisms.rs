@@ -55,7 +55,8 @@ fn spring(model: &mut Model, joint: usize, stiffness: f64, damping: f64) {
 }
 
 fn gravity(model: &mut Model) {
-    model.set_gravity(&Vector3::new(0.0, -9.81, 0.0)).unwrap();
+    let acceleration = [0.0, -9.81, 0.0].map(|x| Signal::constant(x).unwrap());
+    model.set_gravity(acceleration);
 }
 
 /// A driven slider-crank, whose prismatic joint has a constraint too many.
