@@ -2,6 +2,7 @@
 
 #![allow(dead_code)] // no benchmark needs all of it
 
+pub mod mechanisms;
 pub mod table;
 pub mod timing;
 

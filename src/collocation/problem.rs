@@ -593,7 +593,7 @@ impl Collocation {
 
     /// Takes from the multipliers the part that has no effect, where constraints depend on each other;
     /// kinematics must be those of `state`.
-    pub fn reduce_to_least_norm(&self, state: &mut GridState) -> Result<()> {
+    pub fn reduce_to_least_norm(&mut self, state: &mut GridState) -> Result<()> {
         if !self.is_regularised() {
             return Ok(());
         }
@@ -609,6 +609,7 @@ impl Collocation {
                 |node| self.instants.states[node * points + k],
                 |index| places[index],
                 &mut state.multipliers,
+                &mut self.with_tangents,
             )?;
         }
         Ok(())

@@ -82,30 +82,28 @@ impl FramePair {
 
     pub fn state(&self, states: &[NodeState]) -> RelativeState {
         let z = self.relative_motion(states);
-        let z_inverse = z.inverse().adjoint();
+        let z_inverse = z.inverse();
         let mut local = 0;
         let mut next = |attachment: &Attachment| {
             attachment.node.map(|_| {
                 local += 1;
-                (
-                    attachment.offset.inverse().adjoint(),
-                    states[local - 1].twist,
-                )
+                (attachment.offset.inverse(), states[local - 1].twist)
             })
         };
         let (first, second) = (next(&self.first), next(&self.second));
-        let carried = first.map_or(Vector6::zeros(), |(carry, v)| z_inverse * (carry * v));
-        let own = second.map_or(Vector6::zeros(), |(carry, v)| carry * v);
-        let jacobians = [
-            first.map(|(carry, _)| -(z_inverse * carry)),
-            second.map(|(carry, _)| carry),
-        ];
+        let carries = first.map(|(carry, v)| (z_inverse.compose(&carry).adjoint(), v));
+        let own = second.map(|(carry, v)| (carry.adjoint(), v));
+        let twist = |side: &Option<(Matrix6<f64>, Vector6<f64>)>| {
+            side.as_ref().map_or(Vector6::zeros(), |(j, v)| j * v)
+        };
+        let (carried, rate) = (twist(&carries), twist(&own));
+        let jacobians = [carries.map(|(j, _)| -j), own.map(|(j, _)| j)];
         RelativeState {
             z,
-            rate: own - carried,
+            rate: rate - carried,
             carried,
             jacobians,
-            first_carry: first.map(|(carry, _)| carry),
+            first_carry: first.map(|(carry, _)| carry.adjoint()),
         }
     }
 }
@@ -135,7 +133,8 @@ impl RelativeState {
         for (a, jacobian) in self.local_jacobians() {
             out.add_force(a, &jacobian.tr_mul(wrench));
         }
-        if !out.with_tangents {
+        let is_none = wrench.iter().chain(variation).all(|x| *x == 0.0) && damping.is_none();
+        if !out.with_tangents || is_none {
             return;
         }
         for (a, left) in self.local_jacobians() {
@@ -158,24 +157,29 @@ impl RelativeState {
     pub fn add_gradient(&self, row: usize, gradient: &Vector6<f64>, out: &mut Contribution) {
         for (a, jacobian) in self.local_jacobians() {
             let mut columns = out.gradient.fixed_view_mut::<1, 6>(row, 6 * a);
-            columns += gradient.transpose() * jacobian;
+            columns += jacobian.tr_mul(gradient).transpose();
         }
     }
 
-    /// Adds constraint `row`: violation, gradient, and the forces of its multiplier.
-    pub fn add_constraint(
+    /// Adds constraints, row by row with their multipliers: violations, gradients, and the forces of the multipliers.
+    pub fn add_constraints(
         &self,
-        row: usize,
-        function: &ScalarFunction,
-        multiplier: f64,
+        functions: impl Iterator<Item = ScalarFunction>,
+        multipliers: &[f64],
         out: &mut Contribution,
     ) {
-        out.constraint[row] += function.value;
-        if out.with_tangents {
-            self.add_gradient(row, &function.gradient, out);
+        // Forces are linear in the wrench: one transformation for all.
+        let mut wrench = Vector6::zeros();
+        let mut variation = Matrix6::zeros();
+        for (row, (function, multiplier)) in functions.zip(multipliers).enumerate() {
+            out.constraint[row] += function.value;
+            wrench += function.gradient * *multiplier;
+            if out.with_tangents {
+                self.add_gradient(row, &function.gradient, out);
+                variation += function.hessian * *multiplier;
+            }
         }
-        let wrench = function.gradient * multiplier;
-        self.add_wrench(&wrench, &(function.hessian * multiplier), None, out);
+        self.add_wrench(&wrench, &variation, None, out);
     }
 }
 
@@ -284,10 +288,8 @@ impl Element for Joint {
 
     fn evaluate(&self, instant: &Instant, out: &mut Contribution) -> Result<()> {
         let state = self.pair.state(instant.nodes);
-        for (row, multiplier) in instant.multipliers.iter().enumerate() {
-            let function = self.kind.constraint(row, &state.z);
-            state.add_constraint(row, &function, *multiplier, out);
-        }
+        let functions = (0..self.multipliers()).map(|row| self.kind.constraint(row, &state.z));
+        state.add_constraints(functions, instant.multipliers, out);
         Ok(())
     }
 }
@@ -331,7 +333,7 @@ impl Element for Prescribed {
         let mut function = self.kind.coordinate(self.coordinate, &state.z);
         let target = instant.signals[self.signal];
         function.value = self.kind.follow(self.coordinate, function.value, target) - target;
-        state.add_constraint(0, &function, instant.multipliers[0], out);
+        state.add_constraints(std::iter::once(function), instant.multipliers, out);
         Ok(())
     }
 }

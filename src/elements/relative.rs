@@ -24,9 +24,66 @@ pub struct ScalarFunction {
     pub hessian: Matrix6<f64>,
 }
 
-impl ScalarFunction {
+/// What scalar functions are composed of: values alone, or with their derivatives.
+trait Composed: Copy {
     /// Displacement `e_kᵀ r` along axis `k` of the first frame.
-    pub fn displacement(z: &RelativeMotion, k: usize) -> Self {
+    fn displacement(z: &RelativeMotion, k: usize) -> Self;
+    /// Direction cosine `e_aᵀ R e_b` between axis `a` of the first and axis `b` of the second frame.
+    fn cosine(z: &RelativeMotion, a: usize, b: usize) -> Self;
+    /// Distance `|r|` between the origins.
+    fn distance(z: &RelativeMotion) -> Self;
+    /// `α self + β other`.
+    fn combine(&self, alpha: f64, other: &Self, beta: f64) -> Self;
+    /// Angle of the point `(x, y)`, in `(−π, π]`.
+    fn angle(y: &Self, x: &Self) -> Self;
+    /// `√(x² + y²)`.
+    fn length(x: &Self, y: &Self) -> Self;
+    /// Its value.
+    fn value(&mut self) -> &mut f64;
+}
+
+impl Composed for f64 {
+    fn displacement(z: &RelativeMotion, k: usize) -> Self {
+        z.position[k]
+    }
+
+    fn cosine(z: &RelativeMotion, a: usize, b: usize) -> Self {
+        z.rotation[(a, b)]
+    }
+
+    fn distance(z: &RelativeMotion) -> Self {
+        z.position.norm()
+    }
+
+    fn combine(&self, alpha: f64, other: &Self, beta: f64) -> Self {
+        alpha * self + beta * other
+    }
+
+    fn angle(y: &Self, x: &Self) -> Self {
+        y.atan2(*x)
+    }
+
+    fn length(x: &Self, y: &Self) -> Self {
+        x.hypot(*y).max(f64::MIN_POSITIVE.sqrt())
+    }
+
+    fn value(&mut self) -> &mut f64 {
+        self
+    }
+}
+
+impl ScalarFunction {
+    fn constant(value: f64) -> Self {
+        ScalarFunction {
+            value,
+            gradient: Vector6::zeros(),
+            hessian: Matrix6::zeros(),
+        }
+    }
+}
+
+impl Composed for ScalarFunction {
+    fn displacement(z: &RelativeMotion, k: usize) -> Self {
         let row = z.rotation.row(k).transpose();
         let mut function = Self::constant(z.position[k]);
         function.gradient.fixed_rows_mut::<3>(0).copy_from(&row);
@@ -37,26 +94,22 @@ impl ScalarFunction {
         function
     }
 
-    /// Direction cosine `e_aᵀ R e_b` between axis `a` of the first and axis `b` of the second frame.
-    pub fn cosine(z: &RelativeMotion, a: usize, b: usize) -> Self {
-        let row = z.rotation.row(a).transpose();
-        let mut axis = Vector3::zeros();
-        axis[b] = 1.0;
-        let b_skew = skew(&axis);
+    fn cosine(z: &RelativeMotion, a: usize, b: usize) -> Self {
+        let row: Vector3<f64> = z.rotation.row(a).transpose();
         let mut function = Self::constant(z.rotation[(a, b)]);
-        function
-            .gradient
-            .fixed_rows_mut::<3>(3)
-            .copy_from(&(b_skew * row));
-        function
-            .hessian
-            .fixed_view_mut::<3, 3>(3, 3)
-            .copy_from(&(b_skew * skew(&row)));
+        // ẽ_b row, and ẽ_b row~ = row e_bᵀ − (e_bᵀ row) I.
+        let (c, d) = ((b + 1) % 3, (b + 2) % 3);
+        function.gradient[3 + c] = -row[d];
+        function.gradient[3 + d] = row[c];
+        let hessian = &mut function.hessian;
+        hessian[(3 + c, 3 + b)] = row[c];
+        hessian[(3 + d, 3 + b)] = row[d];
+        hessian[(3 + c, 3 + c)] = -row[b];
+        hessian[(3 + d, 3 + d)] = -row[b];
         function
     }
 
-    /// Distance `|r|` between the origins.
-    pub fn distance(z: &RelativeMotion) -> Self {
+    fn distance(z: &RelativeMotion) -> Self {
         let mut function = Self::constant(z.position.norm());
         // Where the origins coincide it has no direction, and gets no gradient.
         let length = function.value.max(f64::MIN_POSITIVE.sqrt());
@@ -70,15 +123,6 @@ impl ScalarFunction {
         function
     }
 
-    fn constant(value: f64) -> Self {
-        ScalarFunction {
-            value,
-            gradient: Vector6::zeros(),
-            hessian: Matrix6::zeros(),
-        }
-    }
-
-    /// `α self + β other`.
     fn combine(&self, alpha: f64, other: &Self, beta: f64) -> Self {
         ScalarFunction {
             value: alpha * self.value + beta * other.value,
@@ -87,7 +131,6 @@ impl ScalarFunction {
         }
     }
 
-    /// Angle of the point `(x, y)`, in `(−π, π]`.
     fn angle(y: &Self, x: &Self) -> Self {
         let square = x.value * x.value + y.value * y.value;
         // Far from the joint's constraints the angle may be undefined; there any finite slope will do.
@@ -109,7 +152,6 @@ impl ScalarFunction {
         }
     }
 
-    /// `√(x² + y²)`.
     fn length(x: &Self, y: &Self) -> Self {
         let value = x.value.hypot(y.value).max(f64::MIN_POSITIVE.sqrt());
         let gradient = (x.gradient * x.value + y.gradient * y.value) / value;
@@ -123,6 +165,10 @@ impl ScalarFunction {
                 - gradient * gradient.transpose())
                 / value,
         }
+    }
+
+    fn value(&mut self) -> &mut f64 {
+        &mut self.value
     }
 }
 
@@ -332,41 +378,46 @@ impl JointKind {
     /// Joint coordinate `which`, which the joint must have. Angles are in `(−π, π]`, save that of a screw,
     /// whose whole turns its displacement tells.
     pub fn coordinate(self, which: Coordinate, z: &RelativeMotion) -> ScalarFunction {
-        let cosine = |a, b| ScalarFunction::cosine(z, a, b);
-        let minus = |f: ScalarFunction| f.combine(-1.0, &f, 0.0);
+        self.composed_coordinate(which, z)
+    }
+
+    /// Its value alone.
+    pub fn coordinate_value(self, which: Coordinate, z: &RelativeMotion) -> f64 {
+        self.composed_coordinate(which, z)
+    }
+
+    fn composed_coordinate<S: Composed>(self, which: Coordinate, z: &RelativeMotion) -> S {
+        let cosine = |a, b| S::cosine(z, a, b);
+        let minus = |f: S| f.combine(-1.0, &f, 0.0);
         match (self, which) {
-            (JointKind::Strut, _) => ScalarFunction::distance(z),
+            (JointKind::Strut, _) => S::distance(z),
             (
                 JointKind::Prismatic | JointKind::Cylindrical | JointKind::Screw { .. },
                 Coordinate::Displacement1,
             )
-            | (_, Coordinate::Displacement3) => ScalarFunction::displacement(z, 2),
-            (_, Coordinate::Displacement1) => ScalarFunction::displacement(z, 0),
-            (_, Coordinate::Displacement2) => ScalarFunction::displacement(z, 1),
-            (JointKind::Universal, Coordinate::Rotation1) => {
-                ScalarFunction::angle(&cosine(2, 1), &cosine(1, 1))
-            }
-            (JointKind::Universal, _) => ScalarFunction::angle(&cosine(0, 2), &cosine(0, 0)),
+            | (_, Coordinate::Displacement3) => S::displacement(z, 2),
+            (_, Coordinate::Displacement1) => S::displacement(z, 0),
+            (_, Coordinate::Displacement2) => S::displacement(z, 1),
+            (JointKind::Universal, Coordinate::Rotation1) => S::angle(&cosine(2, 1), &cosine(1, 1)),
+            (JointKind::Universal, _) => S::angle(&cosine(0, 2), &cosine(0, 0)),
             (JointKind::Spherical | JointKind::Free, Coordinate::Rotation1) => {
-                ScalarFunction::angle(&minus(cosine(1, 2)), &cosine(2, 2))
+                S::angle(&minus(cosine(1, 2)), &cosine(2, 2))
             }
             (JointKind::Spherical | JointKind::Free, Coordinate::Rotation2) => {
-                ScalarFunction::angle(
-                    &cosine(0, 2),
-                    &ScalarFunction::length(&cosine(0, 0), &cosine(0, 1)),
-                )
+                S::angle(&cosine(0, 2), &S::length(&cosine(0, 0), &cosine(0, 1)))
             }
             (JointKind::Spherical | JointKind::Free, Coordinate::Rotation3) => {
-                ScalarFunction::angle(&minus(cosine(0, 1)), &cosine(0, 0))
+                S::angle(&minus(cosine(0, 1)), &cosine(0, 0))
             }
             // Both columns, so that it is the best fit also where the axes do not coincide.
             (_, Coordinate::Rotation1 | Coordinate::Rotation2 | Coordinate::Rotation3) => {
-                let mut angle = ScalarFunction::angle(
+                let mut angle = S::angle(
                     &cosine(1, 0).combine(1.0, &cosine(0, 1), -1.0),
                     &cosine(0, 0).combine(1.0, &cosine(1, 1), 1.0),
                 );
                 if let JointKind::Screw { pitch } = self {
-                    angle.value = nearest_turn(angle.value, TAU * z.position[2] / pitch);
+                    let value = angle.value();
+                    *value = nearest_turn(*value, TAU * z.position[2] / pitch);
                 }
                 angle
             }

@@ -96,7 +96,7 @@ impl<'a> Initial<'a> {
             self.give(at);
             let newton = &mut *self.newton;
             newton.linear.assemble(&mut newton.equations, &at.state)?;
-            let regular = newton.linear.factor()? && newton.growth() < SINGULAR_GROWTH;
+            let regular = newton.linear.factor_all()? && newton.growth() < SINGULAR_GROWTH;
             if regular {
                 return Ok(None);
             }
@@ -124,7 +124,7 @@ impl<'a> Initial<'a> {
         let mut solution = vec![0.0; rhs.len()];
         let mut rest = rhs.to_vec();
         for _ in 0..REFINEMENTS {
-            if !newton.linear.solver.solve(&mut rest) {
+            if !newton.linear.substitute(&mut rest) {
                 return None;
             }
             solution.iter_mut().zip(&rest).for_each(|(x, r)| *x += r);

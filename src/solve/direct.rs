@@ -530,7 +530,7 @@ pub(super) fn elimination_work(count: usize, rest: usize) -> f64 {
 }
 
 /// Whether a permutation takes an odd number of exchanges.
-fn is_odd(permutation: &[usize]) -> bool {
+pub(super) fn is_odd(permutation: &[usize]) -> bool {
     let mut seen = vec![false; permutation.len()];
     let mut odd = false;
     for start in 0..permutation.len() {

@@ -31,6 +31,11 @@ pub(super) trait LinearSolver {
         timings: &mut Timings,
     ) -> Result<bool>;
 
+    /// Whether the compliance of constraints that may depend on each other is in the solutions of the last linearisation.
+    fn has_compliance(&self) -> bool {
+        true
+    }
+
     /// Size of the inverse of the Jacobian, relative to the Jacobian: about the inverse of the rounding if it
     /// is singular.
     fn growth(&mut self, equations: &mut Collocation) -> f64;

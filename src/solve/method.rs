@@ -228,6 +228,13 @@ impl LinearSolver for Linear {
         }
     }
 
+    fn has_compliance(&self) -> bool {
+        match &self.active {
+            Active::Direct(direct) => direct.has_compliance(),
+            Active::Iterative(iterative) => iterative.has_compliance(),
+        }
+    }
+
     fn growth(&mut self, equations: &mut Collocation) -> f64 {
         match &mut self.active {
             Active::Direct(direct) => direct.growth(equations),

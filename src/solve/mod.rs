@@ -14,6 +14,7 @@ mod eigen;
 mod eigenvalues;
 mod estimate;
 mod free_motions;
+mod freedoms;
 mod front;
 mod guess;
 mod iterative;

@@ -387,7 +387,7 @@ impl<L: LinearSolver> Newton<L> {
         if !solved {
             return Ok(false);
         }
-        if equations.is_regularised() {
+        if equations.is_regularised() && self.linear.has_compliance() {
             let mut rest = vec![0.0; rhs.len()];
             equations.compliance_of(rhs, &mut rest);
             let solved = (self.linear).solve(equations, &mut rest, accuracy, timings)?;

@@ -351,15 +351,16 @@ pub fn solve_periodic(
     };
     let finishing = Instant::now();
     attempts.newton.equations.update_kinematics(&state);
-    // Between grid points, too, what has no effect at them may have some.
-    if options.oversampling == 1 && report.outcome != Outcome::Cancelled {
-        attempts.newton.equations.reduce_to_least_norm(&mut state)?;
-    }
-    attempts.timings.assembly += finishing.elapsed();
     report.outcome = watching.outcome(report.outcome);
     let assessment = attempts
         .assessed
         .take_if(|(grid, _)| *grid == attempts.grid && report.outcome.is_solution());
+    // Between grid points, too, what has no effect at them may have some.
+    let reduced = assessment.is_some() || report.outcome == Outcome::Cancelled;
+    if options.oversampling == 1 && !reduced {
+        attempts.newton.equations.reduce_to_least_norm(&mut state)?;
+    }
+    attempts.timings.assembly += finishing.elapsed();
     Ok(PeriodicSolve {
         system,
         grid: attempts.grid,

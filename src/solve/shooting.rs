@@ -183,7 +183,7 @@ impl Shooting {
                 &mut newton.linear.blocks,
                 &mut newton.linear.values,
             )?;
-            if !newton.linear.solver.factor(&newton.linear.values)? {
+            if !newton.linear.factor_all()? {
                 return Ok(None);
             }
             let mut linear = StepVariation::new(&step, &end.motions, newton.equations.size());
@@ -195,7 +195,7 @@ impl Shooting {
                     &newton.linear.pattern,
                     &newton.linear.blocks,
                     column,
-                    |rhs| newton.linear.solver.solve(rhs),
+                    |rhs| newton.linear.substitute(rhs),
                 );
                 if !propagated {
                     return Ok(None);

@@ -3,16 +3,14 @@
 //! Constraints of different elements can only depend on each other if they act on the same nodes all
 //! around a loop. So the gradient is looked at loop by loop, densely.
 
-use super::{Conditions, ElementRole, OwnValues, Placed, System};
+use super::{Conditions, ElementRole, OwnValues, Placed, System, Workspace};
 use crate::elements::{Measure, NodeState, Unknown};
 use crate::error::Result;
-use faer::Mat;
-use faer::linalg::solvers::Svd;
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt;
 
-/// A singular value below this, relative to the largest, is one of constraints that depend on each
-/// other: geometry given with rounding leaves less, and no working joint comes near.
+/// A gradient of which no more than this is left beside those of other constraints, relative to the largest, depends on
+/// them: geometry given with rounding leaves less, and no working joint comes near.
 const DEPENDENT: f64 = 1e-7;
 
 /// Loops with more constraints than this are not looked at: their dense factorisation would take longer
@@ -184,10 +182,12 @@ impl ConstraintLoop {
         system: &System,
         members: &[usize],
         state: &impl Fn(usize) -> NodeState,
-    ) -> Result<Mat<f64>> {
+        workspace: &mut Workspace,
+    ) -> Result<Vec<Vec<f64>>> {
         let length = system.scales().length;
-        let mut gradient = Mat::<f64>::zeros(self.rows, 6 * self.nodes.len());
-        let mut workspace = system.workspace(true);
+        let size = 6 * self.nodes.len();
+        // Row by row.
+        let mut gradient = vec![0.0; self.rows * size];
         // Neither signals nor turns change a gradient.
         let signals = vec![0.0; system.signals()];
         let coordinates = vec![0.0; system.tracked()];
@@ -205,39 +205,38 @@ impl ConstraintLoop {
                 rates: &zeros,
                 resultants: &[],
             };
-            let out = system.evaluate(placed, state, &conditions, own, &mut workspace)?;
+            let out = system.evaluate(placed, state, &conditions, own, workspace)?;
             for (local, &node) in placed.element.nodes().iter().enumerate() {
                 let member = members[node];
                 let column = 6 * self.nodes.partition_point(|&n| n < member);
-                let carry = state(node).motion.relative(&state(member).motion).adjoint();
-                let own = out.gradient.columns(6 * local, 6) * carry;
+                let mut own = out.gradient.fixed_columns::<6>(6 * local).into_owned();
+                if node != member {
+                    own = &own * state(node).motion.relative(&state(member).motion).adjoint();
+                }
                 for row in 0..zeros.len() {
                     let scale = match system.unknown(placed.first_multiplier + row) {
                         Unknown::Multiplier(Measure::Length) => 1.0 / length,
                         _ => 1.0,
                     };
-                    for k in 0..6 {
+                    let entries = &mut gradient[(first + row) * size + column..][..6];
+                    for (k, entry) in entries.iter_mut().enumerate() {
                         let unit = if k < 3 { length } else { 1.0 };
-                        gradient[(first + row, column + k)] += scale * unit * own[(row, k)];
+                        *entry += scale * unit * own[(row, k)];
                     }
                 }
             }
         }
-        let finite =
-            (0..gradient.ncols()).all(|j| gradient.col_as_slice(j).iter().all(|x| x.is_finite()));
-        let Some(svd) = finite.then(|| Svd::new(gradient.as_ref()).ok()).flatten() else {
-            return Ok(Mat::zeros(self.rows, 0));
-        };
-        let values = svd.S().column_vector();
-        let largest = values.iter().fold(0.0f64, |m, x| m.max(*x));
-        let rank = values.iter().filter(|x| **x > DEPENDENT * largest).count();
-        Ok(svd.U().subcols(rank, self.rows - rank).to_owned())
+        let finite = gradient.iter().all(|x| x.is_finite());
+        Ok(match finite {
+            true => dependent_rows(&mut gradient, self.rows),
+            false => Vec::new(),
+        })
     }
 
-    fn describe(&self, system: &System, null: &Mat<f64>) -> Dependency {
+    fn describe(&self, system: &System, null: &[Vec<f64>]) -> Dependency {
         let takes_part = |first: usize, count: usize| {
             (first..first + count).any(|row| {
-                let size: f64 = (0..null.ncols()).map(|j| null[(row, j)].powi(2)).sum();
+                let size: f64 = null.iter().map(|direction| direction[row].powi(2)).sum();
                 size > 1e-8
             })
         };
@@ -250,10 +249,72 @@ impl ConstraintLoop {
             .map(|(placed, _)| placed.role)
             .collect();
         Dependency {
-            count: null.ncols(),
+            count: null.len(),
             roles,
         }
     }
+}
+
+/// Orthonormal combinations of the `count` rows of a matrix that vanish. Takes from the rows, the largest first,
+/// what they have along those before; what is left of them is none of the matrix any more.
+fn dependent_rows(matrix: &mut [f64], count: usize) -> Vec<Vec<f64>> {
+    let size = matrix.len() / count.max(1);
+    let mut rows: Vec<&mut [f64]> = matrix.chunks_exact_mut(size.max(1)).collect();
+    let dot = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
+    let mut order: Vec<usize> = (0..rows.len()).collect();
+    let mut largest = 0.0f64;
+    // Of each direction found: what each row has along it, and that of the row that it was found by.
+    let mut parts: Vec<Vec<f64>> = Vec::new();
+    while parts.len() < rows.len() {
+        let rank = parts.len();
+        let norms = rows[rank..].iter().map(|row| dot(row, row).sqrt());
+        let (place, norm) =
+            norms.enumerate().fold(
+                (0, 0.0),
+                |most, (i, norm)| {
+                    if norm > most.1 { (i, norm) } else { most }
+                },
+            );
+        largest = largest.max(norm);
+        if norm <= DEPENDENT * largest {
+            break;
+        }
+        rows.swap(rank, rank + place);
+        order.swap(rank, rank + place);
+        let (before, others) = rows.split_at_mut(rank + 1);
+        let direction = &mut *before[rank];
+        direction.iter_mut().for_each(|x| *x /= norm);
+        let mut part = vec![0.0; count];
+        part[order[rank]] = norm;
+        for (row, &number) in others.iter_mut().zip(&order[rank + 1..]) {
+            let along = dot(row, direction);
+            let pairs = row.iter_mut().zip(&*direction);
+            pairs.for_each(|(x, d)| *x -= along * d);
+            part[number] = along;
+        }
+        parts.push(part);
+    }
+    let rank = parts.len();
+    let mut null: Vec<Vec<f64>> = Vec::new();
+    for &dependent in &order[rank..] {
+        let mut column = vec![0.0; count];
+        column[dependent] = 1.0;
+        // The row less what it is of the others, whose parts along the directions are a triangle.
+        for (s, part) in parts.iter().enumerate().rev() {
+            let known = order[s + 1..rank].iter().map(|&i| part[i] * column[i]);
+            column[order[s]] = -(part[dependent] + known.sum::<f64>()) / part[order[s]];
+        }
+        // Twice, for rounding.
+        for other in null.iter().chain(&null) {
+            let along = dot(&column, other);
+            let pairs = column.iter_mut().zip(other);
+            pairs.for_each(|(x, d)| *x -= along * d);
+        }
+        let norm = dot(&column, &column).sqrt();
+        column.iter_mut().for_each(|x| *x /= norm);
+        null.push(column);
+    }
+    null
 }
 
 impl System {
@@ -272,9 +333,10 @@ impl System {
     ) -> Result<Vec<Dependency>> {
         let at_rest = |node: usize| NodeState::at_rest(self.reference[node]);
         let mut found = Vec::new();
+        let mut workspace = self.workspace(true);
         for l in loops {
-            let null = l.null_space(self, members, &at_rest)?;
-            if null.ncols() > 0 {
+            let null = l.null_space(self, members, &at_rest, &mut workspace)?;
+            if !null.is_empty() {
                 found.push(l.describe(self, &null));
             }
         }
@@ -304,17 +366,18 @@ impl System {
 
     /// Takes from the multipliers of an instant the part that has no effect, so that their norm is least;
     /// moments count divided by the characteristic length. `at` is the place of the first
-    /// multiplier of an element, given by index, in `multipliers`.
+    /// multiplier of an element, given by index, in `multipliers`. `workspace` is one with tangents.
     pub fn reduce_to_least_norm(
         &self,
         state: impl Fn(usize) -> NodeState,
         at: impl Fn(usize) -> usize,
         multipliers: &mut [f64],
+        workspace: &mut Workspace,
     ) -> Result<()> {
         let members: Vec<usize> = (0..self.nodes()).collect();
         for l in &self.loops {
-            let null = l.null_space(self, &members, &state)?;
-            if null.ncols() == 0 {
+            let null = l.null_space(self, &members, &state, workspace)?;
+            if null.is_empty() {
                 continue;
             }
             let mut values = Vec::with_capacity(l.rows);
@@ -333,8 +396,7 @@ impl System {
                 })
                 .collect();
             values.extend(places.iter().map(|&(i, unit)| multipliers[i] / unit));
-            for j in 0..null.ncols() {
-                let direction = null.col_as_slice(j);
+            for direction in &null {
                 let part: f64 = direction.iter().zip(&values).map(|(d, v)| d * v).sum();
                 for (&(i, unit), d) in places.iter().zip(direction) {
                     multipliers[i] -= part * d * unit;

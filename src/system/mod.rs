@@ -753,10 +753,13 @@ impl System {
     /// Follows the tracked coordinates from their last values to those of the given states.
     pub fn track(&self, state: impl Fn(usize) -> NodeState, coordinates: &mut [f64]) {
         for (tracked, last) in self.tracked.iter().zip(coordinates) {
-            let states: Vec<NodeState> = tracked.joint.nodes().iter().map(|&n| state(n)).collect();
+            let mut states = [NodeState::at_rest(Motion::identity()); 2];
+            for (place, &node) in states.iter_mut().zip(tracked.joint.nodes()) {
+                *place = state(node);
+            }
             let z = tracked.joint.relative_motion(&states);
             let kind: JointKind = tracked.joint.kind();
-            let value = kind.coordinate(tracked.at.coordinate, &z).value;
+            let value = kind.coordinate_value(tracked.at.coordinate, &z);
             *last = kind.follow(tracked.at.coordinate, value, *last);
         }
     }

@@ -136,6 +136,10 @@ impl<L: LinearSolver> LinearSolver for Projected<L> {
         Ok(sampled && !self.failed && rhs.iter().all(|x| x.is_finite()))
     }
 
+    fn has_compliance(&self) -> bool {
+        self.sampled.has_compliance()
+    }
+
     fn growth(&mut self, equations: &mut Collocation) -> f64 {
         self.sampled.growth(equations)
     }
