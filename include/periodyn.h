@@ -259,6 +259,11 @@
 #define PDN_FRAME_MATERIAL 1
 
 /**
+ * Directions of a load along a beam: the axes that its sections have without twist, which follow the sections.
+ */
+#define PDN_FRAME_UNTWISTED 2
+
+/**
  * Component of a load: force along axis 1.
  */
 #define PDN_FORCE_1 0
@@ -1767,6 +1772,25 @@ pdn_status pdn_section_set_diagonal(struct pdn_section *section,
                                     const double *mass);
 
 /**
+ * Gives a section damping with one time for each force and moment: damping = diag(seconds) * stiffness, which must have
+ * been set.
+ *
+ * For coupled sections that is no symmetric matrix. It is taken if no motion gains energy by it: if its symmetric part is
+ * positive semi-definite.
+ *
+ * @param section  an initialised section with stiffness; not NULL
+ * @param seconds  array of length 6: times of axial force, shear 2, shear 3, torsion, bending 2, bending 3; none
+ *     negative [time]
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_STRUCT_SIZE, PDN_ERR_NOT_FINITE, PDN_ERR_VALUE
+ *
+ * Threads: exclusive use of `section`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_section_set_component_damping(struct pdn_section *section,
+                                             const double *seconds);
+
+/**
  * Gives a section damping in proportion to its stiffness, which must have been set.
  *
  * A vibration of circular frequency w then has the damping ratio seconds * w / 2.
@@ -2696,6 +2720,44 @@ pdn_status pdn_model_add_distributed_load(struct pdn_model *model,
                                           const double *fractions,
                                           const double *factors,
                                           size_t count);
+
+/**
+ * Adds a force and moment distributed along beam elements, all components at all places at once, in addition to those
+ * that are there: such as the air loads of a blade, at the places where these are computed.
+ *
+ * It acts on the line of the beam, for each unit of its reference length, and moves with the sections. It is linear
+ * between neighbouring places. However many there are, the beam is evaluated as for one.
+ *
+ * @param model  the model; not NULL
+ * @param first_element  id of the first beam element, such as the first_element of a ::pdn_beam
+ * @param elements  number of elements, from the first on, such as the elements of a ::pdn_beam; at
+ *     least 1
+ * @param frame  PDN_FRAME_SPACE: directions of the global axes; PDN_FRAME_MATERIAL: of the sections' axes, twisted as
+ *     they are; PDN_FRAME_UNTWISTED: axis 1 along the reference line, axis 2 the part of axis_2 that is perpendicular to
+ *     it, axis 3 = axis 1 * axis 2, all in the reference configuration, and each section takes these axes with it
+ * @param axis_2  array of length 3: direction, global coordinates, of any nonzero length, nowhere along the line; read for
+ *     PDN_FRAME_UNTWISTED only, else it may be NULL
+ * @param fractions  array of length [count]: places, as fractions of the reference length of these
+ *     elements, ascending from 0 to 1; two at the same place make a jump
+ * @param signals  array of length [6 count], each initialised, copied: those of the first place, PDN_FORCE_1 to
+ *     PDN_FORCE_3 [force / length] and PDN_MOMENT_1 to PDN_MOMENT_3 [force], then those of the next. One that was only
+ *     initialised is zero
+ * @param count  number of places, at least 2
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_SIZE, PDN_ERR_ID, PDN_ERR_VALUE,
+ *     PDN_ERR_STRUCT_SIZE
+ *
+ * Threads: exclusive use of `model`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_model_add_load_at_places(struct pdn_model *model,
+                                        int32_t first_element,
+                                        int32_t elements,
+                                        int32_t frame,
+                                        const double *axis_2,
+                                        const double *fractions,
+                                        const struct pdn_signal *signals,
+                                        size_t count);
 
 /**
  * Number of forces: springs, dampers, actuators and the like, but not loads; their ids are 0 ... count - 1.

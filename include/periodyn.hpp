@@ -106,7 +106,11 @@ enum class JointKind : std::int32_t {
     planar = PDN_JOINT_PLANAR,
     free = PDN_JOINT_FREE,
 };
-enum class Frame : std::int32_t { space = PDN_FRAME_SPACE, material = PDN_FRAME_MATERIAL };
+enum class Frame : std::int32_t {
+    space = PDN_FRAME_SPACE,
+    material = PDN_FRAME_MATERIAL,
+    untwisted = PDN_FRAME_UNTWISTED, ///< of loads along beams only
+};
 enum class Component : std::int32_t {
     force_1 = PDN_FORCE_1,
     force_2 = PDN_FORCE_2,
@@ -364,6 +368,11 @@ struct Section : pdn_section {
     void set_proportional_damping(double seconds)
     {
         detail::check(pdn_section_set_proportional_damping(this, seconds));
+    }
+    /** Damping = diag(seconds) * stiffness: one time for each force and moment. */
+    void set_component_damping(const std::array<double, 6> &seconds)
+    {
+        detail::check(pdn_section_set_component_damping(this, seconds.data()));
     }
 };
 
@@ -888,6 +897,29 @@ class Model
                 &signal.get(), fractions.data(), factors.data(), fractions.size());
         });
     }
+    /** All components at all places: six signals for each fraction of the length, linear in between. Frame::untwisted
+     * has axis 1 along the reference line, and axis 2 as near to axis_2 as it can be. */
+    void add_load_at_places(Id first_element, Id elements, Frame frame, Reals fractions,
+                            const std::vector<std::array<Signal, 6>> &signals,
+                            const Vector3 &axis_2 = {})
+    {
+        if (fractions.size() != signals.size()) {
+            throw error(PDN_ERR_SIZE, "signals: expected as many as fractions");
+        }
+        std::vector<const Signal *> all;
+        std::vector<pdn_signal> given;
+        for (const auto &place : signals) {
+            for (const Signal &signal : place) {
+                all.push_back(&signal);
+                given.push_back(signal.get());
+            }
+        }
+        take(all, [&] {
+            return pdn_model_add_load_at_places(get(), first_element, elements, detail::c(frame),
+                                                axis_2.data(), fractions.data(), given.data(),
+                                                fractions.size());
+        });
+    }
     void set_gravity(const Vector3 &acceleration)
     {
         detail::check(pdn_model_set_gravity(get(), acceleration.data()));
@@ -998,7 +1030,7 @@ class Model
         return detail::number<Id>(add);
     }
     /** Calls what takes the signals, and keeps what they point to. */
-    template <class Call> void take(std::initializer_list<const Signal *> signals, Call call)
+    template <class Call> void take(const std::vector<const Signal *> &signals, Call call)
     {
         const std::size_t before = kept_.size();
         for (const Signal *signal : signals) {

@@ -36,7 +36,7 @@ fn cantilever(taper: f64, elements: usize, degree: usize) -> (Solution, BeamIds)
     let load = DistributedLoadDefinition {
         first_element: ids.first_element,
         elements,
-        frame: LoadFrame::Space,
+        frame: LoadFrame::Space.into(),
         components,
         factors: vec![],
     };

@@ -27,7 +27,7 @@ pub use coordinate_force::{
     Law,
 };
 pub use damper::ViscousDamper;
-pub use distributed_load::DistributedLoad;
+pub use distributed_load::{BeamLoadFrame, DistributedLoad};
 pub use inertia::{Inertia, rigid_body_inertia};
 pub use joint::{Attachment, Joint, Prescribed};
 pub use load::{LoadFrame, NodalLoad};

@@ -15,7 +15,7 @@ pub use beam::{BeamIds, SectionStation};
 pub use build::SectionInput;
 pub use force::{ForceDefinition, SpringDefinition};
 pub use line::{circular_arc, smooth_curve, straight_line};
-pub use load::DistributedLoadDefinition;
+pub use load::{DistributedLoadDefinition, LoadPlace};
 pub use signal::{BoundSignal, Signal};
 
 use crate::elements::{Beam, Coordinate, Inertia, Joint, LoadFrame};
