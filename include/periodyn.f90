@@ -98,6 +98,8 @@ module periodyn_c
     integer(c_int32_t), parameter :: PDN_JOINT_REACTION = 4
     integer(c_int32_t), parameter :: PDN_BEAM_STRAIN = 0
     integer(c_int32_t), parameter :: PDN_BEAM_FORCE = 1
+    integer(c_int32_t), parameter :: PDN_BEAM_FORCE_MEAN = 2
+    integer(c_int32_t), parameter :: PDN_BEAM_FORCE_JUMP = 3
     integer(c_int32_t), parameter :: PDN_FORCE_EFFORT = 0
     integer(c_int32_t), parameter :: PDN_FORCE_BRANCH_EFFORT = 1
     integer(c_int32_t), parameter :: PDN_FORCE_BRANCH_ELONGATION = 2
@@ -1312,6 +1314,20 @@ module periodyn_c
             integer(c_int32_t) :: pdn_solution_beam_force
         end function pdn_solution_beam_force
 
+        ! Internal forces of a beam at a node between two of its elements: the mean of those of both, and how much ...
+        function pdn_solution_beam_force_between(solution, element, station, times, count, mean, &
+            jump) bind(C, name="pdn_solution_beam_force_between")
+            import
+            type(c_ptr), value :: solution
+            integer(c_int32_t), value :: element
+            real(c_double), value :: station
+            real(c_double), intent(in) :: times(*)
+            integer(c_size_t), value :: count
+            real(c_double), intent(inout), optional :: mean(*)
+            real(c_double), intent(inout), optional :: jump(*)
+            integer(c_int32_t) :: pdn_solution_beam_force_between
+        end function pdn_solution_beam_force_between
+
         ! Fourier coefficients of a node's quantity: mean + sum of cosines[j] cos jwt + sines[j] sin jwt
         function pdn_solution_node_harmonics(solution, node, quantity, harmonics, mean, cosines, &
             sines) bind(C, name="pdn_solution_node_harmonics")
@@ -1890,6 +1906,7 @@ module periodyn
         procedure, public :: joint_reaction => solution_joint_reaction
         procedure, public :: beam_strain => solution_beam_strain
         procedure, public :: beam_force => solution_beam_force
+        procedure, public :: beam_force_between => solution_beam_force_between
         procedure, public :: force_effort => solution_force_effort
         procedure, public :: force_branch_effort => solution_force_branch_effort
         procedure, public :: force_branch_elongation => solution_force_branch_elongation
@@ -3289,6 +3306,22 @@ contains
         call report(pdn_solution_beam_force(self%c, element, station, times, size(times, kind=c_size_t), &
             out), stat, errmsg)
     end subroutine solution_beam_force
+
+    ! Between two elements: the mean of both, and how much they jump.
+    subroutine solution_beam_force_between(self, element, station, times, mean, jump, stat, errmsg)
+        class(pdn_solution), intent(in) :: self
+        integer(c_int32_t), intent(in) :: element
+        real(c_double), intent(in) :: station
+        real(c_double), intent(in) :: times(:)
+        real(c_double), intent(inout) :: mean(:, :), jump(:, :)
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+
+        if (.not. fits('mean', shape(mean), [6, size(times)], stat, errmsg)) return
+        if (.not. fits('jump', shape(jump), [6, size(times)], stat, errmsg)) return
+        call report(pdn_solution_beam_force_between(self%c, element, station, times, &
+            size(times, kind=c_size_t), mean, jump), stat, errmsg)
+    end subroutine solution_beam_force_between
 
     subroutine solution_force_effort(self, force, times, out, stat, errmsg)
         class(pdn_solution), intent(in) :: self

@@ -466,6 +466,17 @@
 #define PDN_BEAM_FORCE 1
 
 /**
+ * Quantity of a beam: internal forces, at a node between two elements the mean of those of both.
+ */
+#define PDN_BEAM_FORCE_MEAN 2
+
+/**
+ * Quantity of a beam: at a node between two elements, internal forces of the one beyond it less those of the one before
+ * it; zero elsewhere.
+ */
+#define PDN_BEAM_FORCE_JUMP 3
+
+/**
  * Quantity of a force on a joint coordinate: its effort; 1 component.
  */
 #define PDN_FORCE_EFFORT 0
@@ -3440,6 +3451,36 @@ pdn_status pdn_solution_beam_force(const struct pdn_solution *solution,
                                    double *out);
 
 /**
+ * Internal forces of a beam at a node between two of its elements: the mean of those of both, and how much they jump.
+ *
+ * At any other station they are those of ::pdn_solution_beam_force, and do not jump. Two elements have a node between them
+ * if one ends and the other starts there, and nothing else is at the node: no other element, no body, joint, load or
+ * force, whose own jump a mean would hide. Errors of the mean fall, between elements of an odd degree and equal length, with
+ * a power of their length that is higher by one.
+ *
+ * @param solution  the solution; not NULL
+ * @param element  id of the beam element
+ * @param station  place along the element, from -1 at its first to 1 at its last node
+ * @param times  array of length [count]: times, also outside the first period
+ * @param count  number of times
+ * @param mean  array of shape 6 x [count]; may be NULL
+ * @param jump  array of shape 6 x [count]: of the element beyond the node less those of the one before it; may be NULL
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_ID, PDN_ERR_VALUE,
+ *     PDN_ERR_OVERFLOW
+ *
+ * Threads: like `const`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_solution_beam_force_between(const struct pdn_solution *solution,
+                                           int32_t element,
+                                           double station,
+                                           const double *times,
+                                           size_t count,
+                                           double *mean,
+                                           double *jump);
+
+/**
  * Fourier coefficients of a node's quantity: mean + sum of cosines[j] cos jwt + sines[j] sin jwt.
  *
  * Those of the trigonometric polynomial through the values at the grid points.
@@ -3502,7 +3543,7 @@ pdn_status pdn_solution_joint_harmonics(const struct pdn_solution *solution,
  * @param solution  the solution; not NULL
  * @param element  id of the beam element
  * @param station  place along the element, from -1 at its first to 1 at its last node
- * @param quantity  PDN_BEAM_STRAIN or PDN_BEAM_FORCE
+ * @param quantity  PDN_BEAM_STRAIN, PDN_BEAM_FORCE, PDN_BEAM_FORCE_MEAN or PDN_BEAM_FORCE_JUMP
  * @param harmonics  number of harmonics wanted; those above (N - 1) / 2 are zero
  * @param mean  array of length 6; may be NULL
  * @param cosines  array of shape 6 x [harmonics], components of each harmonic together; may be NULL
@@ -4320,7 +4361,7 @@ pdn_status pdn_table_add_joint(struct pdn_table *table,
  * @param solution  the solution; not NULL
  * @param element  id of the beam element
  * @param station  place along the element, from -1 at its first to 1 at its last node
- * @param quantity  PDN_BEAM_STRAIN or PDN_BEAM_FORCE
+ * @param quantity  PDN_BEAM_STRAIN, PDN_BEAM_FORCE, PDN_BEAM_FORCE_MEAN or PDN_BEAM_FORCE_JUMP
  * @param label  columns are called `label.axial` and so on; NULL for a name such as `beam4(0.5).force`
  * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_ID, PDN_ERR_VALUE (no such quantity or station; a
  *     name that a column has already), PDN_ERR_OVERFLOW

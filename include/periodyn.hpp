@@ -181,7 +181,12 @@ enum class JointQuantity : std::int32_t {
     driving_effort = PDN_JOINT_DRIVING_EFFORT,
     reaction = PDN_JOINT_REACTION,
 };
-enum class BeamQuantity : std::int32_t { strain = PDN_BEAM_STRAIN, force = PDN_BEAM_FORCE };
+enum class BeamQuantity : std::int32_t {
+    strain = PDN_BEAM_STRAIN,
+    force = PDN_BEAM_FORCE,
+    force_mean = PDN_BEAM_FORCE_MEAN,
+    force_jump = PDN_BEAM_FORCE_JUMP,
+};
 enum class ForceQuantity : std::int32_t {
     effort = PDN_FORCE_EFFORT,
     branch_effort = PDN_FORCE_BRANCH_EFFORT,
@@ -1247,6 +1252,16 @@ class Solution
     Series<6> beam_force(Id element, double station, Reals times) const
     {
         return sample<6>(pdn_solution_beam_force, times, element, station);
+    }
+    /** Between two elements: the mean of both, and how much they jump. */
+    std::pair<Series<6>, Series<6>> beam_force_between(Id element, double station,
+                                                       Reals times) const
+    {
+        std::pair<Series<6>, Series<6>> found{Series<6>(times.size()), Series<6>(times.size())};
+        detail::check(pdn_solution_beam_force_between(get(), element, station, times.data(),
+                                                      times.size(), found.first.data()->data(),
+                                                      found.second.data()->data()));
+        return found;
     }
     ///@}
 
