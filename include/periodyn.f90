@@ -228,6 +228,7 @@ module periodyn_c
         integer(c_int32_t) :: linear_solves
         integer(c_int32_t) :: most_linear_iterations
         integer(c_size_t) :: linear_bytes
+        real(c_double) :: mesh_error
     end type pdn_diagnostics
 
     type, bind(C) :: pdn_progress

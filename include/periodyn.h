@@ -1121,6 +1121,12 @@ typedef struct pdn_diagnostics {
      * Bytes that iteration took at most; 0 if there was none.
      */
     size_t linear_bytes;
+    /**
+     * Estimated error of the motions of nodes by the mesh of beams, measured as error_estimate, which says nothing of the
+     * mesh: what elements of a higher degree would make of them. 0 without beams; infinite of a march, of modes, and where it cannot be
+     * had.
+     */
+    double mesh_error;
 } pdn_diagnostics;
 
 /**

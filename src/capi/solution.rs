@@ -237,11 +237,15 @@ pub struct pdn_diagnostics {
     pub most_linear_iterations: i32,
     /// Bytes that iteration took at most; 0 if there was none.
     pub linear_bytes: usize,
+    /// Estimated error of the motions of nodes by the mesh of beams, measured as error_estimate, which says nothing of the
+    /// mesh: what elements of a higher degree would make of them. 0 without beams; infinite of a march, of modes, and where it cannot be
+    /// had.
+    pub mesh_error: f64,
 }
 
 // SAFETY: all fields are plain numbers, `struct_size` is the first, no padding.
 unsafe impl Options for pdn_diagnostics {
-    const SIZES: &'static [usize] = &[112, 136, 160];
+    const SIZES: &'static [usize] = &[112, 136, 160, 168];
 
     fn defaults() -> Self {
         pdn_diagnostics {
@@ -270,6 +274,7 @@ unsafe impl Options for pdn_diagnostics {
             linear_solves: 0,
             most_linear_iterations: 0,
             linear_bytes: 0,
+            mesh_error: 0.0,
         }
     }
 }
@@ -323,6 +328,7 @@ pub unsafe extern "C" fn pdn_solution_diagnostics(
             unknowns: solution.unknowns(),
             last_increment: iterations.last().map_or(f64::INFINITY, |i| i.increment),
             error_estimate: solution.diagnostics().error_estimate,
+            mesh_error: solution.diagnostics().mesh_error,
             force_residual_between: between.force,
             constraint_residual_between: between.constraint,
             guess_seconds: details.guess_time.as_secs_f64(),

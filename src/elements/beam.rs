@@ -296,6 +296,11 @@ impl Beam {
         self.stations.iter().map(|s| s.weight * s.stretch).sum()
     }
 
+    /// Sections along the element.
+    pub(super) fn sections(&self) -> &SectionLine {
+        &self.sections
+    }
+
     /// The section half-way along the element.
     pub fn middle_section(&self) -> Section {
         self.sections.at(0.0)

@@ -9,6 +9,7 @@ mod force;
 mod line;
 mod load;
 mod loaded;
+mod raised;
 mod signal;
 
 pub use beam::{BeamIds, SectionStation};

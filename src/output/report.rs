@@ -153,6 +153,12 @@ impl Solution {
                 diagnostics.between.force,
                 diagnostics.between.constraint
             ));
+            if diagnostics.mesh_error.is_finite() && diagnostics.mesh_error > 0.0 {
+                line(format_args!(
+                    "  estimated error by the mesh of beams {:.1e}",
+                    diagnostics.mesh_error
+                ));
+            }
             if diagnostics.decay == DecayKind::Slow {
                 line(format_args!(
                     "  harmonics fall slowly, as j^-{:.1}: a kink, or a peak too narrow for the grid, near t = {:.6}; forces may oscillate about their values",

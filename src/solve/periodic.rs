@@ -1,7 +1,7 @@
 //! The periodic solve from model to solution.
 
 use super::adaptive::{Adaptation, GridTried};
-use super::estimate::{Assessment, assess};
+use super::estimate::{Assessment, assess, mesh_error};
 use super::guess::Guess;
 use super::iterative::{IterativeRecord, Projected};
 use super::loads::Loads;
@@ -160,6 +160,9 @@ pub struct PeriodicSolve {
     pub threads: usize,
     /// Of a periodic solution: what it tells of its error.
     pub assessment: Option<Assessment>,
+    /// Estimated error of the motions by the mesh of beams: positions relative to the characteristic length, and angles. Infinite where
+    /// none can be had.
+    pub mesh_error: f64,
     /// Of a march: its times, and how it went.
     pub march: Option<MarchRecord>,
 }
@@ -329,6 +332,11 @@ pub fn solve_periodic(
         attempts.assess(&mut state, &report)?;
         report.explanation = attempts.describe_unheld().unwrap_or_default();
     }
+    let mesh_error = if report.outcome.is_solution() && options.oversampling == 1 {
+        mesh_error(model, &mut attempts.newton, &state)?
+    } else {
+        f64::INFINITY
+    };
     attempts.newton.equations.update_kinematics(&state);
     // Between grid points, too, what has no effect at them may have some.
     if options.oversampling == 1 {
@@ -352,6 +360,7 @@ pub fn solve_periodic(
         attempts: attempts.tried,
         threads: options.threads,
         assessment: assessment.map(|(_, assessment)| assessment),
+        mesh_error,
         march: None,
     })
 }

@@ -63,7 +63,7 @@ AT(pdn_stations, fractions, 16);
 AT(pdn_stations, sections, 24);
 AT(pdn_stations, twists, 32);
 
-SIZE(pdn_diagnostics, 160);
+SIZE(pdn_diagnostics, 168);
 AT(pdn_diagnostics, struct_size, 0);
 AT(pdn_diagnostics, outcome, 8);
 AT(pdn_diagnostics, iterations, 12);
@@ -89,6 +89,7 @@ AT(pdn_diagnostics, linear_iterations, 140);
 AT(pdn_diagnostics, linear_solves, 144);
 AT(pdn_diagnostics, most_linear_iterations, 148);
 AT(pdn_diagnostics, linear_bytes, 152);
+AT(pdn_diagnostics, mesh_error, 160);
 
 SIZE(pdn_progress, 48);
 AT(pdn_progress, struct_size, 0);
