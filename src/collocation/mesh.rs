@@ -13,6 +13,9 @@ use std::sync::Arc;
 /// Steps of Newton's method by which bubbles are found: where a beam bends much within an element, the first stretches it.
 const BENDINGS: usize = 3;
 
+/// Increments below this, of lengths beside the characteristic length and angles, have no second step.
+const SMALL: f64 = 1e-4;
+
 /// The elements that stand for one beam element: itself, its inertia and the loads along it, by their numbers.
 #[derive(Debug, Clone, Default)]
 struct Together {
@@ -41,6 +44,13 @@ fn together(system: &System) -> Vec<Together> {
         }
     }
     found
+}
+
+/// Largest of displacements, as parts of `length`, and turns.
+fn largest(increments: &DVector<f64>, length: f64) -> f64 {
+    let each = increments.iter().enumerate();
+    let size = each.map(|(i, x)| if i % 6 < 3 { x / length } else { *x });
+    size.fold(0.0, |most: f64, x| most.max(x.abs()))
 }
 
 impl Collocation {
@@ -105,6 +115,9 @@ impl Collocation {
                     let increments;
                     (increments, left) = relation.bent(beam, &(&forces + &beam.force));
                     let states = &mut equations.instants.states;
+                    if largest(&increments, system.scales().length) < SMALL {
+                        break;
+                    }
                     for (&node, u) in inner.iter().zip(increments.as_slice().chunks_exact(6)) {
                         let motion = &mut states[node * points + k].motion;
                         *motion = motion.increment(&Vector6::from_column_slice(u));
