@@ -114,7 +114,8 @@ fn cases() -> Vec<Case> {
                 coordinates: vec![],
             });
         }
-        let untwisted = BeamLoadFrame::Untwisted(random.vector());
+        let across = random.vector().fixed_rows::<3>(3).into_owned();
+        let untwisted = BeamLoadFrame::Untwisted(across);
         for frame in [BeamLoadFrame::Space, BeamLoadFrame::Follower, untwisted] {
             let signals = [0, 1, 2, 3, 4, 5].map(Some);
             let places = [(-1.0, 0.5), (0.1, -2.0), (0.1, 1.0), (1.0, 3.0)];
