@@ -6,7 +6,7 @@ mod common;
 
 use common::*;
 use nalgebra::Vector3;
-use periodyn::elements::{BeamLoadFrame, JointKind, LoadFrame};
+use periodyn::elements::{BeamLoadFrame, JointKind};
 use periodyn::model::*;
 use periodyn::output::{JointQuantity, Modes, NodeQuantity, ResolvedIn, Solution};
 use periodyn::solve::*;
