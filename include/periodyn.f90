@@ -57,6 +57,7 @@ module periodyn_c
     integer(c_int32_t), parameter :: PDN_LINE_CURVE = 2
     integer(c_int32_t), parameter :: PDN_FRAME_SPACE = 0
     integer(c_int32_t), parameter :: PDN_FRAME_MATERIAL = 1
+    integer(c_int32_t), parameter :: PDN_FRAME_UNTWISTED = 2
     integer(c_int32_t), parameter :: PDN_FORCE_1 = 0
     integer(c_int32_t), parameter :: PDN_FORCE_2 = 1
     integer(c_int32_t), parameter :: PDN_FORCE_3 = 2
@@ -97,6 +98,8 @@ module periodyn_c
     integer(c_int32_t), parameter :: PDN_JOINT_REACTION = 4
     integer(c_int32_t), parameter :: PDN_BEAM_STRAIN = 0
     integer(c_int32_t), parameter :: PDN_BEAM_FORCE = 1
+    integer(c_int32_t), parameter :: PDN_BEAM_FORCE_MEAN = 2
+    integer(c_int32_t), parameter :: PDN_BEAM_FORCE_JUMP = 3
     integer(c_int32_t), parameter :: PDN_FORCE_EFFORT = 0
     integer(c_int32_t), parameter :: PDN_FORCE_BRANCH_EFFORT = 1
     integer(c_int32_t), parameter :: PDN_FORCE_BRANCH_ELONGATION = 2
@@ -238,6 +241,7 @@ module periodyn_c
         real(c_double) :: total_seconds
         integer(c_int32_t) :: total_iterations
         integer(c_int32_t) :: attempts
+        real(c_double) :: mesh_error
     end type pdn_diagnostics
 
     type, bind(C) :: pdn_progress
@@ -509,6 +513,15 @@ module periodyn_c
             real(c_double), intent(in) :: mass(*)
             integer(c_int32_t) :: pdn_section_set_diagonal
         end function pdn_section_set_diagonal
+
+        ! Gives a section damping with one time for each force and moment: damping = diag(seconds) * stiffness, ...
+        function pdn_section_set_component_damping(section, &
+            seconds) bind(C, name="pdn_section_set_component_damping")
+            import
+            type(pdn_section), intent(inout) :: section
+            real(c_double), intent(in) :: seconds(*)
+            integer(c_int32_t) :: pdn_section_set_component_damping
+        end function pdn_section_set_component_damping
 
         ! Gives a section damping in proportion to its stiffness, which must have been set
         function pdn_section_set_proportional_damping(section, &
@@ -961,6 +974,21 @@ module periodyn_c
             integer(c_int32_t) :: pdn_model_add_distributed_load
         end function pdn_model_add_distributed_load
 
+        ! Adds a force and moment distributed along beam elements, all components at all places at once, in addition ...
+        function pdn_model_add_load_at_places(model, first_element, elements, frame, axis_2, fractions, &
+            signals, count) bind(C, name="pdn_model_add_load_at_places")
+            import
+            type(c_ptr), value :: model
+            integer(c_int32_t), value :: first_element
+            integer(c_int32_t), value :: elements
+            integer(c_int32_t), value :: frame
+            real(c_double), intent(in), optional :: axis_2(*)
+            real(c_double), intent(in) :: fractions(*)
+            type(pdn_signal), intent(in) :: signals(*)
+            integer(c_size_t), value :: count
+            integer(c_int32_t) :: pdn_model_add_load_at_places
+        end function pdn_model_add_load_at_places
+
         ! Number of forces: springs, dampers, actuators and the like, but not loads; their ids are 0 ..
         function pdn_model_force_count(model, count) bind(C, name="pdn_model_force_count")
             import
@@ -1308,6 +1336,20 @@ module periodyn_c
             real(c_double), intent(inout) :: out(*)
             integer(c_int32_t) :: pdn_solution_beam_force
         end function pdn_solution_beam_force
+
+        ! Internal forces of a beam at a node between two of its elements: the mean of those of both, and how much ...
+        function pdn_solution_beam_force_between(solution, element, station, times, count, mean, &
+            jump) bind(C, name="pdn_solution_beam_force_between")
+            import
+            type(c_ptr), value :: solution
+            integer(c_int32_t), value :: element
+            real(c_double), value :: station
+            real(c_double), intent(in) :: times(*)
+            integer(c_size_t), value :: count
+            real(c_double), intent(inout), optional :: mean(*)
+            real(c_double), intent(inout), optional :: jump(*)
+            integer(c_int32_t) :: pdn_solution_beam_force_between
+        end function pdn_solution_beam_force_between
 
         ! Fourier coefficients of a node's quantity: mean + sum of cosines[j] cos jwt + sines[j] sin jwt
         function pdn_solution_node_harmonics(solution, node, quantity, harmonics, mean, cosines, &
@@ -1887,6 +1929,7 @@ module periodyn
         procedure, public :: joint_reaction => solution_joint_reaction
         procedure, public :: beam_strain => solution_beam_strain
         procedure, public :: beam_force => solution_beam_force
+        procedure, public :: beam_force_between => solution_beam_force_between
         procedure, public :: force_effort => solution_force_effort
         procedure, public :: force_branch_effort => solution_force_branch_effort
         procedure, public :: force_branch_elongation => solution_force_branch_elongation
@@ -1935,6 +1978,7 @@ module periodyn
         procedure, public :: add_beam => model_add_beam
         procedure, public :: add_load => model_add_load
         procedure, public :: add_distributed_load => model_add_distributed_load
+        procedure, public :: add_load_at_places => model_add_load_at_places
         procedure, public :: set_gravity => model_set_gravity
         procedure, public :: set_gravity_signals => model_set_gravity_signals
         procedure, public :: add_spring_damper => model_add_spring_damper
@@ -2254,10 +2298,10 @@ contains
     end subroutine init_shooting_options
 
     ! A section without couplings: six stiffnesses; mass and three moments of inertia for each unit of length.
-    ! damping_time gives it damping = damping_time * stiffness.
-    function pdn_diagonal_section(stiffness, mass, damping_time, stat, errmsg) result(section)
+    ! damping_time gives it damping = damping_time * stiffness, damping_times each component a time of its own.
+    function pdn_diagonal_section(stiffness, mass, damping_time, stat, errmsg, damping_times) result(section)
         real(c_double), intent(in) :: stiffness(6), mass(4)
-        real(c_double), intent(in), optional :: damping_time
+        real(c_double), intent(in), optional :: damping_time, damping_times(6)
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
         type(pdn_section) :: section
@@ -2267,6 +2311,9 @@ contains
         status = pdn_section_set_diagonal(section, stiffness, mass)
         if (status == PDN_OK .and. present(damping_time)) then
             status = pdn_section_set_proportional_damping(section, damping_time)
+        end if
+        if (status == PDN_OK .and. present(damping_times)) then
+            status = pdn_section_set_component_damping(section, damping_times)
         end if
         call report(status, stat, errmsg)
     end function pdn_diagonal_section
@@ -2841,6 +2888,31 @@ contains
             factors, count), stat, errmsg)
     end subroutine model_add_distributed_load
 
+    ! All components of a load along beam elements at all places at once: signals has a column of six for each of the
+    ! fractions. axis_2 is needed for PDN_FRAME_UNTWISTED only.
+    subroutine model_add_load_at_places(self, first_element, elements, frame, fractions, signals, axis_2, stat, &
+        errmsg)
+        class(pdn_model), intent(inout) :: self
+        integer(c_int32_t), intent(in) :: first_element, elements, frame
+        real(c_double), intent(in) :: fractions(:)
+        type(pdn_signal), intent(in), target :: signals(:, :)
+        real(c_double), intent(in), optional :: axis_2(3)
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        type(c_signal), allocatable :: raw(:, :)
+        integer :: i, k
+
+        if (.not. fits('signals', shape(signals), [6, size(fractions)], stat, errmsg)) return
+        allocate (raw(6, size(fractions)))
+        do k = 1, size(fractions)
+            do i = 1, 6
+                call signals(i, k)%pass(raw(i, k))
+            end do
+        end do
+        call report(pdn_model_add_load_at_places(self%c, first_element, elements, frame, axis_2, fractions, raw, &
+            size(fractions, kind=c_size_t)), stat, errmsg)
+    end subroutine model_add_load_at_places
+
     subroutine model_set_gravity(self, acceleration, stat, errmsg)
         class(pdn_model), intent(inout) :: self
         real(c_double), intent(in) :: acceleration(3)
@@ -3257,6 +3329,22 @@ contains
         call report(pdn_solution_beam_force(self%c, element, station, times, size(times, kind=c_size_t), &
             out), stat, errmsg)
     end subroutine solution_beam_force
+
+    ! Between two elements: the mean of both, and how much they jump.
+    subroutine solution_beam_force_between(self, element, station, times, mean, jump, stat, errmsg)
+        class(pdn_solution), intent(in) :: self
+        integer(c_int32_t), intent(in) :: element
+        real(c_double), intent(in) :: station
+        real(c_double), intent(in) :: times(:)
+        real(c_double), intent(inout) :: mean(:, :), jump(:, :)
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+
+        if (.not. fits('mean', shape(mean), [6, size(times)], stat, errmsg)) return
+        if (.not. fits('jump', shape(jump), [6, size(times)], stat, errmsg)) return
+        call report(pdn_solution_beam_force_between(self%c, element, station, times, &
+            size(times, kind=c_size_t), mean, jump), stat, errmsg)
+    end subroutine solution_beam_force_between
 
     subroutine solution_force_effort(self, force, times, out, stat, errmsg)
         class(pdn_solution), intent(in) :: self

@@ -259,6 +259,11 @@
 #define PDN_FRAME_MATERIAL 1
 
 /**
+ * Directions of a load along a beam: the axes that its sections have without twist, which follow the sections.
+ */
+#define PDN_FRAME_UNTWISTED 2
+
+/**
  * Component of a load: force along axis 1.
  */
 #define PDN_FORCE_1 0
@@ -459,6 +464,17 @@
  * Quantity of a beam: internal forces and moments; 6 components.
  */
 #define PDN_BEAM_FORCE 1
+
+/**
+ * Quantity of a beam: internal forces, at a node between two elements the mean of those of both.
+ */
+#define PDN_BEAM_FORCE_MEAN 2
+
+/**
+ * Quantity of a beam: at a node between two elements, internal forces of the one beyond it less those of the one before
+ * it; zero elsewhere.
+ */
+#define PDN_BEAM_FORCE_JUMP 3
 
 /**
  * Quantity of a force on a joint coordinate: its effort; 1 component.
@@ -1165,6 +1181,11 @@ typedef struct pdn_diagnostics {
      * Attempts, each from another start, as the report lists them; 0 where the start was given.
      */
     int32_t attempts;
+     * Estimated error of the motions of nodes by the mesh of beams, measured as error_estimate, which says nothing of the
+     * mesh: what elements of a higher degree would make of them. 0 without beams; infinite of a march, of modes, and where it cannot be
+     * had.
+     */
+    double mesh_error;
 } pdn_diagnostics;
 
 /**
@@ -1867,6 +1888,25 @@ PDN_API
 pdn_status pdn_section_set_diagonal(struct pdn_section *section,
                                     const double *stiffness,
                                     const double *mass);
+
+/**
+ * Gives a section damping with one time for each force and moment: damping = diag(seconds) * stiffness, which must have
+ * been set.
+ *
+ * For coupled sections that is no symmetric matrix. It is taken if no motion gains energy by it: if its symmetric part is
+ * positive semi-definite.
+ *
+ * @param section  an initialised section with stiffness; not NULL
+ * @param seconds  array of length 6: times of axial force, shear 2, shear 3, torsion, bending 2, bending 3; none
+ *     negative [time]
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_STRUCT_SIZE, PDN_ERR_NOT_FINITE, PDN_ERR_VALUE
+ *
+ * Threads: exclusive use of `section`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_section_set_component_damping(struct pdn_section *section,
+                                             const double *seconds);
 
 /**
  * Gives a section damping in proportion to its stiffness, which must have been set.
@@ -2800,6 +2840,44 @@ pdn_status pdn_model_add_distributed_load(struct pdn_model *model,
                                           size_t count);
 
 /**
+ * Adds a force and moment distributed along beam elements, all components at all places at once, in addition to those
+ * that are there: such as the air loads of a blade, at the places where these are computed.
+ *
+ * It acts on the line of the beam, for each unit of its reference length, and moves with the sections. It is linear
+ * between neighbouring places. However many there are, the beam is evaluated as for one.
+ *
+ * @param model  the model; not NULL
+ * @param first_element  id of the first beam element, such as the first_element of a ::pdn_beam
+ * @param elements  number of elements, from the first on, such as the elements of a ::pdn_beam; at
+ *     least 1
+ * @param frame  PDN_FRAME_SPACE: directions of the global axes; PDN_FRAME_MATERIAL: of the sections' axes, twisted as
+ *     they are; PDN_FRAME_UNTWISTED: axis 1 along the reference line, axis 2 the part of axis_2 that is perpendicular to
+ *     it, axis 3 = axis 1 * axis 2, all in the reference configuration, and each section takes these axes with it
+ * @param axis_2  array of length 3: direction, global coordinates, of any nonzero length, nowhere along the line; read for
+ *     PDN_FRAME_UNTWISTED only, else it may be NULL
+ * @param fractions  array of length [count]: places, as fractions of the reference length of these
+ *     elements, ascending from 0 to 1; two at the same place make a jump
+ * @param signals  array of length [6 count], each initialised, copied: those of the first place, PDN_FORCE_1 to
+ *     PDN_FORCE_3 [force / length] and PDN_MOMENT_1 to PDN_MOMENT_3 [force], then those of the next. One that was only
+ *     initialised is zero
+ * @param count  number of places, at least 2
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_SIZE, PDN_ERR_ID, PDN_ERR_VALUE,
+ *     PDN_ERR_STRUCT_SIZE
+ *
+ * Threads: exclusive use of `model`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_model_add_load_at_places(struct pdn_model *model,
+                                        int32_t first_element,
+                                        int32_t elements,
+                                        int32_t frame,
+                                        const double *axis_2,
+                                        const double *fractions,
+                                        const struct pdn_signal *signals,
+                                        size_t count);
+
+/**
  * Number of forces: springs, dampers, actuators and the like, but not loads; their ids are 0 ... count - 1.
  *
  * @param model  the model; not NULL
@@ -3480,6 +3558,36 @@ pdn_status pdn_solution_beam_force(const struct pdn_solution *solution,
                                    double *out);
 
 /**
+ * Internal forces of a beam at a node between two of its elements: the mean of those of both, and how much they jump.
+ *
+ * At any other station they are those of ::pdn_solution_beam_force, and do not jump. Two elements have a node between them
+ * if one ends and the other starts there, and nothing else is at the node: no other element, no body, joint, load or
+ * force, whose own jump a mean would hide. Errors of the mean fall, between elements of an odd degree and equal length, with
+ * a power of their length that is higher by one.
+ *
+ * @param solution  the solution; not NULL
+ * @param element  id of the beam element
+ * @param station  place along the element, from -1 at its first to 1 at its last node
+ * @param times  array of length [count]: times, also outside the first period
+ * @param count  number of times
+ * @param mean  array of shape 6 x [count]; may be NULL
+ * @param jump  array of shape 6 x [count]: of the element beyond the node less those of the one before it; may be NULL
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_ID, PDN_ERR_VALUE,
+ *     PDN_ERR_OVERFLOW
+ *
+ * Threads: like `const`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_solution_beam_force_between(const struct pdn_solution *solution,
+                                           int32_t element,
+                                           double station,
+                                           const double *times,
+                                           size_t count,
+                                           double *mean,
+                                           double *jump);
+
+/**
  * Fourier coefficients of a node's quantity: mean + sum of cosines[j] cos jwt + sines[j] sin jwt.
  *
  * Those of the trigonometric polynomial through the values at the grid points.
@@ -3542,7 +3650,7 @@ pdn_status pdn_solution_joint_harmonics(const struct pdn_solution *solution,
  * @param solution  the solution; not NULL
  * @param element  id of the beam element
  * @param station  place along the element, from -1 at its first to 1 at its last node
- * @param quantity  PDN_BEAM_STRAIN or PDN_BEAM_FORCE
+ * @param quantity  PDN_BEAM_STRAIN, PDN_BEAM_FORCE, PDN_BEAM_FORCE_MEAN or PDN_BEAM_FORCE_JUMP
  * @param harmonics  number of harmonics wanted; those above (N - 1) / 2 are zero
  * @param mean  array of length 6; may be NULL
  * @param cosines  array of shape 6 x [harmonics], components of each harmonic together; may be NULL
@@ -4361,7 +4469,7 @@ pdn_status pdn_table_add_joint(struct pdn_table *table,
  * @param solution  the solution; not NULL
  * @param element  id of the beam element
  * @param station  place along the element, from -1 at its first to 1 at its last node
- * @param quantity  PDN_BEAM_STRAIN or PDN_BEAM_FORCE
+ * @param quantity  PDN_BEAM_STRAIN, PDN_BEAM_FORCE, PDN_BEAM_FORCE_MEAN or PDN_BEAM_FORCE_JUMP
  * @param label  columns are called `label.axial` and so on; NULL for a name such as `beam4(0.5).force`
  * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_ID, PDN_ERR_VALUE (no such quantity or station; a
  *     name that a column has already), PDN_ERR_OVERFLOW

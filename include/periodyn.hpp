@@ -106,7 +106,11 @@ enum class JointKind : std::int32_t {
     planar = PDN_JOINT_PLANAR,
     free = PDN_JOINT_FREE,
 };
-enum class Frame : std::int32_t { space = PDN_FRAME_SPACE, material = PDN_FRAME_MATERIAL };
+enum class Frame : std::int32_t {
+    space = PDN_FRAME_SPACE,
+    material = PDN_FRAME_MATERIAL,
+    untwisted = PDN_FRAME_UNTWISTED, ///< of loads along beams only
+};
 enum class Component : std::int32_t {
     force_1 = PDN_FORCE_1,
     force_2 = PDN_FORCE_2,
@@ -187,7 +191,12 @@ enum class JointQuantity : std::int32_t {
     driving_effort = PDN_JOINT_DRIVING_EFFORT,
     reaction = PDN_JOINT_REACTION,
 };
-enum class BeamQuantity : std::int32_t { strain = PDN_BEAM_STRAIN, force = PDN_BEAM_FORCE };
+enum class BeamQuantity : std::int32_t {
+    strain = PDN_BEAM_STRAIN,
+    force = PDN_BEAM_FORCE,
+    force_mean = PDN_BEAM_FORCE_MEAN,
+    force_jump = PDN_BEAM_FORCE_JUMP,
+};
 enum class ForceQuantity : std::int32_t {
     effort = PDN_FORCE_EFFORT,
     branch_effort = PDN_FORCE_BRANCH_EFFORT,
@@ -374,6 +383,11 @@ struct Section : pdn_section {
     void set_proportional_damping(double seconds)
     {
         detail::check(pdn_section_set_proportional_damping(this, seconds));
+    }
+    /** Damping = diag(seconds) * stiffness: one time for each force and moment. */
+    void set_component_damping(const std::array<double, 6> &seconds)
+    {
+        detail::check(pdn_section_set_component_damping(this, seconds.data()));
     }
 };
 
@@ -898,6 +912,29 @@ class Model
                 &signal.get(), fractions.data(), factors.data(), fractions.size());
         });
     }
+    /** All components at all places: six signals for each fraction of the length, linear in between. Frame::untwisted
+     * has axis 1 along the reference line, and axis 2 as near to axis_2 as it can be. */
+    void add_load_at_places(Id first_element, Id elements, Frame frame, Reals fractions,
+                            const std::vector<std::array<Signal, 6>> &signals,
+                            const Vector3 &axis_2 = {})
+    {
+        if (fractions.size() != signals.size()) {
+            throw error(PDN_ERR_SIZE, "signals: expected as many as fractions");
+        }
+        std::vector<const Signal *> all;
+        std::vector<pdn_signal> given;
+        for (const auto &place : signals) {
+            for (const Signal &signal : place) {
+                all.push_back(&signal);
+                given.push_back(signal.get());
+            }
+        }
+        take(all, [&] {
+            return pdn_model_add_load_at_places(get(), first_element, elements, detail::c(frame),
+                                                axis_2.data(), fractions.data(), given.data(),
+                                                fractions.size());
+        });
+    }
     void set_gravity(const Vector3 &acceleration)
     {
         detail::check(pdn_model_set_gravity(get(), acceleration.data()));
@@ -1008,7 +1045,7 @@ class Model
         return detail::number<Id>(add);
     }
     /** Calls what takes the signals, and keeps what they point to. */
-    template <class Call> void take(std::initializer_list<const Signal *> signals, Call call)
+    template <class Call> void take(const std::vector<const Signal *> &signals, Call call)
     {
         const std::size_t before = kept_.size();
         for (const Signal *signal : signals) {
@@ -1225,6 +1262,16 @@ class Solution
     Series<6> beam_force(Id element, double station, Reals times) const
     {
         return sample<6>(pdn_solution_beam_force, times, element, station);
+    }
+    /** Between two elements: the mean of both, and how much they jump. */
+    std::pair<Series<6>, Series<6>> beam_force_between(Id element, double station,
+                                                       Reals times) const
+    {
+        std::pair<Series<6>, Series<6>> found{Series<6>(times.size()), Series<6>(times.size())};
+        detail::check(pdn_solution_beam_force_between(get(), element, station, times.data(),
+                                                      times.size(), found.first.data()->data(),
+                                                      found.second.data()->data()));
+        return found;
     }
     ///@}
 

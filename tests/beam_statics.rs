@@ -336,7 +336,7 @@ fn distributed_loads_bend_an_arc_as_the_equations_of_the_rod_say() {
             .add_distributed_load(DistributedLoadDefinition {
                 first_element: beam.first_element,
                 elements: beam.elements,
-                frame,
+                frame: frame.into(),
                 components: constant(given.into()),
                 factors: factors.to_vec(),
             })
@@ -386,7 +386,7 @@ fn a_load_has_its_whole_sum_also_where_elements_do_not_fit_its_corners() {
         .add_distributed_load(DistributedLoadDefinition {
             first_element: beam.first_element + 1,
             elements: 2,
-            frame: LoadFrame::Space,
+            frame: LoadFrame::Space.into(),
             components: constant([0.0, 5.0, 0.0, 0.0, 0.0, 0.0]),
             factors: vec![
                 (0.0, 0.0),
@@ -432,7 +432,7 @@ fn the_support_of_a_curved_beam_carries_its_weight() {
                 .add_distributed_load(DistributedLoadDefinition {
                     first_element: beam.first_element,
                     elements: beam.elements,
-                    frame: LoadFrame::Space,
+                    frame: LoadFrame::Space.into(),
                     components: constant([x, y, z, 0.0, 0.0, 0.0]),
                     factors: vec![],
                 })

@@ -6,9 +6,9 @@ mod common;
 
 use common::*;
 use nalgebra::Vector3;
-use periodyn::elements::{JointKind, LoadFrame};
+use periodyn::elements::{BeamLoadFrame, JointKind};
 use periodyn::model::*;
-use periodyn::output::{JointQuantity, Modes, NodeQuantity, ResolvedIn};
+use periodyn::output::{JointQuantity, Modes, NodeQuantity, ResolvedIn, Solution};
 use periodyn::solve::*;
 use std::f64::consts::TAU;
 
@@ -103,25 +103,18 @@ fn rotor(places: usize) -> (Model, BeamIds, usize) {
     let speed = Signal::harmonics(0.0, OMEGA, &[], &[]).unwrap();
     model.prescribe(rotation1(hub), &speed).unwrap();
     model.set_gravity([0.0, 0.0, -9.81].map(|g| Signal::constant(g).unwrap()));
-    for place in 0..places {
-        // Loads between neighbouring places, in three components with a harmonic of the rotation.
-        let at = |i: usize| i as f64 / (places + 1) as f64;
-        let mut factors = vec![(0.0, 0.0), (at(place), 0.0), (at(place + 1), 1.0)];
-        factors.extend([(at(place + 2), 0.0), (1.0, 0.0)]);
-        factors.dedup();
-        for component in 0..3 {
-            let mut components = [const { None }; 6];
-            let signal = Signal::harmonics(200.0, 0.0, &[40.0], &[10.0]).unwrap();
-            components[component] = Some(signal);
-            let load = DistributedLoadDefinition {
-                first_element: ids.first_element,
-                elements: ids.elements,
-                frame: LoadFrame::Follower,
-                components,
-                factors: factors.clone(),
-            };
-            model.add_distributed_load(load).unwrap();
-        }
+    if places > 0 {
+        // Three components with a harmonic of the rotation at each place.
+        let signal = || Signal::harmonics(200.0, 0.0, &[40.0], &[10.0]).unwrap();
+        let loads: Vec<_> = (0..places)
+            .map(|place| LoadPlace {
+                fraction: place as f64 / (places - 1) as f64,
+                components: std::array::from_fn(|k| (k < 3).then(signal)),
+            })
+            .collect();
+        let frame = BeamLoadFrame::Untwisted(Vector3::x());
+        let loaded = model.add_load_at_places(ids.first_element, ids.elements, frame, &loads);
+        loaded.unwrap();
     }
     (model, ids, hub)
 }
@@ -192,6 +185,154 @@ fn damping_by_component_is_taken_where_it_dissipates() {
     let message = error.unwrap_err().to_string();
     assert!(message.contains("symmetric part"), "{message}");
     assert!(section.damp_by_component(&[-1e-3; 6]).is_err());
+}
+
+/// Force and moment on the root of a curved, twisted cantilever with this load.
+fn borne(load: impl FnOnce(&mut Model, &BeamIds)) -> Vec<f64> {
+    let mut model = Model::new();
+    let on = |x: f64| Vector3::new(x.sin(), 0.0, 1.0 - x.cos()) * 4.0;
+    let line = circular_arc(&on(0.0), &on(0.4), &on(0.8), &Vector3::y()).unwrap();
+    let stations = [(0.0, 0.3), (0.5, -0.2), (1.0, 1.1)].map(|(fraction, twist)| SectionStation {
+        fraction,
+        section: SectionInput::diagonal(&[1e9; 6], &[1.0; 4]).unwrap(),
+        twist,
+    });
+    let ids = model.add_beam_along(line, &stations, 2, 8).unwrap();
+    let root = *model.node(ids.first_node).unwrap();
+    let hold = model.add_joint(JointKind::Rigid, None, Some(ids.first_node), &root, &root);
+    let hold = hold.unwrap();
+    load(&mut model, &ids);
+    let options = StaticOptions::default();
+    let solution = Solution::solve_static(&model, &options, &mut |_, _| true).unwrap();
+    assert_eq!(solution.outcome(), Outcome::Converged);
+    let reaction = JointQuantity::Reaction(ResolvedIn::Space);
+    solution.joint(hold, reaction, &[0.0]).unwrap()
+}
+
+#[test]
+fn a_load_at_places_follows_the_untwisted_line() {
+    // In the plane of the arc, along it and across it, and a moment about its axis; jumps at a half.
+    let given = [
+        (0.0, [2.0, 0.0]),
+        (0.5, [2.0, 8.0]),
+        (0.5, [0.0, 4.0]),
+        (1.0, [1.0, 6.0]),
+    ];
+    let places = given.map(|(fraction, [along, across])| {
+        let mut components = [const { None }; 6];
+        components[0] = Some(Signal::constant(along).unwrap());
+        components[1] = Some(Signal::constant(across).unwrap());
+        LoadPlace {
+            fraction,
+            components,
+        }
+    });
+    // Neither of a length of one nor across the arc.
+    let frame = BeamLoadFrame::Untwisted(Vector3::new(1.0, 0.0, 30.0));
+    let found = borne(|model, ids| {
+        let loaded = model.add_load_at_places(ids.first_element, ids.elements, frame, &places);
+        loaded.unwrap();
+    });
+    // Of the undeformed arc, by the midpoint rule, whose error is 1e-8.
+    let (mut force, mut moment) = (Vector3::zeros(), Vector3::zeros());
+    let steps = 20000;
+    for i in 0..steps {
+        let at = (f64::from(i) + 0.5) / f64::from(steps);
+        let pair = if at < 0.5 { &given[..2] } else { &given[2..] };
+        let t = (at - pair[0].0) / (pair[1].0 - pair[0].0);
+        let [along, across] = [0, 1].map(|k| pair[0].1[k] + (pair[1].1[k] - pair[0].1[k]) * t);
+        let (sin, cos) = (0.8 * at).sin_cos();
+        let tangent = Vector3::new(cos, 0.0, sin);
+        let upward = Vector3::new(-sin, 0.0, cos);
+        let here = (tangent * along + upward * across) * (0.8 * 4.0 / f64::from(steps));
+        force += here;
+        moment += (Vector3::new(sin, 0.0, 1.0 - cos) * 4.0).cross(&here);
+    }
+    for k in 0..3 {
+        // Of the root, about which moments are; displacements are of 1e-7.
+        assert!(
+            (found[k].abs() - force[k].abs()).abs() < 1e-5,
+            "{found:?} {force}"
+        );
+        assert!(
+            (found[3 + k].abs() - moment[k].abs()).abs() < 1e-5,
+            "{found:?} {moment}"
+        );
+    }
+}
+
+#[test]
+fn a_load_at_places_is_the_sum_of_its_components() {
+    let fractions = [0.0, 0.2, 0.7, 1.0];
+    let value = |i: usize, k: usize| (1.0 + 3.0 * i as f64 - (k * k) as f64).sin() * 100.0;
+    let signal = |x: f64| Some(Signal::constant(x).unwrap());
+    for frame in [BeamLoadFrame::Space, BeamLoadFrame::Follower] {
+        let at_once = borne(|model, ids| {
+            let places = [0, 1, 2, 3].map(|i| LoadPlace {
+                fraction: fractions[i],
+                components: std::array::from_fn(|k| signal(value(i, k))),
+            });
+            let loaded = model.add_load_at_places(ids.first_element, ids.elements, frame, &places);
+            loaded.unwrap();
+        });
+        let one_by_one = borne(|model, ids| {
+            for k in 0..6 {
+                let mut components = [const { None }; 6];
+                components[k] = signal(1.0);
+                let load = DistributedLoadDefinition {
+                    first_element: ids.first_element,
+                    elements: ids.elements,
+                    frame,
+                    components,
+                    factors: (0..4).map(|i| (fractions[i], value(i, k))).collect(),
+                };
+                model.add_distributed_load(load).unwrap();
+            }
+        });
+        for (a, b) in at_once.iter().zip(&one_by_one) {
+            // Rounding of forces of some hundred.
+            assert!((a - b).abs() < 1e-9, "{a} {b}");
+        }
+    }
+}
+
+#[test]
+fn loads_at_places_that_are_wrong_add_nothing() {
+    let place = |fraction| LoadPlace {
+        fraction,
+        components: std::array::from_fn(|_| Some(Signal::constant(1.0).unwrap())),
+    };
+    let zero = Vector3::zeros();
+    borne(|model, ids| {
+        let count = ids.elements;
+        let mut refused = |frame, fractions: &[f64], start: &str| {
+            let places: Vec<_> = fractions.iter().map(|&f| place(f)).collect();
+            let error = model.add_load_at_places(ids.first_element, count, frame, &places);
+            let message = error.unwrap_err().to_string();
+            assert!(message.starts_with(start), "{message}");
+        };
+        let space = BeamLoadFrame::Space;
+        refused(space, &[0.0], "places: expected at least 2");
+        refused(
+            space,
+            &[0.0, 0.6, 0.5, 1.0],
+            "fractions[2]: expected at least 0.6",
+        );
+        refused(space, &[0.0, 0.9], "fractions[1]: expected 1 at the end");
+        let untwisted = BeamLoadFrame::Untwisted;
+        refused(
+            untwisted(zero),
+            &[0.0, 1.0],
+            "axis_2: expected a vector that is not zero",
+        );
+        refused(
+            untwisted(Vector3::repeat(f64::NAN)),
+            &[0.0, 1.0],
+            "axis_2[0]",
+        );
+    })
+    .iter()
+    .for_each(|x| assert!(x.abs() < 1e-12));
 }
 
 /// Processor time of this process.

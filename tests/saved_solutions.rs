@@ -58,7 +58,7 @@ fn mechanism(elements: usize, with_functions: bool) -> FourBarModel {
     let along = DistributedLoadDefinition {
         first_element: mechanism.bars[0],
         elements: 1,
-        frame: LoadFrame::Follower,
+        frame: LoadFrame::Follower.into(),
         components: components.clone(),
         factors: vec![(0.0, 1.0), (1.0, 0.5)],
     };

@@ -415,7 +415,7 @@ impl Zoo {
                 .add_distributed_load(DistributedLoadDefinition {
                     first_element,
                     elements,
-                    frame,
+                    frame: frame.into(),
                     components,
                     factors: shape.clone(),
                 })

@@ -5,14 +5,16 @@ use super::guard::guard;
 use super::model::{self, choose, pdn_model};
 use super::signal::{self, pdn_signal};
 use super::status::pdn_status;
-use crate::elements::LoadFrame;
+use crate::elements::{BeamLoadFrame, LoadFrame};
 use crate::error::{Error, Result};
-use crate::model::{DistributedLoadDefinition, Signal};
+use crate::model::{DistributedLoadDefinition, LoadPlace, Signal};
 
 /// Directions of a load: the global axes.
 pub const PDN_FRAME_SPACE: i32 = 0;
 /// Directions of a load: the axes of the node, which the load follows.
 pub const PDN_FRAME_MATERIAL: i32 = 1;
+/// Directions of a load along a beam: the axes that its sections have without twist, which follow the sections.
+pub const PDN_FRAME_UNTWISTED: i32 = 2;
 
 /// Component of a load: force along axis 1.
 pub const PDN_FORCE_1: i32 = 0;
@@ -38,6 +40,20 @@ pub(super) fn load_frame(given: i32) -> Result<LoadFrame> {
         "frame",
         "PDN_FRAME_SPACE or PDN_FRAME_MATERIAL",
     )
+}
+
+/// The frame of a load along a beam, for which `axis_2` is read if it is that of the untwisted beam.
+fn beam_load_frame(call: &Call, given: i32, axis_2: *const f64) -> Result<BeamLoadFrame> {
+    if given == PDN_FRAME_UNTWISTED {
+        let axis_2 = call.array::<3>(axis_2, "axis_2")?;
+        return Ok(BeamLoadFrame::Untwisted(axis_2.into()));
+    }
+    let table = [
+        (PDN_FRAME_SPACE, BeamLoadFrame::Space),
+        (PDN_FRAME_MATERIAL, BeamLoadFrame::Follower),
+    ];
+    let names = "PDN_FRAME_SPACE, PDN_FRAME_MATERIAL or PDN_FRAME_UNTWISTED";
+    choose(&table, given, "frame", names)
 }
 
 /// A load with one component, that a `PDN_FORCE_...` or `PDN_MOMENT_...` names.
@@ -204,7 +220,7 @@ pub unsafe extern "C" fn pdn_model_add_distributed_load(
         model.add_distributed_load(DistributedLoadDefinition {
             first_element,
             elements,
-            frame,
+            frame: frame.into(),
             components,
             factors: fractions
                 .iter()
@@ -212,5 +228,70 @@ pub unsafe extern "C" fn pdn_model_add_distributed_load(
                 .zip(factors.iter().copied())
                 .collect(),
         })
+    })
+}
+
+/// Adds a force and moment distributed along beam elements, all components at all places at once, in addition to those
+/// that are there: such as the air loads of a blade, at the places where these are computed.
+///
+/// It acts on the line of the beam, for each unit of its reference length, and moves with the sections. It is linear
+/// between neighbouring places. However many there are, the beam is evaluated as for one.
+///
+/// @param model  the model; not NULL
+/// @param first_element  id of the first beam element, such as the first_element of a ::pdn_beam
+/// @param elements  number of elements, from the first on, such as the elements of a ::pdn_beam; at
+///     least 1
+/// @param frame  PDN_FRAME_SPACE: directions of the global axes; PDN_FRAME_MATERIAL: of the sections' axes, twisted as
+///     they are; PDN_FRAME_UNTWISTED: axis 1 along the reference line, axis 2 the part of axis_2 that is perpendicular to
+///     it, axis 3 = axis 1 * axis 2, all in the reference configuration, and each section takes these axes with it
+/// @param axis_2  array of length 3: direction, global coordinates, of any nonzero length, nowhere along the line; read for
+///     PDN_FRAME_UNTWISTED only, else it may be NULL
+/// @param fractions  array of length [count]: places, as fractions of the reference length of these
+///     elements, ascending from 0 to 1; two at the same place make a jump
+/// @param signals  array of length [6 count], each initialised, copied: those of the first place, PDN_FORCE_1 to
+///     PDN_FORCE_3 [force / length] and PDN_MOMENT_1 to PDN_MOMENT_3 [force], then those of the next. One that was only
+///     initialised is zero
+/// @param count  number of places, at least 2
+/// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_SIZE, PDN_ERR_ID, PDN_ERR_VALUE,
+///     PDN_ERR_STRUCT_SIZE
+///
+/// Threads: exclusive use of `model`.
+/// @since 0.1
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn pdn_model_add_load_at_places(
+    model: *mut pdn_model,
+    first_element: i32,
+    elements: i32,
+    frame: i32,
+    axis_2: *const f64,
+    fractions: *const f64,
+    signals: *const pdn_signal,
+    count: usize,
+) -> pdn_status {
+    guard(|call| {
+        const MOST: usize = 100_000;
+        let mut model = call.exclusive(model, "model")?;
+        let there = model.beam_element_count();
+        let first_element =
+            model::index(first_element, there, "first_element", "a beam element id")?;
+        let elements = usize::try_from(elements)
+            .map_err(|_| Error::size("elements", "at least 1", elements))?;
+        let frame = beam_load_frame(call, frame, axis_2)?;
+        if !(2..=MOST).contains(&count) {
+            return Err(Error::size("count", format!("2 to {MOST}"), count));
+        }
+        let fractions = call.numbers(fractions, count, "fractions")?;
+        let signals = signal::read_array(call, signals, 6 * count, "signals")?;
+        let places: Vec<LoadPlace> = fractions
+            .iter()
+            .zip(signals.chunks_exact(6))
+            .map(|(&fraction, given)| LoadPlace {
+                fraction,
+                components: std::array::from_fn(|i| {
+                    (!given[i].is_zero()).then(|| given[i].clone())
+                }),
+            })
+            .collect();
+        model.add_load_at_places(first_element, elements, frame, &places)
     })
 }

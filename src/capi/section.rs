@@ -75,19 +75,30 @@ pub(super) fn read_array(
     count: usize,
     name: &str,
 ) -> Result<Vec<SectionInput>> {
-    let size = read_struct(call, sections, name)?.struct_size;
+    let sections = read_structs(call, sections, count, name, |s| s.struct_size)?;
+    Ok(sections.iter().map(pdn_section::input).collect())
+}
+
+/// An array of at least one struct: those of a caller compiled with another release have another size.
+pub(super) fn read_structs<T: Options>(
+    call: &Call,
+    first: *const T,
+    count: usize,
+    name: &str,
+    struct_size: impl Fn(&T) -> usize,
+) -> Result<Vec<T>> {
+    let size = struct_size(&read_struct(call, first, name)?);
     (0..count)
         .map(|i| {
             let name = format!("{name}[{i}]");
-            let section = sections.wrapping_byte_add(i * size);
-            let given = read_struct(call, section, &name)?;
-            if given.struct_size != size {
-                let got = given.struct_size;
+            let given = read_struct(call, first.wrapping_byte_add(i * size), &name)?;
+            let got = struct_size(&given);
+            if got != size {
                 let message =
                     format!("{name}: expected struct_size {size} as the first, got {got}");
                 return Err(Error::new(ErrorKind::StructSize, message));
             }
-            Ok(given.input())
+            Ok(given)
         })
         .collect()
 }
@@ -159,6 +170,34 @@ pub unsafe extern "C" fn pdn_section_set_diagonal(
             let stiffness = call.array::<6>(stiffness, "stiffness")?;
             let mass = call.array::<4>(mass, "mass")?;
             section.set(&SectionInput::diagonal(&stiffness, &mass)?);
+            Ok(())
+        })
+    })
+}
+
+/// Gives a section damping with one time for each force and moment: damping = diag(seconds) * stiffness, which must have
+/// been set.
+///
+/// For coupled sections that is no symmetric matrix. It is taken if no motion gains energy by it: if its symmetric part is
+/// positive semi-definite.
+///
+/// @param section  an initialised section with stiffness; not NULL
+/// @param seconds  array of length 6: times of axial force, shear 2, shear 3, torsion, bending 2, bending 3; none
+///     negative [time]
+/// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_STRUCT_SIZE, PDN_ERR_NOT_FINITE, PDN_ERR_VALUE
+///
+/// Threads: exclusive use of `section`.
+/// @since 0.1
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn pdn_section_set_component_damping(
+    section: *mut pdn_section,
+    seconds: *const f64,
+) -> pdn_status {
+    guard(|call| {
+        update_struct(call, section, "section", |section| {
+            let mut input = section.input();
+            input.damp_by_component(&call.array::<6>(seconds, "seconds")?)?;
+            section.set(&input);
             Ok(())
         })
     })

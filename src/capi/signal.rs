@@ -4,7 +4,7 @@ use super::call::{Call, null};
 use super::callback::Callback;
 use super::guard::guard;
 use super::options::Options;
-use super::section::{init_struct, read_struct, update_struct};
+use super::section::{init_struct, read_struct, read_structs, update_struct};
 use super::status::pdn_status;
 use crate::error::{Error, Result};
 use crate::model::Signal;
@@ -101,6 +101,23 @@ pub(super) fn read(call: &Call, signal: *const pdn_signal, name: &str) -> Result
     let given = read_struct(call, signal, name)?;
     let core = given.core(call);
     core.map_err(|error| error.within(name))
+}
+
+/// An array of signals: those of a caller compiled with another release have another size.
+pub(super) fn read_array(
+    call: &Call,
+    signals: *const pdn_signal,
+    count: usize,
+    name: &str,
+) -> Result<Vec<Signal>> {
+    read_structs(call, signals, count, name, |s| s.struct_size)?
+        .iter()
+        .enumerate()
+        .map(|(i, given)| {
+            let core = given.core(call);
+            core.map_err(|error| error.within(format!("{name}[{i}]")))
+        })
+        .collect()
 }
 
 impl pdn_signal {

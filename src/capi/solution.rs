@@ -94,6 +94,11 @@ pub const PDN_JOINT_REACTION: i32 = 4;
 pub const PDN_BEAM_STRAIN: i32 = 0;
 /// Quantity of a beam: internal forces and moments; 6 components.
 pub const PDN_BEAM_FORCE: i32 = 1;
+/// Quantity of a beam: internal forces, at a node between two elements the mean of those of both.
+pub const PDN_BEAM_FORCE_MEAN: i32 = 2;
+/// Quantity of a beam: at a node between two elements, internal forces of the one beyond it less those of the one before
+/// it; zero elsewhere.
+pub const PDN_BEAM_FORCE_JUMP: i32 = 3;
 
 /// Frees a solution; NULL does nothing.
 ///
@@ -244,11 +249,15 @@ pub struct pdn_diagnostics {
     pub total_iterations: i32,
     /// Attempts, each from another start, as the report lists them; 0 where the start was given.
     pub attempts: i32,
+    /// Estimated error of the motions of nodes by the mesh of beams, measured as error_estimate, which says nothing of the
+    /// mesh: what elements of a higher degree would make of them. 0 without beams; infinite unless asked for, of a march, of modes, and where it cannot be
+    /// had.
+    pub mesh_error: f64,
 }
 
 // SAFETY: all fields are plain numbers, `struct_size` is the first, no padding.
 unsafe impl Options for pdn_diagnostics {
-    const SIZES: &'static [usize] = &[112, 136, 160, 200];
+    const SIZES: &'static [usize] = &[112, 136, 160, 208];
 
     fn defaults() -> Self {
         pdn_diagnostics {
@@ -283,6 +292,7 @@ unsafe impl Options for pdn_diagnostics {
             total_seconds: 0.0,
             total_iterations: 0,
             attempts: 0,
+            mesh_error: 0.0,
         }
     }
 }
@@ -336,6 +346,7 @@ pub unsafe extern "C" fn pdn_solution_diagnostics(
             unknowns: solution.unknowns(),
             last_increment: iterations.last().map_or(f64::INFINITY, |i| i.increment),
             error_estimate: solution.diagnostics().error_estimate,
+            mesh_error: solution.diagnostics().mesh_error,
             force_residual_between: between.force,
             constraint_residual_between: between.constraint,
             guess_seconds: details.guess_time.as_secs_f64(),
@@ -716,8 +727,10 @@ pub(super) fn beam_quantity(quantity: i32) -> Result<BeamQuantity> {
     match quantity {
         PDN_BEAM_STRAIN => Ok(BeamQuantity::Strain),
         PDN_BEAM_FORCE => Ok(BeamQuantity::Force),
+        PDN_BEAM_FORCE_MEAN => Ok(BeamQuantity::MeanForce),
+        PDN_BEAM_FORCE_JUMP => Ok(BeamQuantity::ForceJump),
         _ => {
-            let expected = "PDN_BEAM_STRAIN or PDN_BEAM_FORCE";
+            let expected = "PDN_BEAM_STRAIN to PDN_BEAM_FORCE_JUMP";
             Err(unknown("quantity", expected, quantity))
         }
     }
@@ -1026,6 +1039,53 @@ pub unsafe extern "C" fn pdn_solution_beam_force(
     sampled(solution, times, count, out, sample, 6)
 }
 
+/// Internal forces of a beam at a node between two of its elements: the mean of those of both, and how much they jump.
+///
+/// At any other station they are those of ::pdn_solution_beam_force, and do not jump. Two elements have a node between them
+/// if one ends and the other starts there, and nothing else is at the node: no other element, no body, joint, load or
+/// force, whose own jump a mean would hide. Errors of the mean fall, between elements of an odd degree and equal length, with
+/// a power of their length that is higher by one.
+///
+/// @param solution  the solution; not NULL
+/// @param element  id of the beam element
+/// @param station  place along the element, from -1 at its first to 1 at its last node
+/// @param times  array of length [count]: times, also outside the first period
+/// @param count  number of times
+/// @param mean  array of shape 6 x [count]; may be NULL
+/// @param jump  array of shape 6 x [count]: of the element beyond the node less those of the one before it; may be NULL
+/// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_ID, PDN_ERR_VALUE,
+///     PDN_ERR_OVERFLOW
+///
+/// Threads: like `const`.
+/// @since 0.1
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn pdn_solution_beam_force_between(
+    solution: *const pdn_solution,
+    element: i32,
+    station: f64,
+    times: *const f64,
+    count: usize,
+    mean: *mut f64,
+    jump: *mut f64,
+) -> pdn_status {
+    guard(|call| {
+        let solution = call.shared(solution, "solution")?;
+        let times = call.numbers(times, count, "times")?;
+        let element = index(element, "element")?;
+        let mean = call.out_slice_optional(mean, 6 * times.len(), "mean")?;
+        let jump = call.out_slice_optional(jump, 6 * times.len(), "jump")?;
+        let of = |quantity| solution.beam(element, station, quantity, times);
+        let found = (of(BeamQuantity::MeanForce)?, of(BeamQuantity::ForceJump)?);
+        if let Some(mean) = mean {
+            mean.set(&found.0);
+        }
+        if let Some(jump) = jump {
+            jump.set(&found.1);
+        }
+        Ok(())
+    })
+}
+
 /// Where the coefficients of a quantity's series go.
 pub(super) struct SeriesOut {
     pub harmonics: usize,
@@ -1179,7 +1239,7 @@ pub unsafe extern "C" fn pdn_solution_joint_harmonics(
 /// @param solution  the solution; not NULL
 /// @param element  id of the beam element
 /// @param station  place along the element, from -1 at its first to 1 at its last node
-/// @param quantity  PDN_BEAM_STRAIN or PDN_BEAM_FORCE
+/// @param quantity  PDN_BEAM_STRAIN, PDN_BEAM_FORCE, PDN_BEAM_FORCE_MEAN or PDN_BEAM_FORCE_JUMP
 /// @param harmonics  number of harmonics wanted; those above (N - 1) / 2 are zero
 /// @param mean  array of length 6; may be NULL
 /// @param cosines  array of shape 6 x [harmonics], components of each harmonic together; may be NULL

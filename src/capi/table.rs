@@ -153,7 +153,7 @@ pub unsafe extern "C" fn pdn_table_add_joint(
 /// @param solution  the solution; not NULL
 /// @param element  id of the beam element
 /// @param station  place along the element, from -1 at its first to 1 at its last node
-/// @param quantity  PDN_BEAM_STRAIN or PDN_BEAM_FORCE
+/// @param quantity  PDN_BEAM_STRAIN, PDN_BEAM_FORCE, PDN_BEAM_FORCE_MEAN or PDN_BEAM_FORCE_JUMP
 /// @param label  columns are called `label.axial` and so on; NULL for a name such as `beam4(0.5).force`
 /// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_ID, PDN_ERR_VALUE (no such quantity or station; a
 ///     name that a column has already), PDN_ERR_OVERFLOW

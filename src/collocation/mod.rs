@@ -12,6 +12,7 @@ mod instants;
 mod jacobian;
 mod kinematics;
 mod linearisation;
+mod mesh;
 mod oversampled;
 mod pattern;
 mod problem;

@@ -11,7 +11,7 @@ use super::shape::{gauss_legendre, lobatto_points, shape_functions};
 use super::{Contribution, Element, Instant, NodeState, StrainTangent, StressLaw};
 use crate::error::{Error, ErrorKind, Result, require_finite};
 use crate::motion::{DualMatrix, DualPolar, DualVector, Motion, rotation_from_vector};
-use nalgebra::{DMatrix, Matrix6, Vector3, Vector6};
+use nalgebra::{DMatrix, Matrix3, Matrix6, Vector3, Vector6};
 use serde::{Deserialize, Serialize};
 
 /// One quadrature point, or any other station, of a beam element.
@@ -89,6 +89,9 @@ const MOST_NODES: usize = 100;
 
 /// Lengths that are equal to this, relatively, are: rounding.
 const EVEN: f64 = 1e-13;
+
+/// A direction with less across a line than this part of it is along that.
+const ACROSS: f64 = 1e-9;
 
 /// Quadrature points of a section's flexibility in a piece, more than nodes: it is a rational function of the length.
 const FLEXIBILITY_POINTS: usize = 3;
@@ -220,6 +223,25 @@ impl Beam {
         Ok((line, section))
     }
 
+    /// Axes at `xi` in the reference configuration: axis 1 along the line, axis 2 the part of `direction` that is perpendicular
+    /// to it. None if it has no such part.
+    pub(super) fn axes_along_line(
+        &self,
+        xi: f64,
+        direction: &Vector3<f64>,
+    ) -> Result<Option<Matrix3<f64>>> {
+        // Of moderate length, whatever it was given.
+        let direction = direction / direction.amax();
+        let along: Vector3<f64> = self.reference_frames(xi)?.0.rotation.column(0).into();
+        let across = direction - along * along.dot(&direction);
+        if across.norm() <= ACROSS * direction.norm() {
+            return Ok(None);
+        }
+        let across = across.normalize();
+        let axes = [along, across, along.cross(&across)];
+        Ok(Some(Matrix3::from_columns(&axes)))
+    }
+
     /// The station at `xi`, with this weight.
     pub(super) fn station(&self, xi: f64, weight: f64) -> Result<Station> {
         let mut station = Station {
@@ -272,6 +294,11 @@ impl Beam {
     /// Length of the reference line.
     pub fn length(&self) -> f64 {
         self.stations.iter().map(|s| s.weight * s.stretch).sum()
+    }
+
+    /// Sections along the element.
+    pub(super) fn sections(&self) -> &SectionLine {
+        &self.sections
     }
 
     /// The section half-way along the element.
@@ -420,9 +447,14 @@ impl Beam {
     }
 }
 
+/// A turn about axis 1.
+pub(super) fn about_axis(angle: f64) -> Matrix3<f64> {
+    rotation_from_vector(&(Vector3::x() * angle))
+}
+
 /// A 6-vector of a section in axes that are turned by `angle` about axis 1.
-pub(super) fn turned_about_axis(v: &Vector6<f64>, angle: f64) -> Vector6<f64> {
-    let turn = rotation_from_vector(&(Vector3::x() * angle));
+fn turned_about_axis(v: &Vector6<f64>, angle: f64) -> Vector6<f64> {
+    let turn = about_axis(angle);
     let (first, second) = (v.fixed_rows::<3>(0), v.fixed_rows::<3>(3));
     let (first, second) = (turn * first, turn * second);
     Vector6::new(first.x, first.y, first.z, second.x, second.y, second.z)

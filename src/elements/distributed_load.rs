@@ -4,12 +4,34 @@
 //! through the section's turn `A Δρ = Σ N_a C_a Δu_a` (see `beam`), so that a node's share of the load `w`
 //! is `N_a C_aᵀ μ` with `μ = A⁻¹ w`.
 
-use super::beam::{Beam, Station, spread_variation, turned, turned_about_axis};
+use super::beam::{Beam, Station, about_axis, spread_variation, turned};
 use super::shape::{gauss_legendre, shape_functions};
 use super::{Contribution, Element, Instant, LoadFrame};
-use crate::error::Result;
+use crate::error::{Error, Result};
 use crate::motion::{DualVector, skew};
-use nalgebra::{Matrix6, Vector3, Vector6};
+use nalgebra::{Matrix3, Matrix6, Vector3, Vector6};
+use serde::{Deserialize, Serialize};
+
+/// How the components of a load along a beam are directed.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub enum BeamLoadFrame {
+    /// Along the inertial axes.
+    Space,
+    /// Along the axes of the sections: the load follows them.
+    Follower,
+    /// As of an untwisted beam: axis 1 along the reference line, axis 2 the part of this direction that is perpendicular to
+    /// it in the reference configuration; each section takes these axes with it.
+    Untwisted(Vector3<f64>),
+}
+
+impl From<LoadFrame> for BeamLoadFrame {
+    fn from(frame: LoadFrame) -> Self {
+        match frame {
+            LoadFrame::Space => BeamLoadFrame::Space,
+            LoadFrame::Follower => BeamLoadFrame::Follower,
+        }
+    }
+}
 
 /// Loads along one beam element, taken together.
 ///
@@ -25,13 +47,12 @@ pub struct DistributedLoad {
 /// One component of a load.
 #[derive(Debug, Clone)]
 struct LoadPart {
-    frame: LoadFrame,
-    /// Of `[force; moment]`.
-    component: usize,
+    /// Along the inertial axes, not those of the section.
+    in_space: bool,
     /// Number of the signal.
     signal: usize,
-    /// Length times factor at each station.
-    lengths: Vec<f64>,
+    /// Force and moment at each station for a signal of 1.
+    loads: Vec<Vector6<f64>>,
 }
 
 impl DistributedLoad {
@@ -64,10 +85,11 @@ impl DistributedLoad {
     pub fn add(
         &mut self,
         beam: &Beam,
-        frame: LoadFrame,
+        frame: BeamLoadFrame,
         signals: [Option<usize>; 6],
         places: &[(f64, f64)],
     ) -> Result<()> {
+        let axes = self.axes(beam, frame)?;
         let rule = gauss_legendre(self.nodes.len() + 1);
         let points: Vec<f64> = gauss_legendre(self.nodes.len())
             .iter()
@@ -93,26 +115,52 @@ impl DistributedLoad {
         }
         for (component, signal) in signals.into_iter().enumerate() {
             if let Some(signal) = signal {
+                let unit = Vector6::ith(component, 1.0);
+                let (force, moment) = halves(&unit);
+                let loads = axes.iter().zip(&lengths);
                 self.parts.push(LoadPart {
-                    frame,
-                    component,
+                    in_space: frame == BeamLoadFrame::Space,
                     signal,
-                    lengths: lengths.clone(),
+                    loads: loads
+                        .map(|(axes, length)| joined(&(axes * force), &(axes * moment)) * *length)
+                        .collect(),
                 });
             }
         }
         Ok(())
     }
 
-    /// Loads of all parts at a station, along the inertial axes and along those of the section.
+    /// Axes of a load at each station, in those of the section; in the inertial frame if they are fixed there.
+    ///
+    /// # Errors
+    /// If the direction of an untwisted beam is along its line.
+    pub fn axes(&self, beam: &Beam, frame: BeamLoadFrame) -> Result<Vec<Matrix3<f64>>> {
+        let points = gauss_legendre(self.nodes.len());
+        let axes = self.stations.iter().zip(points);
+        axes.map(|(station, (xi, _))| match frame {
+            BeamLoadFrame::Space => Ok(Matrix3::identity()),
+            BeamLoadFrame::Follower => Ok(about_axis(station.turn)),
+            BeamLoadFrame::Untwisted(direction) => {
+                let line = beam.axes_along_line(xi, &direction)?.ok_or_else(|| {
+                    let expected = "a direction across the beam, all along it";
+                    Error::value("axis_2", expected, "one along it")
+                })?;
+                let section = beam.section_motion(xi, beam.reference())?.rotation;
+                Ok(about_axis(station.turn) * section.tr_mul(&line))
+            }
+        })
+        .collect()
+    }
+
+    /// Loads of all parts at a station, along the inertial axes and along those that the nodes give the section.
     fn at(&self, station: usize, signals: &[f64]) -> [Vector6<f64>; 2] {
         let (mut space, mut follower) = (Vector6::zeros(), Vector6::zeros());
         for part in &self.parts {
-            let sum = match part.frame {
-                LoadFrame::Space => &mut space,
-                LoadFrame::Follower => &mut follower,
+            let sum = match part.in_space {
+                true => &mut space,
+                false => &mut follower,
             };
-            sum[part.component] += signals[part.signal] * part.lengths[station];
+            *sum += part.loads[station] * signals[part.signal];
         }
         [space, follower]
     }
@@ -155,8 +203,7 @@ impl Element for DistributedLoad {
             let mut columns = variation.fixed_view_mut::<3, 3>(3, 3);
             columns.copy_from(&skew(&moment));
             let turns = space != Vector6::zeros();
-            let own = turned_about_axis(&follower, station.turn);
-            let load = DualVector::from_wrench(&(joined(&force, &moment) + own));
+            let load = DualVector::from_wrench(&(joined(&force, &moment) + follower));
             let mu = at.polar.spread_inverse * load;
             for (a, node) in terms.iter().enumerate() {
                 out.add_force(a, &-(node.turn.transpose() * load).to_wrench());

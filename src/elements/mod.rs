@@ -12,6 +12,7 @@ mod distributed_load;
 mod inertia;
 mod joint;
 mod load;
+mod raised;
 mod relative;
 mod section;
 mod shape;
@@ -27,10 +28,11 @@ pub use coordinate_force::{
     Law,
 };
 pub use damper::ViscousDamper;
-pub use distributed_load::DistributedLoad;
+pub use distributed_load::{BeamLoadFrame, DistributedLoad};
 pub use inertia::{Inertia, rigid_body_inertia};
 pub use joint::{Attachment, Joint, Prescribed};
 pub use load::{LoadFrame, NodalLoad};
+pub use raised::Raised;
 pub(crate) use relative::nearest_turn;
 pub use relative::{Coordinate, JointKind, RelativeMotion, ScalarFunction};
 pub use section::{Section, SectionLine};

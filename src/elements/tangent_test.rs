@@ -114,7 +114,9 @@ fn cases() -> Vec<Case> {
                 coordinates: vec![],
             });
         }
-        for frame in [LoadFrame::Space, LoadFrame::Follower] {
+        let across = random.vector().fixed_rows::<3>(3).into_owned();
+        let untwisted = BeamLoadFrame::Untwisted(across);
+        for frame in [BeamLoadFrame::Space, BeamLoadFrame::Follower, untwisted] {
             let signals = [0, 1, 2, 3, 4, 5].map(Some);
             let places = [(-1.0, 0.5), (0.1, -2.0), (0.1, 1.0), (1.0, 3.0)];
             let mut load = DistributedLoad::new(&beam).unwrap();

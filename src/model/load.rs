@@ -1,7 +1,7 @@
 //! Loads along beams.
 
 use super::{Model, Signal};
-use crate::elements::{Beam, DistributedLoad, LoadFrame};
+use crate::elements::{Beam, BeamLoadFrame, DistributedLoad};
 use crate::error::{Error, ErrorKind, Result, require_finite};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
@@ -15,13 +15,22 @@ pub struct DistributedLoadDefinition {
     pub first_element: usize,
     /// Number of elements.
     pub elements: usize,
-    /// How the components are directed: along the inertial axes, or along those of the section.
-    pub frame: LoadFrame,
+    /// How the components are directed.
+    pub frame: BeamLoadFrame,
     /// Components `[force; moment]`, per unit of length.
     pub components: [Option<Signal>; 6],
     /// Factors `(fraction, factor)` at ascending fractions, from 0 to 1, of the reference length of these
     /// elements; linear in between, two at the same fraction make a jump. Empty: 1 all along.
     pub factors: Vec<(f64, f64)>,
+}
+
+/// Force and moment per unit of reference length at one place along consecutive beam elements.
+#[derive(Debug, Clone)]
+pub struct LoadPlace {
+    /// Fraction of the reference length of these elements.
+    pub fraction: f64,
+    /// Components `[force; moment]`, per unit of length.
+    pub components: [Option<Signal>; 6],
 }
 
 impl DistributedLoadDefinition {
@@ -82,15 +91,72 @@ fn places_within(factors: &[(f64, f64)], start: f64, end: f64) -> Vec<(f64, f64)
     places
 }
 
+/// The factors of what is 1 at place `i` and falls to zero at its neighbours.
+fn factors_at(i: usize, fraction: impl Fn(usize) -> f64, last: usize) -> Vec<(f64, f64)> {
+    let mut factors = Vec::with_capacity(5);
+    if i > 0 {
+        factors.extend([(0.0, 0.0), (fraction(i - 1), 0.0)]);
+    }
+    factors.push((fraction(i), 1.0));
+    if i < last {
+        factors.extend([(fraction(i + 1), 0.0), (1.0, 0.0)]);
+    }
+    factors
+}
+
 impl Model {
+    /// Adds a load that is given at `places`, from 0 to 1 and ascending, all its components at once, and linear in between; two
+    /// at the same fraction make a jump. See [`Model::add_distributed_load`].
+    ///
+    /// # Errors
+    /// If the elements do not exist, or the places are fewer than two, not in order, or not from 0 to 1; then nothing is added.
+    pub fn add_load_at_places(
+        &mut self,
+        first_element: usize,
+        elements: usize,
+        frame: BeamLoadFrame,
+        places: &[LoadPlace],
+    ) -> Result<()> {
+        if places.len() < 2 {
+            return Err(Error::size("places", "at least 2", places.len()));
+        }
+        // All are in order, before each is taken with its neighbours.
+        self.require_load(&DistributedLoadDefinition {
+            first_element,
+            elements,
+            frame,
+            components: [const { None }; 6],
+            factors: places.iter().map(|place| (place.fraction, 0.0)).collect(),
+        })?;
+        let last = places.len() - 1;
+        let loaded = |place: &&LoadPlace| place.components.iter().any(Option::is_some);
+        for (i, place) in places.iter().enumerate().filter(|(_, place)| loaded(place)) {
+            self.distributed_loads.push(DistributedLoadDefinition {
+                first_element,
+                elements,
+                frame,
+                components: place.components.clone(),
+                factors: factors_at(i, |i| places[i].fraction, last),
+            });
+        }
+        Ok(())
+    }
+
     /// Adds a load along beam elements.
     ///
     /// The load acts on the line of the beam and moves with its sections. It stays a load for a unit of
     /// *reference* length, however much the beam stretches.
     ///
     /// # Errors
-    /// If the elements do not exist, or the factors are not finite, not in order, or not from 0 to 1.
+    /// If the elements do not exist, or the factors are not finite, not in order, or not from 0 to 1; if the direction of an
+    /// untwisted beam is along it somewhere.
     pub fn add_distributed_load(&mut self, load: DistributedLoadDefinition) -> Result<()> {
+        self.require_load(&load)?;
+        self.distributed_loads.push(load);
+        Ok(())
+    }
+
+    fn require_load(&self, load: &DistributedLoadDefinition) -> Result<()> {
         let count = self.beams.len();
         if load.first_element >= count {
             let message = format!(
@@ -122,7 +188,12 @@ impl Model {
             };
             return Err(Error::value(&name, expected, fraction));
         }
-        self.distributed_loads.push(load);
+        if let BeamLoadFrame::Untwisted(direction) = load.frame {
+            super::build::direction("axis_2", &direction)?;
+            for beam in &self.beams[load.range()] {
+                DistributedLoad::new(beam)?.axes(beam, load.frame)?;
+            }
+        }
         Ok(())
     }
 }

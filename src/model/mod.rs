@@ -9,13 +9,14 @@ mod force;
 mod line;
 mod load;
 mod loaded;
+mod raised;
 mod signal;
 
 pub use beam::{BeamIds, SectionStation};
 pub use build::SectionInput;
 pub use force::{ForceDefinition, SpringDefinition};
 pub use line::{circular_arc, smooth_curve, straight_line};
-pub use load::DistributedLoadDefinition;
+pub use load::{DistributedLoadDefinition, LoadPlace};
 pub use signal::{BoundSignal, Signal};
 
 use crate::elements::{Beam, Coordinate, Inertia, Joint, LoadFrame};

@@ -105,6 +105,17 @@ impl Signal {
         Self::harmonics(value, 0.0, &[], &[])
     }
 
+    /// Whether it is zero at all times, so far as that is known without calling a function.
+    pub(crate) fn is_zero(&self) -> bool {
+        let zero = |values: &[f64]| values.iter().all(|&x| x == 0.0);
+        zero(&[self.mean, self.rate])
+            && match &self.shape {
+                Shape::Harmonics { cosines, sines } => zero(cosines) && zero(sines),
+                Shape::Samples(samples) => zero(samples),
+                Shape::Function(_) => false,
+            }
+    }
+
     /// `rate t` plus the trigonometric interpolation of `samples[k]` at `t = k T / n`.
     pub fn samples(rate: f64, samples: &[f64]) -> Result<Self> {
         require_finite("rate", &[rate])?;

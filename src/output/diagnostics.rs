@@ -15,6 +15,10 @@ pub struct Diagnostics {
     /// violation of constraints between grid points and, if several grids were tried, the difference to the
     /// grid before.
     pub error_estimate: f64,
+    /// Estimated error of the motions of nodes by the mesh of beams, at the grid points, in the same measure: what elements of a higher
+    /// degree would make of the forces between them. Zero without beams, infinite unless asked for.
+    #[serde(default = "unknown")]
+    pub mesh_error: f64,
     /// Residuals between grid points.
     pub between: ResidualBetween,
     /// How the upper half of the harmonics falls.
@@ -28,12 +32,18 @@ pub struct Diagnostics {
     pub least_resolved_time: f64,
 }
 
+/// What was saved before there was an estimate.
+fn unknown() -> f64 {
+    f64::INFINITY
+}
+
 impl Diagnostics {
     /// Diagnostics of a solve.
     pub(super) fn of(solve: &PeriodicSolve) -> Result<Self> {
         let none = |harmonics: usize| Diagnostics {
             harmonics: vec![0.0; harmonics],
             error_estimate: f64::INFINITY,
+            mesh_error: f64::INFINITY,
             between: ResidualBetween::unknown(),
             decay: DecayKind::Unknown,
             decay_order: 0.0,
@@ -50,6 +60,7 @@ impl Diagnostics {
         Ok(Diagnostics {
             harmonics: found.decay.amplitudes,
             error_estimate: found.error,
+            mesh_error: solve.mesh_error,
             between: found.between,
             decay: if known {
                 found.decay.kind

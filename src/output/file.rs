@@ -288,6 +288,7 @@ impl Content<'_> {
                 iterative: self.iterative.map(Cow::into_owned),
                 threads: 1,
                 assessment: None,
+                mesh_error: diagnostics.mesh_error,
                 march,
             },
             model,

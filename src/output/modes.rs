@@ -145,6 +145,7 @@ impl Modes {
             iterative: None,
             threads: 1,
             assessment: None,
+            mesh_error: f64::INFINITY,
             march: None,
         };
         Solution::of(&self.model, solve)

@@ -153,6 +153,17 @@ impl Solution {
                 diagnostics.between.force,
                 diagnostics.between.constraint
             ));
+            if diagnostics.mesh_error.is_finite() && diagnostics.mesh_error > 0.0 {
+                line(format_args!(
+                    "  estimated error by the mesh of beams {:.1e}",
+                    diagnostics.mesh_error
+                ));
+            }
+            if diagnostics.mesh_error.is_infinite() && diagnostics.error_estimate.is_finite() {
+                line(format_args!(
+                    "  these are estimates of time alone; the error by the mesh of beams is estimated if asked for (estimate_mesh)"
+                ));
+            }
             if diagnostics.decay == DecayKind::Slow {
                 line(format_args!(
                     "  harmonics fall slowly, as j^-{:.1}: a kink, or a peak too narrow for the grid, near t = {:.6}; forces may oscillate about their values",

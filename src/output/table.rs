@@ -117,8 +117,12 @@ impl Table {
                     "curvature_3",
                 ],
             ),
-            BeamQuantity::Force => (
-                "force",
+            BeamQuantity::Force | BeamQuantity::MeanForce | BeamQuantity::ForceJump => (
+                match quantity {
+                    BeamQuantity::MeanForce => "force_mean",
+                    BeamQuantity::ForceJump => "force_jump",
+                    _ => "force",
+                },
                 [
                     "axial",
                     "shear_2",

@@ -3,6 +3,7 @@
 //! A collection (`.pvd`) lists the times, and for each up to three parts, each a file of its own (`.vtp`):
 //! beams as lines, bodies and joints as points.
 
+use super::beam::Neighbours;
 use super::write::{directory_of, plain, refused, write_file};
 use super::{BeamQuantity, JointQuantity, NodeQuantity, ResolvedIn, Solution};
 use crate::elements::{Element, NodeState};
@@ -30,6 +31,9 @@ struct BeamPoints {
     /// Strains and stress resultants at each point, six components of each time together.
     strains: Vec<Vec<f64>>,
     stresses: Vec<Vec<f64>>,
+    /// Of both elements that meet at a point: mean and difference.
+    means: Vec<Vec<f64>>,
+    jumps: Vec<Vec<f64>>,
 }
 
 /// A point with its frame at each time, and vectors that belong to it.
@@ -47,7 +51,7 @@ impl Solution {
     ///
     /// | part | point data |
     /// |---|---|
-    /// | `beams`: a line of `points_per_element` points for each element; cell data `element` | `displacement`, section axes `axis_1` to `axis_3`, `force`, `moment`, `strain`, `curvature`; components of the last four along the section's axes |
+    /// | `beams`: a line of `points_per_element` points for each element; cell data `element` | `displacement`, section axes `axis_1` to `axis_3`, `force`, `moment`, `strain`, `curvature`, all of the element itself; where two elements meet, `force_mean`, `moment_mean` of both, and `force_jump`, `moment_jump` from one to the other, see [`BeamQuantity::ForceJump`]; components of all these along the section's axes |
     /// | `bodies`: the nodes that carry a body or belong to no beam | `node`, `displacement`, `axis_1` to `axis_3`, `velocity`, `angular_velocity` |
     /// | `joints`: the origins of the joint frames on the second bodies | `joint`, `displacement`, `axis_1` to `axis_3` of these frames, `reaction_force`, `reaction_moment` |
     ///
@@ -148,6 +152,7 @@ impl Solution {
         let stations: Vec<f64> = (0..points).map(|i| 2.0 * i as f64 / last - 1.0).collect();
         let mut reference = Vec::with_capacity(elements * points);
         let mut drawn = Vec::with_capacity(elements);
+        let neighbours = Some(Neighbours::of(self));
         for element in 0..elements {
             let beam = self.beam_definition(element, 0.0)?;
             for &station in &stations {
@@ -156,13 +161,15 @@ impl Solution {
             let each = |quantity| -> Result<Vec<Vec<f64>>> {
                 let stations = stations.iter();
                 stations
-                    .map(|&s| self.beam(element, s, quantity, times))
+                    .map(|&s| self.beam_beside(&neighbours, element, s, quantity, times))
                     .collect()
             };
             drawn.push(BeamPoints {
                 frames: self.beam_frames(element, &stations, times)?,
                 strains: each(BeamQuantity::Strain)?,
                 stresses: each(BeamQuantity::Force)?,
+                means: each(BeamQuantity::MeanForce)?,
+                jumps: each(BeamQuantity::ForceJump)?,
             });
         }
         let connectivity = (0..(elements * points) as u64).collect();
@@ -184,6 +191,10 @@ impl Solution {
                 vectors("moment", half(&|b| &b.stresses, 3)),
                 vectors("strain", half(&|b| &b.strains, 0)),
                 vectors("curvature", half(&|b| &b.strains, 3)),
+                vectors("force_mean", half(&|b| &b.means, 0)),
+                vectors("moment_mean", half(&|b| &b.means, 3)),
+                vectors("force_jump", half(&|b| &b.jumps, 0)),
+                vectors("moment_jump", half(&|b| &b.jumps, 3)),
             ]);
             PolyDataPiece {
                 points: positions(&frames),

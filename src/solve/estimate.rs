@@ -1,13 +1,16 @@
 //! How far the motions of a periodic solution are from those that any finer grid would give.
 
+use super::linear::LinearSolver;
 use super::loads::Unheld;
 use super::newton::{Iteration, Newton, NewtonReport, Outcome};
 use super::periodic::{Attempts, PeriodicSolve};
 use crate::collocation::{Collocation, Decay, DecayKind, Defect, GridState, ResidualBetween};
 use crate::error::{ErrorKind, Result};
 use crate::fourier::TimeGrid;
+use crate::model::Model;
 use crate::system::System;
 use crate::workers::Workers;
+use std::sync::Arc;
 use std::time::Instant;
 
 /// What a solution on one grid tells of its error.
@@ -65,6 +68,42 @@ pub(super) fn assess(
         error,
     };
     Ok((assessment, defect))
+}
+
+/// How far the motions are from those by beam elements of a higher degree: positions relative to the characteristic length, and
+/// angles. Zero without beams; infinite where it cannot be had.
+///
+/// Forces by which the equations of the nodes are wrong turn into motions by the linearised equations, that were solved last.
+///
+/// # Errors
+/// That of a callback.
+pub(super) fn mesh_error<L: LinearSolver>(
+    model: &Model,
+    newton: &mut Newton<L>,
+    state: &GridState,
+) -> Result<f64> {
+    if model.beams.is_empty() {
+        return Ok(0.0);
+    }
+    let system = newton.equations.system().clone();
+    newton.equations.update_kinematics(state);
+    let left = model.raised().and_then(|(fine, between)| {
+        let fine = match system.standstill() {
+            Some(standstill) => System::at_standstill(&fine, standstill)?,
+            None => System::new(&fine, newton.equations.grid().period())?,
+        };
+        newton
+            .equations
+            .left_by_mesh(state, Arc::new(fine), &between)
+    });
+    let mut left = match left {
+        Ok(left) if left.iter().all(|x| x.is_finite()) => left,
+        // What cannot be interpolated, or overflows, is no failure of the call.
+        Ok(_) => return Ok(f64::INFINITY),
+        Err(e) if e.kind() == ErrorKind::Callback => return Err(e),
+        Err(_) => return Ok(f64::INFINITY),
+    };
+    Ok(newton.response(&mut left)?.unwrap_or(f64::INFINITY))
 }
 
 /// What the last step of Newton's method leaves, from its last two increments.

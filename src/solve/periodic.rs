@@ -1,7 +1,7 @@
 //! The periodic solve from model to solution.
 
 use super::adaptive::{Adaptation, GridTried};
-use super::estimate::{Assessment, assess};
+use super::estimate::{Assessment, assess, mesh_error};
 use super::guess::Guess;
 use super::iterative::{IterativeRecord, Projected};
 use super::loads::Loads;
@@ -76,6 +76,8 @@ pub struct PeriodicOptions {
     /// harmonics. 1 for the grid points alone: collocation, where higher harmonics of the equations count as
     /// the lower ones that they alias onto.
     pub oversampling: usize,
+    /// Whether the error by the mesh of beams is estimated, too, which takes about as long as an iteration.
+    pub estimate_mesh: bool,
     /// Who is told how the solve goes on, and may cancel it.
     pub watch: Watch,
 }
@@ -95,6 +97,7 @@ impl Default for PeriodicOptions {
             linear: LinearMethod::Automatic,
             threads: 1,
             oversampling: 1,
+            estimate_mesh: false,
             watch: Watch::default(),
         }
     }
@@ -170,6 +173,9 @@ pub struct PeriodicSolve {
     pub threads: usize,
     /// Of a periodic solution: what it tells of its error.
     pub assessment: Option<Assessment>,
+    /// Estimated error of the motions by the mesh of beams: positions relative to the characteristic length, and angles. Infinite where
+    /// none can be had.
+    pub mesh_error: f64,
     /// Of a march: its times, and how it went.
     pub march: Option<MarchRecord>,
 }
@@ -349,6 +355,18 @@ pub fn solve_periodic(
         Err(error) if watching.cancels(&error) => attempts.cancelled()?,
         end => end?,
     };
+    let estimating = Instant::now();
+    let sampled = options.oversampling == 1;
+    let wanted = options.estimate_mesh || model.beams.is_empty();
+    let mesh_error = if wanted && sampled && report.outcome.is_solution() {
+        match mesh_error(model, &mut attempts.newton, &state) {
+            Err(error) if watching.cancels(&error) => f64::INFINITY,
+            found => found?,
+        }
+    } else {
+        f64::INFINITY
+    };
+    attempts.timings.estimates += estimating.elapsed();
     let finishing = Instant::now();
     attempts.newton.equations.update_kinematics(&state);
     report.outcome = watching.outcome(report.outcome);
@@ -378,6 +396,7 @@ pub fn solve_periodic(
         attempts: attempts.tried,
         threads: options.threads,
         assessment: assessment.map(|(_, assessment)| assessment),
+        mesh_error,
         march: None,
     })
 }

@@ -1,5 +1,6 @@
 //! Equilibrium at one time, at rest or turning steadily: collocation on a grid of one point.
 
+use super::estimate::mesh_error;
 use super::guess::Tracker;
 use super::newton::{Iteration, NewtonOptions, NewtonReport, Outcome, Timings};
 use super::periodic::{InitialGuess, PeriodicSolve, Stage};
@@ -207,6 +208,7 @@ pub(super) fn find_equilibrium(
         iterative: None,
         threads: 1,
         assessment: None,
+        mesh_error: f64::INFINITY,
         march: None,
     };
     if solve.report.outcome == Outcome::Singular && indifferent == Indifferent::Accepted {
@@ -217,6 +219,12 @@ pub(super) fn find_equilibrium(
         if residual.iter().all(|r| r.abs() <= INDIFFERENT) {
             solve.report.outcome = Outcome::Converged;
         }
+    }
+    if solve.report.outcome.is_solution() && indifferent == Indifferent::Singular {
+        if solve.report.iterations.is_empty() {
+            newton.linearise(&solve.state)?;
+        }
+        solve.mesh_error = mesh_error(model, &mut newton, &solve.state)?;
     }
     newton.equations.update_kinematics(&solve.state);
     solve.node_states = newton.equations.node_states().to_vec();

@@ -748,6 +748,7 @@ pub(super) fn finish(
         iterative: None,
         threads: 1,
         assessment: None,
+        mesh_error: f64::INFINITY,
         march: Some(record),
     })
 }

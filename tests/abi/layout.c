@@ -63,7 +63,7 @@ AT(pdn_stations, fractions, 16);
 AT(pdn_stations, sections, 24);
 AT(pdn_stations, twists, 32);
 
-SIZE(pdn_diagnostics, 200);
+SIZE(pdn_diagnostics, 208);
 AT(pdn_diagnostics, struct_size, 0);
 AT(pdn_diagnostics, outcome, 8);
 AT(pdn_diagnostics, iterations, 12);
@@ -95,6 +95,7 @@ AT(pdn_diagnostics, estimate_seconds, 176);
 AT(pdn_diagnostics, total_seconds, 184);
 AT(pdn_diagnostics, total_iterations, 192);
 AT(pdn_diagnostics, attempts, 196);
+AT(pdn_diagnostics, mesh_error, 200);
 
 SIZE(pdn_progress, 80);
 AT(pdn_progress, struct_size, 0);
@@ -129,7 +130,7 @@ AT(pdn_periodic_options, threads, 100);
 AT(pdn_periodic_options, oversampling, 104);
 AT(pdn_periodic_options, response_tolerance, 112);
 AT(pdn_periodic_options, start, 120);
-AT(pdn_periodic_options, reserved, 124);
+AT(pdn_periodic_options, estimate_mesh, 124);
 AT(pdn_periodic_options, progress_interval, 128);
 
 IS(PDN_OK, 0);
@@ -178,6 +179,7 @@ IS(PDN_ROTATION_3, 5);
 
 IS(PDN_FRAME_SPACE, 0);
 IS(PDN_FRAME_MATERIAL, 1);
+IS(PDN_FRAME_UNTWISTED, 2);
 
 IS(PDN_FORCE_1, 0);
 IS(PDN_FORCE_2, 1);
@@ -228,6 +230,8 @@ IS(PDN_JOINT_REACTION, 4);
 
 IS(PDN_BEAM_STRAIN, 0);
 IS(PDN_BEAM_FORCE, 1);
+IS(PDN_BEAM_FORCE_MEAN, 2);
+IS(PDN_BEAM_FORCE_JUMP, 3);
 
 IS(PDN_STAGE_INITIAL_GUESS, 0);
 IS(PDN_STAGE_NEWTON, 1);

@@ -37,7 +37,8 @@ def check_piece(path, part):
     assert cells["connectivity"] == tuple(range(points)) and cells["offsets"][-1] == points
     data = arrays(piece.find("PointData"))
     names = {
-        "beams": {"force", "moment", "strain", "curvature"},
+        "beams": {"force", "moment", "strain", "curvature", "force_mean", "moment_mean", "force_jump",
+                  "moment_jump"},
         "bodies": {"node", "velocity", "angular_velocity"},
         "joints": {"joint", "reaction_force", "reaction_moment"},
     }[part]

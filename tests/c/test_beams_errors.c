@@ -295,6 +295,49 @@ static void elements_that_overlap(void)
     }
 }
 
+static void loads_at_places(void)
+{
+    static const int32_t bad_counts[] = {0, 3, INT32_MAX};
+    static const size_t few[] = {0, 1, (size_t)-1};
+    static const double off[] = {0.1, -0.1, 1.5};
+    const double zero[3] = {0, 0, 0};
+    pdn_signal signals[24];
+    int i;
+    for (i = 0; i < 24; i++)
+        signals[i] = in.signal;
+#define WITH(model, axis_2, fractions, signals)                                                    \
+    pdn_model_add_load_at_places(model, in.first_element, in.loaded, in.frame, axis_2, fractions,  \
+                                 signals, in.count)
+#define CALL WITH(in.model, in.axis, in.fractions, signals)
+    REFUSES_NULL(WITH(NULL, in.axis, in.fractions, signals), "model");
+    REFUSES_NULL(WITH(in.model, in.axis, NULL, signals), "fractions");
+    REFUSES_NULL(WITH(in.model, in.axis, in.fractions, NULL), "signals");
+    REFUSES_EACH(in.first_element, int32_t, bad_ids, CALL, PDN_ERR_ID,
+                 "first_element: expected a beam element id from 0 to 1, got ");
+    REFUSES_EACH(in.loaded, int32_t, bad_counts, CALL, PDN_ERR_SIZE,
+                 "elements: expected 1 to 2 from element 0 on, got ");
+    REFUSES_EACH(in.count, size_t, few, CALL, PDN_ERR_SIZE, "count: expected 2 to 100000, got ");
+    REFUSES_EACH(in.fractions[0], double, off, CALL, PDN_ERR_VALUE,
+                 "fractions[0]: expected 0 at the start");
+    REFUSES_NOT_FINITE_ENTRIES(in.fractions, 4, CALL, "fractions");
+    REFUSES_STRUCT_SIZES(signals[0], CALL, "signals");
+    REFUSES_STRUCT_SIZES(signals[7], CALL, "signals[7]");
+    REFUSES_NOT_FINITE(signals[7].mean, CALL, "signals[7]: mean");
+    in.frame = 3;
+    REFUSED(CALL, PDN_ERR_VALUE,
+            "frame: expected PDN_FRAME_SPACE, PDN_FRAME_MATERIAL or PDN_FRAME_UNTWISTED, got 3");
+    in.frame = PDN_FRAME_UNTWISTED;
+    REFUSES_NULL(WITH(in.model, NULL, in.fractions, signals), "axis_2");
+    REFUSES_NOT_FINITE_ENTRIES(in.axis, 3, CALL, "axis_2");
+    REFUSED(WITH(in.model, zero, in.fractions, signals), PDN_ERR_VALUE,
+            "axis_2: expected a vector that is not zero");
+    REFUSED(WITH(in.model, in.end, in.fractions, signals), PDN_ERR_VALUE,
+            "axis_2: expected a direction across the beam, all along it, got one along it");
+    in.frame = PDN_FRAME_SPACE;
+#undef CALL
+#undef WITH
+}
+
 static void loads(void)
 {
     static const int32_t bad_counts[] = {0, 3, INT32_MAX}, negative[] = {-1, INT32_MIN};
@@ -332,6 +375,7 @@ static void loads(void)
     REFUSES_EACH(in.fractions[2], double, back, CALL, PDN_ERR_VALUE,
                  "fractions[2]: expected at least 0.5, the one before");
 #undef CALL
+    loads_at_places();
 
 #define CALL pdn_model_set_gravity_signals(in.model, NULL, &in.signal, NULL)
     REFUSES_NULL(pdn_model_set_gravity_signals(NULL, NULL, NULL, NULL), "model");

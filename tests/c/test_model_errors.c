@@ -238,6 +238,32 @@ static void sections(void)
     REFUSED(pdn_section_set_proportional_damping(&in.unset, 1.0), PDN_ERR_VALUE,
             "section stiffness: expected a positive-definite matrix");
 #undef CALL
+
+#define CALL pdn_section_set_component_damping(&in.section, in.stiffness)
+    REFUSES_NULL(pdn_section_set_component_damping(NULL, in.stiffness), "section");
+    REFUSES_NULL(pdn_section_set_component_damping(&in.section, NULL), "seconds");
+    REFUSES_STRUCT_SIZES(in.section, CALL, "section");
+    REFUSES_NOT_FINITE_ENTRIES(in.stiffness, LENGTH(in.stiffness), CALL, "seconds");
+    REFUSES_EACH(in.stiffness[3], double, negative, CALL, PDN_ERR_VALUE,
+                 "seconds[3]: expected zero or more");
+    REFUSED(pdn_section_set_component_damping(&in.unset, in.stiffness), PDN_ERR_VALUE,
+            "section stiffness: expected a positive-definite matrix");
+#undef CALL
+}
+
+/* A section that couples bending and torsion: times may differ, but not so much that a motion gains energy. */
+static void damping_by_component(void)
+{
+    const double times[6] = {1e-5, 1e-5, 1e-5, 2e-5, 1.4e-5, 2.2e-5};
+    const double wild[6] = {1e-3, 1e-3, 1e-3, 0, 1e-3, 1e-3};
+    pdn_section section = in.section;
+    section.stiffness[4 + 6 * 3] = section.stiffness[3 + 6 * 4] = 20;
+    CHECK_STATUS(pdn_section_set_component_damping(&section, times), PDN_OK);
+    CHECK(section.damping[3 + 6 * 4] == 2e-5 * 20 && section.damping[4 + 6 * 3] == 1.4e-5 * 20);
+    CHECK(section.damping[0] == 1e-5 * section.stiffness[0]);
+    REFUSED(pdn_section_set_component_damping(&section, wild), PDN_ERR_VALUE,
+            "section damping: ");
+    CHECK(section.damping[3 + 6 * 4] == 2e-5 * 20);
 }
 
 static void signals(void)
@@ -572,6 +598,7 @@ int main(void)
 {
     set_up();
     sections();
+    damping_by_component();
     signals();
     queries();
     nodes_and_masses();

@@ -484,7 +484,7 @@ static void the_beam_bends_evenly(void)
 {
     static const double stations[] = {-1, -0.5, 0, 0.7, 1};
     const double lag = 1 + pow(DELAY * OMEGA, 2);
-    double strain[6 * TIMES], force[6 * TIMES];
+    double strain[6 * TIMES], force[6 * TIMES], mean[6 * TIMES], jump[6 * TIMES];
     int32_t element;
     size_t s;
     int i, k;
@@ -496,6 +496,18 @@ static void the_beam_bends_evenly(void)
             CHECK_STATUS(
                 pdn_solution_beam_force(solution, element, stations[s], times, TIMES, force),
                 PDN_OK);
+            CHECK_STATUS(pdn_solution_beam_force_between(solution, element, stations[s], times,
+                                                         TIMES, mean, jump),
+                         PDN_OK);
+            CHECK_STATUS(pdn_solution_beam_force_between(solution, element, stations[s], times,
+                                                         TIMES, NULL, NULL),
+                         PDN_OK);
+            for (i = 0; i < 6 * TIMES; i++) {
+                const double side = fabs(stations[s]) == 1 ? 0.5 * stations[s] : 0;
+                CHECK_NEAR(mean[i], force[i] + side * jump[i], 1e-12 * MOMENT);
+                if (side == 0)
+                    CHECK(jump[i] == 0);
+            }
             for (i = 0; i < TIMES; i++) {
                 const double c = cos(OMEGA * times[i]), d = sin(OMEGA * times[i]);
                 const double curvature = MOMENT / STIFFNESS[5] * (c + DELAY * OMEGA * d) / lag;

@@ -372,7 +372,19 @@ static chosen_at_times *const framed_of_nodes[] = {pdn_solution_node_velocity,
 static chosen_at_times *const of_coordinates[] = {
     pdn_solution_joint_coordinate, pdn_solution_joint_rate, pdn_solution_joint_acceleration,
     pdn_solution_joint_driving_effort};
-static at_station *const of_beams[] = {pdn_solution_beam_strain, pdn_solution_beam_force};
+static pdn_status mean_force(const pdn_solution *solution, int32_t element, double station,
+                             const double *times, size_t count, double *out)
+{
+    double jump[6 * 1000];
+    /* One of the two may be left out; here it is this if there is no room. */
+    if (out == NULL)
+        return pdn_solution_beam_force(solution, element, station, times, count, out);
+    return pdn_solution_beam_force_between(solution, element, station, times, count, out,
+                                           count > 1000 ? NULL : jump);
+}
+
+static at_station *const of_beams[] = {pdn_solution_beam_strain, pdn_solution_beam_force,
+                                       mean_force};
 
 static void samples_of_nodes(void)
 {

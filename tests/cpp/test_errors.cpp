@@ -89,6 +89,7 @@ static void model()
             "first_element: ");
     REFUSED(m.add_distributed_load(0, 1, Frame::space, Component::force_1, 1.0, {0, 1}, {1}),
             PDN_ERR_SIZE, "factors: ");
+    REFUSED(m.add_load_at_places(0, 1, Frame::space, {0, 1}, {}), PDN_ERR_SIZE, "signals: ");
     REFUSED(m.set_gravity({0, 0, nan_value}), PDN_ERR_NOT_FINITE, "acceleration[2]: ");
 
     REFUSED(m.add_spring_damper(5, Coordinate::rotation, 1), PDN_ERR_ID, "joint: ");

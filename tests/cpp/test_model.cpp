@@ -212,6 +212,12 @@ static void beams()
                                 pdn::Component::force_3, 2.0, {0, 1}, {1, 2});
     curved.add_distributed_load(curve.first_element, 1, pdn::Frame::material,
                                 pdn::Component::moment_1, [](double) { return 0.0; });
+    curved.add_load_at_places(curve.first_element, curve.elements, pdn::Frame::untwisted, {0, 1},
+                              {{0.0, 1.0, [](double) { return 2.0; }, 0.0, 0.0, 0.0},
+                               {0.0, 0.0, 0.0, 0.0, 0.0, 0.0}},
+                              axis_3);
+    thin.set_component_damping({1e-4, 1e-4, 1e-4, 2e-4, 2e-4, 2e-4});
+    CHECK(thin.damping[21] == 2e-4 * thin.stiffness[21]);
 }
 
 // All joints and forces can be made, and are counted.

@@ -161,6 +161,9 @@ contains
         call m%add_distributed_load(0, 1, PDN_FRAME_SPACE, PDN_FORCE_1, pdn_constant(1.0_dp), [0.0_dp, 1.0_dp], &
             [1.0_dp], stat, errmsg)
         call refused(stat, errmsg, PDN_ERR_SIZE, 'factors: ')
+        call m%add_load_at_places(0, 1, PDN_FRAME_SPACE, [0.0_dp, 1.0_dp], &
+            reshape([pdn_constant(1.0_dp)], [1, 1]), stat=stat, errmsg=errmsg)
+        call refused(stat, errmsg, PDN_ERR_SIZE, 'signals: expected the shape')
         call m%joint_count(joints)
         call m%element_count(elements)
         call check(id == 55 .and. joints == 1 .and. elements == 0, 'nothing changed')

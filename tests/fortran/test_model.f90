@@ -155,7 +155,8 @@ contains
         type(pdn_section) :: thin, thick, initialised
         type(pdn_beam) :: beam, curve
         type(pdn_frame) :: middle, same
-        integer :: root, element, first, second, elements
+        type(pdn_signal) :: load(12)
+        integer :: root, element, first, second, elements, i
         real(dp) :: position(3, 1), strain(6, 1), force(6, 2), mean(6), none(6, 0)
 
         thin = steel()
@@ -208,6 +209,11 @@ contains
             pdn_constant(2.0_dp), [0.0_dp, 1.0_dp], [1.0_dp, 2.0_dp])
         call model%add_distributed_load(curve%first_element, 1, PDN_FRAME_MATERIAL, PDN_MOMENT_1, &
             pdn_samples(0.0_dp, [0.0_dp, 1.0_dp, 2.0_dp]))
+        do i = 1, 12
+            load(i) = pdn_constant(real(i, dp))
+        end do
+        call model%add_load_at_places(curve%first_element, curve%elements, PDN_FRAME_UNTWISTED, [0.0_dp, 1.0_dp], &
+            reshape(load, [6, 2]), axis_3)
     end subroutine beams
 
     ! All joints and forces can be made, and are counted.

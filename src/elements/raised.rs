@@ -1,0 +1,118 @@
+//! What a beam element leaves of the equations, told by one of a higher degree in its place.
+//!
+//! The finer element moves as the coarse one does. What then is left of its equations bends it further, by functions that vanish
+//! at the nodes of the coarse one (bubbles): they are found element by element, and what holds them there are forces on
+//! the coarse nodes, which is how much the coarse equations are wrong.
+
+use super::beam::{Beam, Station, about_axis};
+use super::shape::lobatto_points;
+use super::{Contribution, Element, NodeState};
+use crate::error::Result;
+use crate::motion::{DualVector, Motion};
+use nalgebra::{DMatrix, DVector, Vector6};
+
+/// Degrees that are added: bending by one more needs a deflection by one more than that, or shear would lock it.
+const MORE: usize = 2;
+
+/// Between a beam element and one of a higher degree.
+#[derive(Debug, Clone)]
+pub struct Raised {
+    /// The coarse element at the nodes of the finer.
+    stations: Vec<Station>,
+    /// Values of the bubbles at these.
+    bubbles: Vec<[f64; MORE]>,
+    nodes: usize,
+}
+
+impl Beam {
+    /// Number of nodes of the finer element.
+    pub(crate) fn raised_size(&self) -> usize {
+        self.nodes().len() + MORE
+    }
+
+    /// An element of a higher degree over `nodes`, which has the same reference shape and sections, and how they hang together.
+    ///
+    /// # Errors
+    /// If its shape is too distorted.
+    pub(crate) fn raised(&self, nodes: Vec<usize>) -> Result<(Beam, Raised)> {
+        let count = self.nodes().len();
+        let (coarse, fine) = (lobatto_points(count), lobatto_points(nodes.len()));
+        let stations = fine.iter().map(|&xi| self.station(xi, 0.0));
+        let bubbles = fine.iter().map(|&xi| {
+            let first: f64 = coarse.iter().map(|x| xi - x).product();
+            std::array::from_fn(|power| first * xi.powi(power as i32))
+        });
+        let raised = Raised {
+            stations: stations.collect::<Result<_>>()?,
+            bubbles: bubbles.collect(),
+            nodes: count,
+        };
+        let reference = raised.motions(self.reference())?;
+        let beam = Beam::new(nodes, reference, self.sections().clone())?;
+        Ok((beam, raised))
+    }
+}
+
+impl Raised {
+    /// Motions of the nodes of the finer element, as the coarse one has them.
+    ///
+    /// # Errors
+    /// If they cannot be interpolated.
+    pub fn motions(&self, motions: &[Motion]) -> Result<Vec<Motion>> {
+        let relative = |a: usize| motions[0].relative(&motions[a]);
+        let at = |station: &Station| {
+            let here = motions[0].compose(&station.motion(relative)?.polar.motion());
+            let rotation = here.rotation * about_axis(station.turn);
+            Ok(Motion::new(rotation, here.position))
+        };
+        self.stations.iter().map(at).collect()
+    }
+
+    /// Increments of the nodes of the finer element by its bubbles, which with its tangents balance the `forces` on its nodes; and the
+    /// forces that are left on these then.
+    pub fn bent(&self, fine: &Contribution, forces: &DVector<f64>) -> (DVector<f64>, DVector<f64>) {
+        let size = 6 * self.bubbles.len();
+        let modes = DMatrix::from_fn(size, 6 * MORE, |row, column| {
+            let same = row % 6 == column % 6;
+            if same {
+                self.bubbles[row / 6][column / 6]
+            } else {
+                0.0
+            }
+        });
+        let by_modes = &fine.stiffness * &modes;
+        let own = modes.tr_mul(&by_modes);
+        match own.lu().solve(&modes.tr_mul(forces)) {
+            Some(bent) => (-(modes * &bent), forces - by_modes * bent),
+            None => (DVector::zeros(size), forces.clone()),
+        }
+    }
+
+    /// Forces on the nodes of the coarse element, at `states`, that do the same work as these on those of the finer.
+    ///
+    /// # Errors
+    /// As [`Raised::motions`].
+    pub fn on_coarse_nodes(
+        &self,
+        states: &[NodeState],
+        forces: &DVector<f64>,
+    ) -> Result<DVector<f64>> {
+        let relative = |a: usize| states[0].motion.relative(&states[a].motion);
+        let mut sums = DVector::zeros(6 * self.nodes);
+        for (i, station) in self.stations.iter().enumerate() {
+            let turn = about_axis(station.turn);
+            let mut force: Vector6<f64> = forces.fixed_rows::<6>(6 * i).into_owned();
+            for half in [0, 3] {
+                let turned = turn * force.fixed_rows::<3>(half);
+                force.fixed_rows_mut::<3>(half).copy_from(&turned);
+            }
+            let force = DualVector::from_wrench(&force);
+            let at = station.motion(relative)?;
+            for (a, node) in station.node_terms(&at, relative).enumerate() {
+                let mut rows = sums.fixed_rows_mut::<6>(6 * a);
+                rows += (node.turn.transpose() * force).to_wrench();
+            }
+        }
+        Ok(sums)
+    }
+}
