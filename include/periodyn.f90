@@ -278,7 +278,7 @@ module periodyn_c
         integer(c_size_t) :: oversampling
         real(c_double) :: response_tolerance
         integer(c_int32_t) :: start
-        integer(c_int32_t) :: reserved
+        integer(c_int32_t) :: estimate_mesh
         real(c_double) :: progress_interval
     end type pdn_periodic_options
 

@@ -1181,8 +1181,9 @@ typedef struct pdn_diagnostics {
      * Attempts, each from another start, as the report lists them; 0 where the start was given.
      */
     int32_t attempts;
+    /**
      * Estimated error of the motions of nodes by the mesh of beams, measured as error_estimate, which says nothing of the
-     * mesh: what elements of a higher degree would make of them. 0 without beams; infinite of a march, of modes, and where it cannot be
+     * mesh: what elements of a higher degree would make of them. 0 without beams; infinite unless asked for, of a march, of modes, and where it cannot be
      * had.
      */
     double mesh_error;
@@ -1348,9 +1349,10 @@ typedef struct pdn_periodic_options {
      */
     int32_t start;
     /**
-     * Leave it zero.
+     * 1 to estimate the error by the mesh of beams, too, pdn_diagnostics.mesh_error, which takes about as long as an
+     * iteration; not with oversampling. Default 0.
      */
-    int32_t reserved;
+    int32_t estimate_mesh;
     /**
      * Least time between two calls of progress while an iteration lasts, in seconds; 0 to be called at any opportunity.
      * Default 0.1.

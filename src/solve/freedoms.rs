@@ -354,7 +354,8 @@ impl Layout {
 }
 
 impl FreedomSolver {
-    /// For the Jacobians of `equations`, if that is much cheaper than elimination of node by node.
+    /// For the Jacobians of `equations`, if that is much cheaper than elimination of node by node. Not where there are beams: they
+    /// are stiff in tension by so much that what is left for bending would be rounding.
     pub fn new(equations: &Collocation, pattern: &Pattern) -> Option<Self> {
         let layout = Layout::new(equations);
         let (points, nodes) = (layout.points as f64, equations.system().nodes() as f64);
@@ -366,7 +367,8 @@ impl FreedomSolver {
         let here = 0.25 * points * constraints * constraints * size
             + pattern.entries() as f64 * freedoms.max(1.0)
             + (freedoms * points).powi(3) / 3.0;
-        let solvable = layout.constraints > 0
+        let solvable = equations.system().slenderness() == 0.0
+            && layout.constraints > 0
             && layout.rank() <= layout.constraints
             && equations.oversampled().is_none();
         if !solvable || here > 0.5 * directly {

@@ -224,7 +224,10 @@ pub(super) fn find_equilibrium(
         if solve.report.iterations.is_empty() {
             newton.linearise(&solve.state)?;
         }
-        solve.mesh_error = mesh_error(model, &mut newton, &solve.state)?;
+        solve.mesh_error = match mesh_error(model, &mut newton, &solve.state) {
+            Err(error) if watching.cancels(&error) => f64::INFINITY,
+            found => found?,
+        };
     }
     newton.equations.update_kinematics(&solve.state);
     solve.node_states = newton.equations.node_states().to_vec();
