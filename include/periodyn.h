@@ -1319,7 +1319,7 @@ typedef struct pdn_periodic_options {
     double error_tolerance;
     /**
      * If grid_points is 0, the largest number of grid points, at least 3; if the tolerance would need more,
-     * the outcome is PDN_TOLERANCE_NOT_MET. Default 255.
+     * the outcome is PDN_TOLERANCE_NOT_MET. Default 511.
      */
     size_t largest_grid_points;
     /**

@@ -139,7 +139,7 @@ pub struct pdn_periodic_options {
     /// three digits to forces and accelerations, which are second derivatives.
     pub error_tolerance: f64,
     /// If grid_points is 0, the largest number of grid points, at least 3; if the tolerance would need more,
-    /// the outcome is PDN_TOLERANCE_NOT_MET. Default 255.
+    /// the outcome is PDN_TOLERANCE_NOT_MET. Default 511.
     pub largest_grid_points: usize,
     /// How linear equations are solved: PDN_LINEAR_AUTOMATIC, PDN_LINEAR_DIRECT, ... Default PDN_LINEAR_AUTOMATIC.
     pub linear_solver: i32,

@@ -35,13 +35,13 @@ pub struct Adaptation {
 }
 
 impl Default for Adaptation {
-    /// Errors of a millionth of the size of the mechanism, at 255 points: forces and accelerations, which are
-    /// second derivatives, keep three or four digits, and the direct solver's time stays within minutes.
+    /// Errors of a millionth of the size of the mechanism, which leaves three or four digits to forces and accelerations,
+    /// second derivatives, on at most 511 points: pulses of a fortieth of the period need more than half as many.
     fn default() -> Self {
         Adaptation {
             error_tolerance: 1e-6,
             response_tolerance: 0.0,
-            largest: 255,
+            largest: 511,
         }
     }
 }

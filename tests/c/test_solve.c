@@ -180,7 +180,7 @@ static void options_are_heeded(void)
     PDN_INIT(pdn_periodic_options, &options);
     CHECK(options.struct_size == sizeof options);
     CHECK(options.grid_points == 0 && options.harmonics == 0);
-    CHECK(options.error_tolerance == 1e-6 && options.largest_grid_points == 255);
+    CHECK(options.error_tolerance == 1e-6 && options.largest_grid_points == 511);
     CHECK(options.oversampling == 1);
     CHECK(options.tolerance == 1e-9 && options.iteration_limit == 30);
     CHECK(options.initial == NULL && options.guess_positions == NULL);
