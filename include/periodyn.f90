@@ -928,6 +928,20 @@ module periodyn_c
             integer(c_int32_t) :: pdn_model_add_beam
         end function pdn_model_add_beam
 
+        ! Adds a beam along a line as ::pdn_model_add_beam does, with elements between given places
+        function pdn_model_add_beam_between(model, line, stations, boundaries, elements, degree, &
+            beam) bind(C, name="pdn_model_add_beam_between")
+            import
+            type(c_ptr), value :: model
+            type(pdn_line), intent(in) :: line
+            type(pdn_stations), intent(in) :: stations
+            real(c_double), intent(in) :: boundaries(*)
+            integer(c_size_t), value :: elements
+            integer(c_size_t), value :: degree
+            type(pdn_beam), intent(inout) :: beam
+            integer(c_int32_t) :: pdn_model_add_beam_between
+        end function pdn_model_add_beam_between
+
         ! Adds one component of a force or moment on a node, in addition to those that are there
         function pdn_model_add_load(model, node, frame, component, signal) bind(C, name="pdn_model_add_load")
             import
@@ -1976,6 +1990,7 @@ module periodyn
         procedure, public :: add_beam_element => model_add_beam_element
         procedure, public :: add_straight_beam => model_add_straight_beam
         procedure, public :: add_beam => model_add_beam
+        procedure, public :: add_beam_between => model_add_beam_between
         procedure, public :: add_load => model_add_load
         procedure, public :: add_distributed_load => model_add_distributed_load
         procedure, public :: add_load_at_places => model_add_load_at_places
@@ -2852,6 +2867,30 @@ contains
         call report(pdn_model_add_beam(self%c, line, stations, count_of(elements), count_of(degree), &
             beam), stat, errmsg)
     end subroutine model_add_beam
+
+    ! The same with elements from each of the boundaries to the next, fractions of the span.
+    subroutine model_add_beam_between(self, line, sections, boundaries, degree, beam, fractions, stat, errmsg)
+        class(pdn_model), intent(inout) :: self
+        type(pdn_line), intent(in) :: line
+        type(pdn_section), intent(in), target, contiguous :: sections(:)
+        real(c_double), intent(in) :: boundaries(:)
+        integer(c_int32_t), intent(in) :: degree
+        type(pdn_beam), intent(inout) :: beam
+        real(c_double), intent(in), optional, target, contiguous :: fractions(:)
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        type(pdn_stations) :: stations
+
+        call pdn_stations_init(stations, c_sizeof(stations))
+        stations%count = size(sections)
+        if (size(sections) > 0) stations%sections = c_loc(sections)
+        if (present(fractions)) then
+            if (.not. fits('fractions', shape(fractions), shape(sections), stat, errmsg)) return
+            stations%fractions = c_loc(fractions)
+        end if
+        call report(pdn_model_add_beam_between(self%c, line, stations, boundaries, &
+            int(max(size(boundaries) - 1, 0), c_size_t), count_of(degree), beam), stat, errmsg)
+    end subroutine model_add_beam_between
 
     ! A component of a force or moment on a node.
     subroutine model_add_load(self, node, frame, component, signal, stat, errmsg)

@@ -2745,6 +2745,35 @@ pdn_status pdn_model_add_beam(struct pdn_model *model,
                               struct pdn_beam *beam);
 
 /**
+ * Adds a beam along a line as ::pdn_model_add_beam does, with elements between given places.
+ *
+ * For meshes that follow the stations of a section, give their fractions, each once; an element ends and the next begins
+ * at every jump of the section.
+ *
+ * @param model  the model; not NULL
+ * @param line  reference line; not NULL
+ * @param stations  cross-sections along it; not NULL
+ * @param boundaries  array of length [elements + 1]: places along the span where elements begin and end, from 0 at the
+ *     start to 1 at the end, ascending, with all jumps among them
+ * @param elements  number of elements, 1 to 1000000
+ * @param degree  polynomial degree of the elements, 1 to 24; an element has degree + 1 nodes
+ * @param beam  ids of what was made; written on success only
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_SIZE, PDN_ERR_STRUCT_SIZE, PDN_ERR_VALUE,
+ *     PDN_ERR_CALLBACK, PDN_ERR_MODEL (nodes that turn too much from one to the next)
+ *
+ * Threads: exclusive use of `model`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_model_add_beam_between(struct pdn_model *model,
+                                      const struct pdn_line *line,
+                                      const struct pdn_stations *stations,
+                                      const double *boundaries,
+                                      size_t elements,
+                                      size_t degree,
+                                      struct pdn_beam *beam);
+
+/**
  * Adds one component of a force or moment on a node, in addition to those that are there.
  *
  * A force acts at the node's origin.

@@ -887,6 +887,17 @@ class Model
             return pdn_model_add_beam(get(), &line.get(), &along, elements, degree, out);
         });
     }
+    /** Elements from each of the boundaries to the next, fractions of the span. */
+    pdn_beam add_beam_between(const Line &line, const Stations &stations, Reals boundaries,
+                              std::size_t degree)
+    {
+        const pdn_stations along = stations.get();
+        const std::size_t elements = boundaries.size() == 0 ? 0 : boundaries.size() - 1;
+        return detail::number<pdn_beam>([&](pdn_beam *out) {
+            return pdn_model_add_beam_between(get(), &line.get(), &along, boundaries.data(),
+                                              elements, degree, out);
+        });
+    }
     ///@}
 
     /** @name Loads */

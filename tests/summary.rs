@@ -5,7 +5,10 @@ mod common;
 use common::*;
 use nalgebra::{Matrix3, Vector3};
 use periodyn::elements::{Coordinate, JointKind};
-use periodyn::model::{JointCoordinate, Model, SectionInput, Signal, SpringDefinition};
+use periodyn::model::{
+    JointCoordinate, Model, SectionInput, SectionStation, Signal, SpringDefinition, straight_line,
+};
+use periodyn::motion::Motion;
 use periodyn::system::Summary;
 
 fn ball(model: &mut Model, at: Vector3<f64>) -> usize {
@@ -312,4 +315,59 @@ fn a_joint_far_from_all_else_is_warned_of() {
         revolute(&mut model, bars[0], bars[1], &(far * Vector3::x()), &z);
         assert_warnings(&model, words);
     }
+}
+
+#[test]
+fn mass_centre_and_inertia_of_bodies_and_beams_are_told() {
+    // A body that is turned by a third about (1, 1, 1): its axes 1, 2, 3 are the inertial 2, 3, 1.
+    let mut model = Model::new();
+    let turn = Matrix3::new(0.0, 0.0, 1.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0);
+    let at = Vector3::new(1.0, -2.0, 3.0);
+    let body = model.add_node(&Motion::new(turn, at)).unwrap();
+    let moments = Matrix3::from_diagonal(&Vector3::new(0.1, 0.2, 0.25));
+    let offset = Motion::new(Matrix3::identity(), Vector3::new(0.5, 0.0, 0.0));
+    model
+        .add_mass(
+            body,
+            2.0,
+            &(at + turn * offset.position),
+            &(turn * moments * turn.transpose()),
+        )
+        .unwrap();
+    // A uniform bar of length 3 along axis 2, whose stations are inside its elements.
+    let section = SectionInput::diagonal(&[1e6; 6], &[4.0, 0.0, 0.0, 0.0]).unwrap();
+    let line = straight_line(&Vector3::zeros(), &(3.0 * Vector3::y()), &Vector3::z()).unwrap();
+    let stations = [0.0, 0.3, 0.7, 1.0].map(|fraction| SectionStation {
+        fraction,
+        section,
+        twist: 0.0,
+    });
+    model.add_beam_along(line, &stations, 2, 3).unwrap();
+    let found = summary(&model);
+    assert_eq!(found.inner_stations, 2);
+    let [one, bar] = &found.mass_properties[..] else {
+        panic!("{:?}", found.mass_properties);
+    };
+    let close = |a: &[f64], b: &[f64]| {
+        // Rounding of sums over the nodes.
+        assert!(
+            a.iter().zip(b).all(|(a, b)| (a - b).abs() < 1e-13 * 12.0),
+            "{a:?} {b:?}"
+        );
+    };
+    assert_eq!((&one.nodes[..], one.beam_elements), (&[0][..], 0));
+    close(&[one.mass], &[2.0]);
+    close(one.centre.as_slice(), &[1.0, -1.5, 3.0]);
+    let turned = Matrix3::from_diagonal(&Vector3::new(0.25, 0.1, 0.2));
+    close(one.inertia.as_slice(), turned.as_slice());
+    assert_eq!((bar.nodes.len(), bar.beam_elements), (7, 2));
+    close(&[bar.mass], &[12.0]);
+    close(bar.centre.as_slice(), &[0.0, 1.5, 0.0]);
+    let slender = Matrix3::from_diagonal(&Vector3::new(9.0, 0.0, 9.0));
+    close(bar.inertia.as_slice(), slender.as_slice());
+    let text = found.to_string();
+    assert!(text.contains(
+        "nodes 1 to 7, 2 beam elements: mass 12, centre (0, 1.5, 0), inertia 11 22 33 (9, 0, 9)"
+    ));
+    assert!(text.contains("2 stations of sections inside beam elements"));
 }

@@ -266,3 +266,46 @@ pub unsafe extern "C" fn pdn_model_add_beam(
         Ok(())
     })
 }
+
+/// Adds a beam along a line as ::pdn_model_add_beam does, with elements between given places.
+///
+/// For meshes that follow the stations of a section, give their fractions, each once; an element ends and the next begins
+/// at every jump of the section.
+///
+/// @param model  the model; not NULL
+/// @param line  reference line; not NULL
+/// @param stations  cross-sections along it; not NULL
+/// @param boundaries  array of length [elements + 1]: places along the span where elements begin and end, from 0 at the
+///     start to 1 at the end, ascending, with all jumps among them
+/// @param elements  number of elements, 1 to 1000000
+/// @param degree  polynomial degree of the elements, 1 to 24; an element has degree + 1 nodes
+/// @param beam  ids of what was made; written on success only
+/// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_SIZE, PDN_ERR_STRUCT_SIZE, PDN_ERR_VALUE,
+///     PDN_ERR_CALLBACK, PDN_ERR_MODEL (nodes that turn too much from one to the next)
+///
+/// Threads: exclusive use of `model`.
+/// @since 0.1
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn pdn_model_add_beam_between(
+    model: *mut pdn_model,
+    line: *const pdn_line,
+    stations: *const pdn_stations,
+    boundaries: *const f64,
+    elements: usize,
+    degree: usize,
+    beam: *mut pdn_beam,
+) -> pdn_status {
+    guard(|call| {
+        let mut model = call.exclusive(model, "model")?;
+        let line = line::read(call, line, "line")?;
+        let stations = read_stations(call, stations)?;
+        check_pointer(boundaries, 1, "boundaries")?;
+        Model::require_mesh(elements, degree)?;
+        let boundaries = call.numbers(boundaries, elements + 1, "boundaries")?;
+        let beam = call.out(beam, "beam")?;
+        beam.set(add_meshed(&mut model, elements, degree, |model| {
+            model.add_beam_between(line, &stations, boundaries, degree)
+        })?);
+        Ok(())
+    })
+}

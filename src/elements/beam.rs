@@ -297,7 +297,7 @@ impl Beam {
     }
 
     /// Sections along the element.
-    pub(super) fn sections(&self) -> &SectionLine {
+    pub fn sections(&self) -> &SectionLine {
         &self.sections
     }
 

@@ -198,8 +198,19 @@ impl Element for Inertia {
     }
 }
 
-/// Total mass and first moment of a `6 n × 6 n` mass matrix in nodes at the given motions.
 impl Inertia {
+    /// The 6×6 inertia about the origin of the inertial frame, resolved in it, of the nodes at `motions` if all move as a rigid body.
+    pub fn about_origin(&self, motions: &[Motion]) -> Matrix6<f64> {
+        let carry: Vec<Matrix6<f64>> = motions.iter().map(|m| m.inverse().adjoint()).collect();
+        let mut sum = Matrix6::zeros();
+        for (a, left) in carry.iter().enumerate() {
+            for (b, right) in carry.iter().enumerate() {
+                sum += left.tr_mul(&(self.mass.fixed_view::<6, 6>(6 * a, 6 * b) * right));
+            }
+        }
+        sum
+    }
+
     /// Mass and centre-of-mass moment `Σ m r`, in the inertial frame, of the nodes at `motions`.
     pub fn mass_and_moment(&self, motions: &[Motion]) -> (f64, Vector3<f64>) {
         // Momentum of a unit translation along each axis, and its moment.

@@ -107,6 +107,11 @@ impl SectionLine {
         }
     }
 
+    /// Number of places inside the element, where the slope of the section may jump.
+    pub fn inner_places(&self) -> usize {
+        self.places.len().saturating_sub(2)
+    }
+
     /// The same with these twists, one for each place, that are part of the reference motions of the nodes; or with none.
     ///
     /// # Errors

@@ -177,6 +177,35 @@ impl Stations {
         }
         Ok(boundaries)
     }
+
+    /// Checks the fractions of element boundaries that a user gives.
+    fn check_boundaries(&self, boundaries: &[f64]) -> Result<()> {
+        let count = boundaries.len();
+        if count < 2 {
+            return Err(Error::size("boundaries", "at least two", count));
+        }
+        for (i, &fraction) in boundaries.iter().enumerate() {
+            let name = format!("boundaries[{i}]");
+            require_finite(&name, &[fraction])?;
+            let expected = match i {
+                0 if fraction != 0.0 => "0 at the start".to_owned(),
+                _ if i + 1 == count && fraction != 1.0 => "1 at the end".to_owned(),
+                _ if i > 0 && fraction <= boundaries[i - 1] => {
+                    format!("more than {}, the one before", boundaries[i - 1])
+                }
+                _ => continue,
+            };
+            return Err(Error::value(&name, expected, fraction));
+        }
+        let jumps = self.0.windows(2).filter(|pair| pair[0].0 == pair[1].0);
+        for (fraction, ..) in jumps.map(|pair| pair[0]) {
+            if !boundaries.contains(&fraction) {
+                let expected = format!("one at {fraction}, where the section jumps");
+                return Err(Error::value("boundaries", expected, "none"));
+            }
+        }
+        Ok(())
+    }
 }
 
 impl Model {
@@ -308,6 +337,34 @@ impl Model {
         Self::require_mesh(elements, degree)?;
         let stations = Stations::new(stations)?;
         let boundaries = stations.boundaries(elements)?;
+        self.mesh_beam(line, &stations, &boundaries, degree)
+    }
+
+    /// The same with elements from each of the `boundaries` to the next, fractions from 0 to 1: those of the stations, for a mesh
+    /// that follows them, or others. The section jumps at boundaries only.
+    ///
+    /// # Errors
+    /// If the line, the stations, the boundaries or the degree are not valid; the model is then as it was.
+    pub fn add_beam_between(
+        &mut self,
+        line: impl Fn(f64) -> Result<Motion>,
+        stations: &[SectionStation],
+        boundaries: &[f64],
+        degree: usize,
+    ) -> Result<BeamIds> {
+        let stations = Stations::new(stations)?;
+        stations.check_boundaries(boundaries)?;
+        Self::require_mesh(boundaries.len() - 1, degree)?;
+        self.mesh_beam(line, &stations, boundaries, degree)
+    }
+
+    fn mesh_beam(
+        &mut self,
+        line: impl Fn(f64) -> Result<Motion>,
+        stations: &Stations,
+        boundaries: &[f64],
+        degree: usize,
+    ) -> Result<BeamIds> {
         let before = (self.nodes.len(), self.beams.len(), self.inertias.len());
         let mesh = |model: &mut Model| -> Result<BeamIds> {
             let node_at = |model: &mut Model, fraction: f64| -> Result<usize> {
@@ -333,7 +390,7 @@ impl Model {
                 first_node,
                 last_node: previous,
                 first_element: before.1,
-                elements,
+                elements: boundaries.len() - 1,
             })
         };
         let ids = mesh(self);
@@ -559,6 +616,43 @@ mod tests {
         };
         assert!(model.add_beam_along(broken, &stations, 4, 2).is_err());
         assert_eq!((model.node_count(), model.beam_element_count()), (count, 4));
+    }
+
+    #[test]
+    fn elements_lie_between_the_boundaries_that_are_given() {
+        let line = straight_line(&Vector3::zeros(), &(Vector3::x() * 3.0), &Vector3::y()).unwrap();
+        let stations = [
+            station(0.0, 4.0, 0.0),
+            station(0.3, 2.0, 0.0),
+            station(0.3, 1.0, 0.0),
+            station(1.0, 0.5, 0.0),
+        ];
+        let mut model = Model::new();
+        let mut add = |boundaries: &[f64]| {
+            let added = model.add_beam_between(&line, &stations, boundaries, 2);
+            added.map_err(|e| e.to_string())
+        };
+        for (boundaries, refusal) in [
+            (&[][..], "boundaries: expected at least two"),
+            (&[0.1, 0.3, 1.0], "boundaries[0]: expected 0 at the start"),
+            (&[0.0, 0.3], "boundaries[1]: expected 1 at the end"),
+            (
+                &[0.0, 0.3, 0.3, 1.0],
+                "boundaries[2]: expected more than 0.3",
+            ),
+            (&[0.0, f64::NAN, 1.0], "boundaries[1]: expected a finite"),
+            (&[0.0, 0.4, 1.0], "boundaries: expected one at 0.3"),
+        ] {
+            let error = add(boundaries).unwrap_err();
+            assert!(error.starts_with(refusal), "{error}");
+        }
+        let ids = add(&[0.0, 0.1, 0.3, 1.0]).unwrap();
+        assert_eq!((ids.first_node, ids.last_node, ids.elements), (0, 6, 3));
+        let places: Vec<f64> = [0, 2, 4, 6].map(|n| model.nodes[n].position.x).into();
+        assert_eq!(places, [0.0, 3.0 * 0.1, 3.0 * 0.3, 3.0]);
+        let (mass, _) = model.mass_and_moment();
+        let exact = 3.0 * (0.3 * 3.0 + 0.7 * 0.75);
+        assert!((mass - exact).abs() < 1e-14 * exact, "{mass} {exact}");
     }
 
     /// Turned by a right angle: axis 1 is across the line.

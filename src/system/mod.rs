@@ -3,6 +3,7 @@
 mod check;
 mod constraints;
 mod driven;
+mod mass_properties;
 mod partition;
 mod scales;
 mod spectra;
@@ -13,6 +14,7 @@ mod warnings;
 pub use check::{TangentCheck, check_tangents};
 pub use constraints::{ConstraintLoop, Dependency, name_all, name_constraints};
 pub use driven::Driven;
+pub use mass_properties::MassProperties;
 pub use scales::Scales;
 pub use summary::Summary;
 

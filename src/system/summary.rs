@@ -1,6 +1,7 @@
 //! What a model consists of, how it can move, and what looks like a mistake.
 
 use super::constraints::Dependency;
+use super::mass_properties::{MassProperties, readable, readable_all};
 use super::partition::{Partition, parts};
 use super::warnings::warnings;
 use super::{ElementRole, Standstill, System};
@@ -38,6 +39,11 @@ pub struct Summary {
     pub mass: f64,
     /// Centre of mass, in the inertial frame; zero without mass.
     pub centre: Vector3<f64>,
+    /// Mass, centre and inertia of each body and beam that has mass.
+    pub mass_properties: Vec<MassProperties>,
+    /// Stations of sections inside beam elements: these are integrated from each to the next, but what bends or twists more from one
+    /// on is smooth in the element.
+    pub inner_stations: usize,
     /// What looks like a mistake, one sentence each.
     pub warnings: Vec<String>,
     /// Constraints that depend on each other.
@@ -78,27 +84,20 @@ impl Summary {
             } else {
                 Vector3::zeros()
             },
+            mass_properties: MassProperties::of_members(model, &bodies),
+            inner_stations: model
+                .beams
+                .iter()
+                .map(|beam| beam.sections().inner_places())
+                .sum(),
             warnings,
             dependencies: system.dependencies().to_vec(),
         })
     }
 }
 
-/// A number with seven digits, without zeros at the end.
-fn readable(x: f64) -> String {
-    if x == 0.0 {
-        return "0".into();
-    }
-    let digits = 6 - x.abs().log10().floor() as i32;
-    if !(0..=10).contains(&digits) {
-        return format!("{x:.6e}");
-    }
-    let text = format!("{x:.*}", digits as usize);
-    match text.contains('.') {
-        true => text.trim_end_matches('0').trim_end_matches('.').into(),
-        false => text,
-    }
-}
+/// Members that are written out, at most.
+const WRITTEN: usize = 40;
 
 impl fmt::Display for Summary {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -123,12 +122,23 @@ impl fmt::Display for Summary {
         )?;
         writeln!(
             f,
-            "  mass {}, centre ({}, {}, {})",
+            "  mass {}, centre {}",
             readable(self.mass),
-            readable(self.centre.x),
-            readable(self.centre.y),
-            readable(self.centre.z)
+            readable_all(self.centre.into(), self.centre.amax())
         )?;
+        for member in self.mass_properties.iter().take(WRITTEN) {
+            writeln!(f, "    {member}")?;
+        }
+        if let Some(more) = self.mass_properties.len().checked_sub(WRITTEN + 1) {
+            writeln!(f, "    and {} more", more + 1)?;
+        }
+        if self.inner_stations > 0 {
+            writeln!(
+                f,
+                "  {} stations of sections inside beam elements: with boundaries there, higher degrees gain more",
+                self.inner_stations
+            )?;
+        }
         for warning in &self.warnings {
             writeln!(f, "  warning: {warning}")?;
         }

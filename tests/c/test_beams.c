@@ -119,6 +119,23 @@ static void sections_and_twist_vary(void)
         NEAR(frame.rotation[3], sin(angle), 1e-14);
         NEAR(frame.rotation[5], cos(angle), 1e-14);
     }
+    /* Elements between the stations and a place of one's own. */
+    stations.twists = NULL;
+    const double boundaries[5] = {0, 0.125, 0.5, 0.75, 1}, amiss[3] = {0, 0.25, 1};
+    const pdn_beam before = beam;
+    CHECK_STATUS(pdn_model_add_beam_between(model, &line, &stations, amiss, 2, 2, &beam),
+                 PDN_ERR_VALUE);
+    CHECK_MESSAGE("boundaries: expected one at 0.5, where the section jumps, got none");
+    CHECK_STATUS(pdn_model_add_beam_between(model, &line, &stations, NULL, 4, 2, &beam),
+                 PDN_ERR_NULL);
+    CHECK(memcmp(&before, &beam, sizeof beam) == 0);
+    CHECK_STATUS(pdn_model_add_beam_between(model, &line, &stations, boundaries, 4, 2, &beam),
+                 PDN_OK);
+    CHECK(beam.first == 16 && beam.last == 24 && beam.elements == 4);
+    for (node = 0; node <= 4; node++) {
+        CHECK_STATUS(pdn_model_node_frame(model, beam.first + 2 * node, &frame), PDN_OK);
+        NEAR(frame.position[1], 3 * boundaries[node], 1e-14);
+    }
     pdn_model_free(model);
 }
 
