@@ -2841,6 +2841,29 @@ contains
             count_of(degree), beam), stat, errmsg)
     end subroutine model_add_straight_beam
 
+    ! Stations of these sections, if all are as many.
+    logical function are_stations(sections, fractions, twists, stations, stat, errmsg)
+        type(pdn_section), intent(in), target, contiguous :: sections(:)
+        real(c_double), intent(in), optional, target, contiguous :: fractions(:), twists(:)
+        type(pdn_stations), intent(out) :: stations
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+
+        are_stations = .false.
+        call pdn_stations_init(stations, c_sizeof(stations))
+        stations%count = size(sections)
+        if (size(sections) > 0) stations%sections = c_loc(sections)
+        if (present(fractions)) then
+            if (.not. fits('fractions', shape(fractions), shape(sections), stat, errmsg)) return
+            stations%fractions = c_loc(fractions)
+        end if
+        if (present(twists)) then
+            if (.not. fits('twists', shape(twists), shape(sections), stat, errmsg)) return
+            stations%twists = c_loc(twists)
+        end if
+        are_stations = .true.
+    end function are_stations
+
     ! A beam along a line; sections (and twists) at fractions of it, or one section for all of it.
     subroutine model_add_beam(self, line, sections, elements, degree, beam, fractions, twists, stat, errmsg)
         class(pdn_model), intent(inout) :: self
@@ -2853,41 +2876,25 @@ contains
         character(*), intent(inout), optional :: errmsg
         type(pdn_stations) :: stations
 
-        call pdn_stations_init(stations, c_sizeof(stations))
-        stations%count = size(sections)
-        if (size(sections) > 0) stations%sections = c_loc(sections)
-        if (present(fractions)) then
-            if (.not. fits('fractions', shape(fractions), shape(sections), stat, errmsg)) return
-            stations%fractions = c_loc(fractions)
-        end if
-        if (present(twists)) then
-            if (.not. fits('twists', shape(twists), shape(sections), stat, errmsg)) return
-            stations%twists = c_loc(twists)
-        end if
+        if (.not. are_stations(sections, fractions, twists, stations, stat, errmsg)) return
         call report(pdn_model_add_beam(self%c, line, stations, count_of(elements), count_of(degree), &
             beam), stat, errmsg)
     end subroutine model_add_beam
 
     ! The same with elements from each of the boundaries to the next, fractions of the span.
-    subroutine model_add_beam_between(self, line, sections, boundaries, degree, beam, fractions, stat, errmsg)
+    subroutine model_add_beam_between(self, line, sections, boundaries, degree, beam, fractions, twists, stat, errmsg)
         class(pdn_model), intent(inout) :: self
         type(pdn_line), intent(in) :: line
         type(pdn_section), intent(in), target, contiguous :: sections(:)
         real(c_double), intent(in) :: boundaries(:)
         integer(c_int32_t), intent(in) :: degree
         type(pdn_beam), intent(inout) :: beam
-        real(c_double), intent(in), optional, target, contiguous :: fractions(:)
+        real(c_double), intent(in), optional, target, contiguous :: fractions(:), twists(:)
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
         type(pdn_stations) :: stations
 
-        call pdn_stations_init(stations, c_sizeof(stations))
-        stations%count = size(sections)
-        if (size(sections) > 0) stations%sections = c_loc(sections)
-        if (present(fractions)) then
-            if (.not. fits('fractions', shape(fractions), shape(sections), stat, errmsg)) return
-            stations%fractions = c_loc(fractions)
-        end if
+        if (.not. are_stations(sections, fractions, twists, stations, stat, errmsg)) return
         call report(pdn_model_add_beam_between(self%c, line, stations, boundaries, &
             int(max(size(boundaries) - 1, 0), c_size_t), count_of(degree), beam), stat, errmsg)
     end subroutine model_add_beam_between
