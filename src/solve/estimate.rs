@@ -221,7 +221,7 @@ impl Attempts<'_> {
             newton.equations.set_signals(&moving);
             newton.equations.residual(&at, &mut rows)?;
             rows.iter_mut().zip(&rest).for_each(|(x, rest)| *x -= rest);
-            let Some(response) = newton.response(&mut rows)? else {
+            let Some(response) = newton.response_of_wave(&mut rows)? else {
                 return Ok(None);
             };
             sum += response;
@@ -270,7 +270,7 @@ impl Attempts<'_> {
                 return Ok(None);
             }
             let mut rows = defect.left_out(&newton.equations, k);
-            let response = newton.response(&mut rows)?;
+            let response = newton.response_of_wave(&mut rows)?;
             most = most.zip(response).map(|(most, here)| most.max(here));
         }
         Ok(most)

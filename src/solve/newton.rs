@@ -294,6 +294,24 @@ impl<L: LinearSolver> Newton<L> {
         Ok((solved && largest.is_finite()).then_some(largest))
     }
 
+    /// The same for a wave about a state at rest, which has no mean: that of the solution is rounding, of which what nothing but
+    /// rotation holds up would make much.
+    pub fn response_of_wave(&mut self, scaled: &mut [f64]) -> Result<Option<f64>> {
+        let solved = self.solve_linear(scaled, ESTIMATE)?;
+        let points = self.equations.grid().points();
+        let motions = 6 * self.equations.system().nodes() * points;
+        for node in scaled[..motions].chunks_exact_mut(6 * points) {
+            for component in 0..6 {
+                let values = node[component..].iter().step_by(6);
+                let mean = values.sum::<f64>() / points as f64;
+                let values = node[component..].iter_mut().step_by(6);
+                values.for_each(|x| *x -= mean);
+            }
+        }
+        let largest = self.motion_norm(scaled);
+        Ok((solved && largest.is_finite()).then_some(largest))
+    }
+
     /// Largest motion increment in scaled unknowns.
     fn motion_norm(&self, scaled: &[f64]) -> f64 {
         let motions = 6 * self.equations.system().nodes() * self.equations.grid().points();
