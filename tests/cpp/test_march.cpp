@@ -15,7 +15,8 @@ int main()
     options.velocities = {{0, 0, 0, 0, 0, 0.3}};
     int steps = 0;
     options.progress = [&](const pdn_progress &progress) {
-        steps += progress.stage == pdn::detail::c(pdn::Stage::march);
+        // It is told within steps that last, too.
+        steps += progress.iterated && progress.stage == pdn::detail::c(pdn::Stage::march);
         return true;
     };
     const auto free = pdn::march(o.model, options);

@@ -14,7 +14,7 @@ def results(directory, program):
     out = directory / (Path(program).stem + ".csv")
     done = subprocess.run([program, "--grid", "15", "--elements", "4", "--out", out], check=True,
                           capture_output=True, text=True)
-    lines = [line.rstrip() for line in done.stdout.splitlines() if not line.startswith("  time:")]
+    lines = [line.rstrip() for line in done.stdout.splitlines() if not line.startswith(("  time:", "    of it "))]
     head, *rows = out.read_text().splitlines()
     return lines, head, [[float(number) for number in row.split(",")] for row in rows]
 
