@@ -200,7 +200,8 @@ static void oversampling_leaves_out_aliases(void)
 /* At the first iteration on the second grid. */
 static int32_t stop(const pdn_progress *progress, void *data)
 {
-    return progress->stage == PDN_STAGE_NEWTON && progress->iteration == 1 && ++*(int *)data > 1;
+    const int is_first = progress->stage == PDN_STAGE_NEWTON && progress->iteration == 1;
+    return progress->iterated && is_first && ++*(int *)data > 1;
 }
 
 static void it_can_be_cancelled_on_any_grid(void)
