@@ -321,12 +321,10 @@ fn true_error(solution: &Solution, exact: &Solution) -> f64 {
 
 /// Estimates on fixed grids, many of which cannot hold the loads: at most three times too low, and seldom ten times too high.
 ///
-/// These are chosen seeds, not a rate. Blades (3, 8, 13) are left out: on grids that do not resolve them, stretching between points
-/// makes estimates up to some hundred times too high.
 #[test]
 fn estimates_are_honest_on_grids_that_hold_the_loads_or_do_not() {
     let (mut all, mut high) = (0, Vec::new());
-    for seed in [1, 2, 4, 5, 6, 7, 9, 10, 12, 14, 15] {
+    for seed in 1..=20 {
         let case = case(seed);
         let exact = solve(&case.model, case.period, 141);
         // Far from resolved, an oscillator with a cubic spring may be on another branch.

@@ -14,6 +14,7 @@ use crate::motion::{DualMatrix, DualPolar, Motion};
 use crate::system::{Conditions, OwnValues, System, Workspace};
 use crate::workers::Workers;
 use nalgebra::{Vector3, Vector6};
+use realfft::RealFftPlanner;
 use serde::{Deserialize, Serialize};
 
 /// A node's motions over the grid, ready to be interpolated (section 4).
@@ -89,7 +90,7 @@ pub fn too_coarse(node: usize, time: f64, points: usize) -> Error {
 }
 
 /// Where between two grid points the equations are looked at: the golden section of the interval.
-const PART: f64 = 0.381_966_011_250_105_1;
+pub(super) const PART: f64 = 0.381_966_011_250_105_1;
 
 /// Largest residuals between grid points, at their golden section.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
@@ -121,8 +122,10 @@ pub struct Defect {
     /// Largest of them.
     pub largest: ResidualBetween,
     /// All of them, not scaled, time by time: the forces on each node, then the own equations of the elements.
-    rows: Vec<f64>,
-    count: usize,
+    pub(super) rows: Vec<f64>,
+    pub(super) count: usize,
+    /// The nodes then.
+    pub(super) nodes: ResampledNodes,
 }
 
 /// What is left of the equations at one time.
@@ -286,6 +289,7 @@ impl Defect {
             largest: ResidualBetween::of(&found, time),
             rows: found.iter().flat_map(|here| &here.rows).copied().collect(),
             count: 6 * system.nodes() + system.multipliers(),
+            nodes,
         })
     }
 
@@ -322,6 +326,34 @@ impl Defect {
             }
         }
         all
+    }
+
+    /// Largest amplitudes of what is left of the equations by the harmonics from `H + 1` to `2 H`, scaled as those of `equations`, which
+    /// are on a grid of three points.
+    ///
+    /// Of the harmonic `N − a` a grid of `N` points makes `−a`: that is what is left at the same part of all intervals, but for a factor
+    /// that all rows share.
+    pub fn high_harmonics(&self, equations: &Collocation) -> Vec<f64> {
+        let points = self.rows.len() / self.count;
+        let transform = RealFftPlanner::new().plan_fft_forward(points);
+        let mut scratch = transform.make_scratch_vec();
+        let mut samples = transform.make_input_vec();
+        let mut spectrum = transform.make_output_vec();
+        let mut largest = vec![0.0f64; points / 2];
+        for (row, places) in places(equations.system(), 3) {
+            let values = self.rows[row..].iter().step_by(self.count);
+            samples
+                .iter_mut()
+                .zip(values)
+                .for_each(|(x, value)| *x = *value);
+            // The lengths are those that the transform asked for, so it cannot fail.
+            let _ = transform.process_with_scratch(&mut samples, &mut spectrum, &mut scratch);
+            let scale = 2.0 * equations.row_scale()[places(0)] / (points as f64 * Self::SHOWN);
+            for (largest, c) in largest.iter_mut().zip(spectrum[1..].iter().rev()) {
+                *largest = largest.max(scale * c.norm());
+            }
+        }
+        largest
     }
 
     /// The grid points after which most is left of the equations of forces, and of those of the elements, all scaled as those of

@@ -20,6 +20,7 @@ mod resampled;
 mod sensitivity;
 mod state;
 mod step;
+mod stretching;
 mod tangent;
 
 pub use aliasing::Aliasing;

@@ -163,6 +163,17 @@ impl Collocation {
         self.grid
     }
 
+    /// Gives the same number of points another period.
+    ///
+    /// # Errors
+    /// If it is none.
+    pub fn set_period(&mut self, period: f64) -> Result<()> {
+        self.grid = TimeGrid::new(self.grid.points(), period)?;
+        self.operators = Differentiation::new(self.grid);
+        self.operator_rooms.clear();
+        Ok(())
+    }
+
     /// Number of unknowns.
     pub fn size(&self) -> usize {
         self.row_scale.len()
@@ -284,14 +295,15 @@ impl Collocation {
         changes
     }
 
-    /// Stress resultants of all stations at `state`, at the points of another grid of the same period; none where tangents
-    /// have no use for them.
+    /// Stress resultants of all stations at `state`, at the points of another grid of the same period that begins `start` periods
+    /// later; none where tangents have no use for them.
     ///
     /// # Errors
     /// If an element is too distorted.
     pub fn resampled_resultants(
         &mut self,
         state: &GridState,
+        start: f64,
         other: TimeGrid,
     ) -> Result<Vec<Vector6<f64>>> {
         let stations = self.system.stations();
@@ -301,7 +313,7 @@ impl Collocation {
         self.extrapolate_resultants(state, &vec![0.0; self.size()])?;
         let resultants = std::mem::take(&mut self.instants.resultants);
         let mut all = vec![Vector6::zeros(); other.points() * stations];
-        let mut resampling = Resampling::new(self.grid, 0.0, other.points());
+        let mut resampling = Resampling::new(self.grid, start, other.points());
         let mut values = vec![0.0; other.points()];
         for station in 0..stations {
             for row in 0..6 {

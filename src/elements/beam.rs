@@ -767,6 +767,22 @@ impl Element for Beam {
         Ok(())
     }
 
+    fn add_forces_of_resultants(
+        &self,
+        nodes: &[NodeState],
+        resultants: &[Vector6<f64>],
+        out: &mut Contribution,
+    ) -> Result<()> {
+        let mut room = std::mem::take(&mut out.beam);
+        for (station, resultants) in self.stations.iter().zip(resultants) {
+            room.terms.clear();
+            room.add_terms(station, nodes)?;
+            add_forces(&room.terms, &(resultants * station.weight), out);
+        }
+        out.beam = room;
+        Ok(())
+    }
+
     fn evaluate(&self, instant: &Instant, out: &mut Contribution) -> Result<()> {
         // Taken out while `out` is written to.
         let mut room = std::mem::take(&mut out.beam);

@@ -302,6 +302,19 @@ pub trait Element: Send + Sync + std::fmt::Debug {
         Ok(())
     }
 
+    /// Adds the forces on the nodes, which are at `nodes`, of stress resultants at each station that has a [`StressLaw`].
+    ///
+    /// # Errors
+    /// As [`Element::evaluate`].
+    fn add_forces_of_resultants(
+        &self,
+        _nodes: &[NodeState],
+        _resultants: &[Vector6<f64>],
+        _out: &mut Contribution,
+    ) -> Result<()> {
+        Ok(())
+    }
+
     /// Whether the forces depend on the acceleration.
     fn has_mass(&self) -> bool {
         false

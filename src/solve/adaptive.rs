@@ -142,8 +142,11 @@ impl Adaptation {
         let wanted = points as f64 + 2.0 * reduction / found.decay.ratio.ln();
         let wanted = if wanted.is_finite() { wanted } else { f64::MAX };
         let (least, mut most) = (least * points as f64, most * points as f64);
-        // What loads need is known.
         let mut wanted = wanted;
+        if let Some(harmonic) = found.resounding {
+            wanted = wanted.max((2 * harmonic + 1) as f64);
+        }
+        // What loads need is known.
         if let Some(unheld) = &found.unheld {
             let fraction = AIM_OF_LOADS * self.error_tolerance / unheld.error;
             let needed = loads.needed((points - 1) / 2, fraction);
@@ -221,7 +224,8 @@ impl Attempts<'_> {
             });
             let next = adaptation.next(points, &found, &self.loads);
             let accepted = found.error <= adaptation.error_tolerance;
-            if accepted && (!deceivable || next <= points) {
+            let doubtful = deceivable || found.resounding.is_some();
+            if accepted && (!doubtful || next <= points) {
                 return Ok((state, report));
             }
             deceivable = false;

@@ -4,7 +4,8 @@ use super::linear::LinearSolver;
 use super::loads::Unheld;
 use super::newton::{Iteration, Newton, NewtonReport, Outcome};
 use super::periodic::{Attempts, PeriodicSolve};
-use crate::collocation::{Collocation, Decay, DecayKind, Defect, GridState, ResidualBetween};
+use super::waves::Waves;
+use crate::collocation::{Decay, DecayKind, Defect, GridState, ResidualBetween};
 use crate::error::{ErrorKind, Result};
 use crate::fourier::TimeGrid;
 use crate::model::Model;
@@ -25,10 +26,10 @@ pub struct Assessment {
     pub error: f64,
     /// What harmonics of loads and prescribed motions that the grid cannot hold have to do with it.
     pub unheld: Option<Unheld>,
+    /// A harmonic above those of the grid that is so near a natural frequency that a finer grid alone can tell what it adds.
+    pub resounding: Option<usize>,
 }
 
-/// Harmonics of the loads that are looked at one by one.
-const WAVES: usize = 6;
 /// The harmonics of a load that are named are those that leave this fraction of the error.
 const MOST: f64 = 0.1;
 /// Residuals so small are rounding.
@@ -63,6 +64,7 @@ pub(super) fn assess(
     };
     let assessment = Assessment {
         unheld: None,
+        resounding: None,
         decay,
         between,
         error,
@@ -144,16 +146,27 @@ impl Attempts<'_> {
         }
         let (system, workers) = (self.system.clone(), self.workers.clone());
         let (mut found, defect) = assess(&system, self.grid, state, &workers)?;
-        if let (Some(defect), true) = (defect, sampled && self.grid.points() > 1) {
+        if let (Some(mut defect), true) = (defect, sampled && self.grid.points() > 1) {
+            defect.carry_resultants(&mut self.newton.equations, state)?;
             let mut aliased = defect.aliased(&self.newton.equations);
             let aliased = self.newton.response(&mut aliased)?;
-            let left_out = self.left_out(&defect, state)?;
+            let mut waves = Waves::new(&self.newton.equations, state)?;
+            let left_out = match aliased {
+                Some(aliased) => waves.left_out(&defect, aliased)?,
+                None => None,
+            };
             if let (Some(mut aliased), Some(mut left_out)) = (aliased, left_out) {
-                if let Some((low, high)) = self.unheld(&defect, state)? {
-                    (aliased, left_out) = (aliased.max(low), left_out.max(high));
-                    found.unheld = self.name_unheld(low + high);
+                if self.loads.has_above(self.grid.harmonics()) {
+                    let low = self.unheld(state)?;
+                    let high = waves.unheld(&defect, &self.loads)?;
+                    if let Some((low, high)) = low.zip(high) {
+                        aliased = aliased.max(low);
+                        left_out.error = left_out.error.max(high);
+                        found.unheld = self.name_unheld(low + high);
+                    }
                 }
-                found.error = (aliased + left_out).max(found.between.constraint);
+                found.error = (aliased + left_out.error).max(found.between.constraint);
+                found.resounding = left_out.resounding;
             }
             // Harmonics that do not fall, but which the loads have, and the grid resolves.
             let balanced = found.between.force.max(found.between.constraint) < BALANCED;
@@ -166,17 +179,13 @@ impl Attempts<'_> {
         Ok(found)
     }
 
-    /// Motions by what the grid takes the harmonics of the loads for that it cannot hold, and by these themselves. None where there are no such.
-    fn unheld(&mut self, defect: &Defect, state: &GridState) -> Result<Option<(f64, f64)>> {
-        let harmonics = self.grid.harmonics();
-        if !self.loads.has_above(harmonics) {
-            return Ok(None);
-        }
+    /// Motions by what the grid takes the harmonics of the loads for that it cannot hold.
+    fn unheld(&mut self, state: &GridState) -> Result<Option<f64>> {
         let equations = &mut self.newton.equations;
         let (mut full, mut held) = (vec![0.0; equations.size()], vec![0.0; equations.size()]);
         equations.residual(state, &mut full)?;
         let signals = equations.signals().to_vec();
-        let count = self.system.signals();
+        let (count, harmonics) = (self.system.signals(), self.grid.harmonics());
         let mut without = signals.clone();
         let mut rest = vec![0.0; count];
         for (values, time) in without.chunks_exact_mut(count).zip(self.grid.times()) {
@@ -193,40 +202,7 @@ impl Attempts<'_> {
         full.iter_mut()
             .zip(&held)
             .for_each(|(full, held)| *full -= held);
-        let low = self.newton.response(&mut full)?;
-        let high = self.waves(defect, state)?;
-        Ok(low.zip(high))
-    }
-
-    /// Motions by the harmonics of the loads that the grid cannot hold, where most is left of the equations.
-    fn waves(&self, defect: &Defect, state: &GridState) -> Result<Option<f64>> {
-        let (harmonics, part) = self.loads.strongest(self.grid.harmonics(), WAVES);
-        let mut sum = 0.0;
-        for harmonic in harmonics {
-            let mut newton = wave(&self.newton.equations, harmonic)?;
-            let [k, _] = defect.worst(&newton.equations);
-            if !freeze(&mut newton, state, k)? {
-                return Ok(None);
-            }
-            let at = frozen(&newton, state, k);
-            let count = self.system.signals();
-            let still = newton.equations.signals().to_vec();
-            let mut moving = still.clone();
-            for (point, values) in moving.chunks_exact_mut(count).enumerate() {
-                self.loads.wave(harmonic, point, values);
-            }
-            let size = newton.equations.size();
-            let (mut rest, mut rows) = (vec![0.0; size], vec![0.0; size]);
-            newton.equations.residual(&at, &mut rest)?;
-            newton.equations.set_signals(&moving);
-            newton.equations.residual(&at, &mut rows)?;
-            rows.iter_mut().zip(&rest).for_each(|(x, rest)| *x -= rest);
-            let Some(response) = newton.response_of_wave(&mut rows)? else {
-                return Ok(None);
-            };
-            sum += response;
-        }
-        Ok(Some(sum / part))
+        self.newton.response(&mut full)
     }
 
     /// The signal that needs the finest grid, to get rid of most of this error.
@@ -255,61 +231,6 @@ impl Attempts<'_> {
             )
         })
     }
-
-    /// Motions by what is left out of the equations, as a wave next above the harmonics of the grid, at the worst points.
-    fn left_out(&self, defect: &Defect, state: &GridState) -> Result<Option<f64>> {
-        let harmonic = self.grid.harmonics() + 1;
-        let mut newton = wave(&self.newton.equations, harmonic)?;
-        let mut most = Some(0.0f64);
-        let [force, own] = defect.worst(&newton.equations);
-        for k in [Some(force), (own != force).then_some(own)]
-            .into_iter()
-            .flatten()
-        {
-            if !freeze(&mut newton, state, k)? {
-                return Ok(None);
-            }
-            let mut rows = defect.left_out(&newton.equations, k);
-            let response = newton.response_of_wave(&mut rows)?;
-            most = most.zip(response).map(|(most, here)| most.max(here));
-        }
-        Ok(most)
-    }
-}
-
-/// Equations of a wave of this harmonic of the period.
-fn wave(equations: &Collocation, harmonic: usize) -> Result<Newton> {
-    let grid = TimeGrid::new(3, equations.grid().period() / harmonic as f64)?;
-    let mut wave = Collocation::new(equations.system().clone(), grid)?;
-    wave.set_workers(equations.workers().alone());
-    if equations.is_regularised() {
-        wave.regularise();
-    }
-    Ok(Newton::new(wave))
-}
-
-/// The state at grid point `k`, at the points of a wave.
-fn frozen(wave: &Newton, state: &GridState, k: usize) -> GridState {
-    let system = wave.equations.system();
-    let mut at = GridState::reference(system, wave.equations.grid());
-    for point in 0..3 {
-        at.copy_point(system, point, state, k);
-    }
-    at
-}
-
-/// Linearises the equations of a wave about grid point `k` of a state. `false` if they are singular.
-fn freeze(wave: &mut Newton, state: &GridState, k: usize) -> Result<bool> {
-    let system = wave.equations.system().clone();
-    let time = system.period() * k as f64 / state.points() as f64;
-    let at = frozen(wave, state, k);
-    // Functions of the user see no times beyond the period.
-    let last = system.period() - wave.equations.grid().period();
-    wave.equations.set_conditions(time.min(last), 1.0)?;
-    let mut signals = vec![0.0; system.signals()];
-    system.signal_values(time, 1.0, &mut signals)?;
-    wave.equations.set_signals(&signals.repeat(3));
-    wave.linearise(&at)
 }
 
 impl PeriodicSolve {

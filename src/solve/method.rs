@@ -31,6 +31,8 @@ const TOO_LARGE: f64 = 6e9;
 /// Multiply-adds that a factorisation may take for each number that is stored at a node and grid point, where
 /// iteration is the alternative: about what its products take.
 const AFFORDABLE: f64 = 1e4;
+/// Multiply-adds of a factorisation that take as long as a product and its preconditioner, for each of these numbers.
+const PRODUCT: f64 = 1e3;
 /// So few numbers are not worth the trouble.
 const SMALL: f64 = 1500.0;
 /// Growth of a preconditioner that means a Jacobian which may be singular: factors will tell.
@@ -95,6 +97,10 @@ pub(super) struct Linear {
     suspect: f64,
     /// Where the equations were linearised last.
     last: Option<GridState>,
+    /// Products since then.
+    products: usize,
+    /// Products that take as long as factors do.
+    most_products: usize,
     /// What iteration took until it was given up.
     given_up: Option<IterativeRecord>,
 }
@@ -106,6 +112,7 @@ impl Linear {
         let direct = || Active::Direct(Box::new(Assembled::new(equations)));
         let iterative = |p| Active::Iterative(Box::new(Iterative::new(equations, p)));
         let mut falls_back = false;
+        let mut most_products = usize::MAX;
         let active = match method {
             LinearMethod::Direct => direct(),
             LinearMethod::Iterative(preconditioner) => iterative(preconditioner),
@@ -113,6 +120,7 @@ impl Linear {
                 let cost = DirectCost::of(system, points);
                 falls_back = cost.bytes < TOO_LARGE;
                 let numbers = (6 * system.nodes() * points) as f64;
+                most_products = (cost.work / (PRODUCT * numbers)) as usize;
                 let cheap = numbers < SMALL || cost.work < AFFORDABLE * numbers;
                 if cost.bytes < LARGE && cheap {
                     direct()
@@ -130,6 +138,8 @@ impl Linear {
             suspect: SUSPECT.max(SUSPECT_SLENDER * system.slenderness()),
             may_iterate: method == LinearMethod::Automatic,
             last: None,
+            products: 0,
+            most_products,
             given_up: None,
         }
     }
@@ -187,6 +197,7 @@ impl LinearSolver for Linear {
     ) -> Result<bool> {
         if self.falls_back {
             self.last = Some(state.clone());
+            self.products = 0;
         }
         if let Active::Direct(direct) = &mut self.active {
             let regular = direct.linearise(equations, state, timings);
@@ -215,9 +226,17 @@ impl LinearSolver for Linear {
         accuracy: f64,
         timings: &mut Timings,
     ) -> Result<bool> {
+        // Short steps take many solutions: factors are made once.
+        if self.falls_back && self.products > self.most_products {
+            self.falls_back = self.fall_back(equations, timings)?;
+        }
         let done = match &mut self.active {
             Active::Direct(direct) => return direct.solve(equations, rhs, accuracy, timings),
-            Active::Iterative(iterative) => iterative.solve(equations, rhs, accuracy, timings)?,
+            Active::Iterative(iterative) => {
+                let done = iterative.solve(equations, rhs, accuracy, timings)?;
+                self.products += iterative.record.products.last().copied().unwrap_or(0);
+                done
+            }
         };
         if done || !self.fall_back(equations, timings)? {
             return Ok(done);

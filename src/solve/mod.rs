@@ -37,6 +37,7 @@ mod statics;
 pub(crate) mod test_models;
 mod trajectory;
 mod watch;
+mod waves;
 
 pub use adaptive::{Adaptation, GridTried};
 pub use diagnosis::describe_dependencies;

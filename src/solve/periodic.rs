@@ -546,7 +546,10 @@ impl Attempts<'_> {
     ) -> Result<Option<GridState>> {
         let from = self.grid;
         let began = Instant::now();
-        let resultants = self.newton.equations.resampled_resultants(state, grid)?;
+        let resultants = self
+            .newton
+            .equations
+            .resampled_resultants(state, 0.0, grid)?;
         self.guess_time += began.elapsed();
         self.move_to(grid)?;
         let start = self.carried(state, from)?;

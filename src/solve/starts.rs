@@ -2,6 +2,7 @@
 
 use super::guess::{Guess, inertial_displacement, quasi_static};
 use super::march::DissipativeMarch;
+use super::method::DirectCost;
 use super::newton::{NewtonReport, Outcome};
 use super::periodic::{Attempts, is_final};
 use crate::collocation::GridState;
@@ -82,13 +83,24 @@ impl fmt::Display for Attempt {
 const PATIENCE: usize = 4;
 /// Smallest step of the continuation in the inertia factor.
 const SMALLEST_INERTIA_STEP: f64 = 1.0 / 16.0;
-/// Most Newton iterations of that continuation.
-const MOST_RAISING: usize = 40;
+/// Least and largest number of Newton iterations that this continuation may take, and multiply-adds of their factorisations.
+const RAISING: [usize; 2] = [12, 40];
+const RAISING_WORK: f64 = 2e10;
 /// Periods that a march takes at most.
 const MOST_PERIODS: usize = 24;
 /// Changes from one period to the next, relative to the characteristic length or in radians, at which Newton's method is tried:
 /// from a motion that is still far from periodic it may find one that nobody meant.
 const TRIED: [f64; 3] = [5e-2, 5e-3, 1e-3];
+
+/// Periods after which the change is compared with later ones.
+const EARLY: usize = 3;
+
+/// Whether a change that has become what it is after `period` periods, at the rate since the early one, falls below `most` in time.
+fn settles(early: f64, change: f64, period: usize, most: f64) -> bool {
+    let rate = (change / early).ln() / (period - EARLY) as f64;
+    let left = (MOST_PERIODS - period) as f64;
+    change.ln() + rate * left < most.ln()
+}
 
 /// State and report of a Newton solve.
 type Found = (GridState, NewtonReport);
@@ -300,6 +312,8 @@ impl Attempts<'_> {
     fn through_inertia(&mut self, mut state: GridState) -> Result<Option<Found>> {
         let (mut reached, mut step) = (0.0, 0.25f64);
         let before = self.newton.iterations;
+        let work = DirectCost::of(&self.system, self.grid.points()).work;
+        let most = ((RAISING_WORK / work) as usize).clamp(RAISING[0], RAISING[1]);
         let mut found = None;
         while reached < 1.0 {
             let next = (reached + step).min(1.0);
@@ -319,7 +333,7 @@ impl Attempts<'_> {
                 _ => step *= 0.5,
             }
             let spent = self.newton.iterations - before;
-            if reached < 1.0 && (step < SMALLEST_INERTIA_STEP || spent > MOST_RAISING) {
+            if reached < 1.0 && (step < SMALLEST_INERTIA_STEP || spent > most) {
                 let explanation = format!("ended at the fraction {reached:.3} of inertial forces");
                 let report = NewtonReport {
                     outcome: Outcome::Stalled,
@@ -344,6 +358,7 @@ impl Attempts<'_> {
         let mut march = DissipativeMarch::new(system, self.grid, start.as_ref(), workers)?;
         let mut found: Option<Found> = None;
         let mut tries = TRIED.iter().peekable();
+        let mut early = f64::INFINITY;
         for period in 1..=MOST_PERIODS {
             let marched = self.guess(|_, _, observe| march.go_on(observe))?;
             let state = match marched {
@@ -358,13 +373,20 @@ impl Attempts<'_> {
                     return Ok(found.or(Some((state, report))));
                 }
             };
-            let is_near = tries.next_if(|most| march.change() < **most).is_some();
-            if !is_near && period < MOST_PERIODS {
+            let change = march.change();
+            if period == EARLY {
+                early = change;
+            }
+            // What does not settle soon enough is tried once, as it is.
+            let is_last = period == MOST_PERIODS
+                || (period >= 2 * EARLY && !settles(early, change, period, TRIED[0]));
+            let is_near = tries.next_if(|most| change < **most).is_some();
+            if !is_near && !is_last {
                 continue;
             }
             while tries.next_if(|most| march.change() < **most).is_some() {}
             let next = self.newton(state)?;
-            if is_final(next.1.outcome) || tries.peek().is_none() {
+            if is_final(next.1.outcome) || is_last || tries.peek().is_none() {
                 return Ok(Some(next));
             }
             found = Some(next);

@@ -728,6 +728,28 @@ impl System {
         Ok(out)
     }
 
+    /// Forces of stress resultants of one element on its nodes, in their own axes.
+    ///
+    /// # Errors
+    /// If the element is too distorted.
+    pub fn forces_of_resultants<'w>(
+        &self,
+        placed: &Placed,
+        state: impl Fn(usize) -> NodeState,
+        resultants: &[Vector6<f64>],
+        workspace: &'w mut Workspace,
+    ) -> Result<&'w Contribution> {
+        workspace.states.clear();
+        let states = placed.element.nodes().iter().map(|&node| state(node));
+        workspace.states.extend(states);
+        let out = &mut workspace.contributions[placed.shape];
+        out.clear();
+        placed
+            .element
+            .add_forces_of_resultants(&workspace.states, resultants, out)?;
+        Ok(out)
+    }
+
     /// Forces that one element exerts on its nodes, in their own axes, and its outputs.
     pub fn outputs(
         &self,

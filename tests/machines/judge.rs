@@ -15,6 +15,9 @@ pub const TRUSTED: f64 = 3.0;
 pub const SHARP: f64 = 10.0;
 /// Errors that are left to rounding.
 pub const ROUNDING: f64 = 1e-9;
+/// A finer grid judges if its own estimate is less than this part of the difference, or if it has so many points.
+const SURER: f64 = 0.2;
+const FINEST: usize = 600;
 /// A solution is false if it is wrong by more than its estimate allows, and by so many times the tolerance.
 const FALSE: f64 = 10.0;
 /// Difference to a march, in uncertainties of that, that disproves a solution.
@@ -97,16 +100,26 @@ fn finer(grid: TimeGrid) -> Result<TimeGrid> {
 
 /// The difference between a solution and that on a finer grid, found from it or from cold.
 fn against_finer(machine: &Machine, solution: &Solution, from_cold: bool) -> Result<Option<f64>> {
-    let grid = finer(solution.grid())?;
-    let carried = solution.prolonged(grid)?;
-    let mut options = PeriodicOptions::with_grid_points(grid.points());
-    if !from_cold {
-        options.guess = InitialGuess::State(carried.clone());
+    let mut grid = solution.grid();
+    loop {
+        grid = finer(grid)?;
+        let carried = solution.prolonged(grid)?;
+        let mut options = PeriodicOptions::with_grid_points(grid.points());
+        if !from_cold {
+            options.guess = InitialGuess::State(carried.clone());
+        }
+        let fine = Solution::solve(&machine.model, machine.period, &options, &mut go_on)?;
+        if fine.outcome() != Outcome::Converged {
+            return Ok(None);
+        }
+        let length = fine.details().system.scales().length;
+        let difference = carried.distance(&fine.details().state, length);
+        // A harmonic of the finer grid alone that resounds may make it the worse.
+        let own = fine.diagnostics().error_estimate;
+        if own < SURER * difference || difference < ROUNDING || grid.points() > FINEST {
+            return Ok(Some(difference));
+        }
     }
-    let fine = Solution::solve(&machine.model, machine.period, &options, &mut go_on)?;
-    let length = fine.details().system.scales().length;
-    let difference = || carried.distance(&fine.details().state, length);
-    Ok((fine.outcome() == Outcome::Converged).then(difference))
 }
 
 /// Checks a solution on a finer grid.
