@@ -889,10 +889,11 @@ typedef struct pdn_beam {
  *
  * Called on the thread that solves, with times in [0, T) of the period T of the solve; if two threads solve at
  * once, on both at once. The same arguments must give the same values; over time the law must repeat with the
- * period, and where its coordinate gains whole turns in a period, with these. It must neither throw nor jump
- * out, nor use the model it belongs to.
+ * period, and where its coordinate gains whole turns in a period, with these. Solves refuse what does not, with
+ * PDN_ERR_NOT_PERIODIC: for that they call it first a few times at one motion, at times in [0, 2 T). It must
+ * neither throw nor jump out, nor use the model it belongs to.
  *
- * @param time  in [0, T)
+ * @param time  in [0, T), but for these first calls
  * @param coordinate  of the joint, an angle with its whole turns [length or radian]
  * @param rate  its rate
  * @param effort  where the effort goes that resists growth of the coordinate [force on a displacement,
@@ -926,7 +927,7 @@ typedef struct pdn_force_state {
      */
     size_t struct_size;
     /**
-     * Time, in [0, T) of the period T of the solve.
+     * Time, in [0, T) of the period T of the solve, but for the first calls of a solve (::pdn_user_force_fn).
      */
     double time;
     /**
@@ -981,8 +982,10 @@ typedef struct pdn_force_values {
  * Forces on nodes, to be computed by the caller.
  *
  * Called on the thread that solves; if two threads solve at once, on both at once. The same state must give
- * the same forces, and over time they must repeat with the period. It must neither throw nor jump out, nor use
- * the model it belongs to. It is called many times at trial motions, which may be far from the solution.
+ * the same forces, and over time they must repeat with the period: solves call it first a few times at one
+ * motion, at times in [0, 2 T), and refuse what does not with PDN_ERR_NOT_PERIODIC. It must neither throw nor
+ * jump out, nor use the model it belongs to. It is called many times at trial motions, which may be far from
+ * the solution.
  *
  * @param state  time and motions of the nodes; valid during the call only
  * @param values  where the forces go, all zero at first; valid during the call only

@@ -14,7 +14,7 @@ mod rod;
 
 use common::*;
 use nalgebra::{Matrix6, Vector3, Vector6};
-use periodyn::elements::{JointKind, LoadFrame};
+use periodyn::elements::LoadFrame;
 use periodyn::error::Result;
 use periodyn::model::*;
 use periodyn::motion::Motion;
@@ -34,16 +34,7 @@ fn tip_of(
     let beam = model
         .add_beam_along(line, stations, mesh.0, mesh.1)
         .unwrap();
-    let frame = *model.node(beam.first_node).unwrap();
-    model
-        .add_joint(
-            JointKind::Rigid,
-            None,
-            Some(beam.first_node),
-            &frame,
-            &frame,
-        )
-        .unwrap();
+    clamp(&mut model, beam.first_node);
     model.set_gravity([gravity, 0.0, 0.0].map(|g| Signal::constant(g).unwrap()));
     add_load(
         &mut model,

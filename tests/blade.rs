@@ -30,10 +30,7 @@ fn exact_mass(stations: &[SectionStation]) -> (f64, f64) {
 fn frequencies(elements: usize, degree: usize) -> Vec<f64> {
     let mut model = Model::new();
     let ids = blade::add(&mut model, &blade::stations(true), elements, degree);
-    let root = *model.node(ids.first_node).unwrap();
-    model
-        .add_joint(JointKind::Rigid, None, Some(ids.first_node), &root, &root)
-        .unwrap();
+    clamp(&mut model, ids.first_node);
     let options = ModesOptions {
         count: 8,
         ..ModesOptions::default()
@@ -104,12 +101,12 @@ fn rotor(places: usize) -> (Model, BeamIds, usize) {
     model.prescribe(rotation1(hub), &speed).unwrap();
     model.set_gravity([0.0, 0.0, -9.81].map(|g| Signal::constant(g).unwrap()));
     if places > 0 {
-        // Three components with a harmonic of the rotation at each place.
+        // All components with a harmonic of the rotation at each place.
         let signal = || Signal::harmonics(200.0, 0.0, &[40.0], &[10.0]).unwrap();
         let loads: Vec<_> = (0..places)
             .map(|place| LoadPlace {
                 fraction: place as f64 / (places - 1) as f64,
-                components: std::array::from_fn(|k| (k < 3).then(signal)),
+                components: std::array::from_fn(|_| Some(signal())),
             })
             .collect();
         let frame = BeamLoadFrame::Untwisted(Vector3::x());
@@ -164,10 +161,7 @@ fn damping_by_component_is_taken_where_it_dissipates() {
     let beam = model
         .add_straight_beam(&Vector3::zeros(), &end, &Vector3::y(), &section, 3, 3)
         .unwrap();
-    let root = *model.node(beam.first_node).unwrap();
-    model
-        .add_joint(JointKind::Rigid, None, Some(beam.first_node), &root, &root)
-        .unwrap();
+    clamp(&mut model, beam.first_node);
     let options = ModesOptions {
         count: 6,
         ..ModesOptions::default()

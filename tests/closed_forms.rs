@@ -296,16 +296,7 @@ fn cantilever(
     let beam = model
         .add_straight_beam(&origin, &end, &Vector3::y(), section, elements, degree)
         .unwrap();
-    let frame = Model::frame_at("axis", &origin, &Vector3::z()).unwrap();
-    model
-        .add_joint(
-            JointKind::Rigid,
-            None,
-            Some(beam.first_node),
-            &frame,
-            &frame,
-        )
-        .unwrap();
+    clamp(&mut model, beam.first_node);
     (model, beam)
 }
 

@@ -11,10 +11,12 @@ use periodyn::error::{Error, ErrorKind};
 use periodyn::model::{Model, Signal, SpringDefinition};
 use periodyn::motion::{Motion, rotation_from_vector};
 use periodyn::output::{ForceQuantity, JointQuantity, NodeQuantity, Solution};
+use periodyn::solve::StaticOptions;
 use periodyn::system::check_tangents;
 use shooting::shoot;
 use std::f64::consts::TAU;
 use std::sync::Arc;
+use std::sync::atomic::{AtomicUsize, Ordering};
 
 const ANGLE: JointQuantity = JointQuantity::Coordinate(Coordinate::Rotation1);
 const RATE: JointQuantity = JointQuantity::Rate(Coordinate::Rotation1);
@@ -242,6 +244,88 @@ fn failing_laws_end_the_solve_with_what_they_say() {
         gives_derivatives: false,
     };
     fails(said, &["force 0", "the table ends"]);
+}
+
+/// Refused as random or not periodic, with messages that contain `expected` and a motion at which that shows.
+fn assert_refused(model: &Model, period: f64, expected: &[&str]) {
+    let error = try_solve(model, period, 21).unwrap_err();
+    assert_eq!(error.kind(), ErrorKind::NotPeriodic, "{error}");
+    for text in expected {
+        assert!(error.to_string().contains(text), "{error}");
+    }
+}
+
+#[test]
+fn laws_and_forces_that_are_random_or_not_periodic_are_refused_by_name() {
+    let with_law = |function: fn(&CoordinateState, usize) -> f64| {
+        let mut model = arm();
+        model.add_spring_damper(spring(5.0, 0.4)).unwrap();
+        let calls = AtomicUsize::new(0);
+        let counted = law(false, move |at| Effort {
+            value: function(at, calls.fetch_add(1, Ordering::Relaxed)),
+            ..Effort::default()
+        });
+        model.add_coordinate_law(rotation1(0), counted).unwrap();
+        model
+    };
+    let with_force = |function: fn(f64, usize) -> f64| {
+        let mut model = arm();
+        model.add_spring_damper(spring(5.0, 0.4)).unwrap();
+        let calls = AtomicUsize::new(0);
+        let law = NodeForceLaw {
+            function: Arc::new(move |state, out| {
+                let call = calls.fetch_add(1, Ordering::Relaxed);
+                out.forces[0][5] = function(state.time, call);
+                Ok(())
+            }),
+            gives_tangents: false,
+            frame: LoadFrame::Space,
+        };
+        model.add_node_forces(&[0], law).unwrap();
+        model
+    };
+    // As a generator of random numbers has it: another one in each call.
+    let random = ["force 1", "different values at the same time and motion"];
+    assert_refused(
+        &with_law(|at, call| at.value * (call as f64).sin()),
+        PERIOD,
+        &random,
+    );
+    assert_refused(&with_force(|_, call| (call as f64).sin()), PERIOD, &random);
+    let error = Solution::solve_static(
+        &with_force(|_, call| (call as f64).sin()),
+        &StaticOptions::default(),
+        &mut |_, _| true,
+    )
+    .unwrap_err();
+    assert!(error.to_string().contains(random[1]), "{error}");
+
+    let other = ["force 1", "does not repeat with the period"];
+    assert_refused(
+        &with_law(|at, _| (OMEGA * at.time).cos()),
+        0.9 * PERIOD,
+        &other,
+    );
+    assert_refused(
+        &with_force(|time, _| (OMEGA * time).cos()),
+        0.9 * PERIOD,
+        &other,
+    );
+    assert_refused(&with_force(|time, _| time), PERIOD, &other);
+
+    // What repeats is solved for, a period of six digits and a function that is written for one period alone included.
+    try_solve(&with_law(|at, _| (OMEGA * at.time).cos()), PERIOD, 21).unwrap();
+    try_solve(
+        &with_force(|time, _| (2.0 * OMEGA * time).cos()),
+        PERIOD,
+        21,
+    )
+    .unwrap();
+    let six_digits = (PERIOD * 1e6).round() * 1e-6;
+    let slow = with_force(|time, _| (OMEGA * time).cos());
+    try_solve(&slow, six_digits, 21).unwrap();
+    let hat = with_force(|time, _| (1.0 - (2.0 * time / PERIOD - 1.0).abs()).max(0.0));
+    try_solve(&hat, PERIOD, 21).unwrap();
 }
 
 /// A torsional spring and damper on the arm: `−k θ − c ω` about z, from rotation matrix and velocity.

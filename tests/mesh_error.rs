@@ -193,6 +193,10 @@ fn equilibria() -> Vec<Case> {
 fn motions() -> Vec<Case> {
     vec![
         little("rotating", rotating(uniform(), 12.0, 9)),
+        // Away from its frequencies as it turns, 16 and 19 rad/s: in resonance it swings by most of its length.
+        little("rotating, twisted", rotating(twisted(), 12.0, 9)),
+        // Between them, 22 and 34 rad/s.
+        little("rotating fast, twisted", rotating(twisted(), 30.0, 15)),
         little("shaken", shaken(straight(4.0), uniform(), 30.0, 300.0)),
         little("shaken arc", shaken(arc(2.0, 1.8), tapered(), 25.0, 60.0)),
     ]
@@ -253,10 +257,9 @@ fn ratios(case: &Case, fine: (usize, usize), meshes: &[(usize, usize)]) -> (f64,
     (least, most)
 }
 
-#[test]
-fn it_is_the_error_of_equilibria_within_a_factor() {
-    for case in equilibria() {
-        let (least, most) = ratios(&case, (6, 6), &[(2, 2), (2, 3), (4, 2), (4, 3), (2, 4)]);
+fn assert_within_a_factor(cases: &[Case], fine: (usize, usize), meshes: &[(usize, usize)]) {
+    for case in cases {
+        let (least, most) = ratios(case, fine, meshes);
         // As measured and documented: where elements turn much from end to end it errs to the safe side.
         let largest = if case.much { 30.0 } else { 5.0 };
         assert!(
@@ -268,16 +271,14 @@ fn it_is_the_error_of_equilibria_within_a_factor() {
 }
 
 #[test]
+fn it_is_the_error_of_equilibria_within_a_factor() {
+    let meshes = [(2, 2), (2, 3), (4, 2), (4, 3), (2, 4)];
+    assert_within_a_factor(&equilibria(), (6, 6), &meshes);
+}
+
+#[test]
 fn it_is_the_error_of_periodic_motions_within_a_factor() {
-    for case in motions() {
-        let (least, most) = ratios(&case, (4, 6), &[(2, 2), (2, 3), (4, 2)]);
-        let largest = if case.much { 30.0 } else { 5.0 };
-        assert!(
-            least > 0.15 && most < largest,
-            "{}: {least} {most}",
-            case.name
-        );
-    }
+    assert_within_a_factor(&motions(), (4, 6), &[(2, 2), (2, 3), (4, 2)]);
 }
 
 #[test]

@@ -1,7 +1,10 @@
 //! Section forces of beams at the ends of elements, where joints and welds are, against equilibrium and closed forms.
 
+mod common;
+
+use common::clamp;
 use nalgebra::{Matrix2, Matrix4, Vector2, Vector3};
-use periodyn::elements::{JointKind, LoadFrame};
+use periodyn::elements::LoadFrame;
 use periodyn::model::*;
 use periodyn::output::{BeamQuantity, Solution};
 use periodyn::solve::*;
@@ -30,10 +33,7 @@ fn cantilever(taper: f64, elements: usize, degree: usize) -> (Solution, BeamIds)
     let ids = model
         .add_beam_along(line, &stations, elements, degree)
         .unwrap();
-    let frame = *model.node(ids.first_node).unwrap();
-    model
-        .add_joint(JointKind::Rigid, None, Some(ids.first_node), &frame, &frame)
-        .unwrap();
+    clamp(&mut model, ids.first_node);
     let mut components = [const { None }; 6];
     components[1] = Some(Signal::constant(LOAD).unwrap());
     let load = DistributedLoadDefinition {
@@ -122,10 +122,7 @@ fn shaken(elements: usize, degree: usize) -> (Solution, BeamIds) {
             degree,
         )
         .unwrap();
-    let root = *model.node(ids.first_node).unwrap();
-    model
-        .add_joint(JointKind::Rigid, None, Some(ids.first_node), &root, &root)
-        .unwrap();
+    clamp(&mut model, ids.first_node);
     let mut force = [const { None }; 6];
     force[1] = Some(Signal::harmonics(0.0, 0.0, &[PUSH], &[0.0]).unwrap());
     model
@@ -266,10 +263,7 @@ fn a_node_with_a_load_keeps_its_jump() {
     let ids = model
         .add_straight_beam(&Vector3::zeros(), &end, &Vector3::y(), &section, 2, 3)
         .unwrap();
-    let root = *model.node(ids.first_node).unwrap();
-    model
-        .add_joint(JointKind::Rigid, None, Some(ids.first_node), &root, &root)
-        .unwrap();
+    clamp(&mut model, ids.first_node);
     let mut force = [const { None }; 6];
     force[1] = Some(Signal::constant(PUSH).unwrap());
     let middle = ids.first_node + 3;

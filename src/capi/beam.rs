@@ -2,7 +2,7 @@
 
 use super::call::{Call, check_pointer};
 use super::guard::guard;
-use super::line::{self, pdn_line};
+use super::line::{self, Line, pdn_line};
 use super::model::{next_id, node, pdn_model, vector};
 use super::options::Options;
 use super::section::{self, init_struct, pdn_section, read_struct};
@@ -135,6 +135,25 @@ fn add_meshed(
     })
 }
 
+/// Meshes a beam along a line, as `add` says.
+fn add_along(
+    call: &Call,
+    model: *mut pdn_model,
+    (line, stations): (*const pdn_line, *const pdn_stations),
+    (elements, degree): (usize, usize),
+    beam: *mut pdn_beam,
+    add: impl FnOnce(&mut Model, Line, &[SectionStation]) -> Result<BeamIds>,
+) -> Result<()> {
+    let mut model = call.exclusive(model, "model")?;
+    let line = line::read(call, line, "line")?;
+    let stations = read_stations(call, stations)?;
+    let beam = call.out(beam, "beam")?;
+    beam.set(add_meshed(&mut model, elements, degree, |model| {
+        add(model, line, &stations)
+    })?);
+    Ok(())
+}
+
 /// Adds a beam element over nodes that are there; it may be curved and twisted.
 ///
 /// The nodes stand, in order, at the Gauss-Lobatto points along the beam; two are its ends. Axis 1 of
@@ -256,14 +275,15 @@ pub unsafe extern "C" fn pdn_model_add_beam(
     beam: *mut pdn_beam,
 ) -> pdn_status {
     guard(|call| {
-        let mut model = call.exclusive(model, "model")?;
-        let line = line::read(call, line, "line")?;
-        let stations = read_stations(call, stations)?;
-        let beam = call.out(beam, "beam")?;
-        beam.set(add_meshed(&mut model, elements, degree, |model| {
-            model.add_beam_along(line, &stations, elements, degree)
-        })?);
-        Ok(())
+        let mesh = (elements, degree);
+        add_along(
+            call,
+            model,
+            (line, stations),
+            mesh,
+            beam,
+            |model, line, stations| model.add_beam_along(line, stations, elements, degree),
+        )
     })
 }
 
@@ -296,16 +316,17 @@ pub unsafe extern "C" fn pdn_model_add_beam_between(
     beam: *mut pdn_beam,
 ) -> pdn_status {
     guard(|call| {
-        let mut model = call.exclusive(model, "model")?;
-        let line = line::read(call, line, "line")?;
-        let stations = read_stations(call, stations)?;
-        check_pointer(boundaries, 1, "boundaries")?;
-        Model::require_mesh(elements, degree)?;
-        let boundaries = call.numbers(boundaries, elements + 1, "boundaries")?;
-        let beam = call.out(beam, "beam")?;
-        beam.set(add_meshed(&mut model, elements, degree, |model| {
-            model.add_beam_between(line, &stations, boundaries, degree)
-        })?);
-        Ok(())
+        let mesh = (elements, degree);
+        add_along(
+            call,
+            model,
+            (line, stations),
+            mesh,
+            beam,
+            |model, line, stations| {
+                let boundaries = call.numbers(boundaries, elements + 1, "boundaries")?;
+                model.add_beam_between(line, stations, boundaries, degree)
+            },
+        )
     })
 }

@@ -32,10 +32,11 @@ pub const PDN_TANGENT_VELOCITY: i32 = 1;
 ///
 /// Called on the thread that solves, with times in [0, T) of the period T of the solve; if two threads solve at
 /// once, on both at once. The same arguments must give the same values; over time the law must repeat with the
-/// period, and where its coordinate gains whole turns in a period, with these. It must neither throw nor jump
-/// out, nor use the model it belongs to.
+/// period, and where its coordinate gains whole turns in a period, with these. Solves refuse what does not, with
+/// PDN_ERR_NOT_PERIODIC: for that they call it first a few times at one motion, at times in [0, 2 T). It must
+/// neither throw nor jump out, nor use the model it belongs to.
 ///
-/// @param time  in [0, T)
+/// @param time  in [0, T), but for these first calls
 /// @param coordinate  of the joint, an angle with its whole turns [length or radian]
 /// @param rate  its rate
 /// @param effort  where the effort goes that resists growth of the coordinate [force on a displacement,
@@ -67,7 +68,7 @@ type CoordinateFunction =
 pub struct pdn_force_state {
     /// Size of the struct that the library knows.
     pub struct_size: usize,
-    /// Time, in [0, T) of the period T of the solve.
+    /// Time, in [0, T) of the period T of the solve, but for the first calls of a solve (::pdn_user_force_fn).
     pub time: f64,
     /// Number of nodes.
     pub node_count: usize,
@@ -106,8 +107,10 @@ const _: () = assert!(size_of::<pdn_force_state>() == 48 && size_of::<pdn_force_
 /// Forces on nodes, to be computed by the caller.
 ///
 /// Called on the thread that solves; if two threads solve at once, on both at once. The same state must give
-/// the same forces, and over time they must repeat with the period. It must neither throw nor jump out, nor use
-/// the model it belongs to. It is called many times at trial motions, which may be far from the solution.
+/// the same forces, and over time they must repeat with the period: solves call it first a few times at one
+/// motion, at times in [0, 2 T), and refuse what does not with PDN_ERR_NOT_PERIODIC. It must neither throw nor
+/// jump out, nor use the model it belongs to. It is called many times at trial motions, which may be far from
+/// the solution.
 ///
 /// @param state  time and motions of the nodes; valid during the call only
 /// @param values  where the forces go, all zero at first; valid during the call only

@@ -43,16 +43,16 @@ pub(super) struct StationMotion {
 /// What the tangent needs of one node at one station.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct NodeTerms {
-    pub shape: (f64, f64),
+    shape: (f64, f64),
     /// Motion of the node relative to the section, `X = RᵀM`.
     x: DualMatrix,
     x_axial: DualVector,
     /// `C = tr(X) I − Xᵀ`.
-    pub c: DualMatrix,
+    c: DualMatrix,
     /// Section's turn, strain, and the multipliers `μ`, `ν` for a unit increment of the node.
     pub turn: DualMatrix,
     strain: DualMatrix,
-    pub mu: DualMatrix,
+    mu: DualMatrix,
     nu: DualMatrix,
     /// Strain rate, at constant nodal velocities, for a unit increment of the node.
     rate: DualMatrix,
@@ -78,7 +78,7 @@ pub struct Beam {
 /// Room for what the element finds at its stations.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Scratch {
-    pub terms: Vec<NodeTerms>,
+    terms: Vec<NodeTerms>,
     motions: Vec<StationMotion>,
     strains: Vec<Vector6<f64>>,
     rates: Vec<Vector6<f64>>,
@@ -519,15 +519,24 @@ impl Station {
             g += y * shape.0;
             g_prime += y * shape.1;
         }
-        let polar = DualPolar::new(&g).ok_or_else(|| {
-            Error::new(
-                ErrorKind::Model,
-                "a beam element turns by more than its order can follow: use more or shorter elements",
-            )
-        })?;
+        let polar = polar_factors(&g)?;
         let q = polar.rotation.tr_mul(&g_prime);
         let e = polar.spread_inverse * (q.axial() * 2.0);
         Ok(StationMotion { polar, q, e })
+    }
+
+    /// Shape functions.
+    pub fn shapes(&self) -> impl Iterator<Item = f64> + '_ {
+        self.shapes.iter().map(|shape| shape.0)
+    }
+
+    /// Polar factors alone, for node motions `relative` to some common frame.
+    pub fn polar(&self, relative: &[DualMatrix]) -> Result<DualPolar> {
+        let mut g = DualMatrix::zeros();
+        for (y, shape) in relative.iter().zip(self.shapes()) {
+            g += *y * shape;
+        }
+        polar_factors(&g)
     }
 
     /// First variations: section turn `A Δρ = Σ N_a C_a Δu_a` and strain
@@ -561,6 +570,15 @@ impl Station {
     }
 }
 
+fn polar_factors(g: &DualMatrix) -> Result<DualPolar> {
+    DualPolar::new(g).ok_or_else(|| {
+        Error::new(
+            ErrorKind::Model,
+            "a beam element turns by more than its order can follow: use more or shorter elements",
+        )
+    })
+}
+
 impl StationMotion {
     /// `P = (S e)~ − tr(Q) I + Q`.
     fn turn_to_strain(&self) -> DualMatrix {
@@ -568,15 +586,15 @@ impl StationMotion {
     }
 }
 
-/// `2 w xᵀ − X w̃`: the part of `−ΔA w` that a node's own increment causes.
-pub(super) fn spread_variation(node: &NodeTerms, w: &DualVector) -> DualMatrix {
-    w.outer(&node.x_axial) * 2.0 - node.x * w.skew()
+/// `2 w xᵀ − X w̃` with `x = axial(X)`: the part of `−ΔA w` that a node's own increment causes.
+pub(super) fn spread_variation(x: &DualMatrix, w: &DualVector) -> DualMatrix {
+    w.outer(&x.axial()) * 2.0 - *x * w.skew()
 }
 
 /// `2 w xᵀ − (X w)~`: the part of `ΔCᵀ w` that the section's turn causes; a node's own increment causes
 /// minus its [`spread_variation`].
-pub(super) fn turned(node: &NodeTerms, w: &DualVector) -> DualMatrix {
-    w.outer(&node.x_axial) * 2.0 - (node.x * *w).skew()
+pub(super) fn turned(x: &DualMatrix, w: &DualVector) -> DualMatrix {
+    w.outer(&x.axial()) * 2.0 - (*x * *w).skew()
 }
 
 /// Second variation of `σᵀ Δe` at constant `σ`: fills `mu` and `nu` of every node and returns `(μ, ν)`.
@@ -602,10 +620,10 @@ fn adjoint_variations(
     let mu_s = mu_skew * s;
     for node in nodes {
         let (n, n_prime) = node.shape;
-        node.mu = a_inverse * (s_mu * node.turn + spread_variation(node, &mu) * n);
+        node.mu = a_inverse * (s_mu * node.turn + spread_variation(&node.x, &mu) * n);
         let x_mu = (node.x.transpose() * mu).skew();
         let direct = (mu.outer(&node.x_axial) * 2.0 + x_mu) * n_prime
-            + (spread_variation(node, &nu) - mu_skew * (node.x * e_skew)) * n;
+            + (spread_variation(&node.x, &nu) - mu_skew * (node.x * e_skew)) * n;
         node.nu = a_inverse
             * (nu_by_turn * node.turn + direct + mu_s * node.strain + p_transposed * node.mu);
     }
@@ -633,8 +651,10 @@ fn geometric_stiffness(
             c_transposed * n_prime + (node.x_axial.outer(&at.e) * 2.0 + e_skew * x_transposed) * n;
         let by_nu = c_transposed * n;
         let by_strain = (node.x_axial.outer(mu) * 2.0 - x_mu) * n;
-        let by_turn = turned(node, mu) * n_prime
-            + (turned(node, nu) - node.x.trace_minus() * mu_e - e_skew * (x_transposed * mu_skew))
+        let by_turn = turned(&node.x, mu) * n_prime
+            + (turned(&node.x, nu)
+                - node.x.trace_minus() * mu_e
+                - e_skew * (x_transposed * mu_skew))
                 * n;
         for (b, other) in nodes.iter().enumerate().skip(a) {
             let block = by_mu * other.mu
@@ -642,8 +662,8 @@ fn geometric_stiffness(
                 + by_strain * other.strain
                 + by_turn * other.turn;
             if a == b {
-                let own = (node.c * mu_e + e_skew * x_mu - spread_variation(node, nu)) * n
-                    - spread_variation(node, mu) * n_prime;
+                let own = (node.c * mu_e + e_skew * x_mu - spread_variation(&node.x, nu)) * n
+                    - spread_variation(&node.x, mu) * n_prime;
                 add(a, a, &(block + own).to_stiffness_matrix());
             } else {
                 let block = block.to_stiffness_matrix();
@@ -695,11 +715,11 @@ fn rate_variations(
         let (n, n_prime) = node.shape;
         let v = twists(b);
         let c_own = -(v.outer(&node.x_axial) * 2.0 + (node.x.transpose() * v).skew());
-        let omega_variation =
-            a_inverse * (omega_by_turn * node.turn + (spread_variation(node, &omega) + c_own) * n);
+        let omega_variation = a_inverse
+            * (omega_by_turn * node.turn + (spread_variation(&node.x, &omega) + c_own) * n);
         let own_rate = e.outer(&(node.c.transpose() * v)) + node.x * (e_skew * v).skew();
-        let direct = (c_own + spread_variation(node, &omega)) * n_prime
-            + (spread_variation(node, rate) + own_rate + omega_skew * node.x * e_skew) * n;
+        let direct = (c_own + spread_variation(&node.x, &omega)) * n_prime
+            + (spread_variation(&node.x, rate) + own_rate + omega_skew * node.x * e_skew) * n;
         node.rate = a_inverse
             * (direct
                 + rate_by_turn * node.turn

@@ -8,8 +8,8 @@ use super::beam::{Beam, Station, about_axis, spread_variation, turned};
 use super::shape::{gauss_legendre, shape_functions};
 use super::{Contribution, Element, Instant, LoadFrame};
 use crate::error::{Error, Result};
-use crate::motion::{DualVector, skew};
-use nalgebra::{Matrix3, Matrix6, Vector3, Vector6};
+use crate::motion::{DualMatrix, DualPolar, DualVector, skew};
+use nalgebra::{Matrix3, Vector3, Vector6};
 use serde::{Deserialize, Serialize};
 
 /// How the components of a load along a beam are directed.
@@ -44,7 +44,7 @@ pub struct DistributedLoad {
     parts: Vec<LoadPart>,
 }
 
-/// One component of a load.
+/// One component of a load, where it is not zero all along the element.
 #[derive(Debug, Clone)]
 struct LoadPart {
     /// Along the inertial axes, not those of the section.
@@ -53,6 +53,47 @@ struct LoadPart {
     signal: usize,
     /// Force and moment at each station for a signal of 1.
     loads: Vec<Vector6<f64>>,
+}
+
+/// What the tangent needs of one node at one station.
+#[derive(Debug, Clone)]
+struct NodeTerms {
+    shape: f64,
+    /// Motion of the node relative to the section, `X = RᵀM`.
+    x: DualMatrix,
+    /// Section's turn `T`, and what the load gains as seen by it, `A Δμ`, for a unit increment of the node.
+    turn: DualMatrix,
+    gain: DualMatrix,
+}
+
+/// Tangent of one node's force by one node, summed over the stations.
+#[derive(Debug, Clone)]
+struct Block {
+    /// As a dual matrix, which takes twists to wrenches.
+    dual: DualMatrix,
+    /// What is not: moments by displacements.
+    rest: Matrix3<f64>,
+}
+
+impl Block {
+    fn zeros() -> Self {
+        Block {
+            dual: DualMatrix::zeros(),
+            rest: Matrix3::zeros(),
+        }
+    }
+}
+
+/// Room for what loads along an element find.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Scratch {
+    /// Motions of the nodes relative to the first.
+    relative: Vec<DualMatrix>,
+    /// Loads at each station, along the inertial axes and along those that the nodes give the section.
+    loads: Vec<[Vector6<f64>; 2]>,
+    terms: Vec<NodeTerms>,
+    /// Row by row.
+    blocks: Vec<Block>,
 }
 
 impl DistributedLoad {
@@ -113,6 +154,9 @@ impl DistributedLoad {
                 }
             }
         }
+        if lengths.iter().all(|&length| length == 0.0) {
+            return Ok(());
+        }
         for (component, signal) in signals.into_iter().enumerate() {
             if let Some(signal) = signal {
                 let unit = Vector6::ith(component, 1.0);
@@ -152,17 +196,51 @@ impl DistributedLoad {
         .collect()
     }
 
-    /// Loads of all parts at a station, along the inertial axes and along those that the nodes give the section.
-    fn at(&self, station: usize, signals: &[f64]) -> [Vector6<f64>; 2] {
-        let (mut space, mut follower) = (Vector6::zeros(), Vector6::zeros());
+    /// Writes the loads of all parts at each station.
+    fn sum(&self, signals: &[f64], loads: &mut Vec<[Vector6<f64>; 2]>) {
+        loads.clear();
+        loads.resize(self.stations.len(), [Vector6::zeros(); 2]);
         for part in &self.parts {
-            let sum = match part.in_space {
-                true => &mut space,
-                false => &mut follower,
-            };
-            *sum += part.loads[station] * signals[part.signal];
+            let signal = signals[part.signal];
+            let axes = usize::from(!part.in_space);
+            for (sum, load) in loads.iter_mut().zip(&part.loads) {
+                sum[axes] += load * signal;
+            }
         }
-        [space, follower]
+    }
+}
+
+impl Scratch {
+    /// Adds the tangents of a station's load to the blocks, from the terms of the nodes: `mu` is that of the load, of which the part
+    /// `space`, in the section's axes, does not turn with it.
+    fn add_tangents(&mut self, polar: &DualPolar, mu: &DualVector, space: &DualVector) {
+        // A Δμ = Δw − ΔA μ. In dual algebra Δw is w̃ Δρ, but for the moment of the force about where the section moves: that
+        // it does not lose.
+        let by_turn = (polar.factor * *mu).skew() + space.skew();
+        for node in &mut self.terms {
+            node.gain = by_turn * node.turn + spread_variation(&node.x, mu) * node.shape;
+        }
+        let in_space = space.primal != Vector3::zeros();
+        let force = skew(&space.primal);
+        let count = self.terms.len();
+        for ((a, node), row) in self
+            .terms
+            .iter()
+            .enumerate()
+            .zip(self.blocks.chunks_exact_mut(count))
+        {
+            let own = turned(&node.x, mu) * node.shape;
+            let turn = node.turn.transpose();
+            let lost = turn.primal * force;
+            for (other, block) in self.terms.iter().zip(row.iter_mut()) {
+                block.dual += own * other.turn + turn * other.gain;
+                if in_space {
+                    block.rest += lost * other.turn.primal;
+                    block.dual.dual -= lost * other.turn.dual;
+                }
+            }
+            row[a].dual = row[a].dual - spread_variation(&node.x, mu) * node.shape;
+        }
     }
 }
 
@@ -184,60 +262,66 @@ impl Element for DistributedLoad {
     }
 
     fn evaluate(&self, instant: &Instant, out: &mut Contribution) -> Result<()> {
+        // Taken out while `out` is written to.
+        let mut room = std::mem::take(&mut out.load);
+        let result = self.add_to(instant, &mut room, out);
+        out.load = room;
+        result
+    }
+}
+
+impl DistributedLoad {
+    fn add_to(&self, instant: &Instant, room: &mut Scratch, out: &mut Contribution) -> Result<()> {
         let states = instant.nodes;
-        let mut terms = std::mem::take(&mut out.beam.terms);
+        let first = &states[0].motion;
+        room.relative.clear();
+        let relative = states
+            .iter()
+            .map(|state| first.relative(&state.motion).to_dual());
+        room.relative.extend(relative);
+        self.sum(instant.signals, &mut room.loads);
+        if out.with_tangents {
+            room.blocks.clear();
+            room.blocks
+                .resize(states.len() * states.len(), Block::zeros());
+        }
         for (place, station) in self.stations.iter().enumerate() {
-            let relative = |a: usize| states[0].motion.relative(&states[a].motion);
-            let at = station.motion(relative)?;
-            terms.clear();
-            terms.extend(station.node_terms(&at, relative));
-
-            // The load in the section's axes, and what it gains for an increment of the section.
-            let [space, follower] = self.at(place, instant.signals);
-            let (force, moment) = halves(&space);
-            let section = states[0].motion.rotation * at.polar.rotation.primal;
-            let (force, moment) = (section.tr_mul(&force), section.tr_mul(&moment));
-            let mut variation = Matrix6::zeros();
-            let mut columns = variation.fixed_view_mut::<3, 3>(0, 3);
-            columns.copy_from(&skew(&force));
-            let mut columns = variation.fixed_view_mut::<3, 3>(3, 3);
-            columns.copy_from(&skew(&moment));
-            let turns = space != Vector6::zeros();
-            let load = DualVector::from_wrench(&(joined(&force, &moment) + follower));
-            let mu = at.polar.spread_inverse * load;
-            for (a, node) in terms.iter().enumerate() {
-                out.add_force(a, &-(node.turn.transpose() * load).to_wrench());
-            }
-            if !out.with_tangents {
-                continue;
-            }
-
-            // Δμ = A⁻¹ (Δw − ΔA μ); the part by ΔA is dual, that by Δw is not.
-            let s_mu = (at.polar.factor * mu).skew();
-            for node in &mut terms {
-                node.mu = at.polar.spread_inverse
-                    * (s_mu * node.turn + spread_variation(node, &mu) * node.shape.0);
-            }
-            for (a, node) in terms.iter().enumerate() {
-                let n = node.shape.0;
-                let by_turn = turned(node, &mu) * n;
-                let by_mu = node.c.transpose() * n;
-                let own = spread_variation(node, &mu) * n;
-                let turn_transposed = node.turn.to_twist_matrix().transpose();
-                for (b, other) in terms.iter().enumerate() {
-                    let mut block = by_turn * other.turn + by_mu * other.mu;
-                    if a == b {
-                        block = block - own;
-                    }
-                    let mut k = block.to_stiffness_matrix();
-                    if turns {
-                        k += turn_transposed * variation * other.turn.to_twist_matrix();
-                    }
-                    out.add_stiffness(a, b, &-k);
+            let polar = station.polar(&room.relative)?;
+            let [space, follower] = &room.loads[place];
+            let (force, moment) = halves(space);
+            let section = first.rotation * polar.rotation.primal;
+            let space = DualVector {
+                primal: section.tr_mul(&force),
+                dual: section.tr_mul(&moment),
+            };
+            let mu = polar.spread_inverse * (space + DualVector::from_wrench(follower));
+            room.terms.clear();
+            for (a, (y, shape)) in room.relative.iter().zip(station.shapes()).enumerate() {
+                let x = polar.rotation.tr_mul(y);
+                let c = x.trace_minus_transpose() * shape;
+                out.add_force(a, &-(c.transpose() * mu).to_wrench());
+                if out.with_tangents {
+                    room.terms.push(NodeTerms {
+                        shape,
+                        x,
+                        turn: polar.spread_inverse * c,
+                        gain: DualMatrix::zeros(),
+                    });
                 }
             }
+            if out.with_tangents {
+                room.add_tangents(&polar, &mu, &space);
+            }
         }
-        out.beam.terms = terms;
+        if out.with_tangents {
+            let count = states.len();
+            for (place, block) in room.blocks.iter().enumerate() {
+                let mut k = -block.dual.to_stiffness_matrix();
+                let mut moments = k.fixed_view_mut::<3, 3>(3, 0);
+                moments += block.rest;
+                out.add_stiffness(place / count, place % count, &k);
+            }
+        }
         Ok(())
     }
 }

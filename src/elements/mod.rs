@@ -189,6 +189,8 @@ pub struct Contribution {
     pub strains: Vec<StrainTangent>,
     /// Scratch of the beam kernel.
     beam: beam::Scratch,
+    /// Scratch of loads along beams.
+    load: distributed_load::Scratch,
     /// Scratch of user's forces.
     user_force: user_force::Scratch,
 }
@@ -210,6 +212,7 @@ impl Contribution {
             with_resultants_apart: false,
             strains: Vec::new(),
             beam: beam::Scratch::default(),
+            load: distributed_load::Scratch::default(),
             user_force: user_force::Scratch::default(),
         }
     }

@@ -279,6 +279,14 @@ impl UserForce {
         Ok(())
     }
 
+    /// The user's forces, in the user's axes.
+    pub fn forces(&self, time: f64, states: &[NodeState]) -> Result<Vec<Vector6<f64>>> {
+        let mut scratch = Scratch::default();
+        scratch.load(self.law.frame, states, false);
+        self.call(time, &mut scratch, None, false)?;
+        Ok(scratch.forces)
+    }
+
     /// The user's tangents next to differences, in the user's axes.
     pub fn tangent_pairs(&self, time: f64, states: &[NodeState]) -> Result<TangentPairs> {
         let mut scratch = Scratch::default();

@@ -15,7 +15,7 @@ use crate::elements::NodeState;
 use crate::error::{Error, ErrorKind, Result};
 use crate::fourier::TimeGrid;
 use crate::model::Model;
-use crate::system::{Driven, System};
+use crate::system::{Driven, System, require_periodic_forces};
 use crate::workers::Workers;
 use std::sync::Arc;
 use std::time::{Duration, Instant};
@@ -275,6 +275,7 @@ pub fn solve_periodic(
     };
     TimeGrid::new(points, period)?;
     let system = Arc::new(System::new(model, period)?);
+    require_periodic_forces(model, system.scales().length, period)?;
     let largest = match options.grid_points {
         GridPoints::Fixed(points) => points,
         GridPoints::Adaptive(adaptation) => adaptation.largest,

@@ -18,7 +18,7 @@ use crate::collocation::{
 use crate::elements::{Measure, Unknown};
 use crate::error::{Error, Result};
 use crate::model::Model;
-use crate::system::{System, Transient};
+use crate::system::{System, Transient, require_periodic_forces};
 use crate::workers::Workers;
 use faer::Mat;
 use faer::linalg::solvers::{PartialPivLu, Solve};
@@ -256,7 +256,8 @@ pub fn solve_shooting(
     options.validate()?;
     let began = Instant::now();
     // Checks that everything repeats itself.
-    System::new(model, period)?;
+    let periodic = System::new(model, period)?;
+    require_periodic_forces(model, periodic.scales().length, period)?;
     let length = period / options.steps as f64;
     let system = Arc::new(System::in_transient(
         model,

@@ -8,7 +8,7 @@ use super::watch::{Watch, Watching};
 use crate::error::{Error, ErrorKind, Result, require_finite};
 use crate::fourier::TimeGrid;
 use crate::model::Model;
-use crate::system::{Standstill, System};
+use crate::system::{Standstill, System, require_reproducible_forces};
 use crate::workers::Workers;
 use std::sync::Arc;
 use std::time::Instant;
@@ -136,7 +136,9 @@ pub(super) fn find_equilibrium(
     options.validate()?;
     let start = Instant::now();
     let system = Arc::new(System::at_standstill(model, &options.standstill)?);
-    let grid = TimeGrid::new(1, options.standstill.period())?;
+    let (length, period) = (system.scales().length, options.standstill.period());
+    require_reproducible_forces(model, length, period, options.standstill.time)?;
+    let grid = TimeGrid::new(1, period)?;
     let workers = Workers::default().telling(watching.pulse());
     let mut observe = |stage: Stage, iteration: &Iteration| {
         let goes_on = watching.iteration(stage, iteration);

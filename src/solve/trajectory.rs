@@ -11,7 +11,7 @@ use crate::error::{Error, ErrorKind, Result, require_finite};
 use crate::fourier::TimeGrid;
 use crate::model::Model;
 use crate::motion::Motion;
-use crate::system::{Scales, System, Transient};
+use crate::system::{Scales, System, Transient, require_reproducible_forces};
 use crate::workers::Workers;
 use nalgebra::Vector6;
 use serde::{Deserialize, Serialize};
@@ -663,6 +663,8 @@ pub fn march(
             step: length,
         },
     )?);
+    let scale = system.scales().length;
+    require_reproducible_forces(model, scale, options.span(), options.start_time)?;
     let watching = options.watch.begin(
         Stage::March {
             time: options.start_time,

@@ -1,6 +1,6 @@
 //! Compares the tangents that a user's function gives with differences of its forces.
 
-use super::{System, coordinate_size};
+use super::{System, coordinate_scales};
 use crate::elements::{CoordinateLaw, CoordinateState, NodeState, Tangent, UserForce};
 use crate::error::{Error, ErrorKind, Result};
 use crate::model::{ForceDefinition, Model};
@@ -30,10 +30,53 @@ pub struct TangentCheck {
     pub differenced: f64,
 }
 
-/// Reproducible numbers from −1 to 1 that are spread evenly.
-fn spread(count: &mut usize) -> f64 {
-    *count += 1;
-    2.0 * (*count as f64 * 0.618_033_988_75).fract() - 1.0
+/// States near the reference configuration, as motions of a period have them; always the same.
+pub(super) struct Probe {
+    /// What motions are of the order of.
+    length: f64,
+    frequency: f64,
+    count: usize,
+}
+
+impl Probe {
+    pub(super) fn new(length: f64, frequency: f64) -> Self {
+        Probe {
+            length,
+            frequency,
+            count: 0,
+        }
+    }
+
+    /// Reproducible numbers from −1 to 1 that are spread evenly.
+    fn spread(&mut self) -> f64 {
+        self.count += 1;
+        2.0 * (self.count as f64 * 0.618_033_988_75).fract() - 1.0
+    }
+
+    /// A coordinate at time zero, and its rate, of the order of `scales`.
+    pub(super) fn coordinate(&mut self, reference: f64, scales: [f64; 2]) -> CoordinateState {
+        CoordinateState {
+            time: 0.0,
+            value: reference + 0.3 * scales[0] * self.spread(),
+            rate: scales[1] * self.spread(),
+        }
+    }
+
+    /// Motions and velocities of nodes.
+    pub(super) fn nodes(&mut self, model: &Model, nodes: &[usize]) -> Vec<NodeState> {
+        let frequency = self.frequency;
+        let mut random = |factor: f64| {
+            Vector6::from_fn(|i, _| {
+                let size = if i < 3 { self.length } else { 1.0 };
+                factor * size * self.spread()
+            })
+        };
+        let state = |&node: &usize| NodeState {
+            twist: random(frequency),
+            ..NodeState::at_rest(model.nodes[node].increment(&random(0.1)))
+        };
+        nodes.iter().map(state).collect()
+    }
 }
 
 /// One tangent's derivatives, side by side, with what makes them comparable.
@@ -99,7 +142,7 @@ pub fn check_tangents(model: &Model, force: usize, period: f64) -> Result<Tangen
     };
     let length = System::new(model, period)?.scales().length;
     let frequency = TAU / period;
-    let mut count = 0;
+    let mut probe = Probe::new(length, frequency);
     let mut worst = Worst {
         check: TangentCheck {
             error: 0.0,
@@ -120,14 +163,12 @@ pub fn check_tangents(model: &Model, force: usize, period: f64) -> Result<Tangen
             if !law.gives_derivatives {
                 return Err(unavailable(differenced));
             }
-            let size = coordinate_size(at.coordinate, length);
             let reference = model.reference_coordinate(at.joint, at.coordinate);
-            let scales = [size, size * frequency];
+            let scales = coordinate_scales(at.coordinate, length, frequency);
             for time in times {
                 let state = CoordinateState {
                     time,
-                    value: reference + 0.3 * size * spread(&mut count),
-                    rate: scales[1] * spread(&mut count),
+                    ..probe.coordinate(reference, scales)
                 };
                 let effort = law
                     .call(&state)
@@ -157,15 +198,7 @@ pub fn check_tangents(model: &Model, force: usize, period: f64) -> Result<Tangen
             let element = UserForce::new(nodes.clone(), law.clone(), length, frequency);
             let sizes = |component: usize| if component < 3 { length } else { 1.0 };
             for time in times {
-                let mut random =
-                    |factor: f64| Vector6::from_fn(|i, _| factor * sizes(i) * spread(&mut count));
-                let mut states = Vec::new();
-                for &node in nodes {
-                    states.push(NodeState {
-                        twist: random(frequency),
-                        ..NodeState::at_rest(model.nodes[node].increment(&random(0.1)))
-                    });
-                }
+                let states = probe.nodes(model, nodes);
                 let pairs = element
                     .tangent_pairs(time, &states)
                     .map_err(|e| e.within(format!("force {force}")))?;

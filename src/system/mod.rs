@@ -5,6 +5,7 @@ mod constraints;
 mod driven;
 mod mass_properties;
 mod partition;
+mod repetition;
 mod scales;
 mod spectra;
 mod summary;
@@ -15,6 +16,7 @@ pub use check::{TangentCheck, check_tangents};
 pub use constraints::{ConstraintLoop, Dependency, name_all, name_constraints};
 pub use driven::Driven;
 pub use mass_properties::MassProperties;
+pub use repetition::{require_periodic_forces, require_reproducible_forces};
 pub use scales::Scales;
 pub use summary::Summary;
 
@@ -361,10 +363,9 @@ impl System {
                 (at, Law::Actuator { signal })
             }
             ForceDefinition::CoordinateLaw { at, law } => {
-                let size = coordinate_size(at.coordinate, length);
                 let law = Law::Function {
                     law: law.clone(),
-                    scales: [size, size * frequency],
+                    scales: coordinate_scales(at.coordinate, length, frequency),
                 };
                 (at, law)
             }
@@ -804,12 +805,13 @@ impl System {
     }
 }
 
-/// What a joint coordinate is of the order of, in a mechanism of this length.
-pub(crate) fn coordinate_size(coordinate: Coordinate, length: f64) -> f64 {
-    match coordinate.measure() {
+/// What a joint coordinate and its rate are of the order of, in a mechanism of this length and circular frequency.
+fn coordinate_scales(coordinate: Coordinate, length: f64, frequency: f64) -> [f64; 2] {
+    let size = match coordinate.measure() {
         Measure::Angle => 1.0,
         Measure::Length => length,
-    }
+    };
+    [size, size * frequency]
 }
 
 /// An element's own unknowns at one instant.

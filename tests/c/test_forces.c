@@ -404,7 +404,7 @@ static int32_t two_nodes(const pdn_force_state *state, pdn_force_values *values,
     double stretch = 0, rate = 0, effort;
     int k, l, row, column;
     CHECK(state->struct_size >= sizeof *state && values->struct_size >= sizeof *values);
-    CHECK(state->node_count == 2 && state->time >= 0 && state->time < PERIOD);
+    CHECK(state->node_count == 2 && state->time >= 0 && state->time < 2 * PERIOD);
     for (k = 0; k < 3; k++) {
         stretch += AXIS[k] * (state->positions[3 + k] - state->positions[k] - POINT[k]);
         rate += AXIS[k] * (state->velocities[6 + k] - state->velocities[k]);

@@ -5,7 +5,7 @@
 #define PERIOD 1.4
 
 /* What a function of the user does wrong: nothing, or one of these. */
-enum { GOOD, FAILS, LEAVES, NO_NUMBER, INFINITE, NO_DERIVATIVE };
+enum { GOOD, FAILS, LEAVES, NO_NUMBER, INFINITE, NO_DERIVATIVE, RANDOM, DRIFTS };
 
 /* Arguments, each of them good. */
 static struct {
@@ -54,11 +54,18 @@ static void destroy(void *user_data)
     destroyed++;
 }
 
+/* Another one in each call, or one that grows with time. */
+static double astray(int32_t wrong, double time)
+{
+    static double calls;
+    calls++;
+    return wrong == RANDOM ? sin(calls) : wrong == DRIFTS ? time : 0;
+}
+
 static int32_t law(double time, double coordinate, double rate, double *effort,
                    double *derivatives, void *user_data)
 {
     const int32_t wrong = *(const int32_t *)user_data;
-    (void)time;
     if (wrong == FAILS) {
         pdn_set_callback_error("out of range");
         return 7;
@@ -66,7 +73,7 @@ static int32_t law(double time, double coordinate, double rate, double *effort,
     if (wrong != LEAVES)
         *effort = wrong == NO_NUMBER  ? (double)NAN
                   : wrong == INFINITE ? (double)INFINITY
-                                      : 20 * coordinate + rate;
+                                      : 20 * coordinate + rate + astray(wrong, time);
     if (derivatives != NULL) {
         derivatives[0] = 20;
         if (wrong != NO_DERIVATIVE)
@@ -83,6 +90,7 @@ static int32_t force(const pdn_force_state *state, pdn_force_values *values, voi
         return -3;
     for (k = 0; k < 6; k++)
         values->forces[6 + k] = -state->velocities[6 + k];
+    values->forces[2] = astray(wrong, state->time);
     if (wrong == NO_NUMBER)
         values->forces[7] = NAN;
     if (wrong == INFINITE)
@@ -322,6 +330,12 @@ static void laws_that_go_wrong(void)
         if (in.law_wrong == FAILS)
             CHECK(pdn_last_callback_code() == 7);
     }
+    in.law_wrong = RANDOM;
+    REFUSED(SOLVE, PDN_ERR_NOT_PERIODIC,
+            "force 4 on joint 0: the function gives different values at the same time and motion: ");
+    in.law_wrong = DRIFTS;
+    REFUSED(SOLVE, PDN_ERR_NOT_PERIODIC,
+            "force 4 on joint 0: the function does not repeat with the period ");
     in.law_wrong = GOOD;
 }
 
@@ -383,6 +397,12 @@ static void solves_with_forces_that_go_wrong(void)
             REFUSED(SOLVE, PDN_ERR_CALLBACK,
                     "force 0: callback: expected a finite derivative of force 3 on node 1 ");
         }
+        in.wrong = RANDOM;
+        REFUSED(SOLVE, PDN_ERR_NOT_PERIODIC,
+                "force 0: the function gives different values at the same time and motion: ");
+        in.wrong = DRIFTS;
+        REFUSED(SOLVE, PDN_ERR_NOT_PERIODIC,
+                "force 0: the function does not repeat with the period ");
         in.wrong = GOOD;
         pdn_model_free(in.model);
     }

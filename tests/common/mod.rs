@@ -33,6 +33,13 @@ pub fn mass_on_a_slide(mass: f64, axis: &Vector3<f64>) -> (Model, JointCoordinat
     (model, at)
 }
 
+/// Holds a node where it is; gives the joint.
+pub fn clamp(model: &mut Model, node: usize) -> usize {
+    let frame = *model.node(node).unwrap();
+    let held = model.add_joint(JointKind::Rigid, None, Some(node), &frame, &frame);
+    held.unwrap()
+}
+
 /// A mass on a spring and a damper along z, driven by `F cos Ωt`: `m`, `k`, `c`, `F`.
 pub const OSCILLATOR: [f64; 4] = [2.0, 50.0, 1.2, 3.0];
 

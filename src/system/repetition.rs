@@ -1,0 +1,124 @@
+//! Whether the user's forces are the same at the same state, and repeat with the period.
+
+use super::check::Probe;
+use super::coordinate_scales;
+use crate::elements::{CoordinateState, UserForce};
+use crate::error::{Error, ErrorKind, Result};
+use crate::model::{ForceDefinition, Model};
+use std::f64::consts::TAU;
+
+/// Relative differences of two calls that are none: a function that iterates leaves as much.
+const SAME: f64 = 1e-9;
+/// Relative differences from one period to the next that are none: a period given to six digits leaves as much.
+const REPEATED: f64 = 1e-6;
+/// Times that a function is looked at, as parts of the period: one that is written for one period may change between periods.
+const TIMES: [f64; 2] = [0.0, 0.37];
+
+/// Refuses forces whose functions give different values at the same motion and `time`.
+///
+/// # Errors
+/// [`ErrorKind::NotPeriodic`].
+pub fn require_reproducible_forces(
+    model: &Model,
+    length: f64,
+    period: f64,
+    time: f64,
+) -> Result<()> {
+    require_repeating_forces(model, length, TAU / period, &[time], None)
+}
+
+/// Refuses those, too, that give other values at the same motion one period later.
+///
+/// # Errors
+/// [`ErrorKind::NotPeriodic`].
+pub fn require_periodic_forces(model: &Model, length: f64, period: f64) -> Result<()> {
+    let times = TIMES.map(|part| part * period);
+    require_repeating_forces(model, length, TAU / period, &times, Some(period))
+}
+
+fn require_repeating_forces(
+    model: &Model,
+    length: f64,
+    frequency: f64,
+    times: &[f64],
+    period: Option<f64>,
+) -> Result<()> {
+    for (index, force) in model.forces.iter().enumerate() {
+        let mut probe = Probe::new(length, frequency);
+        match force {
+            ForceDefinition::CoordinateLaw { at, law } => {
+                let scales = coordinate_scales(at.coordinate, length, frequency);
+                let reference = model.reference_coordinate(at.joint, at.coordinate);
+                let state = probe.coordinate(reference, scales);
+                let effort = |time: f64| {
+                    let state = CoordinateState { time, ..state };
+                    Ok(vec![law.call(&state)?.value])
+                };
+                require_repeating(effort, times, period)
+                    .map_err(|e| e.within(format!("force {index} on joint {}", at.joint)))?;
+            }
+            ForceDefinition::NodeForces { nodes, law } => {
+                let states = probe.nodes(model, nodes);
+                let element = UserForce::new(nodes.clone(), law.clone(), length, frequency);
+                let forces = |time: f64| {
+                    let forces = element.forces(time, &states)?;
+                    Ok(forces.iter().flatten().copied().collect())
+                };
+                require_repeating(forces, times, period)
+                    .map_err(|e| e.within(format!("force {index}")))?;
+            }
+            _ => {}
+        }
+    }
+    Ok(())
+}
+
+/// Compares the values at times with those of the same time again and, if there is one, a period later.
+fn require_repeating(
+    values: impl Fn(f64) -> Result<Vec<f64>>,
+    times: &[f64],
+    period: Option<f64>,
+) -> Result<()> {
+    let mut changes = None;
+    for &time in times {
+        // A motion that was made up may be one that the function refuses: the solve tells of its own.
+        let (Ok(first), Ok(again)) = (values(time), values(time)) else {
+            return Ok(());
+        };
+        if let Some((a, b)) = different(&first, &again, SAME) {
+            let message = format!(
+                "the function gives different values at the same time and motion: {a}, then {b} at t = {time}"
+            );
+            return Err(Error::new(ErrorKind::NotPeriodic, message));
+        }
+        let Some(period) = period else { continue };
+        let Ok(later) = values(time + period) else {
+            return Ok(());
+        };
+        match different(&first, &later, REPEATED) {
+            Some((a, b)) => {
+                changes = Some(format!(
+                    "the function does not repeat with the period {period}: at the same motion it gives {a} at t = {time}, \
+                     and {b} at t = {}",
+                    time + period
+                ));
+            }
+            None => return Ok(()),
+        }
+    }
+    match changes {
+        Some(message) => Err(Error::new(ErrorKind::NotPeriodic, message)),
+        None => Ok(()),
+    }
+}
+
+/// The values that differ most, if that is more than a part of the largest.
+fn different(first: &[f64], second: &[f64], part: f64) -> Option<(f64, f64)> {
+    let size = first
+        .iter()
+        .chain(second)
+        .fold(0.0, |m: f64, x| m.max(x.abs()));
+    let pairs = first.iter().copied().zip(second.iter().copied());
+    let worst = pairs.max_by(|(a, b), (c, d)| (a - b).abs().total_cmp(&(c - d).abs()))?;
+    ((worst.0 - worst.1).abs() > part * size).then_some(worst)
+}
