@@ -140,8 +140,6 @@ pub struct NewtonReport {
 
 /// Shortest step of the line search.
 const SHORTEST_STEP: f64 = 1.0 / 256.0;
-/// Least and largest part of a step that is tried where it leads nowhere.
-const CUTS: [f64; 2] = [0.125, 0.5];
 /// A step shorter than this is far from a solution.
 const SHORT_STEP: f64 = 0.1;
 /// Largest turn of a node in one step; beyond it the linearisation means little.
@@ -194,19 +192,6 @@ impl Leap {
         (*state, *residual) = (self.start, self.residual);
         equations.clear_resultants();
     }
-}
-
-/// The part of a `step` along the increment `full` that is likely to be accepted, if the whole was not: as far as the simplified
-/// increment `after` it, of the other sign, is off what linear equations would leave, they are curved (Deuflhard, Newton Methods for Nonlinear Problems,
-/// section 3.3).
-fn promising_part(step: f64, full: &[f64], after: &[f64]) -> f64 {
-    let off = full.iter().zip(after).map(|(x, y)| y + (1.0 - step) * x);
-    let curved = off.fold(0.0, |most: f64, x| most.max(x.abs()));
-    let part = 0.5 * step * largest(full) / curved;
-    if part.is_nan() {
-        return CUTS[1];
-    }
-    part.clamp(CUTS[0], CUTS[1])
 }
 
 /// Newton solver for one system and grid; keeps everything that can be used again.
@@ -542,11 +527,8 @@ impl<L: LinearSolver> Newton<L> {
             } else {
                 1.0
             };
-            let motions = 6 * system.nodes() * self.equations.grid().points();
-            let full = step_vector[..motions].to_vec();
             let mut leaping = may_leap && !converged;
             let accepted = loop {
-                let mut part = CUTS[1];
                 let trial = state.incremented(&system, &unscaled, step);
                 let evaluated = timed(&mut self.timings.assembly, || {
                     self.equations.residual(&trial, &mut trial_residual)
@@ -571,12 +553,11 @@ impl<L: LinearSolver> Newton<L> {
                     if may_leap && step == 1.0 {
                         break Some(trial);
                     }
-                    part = promising_part(step, &full, &step_vector);
                 }
-                if step <= SHORTEST_STEP {
+                step *= 0.5;
+                if step < SHORTEST_STEP {
                     break None;
                 }
-                step = (part * step).max(SHORTEST_STEP);
             };
             if accepted.is_none()
                 && let Some(failed) = leap.take()
