@@ -102,15 +102,20 @@ impl Differentiation {
     }
 
     fn apply_dense(&self, x: &[f64], d_x: &mut [f64], t_x: &mut [f64]) {
-        for row in 0..x.len() {
-            let (mut d, mut t) = (0.0, 0.0);
-            for (column, value) in x.iter().enumerate() {
-                let shift = self.shift(row, column);
-                d += self.first[shift] * value;
-                t += self.second[shift] * value;
+        d_x.fill(0.0);
+        t_x.fill(0.0);
+        // Columns are the first one, moved round.
+        for (column, value) in x.iter().enumerate() {
+            let wrapped = x.len() - column;
+            for (out, first) in [(&mut *d_x, &self.first), (&mut *t_x, &self.second)] {
+                let (above, below) = out.split_at_mut(column);
+                for (y, entry) in below.iter_mut().zip(first) {
+                    *y += entry * value;
+                }
+                for (y, entry) in above.iter_mut().zip(&first[wrapped..]) {
+                    *y += entry * value;
+                }
             }
-            d_x[row] = d;
-            t_x[row] = t;
         }
     }
 
