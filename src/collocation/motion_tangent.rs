@@ -41,6 +41,8 @@ struct Room {
     second: Vec<[f64; BILINEAR]>,
     first: Vec<[f64; BILINEAR]>,
     moved: Vec<[f64; BILINEAR]>,
+    /// Rows that are not zero, for few of many freedoms move a node; and their grid points.
+    rows: Vec<(usize, usize)>,
 }
 
 /// The numbers of a dual matrix, those that go with primal parts first.
@@ -185,6 +187,9 @@ impl MotionTangent {
                     let mut sums = [Vector6::zeros(); 3];
                     for &(pair, row) in pairs {
                         let z = along(k, row, i, &self.forces);
+                        if z.iter().all(|x| *x == 0.0) {
+                            continue;
+                        }
                         let tangent = self.tangent.pair(pair, k);
                         sums[0] += tangent.stiffness.tr_mul(&z);
                         if couplings[pair].moving {
@@ -238,16 +243,21 @@ impl MotionTangent {
                     room.moved.push(numbers(&(m * z.skew()), false));
                 }
             }
-            for k in 0..points {
-                for (moved, j) in room.moved[k * count..][..count].iter().zip(k * count..) {
-                    let column = &mut out[j * size..][..size];
-                    for l in (0..points).filter(|l| *l != k) {
-                        let (d, t) = (self.operators.first(l, k), self.operators.second(l, k));
-                        for i in l * count..(l + 1) * count {
-                            column[i] += t * product(&room.second[i], moved)
-                                + d * product(&room.first[i], moved);
-                        }
-                    }
+            let is_zero = |numbers: &[f64; BILINEAR]| numbers.iter().all(|x| *x == 0.0);
+            room.rows.clear();
+            let rows = (0..size).map(|i| (i, i / count));
+            room.rows.extend(
+                rows.filter(|&(i, _)| !is_zero(&room.second[i]) || !is_zero(&room.first[i])),
+            );
+            for (j, moved) in room.moved.iter().enumerate() {
+                if is_zero(moved) {
+                    continue;
+                }
+                let (k, column) = (j / count, &mut out[j * size..][..size]);
+                for &(i, l) in room.rows.iter().filter(|(_, l)| *l != k) {
+                    let (d, t) = (self.operators.first(l, k), self.operators.second(l, k));
+                    column[i] +=
+                        t * product(&room.second[i], moved) + d * product(&room.first[i], moved);
                 }
             }
         }

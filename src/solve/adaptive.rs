@@ -1,7 +1,6 @@
 //! Grids made finer until the estimated error meets a tolerance.
 
 use super::estimate::Assessment;
-use super::guess;
 use super::loads::Loads;
 use super::newton::{NewtonReport, Outcome};
 use super::periodic::{Attempts, is_final};
@@ -298,9 +297,11 @@ impl Attempts<'_> {
         self.find()
     }
 
-    /// Points that the quasi-static motion takes, where inertial forces displace it by no more than its own error: as where all
-    /// motions are prescribed.
+    /// Points that the quasi-static motion takes where it is the response, all motions being prescribed.
     fn points_of_guess(&mut self, adaptation: &Adaptation) -> Result<Option<usize>> {
+        if self.system.has_freedoms() {
+            return Ok(None);
+        }
         let (from, system) = (self.guess_grid, self.system.clone());
         let Some(state) = self.first_quasi_static()? else {
             return Ok(None);
@@ -314,10 +315,7 @@ impl Attempts<'_> {
         let found = (AIM * adaptation.error_tolerance / decay.tail).ln() / decay.ratio.ln();
         let wanted = 2.0 * (last as f64 + found) + 1.0;
         let is_known = decay.kind == DecayKind::Fast && wanted.is_finite();
-        if !is_known
-            || wanted <= self.grid.points() as f64
-            || self.inertial_displacement()? > guess::TOLERANCE
-        {
+        if !is_known || wanted <= self.grid.points() as f64 {
             return Ok(None);
         }
         let most = GROWTH[1] * self.grid.points() as f64;

@@ -10,7 +10,7 @@ use crate::workers::Workers;
 use std::sync::Arc;
 
 /// Largest increment of a quasi-static solve: its square is the error left.
-pub(super) const TOLERANCE: f64 = 1e-3;
+const TOLERANCE: f64 = 1e-3;
 /// What that error stretches slender beams by is to be no more geometric stiffness than this part of their bending stiffness.
 const SPURIOUS: f64 = 0.5;
 /// A step that needs more iterations than this is halved.
