@@ -85,8 +85,8 @@ impl Decay {
         }
     }
 
-    /// Fits geometric decay to the upper half, by least squares of logarithms.
-    fn from_amplitudes(amplitudes: Vec<f64>) -> Self {
+    /// Of these amplitudes: fits geometric decay to the upper half, by least squares of logarithms.
+    pub fn from_amplitudes(amplitudes: Vec<f64>) -> Self {
         let mut last = amplitudes.len() - 1;
         // One that vanishes by symmetry tells nothing of those that are left out.
         let vanishing = ROUNDING * amplitudes.iter().fold(0.0f64, |most, a| most.max(*a));

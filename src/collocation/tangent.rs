@@ -21,7 +21,7 @@ use crate::fourier::Differentiation;
 use crate::motion::DualVector;
 use crate::system::{System, Workspace};
 use crate::workers::{Workers, parts};
-use nalgebra::{DMatrix, Matrix6, Vector6};
+use nalgebra::{Matrix6, Vector6};
 use std::collections::BTreeMap;
 use std::ops::Range;
 
@@ -448,7 +448,8 @@ impl Tangent {
                     for (((force, u), tangent), rates) in
                         rows.zip(motions).zip(&pairs[pair]).zip(rates)
                     {
-                        tangent.add_force(coupling.moving, u, rates, force);
+                        let sum = tangent.force(coupling.moving, u, rates);
+                        force.iter_mut().zip(&sum).for_each(|(y, f)| *y += f);
                     }
                 }
                 for &(station, strain) in &layout.acting[node] {
@@ -535,20 +536,14 @@ impl Tangent {
 }
 
 impl PairTangent {
-    fn add(&mut self, other: &Self) {
-        self.stiffness += other.stiffness;
-        self.damping += other.damping;
-        self.mass += other.mass;
-    }
-
-    /// Adds `K Δu + C Δv + M Δv̇`.
+    /// `K Δu + C Δv + M Δv̇`.
     #[inline]
-    fn add_force(&self, moving: bool, u: &[f64], rates: &[Vector6<f64>; 2], force: &mut [f64]) {
+    pub(super) fn force(&self, moving: bool, u: &[f64], rates: &[Vector6<f64>; 2]) -> Vector6<f64> {
         let mut sum = self.stiffness * Vector6::from_column_slice(u);
         if moving {
             sum += self.damping * rates[0] + self.mass * rates[1];
         }
-        force.iter_mut().zip(&sum).for_each(|(y, f)| *y += f);
+        sum
     }
 }
 
@@ -620,6 +615,7 @@ impl TangentLayout {
             let placed = &instants.system().elements()[index];
             let nodes = placed.element.nodes();
             let couplings = &self.places[index].couplings;
+            let moving = placed.element.has_mass() || placed.element.has_damping();
             if let Some((strains, own)) = own {
                 strains.iter_mut().for_each(Vec::clear);
                 own.gradients.clear();
@@ -632,24 +628,20 @@ impl TangentLayout {
                     if !share.nodes.contains(&nodes[a]) {
                         continue;
                     }
-                    let block = |matrix: &DMatrix<f64>| {
-                        matrix.fixed_view::<6, 6>(6 * a, 6 * b).into_owned()
-                    };
-                    let part_of_sum = PairTangent {
-                        stiffness: block(&out.stiffness),
-                        damping: block(&out.damping),
-                        mass: block(&out.mass),
-                    };
                     let sums = &mut pairs[coupling - first_pair];
-                    if self.first[coupling] != (index, part) {
-                        sums[k].add(&part_of_sum);
-                        continue;
+                    if self.first[coupling] == (index, part) {
+                        if k == 0 {
+                            sums.clear();
+                            sums.reserve_exact(points);
+                        }
+                        sums.push(PairTangent::default());
                     }
-                    if k == 0 {
-                        sums.clear();
-                        sums.reserve_exact(points);
+                    let sum = &mut sums[k];
+                    sum.stiffness += out.stiffness.fixed_view::<6, 6>(6 * a, 6 * b);
+                    if moving {
+                        sum.damping += out.damping.fixed_view::<6, 6>(6 * a, 6 * b);
+                        sum.mass += out.mass.fixed_view::<6, 6>(6 * a, 6 * b);
                     }
-                    sums.push(part_of_sum);
                 }
                 let Some((strains, own)) = own else {
                     continue;

@@ -192,17 +192,32 @@ impl Solution {
         };
         let mut angle = nearest_turn(value(&self.states_of(definition, 0)), self.start_of(&at));
         let mut values = vec![angle];
-        for k in 1..=points {
-            // In small steps where motions can be interpolated, so that no turn is missed.
-            for step in 1..FOLLOWING_STEPS {
+        // In small steps where motions can be interpolated, so that no turn is missed.
+        let steps = (1..=points).flat_map(|k| (1..FOLLOWING_STEPS).map(move |step| (k, step)));
+        let times: Vec<f64> = steps
+            .map(|(k, step)| {
                 let fraction = step as f64 / FOLLOWING_STEPS as f64;
-                let time = grid.period() * ((k - 1) as f64 + fraction) / points as f64;
+                grid.period() * ((k - 1) as f64 + fraction) / points as f64
+            })
+            .collect();
+        let at_times = |times: &[f64]| -> Option<Vec<Vec<NodeState>>> {
+            let of_node = |&node: &usize| {
                 let mut states = Vec::new();
-                let interpolated = definition.nodes().iter().all(|&n| {
-                    self.each_node_state(n, &[time], |s| states.push(*s))
-                        .is_ok()
-                });
-                if interpolated {
+                let found = self.each_node_state(node, times, |s| states.push(*s));
+                found.is_ok().then_some(states)
+            };
+            definition.nodes().iter().map(of_node).collect()
+        };
+        let all = at_times(&times);
+        for k in 1..=points {
+            let first = (k - 1) * (FOLLOWING_STEPS - 1);
+            for i in first..first + FOLLOWING_STEPS - 1 {
+                let states: Option<Vec<NodeState>> = match &all {
+                    Some(all) => Some(all.iter().map(|states| states[i]).collect()),
+                    // Some can be, perhaps.
+                    None => at_times(&times[i..=i]).map(|all| all.concat()),
+                };
+                if let Some(states) = states {
                     angle = nearest_turn(value(&states), angle);
                 }
             }

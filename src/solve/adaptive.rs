@@ -4,7 +4,7 @@ use super::estimate::Assessment;
 use super::loads::Loads;
 use super::newton::{NewtonReport, Outcome};
 use super::periodic::{Attempts, is_final};
-use crate::collocation::{DecayKind, GridState};
+use crate::collocation::{Decay, DecayKind, GridState};
 use crate::error::{Error, Result};
 use crate::fourier::TimeGrid;
 use crate::system::System;
@@ -56,6 +56,8 @@ const GROWTH: [f64; 3] = [1.15, 4.0, 2.0];
 const AIM: f64 = 0.2;
 /// And at this one of what harmonics of loads cause, which are known.
 const AIM_OF_LOADS: f64 = 0.3;
+/// Harmonics of a quasi-static motion that may be what its Newton iterations leave.
+const LEFT_BY_GUESS: f64 = 1e-5;
 /// A measured error this many times its estimate shows that the decay deceives.
 const DECEIVED: f64 = 10.0;
 /// A difference of solutions that is larger is none of rounding.
@@ -194,7 +196,7 @@ impl Attempts<'_> {
         let mut deceivable = start.is_none() && self.system.calls_functions();
         let (mut state, mut report) = match start {
             Some(state) => self.newton(state)?,
-            None => self.on_first_grid()?,
+            None => self.on_first_grid(adaptation)?,
         };
         let length = self.system.scales().length;
         // Estimate of the grid before by its own harmonics and constraints, and its state at these points.
@@ -284,9 +286,12 @@ impl Attempts<'_> {
     }
 
     /// A solution on the first grid; where it is too coarse for that, on that of the initial guess.
-    fn on_first_grid(&mut self) -> Result<(GridState, NewtonReport)> {
+    fn on_first_grid(&mut self, adaptation: &Adaptation) -> Result<(GridState, NewtonReport)> {
         if self.grid == self.guess_grid {
             return self.find();
+        }
+        if let Some(points) = self.points_of_guess(adaptation)? {
+            self.move_to(TimeGrid::new(points, self.grid.period())?)?;
         }
         let (state, report) = self.find_at_once()?;
         if is_final(report.outcome) {
@@ -294,6 +299,32 @@ impl Attempts<'_> {
         }
         self.move_to(self.guess_grid)?;
         self.find()
+    }
+
+    /// Points that the quasi-static motion takes where it is the response, all motions being prescribed.
+    fn points_of_guess(&mut self, adaptation: &Adaptation) -> Result<Option<usize>> {
+        if self.system.has_freedoms() {
+            return Ok(None);
+        }
+        let (from, system) = (self.guess_grid, self.system.clone());
+        let Some(state) = self.first_quasi_static()? else {
+            return Ok(None);
+        };
+        let mut amplitudes = Decay::of(&system, from, state).amplitudes;
+        let Some(last) = amplitudes.iter().rposition(|a| *a > LEFT_BY_GUESS) else {
+            return Ok(None);
+        };
+        amplitudes.truncate(last + 1);
+        let decay = Decay::from_amplitudes(amplitudes);
+        let found = (AIM * adaptation.error_tolerance / decay.tail).ln() / decay.ratio.ln();
+        let wanted = 2.0 * (last as f64 + found) + 1.0;
+        let is_known = decay.kind == DecayKind::Fast && wanted.is_finite();
+        if !is_known || wanted <= self.grid.points() as f64 {
+            return Ok(None);
+        }
+        let most = GROWTH[1] * self.grid.points() as f64;
+        let points = quick(wanted.min(most).ceil() as usize);
+        Ok(Some(points.min(adaptation.largest_odd())))
     }
 }
 

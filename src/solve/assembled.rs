@@ -9,17 +9,21 @@ use super::newton::{Timings, timed};
 use crate::collocation::{Collocation, GridState, Pattern, TangentBlocks};
 use crate::error::Result;
 use crate::workers::Workers;
+use std::cell::OnceCell;
 
 /// The Jacobian's values, and their factors.
 #[derive(Debug)]
 pub(super) struct Assembled {
-    pub(super) pattern: Pattern,
+    /// Of the values, found at first use.
+    pattern: OnceCell<Pattern>,
     /// For all Jacobians, made at first use.
     solver: Option<DirectSolver>,
     /// For those of mechanisms with few freedoms.
     freedoms: Option<FreedomSolver>,
     /// Whether the present factors are those of the freedoms.
     by_freedoms: bool,
+    /// Where the equations were linearised last, if their Jacobian was not formed.
+    unformed: Option<GridState>,
     /// Scaled compliance of constraints in the values.
     regularisation: f64,
     workers: Workers,
@@ -28,20 +32,29 @@ pub(super) struct Assembled {
 }
 
 impl Assembled {
-    /// Orders and analyses the Jacobian of `equations`.
+    /// For the Jacobians of `equations`.
     pub(super) fn new(equations: &Collocation) -> Self {
-        let pattern = Pattern::new(equations.system(), equations.grid().points());
-        let freedoms = FreedomSolver::new(equations, &pattern);
+        let pattern = OnceCell::new();
+        let freedoms = FreedomSolver::new(equations, || pattern_of(&pattern, equations));
+        if freedoms.is_none() {
+            pattern_of(&pattern, equations);
+        }
         Assembled {
             solver: None,
             freedoms,
             by_freedoms: false,
+            unformed: None,
             regularisation: 0.0,
             workers: equations.workers().clone(),
-            values: vec![0.0; pattern.entries()],
+            values: Vec::new(),
             blocks: TangentBlocks::default(),
             pattern,
         }
+    }
+
+    /// Places of the values.
+    pub(super) fn pattern(&self, equations: &Collocation) -> &Pattern {
+        pattern_of(&self.pattern, equations)
     }
 
     /// Assembles the Jacobian.
@@ -50,27 +63,37 @@ impl Assembled {
         equations: &mut Collocation,
         state: &GridState,
     ) -> Result<()> {
+        self.unformed = None;
         self.regularisation = equations.regularisation();
-        equations.jacobian(state, &self.pattern, &mut self.blocks, &mut self.values)
+        let pattern = pattern_of(&self.pattern, equations);
+        self.values.resize(pattern.entries(), 0.0);
+        equations.jacobian(state, pattern, &mut self.blocks, &mut self.values)
+    }
+
+    /// Assembles the Jacobian that was not formed, if it was not.
+    fn complete(&mut self, equations: &mut Collocation) -> Result<()> {
+        match self.unformed.take() {
+            Some(state) => self.assemble(equations, &state),
+            None => Ok(()),
+        }
     }
 
     /// Factors it as is cheapest. `false` if it is singular.
-    pub(super) fn factor(&mut self) -> Result<bool> {
-        let (pattern, regularised) = (&self.pattern, self.regularisation != 0.0);
+    pub(super) fn factor(&mut self, equations: &mut Collocation) -> Result<bool> {
         if let Some(freedoms) = &mut self.freedoms {
-            self.by_freedoms =
-                freedoms.factor(pattern, &self.values, regularised, &self.workers)?;
+            self.by_freedoms = freedoms.factor(equations, &self.values, &self.workers)?;
             if self.by_freedoms {
                 return Ok(true);
             }
         }
-        self.factor_all()
+        self.complete(equations)?;
+        self.factor_all(equations)
     }
 
-    /// Factors the whole of it. `false` if it is singular.
-    pub(super) fn factor_all(&mut self) -> Result<bool> {
+    /// Factors the whole of it, which was assembled. `false` if it is singular.
+    pub(super) fn factor_all(&mut self, equations: &Collocation) -> Result<bool> {
         self.by_freedoms = false;
-        let (pattern, workers) = (&self.pattern, &self.workers);
+        let (pattern, workers) = (pattern_of(&self.pattern, equations), &self.workers);
         let solver = self.solver.get_or_insert_with(|| {
             let mut solver = DirectSolver::new(pattern);
             solver.set_workers(workers.clone());
@@ -93,14 +116,15 @@ impl Assembled {
         }
     }
 
-    fn solve_refined(&mut self, rhs: &mut [f64]) -> Result<bool> {
+    fn solve_refined(&mut self, equations: &mut Collocation, rhs: &mut [f64]) -> Result<bool> {
         if let (Some(freedoms), true) = (&mut self.freedoms, self.by_freedoms) {
             let wanted = rhs.to_vec();
             if freedoms.solve(&self.values, rhs) {
                 return Ok(true);
             }
             rhs.copy_from_slice(&wanted);
-            if !self.factor_all()? {
+            self.complete(equations)?;
+            if !self.factor_all(equations)? {
                 return Ok(false);
             }
         }
@@ -118,18 +142,31 @@ impl LinearSolver for Assembled {
         state: &GridState,
         timings: &mut Timings,
     ) -> Result<bool> {
-        timed(&mut timings.assembly, || self.assemble(equations, state))?;
-        timed(&mut timings.factorisation, || self.factor())
+        timed(&mut timings.assembly, || {
+            self.regularisation = equations.regularisation();
+            let unformed = match &mut self.freedoms {
+                Some(freedoms) => freedoms.evaluate(equations, state)?,
+                None => false,
+            };
+            if !unformed {
+                return self.assemble(equations, state);
+            }
+            self.unformed = Some(state.clone());
+            Ok(())
+        })?;
+        timed(&mut timings.factorisation, || self.factor(equations))
     }
 
     fn solve(
         &mut self,
-        _: &mut Collocation,
+        equations: &mut Collocation,
         rhs: &mut [f64],
         _: f64,
         timings: &mut Timings,
     ) -> Result<bool> {
-        timed(&mut timings.substitution, || self.solve_refined(rhs))
+        timed(&mut timings.substitution, || {
+            self.solve_refined(equations, rhs)
+        })
     }
 
     fn has_compliance(&self) -> bool {
@@ -146,10 +183,21 @@ impl LinearSolver for Assembled {
         if !solved {
             return f64::INFINITY;
         }
-        largest(&probe) * largest(&self.values)
+        let size = match (&self.freedoms, &self.unformed) {
+            (Some(freedoms), Some(_)) => freedoms.largest(&self.values).max(1.0),
+            _ => largest(&self.values),
+        };
+        largest(&probe) * size
     }
 
-    fn explain(&mut self, equations: &Collocation, state: &GridState) -> Singularity {
-        diagnose(equations, &self.pattern, &self.values, state)
+    fn explain(&mut self, equations: &mut Collocation, state: &GridState) -> Singularity {
+        if let Err(error) = self.complete(equations) {
+            return Singularity::Unsolved(error.to_string());
+        }
+        diagnose(equations, self.pattern(equations), &self.values, state)
     }
+}
+
+fn pattern_of<'p>(pattern: &'p OnceCell<Pattern>, equations: &Collocation) -> &'p Pattern {
+    pattern.get_or_init(|| Pattern::new(equations.system(), equations.grid().points()))
 }

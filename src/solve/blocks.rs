@@ -59,27 +59,28 @@ pub(super) fn subtract_matmul(
     })
 }
 
-/// `X = L⁻¹ X` with the lower triangle of `l`.
-pub(super) fn solve_lower(
-    l: MatRef<f64>,
-    x: MatMut<f64>,
-    par: Par,
-    workers: &Workers,
-) -> Result<()> {
-    by_columns(x, l.nrows() * l.nrows() / 2, workers, |_, x| {
-        solve_lower_triangular_in_place(l, x, par);
-    })
+/// The diagonal of a triangle.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Diagonal {
+    /// That of the matrix.
+    Own,
+    /// Ones instead.
+    Ones,
 }
 
-/// The same with ones on the diagonal.
-pub(super) fn solve_unit_lower(
-    l: MatRef<f64>,
+/// `X = L⁻¹ X` with the lower triangle of `l`.
+pub(super) fn solve_lower(
+    (l, diagonal): (MatRef<f64>, Diagonal),
     x: MatMut<f64>,
     par: Par,
     workers: &Workers,
 ) -> Result<()> {
+    let solve = match diagonal {
+        Diagonal::Own => solve_lower_triangular_in_place,
+        Diagonal::Ones => solve_unit_lower_triangular_in_place,
+    };
     by_columns(x, l.nrows() * l.nrows() / 2, workers, |_, x| {
-        solve_unit_lower_triangular_in_place(l, x, par);
+        solve(l, x, par)
     })
 }
 
@@ -145,7 +146,8 @@ pub(super) fn lu(
         let (_, right) = right.split_at_row_mut(first);
         let (mut upper, rest) = right.split_at_row_mut(width);
         let below = done.subrows(first + width, left - width);
-        solve_unit_lower(done.subrows(first, width), upper.as_mut(), par, workers)?;
+        let lower = (done.subrows(first, width), Diagonal::Ones);
+        solve_lower(lower, upper.as_mut(), par, workers)?;
         subtract_matmul(rest, below, upper.as_ref(), par, workers)?;
     }
     for (i, &row) in permutation.iter().enumerate() {

@@ -96,12 +96,13 @@ impl<'a> Initial<'a> {
             self.give(at);
             let newton = &mut *self.newton;
             newton.linear.assemble(&mut newton.equations, &at.state)?;
-            let regular = newton.linear.factor_all()? && newton.growth() < SINGULAR_GROWTH;
+            let regular =
+                newton.linear.factor_all(&newton.equations)? && newton.growth() < SINGULAR_GROWTH;
             if regular {
                 return Ok(None);
             }
             let newton = &mut *self.newton;
-            match newton.linear.explain(&newton.equations, &at.state) {
+            match newton.linear.explain(&mut newton.equations, &at.state) {
                 Singularity::Redundant(_) if !newton.equations.is_regularised() => {
                     newton.equations.regularise();
                 }
@@ -129,10 +130,11 @@ impl<'a> Initial<'a> {
             }
             solution.iter_mut().zip(&rest).for_each(|(x, r)| *x += r);
             rest.copy_from_slice(rhs);
-            let columns = newton.linear.pattern.column_pointers().windows(2);
+            let pattern = newton.linear.pattern(&newton.equations);
+            let columns = pattern.column_pointers().windows(2);
             for (range, x) in columns.zip(&solution) {
                 for at in range[0]..range[1] {
-                    rest[newton.linear.pattern.row_indices()[at]] -= newton.linear.values[at] * x;
+                    rest[pattern.row_indices()[at]] -= newton.linear.values[at] * x;
                 }
             }
             let regularisation = newton.equations.regularisation();

@@ -550,14 +550,11 @@ pub(super) fn is_odd(permutation: &[usize]) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::collocation::{Collocation, GridState, TangentBlocks};
     use crate::elements::{Coordinate, JointKind};
-    use crate::fourier::TimeGrid;
     use crate::model::{JointCoordinate, Model, SectionInput, Signal, SpringDefinition};
-    use crate::system::System;
+    use crate::solve::test_models::Linearised;
     use faer::linalg::solvers::Solve;
     use nalgebra::{Matrix3, Vector3};
-    use std::sync::Arc;
 
     /// A turning rigid crank, a rigid link with a spring, and a beam: diagonal blocks of the rigid bodies
     /// are singular, so that they must wait for their joints.
@@ -676,16 +673,9 @@ mod tests {
         let points = 5;
         let period = std::f64::consts::TAU / 3.0;
         let size = |model: &Model| {
-            let system = Arc::new(System::new(model, period).unwrap());
-            let grid = TimeGrid::new(points, period).unwrap();
-            let state = GridState::reference(&system, grid);
-            let mut equations = Collocation::new(system.clone(), grid).unwrap();
-            let pattern = Pattern::new(&system, points);
-            let mut values = vec![0.0; pattern.entries()];
-            let mut blocks = TangentBlocks::default();
-            equations
-                .jacobian(&state, &pattern, &mut blocks, &mut values)
-                .unwrap();
+            let Linearised {
+                pattern, values, ..
+            } = Linearised::new(model, period, points, |_| 0.0);
             let mut solver = DirectSolver::new(&pattern);
             assert!(solver.factor(&values).unwrap());
             let count = pattern.size();
@@ -721,24 +711,12 @@ mod tests {
     fn solves_what_a_dense_factorisation_solves() {
         for (points, threads) in [(1, 1), (3, 1), (7, 1), (7, 3), (21, 3)] {
             let period = std::f64::consts::TAU / 3.0;
-            let system = Arc::new(System::new(&mechanism(), period).unwrap());
-            let grid = TimeGrid::new(points, period).unwrap();
-            let state = GridState::reference(&system, grid);
-            let mut equations = Collocation::new(system.clone(), grid).unwrap();
-            let pattern = Pattern::new(&system, points);
-            let mut values = vec![0.0; pattern.entries()];
-            let mut blocks = TangentBlocks::default();
-            equations
-                .jacobian(&state, &pattern, &mut blocks, &mut values)
-                .unwrap();
-
+            let linearised = Linearised::new(&mechanism(), period, points, |_| 0.0);
+            let dense = linearised.dense();
+            let Linearised {
+                pattern, values, ..
+            } = linearised;
             let size = pattern.size();
-            let mut dense = Mat::<f64>::zeros(size, size);
-            for (column, range) in pattern.column_pointers().windows(2).enumerate() {
-                for at in range[0]..range[1] {
-                    dense[(pattern.row_indices()[at], column)] = values[at];
-                }
-            }
             let exact = Mat::from_fn(size, 1, |i, _| (0.7 * i as f64).sin());
             let rhs = &dense * &exact;
             let mut solver = DirectSolver::new(&pattern);

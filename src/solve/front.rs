@@ -1,6 +1,6 @@
 //! One front of the multifrontal solver: its own unknowns are eliminated by dense kernels, as far as they have pivots.
 
-use super::blocks;
+use super::blocks::{self, Diagonal};
 use super::dense::largest;
 use super::direct::elimination_work;
 use super::partial_lu::factor_partially;
@@ -209,10 +209,20 @@ impl Front {
         let (factors, mut beyond) = self.upper.as_mut().split_at_col_mut(count);
         let factors = factors.as_ref();
         let workers = &room.workers;
-        blocks::solve_unit_lower(factors, beyond.as_mut(), parallelism, workers)?;
+        blocks::solve_lower(
+            (factors, Diagonal::Ones),
+            beyond.as_mut(),
+            parallelism,
+            workers,
+        )?;
         // L₂₁ U = F₂₁, transposed: Uᵀ L₂₁ᵀ = F₂₁ᵀ.
         let transposed = self.lower.as_mut().transpose_mut();
-        blocks::solve_lower(factors.transpose(), transposed, parallelism, workers)?;
+        blocks::solve_lower(
+            (factors.transpose(), Diagonal::Own),
+            transposed,
+            parallelism,
+            workers,
+        )?;
         blocks::subtract_matmul(
             self.remainder.as_mut(),
             self.lower.as_ref(),
@@ -264,7 +274,12 @@ impl Front {
         (0..count).for_each(|j| below.as_mut().col_mut(j).copy_from(column(j)));
         let square = upper.as_ref().subcols(0, count);
         let transposed = below.as_mut().transpose_mut();
-        blocks::solve_lower(square.transpose(), transposed, parallelism, &room.workers)?;
+        blocks::solve_lower(
+            (square.transpose(), Diagonal::Own),
+            transposed,
+            parallelism,
+            &room.workers,
+        )?;
 
         let mut remainder = Mat::new();
         make_zero(&mut remainder, size - count, size - count)?;

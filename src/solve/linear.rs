@@ -41,5 +41,5 @@ pub(super) trait LinearSolver {
     fn growth(&mut self, equations: &mut Collocation) -> f64;
 
     /// Why the Jacobian at `state`, where it was linearised last, is singular.
-    fn explain(&mut self, equations: &Collocation, state: &GridState) -> Singularity;
+    fn explain(&mut self, equations: &mut Collocation, state: &GridState) -> Singularity;
 }

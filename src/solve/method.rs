@@ -178,7 +178,7 @@ impl Linear {
         });
         let mut direct = timed(&mut timings.analysis, || Assembled::new(equations));
         timed(&mut timings.assembly, || direct.assemble(equations, state))?;
-        let regular = timed(&mut timings.factorisation, || direct.factor());
+        let regular = timed(&mut timings.factorisation, || direct.factor(equations));
         if matches!(&regular, Err(e) if e.kind() == ErrorKind::OutOfMemory) {
             return Ok(false);
         }
@@ -261,7 +261,7 @@ impl LinearSolver for Linear {
         }
     }
 
-    fn explain(&mut self, equations: &Collocation, state: &GridState) -> Singularity {
+    fn explain(&mut self, equations: &mut Collocation, state: &GridState) -> Singularity {
         match &mut self.active {
             Active::Direct(direct) => direct.explain(equations, state),
             Active::Iterative(iterative) => iterative.explain(equations, state),

@@ -428,7 +428,7 @@ impl<L: LinearSolver> Newton<L> {
     /// Why the Jacobian is singular.
     fn explain(&mut self, state: &GridState) -> Singularity {
         timed(&mut self.timings.estimates, || {
-            self.linear.explain(&self.equations, state)
+            self.linear.explain(&mut self.equations, state)
         })
     }
 

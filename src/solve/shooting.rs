@@ -177,13 +177,8 @@ impl Shooting {
             newton.equations.set_conditions(time, 1.0)?;
             let step = AlphaStep::new(method, length, start.clone());
             newton.equations.set_step(step.clone());
-            newton.equations.jacobian(
-                end,
-                &newton.linear.pattern,
-                &mut newton.linear.blocks,
-                &mut newton.linear.values,
-            )?;
-            if !newton.linear.factor_all()? {
+            newton.linear.assemble(&mut newton.equations, end)?;
+            if !newton.linear.factor_all(&newton.equations)? {
                 return Ok(None);
             }
             let mut linear = StepVariation::new(&step, &end.motions, newton.equations.size());
@@ -192,7 +187,7 @@ impl Shooting {
                 let propagated = linear.propagate(
                     &newton.equations,
                     &step,
-                    &newton.linear.pattern,
+                    newton.linear.pattern(&newton.equations),
                     &newton.linear.blocks,
                     column,
                     |rhs| newton.linear.substitute(rhs),

@@ -162,6 +162,20 @@ impl Attempts<'_> {
         Ok(())
     }
 
+    /// The first quasi-static motion at the points where it was found, if that is how to start and there is one.
+    pub(super) fn first_quasi_static(&mut self) -> Result<Option<&GridState>> {
+        if !matches!(
+            self.chosen,
+            None | Some(Start::QuasiStatic | Start::SteadyRotation)
+        ) {
+            return Ok(None);
+        }
+        let start = self.first_start();
+        self.watching.attempt(0, Some(start));
+        let guess = self.quasi_static(start)?;
+        Ok((guess.outcome == Outcome::Converged).then_some(&guess.state))
+    }
+
     /// The first quasi-static motion at the points of the present grid, if there is one.
     pub(super) fn start(&mut self) -> Result<Option<GridState>> {
         self.quasi_static_here(self.first_start())

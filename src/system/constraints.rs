@@ -364,6 +364,11 @@ impl System {
         constrain.map(|p| p.element.multipliers()).sum()
     }
 
+    /// Whether anything may move otherwise than is prescribed, in the reference configuration.
+    pub fn has_freedoms(&self) -> bool {
+        6 * self.nodes() + self.redundant_constraints() > self.constraint_count()
+    }
+
     /// Takes from the multipliers of an instant the part that has no effect, so that their norm is least;
     /// moments count divided by the characteristic length. `at` is the place of the first
     /// multiplier of an element, given by index, in `multipliers`. `workspace` is one with tangents.

@@ -8,9 +8,9 @@ use common::*;
 use examples::*;
 use nalgebra::{Matrix3, Vector3};
 use periodyn::collocation::DecayKind;
-use periodyn::elements::{Coordinate, CoordinateLaw, Effort};
+use periodyn::elements::{Coordinate, CoordinateLaw, Effort, JointKind};
 use periodyn::fourier::{FilterKind, SpectralFilter};
-use periodyn::model::SpringDefinition;
+use periodyn::model::{JointCoordinate, Model, Signal, SpringDefinition};
 use periodyn::output::{BeamQuantity, JointQuantity, NodeQuantity, Solution};
 use periodyn::solve::*;
 use std::f64::consts::TAU;
@@ -61,6 +61,51 @@ fn derived_errors(solution: &Solution, exact: &Solution) -> [f64; 3] {
         largest_difference(&there, reference)
             / largest(reference.iter().copied()).max(f64::MIN_POSITIVE),
     ]
+}
+
+/// A plane crank and rocker of rigid bars, driven once a period of a second.
+fn crank_and_rocker() -> Model {
+    let mut model = Model::new();
+    let z = Vector3::z();
+    let corners = [(0.0, 0.0), (0.0, 0.12), (0.3, 0.24), (0.3, 0.0)];
+    let corners = corners.map(|(x, y)| Vector3::new(x, y, 0.0));
+    let mut bodies = vec![None];
+    for pair in corners.windows(2) {
+        let (middle, ball) = ((pair[0] + pair[1]) / 2.0, Matrix3::identity() * 2e-3);
+        bodies.push(Some(model.add_rigid_body(0.4, &middle, &ball).unwrap()));
+    }
+    bodies.push(None);
+    let mut joints = Vec::new();
+    for (corner, pair) in corners.iter().zip(bodies.windows(2)) {
+        let frame = Model::frame_at("axis", corner, &z).unwrap();
+        let joint = model.add_joint(JointKind::Revolute, pair[0], pair[1], &frame, &frame);
+        joints.push(joint.unwrap());
+    }
+    let at = JointCoordinate {
+        joint: joints[0],
+        coordinate: Coordinate::Rotation1,
+    };
+    let turn = Signal::harmonics(0.0, TAU, &[], &[]).unwrap();
+    model.prescribe(at, &turn).unwrap();
+    model
+}
+
+#[test]
+fn motions_that_are_prescribed_take_one_grid_which_the_start_tells() {
+    let model = crank_and_rocker();
+    for tolerance in [1e-4, 1e-6, 1e-7] {
+        let options = PeriodicOptions::with_error_tolerance(tolerance);
+        let found = Solution::solve(&model, 1.0, &options, &mut |_, _| true).unwrap();
+        assert_eq!(found.outcome(), Outcome::Converged);
+        let grids = &found.details().grids;
+        let exact = solve(&model, 1.0, 121);
+        let error = true_error(&found, &exact);
+        println!("{tolerance:e}: {error:e} {grids:?}");
+        assert!(error < tolerance, "{error:e}");
+        assert_eq!(grids.len(), 1, "{grids:?}");
+        // Not by a grid that is much too fine.
+        assert!(grids[0].error_estimate > 1e-3 * tolerance, "{grids:?}");
+    }
 }
 
 #[test]

@@ -390,7 +390,7 @@ impl LinearSolver for Iterative {
         largest(&probe) * largest(&product)
     }
 
-    fn explain(&mut self, _: &Collocation, _: &GridState) -> Singularity {
+    fn explain(&mut self, _: &mut Collocation, _: &GridState) -> Singularity {
         let tried = self
             .wanted
             .map_or("any preconditioner", Preconditioner::name);

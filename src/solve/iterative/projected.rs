@@ -144,7 +144,7 @@ impl<L: LinearSolver> LinearSolver for Projected<L> {
         self.sampled.growth(equations)
     }
 
-    fn explain(&mut self, equations: &Collocation, state: &GridState) -> Singularity {
+    fn explain(&mut self, equations: &mut Collocation, state: &GridState) -> Singularity {
         if self.failed {
             return Singularity::Unsolved(
                 "the linear equations of the oversampled residual could not be solved by iteration with those of \

@@ -4,18 +4,19 @@
 //! Constraints hold at each instant, `C u = g`. With `C = L [T F]` the motions that obey them are `u = u_p + Z v`, and of the
 //! equilibrium `K u + Cᵀ λ = f` there remains `Zᵀ K Z v = Zᵀ (f − K u_p)`.
 
-use super::dense::{largest, solve_unit_lower, solve_upper, subtract_product};
+mod forces;
+mod point;
+
+use super::dense::{largest, solve_unit_lower, solve_upper};
 use super::partial_lu::factor_partially;
-use crate::collocation::{Collocation, Panel, Pattern};
+use crate::collocation::{Collocation, GridState, MotionTangent, Pattern};
 use crate::error::Result;
 use crate::workers::Workers;
 use faer::{Mat, Par};
+use forces::{Assembled, Forces};
+use point::{Point, add, dot};
+use std::collections::BTreeMap;
 
-/// A constraint of which no more than this is left beside those before it waits, for one that depends on others is to be left out.
-const POSTPONED: f64 = 0.1;
-/// What is left of a constraint must be more than this, of one that is left out less than the other: relative to its gradient.
-const SMALLEST_PIVOT: f64 = 1e-5;
-const LARGEST_REMAINDER: f64 = 1e-2;
 /// Pivot of the equations of the freedoms that is zero, relative to its column.
 const SINGULAR: f64 = 1e-13;
 /// Part of the largest violation that a constraint that was left out may keep, and one that is rounding.
@@ -37,6 +38,14 @@ struct Constraints {
     count: usize,
 }
 
+impl Constraints {
+    /// What their gradients are of: components of the motion of each node.
+    fn columns(&self) -> impl Iterator<Item = (&usize, usize)> {
+        let components = |node| (0..6).map(move |component| (node, component));
+        self.nodes.iter().flat_map(components)
+    }
+}
+
 /// Which unknown is what.
 #[derive(Debug)]
 struct Layout {
@@ -52,37 +61,17 @@ struct Layout {
     coordinate_of: Vec<usize>,
 }
 
-/// Constraints of one grid point, eliminated: those in order are `L U` with unit pivots in `U`.
-#[derive(Debug, Default)]
-struct Point {
-    /// The gradient, row by row.
-    gradient: Vec<f64>,
-    /// `L`, row by row, also of those left out; its diagonal the pivots.
-    lower: Vec<f64>,
-    /// `U`, row by row.
-    upper: Vec<f64>,
-    /// The constraints in order, then those left out.
-    rows: Vec<usize>,
-    /// Coordinates with pivots, in order, then those without: the freedoms.
-    columns: Vec<usize>,
-    /// `Z`, row by row.
-    basis: Vec<f64>,
-}
-
 /// Solver for the Jacobians of one pattern.
 #[derive(Debug)]
 pub(super) struct FreedomSolver {
     layout: Layout,
     elements: Vec<Constraints>,
-    /// All entries but those of constraints, and where their rows and columns begin.
-    panels: Vec<(Panel, usize, usize)>,
+    forces: Forces,
     points: Vec<Point>,
     /// `Zᵀ K Z`, factored, and the order of its rows and columns.
     matrix: Mat<f64>,
     rows: Vec<usize>,
     columns: Vec<usize>,
-    /// `K Z`, column by column.
-    product: Vec<f64>,
     room: Room,
     /// Whether solves with the present factors are known to need no refinement.
     accurate: bool,
@@ -92,222 +81,14 @@ pub(super) struct FreedomSolver {
 #[derive(Debug, Default)]
 struct Room {
     motion: Vec<f64>,
+    free: Vec<f64>,
     rest: Vec<f64>,
     wanted: Vec<f64>,
     reduced: Vec<f64>,
     permuted: Vec<f64>,
     local: Vec<f64>,
     sizes: Vec<f64>,
-}
-
-/// `Σ aᵢ bᵢ`.
-fn dot(a: &[f64], b: &[f64]) -> f64 {
-    a.iter().zip(b).map(|(a, b)| a * b).sum()
-}
-
-/// `y += factor x`.
-fn add(y: &mut [f64], factor: f64, x: &[f64]) {
-    y.iter_mut().zip(x).for_each(|(y, x)| *y += factor * x);
-}
-
-impl Point {
-    /// Eliminates constraints, `left_out` of which depend on others. `false` if that cannot be done.
-    fn eliminate(&mut self, count: usize, size: usize, left_out: usize) -> bool {
-        let rank = count - left_out;
-        self.lower.clear();
-        self.lower.resize(count * count, 0.0);
-        self.upper.clone_from(&self.gradient);
-        self.rows.clear();
-        self.columns.clear();
-        self.columns.extend(0..size);
-        // Of the constraints that wait, the one of which most is left comes first.
-        let mut waiting: Vec<usize> = Vec::new();
-        for row in 0..count {
-            if !self.reduce(row, size, count) {
-                return false;
-            }
-            let left = self.left_of(row, size);
-            if left > POSTPONED && self.rows.len() < rank {
-                self.take(row, size, count);
-            } else {
-                waiting.push(row);
-            }
-        }
-        while self.rows.len() < rank {
-            // They have been reduced by what came before each alone.
-            let mut most = (0, 0.0);
-            for (place, &row) in waiting.iter().enumerate() {
-                if !self.reduce(row, size, count) {
-                    return false;
-                }
-                let left = self.left_of(row, size);
-                if left > most.1 {
-                    most = (place, left);
-                }
-            }
-            // Written so that NaN fails too.
-            let enough = most.1 > SMALLEST_PIVOT;
-            if !enough {
-                return false;
-            }
-            let row = waiting.swap_remove(most.0);
-            self.take(row, size, count);
-        }
-        for &row in &waiting {
-            let reduced = self.reduce(row, size, count);
-            if !reduced || self.left_of(row, size) > LARGEST_REMAINDER {
-                return false;
-            }
-        }
-        self.rows.extend(waiting);
-        true
-    }
-
-    /// Takes from a constraint, which may have been reduced before, what those in order make of it. `false` if it is not finite.
-    fn reduce(&mut self, row: usize, size: usize, count: usize) -> bool {
-        for place in 0..self.rows.len() {
-            let column = self.columns[place];
-            let part = self.upper[row * size + column];
-            if part == 0.0 {
-                continue;
-            }
-            self.lower[row * count + place] = part;
-            let pivot_row = self.rows[place];
-            let (to, from) = two_rows(&mut self.upper, size, row, pivot_row);
-            add(to, -part, from);
-            to[column] = 0.0;
-        }
-        self.upper[row * size..][..size]
-            .iter()
-            .all(|x| x.is_finite())
-    }
-
-    /// What is left of a constraint, relative to its gradient.
-    fn left_of(&self, row: usize, size: usize) -> f64 {
-        let whole = largest(&self.gradient[row * size..][..size]);
-        largest(&self.upper[row * size..][..size]) / whole.max(f64::MIN_POSITIVE)
-    }
-
-    /// Makes a reduced constraint the next in order, with its largest entry as pivot.
-    fn take(&mut self, row: usize, size: usize, count: usize) {
-        let place = self.rows.len();
-        let entries = &mut self.upper[row * size..][..size];
-        let mut best = place;
-        for other in place..size {
-            if entries[self.columns[other]].abs() > entries[self.columns[best]].abs() {
-                best = other;
-            }
-        }
-        self.columns.swap(place, best);
-        let pivot = entries[self.columns[place]];
-        entries.iter_mut().for_each(|x| *x /= pivot);
-        self.lower[row * count + place] = pivot;
-        self.rows.push(row);
-    }
-
-    /// Finds `Z`.
-    fn find_basis(&mut self, rank: usize, size: usize) {
-        let freedoms = size - rank;
-        self.basis.clear();
-        self.basis.resize(size * freedoms, 0.0);
-        for (i, &free) in self.columns[rank..].iter().enumerate() {
-            self.basis[free * freedoms + i] = 1.0;
-        }
-        for place in (0..rank).rev() {
-            let entries = &self.upper[self.rows[place] * size..][..size];
-            for i in 0..freedoms {
-                let mut sum = entries[self.columns[rank + i]];
-                for &later in &self.columns[place + 1..rank] {
-                    sum += entries[later] * self.basis[later * freedoms + i];
-                }
-                self.basis[self.columns[place] * freedoms + i] = -sum;
-            }
-        }
-    }
-
-    /// Motion without freedoms that the constraints have these values for, `C u = g`.
-    fn particular(&self, rank: usize, size: usize, values: &[f64], motion: &mut [f64]) {
-        let count = self.rows.len();
-        motion.fill(0.0);
-        for place in 0..rank {
-            let row = self.rows[place];
-            let lower = &self.lower[row * count..][..count];
-            let known = self.columns[..place].iter().zip(lower);
-            let known: f64 = known.map(|(&column, l)| l * motion[column]).sum();
-            motion[self.columns[place]] = (values[row] - known) / lower[place];
-        }
-        for place in (0..rank).rev() {
-            let entries = &self.upper[self.rows[place] * size..][..size];
-            let later = self.columns[place + 1..rank].iter();
-            let known: f64 = later.map(|&column| entries[column] * motion[column]).sum();
-            motion[self.columns[place]] -= known;
-        }
-    }
-
-    /// Multipliers that balance these forces, `Cᵀ λ = f`, where only those on coordinates with pivots count.
-    fn multipliers(&self, rank: usize, size: usize, forces: &mut [f64], multipliers: &mut [f64]) {
-        let count = self.rows.len();
-        for place in 0..rank {
-            let entries = &self.upper[self.rows[place] * size..][..size];
-            let force = forces[self.columns[place]];
-            for &later in &self.columns[place + 1..rank] {
-                forces[later] -= entries[later] * force;
-            }
-        }
-        multipliers.fill(0.0);
-        for place in (0..rank).rev() {
-            let row = self.rows[place];
-            let lower = &self.lower[row * count..][..count];
-            let multiplier = forces[self.columns[place]] / lower[place];
-            multipliers[row] = multiplier;
-            for (&column, l) in self.columns[..place].iter().zip(lower) {
-                forces[column] -= l * multiplier;
-            }
-        }
-    }
-
-    /// Logarithm of the determinant of `I + W Wᵀ`, where the constraints left out are `W` times the others.
-    fn of_left_out(&self, rank: usize) -> f64 {
-        let count = self.rows.len();
-        let left_out = count - rank;
-        let mut parts = vec![0.0; left_out * rank];
-        for (part, &row) in parts.chunks_exact_mut(rank.max(1)).zip(&self.rows[rank..]) {
-            part.copy_from_slice(&self.lower[row * count..][..rank]);
-            for place in (0..rank).rev() {
-                let lower = &self.lower[self.rows[place] * count..][..count];
-                part[place] /= lower[place];
-                let (before, from) = part.split_at_mut(place);
-                add(before, -from[0], lower);
-            }
-        }
-        let mut matrix = Mat::from_fn(left_out, left_out, |i, j| {
-            let row = |i: usize| &parts[i * rank..][..rank];
-            f64::from(i == j) + dot(row(i), row(j))
-        });
-        // Positive definite: eliminated in order.
-        let mut logarithm = 0.0;
-        for k in 0..left_out {
-            logarithm += matrix[(k, k)].ln();
-            for i in k + 1..left_out {
-                let part = matrix[(i, k)] / matrix[(k, k)];
-                for j in k + 1..left_out {
-                    matrix[(i, j)] -= part * matrix[(k, j)];
-                }
-            }
-        }
-        logarithm
-    }
-}
-
-/// Two different rows of a matrix that is stored row by row.
-fn two_rows(matrix: &mut [f64], size: usize, a: usize, b: usize) -> (&mut [f64], &[f64]) {
-    if a < b {
-        let (before, from) = matrix.split_at_mut(b * size);
-        (&mut before[a * size..][..size], &from[..size])
-    } else {
-        let (before, from) = matrix.split_at_mut(a * size);
-        (&mut from[..size], &before[b * size..][..size])
-    }
+    matrix: Vec<f64>,
 }
 
 impl Layout {
@@ -351,12 +132,27 @@ impl Layout {
     fn rank(&self) -> usize {
         self.coordinates - self.freedoms
     }
+
+    /// `Zᵀ f` of forces on all coordinates.
+    fn project(&self, points: &[Point], forces: &[f64], out: &mut [f64]) {
+        let (freedoms, size) = (self.freedoms, self.coordinates);
+        out.fill(0.0);
+        let parts = out.chunks_exact_mut(freedoms).zip(points).enumerate();
+        for (k, (out, point)) in parts {
+            let places = &self.coordinate_at[k * size..][..size];
+            for (&at, z) in places.iter().zip(point.basis.chunks_exact(freedoms)) {
+                add(out, forces[at], z);
+            }
+        }
+    }
 }
 
 impl FreedomSolver {
     /// For the Jacobians of `equations`, if that is much cheaper than elimination of node by node. Not where there are beams: they
     /// are stiff in tension by so much that what is left for bending would be rounding.
-    pub fn new(equations: &Collocation, pattern: &Pattern) -> Option<Self> {
+    ///
+    /// `pattern` is asked for where the Jacobian has to be formed.
+    pub fn new<'p>(equations: &Collocation, pattern: impl FnOnce() -> &'p Pattern) -> Option<Self> {
         let layout = Layout::new(equations);
         let (points, nodes) = (layout.points as f64, equations.system().nodes() as f64);
         let (size, freedoms) = (layout.coordinates as f64, layout.freedoms as f64);
@@ -365,7 +161,7 @@ impl FreedomSolver {
         let directly = nodes * ((6.0 * points).powi(3) + BOOKKEEPING);
         // Gradients of constraints are mostly zeros.
         let here = 0.25 * points * constraints * constraints * size
-            + pattern.entries() as f64 * freedoms.max(1.0)
+            + entries(equations) * freedoms.max(1.0)
             + (freedoms * points).powi(3) / 3.0;
         let solvable = equations.system().slenderness() == 0.0
             && layout.constraints > 0
@@ -374,15 +170,6 @@ impl FreedomSolver {
         if !solvable || here > 0.5 * directly {
             return None;
         }
-        let groups = pattern.groups();
-        let is_coordinate = |at: usize| layout.coordinate_of[at] != usize::MAX;
-        let placed = pattern.panels().into_iter().map(|panel| {
-            let row = groups[panel.row.0].start + panel.row.1;
-            let column = groups[panel.column.0].start + panel.column.1;
-            (panel, row, column)
-        });
-        let panels =
-            placed.filter(|(_, row, column)| is_coordinate(*row) && is_coordinate(*column));
         let mut first = 0;
         let mut elements = Vec::new();
         for (element, placed) in equations.system().elements().iter().enumerate() {
@@ -399,48 +186,44 @@ impl FreedomSolver {
             }
         }
         let unknowns = layout.freedoms * layout.points;
+        let forces = match MotionTangent::new(equations) {
+            Some(tangent) => Forces::Tangents(Box::new(tangent)),
+            None => Forces::Assembled(Assembled::new(&layout, &elements, pattern())),
+        };
         Some(FreedomSolver {
             elements,
-            panels: panels.collect(),
+            forces,
             points: (0..layout.points).map(|_| Point::default()).collect(),
             matrix: Mat::zeros(unknowns, unknowns),
             rows: Vec::new(),
             columns: Vec::new(),
-            product: Vec::new(),
             room: Room::default(),
             accurate: false,
             layout,
         })
     }
 
-    /// Factors the matrix with these values, of constraints that may depend on each other if `regularised`. `false` if that cannot
-    /// be done, or is not sure.
+    /// Linearises at `state`, where the Jacobian need not be formed. `false` where its values are needed.
+    pub fn evaluate(&mut self, equations: &mut Collocation, state: &GridState) -> Result<bool> {
+        self.forces.evaluate(equations, state)
+    }
+
+    /// Factors the Jacobian, with these values if it was formed. `false` if that cannot be done, or is not sure.
     pub fn factor(
         &mut self,
-        pattern: &Pattern,
+        equations: &Collocation,
         values: &[f64],
-        regularised: bool,
         workers: &Workers,
     ) -> Result<bool> {
         let (count, size) = (self.layout.constraints, self.layout.coordinates);
         let rank = self.layout.rank();
         self.accurate = false;
-        if count > rank && !regularised {
-            return Ok(false);
-        }
+        let places = (&self.layout, &self.elements[..]);
         for (k, point) in self.points.iter_mut().enumerate() {
             point.gradient.resize(count * size, 0.0);
-            for of in &self.elements {
-                for (local, &node) in of.nodes.iter().enumerate() {
-                    for component in 0..6 {
-                        let first = pattern.constraint_value(of.element, local, node, k, component);
-                        let column = 6 * node + component;
-                        for (row, value) in values[first..first + of.count].iter().enumerate() {
-                            point.gradient[(of.first + row) * size + column] = *value;
-                        }
-                    }
-                }
-            }
+            let gradient = &mut point.gradient;
+            self.forces
+                .gradient(places, (equations, values), k, gradient);
             if !point.eliminate(count, size, count - rank) {
                 return Ok(false);
             }
@@ -452,36 +235,17 @@ impl FreedomSolver {
     /// Forms and factors `Zᵀ K Z`.
     fn factor_freedoms(&mut self, values: &[f64], workers: &Workers) -> Result<bool> {
         let layout = &self.layout;
-        let (freedoms, size, all) = (
-            layout.freedoms,
-            layout.coordinates,
-            layout.coordinate_of.len(),
-        );
-        let unknowns = freedoms * layout.points;
+        let unknowns = layout.freedoms * layout.points;
         if unknowns == 0 {
             return Ok(true);
         }
-        self.product.clear();
-        self.product.resize(all * unknowns, 0.0);
-        for (panel, row, first) in &self.panels {
-            for j in 0..panel.columns {
-                let number = layout.coordinate_of[first + j];
-                let (k, coordinate) = (number / size, number % size);
-                let basis = &self.points[k].basis[coordinate * freedoms..][..freedoms];
-                let entries = &values[panel.value + j * panel.stride..][..panel.rows];
-                for (i, &z) in basis.iter().enumerate() {
-                    if z != 0.0 {
-                        let column = &mut self.product[(k * freedoms + i) * all..][..all];
-                        add(&mut column[*row..], z, entries);
-                    }
-                }
-            }
-        }
+        let formed = &mut self.room.matrix;
+        formed.resize(unknowns * unknowns, 0.0);
+        self.forces.between(layout, &self.points, values, formed);
         let sizes = &mut self.room.sizes;
         sizes.clear();
-        for (j, product) in self.product.chunks_exact(all).enumerate() {
-            let column = self.matrix.col_as_slice_mut(j);
-            project(layout, &self.points, product, column);
+        for (j, column) in formed.chunks_exact(unknowns).enumerate() {
+            self.matrix.col_as_slice_mut(j).copy_from_slice(column);
             sizes.push(largest(column));
         }
         self.rows.clear();
@@ -513,14 +277,8 @@ impl FreedomSolver {
                 std::mem::swap(&mut room.wanted, &mut room.rest);
                 rhs.iter_mut().zip(&correction).for_each(|(x, d)| *x += d);
                 let left = self.residual(values, rhs, &mut room);
-                let entries = self.panels.iter().map(|(panel, ..)| {
-                    let columns = 0..panel.columns;
-                    let column =
-                        |j| largest(&values[panel.value + j * panel.stride..][..panel.rows]);
-                    columns.map(column).fold(0.0, f64::max)
-                });
                 // Rounding of the product is none of the factors' fault.
-                let size = wanted.max(entries.fold(1.0, f64::max) * largest(rhs));
+                let size = wanted.max(self.largest(values).max(1.0) * largest(rhs));
                 solved = left <= INACCURATE * size;
             }
         }
@@ -537,13 +295,19 @@ impl FreedomSolver {
         rhs.iter().all(|x| x.is_finite())
     }
 
+    /// The largest entry of the Jacobian but for those of constraints, or about that.
+    pub fn largest(&self, values: &[f64]) -> f64 {
+        self.forces.largest(values)
+    }
+
     /// Replaces the right side by the solution.
-    fn substitute(&self, values: &[f64], x: &mut [f64], room: &mut Room) {
+    fn substitute(&mut self, values: &[f64], x: &mut [f64], room: &mut Room) {
         let layout = &self.layout;
         let (count, size) = (layout.constraints, layout.coordinates);
         let (freedoms, rank) = (layout.freedoms, layout.rank());
         let Room {
             motion,
+            free,
             rest,
             reduced,
             permuted,
@@ -566,10 +330,10 @@ impl FreedomSolver {
                 motion[at] = *u;
             }
         }
-        self.subtract_forces(values, motion, rest);
+        self.forces.subtract(values, motion, rest);
         if freedoms > 0 {
             reduced.resize(freedoms * layout.points, 0.0);
-            project(layout, &self.points, rest, reduced);
+            layout.project(&self.points, rest, reduced);
             permuted.clear();
             permuted.extend(self.rows.iter().map(|&row| reduced[row]));
             solve_unit_lower(|j| self.matrix.col_as_slice(j), permuted);
@@ -577,15 +341,16 @@ impl FreedomSolver {
             for (&column, v) in self.columns.iter().zip(&*permuted) {
                 reduced[column] = *v;
             }
-            let all = x.len();
-            subtract_product(rest, |j| &self.product[j * all..][..all], reduced);
+            free.resize(x.len(), 0.0);
             for (k, point) in self.points.iter().enumerate() {
                 let v = &reduced[k * freedoms..][..freedoms];
                 let places = &layout.coordinate_at[k * size..][..size];
                 for (&at, z) in places.iter().zip(point.basis.chunks_exact(freedoms)) {
-                    motion[at] += dot(z, v);
+                    free[at] = dot(z, v);
+                    motion[at] += free[at];
                 }
             }
+            self.forces.subtract(values, free, rest);
         }
         for (k, point) in self.points.iter().enumerate() {
             local.clear();
@@ -604,24 +369,13 @@ impl FreedomSolver {
         }
     }
 
-    /// `rest −= K u`.
-    fn subtract_forces(&self, values: &[f64], motion: &[f64], rest: &mut [f64]) {
-        for (panel, row, column) in &self.panels {
-            subtract_product(
-                &mut rest[*row..][..panel.rows],
-                |j| &values[panel.value + j * panel.stride..][..panel.rows],
-                &motion[*column..][..panel.columns],
-            );
-        }
-    }
-
     /// Residual of a solution of the equations with the right side `room.wanted`, without the constraints left out: the largest.
-    fn residual(&self, values: &[f64], x: &[f64], room: &mut Room) -> f64 {
+    fn residual(&mut self, values: &[f64], x: &[f64], room: &mut Room) -> f64 {
         let layout = &self.layout;
         let (count, size) = (layout.constraints, layout.coordinates);
         let Room { rest, wanted, .. } = room;
         rest.clone_from(wanted);
-        self.subtract_forces(values, x, rest);
+        self.forces.subtract(values, x, rest);
         for (k, point) in self.points.iter().enumerate() {
             let coordinates = &layout.coordinate_at[k * size..][..size];
             let multipliers = &layout.multiplier_at[k * count..][..count];
@@ -692,43 +446,36 @@ impl FreedomSolver {
     }
 }
 
-fn is_odd(number: usize) -> bool {
-    number % 2 == 1
-}
-
-/// `Zᵀ f` of forces on all coordinates.
-fn project(layout: &Layout, points: &[Point], forces: &[f64], out: &mut [f64]) {
-    let (freedoms, size) = (layout.freedoms, layout.coordinates);
-    out.fill(0.0);
-    let parts = out.chunks_exact_mut(freedoms).zip(points).enumerate();
-    for (k, (out, point)) in parts {
-        let places = &layout.coordinate_at[k * size..][..size];
-        for (&at, z) in places.iter().zip(point.basis.chunks_exact(freedoms)) {
-            add(out, forces[at], z);
+/// Entries of the Jacobian, but for those of constraints, about.
+fn entries(equations: &Collocation) -> f64 {
+    let (mut pairs, points) = (BTreeMap::new(), equations.grid().points() as f64);
+    for placed in equations.system().elements() {
+        let element = &placed.element;
+        let moving = element.has_mass() || element.has_damping();
+        for row in element.nodes() {
+            for column in element.nodes() {
+                *pairs.entry((row, column)).or_insert(false) |= moving;
+            }
         }
     }
+    let blocks = pairs.values().map(|&moving| match moving {
+        true => points * points,
+        false => points,
+    });
+    36.0 * blocks.sum::<f64>()
+}
+
+fn is_odd(number: usize) -> bool {
+    number % 2 == 1
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::collocation::{GridState, TangentBlocks};
     use crate::elements::{Coordinate, JointKind};
-    use crate::fourier::TimeGrid;
     use crate::model::{JointCoordinate, Model, Signal, SpringDefinition};
-    use crate::system::System;
+    use crate::solve::test_models::Linearised;
     use nalgebra::{Matrix3, Vector3};
-    use std::sync::Arc;
-
-    fn factored(
-        solver: &mut FreedomSolver,
-        pattern: &Pattern,
-        values: &[f64],
-        regularised: bool,
-    ) -> bool {
-        let alone = Workers::default();
-        solver.factor(pattern, values, regularised, &alone).unwrap()
-    }
 
     /// A planar four-bar of revolutes, three constraints of which depend on others; without its last joint a driven triple
     /// pendulum. All joints have springs, but for one that is driven.
@@ -774,34 +521,23 @@ mod tests {
         model
     }
 
-    /// The solver, and the Jacobian at the reference configuration.
-    fn jacobian_of(model: &Model, points: usize) -> (FreedomSolver, Pattern, Vec<f64>, f64) {
+    /// The Jacobian at the reference configuration, and its solver after a try to factor it.
+    fn factored(model: &Model, points: usize) -> (FreedomSolver, Linearised, bool) {
         let period = std::f64::consts::TAU / 3.0;
-        let system = Arc::new(System::new(model, period).unwrap());
-        let grid = TimeGrid::new(points, period).unwrap();
-        let mut state = GridState::reference(&system, grid);
-        for (i, multiplier) in state.multipliers.iter_mut().enumerate() {
-            *multiplier = (0.9 * i as f64).sin();
+        let mut at = Linearised::new(model, period, points, |i| (0.9 * i as f64).sin());
+        let mut solver = FreedomSolver::new(&at.equations, || &at.pattern).unwrap();
+        let unformed = solver.evaluate(&mut at.equations, &at.state).unwrap();
+        assert_eq!(unformed, points > 1);
+        // What the equations are evaluated at meanwhile does not matter.
+        let mut elsewhere = at.state.clone();
+        for (i, motion) in elsewhere.motions.iter_mut().enumerate() {
+            motion.position.x += (0.4 * i as f64).cos();
         }
-        let mut equations = Collocation::new(system.clone(), grid).unwrap();
-        let pattern = Pattern::new(&system, points);
-        let mut values = vec![0.0; pattern.entries()];
-        let mut blocks = TangentBlocks::default();
-        equations
-            .jacobian(&state, &pattern, &mut blocks, &mut values)
-            .unwrap();
-        let solver = FreedomSolver::new(&equations, &pattern).unwrap();
-        (solver, pattern, values, equations.regularisation())
-    }
-
-    fn dense(pattern: &Pattern, values: &[f64]) -> Mat<f64> {
-        let mut matrix = Mat::zeros(pattern.size(), pattern.size());
-        for (column, range) in pattern.column_pointers().windows(2).enumerate() {
-            for at in range[0]..range[1] {
-                matrix[(pattern.row_indices()[at], column)] = values[at];
-            }
-        }
-        matrix
+        let mut residual = vec![0.0; at.equations.size()];
+        at.equations.residual(&elsewhere, &mut residual).unwrap();
+        let alone = Workers::default();
+        let regular = solver.factor(&at.equations, &at.values, &alone).unwrap();
+        (solver, at, regular)
     }
 
     #[test]
@@ -812,20 +548,14 @@ mod tests {
             (true, false, 5),
             (true, true, 9),
         ] {
-            let (mut solver, pattern, values, regularisation) =
-                jacobian_of(&four_bar(closed, driven), points);
+            let (mut solver, at, regular) = factored(&four_bar(closed, driven), points);
+            assert!(regular);
             assert_eq!(
                 solver.layout.freedoms,
                 3 - 2 * usize::from(closed) - usize::from(driven)
             );
-            assert!(factored(
-                &mut solver,
-                &pattern,
-                &values,
-                regularisation != 0.0
-            ));
-            let mut matrix = dense(&pattern, &values);
-            let size = pattern.size();
+            let mut matrix = at.dense();
+            let size = at.pattern.size();
             // Without the compliance.
             let exact = Mat::from_fn(size, 1, |i, _| (0.7 * i as f64).sin());
             for &at in &solver.layout.multiplier_at {
@@ -833,7 +563,7 @@ mod tests {
             }
             let rhs = &matrix * &exact;
             let mut found = rhs.col_as_slice(0).to_vec();
-            assert!(solver.solve(&values, &mut found));
+            assert!(solver.solve(&at.values, &mut found));
             let motions = 6 * 3 * points;
             for i in 0..motions {
                 // A thousand times rounding, of a matrix whose condition is no more.
@@ -850,29 +580,21 @@ mod tests {
 
     #[test]
     fn what_closes_no_loop_is_not_solved() {
-        let (mut solver, pattern, values, _) = jacobian_of(&four_bar(true, true), 3);
-        assert!(factored(&mut solver, &pattern, &values, true));
-        let mut rhs = vec![0.0; pattern.size()];
+        let (mut solver, at, regular) = factored(&four_bar(true, true), 3);
+        assert!(regular);
+        let mut rhs = vec![0.0; at.pattern.size()];
         // A crank that is to move out of the plane.
         rhs[solver.layout.multiplier_at[2]] = 1.0;
-        assert!(!solver.solve(&values, &mut rhs));
-        // And none are left out that are not known to depend on others.
-        assert!(!factored(&mut solver, &pattern, &values, false));
+        assert!(!solver.solve(&at.values, &mut rhs));
     }
 
     #[test]
     fn the_determinant_is_that_of_the_whole_jacobian() {
         for (closed, driven, points) in [(false, false, 1), (true, false, 1), (true, true, 3)] {
-            let (mut solver, pattern, values, regularisation) =
-                jacobian_of(&four_bar(closed, driven), points);
-            assert!(factored(
-                &mut solver,
-                &pattern,
-                &values,
-                regularisation != 0.0
-            ));
-            let (sign, logarithm) = solver.determinant(regularisation);
-            let determinant = dense(&pattern, &values).determinant();
+            let (solver, at, regular) = factored(&four_bar(closed, driven), points);
+            assert!(regular);
+            let (sign, logarithm) = solver.determinant(at.equations.regularisation());
+            let determinant = at.dense().determinant();
             assert_eq!(sign, determinant.signum(), "{closed} {driven} {points}");
             // Terms of the order of the compliance, 1e-7, times the condition of the constraints.
             let error = (logarithm - determinant.abs().ln()).abs();

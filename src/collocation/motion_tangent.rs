@@ -1,0 +1,265 @@
+//! Forces that motions cause, linearised, where no stress resultants and no internal states are involved: as an operator, and
+//! between motions that are given at each grid point by itself, without the matrix of all motions.
+
+use super::kinematics::{NodeKinematics, VariationScratch};
+use super::problem::Collocation;
+use super::state::GridState;
+use super::tangent::Tangent;
+use crate::error::Result;
+use crate::fourier::Differentiation;
+use crate::motion::{DualMatrix, DualVector};
+use crate::system::System;
+use nalgebra::Vector6;
+
+/// Forces at a grid point by motions at others are bilinear: in these numbers of each.
+const BILINEAR: usize = 18;
+
+/// The Jacobian's part of forces and motions at one state, whatever the equations are evaluated at since.
+#[derive(Debug)]
+pub struct MotionTangent {
+    tangent: Tangent,
+    points: usize,
+    operators: Differentiation,
+    kinematics: Vec<NodeKinematics>,
+    /// Couplings of each node's motions, and the nodes whose forces they are.
+    columns: Vec<Vec<(usize, usize)>>,
+    /// Scales of forces and of motions; those of all nodes are the same.
+    forces: Vector6<f64>,
+    motions: Vector6<f64>,
+    scratch: VariationScratch,
+    unscaled: Vec<f64>,
+    rates: Vec<[Vector6<f64>; 2]>,
+    room: Room,
+}
+
+/// Scratch for one node.
+#[derive(Debug, Default)]
+struct Room {
+    /// What forces along the given motions change by with its motion, velocity and acceleration.
+    along: Vec<[Vector6<f64>; 3]>,
+    /// Factors of the second and first derivatives in time.
+    second: Vec<[f64; BILINEAR]>,
+    first: Vec<[f64; BILINEAR]>,
+    moved: Vec<[f64; BILINEAR]>,
+    /// Rows that are not zero, for few of many freedoms move a node; and their grid points.
+    rows: Vec<(usize, usize)>,
+}
+
+/// The numbers of a dual matrix, those that go with primal parts first.
+fn numbers(a: &DualMatrix, dual_first: bool) -> [f64; BILINEAR] {
+    let (first, second) = match dual_first {
+        true => (&a.dual, &a.primal),
+        false => (&a.primal, &a.dual),
+    };
+    let mut all = [0.0; BILINEAR];
+    all[..9].copy_from_slice(first.as_slice());
+    all[9..].copy_from_slice(second.as_slice());
+    all
+}
+
+fn product(a: &[f64; BILINEAR], b: &[f64; BILINEAR]) -> f64 {
+    // Two sums at a time, which do not wait for each other.
+    let mut sums = [0.0; 6];
+    for (a, b) in a.chunks_exact(6).zip(b.chunks_exact(6)) {
+        for ((sum, a), b) in sums.iter_mut().zip(a).zip(b) {
+            *sum += a * b;
+        }
+    }
+    sums.iter().sum()
+}
+
+impl MotionTangent {
+    /// For `equations` on their grid; none where there is more than motions, or one point, whose velocities may be given.
+    pub fn new(equations: &Collocation) -> Option<Self> {
+        let (system, points) = (equations.system(), equations.grid().points());
+        let serves = points > 1
+            && equations.oversampled().is_none()
+            && system.stations() == 0
+            && !system.elements().iter().any(|placed| placed.has_states);
+        if !serves {
+            return None;
+        }
+        let tangent = Tangent::new(system, points);
+        let mut columns = vec![Vec::new(); system.nodes()];
+        for (pair, coupling) in tangent.couplings().iter().enumerate() {
+            columns[coupling.column].push((pair, coupling.row));
+        }
+        Some(MotionTangent {
+            points,
+            operators: equations.operators.clone(),
+            kinematics: Vec::new(),
+            columns,
+            forces: Vector6::from_column_slice(&equations.row_scale[..6]),
+            motions: Vector6::from_column_slice(&equations.column_scale[..6]),
+            scratch: VariationScratch::default(),
+            unscaled: vec![0.0; 6 * points],
+            rates: vec![[Vector6::zeros(); 2]; points],
+            room: Room::default(),
+            tangent,
+        })
+    }
+
+    /// Linearises at `state`.
+    pub fn evaluate(&mut self, equations: &mut Collocation, state: &GridState) -> Result<()> {
+        self.tangent.evaluate(equations, state)?;
+        self.kinematics.clone_from(&equations.kinematics);
+        Ok(())
+    }
+
+    /// Gradient of the constraints of element `index` at grid point `k`, column by column, not scaled.
+    pub fn gradient(&self, system: &System, index: usize, k: usize) -> &[f64] {
+        self.tangent.gradient(system, index, k)
+    }
+
+    /// About the largest entry of the scaled Jacobian.
+    pub fn largest(&self) -> f64 {
+        let scales = self.forces * self.motions.transpose();
+        let (first, second) = (0..self.points).fold((0.0f64, 0.0f64), |(first, second), k| {
+            let (d, t) = (self.operators.first(k, 0), self.operators.second(k, 0));
+            (first.max(d.abs()), second.max(t.abs()))
+        });
+        let pairs = 0..self.tangent.couplings().len();
+        let tangents = pairs.flat_map(|pair| (0..self.points).map(move |k| (pair, k)));
+        tangents.fold(0.0f64, |largest, (pair, k)| {
+            let tangent = self.tangent.pair(pair, k);
+            let size = |matrix: &nalgebra::Matrix6<f64>| matrix.component_mul(&scales).amax();
+            largest
+                .max(size(&tangent.stiffness))
+                .max(first * size(&tangent.damping))
+                .max(second * size(&tangent.mass))
+        })
+    }
+
+    /// `rest −= K u` for scaled motions, in the order of the unknowns.
+    pub fn subtract_forces(&mut self, motions: &[f64], rest: &mut [f64]) {
+        let size = 6 * self.points;
+        let couplings = self.tangent.couplings();
+        for (node, pairs) in self.columns.iter().enumerate() {
+            let scaled = motions[size * node..][..size].chunks_exact(6);
+            for (to, from) in self.unscaled.chunks_exact_mut(6).zip(scaled) {
+                for ((to, from), scale) in to.iter_mut().zip(from).zip(&self.motions) {
+                    *to = from * scale;
+                }
+            }
+            if pairs.iter().any(|(pair, _)| couplings[*pair].moving) {
+                let rates = &mut self.rates;
+                self.kinematics[node].variation(
+                    &mut self.operators,
+                    &self.unscaled,
+                    &mut self.scratch,
+                    |l, velocity, acceleration| rates[l] = [*velocity, *acceleration],
+                );
+            }
+            for &(pair, row) in pairs {
+                let moving = couplings[pair].moving;
+                let rows = rest[size * row..][..size].chunks_exact_mut(6);
+                for (k, (rest, u)) in rows.zip(self.unscaled.chunks_exact(6)).enumerate() {
+                    let force = self.tangent.pair(pair, k).force(moving, u, &self.rates[k]);
+                    for ((rest, force), scale) in rest.iter_mut().zip(&force).zip(&self.forces) {
+                        *rest -= scale * force;
+                    }
+                }
+            }
+        }
+    }
+
+    /// Writes `Zᵀ K Z`, column by column, for `count` scaled motions at each grid point `k`: `basis(k)` has a row for each component
+    /// of each node.
+    pub fn between<'z>(
+        &mut self,
+        count: usize,
+        basis: impl Fn(usize) -> &'z [f64],
+        out: &mut [f64],
+    ) {
+        let (points, size) = (self.points, count * self.points);
+        out.fill(0.0);
+        let along = |k: usize, node: usize, i: usize, scale: &Vector6<f64>| {
+            let rows = &basis(k)[6 * node * count..];
+            Vector6::from_fn(|component, _| scale[component] * rows[component * count + i])
+        };
+        let couplings = self.tangent.couplings();
+        let room = &mut self.room;
+        for (node, pairs) in self.columns.iter().enumerate() {
+            let kinematics = &self.kinematics[node];
+            room.along.clear();
+            for k in 0..points {
+                for i in 0..count {
+                    let mut sums = [Vector6::zeros(); 3];
+                    for &(pair, row) in pairs {
+                        let z = along(k, row, i, &self.forces);
+                        if z.iter().all(|x| *x == 0.0) {
+                            continue;
+                        }
+                        let tangent = self.tangent.pair(pair, k);
+                        sums[0] += tangent.stiffness.tr_mul(&z);
+                        if couplings[pair].moving {
+                            sums[1] += tangent.damping.tr_mul(&z);
+                            sums[2] += tangent.mass.tr_mul(&z);
+                        }
+                    }
+                    room.along.push(sums);
+                }
+            }
+            let moving = pairs.iter().any(|(pair, _)| couplings[*pair].moving);
+            for k in 0..points {
+                let weights = (self.operators.first(k, k), self.operators.second(k, k));
+                let gammas = moving.then(|| kinematics.tangent(weights, k, k));
+                for j in 0..count {
+                    let z = along(k, node, j, &self.motions);
+                    let rates = gammas.map(|(gamma_v, gamma_a)| {
+                        let z = DualVector::from_twist(&z);
+                        [(gamma_v * z).to_twist(), (gamma_a * z).to_twist()]
+                    });
+                    let column = &mut out[(k * count + j) * size + k * count..][..count];
+                    for (entry, along) in column.iter_mut().zip(&room.along[k * count..]) {
+                        *entry += along[0].dot(&z);
+                        if let Some([velocity, acceleration]) = &rates {
+                            *entry += along[1].dot(velocity) + along[2].dot(acceleration);
+                        }
+                    }
+                }
+            }
+            if !moving {
+                continue;
+            }
+            // `ΔM = M z̃`, `Δv_ℓ = D_ℓk axial(R)` and `Δv̇_ℓ = T_ℓk axial(R) − D_ℓk ((tr(A) I − A) axial(R) + 2 axial(ṽ R))`, with
+            // `R = M_ℓᵀ ΔM_k`; `w · axial(R)` is half the product of all entries of `M_ℓ w̃` and `ΔM_k`.
+            for list in [&mut room.second, &mut room.first, &mut room.moved] {
+                list.clear();
+            }
+            for k in 0..points {
+                let (m, v) = (kinematics.motion(k), kinematics.velocity(k));
+                let spread = kinematics.first(k).trace_minus().transpose();
+                for i in 0..count {
+                    let [_, by_velocity, by_acceleration] = &room.along[k * count + i];
+                    let by_acceleration = DualVector::from_wrench(by_acceleration);
+                    let by_velocity = DualVector::from_wrench(by_velocity);
+                    let skew = by_acceleration.skew();
+                    let first =
+                        (by_velocity - spread * by_acceleration).skew() + v.skew() * skew * 2.0;
+                    room.second.push(numbers(&(m * skew * 0.5), true));
+                    room.first.push(numbers(&(m * first * 0.5), true));
+                    let z = DualVector::from_twist(&along(k, node, i, &self.motions));
+                    room.moved.push(numbers(&(m * z.skew()), false));
+                }
+            }
+            let is_zero = |numbers: &[f64; BILINEAR]| numbers.iter().all(|x| *x == 0.0);
+            room.rows.clear();
+            let rows = (0..size).map(|i| (i, i / count));
+            room.rows.extend(
+                rows.filter(|&(i, _)| !is_zero(&room.second[i]) || !is_zero(&room.first[i])),
+            );
+            for (j, moved) in room.moved.iter().enumerate() {
+                if is_zero(moved) {
+                    continue;
+                }
+                let (k, column) = (j / count, &mut out[j * size..][..size]);
+                for &(i, l) in room.rows.iter().filter(|(_, l)| *l != k) {
+                    let (d, t) = (self.operators.first(l, k), self.operators.second(l, k));
+                    column[i] +=
+                        t * product(&room.second[i], moved) + d * product(&room.first[i], moved);
+                }
+            }
+        }
+    }
+}
