@@ -103,6 +103,8 @@ impl MotionTangent {
     pub fn evaluate(&mut self, equations: &mut Collocation, state: &GridState) -> Result<()> {
         self.tangent.evaluate(equations, state)?;
         self.kinematics.clone_from(&equations.kinematics);
+        // The period may be another.
+        self.operators.clone_from(&equations.operators);
         Ok(())
     }
 

@@ -3,6 +3,7 @@
 use super::assembled::Assembled;
 use super::diagnosis::Singularity;
 use super::direct::elimination_work;
+use super::freedoms::FreedomSolver;
 use super::iterative::{Iterative, IterativeRecord, Preconditioner};
 use super::linear::LinearSolver;
 use super::newton::{Timings, timed};
@@ -33,6 +34,8 @@ const TOO_LARGE: f64 = 6e9;
 const AFFORDABLE: f64 = 1e4;
 /// Multiply-adds of a factorisation that take as long as a product and its preconditioner, for each of these numbers.
 const PRODUCT: f64 = 1e3;
+/// The same of few freedoms, all in all: a few seconds. Turning joints have as many in the dense system that iteration solves.
+const AFFORDABLE_FREEDOMS: f64 = 1e10;
 /// So few numbers are not worth the trouble.
 const SMALL: f64 = 1500.0;
 /// Growth of a preconditioner that means a Jacobian which may be singular: factors will tell.
@@ -122,7 +125,11 @@ impl Linear {
                 let numbers = (6 * system.nodes() * points) as f64;
                 most_products = (cost.work / (PRODUCT * numbers)) as usize;
                 let cheap = numbers < SMALL || cost.work < AFFORDABLE * numbers;
-                if cost.bytes < LARGE && cheap {
+                let few_freedoms = || {
+                    let work = FreedomSolver::work(equations);
+                    work.is_some_and(|work| work < AFFORDABLE_FREEDOMS)
+                };
+                if cost.bytes < LARGE && cheap || few_freedoms() {
                     direct()
                 } else if falls_back {
                     let iterative = Iterative::new(equations, None).or_directly(cost.work);

@@ -148,12 +148,13 @@ impl Layout {
 }
 
 impl FreedomSolver {
-    /// For the Jacobians of `equations`, if that is much cheaper than elimination of node by node. Not where there are beams: they
+    /// Multiply-adds of one factorisation, if that is much cheaper than elimination of node by node. Not where there are beams: they
     /// are stiff in tension by so much that what is left for bending would be rounding.
-    ///
-    /// `pattern` is asked for where the Jacobian has to be formed.
-    pub fn new<'p>(equations: &Collocation, pattern: impl FnOnce() -> &'p Pattern) -> Option<Self> {
-        let layout = Layout::new(equations);
+    pub fn work(equations: &Collocation) -> Option<f64> {
+        Self::work_of(&Layout::new(equations), equations)
+    }
+
+    fn work_of(layout: &Layout, equations: &Collocation) -> Option<f64> {
         let (points, nodes) = (layout.points as f64, equations.system().nodes() as f64);
         let (size, freedoms) = (layout.coordinates as f64, layout.freedoms as f64);
         let constraints = layout.constraints as f64;
@@ -167,9 +168,13 @@ impl FreedomSolver {
             && layout.constraints > 0
             && layout.rank() <= layout.constraints
             && equations.oversampled().is_none();
-        if !solvable || here > 0.5 * directly {
-            return None;
-        }
+        (solvable && here <= 0.5 * directly).then_some(here)
+    }
+
+    /// For the Jacobians of `equations`, if that is worth it. `pattern` is asked for where the Jacobian has to be formed.
+    pub fn new<'p>(equations: &Collocation, pattern: impl FnOnce() -> &'p Pattern) -> Option<Self> {
+        let layout = Layout::new(equations);
+        Self::work_of(&layout, equations)?;
         let mut first = 0;
         let mut elements = Vec::new();
         for (element, placed) in equations.system().elements().iter().enumerate() {
