@@ -3,7 +3,8 @@
 use super::handle::{self, Exclusive, Handle};
 use super::options::{self, Options, OutStruct};
 use crate::error::{Error, ErrorKind, Result, require_finite};
-use std::ffi::{CStr, c_char};
+use libc::c_char;
+use std::ffi::CStr;
 use std::marker::PhantomData;
 use std::sync::Arc;
 

@@ -2,8 +2,8 @@
 
 use super::status::pdn_status;
 use crate::error::Error;
+use libc::c_char;
 use std::cell::RefCell;
-use std::ffi::c_char;
 
 thread_local! {
     static MESSAGE: RefCell<String> = const { RefCell::new(String::new()) };

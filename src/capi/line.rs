@@ -9,8 +9,8 @@ use super::status::pdn_status;
 use crate::error::{Error, Result};
 use crate::model::{circular_arc, smooth_curve, straight_line};
 use crate::motion::Motion;
+use libc::c_void;
 use nalgebra::Vector3;
-use std::ffi::c_void;
 use std::mem::offset_of;
 
 /// Kind of a line: straight.

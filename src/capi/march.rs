@@ -12,8 +12,8 @@ use crate::error::{Error, ErrorKind, Result};
 use crate::model::Model;
 use crate::output::Solution;
 use crate::solve::{MarchEnd, MarchOptions, MarchStart, NewtonOptions, StartState};
+use libc::c_void;
 use nalgebra::{Vector3, Vector6};
-use std::ffi::c_void;
 
 /// Options of ::pdn_march. Set the defaults by `PDN_INIT(pdn_march_options, &options)`.
 ///

@@ -12,7 +12,7 @@ use super::status::pdn_status;
 use crate::error::Result;
 use crate::output::Modes;
 use crate::solve::ModesOptions;
-use std::ffi::c_char;
+use libc::c_char;
 
 /// An equilibrium and the modes about it. Made by ::pdn_solve_modes, freed by ::pdn_modes_free.
 pub struct pdn_modes {

@@ -19,8 +19,8 @@ use crate::solve::{
     Preconditioner, Progress, Stage, Start, Watch,
 };
 use crate::system::System;
+use libc::c_void;
 use nalgebra::{Matrix3, Vector3};
-use std::ffi::c_void;
 
 /// Stage of a solve: finding the initial guess, each iteration at a single instant.
 pub const PDN_STAGE_INITIAL_GUESS: i32 = 0;

@@ -12,7 +12,7 @@ use crate::error::{Error, Result};
 use crate::model::Model;
 use crate::output::Solution;
 use crate::solve::{MarchStart, NewtonOptions, ShootingOptions};
-use std::ffi::c_void;
+use libc::c_void;
 
 /// Options of ::pdn_solve_shooting. Set the defaults by `PDN_INIT(pdn_shooting_options, &options)`.
 #[repr(C)]

@@ -8,7 +8,7 @@ use super::section::{init_struct, read_struct, read_structs, update_struct};
 use super::status::pdn_status;
 use crate::error::{Error, Result};
 use crate::model::Signal;
-use std::ffi::c_void;
+use libc::c_void;
 use std::mem::offset_of;
 use std::sync::Arc;
 

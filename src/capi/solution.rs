@@ -16,7 +16,7 @@ use crate::collocation::DecayKind;
 use crate::error::{Error, ErrorKind, Result};
 use crate::output::{BeamQuantity, JointQuantity, NodeQuantity, ResolvedIn, Solution};
 use crate::solve::{Iteration, IterativeRecord, Outcome, Preconditioner};
-use std::ffi::c_char;
+use libc::c_char;
 
 /// A solution, converged or not. Made by ::pdn_solve_periodic, ::pdn_solve_static,
 /// ::pdn_march and ::pdn_modes_motion, freed by ::pdn_solution_free.

@@ -13,8 +13,8 @@ use crate::model::Model;
 use crate::output::Solution;
 use crate::solve::{InitialGuess, NewtonOptions, StaticOptions};
 use crate::system::Standstill;
+use libc::c_void;
 use nalgebra::Vector3;
-use std::ffi::c_void;
 
 /// Options of ::pdn_solve_static. Set the defaults by `PDN_INIT(pdn_static_options, &options)`.
 #[repr(C)]

@@ -7,7 +7,7 @@ use super::options::Options;
 use super::section::init_struct;
 use super::status::pdn_status;
 use crate::system::Summary;
-use std::ffi::c_char;
+use libc::c_char;
 
 /// Counts, mass and mobility of a model. Initialise with `PDN_INIT(pdn_summary, &summary)`.
 #[repr(C)]

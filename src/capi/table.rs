@@ -8,7 +8,7 @@ use super::solution::{beam_quantity, index, joint_quantity, node_quantity, pdn_s
 use super::status::pdn_status;
 use crate::error::Result;
 use crate::output::{Solution, Table};
-use std::ffi::c_char;
+use libc::c_char;
 use std::path::Path;
 
 /// Columns of numbers over the same times. Made by ::pdn_table_new, freed by ::pdn_table_free.

@@ -15,7 +15,7 @@ use crate::elements::{
 use crate::error::{Error, Result};
 use crate::model::Model;
 use crate::system::{TangentCheck, check_tangents};
-use std::ffi::c_void;
+use libc::c_void;
 use std::sync::Arc;
 
 /// Tangents of a user's function: it gives none, and the library finds them by differences of its forces.

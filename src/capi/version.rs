@@ -3,7 +3,8 @@
 use super::guard::guard;
 use super::status::{c_string, pdn_status};
 use crate::error::Error;
-use std::ffi::{CString, c_char};
+use libc::c_char;
+use std::ffi::CString;
 use std::sync::OnceLock;
 
 /// Version of this header, first number.
