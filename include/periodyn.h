@@ -4602,7 +4602,8 @@ pdn_status pdn_table_write_csv(const struct pdn_table *table,
  * @param path  where to, UTF-8, ending in `.pvd`. Files of these names are replaced; if writing fails,
  *     they stay as they were
  * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_SIZE, PDN_ERR_VALUE (times that do not ascend,
- *     a path that does not end in `.pvd`), PDN_ERR_GRID_TOO_COARSE, PDN_ERR_OVERFLOW, PDN_ERR_IO
+ *     a path that does not end in `.pvd`, or whose name has control characters), PDN_ERR_GRID_TOO_COARSE,
+ *     PDN_ERR_OVERFLOW, PDN_ERR_IO
  *
  * Threads: like a `const` use of `solution`.
  * @since 0.1

@@ -1,13 +1,15 @@
 //! Section forces of beams at the ends of elements, where joints and welds are, against equilibrium and closed forms.
 
+#[path = "common/vtk.rs"]
+mod vtk;
+
 use nalgebra::{Matrix2, Matrix4, Vector2, Vector3};
 use periodyn::elements::{JointKind, LoadFrame};
 use periodyn::model::*;
 use periodyn::output::{BeamQuantity, Solution};
 use periodyn::solve::*;
 use std::f64::consts::TAU;
-use vtkio::Vtk;
-use vtkio::model::{Attribute, DataSet, IOBuffer, PolyDataPiece};
+use vtk::Piece;
 
 const LENGTH: f64 = 60.0;
 const LOAD: f64 = 10.0;
@@ -286,17 +288,6 @@ fn a_node_with_a_load_keeps_its_jump() {
     }
 }
 
-fn vectors(piece: &PolyDataPiece, name: &str) -> Vec<f64> {
-    let found = piece.data.point.iter().find_map(|a| match a {
-        Attribute::DataArray(array) if array.name == name => match &array.data {
-            IOBuffer::F64(values) => Some(values.clone()),
-            _ => None,
-        },
-        _ => None,
-    });
-    found.unwrap_or_else(|| panic!("no {name}"))
-}
-
 #[test]
 fn an_animation_has_those_at_ends_of_elements() {
     const ELEMENTS: usize = 8;
@@ -306,10 +297,7 @@ fn an_animation_has_those_at_ends_of_elements() {
     let path = directory.path().join("shaken.pvd");
     solution.write_vtk(&[0.0], POINTS, &path).unwrap();
     let file = directory.path().join("shaken/beams_000000.vtp");
-    let DataSet::PolyData { pieces, .. } = Vtk::import(file).unwrap().data else {
-        panic!("no lines");
-    };
-    let piece = pieces[0].load_piece_data(None).unwrap();
+    let piece = Piece::read(&file);
     let names = [
         "force",
         "force_mean",
@@ -325,7 +313,7 @@ fn an_animation_has_those_at_ends_of_elements() {
         moment,
         moment_mean,
         moment_jump,
-    ] = names.map(|name| vectors(&piece, name));
+    ] = names.map(|name| piece.at_points(name));
     let largest = exact(0.0).abs();
     // But for the rounding of series.
     let near = |a: f64, b: f64| assert!((a - b).abs() < 1e-12 * PUSH * SPAN, "{a} {b}");

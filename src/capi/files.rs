@@ -5,7 +5,7 @@ use super::model::pdn_model;
 use super::solution::pdn_solution;
 use super::status::pdn_status;
 use crate::output::Solution;
-use std::ffi::c_char;
+use libc::c_char;
 use std::path::Path;
 
 /// Writes an animation of a solution that ParaView opens: VTK's XML files, and a list of them.
@@ -31,7 +31,8 @@ use std::path::Path;
 /// @param path  where to, UTF-8, ending in `.pvd`. Files of these names are replaced; if writing fails,
 ///     they stay as they were
 /// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_SIZE, PDN_ERR_VALUE (times that do not ascend,
-///     a path that does not end in `.pvd`), PDN_ERR_GRID_TOO_COARSE, PDN_ERR_OVERFLOW, PDN_ERR_IO
+///     a path that does not end in `.pvd`, or whose name has control characters), PDN_ERR_GRID_TOO_COARSE,
+///     PDN_ERR_OVERFLOW, PDN_ERR_IO
 ///
 /// Threads: like a `const` use of `solution`.
 /// @since 0.1

@@ -7,6 +7,7 @@ mod force;
 mod joint;
 mod modes;
 mod node;
+mod poly_data;
 mod report;
 mod solution;
 mod table;
