@@ -4336,7 +4336,7 @@ pdn_status pdn_motion_interpolate(double period,
  * Velocities and accelerations of a motion at its own grid points, and their exact linearisation.
  *
  * With the material increments u = (R^T dr, dpsi) of the motions, ordered as 6 for each point,
- * d velocity = velocity_tangent u and d acceleration = acceleration_tangent u (eqs. 24 to 29).
+ * d velocity = velocity_tangent u and d acceleration = acceleration_tangent u (eqs. 24 to 29 of the paper).
  *
  * @param period  T, the period of the motion
  * @param positions  array of shape 3 x [points]: positions at t = k T / N

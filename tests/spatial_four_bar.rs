@@ -1,4 +1,4 @@
-//! The spatial four-bar mechanism of section 7.2: convergence, accuracy, and what its error is.
+//! The spatial four-bar mechanism of section 7.2 of the paper: convergence, accuracy, and what its error is.
 
 mod common;
 

@@ -9,6 +9,7 @@
 //! ```
 //!
 //! which is all there is to it where `M` turns steadily.
+//! See docs/theory.md, section 4.5.
 
 use super::kinematics::NodeKinematics;
 use crate::fourier::TimeGrid;

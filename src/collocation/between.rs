@@ -3,6 +3,7 @@
 //! A force of the harmonic `a + pN` counts on the grid as one of the harmonic `a`. The part `θ` of an interval after each
 //! grid point, it is off by the factor `exp(2πi pθ) − 1`: half-way between them nothing shows where `p` is even. With the
 //! golden section, `pθ` is as far from whole numbers as can be, for all `p`.
+//! See docs/theory.md, section 10.2.
 
 use super::problem::Collocation;
 use super::resampled::{ResampledNodes, dual, primal};
@@ -16,7 +17,7 @@ use crate::workers::Workers;
 use nalgebra::{Vector3, Vector6};
 use serde::{Deserialize, Serialize};
 
-/// A node's motions over the grid, ready to be interpolated (section 4).
+/// A node's motions over the grid, ready to be interpolated (docs/theory.md, section 3).
 #[derive(Debug, Clone)]
 pub struct NodeInterpolation {
     /// `M_k`, with the mean position taken out.

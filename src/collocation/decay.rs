@@ -1,4 +1,5 @@
 //! How fast the harmonics of the motions decay: what a grid leaves out, and where in the period.
+//! See docs/theory.md, section 10.1.
 
 use super::state::GridState;
 use crate::fourier::{Resampling, TimeGrid};

@@ -1,4 +1,5 @@
 //! The Jacobian, assembled.
+//! See docs/theory.md, section 5.3.
 
 use super::division::Share;
 use super::pattern::Pattern;

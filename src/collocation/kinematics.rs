@@ -1,5 +1,5 @@
 //! Velocities and accelerations of a node at the grid points, and their exact linearisation
-//! (eqs. 24–29). Everything is dual algebra.
+//! (docs/theory.md, section 4.1). Everything is dual algebra.
 
 use super::resampled::{dual, primal};
 use crate::elements::NodeState;
@@ -200,7 +200,7 @@ impl NodeKinematics {
         }
     }
 
-    /// Blocks `(ℓ, k)` of `Γ_v` and `Γ_a`: `Δv_ℓ = Σ_k Γ_v Δu_k`, `Δv̇_ℓ = Σ_k Γ_a Δu_k`.
+    /// Blocks `(ℓ, k)` of `Γ_v` and `Γ_a` (docs/theory.md, section 4.2): `Δv_ℓ = Σ_k Γ_v Δu_k`, `Δv̇_ℓ = Σ_k Γ_a Δu_k`.
     ///
     /// `weights` are `D_ℓk` and `T_ℓk`.
     pub fn tangent(&self, weights: (f64, f64), l: usize, k: usize) -> (DualMatrix, DualMatrix) {

@@ -1,4 +1,5 @@
 //! Small motions about a state that stands still: `(s² M + s C + K) x = 0` for `x exp(st)`.
+//! See docs/theory.md, section 11.3.
 
 use super::pattern::Pattern;
 use super::problem::Collocation;

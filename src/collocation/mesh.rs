@@ -1,4 +1,5 @@
 //! How much the equations of beams are wrong because their elements are of too low a degree, or too few.
+//! See docs/theory.md, section 10.5.
 
 use super::problem::Collocation;
 use super::state::GridState;

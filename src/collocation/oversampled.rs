@@ -2,7 +2,7 @@
 //! aliases on the finer grid.
 //!
 //! Motions and own unknowns of a grid of `N` points are interpolated to `M > N` points (motions by polar
-//! decomposition, section 4), where the governing equations are evaluated. Of the constraints, and of the equations of
+//! decomposition), where the governing equations are evaluated. Of the constraints, and of the equations of
 //! internal states, the harmonics up to `(N − 1) / 2` are to vanish. So is the virtual work of the forces `F_j`,
 //! `Σ_j F_jᵀ δρ_j` for all `δu_k`, where `A δρ = 2 axial(Rᵀ δG)` and `δG = Σ_k w_k M_k δũ_k`. With `A μ = F` and
 //! `H = R μ̃`, the row of `δu_k` is `2 axial(M_kᵀ Π H)`, where `Π` keeps the lowest harmonics: those of the forces
@@ -10,6 +10,7 @@
 //!
 //! (Harmonics of components in turning frames would not do: the highest of a multiplier in another frame
 //! is beyond them, and would have no effect.)
+//! See docs/theory.md, section 10.6.
 
 use super::between::too_coarse;
 use super::problem::Collocation;

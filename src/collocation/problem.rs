@@ -1,4 +1,4 @@
-//! Residual of the governing equations at all grid points, eq. (37).
+//! Residual of the governing equations at all grid points (docs/theory.md, section 5.2).
 
 use super::aliasing::Aliasing;
 use super::division::Division;

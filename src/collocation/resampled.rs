@@ -10,7 +10,7 @@ use crate::system::System;
 use crate::workers::Workers;
 use nalgebra::{Matrix3, Vector3};
 
-/// Motions, velocities and accelerations of all nodes, interpolated over the period (section 4) at equispaced
+/// Motions, velocities and accelerations of all nodes, interpolated over the period (docs/theory.md, section 3) at equispaced
 /// times.
 #[derive(Debug, Clone)]
 pub struct ResampledNodes {

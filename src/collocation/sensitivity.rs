@@ -1,4 +1,5 @@
 //! How the end of a step varies with its start: exact linearisation of the generalised-α method.
+//! See docs/theory.md, section 12.3.
 
 use super::jacobian::TangentBlocks;
 use super::pattern::Pattern;

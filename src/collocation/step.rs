@@ -13,6 +13,7 @@
 //!
 //! Internal states follow the first-order method of the same kind (Jansen, Whiting and Hulbert, Computer
 //! Methods in Applied Mechanics and Engineering 190, 2000).
+//! See docs/theory.md, section 12.1.
 
 use super::state::GridState;
 use crate::elements::NodeState;

@@ -1,4 +1,4 @@
-//! The Jacobian of eq. (37) applied without being formed: tangents of the elements at each grid point, and
+//! The Jacobian applied without being formed (docs/theory.md, section 5.3): tangents of the elements at each grid point, and
 //! `Γ_v`, `Γ_a` by FFT. `O(n N log N)` time, `O(n N)` memory.
 //!
 //! Stress resultants `f` of beams are kept apart: with their increments as unknowns of their own, the Jacobian is the Schur

@@ -1,4 +1,4 @@
-//! Geometrically exact beam of any order (section 5 of the formulation).
+//! Geometrically exact beam of any order (docs/theory.md, section 6.2).
 //!
 //! Along the beam motions are interpolated exactly as in time: `G(ξ) = Σ N_a M_a`, polar
 //! decomposition `G = R S`, and the strain is the "velocity in ξ": `A e = 2 axial(Rᵀ Σ N'_a M_a)`.
@@ -530,7 +530,7 @@ impl Station {
         Ok(StationMotion { polar, q, e })
     }
 
-    /// First variations: section turn `A Δρ = Σ N_a C_a Δu_a` and strain
+    /// First variations (docs/theory.md, section 6.3): section turn `A Δρ = Σ N_a C_a Δu_a` and strain
     /// `A Δe = Σ (N'_a C_a + N_a (2 e x_aᵀ − X_a ẽ)) Δu_a + ((S e)~ − tr(Q) I + Q) Δρ`.
     pub fn node_terms<'a>(
         &'a self,
@@ -579,7 +579,7 @@ pub(super) fn turned(node: &NodeTerms, w: &DualVector) -> DualMatrix {
     w.outer(&node.x_axial) * 2.0 - (node.x * *w).skew()
 }
 
-/// Second variation of `σᵀ Δe` at constant `σ`: fills `mu` and `nu` of every node and returns `(μ, ν)`.
+/// Second variation of `σᵀ Δe` at constant `σ` (docs/theory.md, section 6.4): fills `mu` and `nu` of every node and returns `(μ, ν)`.
 ///
 /// With `μ = A⁻¹ σ` and `ν = A⁻¹ Pᵀ μ`, a node's force is
 /// `N' Cᵀ μ + N (Cᵀ ν + 2 (μᵀe) x + ẽ Xᵀ μ)`; its variation needs those of `μ`, `ν`, `e` and `ρ`.
@@ -654,7 +654,7 @@ fn geometric_stiffness(
     }
 }
 
-/// Variation of the strain rate `ė = Σ B_a V_a` at constant nodal velocities: fills `rate`.
+/// Variation of the strain rate `ė = Σ B_a V_a` at constant nodal velocities (docs/theory.md, section 6.5): fills `rate`.
 fn rate_variations(
     at: &StationMotion,
     rate: &DualVector,

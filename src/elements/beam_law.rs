@@ -12,6 +12,7 @@
 //! the section vanishes towards a tip it makes all of the element soft against strains that alternate (Reuss's). Their
 //! mean is Hill's: with few elements it is more accurate than the first, and at least half as stiff. Damping is that of
 //! `𝒟` under the strains of each. A uniform section gives each point its own law again.
+//! See docs/theory.md, section 6.6.
 
 use super::section::Section;
 use super::shape::shape_functions;

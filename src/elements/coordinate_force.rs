@@ -1,4 +1,5 @@
 //! Springs, dampers, actuators and laws of the user on a joint coordinate.
+//! See docs/theory.md, section 6.10.
 
 use super::absent;
 use super::joint::{FramePair, Joint, RelativeState};

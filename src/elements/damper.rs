@@ -1,4 +1,5 @@
 //! Viscous damper between two bodies, with a full matrix of coefficients.
+//! See docs/theory.md, section 6.10.
 
 use super::joint::{Attachment, FramePair};
 use super::{Contribution, Element, Instant};

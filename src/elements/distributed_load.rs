@@ -3,6 +3,7 @@
 //! They act on the sections between the nodes, whose motion the beam interpolates: the work is done
 //! through the section's turn `A Δρ = Σ N_a C_a Δu_a` (see `beam`), so that a node's share of the load `w`
 //! is `N_a C_aᵀ μ` with `μ = A⁻¹ w`.
+//! See docs/theory.md, section 6.11.
 
 use super::beam::{Beam, Station, about_axis, spread_variation, turned};
 use super::shape::{gauss_legendre, shape_functions};

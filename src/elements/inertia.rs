@@ -1,4 +1,4 @@
-//! Inertia that is constant in the material frames of its nodes: rigid bodies and beams (section 4).
+//! Inertia that is constant in the material frames of its nodes: rigid bodies and beams (docs/theory.md, section 6.1).
 
 use super::{Contribution, Element, Instant};
 use crate::error::{Error, Result, require_finite};

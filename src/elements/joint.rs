@@ -1,4 +1,4 @@
-//! Joints between two frames, and joint coordinates prescribed by a signal (section 6).
+//! Joints between two frames, and joint coordinates prescribed by a signal (docs/theory.md, section 6.9).
 
 use super::relative::{Coordinate, JointKind, RelativeMotion, ScalarFunction};
 use super::{Contribution, Element, Instant, NodeState, Unknown};

@@ -2,6 +2,7 @@
 //!
 //! An element knows nothing of the period or of other elements. Adding one takes a file here and
 //! an entry in the test that every element passes (`tangent_test`).
+//! See docs/theory.md, section 5.1.
 
 mod absent;
 mod beam;

@@ -3,6 +3,7 @@
 //! The finer element moves as the coarse one does. What then is left of its equations bends it further, by functions that vanish
 //! at the nodes of the coarse one (bubbles): they are found element by element, and what holds them there are forces on
 //! the coarse nodes, which is how much the coarse equations are wrong.
+//! See docs/theory.md, section 10.5.
 
 use super::beam::{Beam, Station, about_axis};
 use super::shape::lobatto_points;

@@ -2,6 +2,7 @@
 //!
 //! With `Z = C_i⁻¹ C_j` and its material increment `δz = [linear; angular]` (resolved in frame j), two
 //! primitives have simple exact derivatives, and everything else is composed of them.
+//! See docs/theory.md, section 6.8.
 
 use super::Measure;
 use crate::motion::{Motion, skew};

@@ -1,4 +1,5 @@
 //! Forces on nodes that a function of the user computes.
+//! See docs/theory.md, section 6.12.
 
 use super::absent;
 use super::coordinate_force::difference_step;

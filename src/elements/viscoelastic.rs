@@ -1,4 +1,5 @@
 //! Generalised Maxwell model on a joint coordinate: a spring and branches of spring and dashpot in series.
+//! See docs/theory.md, section 6.10.
 
 use super::coordinate_force::{ActedCoordinate, ActedState, Effort};
 use super::{Contribution, Element, Instant, Unknown};

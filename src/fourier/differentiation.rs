@@ -1,4 +1,5 @@
-//! The circulant differentiation matrices `D` and `T`, eq. (5), applied densely or by FFT.
+//! The circulant differentiation matrices `D` and `T`, applied densely or by FFT (docs/theory.md,
+//! section 2.2).
 
 use super::grid::TimeGrid;
 use realfft::num_complex::Complex;

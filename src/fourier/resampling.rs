@@ -1,4 +1,5 @@
 //! From the points of one grid to those of another of the same period, by FFT.
+//! See docs/theory.md, section 2.3.
 
 use super::filter::SpectralFilter;
 use super::grid::TimeGrid;

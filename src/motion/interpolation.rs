@@ -1,4 +1,4 @@
-//! Interpolation of motions by dual polar decomposition (section 4, appendix C).
+//! Interpolation of motions by dual polar decomposition (docs/theory.md, section 3).
 //!
 //! The same algebra serves in time, with cardinal functions, and along a beam, with shape functions.
 

@@ -1,4 +1,5 @@
 //! Logarithm of motions, and how it varies: the inverse of the exponential map of SE(3).
+//! See docs/theory.md, section 1.4.
 
 use super::dual::{Dual, DualMatrix, DualVector};
 use super::rigid::Motion;

@@ -1,4 +1,5 @@
 //! Motions, the elements of SE(3).
+//! See docs/theory.md, section 1.2.
 
 use super::dual::{DualMatrix, DualVector};
 use super::rotation::{rotation_from_vector, skew};

@@ -1,4 +1,5 @@
 //! Grids made finer until the estimated error meets a tolerance.
+//! See docs/theory.md, section 10.4.
 
 use super::estimate::Assessment;
 use super::loads::Loads;

@@ -3,6 +3,7 @@
 //!
 //! All follow from one matrix, `[M Cᵀ; C 0]`. What the constraints demand of velocities and accelerations is
 //! had by differences of sixth order of their violations along `M exp(s v + ½ s² v̇)`.
+//! See docs/theory.md, section 12.2.
 
 use super::assembly::describe_turned_over;
 use super::diagnosis::{Singularity, describe_open_joint};

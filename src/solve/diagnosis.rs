@@ -1,4 +1,5 @@
 //! Why a Jacobian is singular: what is free to move, and which constraints say the same thing twice.
+//! See docs/theory.md, section 7.5.
 
 use crate::collocation::{Collocation, GridState, Pattern};
 use crate::system::{Dependency, ElementRole, System, name_all, name_constraints};

@@ -1,5 +1,6 @@
 //! Direct solution of the Jacobian by blocks: multifrontal LU over the graph of nodes and multipliers, with
 //! the N grid points of each kept together, so that all work is done by faer's dense kernels.
+//! See docs/theory.md, section 8.1.
 
 use super::dense::{largest, solve_unit_lower, solve_upper, subtract_product};
 use super::front::{Front, LARGE_FRONT, Room, make_zero};

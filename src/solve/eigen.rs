@@ -1,4 +1,5 @@
 //! Eigenvalues of the quadratic pencil near a shift.
+//! See docs/theory.md, section 11.4.
 
 use super::krylov::{Map, Ritz, Space};
 use super::pencil::{C64, Inverse, Pencil};

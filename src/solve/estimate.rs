@@ -1,4 +1,5 @@
 //! How far the motions of a periodic solution are from those that any finer grid would give.
+//! See docs/theory.md, section 10.3.
 
 use super::linear::LinearSolver;
 use super::loads::Unheld;

@@ -1,4 +1,5 @@
 //! Free motions, which nothing resists: eigenvalues that are exactly zero.
+//! See docs/theory.md, section 11.4.
 
 use super::eigen::{EigenPair, Search};
 use super::krylov::{Random, Space, complex, norm, overflow};

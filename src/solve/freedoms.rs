@@ -3,6 +3,7 @@
 //!
 //! Constraints hold at each instant, `C u = g`. With `C = L [T F]` the motions that obey them are `u = u_p + Z v`, and of the
 //! equilibrium `K u + Cᵀ λ = f` there remains `Zᵀ K Z v = Zᵀ (f − K u_p)`.
+//! See docs/theory.md, section 8.2.
 
 use super::dense::{largest, solve_unit_lower, solve_upper, subtract_product};
 use super::partial_lu::factor_partially;

@@ -1,4 +1,4 @@
-//! The default initial guess: quasi-static equilibrium, followed once around the period (section 8).
+//! The default initial guess: quasi-static equilibrium, followed once around the period (docs/theory.md, section 9.1).
 
 use super::branch::Branch;
 use super::newton::{Iteration, Newton, NewtonOptions, Outcome};

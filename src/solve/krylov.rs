@@ -9,6 +9,7 @@
 //! has the eigenvalues `θ = 1/(s − σ)`. Constraints have infinite `s`, so `θ = 0`: they are far from all
 //! that is sought. For a complex shift the real part of the map serves, with
 //! `θ = ½ (1/(s − σ) + 1/(s − σ̄))`. The state holds only unknowns that `C` or `M` know of.
+//! See docs/theory.md, section 11.4.
 
 use super::eigenvalues::eigenvectors;
 use super::pencil::{C64, Inverse, Pencil};

@@ -1,4 +1,5 @@
 //! Harmonics of loads and prescribed motions, and those that a grid cannot hold: it takes them for lower ones.
+//! See docs/theory.md, section 10.3.
 
 use crate::error::Result;
 use crate::fourier::PeriodicSeries;

@@ -1,5 +1,6 @@
 //! Strongly dissipative marching by backward differences (Houbolt's rule, spectral radius zero at
 //! infinity). It serves as an initial guess only.
+//! See docs/theory.md, section 9.6.
 
 use super::newton::{Iteration, Newton, NewtonOptions, Outcome};
 use crate::collocation::{BackwardRule, Collocation, GridState};

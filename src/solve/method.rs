@@ -1,4 +1,5 @@
 //! How Newton's linear equations are solved: directly or by iteration, as costs less.
+//! See docs/theory.md, section 8.7.
 
 use super::assembled::Assembled;
 use super::diagnosis::Singularity;

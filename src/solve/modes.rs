@@ -1,4 +1,5 @@
 //! Natural modes and damped eigenvalues about an equilibrium, at rest or in steady rotation.
+//! See docs/theory.md, section 11.3.
 
 use super::eigen::{EigenPair, Search, Target};
 use super::free_motions::without_free_motions;

@@ -1,4 +1,5 @@
 //! Newton's method with the exact tangent and a line search that does not depend on scaling.
+//! See docs/theory.md, section 7.1.
 
 use super::assembled::Assembled;
 use super::assembly::describe_turned_over;
@@ -176,7 +177,7 @@ const STALLED_GROWTH: f64 = 1e13;
 /// user's geometry excuses, where constraints depend on each other.
 const VIOLATION: f64 = 1e-8;
 
-/// Full steps with extrapolated stress resultants, one after the other.
+/// Full steps with extrapolated stress resultants, one after the other (docs/theory.md, section 7.3).
 struct Leap {
     /// Where they began.
     start: GridState,

@@ -1,4 +1,5 @@
 //! The periodic solve from model to solution.
+//! See docs/theory.md, section 9.
 
 use super::adaptive::{Adaptation, GridTried};
 use super::estimate::{Assessment, assess, mesh_error};

@@ -1,4 +1,5 @@
 //! Looking for an equilibrium downhill, where Newton's method and load steps find none.
+//! See docs/theory.md, section 11.1.
 
 use super::guess::Tracker;
 use super::newton::{NewtonOptions, Outcome};

@@ -4,6 +4,7 @@
 //! states. So what is found is the periodic motion of the scheme itself, without a transient of its start,
 //! and no projection is needed: what the map gives satisfies the constraints. Its derivative is propagated
 //! through the linearised steps, with the factors of each.
+//! See docs/theory.md, section 12.3.
 
 use super::eigenvalues::eigenvalues;
 use super::newton::{Iteration, NewtonOptions, NewtonReport, Outcome};

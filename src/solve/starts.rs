@@ -1,4 +1,5 @@
 //! Where Newton's method begins: ways to start, cheapest first, each with its share of work.
+//! See docs/theory.md, section 9.
 
 use super::guess::{Guess, inertial_displacement, quasi_static};
 use super::march::DissipativeMarch;

@@ -1,4 +1,5 @@
 //! Equilibrium at one time, at rest or turning steadily: collocation on a grid of one point.
+//! See docs/theory.md, section 11.1.
 
 use super::estimate::mesh_error;
 use super::guess::Tracker;

@@ -1,5 +1,6 @@
 //! Marching in time by the generalised-α method, from consistent initial values, for a given time or until
 //! the motion repeats itself.
+//! See docs/theory.md, section 12.1.
 
 use super::consistent::{Initial, Refusal};
 use super::newton::{Iteration, Newton, NewtonOptions, NewtonReport, Outcome};

@@ -2,6 +2,7 @@
 //!
 //! Constraints of different elements can only depend on each other if they act on the same nodes all
 //! around a loop. So the gradient is looked at loop by loop, densely.
+//! See docs/theory.md, section 5.6.
 
 use super::{Conditions, ElementRole, OwnValues, Placed, System, Workspace};
 use crate::elements::{Measure, NodeState, Unknown};

@@ -1,4 +1,5 @@
 //! Parts that hang on drives which turn on and on: a rotor on its shaft, a blade behind a hub.
+//! See docs/theory.md, section 9.3.
 
 use super::{ElementRole, Placed, System};
 use crate::elements::{Attachment, Coordinate, Element, Joint, Measure, NodeState};

@@ -1,4 +1,5 @@
 //! Characteristic scales, so that nothing in the solution depends on the user's units.
+//! See docs/theory.md, section 5.4.
 
 use super::{Conditions, OwnValues, System};
 use crate::elements::{NodeState, StressLaw};

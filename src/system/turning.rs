@@ -3,6 +3,7 @@
 //! With `W` the twist of the frame and `M` a motion in it, the material velocity is
 //! `V = v + U`, `U = Ad(M⁻¹) W`, where `v` is that of `M`. So `V̇ = v̇ + Ũ v`, and a material increment
 //! `Δu` of `M` causes `ΔV = Δv + Ũ Δu`, `ΔV̇ = Δv̇ + Ũ Δv − ṽ Ũ Δu`.
+//! See docs/theory.md, section 11.2.
 
 use super::System;
 use crate::elements::{Contribution, NodeState};

@@ -9,6 +9,7 @@
 //! same at all times in the frames of their bodies, up to a combination of their rows, are circulant as well, and are
 //! eliminated with the bodies, harmonic by harmonic: `G_k = Q_k Ḡ`. At the nodes of other joints there remains the
 //! dynamic stiffness of the bodies between them, and a dense system over all grid points.
+//! See docs/theory.md, section 8.5.
 
 use super::block_lu::BlockLanes;
 use super::constraints::{Class, Joints, RowRotation, classify, row_rotations, turning_nodes};

@@ -1,5 +1,6 @@
 //! GMRES with a preconditioner from the left, so that errors are measured by what they mean for the unknowns,
 //! not by residuals, in which stiff directions drown soft ones.
+//! See docs/theory.md, section 8.3.
 
 use crate::solve::dense::probe;
 use crate::workers::Workers;

@@ -7,6 +7,7 @@
 //!
 //! with `D` circulant and `G` local in time. At each grid point `u = Y g + Z q` with `G Z = 0`, so that
 //! `Zᵀ D Z q = Zᵀ (r − D Y g)`.
+//! See docs/theory.md, section 8.5.
 
 use super::constraints::Class;
 use super::dense::{DenseLu, zeros};

@@ -6,6 +6,7 @@
 //!
 //! with `B` and `L` averaged over time. They are worth their room because averages of a bent beam's stiffness,
 //! `Bᵀ L`, would stretch it where it bends.
+//! See docs/theory.md, section 8.4.
 
 use super::mean::MeanStrain;
 use crate::collocation::{Collocation, Station, Tangent};
