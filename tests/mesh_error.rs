@@ -198,7 +198,8 @@ fn motions() -> Vec<Case> {
     ]
 }
 
-/// Largest difference of the motions at the nodes of the coarse solution: parts of the characteristic length, and angles.
+/// Largest difference of the motions at the nodes of the coarse solution: parts of the
+/// characteristic length, and angles.
 fn difference(coarse: &(Solution, BeamIds), fine: &(Solution, BeamIds), degree: usize) -> f64 {
     let points = lobatto_points(degree + 1);
     let times: Vec<f64> = coarse.0.grid().times().collect();
@@ -239,7 +240,8 @@ fn ratios(case: &Case, fine: (usize, usize), meshes: &[(usize, usize)]) -> (f64,
         let estimate = coarse.0.diagnostics().mesh_error;
         let ratio = estimate / error;
         println!(
-            "{:30} {elements:2} of degree {degree}: {error:.1e}, estimated {estimate:.1e}, ratio {ratio:.2}",
+            "{:30} {elements:2} of degree {degree}: {error:.1e}, estimated {estimate:.1e}, ratio \
+             {ratio:.2}",
             case.name,
         );
         // The fine mesh has an error of its own.
@@ -257,7 +259,8 @@ fn ratios(case: &Case, fine: (usize, usize), meshes: &[(usize, usize)]) -> (f64,
 fn it_is_the_error_of_equilibria_within_a_factor() {
     for case in equilibria() {
         let (least, most) = ratios(&case, (6, 6), &[(2, 2), (2, 3), (4, 2), (4, 3), (2, 4)]);
-        // As measured and documented: where elements turn much from end to end it errs to the safe side.
+        // As measured and documented: where elements turn much from end to end it errs to the safe
+        // side.
         let largest = if case.much { 30.0 } else { 5.0 };
         assert!(
             least > 0.15 && most < largest,

@@ -1,4 +1,5 @@
-//! Section forces of beams at the ends of elements, where joints and welds are, against equilibrium and closed forms.
+//! Section forces of beams at the ends of elements, where joints and welds are, against equilibrium
+//! and closed forms.
 
 #[path = "common/vtk.rs"]
 mod vtk;
@@ -90,7 +91,8 @@ fn they_converge_with_the_degree_as_their_order() {
             for quantity in [0, 1] {
                 for pair in all.windows(2) {
                     let (coarse, fine) = (pair[0][quantity], pair[1][quantity]);
-                    // The order, less a quarter while it sets in; or exact, up to the displacements' part of the length.
+                    // The order, less a quarter while it sets in; or exact, up to the
+                    // displacements' part of the length.
                     let order = (coarse / fine).log2();
                     assert!(
                         order > degree as f64 - 0.25 || fine < 1e-6,
@@ -139,8 +141,8 @@ fn shaken(elements: usize, degree: usize) -> (Solution, BeamIds) {
     (solution, ids)
 }
 
-/// `[w, ψ, Q, M]` along the beam, by that at its root: Timoshenko's beam with rotary inertia at one frequency,
-/// `w' = ψ + Q / GA`, `ψ' = M / EI`, `Q' = −ρA ω² w`, `M' = −Q − ρI ω² ψ`.
+/// `[w, ψ, Q, M]` along the beam, by that at its root: Timoshenko's beam with rotary inertia at one
+/// frequency, `w' = ψ + Q / GA`, `ψ' = M / EI`, `Q' = −ρA ω² w`, `M' = −Q − ρI ω² ψ`.
 fn carried(along: f64) -> Matrix4<f64> {
     let square = OMEGA * OMEGA;
     #[rustfmt::skip]
@@ -153,7 +155,8 @@ fn carried(along: f64) -> Matrix4<f64> {
     (slope * along).exp()
 }
 
-/// Amplitudes of shear and moment at a place, exactly: nothing moves at the root, the push is all at the tip.
+/// Amplitudes of shear and moment at a place, exactly: nothing moves at the root, the push is all
+/// at the tip.
 fn exact(along: f64) -> Vector2<f64> {
     let tip = carried(SPAN);
     let by_root = Matrix2::from_fn(|i, j| tip[(2 + i, 2 + j)]);
@@ -162,8 +165,8 @@ fn exact(along: f64) -> Vector2<f64> {
     Vector2::from_fn(|i, _| here[(2 + i, 2)] * root[0] + here[(2 + i, 3)] * root[1])
 }
 
-/// Largest errors at ends of elements of shear and moment as parts of the largest there are: of each element's own, and of means
-/// of two elements.
+/// Largest errors at ends of elements of shear and moment as parts of the largest there are: of
+/// each element's own, and of means of two elements.
 fn errors_when_shaken(elements: usize, degree: usize) -> [[f64; 2]; 2] {
     let (solution, ids) = shaken(elements, degree);
     let largest = (0..=30)
@@ -203,7 +206,8 @@ fn those_of_a_shaken_cantilever_converge_as_documented() {
             for (kind, quantity) in [(0, 0), (0, 1), (1, 0), (1, 1)] {
                 let (coarse, fine) = (pair[0][kind][quantity], pair[1][kind][quantity]);
                 let gained = f64::from(u8::from(kind == 1 && degree % 2 == 1));
-                // The order, less a little while it sets in; or the part of stretching, of second order in displacements.
+                // The order, less a little while it sets in; or the part of stretching, of second
+                // order in displacements.
                 let order = (coarse / fine).log2();
                 assert!(
                     order > degree as f64 + gained - 0.3 || fine < 1e-7,

@@ -49,8 +49,8 @@ fn comments(text: &str) -> String {
     words.collect::<Vec<_>>().join(" ")
 }
 
-/// What is wrong with the sections that a text cites: of this library's theory those that are not there, of other texts
-/// those that do not say which.
+/// What is wrong with the sections that a text cites: of this library's theory those that are not
+/// there, of other texts those that do not say which.
 fn dangling(text: &str, sections: &BTreeSet<&str>) -> Vec<String> {
     let mut found = Vec::new();
     for (at, word) in text.match_indices("section ") {

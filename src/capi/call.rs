@@ -10,8 +10,8 @@ use std::sync::Arc;
 
 /// One call from C. Nothing borrowed from the caller's memory outlives it.
 ///
-/// Made by [`super::guard::guard`] alone. Its methods read pointers on the word of the C caller, who
-/// owes what the header says: each pointer is NULL or valid for the length given with it.
+/// Made by [`super::guard::guard`] alone. Its methods read pointers on the word of the C caller,
+/// who owes what the header says: each pointer is NULL or valid for the length given with it.
 pub(super) struct Call(());
 
 impl Call {
@@ -179,7 +179,8 @@ pub(super) struct Out<'call, T> {
 impl<T> Out<'_, T> {
     /// Writes the result.
     pub(super) fn set(self, value: T) {
-        // SAFETY: not NULL and aligned; the caller vouches for the room. What was there is plain data.
+        // SAFETY: not NULL and aligned; the caller vouches for the room. What was there is plain
+        // data.
         unsafe { self.pointer.write(value) }
     }
 }

@@ -1,4 +1,5 @@
-//! Status codes. [`ErrorKind`] is the table; the constants repeat it because cbindgen reads literals only.
+//! Status codes. [`ErrorKind`] is the table; the constants repeat it because cbindgen reads
+//! literals only.
 
 use crate::error::ErrorKind;
 use libc::c_char;

@@ -3,7 +3,8 @@
 use super::grid::TimeGrid;
 use std::f64::consts::{PI, TAU};
 
-/// Values of `I_k`, `D_k` and `T_k` at one time: `f(t) = Σ I_k f_k`, `ḟ(t) = Σ D_k f_k`, `f̈(t) = Σ T_k f_k`.
+/// Values of `I_k`, `D_k` and `T_k` at one time: `f(t) = Σ I_k f_k`, `ḟ(t) = Σ D_k f_k`,
+/// `f̈(t) = Σ T_k f_k`.
 #[derive(Debug, Clone)]
 pub struct CardinalWeights {
     grid: TimeGrid,

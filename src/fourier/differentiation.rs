@@ -8,7 +8,8 @@ use std::f64::consts::PI;
 use std::fmt;
 use std::sync::Arc;
 
-/// Above this many grid points the FFT is used: where it was measured to overtake the dense product.
+/// Above this many grid points the FFT is used: where it was measured to overtake the dense
+/// product.
 const DENSE_LIMIT: usize = 32;
 
 /// First and second derivatives in time of grid functions.

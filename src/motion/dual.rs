@@ -249,7 +249,8 @@ impl DualMatrix {
         m
     }
 
-    /// Adds the product of `m` and the matrix that acts on twists, `m [A A°; 0 A]`, to `sum`, sparing the zeros.
+    /// Adds the product of `m` and the matrix that acts on twists, `m [A A°; 0 A]`, to `sum`,
+    /// sparing the zeros.
     #[inline]
     pub fn add_product_to(&self, m: &Matrix6<f64>, sum: &mut Matrix6<f64>) {
         let (m, sum) = (&m.data.0, &mut sum.data.0);

@@ -1,4 +1,5 @@
-//! Solutions: quantities of nodes, joints and beams at any time, their harmonics, and error estimates.
+//! Solutions: quantities of nodes, joints and beams at any time, their harmonics, and error
+//! estimates.
 
 mod beam;
 mod diagnostics;

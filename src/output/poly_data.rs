@@ -1,5 +1,5 @@
-//! VTK's XML files of polygonal data: points, lines through them, and numbers that belong to either;
-//! written inline in base64, not compressed.
+//! VTK's XML files of polygonal data: points, lines through them, and numbers that belong to
+//! either; written inline in base64, not compressed.
 
 use base64::prelude::BASE64_STANDARD;
 use base64::write::EncoderWriter;

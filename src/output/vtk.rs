@@ -1,7 +1,7 @@
 //! Animations for ParaView and other programs that read VTK's XML files.
 //!
-//! A collection (`.pvd`) lists the times, and for each up to three parts, each a file of its own (`.vtp`):
-//! beams as lines, bodies and joints as points.
+//! A collection (`.pvd`) lists the times, and for each up to three parts, each a file of its own
+//! (`.vtp`): beams as lines, bodies and joints as points.
 
 use super::beam::Neighbours;
 use super::poly_data::{BYTE_ORDER, Cells, DECLARATION, Field, PolyData, escaped};
@@ -40,20 +40,28 @@ struct DrawnPoint {
 }
 
 impl Solution {
-    /// Writes an animation over `times`, which ascend: a collection at `path`, which ends in `.pvd`, and
-    /// the files that it lists in a directory beside it, which has its name without the ending.
+    /// Writes an animation over `times`, which ascend: a collection at `path`, which ends in
+    /// `.pvd`, and the files that it lists in a directory beside it, which has its name without the
+    /// ending.
     ///
-    /// | part | point data |
-    /// |---|---|
-    /// | `beams`: a line of `points_per_element` points for each element; cell data `element` | `displacement`, section axes `axis_1` to `axis_3`, `force`, `moment`, `strain`, `curvature`, all of the element itself; where two elements meet, `force_mean`, `moment_mean` of both, and `force_jump`, `moment_jump` from one to the other, see [`BeamQuantity::ForceJump`]; components of all these along the section's axes |
-    /// | `bodies`: the nodes that carry a body or belong to no beam | `node`, `displacement`, `axis_1` to `axis_3`, `velocity`, `angular_velocity` |
-    /// | `joints`: the origins of the joint frames on the second bodies | `joint`, `displacement`, `axis_1` to `axis_3` of these frames, `reaction_force`, `reaction_moment` |
+    /// Parts, and what is known at their points:
+    ///
+    /// * `beams`, a line of `points_per_element` points for each element, with cell data `element`:
+    ///   `displacement`, section axes `axis_1` to `axis_3`, `force`, `moment`, `strain`,
+    ///   `curvature`, all of the element itself; where two elements meet, `force_mean`,
+    ///   `moment_mean` of both, and `force_jump`, `moment_jump` from one to the other, see
+    ///   [`BeamQuantity::ForceJump`]; components of all these along the section's axes.
+    /// * `bodies`, the nodes that carry a body or belong to no beam: `node`, `displacement`,
+    ///   `axis_1` to `axis_3`, `velocity`, `angular_velocity`.
+    /// * `joints`, the origins of the joint frames on the second bodies: `joint`, `displacement`,
+    ///   `axis_1` to `axis_3` of these frames, `reaction_force`, `reaction_moment`.
     ///
     /// All vectors but the internal forces and strains are along the inertial axes.
     ///
     /// # Errors
-    /// Times that are not finite or do not ascend, a path that does not end in `.pvd` or whose name has control
-    /// characters, a quantity that is too large to be a number, [`ErrorKind::Io`](crate::error::ErrorKind::Io); then nothing has been written.
+    /// Times that are not finite or do not ascend, a path that does not end in `.pvd` or whose name
+    /// has control characters, a quantity that is too large to be a number,
+    /// [`ErrorKind::Io`](crate::error::ErrorKind::Io); then nothing has been written.
     pub fn write_vtk(&self, times: &[f64], points_per_element: usize, path: &Path) -> Result<()> {
         require_finite("times", times)?;
         if times.is_empty() {
@@ -308,8 +316,8 @@ fn file_name(part: &str, k: usize) -> String {
     format!("{part}_{k:06}.vtp")
 }
 
-/// Writes all pieces, of each part one for each time, to a temporary directory, and moves them to that of
-/// the collection when all are there.
+/// Writes all pieces, of each part one for each time, to a temporary directory, and moves them to
+/// that of the collection when all are there.
 fn write_pieces(path: &Path, stem: &str, parts: &[(&str, Vec<PolyData>)]) -> io::Result<()> {
     let parent = directory_of(path);
     let temporary = tempfile::Builder::new()

@@ -29,8 +29,8 @@ pub enum LinearMethod {
 const LARGE: f64 = 1.5e9;
 /// Factors that take more than this are not tried, even where iteration fails.
 const TOO_LARGE: f64 = 6e9;
-/// Multiply-adds that a factorisation may take for each number that is stored at a node and grid point, where
-/// iteration is the alternative: about what its products take.
+/// Multiply-adds that a factorisation may take for each number that is stored at a node and grid
+/// point, where iteration is the alternative: about what its products take.
 const AFFORDABLE: f64 = 1e4;
 /// So few numbers are not worth the trouble.
 const SMALL: f64 = 1500.0;

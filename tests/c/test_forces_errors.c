@@ -1,5 +1,5 @@
-/* Every function of forces refuses what it must, and functions of the user that fail, or return what is
- * no number, are named: nothing is written, and the model stays as it was. */
+/* Every function of forces refuses what it must, and functions of the user that fail, or return
+ * what is no number, are named: nothing is written, and the model stays as it was. */
 #include "near.h"
 
 #define PERIOD 1.4
