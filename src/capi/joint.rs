@@ -451,7 +451,7 @@ pub unsafe extern "C" fn pdn_model_add_strut(
 /// | PDN_JOINT_REVOLUTE | 0 | R3(a) | a = PDN_ROTATION |
 /// | PDN_JOINT_PRISMATIC | (0, 0, z) | I | z = PDN_DISPLACEMENT |
 /// | PDN_JOINT_CYLINDRICAL | (0, 0, z) | R3(a) | z = PDN_DISPLACEMENT, a = PDN_ROTATION |
-/// | PDN_JOINT_PLANAR | (x, y, 0) | R3(a) | x and a as z and a above, y = PDN_DISPLACEMENT_2 |
+/// | PDN_JOINT_PLANAR | (x, y, 0) | R3(a) | x = PDN_DISPLACEMENT, y = PDN_DISPLACEMENT_2, and a |
 /// | PDN_JOINT_UNIVERSAL | 0 | R1(a) R2(b) | a = PDN_ROTATION, b = PDN_ROTATION_2 |
 /// | PDN_JOINT_SPHERICAL | 0 | R1(a) R2(b) R3(c) | and c = PDN_ROTATION_3 |
 /// | PDN_JOINT_FREE | (x, y, z) | R1(a) R2(b) R3(c) | all of these, z = PDN_DISPLACEMENT_3 |
