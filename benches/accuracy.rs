@@ -1,9 +1,10 @@
-//! Error against time: Periodyn's collocation, its shooting and its marching, on one thread. `benches/peers/accuracy.py` does the
-//! same with another code.
+//! Error against time: Periodyn's collocation, its shooting and its marching, on one thread.
+//! `benches/peers/accuracy.py` does the same with another code.
 //!
-//! Errors are the largest over a period relative to the range of each curve, positions, velocities, forces and torques,
-//! against a converged solution of the same mesh. A march begins at the reference configuration, as one must who does not know
-//! the solution, and goes on until its last period is as near as wanted.
+//! Errors are the largest over a period relative to the range of each curve, positions, velocities,
+//! forces and torques, against a converged solution of the same mesh. A march begins at the
+//! reference configuration, as one must who does not know the solution, and goes on until its last
+//! period is as near as wanted.
 
 mod common;
 
@@ -86,7 +87,8 @@ fn cantilever_curves(solution: &Solution, times: &[f64]) -> Vec<Vec<f64>> {
     ]
 }
 
-/// The tip's deflection in flap and lag in the turning frame, the rate of flap, and moments at the root in flap and lag.
+/// The tip's deflection in flap and lag in the turning frame, the rate of flap, and moments at the
+/// root in flap and lag.
 fn blade_curves(solution: &Solution, times: &[f64]) -> Vec<Vec<f64>> {
     let [position, velocity] = node(solution, solution.model().node_count() - 1, times);
     let lag = times.iter().zip(&position[1]).zip(&position[2]);

@@ -1,5 +1,5 @@
-//! How near the direct solver is to the machine's limits: dense kernels' share of the time of a solve, and their rate as a
-//! fraction of the machine's own matrix product.
+//! How near the direct solver is to the machine's limits: dense kernels' share of the time of a
+//! solve, and their rate as a fraction of the machine's own matrix product.
 
 mod common;
 

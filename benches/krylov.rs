@@ -1,9 +1,9 @@
-//! Krylov products per Newton step, to 1e-8, of the three preconditioners on all kinds of systems, and the memory
-//! traffic of products against the machine's bandwidth.
+//! Krylov products per Newton step, to 1e-8, of the three preconditioners on all kinds of systems,
+//! and the memory traffic of products against the machine's bandwidth.
 //!
-//! The Jacobian is that at the periodic solution. Counted are the products of a Newton step to it from where a tenth of the inertial
-//! forces is missing and, for the quicker of the first two preconditioners, of a solve for noise, in which all harmonics count
-//! alike.
+//! The Jacobian is that at the periodic solution. Counted are the products of a Newton step to it
+//! from where a tenth of the inertial forces is missing and, for the quicker of the first two
+//! preconditioners, of a solve for noise, in which all harmonics count alike.
 
 mod common;
 

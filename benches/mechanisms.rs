@@ -1,4 +1,5 @@
-//! Rigid mechanisms from model to solution on one thread: processor time, on fixed grids and by default options.
+//! Rigid mechanisms from model to solution on one thread: processor time, on fixed grids and by
+//! default options.
 //!
 //! Arguments are names of mechanisms, or parts of them: only these are solved.
 

@@ -1,5 +1,5 @@
-//! Time and memory of large solves against the number of unknowns: a rotor of three blades with more elements or
-//! more grid points, and the planar four-bar on fine grids.
+//! Time and memory of large solves against the number of unknowns: a rotor of three blades with
+//! more elements or more grid points, and the planar four-bar on fine grids.
 //!
 //! Each case runs in a process of its own, whose largest memory is read at its end.
 
@@ -134,7 +134,8 @@ fn record(case: &Case) -> Record {
     }
 }
 
-/// Runs the cases one after the other, and again if that does not take long; of each the shortest run counts.
+/// Runs the cases one after the other, and again if that does not take long; of each the shortest
+/// run counts.
 fn shortest(cases: &[Case]) -> Vec<Record> {
     let mut found: Vec<Record> = cases.iter().map(record).collect();
     for _ in 1..ROUNDS {

@@ -2,8 +2,9 @@
 !
 ! Compile this file with your program. It has two modules:
 !
-!   periodyn_c   the functions, structs and constants of periodyn.h, under their names; its documentation
-!                holds. Pointers that may be NULL are optional arguments; texts end with c_null_char.
+!   periodyn_c   the functions, structs and constants of periodyn.h, under their names; its
+!                documentation holds. Pointers that may be NULL are optional arguments; texts end
+!                with c_null_char.
 !   periodyn     the same as derived types that free themselves, with optional stat and errmsg; it
 !                passes periodyn_c on.
 

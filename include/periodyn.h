@@ -194,7 +194,8 @@
 #define PDN_JOINT_CYLINDRICAL 5
 
 /**
- * Joint that allows displacements along axes 1 and 2 of its first frame and a rotation about axis 3.
+ * Joint that allows displacements along axes 1 and 2 of its first frame and a rotation about axis
+ * 3.
  */
 #define PDN_JOINT_PLANAR 6
 
@@ -259,7 +260,8 @@
 #define PDN_FRAME_MATERIAL 1
 
 /**
- * Directions of a load along a beam: the axes that its sections have without twist, which follow the sections.
+ * Directions of a load along a beam: the axes that its sections have without twist, which follow
+ * the sections.
  */
 #define PDN_FRAME_UNTWISTED 2
 
@@ -294,7 +296,8 @@
 #define PDN_MOMENT_3 5
 
 /**
- * Tangents of a user's function: it gives none, and the library finds them by differences of its forces.
+ * Tangents of a user's function: it gives none, and the library finds them by differences of its
+ * forces.
  */
 #define PDN_TANGENTS_DIFFERENCED 0
 
@@ -344,7 +347,8 @@
 #define PDN_NO_INITIAL_GUESS 5
 
 /**
- * Constraints that depend on each other contradict each other: the mechanism is locked, or cannot close.
+ * Constraints that depend on each other contradict each other: the mechanism is locked, or cannot
+ * close.
  */
 #define PDN_INCONSISTENT 6
 
@@ -354,8 +358,8 @@
 #define PDN_WRONG_ASSEMBLY 7
 
 /**
- * Outcome: converged on the last grid tried, but the estimated error misses the tolerance, as the report
- * explains; quantities are as good as pdn_diagnostics.error_estimate says.
+ * Outcome: converged on the last grid tried, but the estimated error misses the tolerance, as the
+ * report explains; quantities are as good as pdn_diagnostics.error_estimate says.
  */
 #define PDN_TOLERANCE_NOT_MET 8
 
@@ -370,8 +374,8 @@
 #define PDN_DECAY_FAST 1
 
 /**
- * Decay of harmonics: no faster than the fourth power of their number. The response has a kink, or a peak
- * too narrow for the grid; forces may oscillate about their values.
+ * Decay of harmonics: no faster than the fourth power of their number. The response has a kink, or
+ * a peak too narrow for the grid; forces may oscillate about their values.
  */
 #define PDN_DECAY_SLOW 2
 
@@ -471,8 +475,8 @@
 #define PDN_BEAM_FORCE_MEAN 2
 
 /**
- * Quantity of a beam: at a node between two elements, internal forces of the one beyond it less those of the one before
- * it; zero elsewhere.
+ * Quantity of a beam: at a node between two elements, internal forces of the one beyond it less
+ * those of the one before it; zero elsewhere.
  */
 #define PDN_BEAM_FORCE_JUMP 3
 
@@ -487,29 +491,32 @@
 #define PDN_FORCE_BRANCH_EFFORT 1
 
 /**
- * Quantity of a viscoelastic element: elongation of the dashpot of one of its branches; 1 component.
+ * Quantity of a viscoelastic element: elongation of the dashpot of one of its branches; 1
+ * component.
  */
 #define PDN_FORCE_BRANCH_ELONGATION 2
 
 /**
- * Quantity of a force: force and moment on one of its nodes, along the inertial axes; 6 components.
+ * Quantity of a force: force and moment on one of its nodes, along the inertial axes; 6
+ * components.
  */
 #define PDN_FORCE_ON_NODE 3
 
 /**
- * Quantity of a force: force and moment on one of its nodes, along the node's own axes; 6 components.
+ * Quantity of a force: force and moment on one of its nodes, along the node's own axes; 6
+ * components.
  */
 #define PDN_FORCE_ON_NODE_MATERIAL 4
 
 /**
- * Spectral filter: Lanczos' factors, (sin(x) / x)^order with x = pi j / (H + 1) for harmonic j of H. Of order 1
- * they are running means over two grid intervals; order 2 or 3 removes more.
+ * Spectral filter: Lanczos' factors, (sin(x) / x)^order with x = pi j / (H + 1) for harmonic j of
+ * H. Of order 1 they are running means over two grid intervals; order 2 or 3 removes more.
  */
 #define PDN_FILTER_LANCZOS 0
 
 /**
- * Spectral filter: exp(-36 (j / (H + 1))^order) for harmonic j of H. Order 2 smooths most; a high order, as 8,
- * spares all but the highest harmonics.
+ * Spectral filter: exp(-36 (j / (H + 1))^order) for harmonic j of H. Order 2 smooths most; a high
+ * order, as 8, spares all but the highest harmonics.
  */
 #define PDN_FILTER_EXPONENTIAL 1
 
@@ -544,8 +551,8 @@
 #define PDN_START_QUASI_STATIC 1
 
 /**
- * Start of a periodic solve: equilibrium at each time of what turns steadily with its drives, with its centrifugal and
- * gyroscopic forces.
+ * Start of a periodic solve: equilibrium at each time of what turns steadily with its drives, with
+ * its centrifugal and gyroscopic forces.
  */
 #define PDN_START_STEADY_ROTATION 2
 
@@ -570,24 +577,26 @@
 #define PDN_LINEAR_AUTOMATIC 0
 
 /**
- * Linear equations: solved by factors of the whole Jacobian. Time grows with the third power of the number of grid
- * points, memory with the second.
+ * Linear equations: solved by factors of the whole Jacobian. Time grows with the third power of
+ * the number of grid points, memory with the second.
  */
 #define PDN_LINEAR_DIRECT 1
 
 /**
- * Linear equations: solved by iteration, with the preconditioner that suits; time and memory grow in proportion to
- * nodes and grid points, or little more.
+ * Linear equations: solved by iteration, with the preconditioner that suits; time and memory grow
+ * in proportion to nodes and grid points, or little more.
  */
 #define PDN_LINEAR_ITERATIVE 2
 
 /**
- * Linear equations: solved by iteration; bodies are averaged over time for the preconditioner, joints are not.
+ * Linear equations: solved by iteration; bodies are averaged over time for the preconditioner,
+ * joints are not.
  */
 #define PDN_LINEAR_BODY_CIRCULANT 3
 
 /**
- * Linear equations: solved by iteration; the preconditioner is equilibrium at each grid point, without inertia.
+ * Linear equations: solved by iteration; the preconditioner is equilibrium at each grid point,
+ * without inertia.
  */
 #define PDN_LINEAR_TIME_LOCAL 4
 
@@ -601,10 +610,11 @@
  *
  * It is described in its reference configuration: points, directions and frames are those of the
  * undeformed, assembled mechanism, all in the global axes, which are fixed to the ground. Any
- * consistent set of units will do (such as metre, newton, kilogram, second); angles are in radians.
+ * consistent set of units will do (such as metre, newton, kilogram, second); angles are in
+ * radians.
  *
- * Nodes, joints and beam elements are named by ids, each counted from 0 in the order they are made.
- * A call that fails leaves the model as it was.
+ * Nodes, joints and beam elements are named by ids, each counted from 0 in the order they are
+ * made. A call that fails leaves the model as it was.
  */
 typedef struct pdn_model pdn_model;
 
@@ -617,8 +627,8 @@ typedef struct pdn_modes pdn_modes;
  * A solution, converged or not. Made by ::pdn_solve_periodic, ::pdn_solve_static,
  * ::pdn_march and ::pdn_modes_motion, freed by ::pdn_solution_free.
  *
- * That of a march is a trajectory: the same functions give its quantities at times from its first to its
- * last (PDN_ERR_VALUE for any other), but it has no harmonics (PDN_ERR_NOT_AVAILABLE).
+ * That of a march is a trajectory: the same functions give its quantities at times from its first
+ * to its last (PDN_ERR_VALUE for any other), but it has no harmonics (PDN_ERR_NOT_AVAILABLE).
  */
 typedef struct pdn_solution pdn_solution;
 
@@ -637,9 +647,10 @@ typedef int32_t pdn_status;
 /**
  * Cross-section of a beam, per unit of length.
  *
- * The matrices are 6 x 6, column-major, symmetric (damping need not be), and resolved in the axes of the section: axis 1 is
- * along the beam. Rows and columns are in the order force 1, 2, 3, moment 1, 2, 3, which is axial,
- * shear 2, shear 3, torsion, bending about axis 2, bending about axis 3. Any consistent set of units.
+ * The matrices are 6 x 6, column-major, symmetric (damping need not be), and resolved in the axes
+ * of the section: axis 1 is along the beam. Rows and columns are in the order force 1, 2, 3,
+ * moment 1, 2, 3, which is axial, shear 2, shear 3, torsion, bending about axis 2, bending about
+ * axis 3. Any consistent set of units.
  *
  * Start with `PDN_INIT(pdn_section, &section)`; then ::pdn_section_set_diagonal, or write the
  * matrices yourself. A section without stiffness is refused where it is used.
@@ -658,9 +669,9 @@ typedef struct pdn_section {
      */
     double mass[36];
     /**
-     * Forces and moments for unit rates of strain and curvature. It may be unsymmetric, as a diagonal matrix of times
-     * times the stiffness is for coupled sections; its symmetric part is positive semi-definite, so that no motion gains
-     * energy.
+     * Forces and moments for unit rates of strain and curvature. It may be unsymmetric, as a
+     * diagonal matrix of times times the stiffness is for coupled sections; its symmetric part is
+     * positive semi-definite, so that no motion gains energy.
      */
     double damping[36];
 } pdn_section;
@@ -668,10 +679,9 @@ typedef struct pdn_section {
 /**
  * A function of time, to be written by the caller.
  *
- * Called on the thread that solves, with times from 0 to the period T of the solve, or with the times of a
- * march; if two threads
- * solve at once, on both at once. It must give the same value for the same time, and must neither
- * throw nor jump out, nor use the model it belongs to.
+ * Called on the thread that solves, with times from 0 to the period T of the solve, or with the
+ * times of a march; if two threads solve at once, on both at once. It must give the same value for
+ * the same time, and must neither throw nor jump out, nor use the model it belongs to.
  *
  * @param time  in [0, T]
  * @param value  where the value goes; not NULL, valid during the call only
@@ -686,11 +696,11 @@ typedef int32_t (*pdn_signal_fn)(double time,
 /**
  * A scalar function of time: a load's component or a prescribed coordinate.
  *
- * Start with `PDN_INIT(pdn_signal, &signal)`, which makes it zero; then one of the `pdn_signal_set_...`,
- * each of which replaces all that was set before. Leave the fields to them.
+ * Start with `PDN_INIT(pdn_signal, &signal)`, which makes it zero; then one of the
+ * `pdn_signal_set_...`, each of which replaces all that was set before. Leave the fields to them.
  *
- * The signal only points to the caller's arrays: they must be there until the signal has been given
- * to the model, which copies them. It can be given any number of times.
+ * The signal only points to the caller's arrays: they must be there until the signal has been
+ * given to the model, which copies them. It can be given any number of times.
  */
 typedef struct pdn_signal {
     /**
@@ -752,8 +762,8 @@ typedef struct pdn_frame {
      */
     double position[3];
     /**
-     * Its axes, in global coordinates: a rotation matrix, 3 x 3, column by column, the columns being
-     * axes 1, 2, 3. Rounding up to 1e-8 is tolerated, and removed.
+     * Its axes, in global coordinates: a rotation matrix, 3 x 3, column by column, the columns
+     * being axes 1, 2, 3. Rounding up to 1e-8 is tolerated, and removed.
      */
     double rotation[9];
 } pdn_frame;
@@ -761,14 +771,14 @@ typedef struct pdn_frame {
 /**
  * A smooth curve in space, to be written by the caller.
  *
- * Called only during the call that takes the line, on its thread, many times and in any order. It must
- * neither throw nor jump out, nor use the model that the beam is added to.
+ * Called only during the call that takes the line, on its thread, many times and in any order. It
+ * must neither throw nor jump out, nor use the model that the beam is added to.
  *
  * @param fraction  place along the curve, from 0 at its start to 1 at its end
- * @param position  array of length 3: where the position goes, global coordinates \[length\]; valid
- *     during the call only
- * @param axis_2  array of length 3: where a direction goes, of any nonzero length, not along the curve;
- *     the part of it that is perpendicular to the curve is axis 2 of the line's frame there
+ * @param position  array of length 3: where the position goes, global coordinates \[length\];
+ *     valid during the call only
+ * @param axis_2  array of length 3: where a direction goes, of any nonzero length, not along the
+ *     curve; the part of it that is perpendicular to the curve is axis 2 of the line's frame there
  * @param user_data  as given to ::pdn_line_set_curve
  * @return 0 for success; anything else makes the call fail with PDN_ERR_CALLBACK (see
  *     ::pdn_set_callback_error and ::pdn_last_callback_code)
@@ -826,8 +836,8 @@ typedef struct pdn_line {
 /**
  * Cross-sections along a beam, at stations; linear in between, entry by entry.
  *
- * Start with `PDN_INIT(pdn_stations, &stations)`, then set the fields. The library reads the arrays
- * during the call that takes the stations.
+ * Start with `PDN_INIT(pdn_stations, &stations)`, then set the fields. The library reads the
+ * arrays during the call that takes the stations.
  */
 typedef struct pdn_stations {
     /**
@@ -839,8 +849,8 @@ typedef struct pdn_stations {
      */
     size_t count;
     /**
-     * Array of length [count]: places along the span, from 0 at the start to 1 at the end, ascending;
-     * two stations at the same place make a jump. May be NULL if count is 1.
+     * Array of length [count]: places along the span, from 0 at the start to 1 at the end,
+     * ascending; two stations at the same place make a jump. May be NULL if count is 1.
      */
     const double *fractions;
     /**
@@ -848,9 +858,9 @@ typedef struct pdn_stations {
      */
     const struct pdn_section *sections;
     /**
-     * Array of length [count]: structural twist, the angles by which axes 2 and 3 of the sections are
-     * turned about axis 1 from those of the line, right-handed, linear between stations [radian]. NULL
-     * for none. It has no jumps.
+     * Array of length [count]: structural twist, the angles by which axes 2 and 3 of the sections
+     * are turned about axis 1 from those of the line, right-handed, linear between stations
+     * [radian]. NULL for none. It has no jumps.
      */
     const double *twists;
 } pdn_stations;
@@ -887,19 +897,20 @@ typedef struct pdn_beam {
 /**
  * A law of effort on a joint coordinate, to be written by the caller.
  *
- * Called on the thread that solves, with times in [0, T) of the period T of the solve; if two threads solve at
- * once, on both at once. The same arguments must give the same values; over time the law must repeat with the
- * period, and where its coordinate gains whole turns in a period, with these. Solves refuse what does not, with
- * PDN_ERR_NOT_PERIODIC: for that they call it first a few times at one motion, at times in [0, 2 T). It must
- * neither throw nor jump out, nor use the model it belongs to.
+ * Called on the thread that solves, with times in [0, T) of the period T of the solve; if two
+ * threads solve at once, on both at once. The same arguments must give the same values; over time
+ * the law must repeat with the period, and where its coordinate gains whole turns in a period,
+ * with these. Solves refuse what does not, with PDN_ERR_NOT_PERIODIC: for that they call it first
+ * a few times at one motion, at times in [0, 2 T). It must neither throw nor jump out, nor use the
+ * model it belongs to.
  *
  * @param time  in [0, T), but for these first calls
  * @param coordinate  of the joint, an angle with its whole turns [length or radian]
  * @param rate  its rate
- * @param effort  where the effort goes that resists growth of the coordinate [force on a displacement,
- *     force * length on an angle]; not NULL
- * @param derivatives  array of length 2: where the derivatives of the effort by coordinate and rate go. NULL if
- *     they are not wanted, or the law was said to give none
+ * @param effort  where the effort goes that resists growth of the coordinate
+ *     [force on a displacement,     force * length on an angle]; not NULL
+ * @param derivatives  array of length 2: where the derivatives of the effort by coordinate and
+ *     rate go. NULL if they are not wanted, or the law was said to give none
  * @param user_data  as given to ::pdn_model_add_coordinate_law
  * @return 0 for success; anything else makes the solve fail with PDN_ERR_CALLBACK (see
  *     ::pdn_set_callback_error and ::pdn_last_callback_code), as does a value that is not finite
@@ -917,7 +928,8 @@ typedef int32_t (*pdn_coordinate_law_fn)(double time,
 typedef void (*pdn_destroy_fn)(void *user_data);
 
 /**
- * What a user's forces on nodes may depend on. The library makes it; a later one may add fields at its end.
+ * What a user's forces on nodes may depend on. The library makes it; a later one may add fields at
+ * its end.
  *
  * Nodes are in the order they were given to ::pdn_model_add_user_force.
  */
@@ -927,7 +939,8 @@ typedef struct pdn_force_state {
      */
     size_t struct_size;
     /**
-     * Time, in [0, T) of the period T of the solve, but for the first calls of a solve (::pdn_user_force_fn).
+     * Time, in [0, T) of the period T of the solve, but for the first calls of a solve
+     * (::pdn_user_force_fn).
      */
     double time;
     /**
@@ -939,24 +952,25 @@ typedef struct pdn_force_state {
      */
     const double *positions;
     /**
-     * Array of shape 9 x [node_count]: rotation matrices, column by column; the columns are the nodes' axes
-     * in global coordinates.
+     * Array of shape 9 x [node_count]: rotation matrices, column by column; the columns are the
+     * nodes' axes in global coordinates.
      */
     const double *rotations;
     /**
-     * Array of shape 6 x [node_count]: velocity and angular velocity of each node relative to the inertial frame,
-     * also in a steady rotation (::pdn_solve_static), along the global axes (PDN_FRAME_SPACE) or the node's own
-     * (PDN_FRAME_MATERIAL).
+     * Array of shape 6 x [node_count]: velocity and angular velocity of each node relative to the
+     * inertial frame, also in a steady rotation (::pdn_solve_static), along the global axes
+     * (PDN_FRAME_SPACE) or the node's own (PDN_FRAME_MATERIAL).
      */
     const double *velocities;
 } pdn_force_state;
 
 /**
- * Where a user's forces go. The library makes it, with all arrays set to zero; a later one may add fields.
+ * Where a user's forces go. The library makes it, with all arrays set to zero; a later one may add
+ * fields.
  *
- * Everything is along the same axes as the velocities. Row and column of the tangents count force 1, 2, 3,
- * moment 1, 2, 3 and displacement 1, 2, 3, turn 1, 2, 3 of each node together; a turn is an infinitesimal
- * rotation. Derivatives by motion are at fixed components of the velocities.
+ * Everything is along the same axes as the velocities. Row and column of the tangents count force
+ * 1, 2, 3, moment 1, 2, 3 and displacement 1, 2, 3, turn 1, 2, 3 of each node together; a turn is
+ * an infinitesimal rotation. Derivatives by motion are at fixed components of the velocities.
  */
 typedef struct pdn_force_values {
     /**
@@ -964,12 +978,13 @@ typedef struct pdn_force_values {
      */
     size_t struct_size;
     /**
-     * Array of shape 6 x [node_count]: force on each node and moment about it [force, force * length].
+     * Array of shape 6 x [node_count]: force on each node and moment about it
+     * [force, force * length].
      */
     double *forces;
     /**
-     * Array of shape 6 [node_count] x 6 [node_count], column by column: derivatives of forces by displacements
-     * and turns. NULL if tangents are not wanted, or were said not to be given.
+     * Array of shape 6 [node_count] x 6 [node_count], column by column: derivatives of forces by
+     * displacements and turns. NULL if tangents are not wanted, or were said not to be given.
      */
     double *by_motion;
     /**
@@ -981,11 +996,11 @@ typedef struct pdn_force_values {
 /**
  * Forces on nodes, to be computed by the caller.
  *
- * Called on the thread that solves; if two threads solve at once, on both at once. The same state must give
- * the same forces, and over time they must repeat with the period: solves call it first a few times at one
- * motion, at times in [0, 2 T), and refuse what does not with PDN_ERR_NOT_PERIODIC. It must neither throw nor
- * jump out, nor use the model it belongs to. It is called many times at trial motions, which may be far from
- * the solution.
+ * Called on the thread that solves; if two threads solve at once, on both at once. The same state
+ * must give the same forces, and over time they must repeat with the period: solves call it first
+ * a few times at one motion, at times in [0, 2 T), and refuse what does not with
+ * PDN_ERR_NOT_PERIODIC. It must neither throw nor jump out, nor use the model it belongs to. It is
+ * called many times at trial motions, which may be far from the solution.
  *
  * @param state  time and motions of the nodes; valid during the call only
  * @param values  where the forces go, all zero at first; valid during the call only
@@ -1008,8 +1023,9 @@ typedef struct pdn_tangent_check {
      */
     size_t struct_size;
     /**
-     * Largest difference, relative to the largest tangent; lengths, angles and velocities are taken relative to
-     * what is characteristic of the model and the period. Tangents that are right leave about 1e-8.
+     * Largest difference, relative to the largest tangent; lengths, angles and velocities are
+     * taken relative to what is characteristic of the model and the period. Tangents that are
+     * right leave about 1e-8.
      */
     double error;
     /**
@@ -1071,7 +1087,8 @@ typedef struct pdn_diagnostics {
      */
     int32_t guess_iterations;
     /**
-     * Constraints that depend on others, and are tolerated: the reactions given are those of least norm.
+     * Constraints that depend on others, and are tolerated: the reactions given are those of least
+     * norm.
      */
     int32_t redundant_constraints;
     /**
@@ -1087,10 +1104,11 @@ typedef struct pdn_diagnostics {
      */
     double last_increment;
     /**
-     * Estimated error of the motions at all times: lengths relative to the size of the mechanism, angles in
-     * radians; infinite if it cannot be had. From the decay of their harmonics, the violation of constraints
-     * between grid points and, if several grids were tried, the difference between two of them.
-     * Velocities and forces have larger errors: see force_residual_between.
+     * Estimated error of the motions at all times: lengths relative to the size of the mechanism,
+     * angles in radians; infinite if it cannot be had. From the decay of their harmonics, the
+     * violation of constraints between grid points and, if several grids were tried, the
+     * difference between two of them. Velocities and forces have larger errors: see
+     * force_residual_between.
      */
     double error_estimate;
     /**
@@ -1104,11 +1122,13 @@ typedef struct pdn_diagnostics {
      */
     double constraint_residual_between;
     /**
-     * Seconds spent on the initial guess: quasi-static motions, marches, and what is carried from grid to grid.
+     * Seconds spent on the initial guess: quasi-static motions, marches, and what is carried from
+     * grid to grid.
      */
     double guess_seconds;
     /**
-     * Seconds spent on elements and assembly, on all grids and in all attempts, as all that follows.
+     * Seconds spent on elements and assembly, on all grids and in all attempts, as all that
+     * follows.
      */
     double assembly_seconds;
     /**
@@ -1132,16 +1152,19 @@ typedef struct pdn_diagnostics {
      */
     int32_t grids;
     /**
-     * Exponent p of that fall, if harmonic j is as j^-p: 2 where velocities jump, 3 where accelerations do;
-     * of a smooth response ever larger with more grid points. 0 if it is not known.
+     * Exponent p of that fall, if harmonic j is as j^-p: 2 where velocities jump, 3 where
+     * accelerations do; of a smooth response ever larger with more grid points. 0 if it is not
+     * known.
      */
     double decay_order;
     /**
-     * Time at which the upper half of the harmonics adds up to most: where a kink or narrow peak is.
+     * Time at which the upper half of the harmonics adds up to most: where a kink or narrow peak
+     * is.
      */
     double least_resolved_time;
     /**
-     * How the linear equations of the last grid were solved: PDN_LINEAR_DIRECT, PDN_LINEAR_BODY_CIRCULANT, ...
+     * How the linear equations of the last grid were solved: PDN_LINEAR_DIRECT,
+     * PDN_LINEAR_BODY_CIRCULANT, ...
      */
     int32_t linear_solver;
     /**
@@ -1185,9 +1208,9 @@ typedef struct pdn_diagnostics {
      */
     int32_t attempts;
     /**
-     * Estimated error of the motions of nodes by the mesh of beams, measured as error_estimate, which says nothing of the
-     * mesh: what elements of a higher degree would make of them. 0 without beams; infinite unless asked for, of a march, of modes, and where it cannot be
-     * had.
+     * Estimated error of the motions of nodes by the mesh of beams, measured as error_estimate,
+     * which says nothing of the mesh: what elements of a higher degree would make of them. 0
+     * without beams; infinite unless asked for, of a march, of modes, and where it cannot be had.
      */
     double mesh_error;
 } pdn_diagnostics;
@@ -1205,8 +1228,8 @@ typedef struct pdn_progress {
      */
     int32_t stage;
     /**
-     * Number of the last iteration, from 1, or 0 before the first; starts again with each Newton solve. In a march,
-     * number of the step.
+     * Number of the last iteration, from 1, or 0 before the first; starts again with each Newton
+     * solve. In a march, number of the step.
      */
     int32_t iteration;
     /**
@@ -1236,8 +1259,8 @@ typedef struct pdn_progress {
      */
     size_t grid_points;
     /**
-     * Number of the attempt of a periodic solve, from 1, as the report lists them; 0 where the start was given, and before the
-     * first, as on a coarse grid that is to give a start.
+     * Number of the attempt of a periodic solve, from 1, as the report lists them; 0 where the
+     * start was given, and before the first, as on a coarse grid that is to give a start.
      */
     int32_t attempt;
     /**
@@ -1245,7 +1268,8 @@ typedef struct pdn_progress {
      */
     int32_t start;
     /**
-     * 1 where an iteration, or a step of a march, has just ended; 0 while one lasts, or what comes between them.
+     * 1 where an iteration, or a step of a march, has just ended; 0 while one lasts, or what comes
+     * between them.
      */
     int32_t iterated;
     /**
@@ -1255,8 +1279,8 @@ typedef struct pdn_progress {
 } pdn_progress;
 
 /**
- * Called after each Newton iteration, or after each step of a march, and while one lasts about ten times a second, on
- * the solving thread.
+ * Called after each Newton iteration, or after each step of a march, and while one lasts about ten
+ * times a second, on the solving thread.
  *
  * `progress` is valid during the call only. It must not use the model that is being solved, nor
  * throw or jump out. Return 0 to go on, anything else to cancel: the outcome is PDN_CANCELLED.
@@ -1278,13 +1302,14 @@ typedef struct pdn_periodic_options {
      */
     size_t grid_points;
     /**
-     * If not 0, the number of harmonics that are resolved: grid_points is then 2 harmonics + 1. Default 0.
+     * If not 0, the number of harmonics that are resolved: grid_points is then 2 harmonics + 1.
+     * Default 0.
      */
     size_t harmonics;
     /**
-     * Newton's method has converged when the largest increment (lengths relative to the size of the mechanism, angles in
-     * radians) is below this. Newton is quadratic: the error left in motions is about its
-     * square, that in forces about it times their last change. Default 1e-9.
+     * Newton's method has converged when the largest increment (lengths relative to the size of
+     * the mechanism, angles in radians) is below this. Newton is quadratic: the error left in
+     * motions is about its square, that in forces about it times their last change. Default 1e-9.
      */
     double tolerance;
     /**
@@ -1292,14 +1317,15 @@ typedef struct pdn_periodic_options {
      */
     size_t iteration_limit;
     /**
-     * Start from this solution of a model with the same nodes and joints, also on another grid or of
-     * another period, or from the last period of this march; NULL to start otherwise. If grid_points is 0,
-     * the first grid is that of this solution. Default NULL.
+     * Start from this solution of a model with the same nodes and joints, also on another grid or
+     * of another period, or from the last period of this march; NULL to start otherwise. If
+     * grid_points is 0, the first grid is that of this solution. Default NULL.
      */
     const struct pdn_solution *initial;
     /**
-     * Start from these positions, 3 x N x nodes: coordinates fastest, then grid points, then nodes;
-     * NULL to start otherwise. Needs guess_rotations, and grid_points or harmonics. Default NULL.
+     * Start from these positions, 3 x N x nodes: coordinates fastest, then grid points, then
+     * nodes; NULL to start otherwise. Needs guess_rotations, and grid_points or harmonics. Default
+     * NULL.
      */
     const double *guess_positions;
     /**
@@ -1307,7 +1333,8 @@ typedef struct pdn_periodic_options {
      */
     const double *guess_rotations;
     /**
-     * Told of each iteration, and while one lasts, see progress_interval; may cancel. Default NULL.
+     * Told of each iteration, and while one lasts, see progress_interval; may cancel. Default
+     * NULL.
      */
     pdn_progress_fn progress;
     /**
@@ -1315,50 +1342,54 @@ typedef struct pdn_periodic_options {
      */
     void *progress_data;
     /**
-     * If grid_points is 0, grid points are added until the estimated error of the motions is below this:
-     * positions relative to the size of the mechanism, angles in radians. Default 1e-6, which leaves about
-     * three digits to forces and accelerations, which are second derivatives.
+     * If grid_points is 0, grid points are added until the estimated error of the motions is below
+     * this: positions relative to the size of the mechanism, angles in radians. Default 1e-6,
+     * which leaves about three digits to forces and accelerations, which are second derivatives.
      */
     double error_tolerance;
     /**
-     * If grid_points is 0, the largest number of grid points, at least 3; if the tolerance would need more,
-     * the outcome is PDN_TOLERANCE_NOT_MET. Default 511.
+     * If grid_points is 0, the largest number of grid points, at least 3; if the tolerance would
+     * need more, the outcome is PDN_TOLERANCE_NOT_MET. Default 511.
      */
     size_t largest_grid_points;
     /**
-     * How linear equations are solved: PDN_LINEAR_AUTOMATIC, PDN_LINEAR_DIRECT, ... Default PDN_LINEAR_AUTOMATIC.
+     * How linear equations are solved: PDN_LINEAR_AUTOMATIC, PDN_LINEAR_DIRECT, ... Default
+     * PDN_LINEAR_AUTOMATIC.
      */
     int32_t linear_solver;
     /**
-     * Threads that share the work, of a pool that lasts as long as the call; 0 for as many as there are processors.
-     * Signals' and other functions of yours are called on the calling thread alone. Default 1.
+     * Threads that share the work, of a pool that lasts as long as the call; 0 for as many as
+     * there are processors. Signals' and other functions of yours are called on the calling thread
+     * alone. Default 1.
      */
     int32_t threads;
     /**
-     * The equations are sampled at this many times as many points (or one more), from 1 to 16, where motions and multipliers
-     * are interpolated; their virtual work, and the harmonics of the constraints up to those of the grid, are to
-     * vanish. 1: at the grid points alone. Default 1.
+     * The equations are sampled at this many times as many points (or one more), from 1 to 16,
+     * where motions and multipliers are interpolated; their virtual work, and the harmonics of the
+     * constraints up to those of the grid, are to vanish. 1: at the grid points alone. Default 1.
      */
     size_t oversampling;
     /**
-     * If grid_points is 0 and this is not, the estimated error of the motions is also to be below this times the amplitude of the
-     * response: the largest deviation of a node from its mean or, if it makes whole turns in a period, from a steady turn, in
-     * the measure of error_tolerance. For responses that are small beside the mechanism. Default 0.
+     * If grid_points is 0 and this is not, the estimated error of the motions is also to be below
+     * this times the amplitude of the response: the largest deviation of a node from its mean or,
+     * if it makes whole turns in a period, from a steady turn, in the measure of error_tolerance.
+     * For responses that are small beside the mechanism. Default 0.
      */
     double response_tolerance;
     /**
-     * Where the library starts, unless a start is given: PDN_START_AUTOMATIC, or one way alone: PDN_START_QUASI_STATIC, ...
-     * PDN_START_STEADY_ROTATION and PDN_START_RIGID_ROTATION need a drive that turns. Default PDN_START_AUTOMATIC.
+     * Where the library starts, unless a start is given: PDN_START_AUTOMATIC, or one way alone:
+     * PDN_START_QUASI_STATIC, ... PDN_START_STEADY_ROTATION and PDN_START_RIGID_ROTATION need a
+     * drive that turns. Default PDN_START_AUTOMATIC.
      */
     int32_t start;
     /**
-     * 1 to estimate the error by the mesh of beams, too, pdn_diagnostics.mesh_error, which takes about as long as an
-     * iteration; not with oversampling. Default 0.
+     * 1 to estimate the error by the mesh of beams, too, pdn_diagnostics.mesh_error, which takes
+     * about as long as an iteration; not with oversampling. Default 0.
      */
     int32_t estimate_mesh;
     /**
-     * Least time between two calls of progress while an iteration lasts, in seconds; 0 to be called at any opportunity.
-     * Default 0.1.
+     * Least time between two calls of progress while an iteration lasts, in seconds; 0 to be
+     * called at any opportunity. Default 0.1.
      */
     double progress_interval;
 } pdn_periodic_options;
@@ -1376,8 +1407,8 @@ typedef struct pdn_static_options {
      */
     double time;
     /**
-     * Period that harmonics and samples of signals refer to; 0 if not given, as at time 0, where it
-     * does not matter. Default 0.
+     * Period that harmonics and samples of signals refer to; 0 if not given, as at time 0, where
+     * it does not matter. Default 0.
      */
     double period;
     /**
@@ -1404,12 +1435,13 @@ typedef struct pdn_static_options {
      */
     double axis_point[3];
     /**
-     * Start from this solution, at `time`, of a model with the same nodes and joints; NULL to start
-     * from the reference configuration. Default NULL.
+     * Start from this solution, at `time`, of a model with the same nodes and joints; NULL to
+     * start from the reference configuration. Default NULL.
      */
     const struct pdn_solution *initial;
     /**
-     * Told of each iteration, and about ten times a second while one lasts; may cancel. Default NULL.
+     * Told of each iteration, and about ten times a second while one lasts; may cancel. Default
+     * NULL.
      */
     pdn_progress_fn progress;
     /**
@@ -1467,7 +1499,8 @@ typedef struct pdn_mode {
      */
     double damping_ratio;
     /**
-     * Product of the shape with M and its own conjugate, with the shape as ::pdn_modes_shape gives it.
+     * Product of the shape with M and its own conjugate, with the shape as ::pdn_modes_shape gives
+     * it.
      */
     double modal_mass;
     /**
@@ -1480,8 +1513,8 @@ typedef struct pdn_mode {
 /**
  * Options of ::pdn_march. Set the defaults by `PDN_INIT(pdn_march_options, &options)`.
  *
- * There is no default of how long to march and in which steps: set duration or periodic_tolerance, and
- * step or steps_per_period.
+ * There is no default of how long to march and in which steps: set duration or periodic_tolerance,
+ * and step or steps_per_period.
  */
 typedef struct pdn_march_options {
     /**
@@ -1497,13 +1530,14 @@ typedef struct pdn_march_options {
      */
     double duration;
     /**
-     * Period T that harmonics and samples of signals refer to, and that the motion may repeat itself with;
-     * 0 if neither matters. Steps must not be longer, unless error_tolerance chooses them. Default 0.
+     * Period T that harmonics and samples of signals refer to, and that the motion may repeat
+     * itself with; 0 if neither matters. Steps must not be longer, unless error_tolerance chooses
+     * them. Default 0.
      */
     double period;
     /**
-     * Length of the steps, made shorter by what lets a whole number of them fit the duration or the
-     * period. With error_tolerance the length of the first. Default 0.
+     * Length of the steps, made shorter by what lets a whole number of them fit the duration or
+     * the period. With error_tolerance the length of the first. Default 0.
      */
     double step;
     /**
@@ -1511,23 +1545,26 @@ typedef struct pdn_march_options {
      */
     size_t steps_per_period;
     /**
-     * Spectral radius at infinite frequency, from 0 to 1: the numerical damping. With 1 no energy is lost, but
-     * the reactions of joints oscillate; 0 removes at once what the steps do not resolve. Default 0.5.
+     * Spectral radius at infinite frequency, from 0 to 1: the numerical damping. With 1 no energy
+     * is lost, but the reactions of joints oscillate; 0 removes at once what the steps do not
+     * resolve. Default 0.5.
      */
     double spectral_radius;
     /**
-     * If not 0, steps are chosen so that each has at most this estimated error of a motion (lengths
-     * relative to the size of the mechanism, angles in radians). Default 0.
+     * If not 0, steps are chosen so that each has at most this estimated error of a motion
+     * (lengths relative to the size of the mechanism, angles in radians). Default 0.
      */
     double error_tolerance;
     /**
-     * If not 0, march until motions and velocities differ by at most this from the periodic ones, by how the differences
-     * from each period to the next decay: displacements relative to the size of the mechanism, entries of rotation
-     * matrices, velocities likewise in the time T / (2 pi). Default 0.
+     * If not 0, march until motions and velocities differ by at most this from the periodic ones,
+     * by how the differences from each period to the next decay: displacements relative to the
+     * size of the mechanism, entries of rotation matrices, velocities likewise in the time T / (2
+     * pi). Default 0.
      */
     double periodic_tolerance;
     /**
-     * Most periods of a march until periodic; then its outcome is PDN_ITERATION_LIMIT. Default 200.
+     * Most periods of a march until periodic; then its outcome is PDN_ITERATION_LIMIT. Default
+     * 200.
      */
     size_t most_periods;
     /**
@@ -1544,8 +1581,8 @@ typedef struct pdn_march_options {
      */
     size_t iteration_limit;
     /**
-     * Start from this solution of a model with the same nodes and joints, at start_time: an equilibrium,
-     * a periodic motion or another march; NULL to start otherwise. Default NULL.
+     * Start from this solution of a model with the same nodes and joints, at start_time: an
+     * equilibrium, a periodic motion or another march; NULL to start otherwise. Default NULL.
      */
     const struct pdn_solution *initial;
     /**
@@ -1558,8 +1595,8 @@ typedef struct pdn_march_options {
      */
     const double *rotations;
     /**
-     * Velocities of the same start, 6 x nodes: velocity of each node and its angular velocity, inertial
-     * frame; NULL for none. Default NULL.
+     * Velocities of the same start, 6 x nodes: velocity of each node and its angular velocity,
+     * inertial frame; NULL for none. Default NULL.
      */
     const double *velocities;
     /**
@@ -1605,8 +1642,8 @@ typedef struct pdn_march_diagnostics {
      */
     double last_time;
     /**
-     * How much the last period differs from the one before, as pdn_march_options.periodic_tolerance;
-     * infinite before the end of the first period.
+     * How much the last period differs from the one before, as
+     * pdn_march_options.periodic_tolerance; infinite before the end of the first period.
      */
     double repetition;
     /**
@@ -1614,13 +1651,13 @@ typedef struct pdn_march_diagnostics {
      */
     double step_error;
     /**
-     * How much motions were moved at the start to satisfy constraints and prescribed motions: lengths
-     * relative to the size of the mechanism, entries of rotation matrices.
+     * How much motions were moved at the start to satisfy constraints and prescribed motions:
+     * lengths relative to the size of the mechanism, entries of rotation matrices.
      */
     double start_moved;
     /**
-     * How much velocities were changed at the start: lengths relative to the size of the mechanism, or
-     * radians, in the unit of time.
+     * How much velocities were changed at the start: lengths relative to the size of the
+     * mechanism, or radians, in the unit of time.
      */
     double start_corrected;
 } pdn_march_diagnostics;
@@ -1642,13 +1679,14 @@ typedef struct pdn_shooting_options {
      */
     size_t guess_periods;
     /**
-     * Spectral radius at infinite frequency, from 0 to less than 1, as in ::pdn_march_options. Default 0.5.
+     * Spectral radius at infinite frequency, from 0 to less than 1, as in ::pdn_march_options.
+     * Default 0.5.
      */
     double spectral_radius;
     /**
-     * Converged when the largest increment of a motion or velocity at the start (lengths relative to the
-     * size of the mechanism, angles in radians, velocities in the time T / (2 pi)) is below this.
-     * Default 1e-8.
+     * Converged when the largest increment of a motion or velocity at the start (lengths relative
+     * to the size of the mechanism, angles in radians, velocities in the time T / (2 pi)) is below
+     * this. Default 1e-8.
      */
     double tolerance;
     /**
@@ -1656,13 +1694,14 @@ typedef struct pdn_shooting_options {
      */
     size_t iteration_limit;
     /**
-     * Start the march from this solution of a model with the same nodes and joints, at its time 0 or, of a
-     * march, at its first time; NULL for the reference configuration at rest. Default NULL.
+     * Start the march from this solution of a model with the same nodes and joints, at its time 0
+     * or, of a march, at its first time; NULL for the reference configuration at rest. Default
+     * NULL.
      */
     const struct pdn_solution *initial;
     /**
-     * Told of each period of the guess and of each iteration, and about ten times a second while one lasts; may cancel.
-     * Default NULL.
+     * Told of each period of the guess and of each iteration, and about ten times a second while
+     * one lasts; may cancel. Default NULL.
      */
     pdn_progress_fn progress;
     /**
@@ -1712,8 +1751,8 @@ typedef struct pdn_summary {
      */
     int32_t members;
     /**
-     * Degrees of freedom that were left if all members were rigid: 0 is a structure, or a mechanism
-     * whose motion is prescribed; 6 more for each free body.
+     * Degrees of freedom that were left if all members were rigid: 0 is a structure, or a
+     * mechanism whose motion is prescribed; 6 more for each free body.
      */
     int32_t mobility;
     /**
@@ -1721,7 +1760,8 @@ typedef struct pdn_summary {
      */
     int32_t redundant_if_rigid;
     /**
-     * Number of parts that nothing connects to each other, neither directly nor through the ground.
+     * Number of parts that nothing connects to each other, neither directly nor through the
+     * ground.
      */
     int32_t parts;
     /**
@@ -1756,8 +1796,8 @@ const char *pdn_version(void);
 /**
  * Whether the library serves a program compiled with the header of version major.minor.
  *
- * Before 1.0 both numbers must be equal; from 1.0 on, a later minor version serves as well. Call it as
- * `pdn_version_check(PDN_VERSION_MAJOR, PDN_VERSION_MINOR)`.
+ * Before 1.0 both numbers must be equal; from 1.0 on, a later minor version serves as well. Call
+ * it as `pdn_version_check(PDN_VERSION_MAJOR, PDN_VERSION_MINOR)`.
  *
  * @param major  PDN_VERSION_MAJOR of the header
  * @param minor  PDN_VERSION_MINOR of the header
@@ -1806,7 +1846,8 @@ PDN_API
 const char *pdn_status_message(pdn_status status);
 
 /**
- * Message of the last call that failed on this thread: which argument, what was expected, what came.
+ * Message of the last call that failed on this thread: which argument, what was expected, what
+ * came.
  *
  * Copies as much as fits, always ended by NUL; calls that succeed leave the message as it is.
  *
@@ -1874,8 +1915,8 @@ void pdn_section_init(struct pdn_section *section,
                       size_t struct_size);
 
 /**
- * Describes a section without couplings: centroid, shear centre and centre of mass lie on the beam's
- * line, and axes 2 and 3 are principal.
+ * Describes a section without couplings: centroid, shear centre and centre of mass lie on the
+ * beam's line, and axes 2 and 3 are principal.
  *
  * Sets stiffness and mass, and takes the damping away: give that afterwards.
  *
@@ -1895,15 +1936,15 @@ pdn_status pdn_section_set_diagonal(struct pdn_section *section,
                                     const double *mass);
 
 /**
- * Gives a section damping with one time for each force and moment: damping = diag(seconds) * stiffness, which must have
- * been set.
+ * Gives a section damping with one time for each force and moment: damping = diag(seconds) *
+ * stiffness, which must have been set.
  *
- * For coupled sections that is no symmetric matrix. It is taken if no motion gains energy by it: if its symmetric part is
- * positive semi-definite.
+ * For coupled sections that is no symmetric matrix. It is taken if no motion gains energy by it:
+ * if its symmetric part is positive semi-definite.
  *
  * @param section  an initialised section with stiffness; not NULL
- * @param seconds  array of length 6: times of axial force, shear 2, shear 3, torsion, bending 2, bending 3; none
- *     negative [time]
+ * @param seconds  array of length 6: times of axial force, shear 2, shear 3, torsion, bending 2,
+ *     bending 3; none negative [time]
  * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_STRUCT_SIZE, PDN_ERR_NOT_FINITE, PDN_ERR_VALUE
  *
  * Threads: exclusive use of `section`.
@@ -1959,10 +2000,10 @@ pdn_status pdn_signal_set_constant(struct pdn_signal *signal,
 /**
  * Makes a signal of harmonics, mean and rate.
  *
- * Its value is mean + rate t + the sum over j = 1 ... count of cosines[j-1] cos(j w t) + sines[j-1]
- * sin(j w t), with w = 2 pi / T and the period T that is given to the solve. What drives a rotation may
- * have a rate if it grows by whole turns in a period (rate * T a multiple of 2 pi); all else must have
- * rate zero.
+ * Its value is mean + rate t + the sum over j = 1 ... count of cosines[j-1] cos(j w t) +
+ * sines[j-1] sin(j w t), with w = 2 pi / T and the period T that is given to the solve. What
+ * drives a rotation may have a rate if it grows by whole turns in a period (rate * T a multiple of
+ * 2 pi); all else must have rate zero.
  *
  * @param signal  an initialised signal; not NULL
  * @param mean  mean, in the unit of what the signal drives
@@ -1991,8 +2032,8 @@ pdn_status pdn_signal_set_harmonics(struct pdn_signal *signal,
  *
  * @param signal  an initialised signal; not NULL
  * @param rate  growth for a unit of time, as in ::pdn_signal_set_harmonics
- * @param samples  array of length [count], without the growth, in the unit of what the signal drives;
- *     not NULL. Read by the call that takes the signal: must be there until then
+ * @param samples  array of length [count], without the growth, in the unit of what the signal
+ *     drives; not NULL. Read by the call that takes the signal: must be there until then
  * @param count  number of samples, at least 1, odd or even
  * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_STRUCT_SIZE, PDN_ERR_SIZE, PDN_ERR_NOT_FINITE
  *
@@ -2012,8 +2053,8 @@ pdn_status pdn_signal_set_samples(struct pdn_signal *signal,
  *
  * @param signal  an initialised signal; not NULL
  * @param function  the function, see ::pdn_signal_fn for when it is called; not NULL
- * @param user_data  handed to the function; may be NULL. Must be valid until each model that was given
- *     the signal, and each solution of it, has been freed
+ * @param user_data  handed to the function; may be NULL. Must be valid until each model that was
+ *     given the signal, and each solution of it, has been freed
  * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_STRUCT_SIZE
  *
  * Threads: exclusive use of `signal`.
@@ -2094,8 +2135,8 @@ pdn_status pdn_model_element_count(const struct pdn_model *model,
  *
  * @param model  the model; not NULL
  * @param mass  total mass of bodies, masses and beams [mass]; written on success only
- * @param centre  array of length 3: centre of mass, global coordinates [length]; may be NULL if it is
- *     not wanted; written on success only
+ * @param centre  array of length 3: centre of mass, global coordinates [length]; may be NULL if it
+ *     is not wanted; written on success only
  * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_AVAILABLE (a centre is wanted, and the mass is zero)
  *
  * Threads: `model` is `const`.
@@ -2129,8 +2170,8 @@ pdn_status pdn_model_node_frame(const struct pdn_model *model,
  *
  * @param model  the model; not NULL
  * @param position  array of length 3: its position, global coordinates [length]
- * @param rotation  array of length 9: its axes, a rotation matrix column by column, the columns being
- *     axes 1, 2, 3 in global coordinates; NULL for axes parallel to the global ones
+ * @param rotation  array of length 9: its axes, a rotation matrix column by column, the columns
+ *     being axes 1, 2, 3 in global coordinates; NULL for axes parallel to the global ones
  * @param node  the node's id; written on success only
  * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_VALUE
  *
@@ -2149,8 +2190,8 @@ pdn_status pdn_model_add_node(struct pdn_model *model,
  * @param model  the model; not NULL
  * @param mass  mass, positive [mass]
  * @param centre  array of length 3: centre of mass, global coordinates [length]
- * @param inertia  array of length 9: moments of inertia about the centre of mass, in global axes, 3 x 3,
- *     symmetric and positive semi-definite [mass * length^2]
+ * @param inertia  array of length 9: moments of inertia about the centre of mass, in global axes,
+ *     3 x 3, symmetric and positive semi-definite [mass * length^2]
  * @param node  the node's id; written on success only
  * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_VALUE
  *
@@ -2170,9 +2211,10 @@ pdn_status pdn_model_add_rigid_body(struct pdn_model *model,
  * @param model  the model; not NULL
  * @param node  id of the node
  * @param mass  mass, zero or more [mass]
- * @param centre  array of length 3: its centre, global coordinates; need not be at the node [length]
- * @param inertia  array of length 9: moments of inertia about the centre, in global axes, 3 x 3, symmetric
- *     and positive semi-definite [mass * length^2]; NULL for a point mass
+ * @param centre  array of length 3: its centre, global coordinates; need not be at the node
+ *     [length]
+ * @param inertia  array of length 9: moments of inertia about the centre, in global axes, 3 x 3,
+ *     symmetric and positive semi-definite [mass * length^2]; NULL for a point mass
  * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_ID, PDN_ERR_VALUE
  *
  * Threads: exclusive use of `model`.
@@ -2188,15 +2230,15 @@ pdn_status pdn_model_add_mass(struct pdn_model *model,
 /**
  * Fixes an inertia of any kind to a node, in addition to what the node has.
  *
- * A unit velocity of the frame (linear 1, 2, 3, angular 1, 2, 3) has the momentum (linear, angular) of
- * the matrix's column. A rigid body of mass m, with centre c and moments of inertia J about the centre,
- * both in the frame, has [m I, -m c~; m c~, J - m c~ c~], where c~ b = c * b.
+ * A unit velocity of the frame (linear 1, 2, 3, angular 1, 2, 3) has the momentum (linear,
+ * angular) of the matrix's column. A rigid body of mass m, with centre c and moments of inertia J
+ * about the centre, both in the frame, has [m I, -m c~; m c~, J - m c~ c~], where c~ b = c * b.
  *
  * @param model  the model; not NULL
  * @param node  id of the node
  * @param frame  the frame that the matrix is about and resolved in; NULL for the node's own
- * @param matrix  array of length 36: 6 x 6, symmetric and positive semi-definite [mass, mass * length,
- *     mass * length^2]
+ * @param matrix  array of length 36: 6 x 6, symmetric and positive semi-definite
+ *     [mass, mass * length,     mass * length^2]
  * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_ID, PDN_ERR_VALUE
  *
  * Threads: exclusive use of `model`.
@@ -2232,8 +2274,8 @@ pdn_status pdn_model_prescribe(struct pdn_model *model,
 /**
  * Fixes two bodies to each other.
  *
- * Its frames are at the point, with axes parallel to the global ones in the reference configuration. It
- * has no coordinates.
+ * Its frames are at the point, with axes parallel to the global ones in the reference
+ * configuration. It has no coordinates.
  *
  * @param model  the model; not NULL
  * @param first  id of the first node, or PDN_GROUND
@@ -2255,9 +2297,9 @@ pdn_status pdn_model_add_rigid_joint(struct pdn_model *model,
 /**
  * Joins two bodies by a hinge.
  *
- * Its frames are at the point, with axis 3 along the axis. Its coordinate PDN_ROTATION is the angle by
- * which the second body has turned relative to the first, about the axis by the right-hand rule, since
- * the reference configuration, where it is zero; it counts whole turns.
+ * Its frames are at the point, with axis 3 along the axis. Its coordinate PDN_ROTATION is the
+ * angle by which the second body has turned relative to the first, about the axis by the
+ * right-hand rule, since the reference configuration, where it is zero; it counts whole turns.
  *
  * @param model  the model; not NULL
  * @param first  id of the first node, or PDN_GROUND
@@ -2281,9 +2323,9 @@ pdn_status pdn_model_add_revolute(struct pdn_model *model,
 /**
  * Joins two bodies by a slider.
  *
- * Its frames are at the point, with axis 3 along the axis. Its coordinate PDN_DISPLACEMENT is the distance by
- * which the second body has moved relative to the first, along the axis, since the reference configuration,
- * where it is zero. The bodies do not turn relative to each other.
+ * Its frames are at the point, with axis 3 along the axis. Its coordinate PDN_DISPLACEMENT is the
+ * distance by which the second body has moved relative to the first, along the axis, since the
+ * reference configuration, where it is zero. The bodies do not turn relative to each other.
  *
  * @param model  the model; not NULL
  * @param first  id of the first node, or PDN_GROUND
@@ -2307,9 +2349,10 @@ pdn_status pdn_model_add_prismatic(struct pdn_model *model,
 /**
  * Joins two bodies by a shaft in a sleeve: one slides along the axis and turns about it.
  *
- * Its frames are at the point, with axis 3 along the axis. Its coordinates PDN_DISPLACEMENT and PDN_ROTATION are
- * the distance and the angle by which the second body has moved relative to the first, along the axis and about
- * it by the right-hand rule, since the reference configuration, where they are zero.
+ * Its frames are at the point, with axis 3 along the axis. Its coordinates PDN_DISPLACEMENT and
+ * PDN_ROTATION are the distance and the angle by which the second body has moved relative to the
+ * first, along the axis and about it by the right-hand rule, since the reference configuration,
+ * where they are zero.
  *
  * @param model  the model; not NULL
  * @param first  id of the first node, or PDN_GROUND
@@ -2333,17 +2376,17 @@ pdn_status pdn_model_add_cylindrical(struct pdn_model *model,
 /**
  * Joins two bodies by a screw: the second advances along the axis as it turns about it.
  *
- * Its frames are at the point, with axis 3 along the axis. Its coordinates are those of a cylindrical joint, and
- * PDN_DISPLACEMENT = pitch PDN_ROTATION / (2 pi). The displacement tells the whole turns of the angle, so that
- * unlike other angles it cannot gain any in a period.
+ * Its frames are at the point, with axis 3 along the axis. Its coordinates are those of a
+ * cylindrical joint, and PDN_DISPLACEMENT = pitch PDN_ROTATION / (2 pi). The displacement tells
+ * the whole turns of the angle, so that unlike other angles it cannot gain any in a period.
  *
  * @param model  the model; not NULL
  * @param first  id of the first node, or PDN_GROUND
  * @param second  id of the second node, or PDN_GROUND; not the same body
  * @param point  array of length 3: a point of the axis, global coordinates [length]
  * @param axis  array of length 3: direction of the axis, global coordinates, of any nonzero length
- * @param pitch  advance for one turn [length]; positive for a right-handed thread, negative for a left-handed
- *     one, not zero
+ * @param pitch  advance for one turn [length]; positive for a right-handed thread, negative for a
+ *     left-handed one, not zero
  * @param joint  the joint's id; written on success only
  * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_ID, PDN_ERR_VALUE
  *
@@ -2362,17 +2405,17 @@ pdn_status pdn_model_add_screw(struct pdn_model *model,
 /**
  * Joins two bodies by a pair of planes that slide and turn on each other.
  *
- * Its frames are at the point, with axis 3 along the normal; axes 1 and 2 are found by the library, see
- * ::pdn_model_add_joint to choose them. Its coordinates are the displacements of the second body along axes 1
- * and 2 of the first frame (PDN_DISPLACEMENT, PDN_DISPLACEMENT_2) and the angle by which it has turned relative
- * to the first, about the normal by the right-hand rule (PDN_ROTATION), since the reference configuration, where
- * they are zero.
+ * Its frames are at the point, with axis 3 along the normal; axes 1 and 2 are found by the
+ * library, see ::pdn_model_add_joint to choose them. Its coordinates are the displacements of the
+ * second body along axes 1 and 2 of the first frame (PDN_DISPLACEMENT, PDN_DISPLACEMENT_2) and the
+ * angle by which it has turned relative to the first, about the normal by the right-hand rule
+ * (PDN_ROTATION), since the reference configuration, where they are zero.
  *
  * @param model  the model; not NULL
  * @param first  id of the first node, or PDN_GROUND
  * @param second  id of the second node, or PDN_GROUND; not the same body
- * @param point  array of length 3: a point of the plane, whose displacement is measured, global coordinates
- *     [length]
+ * @param point  array of length 3: a point of the plane, whose displacement is measured, global
+ *     coordinates [length]
  * @param normal  array of length 3: normal of the plane, global coordinates, of any nonzero length
  * @param joint  the joint's id; written on success only
  * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_ID, PDN_ERR_VALUE
@@ -2391,10 +2434,11 @@ pdn_status pdn_model_add_planar(struct pdn_model *model,
 /**
  * Joins two bodies by nothing: a joint that constrains no motion, but has coordinates.
  *
- * It carries springs and dampers, prescribed coordinates and measures between any two bodies. Its frames are at
- * the point, with axes parallel to the global ones in the reference configuration. Its coordinates are the
- * displacements of the second body along axes 1, 2, 3 of the first frame (PDN_DISPLACEMENT, PDN_DISPLACEMENT_2,
- * PDN_DISPLACEMENT_3), and the angles of a spherical joint (PDN_ROTATION, PDN_ROTATION_2, PDN_ROTATION_3).
+ * It carries springs and dampers, prescribed coordinates and measures between any two bodies. Its
+ * frames are at the point, with axes parallel to the global ones in the reference configuration.
+ * Its coordinates are the displacements of the second body along axes 1, 2, 3 of the first frame
+ * (PDN_DISPLACEMENT, PDN_DISPLACEMENT_2, PDN_DISPLACEMENT_3), and the angles of a spherical joint
+ * (PDN_ROTATION, PDN_ROTATION_2, PDN_ROTATION_3).
  *
  * @param model  the model; not NULL
  * @param first  id of the first node, or PDN_GROUND
@@ -2416,10 +2460,11 @@ pdn_status pdn_model_add_free_joint(struct pdn_model *model,
 /**
  * Joins two bodies by a ball.
  *
- * Its frames are at the point, with axes parallel to the global ones in the reference configuration.
- * Its coordinates PDN_ROTATION, PDN_ROTATION_2, PDN_ROTATION_3 are the angles by which the second frame
- * comes from the first by turning about axis 1, then about its own axis 2, then about its own axis 3;
- * zero in the reference configuration. The second must stay between -pi/2 and pi/2.
+ * Its frames are at the point, with axes parallel to the global ones in the reference
+ * configuration. Its coordinates PDN_ROTATION, PDN_ROTATION_2, PDN_ROTATION_3 are the angles by
+ * which the second frame comes from the first by turning about axis 1, then about its own axis 2,
+ * then about its own axis 3; zero in the reference configuration. The second must stay between
+ * -pi/2 and pi/2.
  *
  * @param model  the model; not NULL
  * @param first  id of the first node, or PDN_GROUND
@@ -2441,18 +2486,18 @@ pdn_status pdn_model_add_spherical(struct pdn_model *model,
 /**
  * Joins two bodies by a cross (Cardan, Hooke).
  *
- * One arm of the cross turns in the first body, the other in the second. Its frames are at the point,
- * with axis 1 along the first arm, axis 2 along the second, in the reference configuration. Its
- * coordinates are the angle of the cross relative to the first body about first_arm (PDN_ROTATION), and
- * of the second body relative to the cross about second_arm (PDN_ROTATION_2), both by the right-hand
- * rule and zero in the reference configuration.
+ * One arm of the cross turns in the first body, the other in the second. Its frames are at the
+ * point, with axis 1 along the first arm, axis 2 along the second, in the reference configuration.
+ * Its coordinates are the angle of the cross relative to the first body about first_arm
+ * (PDN_ROTATION), and of the second body relative to the cross about second_arm (PDN_ROTATION_2),
+ * both by the right-hand rule and zero in the reference configuration.
  *
  * @param model  the model; not NULL
  * @param first  id of the first node, or PDN_GROUND
  * @param second  id of the second node, or PDN_GROUND; not the same body
  * @param point  array of length 3: centre of the cross, global coordinates [length]
- * @param first_arm  array of length 3: direction of the arm fixed to the first body, global coordinates,
- *     of any nonzero length
+ * @param first_arm  array of length 3: direction of the arm fixed to the first body, global
+ *     coordinates, of any nonzero length
  * @param second_arm  array of length 3: that of the arm fixed to the second body, perpendicular
  * @param joint  the joint's id; written on success only
  * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_ID, PDN_ERR_VALUE
@@ -2472,16 +2517,16 @@ pdn_status pdn_model_add_universal(struct pdn_model *model,
 /**
  * Adds a strut: the line between a point of each of two bodies. It constrains nothing.
  *
- * Its coordinate PDN_DISPLACEMENT is the distance of the points. Springs, dampers, actuators and other forces
- * on that coordinate act along the line: an effort against its growth is a tension, and the rest of a spring
- * its free length. Prescribed, it is a rod without mass, of constant or varying length. The points must not
- * meet while a force acts.
+ * Its coordinate PDN_DISPLACEMENT is the distance of the points. Springs, dampers, actuators and
+ * other forces on that coordinate act along the line: an effort against its growth is a tension,
+ * and the rest of a spring its free length. Prescribed, it is a rod without mass, of constant or
+ * varying length. The points must not meet while a force acts.
  *
  * @param model  the model; not NULL
  * @param first  id of the first node, or PDN_GROUND
  * @param second  id of the second node, or PDN_GROUND; not the same body
- * @param first_point  array of length 3: the point of the first body in the reference configuration, global
- *     coordinates [length]
+ * @param first_point  array of length 3: the point of the first body in the reference
+ *     configuration, global coordinates [length]
  * @param second_point  array of length 3: that of the second body, not the same
  * @param joint  the joint's id; written on success only
  * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_ID, PDN_ERR_VALUE
@@ -2500,9 +2545,9 @@ pdn_status pdn_model_add_strut(struct pdn_model *model,
 /**
  * Joins two bodies by a joint of any kind, between a frame fixed to each.
  *
- * The frames need not fit each other in the reference configuration: the solver closes the joint. With
- * r = (r1, r2, r3) and R the position and rotation of the second frame relative to the first, and resolved in
- * it, the closed joint has
+ * The frames need not fit each other in the reference configuration: the solver closes the joint.
+ * With r = (r1, r2, r3) and R the position and rotation of the second frame relative to the first,
+ * and resolved in it, the closed joint has
  *
  * | kind | r | R | coordinates |
  * |---|---|---|---|
@@ -2510,19 +2555,20 @@ pdn_status pdn_model_add_strut(struct pdn_model *model,
  * | PDN_JOINT_REVOLUTE | 0 | R3(a) | a = PDN_ROTATION |
  * | PDN_JOINT_PRISMATIC | (0, 0, z) | I | z = PDN_DISPLACEMENT |
  * | PDN_JOINT_CYLINDRICAL | (0, 0, z) | R3(a) | z = PDN_DISPLACEMENT, a = PDN_ROTATION |
- * | PDN_JOINT_PLANAR | (x, y, 0) | R3(a) | x = PDN_DISPLACEMENT, y = PDN_DISPLACEMENT_2, a = PDN_ROTATION |
+ * | PDN_JOINT_PLANAR | (x, y, 0) | R3(a) | x = PDN_DISPLACEMENT, y = PDN_DISPLACEMENT_2, and a |
  * | PDN_JOINT_UNIVERSAL | 0 | R1(a) R2(b) | a = PDN_ROTATION, b = PDN_ROTATION_2 |
  * | PDN_JOINT_SPHERICAL | 0 | R1(a) R2(b) R3(c) | and c = PDN_ROTATION_3 |
  * | PDN_JOINT_FREE | (x, y, z) | R1(a) R2(b) R3(c) | all of these, z = PDN_DISPLACEMENT_3 |
  *
- * where Rk(x) turns by x about axis k, right-handed. Angles count whole turns. A screw has a pitch besides:
- * ::pdn_model_add_screw_between.
+ * where Rk(x) turns by x about axis k, right-handed. Angles count whole turns. A screw has a pitch
+ * besides: ::pdn_model_add_screw_between.
  *
  * @param model  the model; not NULL
  * @param kind  PDN_JOINT_RIGID ... PDN_JOINT_FREE
  * @param first  id of the first node, or PDN_GROUND
  * @param second  id of the second node, or PDN_GROUND; not the same body
- * @param first_frame  frame fixed to the first body, where it is in the reference configuration; not NULL
+ * @param first_frame  frame fixed to the first body, where it is in the reference configuration;
+ *     not NULL
  * @param second_frame  frame fixed to the second body, likewise; not NULL
  * @param joint  the joint's id; written on success only
  * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_ID, PDN_ERR_VALUE
@@ -2542,17 +2588,19 @@ pdn_status pdn_model_add_joint(struct pdn_model *model,
 /**
  * Joins two bodies by a screw, between a frame fixed to each.
  *
- * As ::pdn_model_add_joint with frames: the closed joint has r = (0, 0, pitch a / (2 pi)) and R = R3(a), with
- * the coordinates PDN_DISPLACEMENT = r3 and PDN_ROTATION = a. Where the frames do not fit each other in the
- * reference configuration, the solver takes the thread's turn that is nearest.
+ * As ::pdn_model_add_joint with frames: the closed joint has r = (0, 0, pitch a / (2 pi)) and R =
+ * R3(a), with the coordinates PDN_DISPLACEMENT = r3 and PDN_ROTATION = a. Where the frames do not
+ * fit each other in the reference configuration, the solver takes the thread's turn that is
+ * nearest.
  *
  * @param model  the model; not NULL
  * @param first  id of the first node, or PDN_GROUND
  * @param second  id of the second node, or PDN_GROUND; not the same body
- * @param first_frame  frame fixed to the first body, where it is in the reference configuration; not NULL
+ * @param first_frame  frame fixed to the first body, where it is in the reference configuration;
+ *     not NULL
  * @param second_frame  frame fixed to the second body, likewise; not NULL
- * @param pitch  advance for one turn [length]; positive for a right-handed thread, negative for a left-handed
- *     one, not zero
+ * @param pitch  advance for one turn [length]; positive for a right-handed thread, negative for a
+ *     left-handed one, not zero
  * @param joint  the joint's id; written on success only
  * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_ID, PDN_ERR_VALUE
  *
@@ -2587,8 +2635,8 @@ void pdn_line_init(struct pdn_line *line,
  * @param line  an initialised line; not NULL
  * @param start  array of length 3: where it starts, global coordinates [length]
  * @param end  array of length 3: where it ends, not at start
- * @param axis_2  array of length 3: axis 2 is the part of this direction that is perpendicular to the
- *     line; of any nonzero length, not along the line
+ * @param axis_2  array of length 3: axis 2 is the part of this direction that is perpendicular to
+ *     the line; of any nonzero length, not along the line
  * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_STRUCT_SIZE, PDN_ERR_NOT_FINITE
  *
  * Threads: exclusive use of `line`.
@@ -2627,13 +2675,14 @@ pdn_status pdn_line_set_arc(struct pdn_line *line,
 /**
  * Makes a line a curve that the caller computes.
  *
- * The curve must be smooth, and its fraction advance steadily: it is differentiated by the library, to
- * rounding if it turns by less than half a radian in each 1/16 of the fraction. Join pieces that meet
- * in a corner by ::pdn_model_add_rigid_joint.
+ * The curve must be smooth, and its fraction advance steadily: it is differentiated by the
+ * library, to rounding if it turns by less than half a radian in each 1/16 of the fraction. Join
+ * pieces that meet in a corner by ::pdn_model_add_rigid_joint.
  *
  * @param line  an initialised line; not NULL
  * @param curve  the curve, see ::pdn_curve_fn for when it is called; not NULL
- * @param user_data  handed to the curve; may be NULL. Must be valid until the line is no longer used
+ * @param user_data  handed to the curve; may be NULL. Must be valid until the line is no longer
+ *     used
  * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_STRUCT_SIZE
  *
  * Threads: exclusive use of `line`.
@@ -2660,9 +2709,9 @@ void pdn_stations_init(struct pdn_stations *stations,
 /**
  * Adds a beam element over nodes that are there; it may be curved and twisted.
  *
- * The nodes stand, in order, at the Gauss-Lobatto points along the beam; two are its ends. Axis 1 of
- * each node is along the beam (to within 60 degrees, for curved ones), axes 2 and 3 are those of the
- * section. The element's reference shape interpolates them, and is free of stress.
+ * The nodes stand, in order, at the Gauss-Lobatto points along the beam; two are its ends. Axis 1
+ * of each node is along the beam (to within 60 degrees, for curved ones), axes 2 and 3 are those
+ * of the section. The element's reference shape interpolates them, and is free of stress.
  *
  * Elements may share end nodes, in chains and where beams branch, but not otherwise; elements that
  * would lie on each other are refused.
@@ -2689,8 +2738,8 @@ pdn_status pdn_model_add_beam_element(struct pdn_model *model,
  * Adds a straight beam: its nodes and elements.
  *
  * Axis 1 of every node is along the beam, from start to end; axis 2 is the part of axis_2 that is
- * perpendicular to it; axis 3 = axis 1 * axis 2. Beams are joined by joints between their nodes, or by
- * ::pdn_model_add_rigid_joint.
+ * perpendicular to it; axis 3 = axis 1 * axis 2. Beams are joined by joints between their nodes,
+ * or by ::pdn_model_add_rigid_joint.
  *
  * @param model  the model; not NULL
  * @param start  array of length 3: where the beam starts, global coordinates [length]
@@ -2701,7 +2750,8 @@ pdn_status pdn_model_add_beam_element(struct pdn_model *model,
  * @param elements  number of elements, 1 to 1000000
  * @param degree  polynomial degree of the elements, 1 to 24; an element has degree + 1 nodes
  * @param beam  ids of what was made; written on success only
- * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_SIZE, PDN_ERR_STRUCT_SIZE, PDN_ERR_VALUE
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_SIZE, PDN_ERR_STRUCT_SIZE,
+ *     PDN_ERR_VALUE
  *
  * Threads: exclusive use of `model`.
  * @since 0.1
@@ -2719,10 +2769,11 @@ pdn_status pdn_model_add_straight_beam(struct pdn_model *model,
 /**
  * Adds a beam along a line, with sections that may vary: its nodes and elements.
  *
- * Axis 1 of every node is along the line; axes 2 and 3 are those of the line, turned by the twist. The
- * mesh is even but for jumps of the section, where an element ends and the next begins; so there must
- * be more elements than jumps. Stations may lie anywhere: elements are integrated from each to the next. Where slopes
- * of section or twist jump inside an element, degrees gain less accuracy all the same.
+ * Axis 1 of every node is along the line; axes 2 and 3 are those of the line, turned by the twist.
+ * The mesh is even but for jumps of the section, where an element ends and the next begins; so
+ * there must be more elements than jumps. Stations may lie anywhere: elements are integrated from
+ * each to the next. Where slopes of section or twist jump inside an element, degrees gain less
+ * accuracy all the same.
  *
  * Beams are joined by joints between their nodes. To fix a beam's end to a body at a distance, use
  * ::pdn_model_add_rigid_joint between the two nodes: they need not be at the same place.
@@ -2733,8 +2784,9 @@ pdn_status pdn_model_add_straight_beam(struct pdn_model *model,
  * @param elements  number of elements, 1 to 1000000
  * @param degree  polynomial degree of the elements, 1 to 24; an element has degree + 1 nodes
  * @param beam  ids of what was made; written on success only
- * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_SIZE, PDN_ERR_STRUCT_SIZE, PDN_ERR_VALUE,
- *     PDN_ERR_CALLBACK, PDN_ERR_MODEL (nodes that turn too much from one to the next)
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_SIZE, PDN_ERR_STRUCT_SIZE,
+ *     PDN_ERR_VALUE, PDN_ERR_CALLBACK, PDN_ERR_MODEL (nodes that turn too much from one to the
+ *     next)
  *
  * Threads: exclusive use of `model`.
  * @since 0.1
@@ -2750,19 +2802,20 @@ pdn_status pdn_model_add_beam(struct pdn_model *model,
 /**
  * Adds a beam along a line as ::pdn_model_add_beam does, with elements between given places.
  *
- * For meshes that follow the stations of a section, give their fractions, each once; an element ends and the next begins
- * at every jump of the section.
+ * For meshes that follow the stations of a section, give their fractions, each once; an element
+ * ends and the next begins at every jump of the section.
  *
  * @param model  the model; not NULL
  * @param line  reference line; not NULL
  * @param stations  cross-sections along it; not NULL
- * @param boundaries  array of length [elements + 1]: places along the span where elements begin and end, from 0 at the
- *     start to 1 at the end, ascending, with all jumps among them
+ * @param boundaries  array of length [elements + 1]: places along the span where elements begin
+ *     and end, from 0 at the start to 1 at the end, ascending, with all jumps among them
  * @param elements  number of elements, 1 to 1000000
  * @param degree  polynomial degree of the elements, 1 to 24; an element has degree + 1 nodes
  * @param beam  ids of what was made; written on success only
- * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_SIZE, PDN_ERR_STRUCT_SIZE, PDN_ERR_VALUE,
- *     PDN_ERR_CALLBACK, PDN_ERR_MODEL (nodes that turn too much from one to the next)
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_SIZE, PDN_ERR_STRUCT_SIZE,
+ *     PDN_ERR_VALUE, PDN_ERR_CALLBACK, PDN_ERR_MODEL (nodes that turn too much from one to the
+ *     next)
  *
  * Threads: exclusive use of `model`.
  * @since 0.1
@@ -2783,8 +2836,8 @@ pdn_status pdn_model_add_beam_between(struct pdn_model *model,
  *
  * @param model  the model; not NULL
  * @param node  id of the node
- * @param frame  PDN_FRAME_SPACE: directions of the global axes; PDN_FRAME_MATERIAL: of the node's axes,
- *     which the load follows
+ * @param frame  PDN_FRAME_SPACE: directions of the global axes; PDN_FRAME_MATERIAL: of the node's
+ *     axes, which the load follows
  * @param component  PDN_FORCE_1, PDN_FORCE_2, PDN_FORCE_3 [force], PDN_MOMENT_1, PDN_MOMENT_2 or
  *     PDN_MOMENT_3 [force * length]
  * @param signal  the component in time, copied; not NULL
@@ -2824,7 +2877,8 @@ pdn_status pdn_model_set_gravity(struct pdn_model *model,
  * @param acceleration_1  component along global axis 1 [length / time^2], copied; NULL for none
  * @param acceleration_2  component along global axis 2, likewise
  * @param acceleration_3  component along global axis 3, likewise
- * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_SIZE, PDN_ERR_VALUE, PDN_ERR_STRUCT_SIZE
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_SIZE, PDN_ERR_VALUE,
+ *     PDN_ERR_STRUCT_SIZE
  *
  * Threads: exclusive use of `model`.
  * @since 0.1
@@ -2836,25 +2890,25 @@ pdn_status pdn_model_set_gravity_signals(struct pdn_model *model,
                                          const struct pdn_signal *acceleration_3);
 
 /**
- * Adds one component of a force or moment distributed along beam elements, in addition to those that
- * are there.
+ * Adds one component of a force or moment distributed along beam elements, in addition to those
+ * that are there.
  *
- * It acts on the line of the beam, for each unit of its reference length, and moves with the sections:
- * signal times factor.
+ * It acts on the line of the beam, for each unit of its reference length, and moves with the
+ * sections: signal times factor.
  *
  * @param model  the model; not NULL
  * @param first_element  id of the first beam element, such as the first_element of a ::pdn_beam
  * @param elements  number of elements, from the first on, such as the elements of a ::pdn_beam; at
  *     least 1
- * @param frame  PDN_FRAME_SPACE: directions of the global axes; PDN_FRAME_MATERIAL: of the sections' axes,
- *     which the load follows
- * @param component  PDN_FORCE_1, PDN_FORCE_2, PDN_FORCE_3 [force / length], PDN_MOMENT_1, PDN_MOMENT_2
- *     or PDN_MOMENT_3 [force]
+ * @param frame  PDN_FRAME_SPACE: directions of the global axes; PDN_FRAME_MATERIAL: of the
+ *     sections' axes, which the load follows
+ * @param component  PDN_FORCE_1, PDN_FORCE_2, PDN_FORCE_3 [force / length], PDN_MOMENT_1,
+ *     PDN_MOMENT_2 or PDN_MOMENT_3 [force]
  * @param signal  the component in time, copied; not NULL
  * @param fractions  array of length [count]: places, as fractions of the reference length of these
  *     elements, ascending from 0 to 1; two at the same place make a jump. NULL if count is 0
- * @param factors  array of length [count]: factors of the signal at these places, linear in between;
- *     NULL if count is 0
+ * @param factors  array of length [count]: factors of the signal at these places, linear in
+ *     between; NULL if count is 0
  * @param count  0 for a factor of 1 all along; or at least 2
  * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_SIZE, PDN_ERR_ID, PDN_ERR_VALUE,
  *     PDN_ERR_STRUCT_SIZE
@@ -2874,26 +2928,29 @@ pdn_status pdn_model_add_distributed_load(struct pdn_model *model,
                                           size_t count);
 
 /**
- * Adds a force and moment distributed along beam elements, all components at all places at once, in addition to those
- * that are there: such as the air loads of a blade, at the places where these are computed.
+ * Adds a force and moment distributed along beam elements, all components at all places at once,
+ * in addition to those that are there: such as the air loads of a blade, at the places where these
+ * are computed.
  *
- * It acts on the line of the beam, for each unit of its reference length, and moves with the sections. It is linear
- * between neighbouring places. However many there are, the beam is evaluated as for one.
+ * It acts on the line of the beam, for each unit of its reference length, and moves with the
+ * sections. It is linear between neighbouring places. However many there are, the beam is
+ * evaluated as for one.
  *
  * @param model  the model; not NULL
  * @param first_element  id of the first beam element, such as the first_element of a ::pdn_beam
  * @param elements  number of elements, from the first on, such as the elements of a ::pdn_beam; at
  *     least 1
- * @param frame  PDN_FRAME_SPACE: directions of the global axes; PDN_FRAME_MATERIAL: of the sections' axes, twisted as
- *     they are; PDN_FRAME_UNTWISTED: axis 1 along the reference line, axis 2 the part of axis_2 that is perpendicular to
- *     it, axis 3 = axis 1 * axis 2, all in the reference configuration, and each section takes these axes with it
- * @param axis_2  array of length 3: direction, global coordinates, of any nonzero length, nowhere along the line; read for
- *     PDN_FRAME_UNTWISTED only, else it may be NULL
+ * @param frame  PDN_FRAME_SPACE: directions of the global axes; PDN_FRAME_MATERIAL: of the
+ *     sections' axes, twisted as they are; PDN_FRAME_UNTWISTED: axis 1 along the reference line,
+ *     axis 2 the part of axis_2 that is perpendicular to it, axis 3 = axis 1 * axis 2, all in the
+ *     reference configuration, and each section takes these axes with it
+ * @param axis_2  array of length 3: direction, global coordinates, of any nonzero length, nowhere
+ *     along the line; read for PDN_FRAME_UNTWISTED only, else it may be NULL
  * @param fractions  array of length [count]: places, as fractions of the reference length of these
  *     elements, ascending from 0 to 1; two at the same place make a jump
- * @param signals  array of length [6 count], each initialised, copied: those of the first place, PDN_FORCE_1 to
- *     PDN_FORCE_3 [force / length] and PDN_MOMENT_1 to PDN_MOMENT_3 [force], then those of the next. One that was only
- *     initialised is zero
+ * @param signals  array of length [6 count], each initialised, copied: those of the first place,
+ *     PDN_FORCE_1 to PDN_FORCE_3 [force / length] and PDN_MOMENT_1 to PDN_MOMENT_3 [force], then
+ *     those of the next. One that was only initialised is zero
  * @param count  number of places, at least 2
  * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_SIZE, PDN_ERR_ID, PDN_ERR_VALUE,
  *     PDN_ERR_STRUCT_SIZE
@@ -2912,7 +2969,8 @@ pdn_status pdn_model_add_load_at_places(struct pdn_model *model,
                                         size_t count);
 
 /**
- * Number of forces: springs, dampers, actuators and the like, but not loads; their ids are 0 ... count - 1.
+ * Number of forces: springs, dampers, actuators and the like, but not loads; their ids are 0 ...
+ * count - 1.
  *
  * @param model  the model; not NULL
  * @param count  the number; written on success only
@@ -2928,18 +2986,20 @@ pdn_status pdn_model_force_count(const struct pdn_model *model,
 /**
  * Adds a linear spring with a damper on a joint coordinate, in addition to those that are there.
  *
- * It resists with stiffness * (coordinate - rest) + damping * its rate: with a force on a displacement, with
- * a moment on an angle. Whole turns count.
+ * It resists with stiffness * (coordinate - rest) + damping * its rate: with a force on a
+ * displacement, with a moment on an angle. Whole turns count.
  *
  * @param model  the model; not NULL
  * @param joint  id of the joint
  * @param coordinate  PDN_DISPLACEMENT, ... or PDN_ROTATION, ...; one that the joint has
- * @param stiffness  effort for a unit of the coordinate [force / length, or force * length]; may be negative
- * @param damping  effort for a unit of its rate [force * time / length, or force * length * time]; may be
- *     negative
+ * @param stiffness  effort for a unit of the coordinate [force / length, or force * length]; may
+ *     be negative
+ * @param damping  effort for a unit of its rate [force * time / length, or force * length * time];
+ *     may be negative
  * @param rest  coordinate at which the spring is free of effort [length or radian]
  * @param force  the force's id; may be NULL if it is not wanted; written on success only
- * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_ID, PDN_ERR_VALUE, PDN_ERR_NOT_AVAILABLE
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_ID, PDN_ERR_VALUE,
+ *     PDN_ERR_NOT_AVAILABLE
  *
  * Threads: exclusive use of `model`.
  * @since 0.1
@@ -2954,10 +3014,11 @@ pdn_status pdn_model_add_spring_damper(struct pdn_model *model,
                                        int32_t *force);
 
 /**
- * Adds a nonlinear spring with a damper on a joint coordinate: polynomials of the coordinate and its rate.
+ * Adds a nonlinear spring with a damper on a joint coordinate: polynomials of the coordinate and
+ * its rate.
  *
- * With u = coordinate - rest it resists with stiffness[0] u + stiffness[1] u^2 + ... + damping[0] u' +
- * damping[1] u'^2 + ..., so that {k, 0, k3} is a cubic spring. Whole turns count.
+ * With u = coordinate - rest it resists with stiffness[0] u + stiffness[1] u^2 + ... + damping[0]
+ * u' + damping[1] u'^2 + ..., so that {k, 0, k3} is a cubic spring. Whole turns count.
  *
  * @param model  the model; not NULL
  * @param joint  id of the joint
@@ -2988,8 +3049,8 @@ pdn_status pdn_model_add_nonlinear_spring_damper(struct pdn_model *model,
 /**
  * Adds an actuator: a force on a displacement, or a torque on an angle, that follows a signal.
  *
- * It acts on the second body of the joint towards growth of the coordinate, and its reaction on the first.
- * To prescribe the coordinate itself, see ::pdn_model_prescribe.
+ * It acts on the second body of the joint towards growth of the coordinate, and its reaction on
+ * the first. To prescribe the coordinate itself, see ::pdn_model_prescribe.
  *
  * @param model  the model; not NULL
  * @param joint  id of the joint
@@ -3012,20 +3073,22 @@ pdn_status pdn_model_add_actuator(struct pdn_model *model,
 /**
  * Adds a viscoelastic element on a joint coordinate: a generalised Maxwell model.
  *
- * A spring, and beside it branches of spring and dashpot in series. With coordinate q it resists with
- * stiffness * (q - rest) + the sum over the branches b of branch_stiffness[b] a_b, where a_b, the elongation
- * of the branch's spring, relaxes: t_b a_b' + a_b = t_b q', with relaxation time t_b. One branch makes it a
- * Zener element, or standard linear solid. The internal states are solved for with the motion, at the same
- * grid points. Whole turns count; a coordinate that gains turns needs stiffness 0.
+ * A spring, and beside it branches of spring and dashpot in series. With coordinate q it resists
+ * with stiffness * (q - rest) + the sum over the branches b of branch_stiffness[b] a_b, where a_b,
+ * the elongation of the branch's spring, relaxes: t_b a_b' + a_b = t_b q', with relaxation time
+ * t_b. One branch makes it a Zener element, or standard linear solid. The internal states are
+ * solved for with the motion, at the same grid points. Whole turns count; a coordinate that gains
+ * turns needs stiffness 0.
  *
  * @param model  the model; not NULL
  * @param joint  id of the joint
  * @param coordinate  PDN_DISPLACEMENT, ... or PDN_ROTATION, ...; one that the joint has
- * @param stiffness  that of the spring alone, the long-term stiffness [force / length, or force * length]; may
- *     be negative
+ * @param stiffness  that of the spring alone, the long-term stiffness
+ *     [force / length, or force * length]; may be negative
  * @param rest  coordinate at which it is free of effort [length or radian]
  * @param branch_stiffness  array of length [branches]: stiffness of each branch's spring, positive
- * @param relaxation_times  array of length [branches]: relaxation time of each branch, positive [time]
+ * @param relaxation_times  array of length [branches]: relaxation time of each branch, positive
+ *     [time]
  * @param branches  number of branches, at least 1
  * @param force  the force's id; may be NULL if it is not wanted; written on success only
  * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_SIZE, PDN_ERR_NOT_FINITE, PDN_ERR_ID, PDN_ERR_VALUE,
@@ -3048,16 +3111,18 @@ pdn_status pdn_model_add_viscoelastic(struct pdn_model *model,
 /**
  * Adds a viscous damper between two bodies, with a full matrix of coefficients.
  *
- * It exerts -matrix * v on the second body, and the reaction on the first, where v is the velocity (linear 1,
- * 2, 3, angular 1, 2, 3) of the second body relative to the first, at the origin of a frame that is fixed to
- * the second body. Velocity, force and moment are about and resolved in that frame, wherever it moves.
+ * It exerts -matrix * v on the second body, and the reaction on the first, where v is the velocity
+ * (linear 1, 2, 3, angular 1, 2, 3) of the second body relative to the first, at the origin of a
+ * frame that is fixed to the second body. Velocity, force and moment are about and resolved in
+ * that frame, wherever it moves.
  *
  * @param model  the model; not NULL
  * @param first  id of the first node, or PDN_GROUND
  * @param second  id of the second node, or PDN_GROUND; not the same body
- * @param frame  the frame, where it is in the reference configuration; NULL for the second node's own
- * @param matrix  array of length 36: 6 x 6, symmetric and positive semi-definite [force * time / length,
- *     force * time, force * length * time]
+ * @param frame  the frame, where it is in the reference configuration; NULL for the second node's
+ *     own
+ * @param matrix  array of length 36: 6 x 6, symmetric and positive semi-definite [force * time /
+ *     length, force * time, force * length * time]
  * @param force  the force's id; may be NULL if it is not wanted; written on success only
  * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_ID, PDN_ERR_VALUE
  *
@@ -3075,18 +3140,20 @@ pdn_status pdn_model_add_viscous_damper(struct pdn_model *model,
 /**
  * Adds a spring-damper on a joint coordinate whose law is a function of the caller.
  *
- * Its effort, a force on a displacement or a moment on an angle, resists growth of the coordinate as that of
- * ::pdn_model_add_spring_damper does. It may depend on coordinate, rate and time.
+ * Its effort, a force on a displacement or a moment on an angle, resists growth of the coordinate
+ * as that of ::pdn_model_add_spring_damper does. It may depend on coordinate, rate and time.
  *
  * @param model  the model; not NULL
  * @param joint  id of the joint
  * @param coordinate  PDN_DISPLACEMENT, ... or PDN_ROTATION, ...; one that the joint has
- * @param tangents  PDN_TANGENTS_GIVEN if the function writes derivatives, which ::pdn_model_check_tangents
- *     checks; PDN_TANGENTS_DIFFERENCED if the library is to find them by differences
+ * @param tangents  PDN_TANGENTS_GIVEN if the function writes derivatives, which
+ *     ::pdn_model_check_tangents checks; PDN_TANGENTS_DIFFERENCED if the library is to find them
+ *     by differences
  * @param function  the law, see ::pdn_coordinate_law_fn for when it is called; not NULL
  * @param user_data  handed to the function; may be NULL
- * @param destroy  called once with user_data when the model, its copies in solutions included, no longer needs
- *     it, on the thread that frees the last; may be NULL. It is not called if this call fails
+ * @param destroy  called once with user_data when the model, its copies in solutions included, no
+ *     longer needs it, on the thread that frees the last; may be NULL. It is not called if this
+ *     call fails
  * @param force  the force's id; may be NULL if it is not wanted; written on success only
  * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_ID, PDN_ERR_VALUE, PDN_ERR_NOT_AVAILABLE
  *
@@ -3111,12 +3178,14 @@ pdn_status pdn_model_add_coordinate_law(struct pdn_model *model,
  * @param count  number of nodes, at least 1
  * @param frame  PDN_FRAME_SPACE: velocities, forces and tangents are along the global axes;
  *     PDN_FRAME_MATERIAL: along those of each node
- * @param tangents  PDN_TANGENTS_GIVEN if the function writes tangents, which ::pdn_model_check_tangents checks;
- *     PDN_TANGENTS_DIFFERENCED if the library is to find them by differences, at the price of 24 calls a node
+ * @param tangents  PDN_TANGENTS_GIVEN if the function writes tangents, which
+ *     ::pdn_model_check_tangents checks; PDN_TANGENTS_DIFFERENCED if the library is to find them
+ *     by differences, at the price of 24 calls a node
  * @param function  the forces, see ::pdn_user_force_fn for when it is called; not NULL
  * @param user_data  handed to the function; may be NULL
- * @param destroy  called once with user_data when the model, its copies in solutions included, no longer needs
- *     it, on the thread that frees the last; may be NULL. It is not called if this call fails
+ * @param destroy  called once with user_data when the model, its copies in solutions included, no
+ *     longer needs it, on the thread that frees the last; may be NULL. It is not called if this
+ *     call fails
  * @param force  the force's id; may be NULL if it is not wanted; written on success only
  * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_SIZE, PDN_ERR_ID, PDN_ERR_VALUE
  *
@@ -3150,17 +3219,17 @@ void pdn_tangent_check_init(struct pdn_tangent_check *check,
 /**
  * Compares the tangents that a user's function gives with differences of its forces.
  *
- * At a few states: nodes near their reference configuration, or a coordinate near its own, with velocities as
- * they are in motions of the period; the same states in each call. Wrong tangents do not make solutions wrong,
- * but Newton's method slow, or fail.
+ * At a few states: nodes near their reference configuration, or a coordinate near its own, with
+ * velocities as they are in motions of the period; the same states in each call. Wrong tangents do
+ * not make solutions wrong, but Newton's method slow, or fail.
  *
  * @param model  the model; not NULL
  * @param force  id of a force by ::pdn_model_add_coordinate_law or ::pdn_model_add_user_force
  * @param period  the period that the model is to be solved for, positive [time]
  * @param check  initialised by PDN_INIT; filled on success only
- * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_STRUCT_SIZE, PDN_ERR_ID, PDN_ERR_VALUE, PDN_ERR_NOT_FINITE,
- *     PDN_ERR_MODEL, PDN_ERR_NOT_PERIODIC (as for a solve), PDN_ERR_NOT_AVAILABLE (it gives no tangents),
- *     PDN_ERR_CALLBACK
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_STRUCT_SIZE, PDN_ERR_ID, PDN_ERR_VALUE,
+ *     PDN_ERR_NOT_FINITE, PDN_ERR_MODEL, PDN_ERR_NOT_PERIODIC (as for a solve),
+ *     PDN_ERR_NOT_AVAILABLE (it gives no tangents), PDN_ERR_CALLBACK
  *
  * Threads: like `const`.
  * @since 0.1
@@ -3185,11 +3254,13 @@ void pdn_solution_free(struct pdn_solution *solution);
 /**
  * How the solve ended.
  *
- * Unless it is PDN_CONVERGED or PDN_TOLERANCE_NOT_MET the solution's quantities are those of the last iterate.
+ * Unless it is PDN_CONVERGED or PDN_TOLERANCE_NOT_MET the solution's quantities are those of the
+ * last iterate.
  *
  * @param solution  the solution; not NULL
- * @return PDN_CONVERGED, PDN_ITERATION_LIMIT, PDN_STALLED, PDN_SINGULAR, PDN_CANCELLED, PDN_NO_INITIAL_GUESS,
- *     PDN_INCONSISTENT, PDN_WRONG_ASSEMBLY or PDN_TOLERANCE_NOT_MET; negative, as a ::pdn_status, if the handle is not valid
+ * @return PDN_CONVERGED, PDN_ITERATION_LIMIT, PDN_STALLED, PDN_SINGULAR, PDN_CANCELLED,
+ *     PDN_NO_INITIAL_GUESS, PDN_INCONSISTENT, PDN_WRONG_ASSEMBLY or PDN_TOLERANCE_NOT_MET;
+ *     negative, as a ::pdn_status, if the handle is not valid
  *
  * Threads: like `const`.
  * @since 0.1
@@ -3201,10 +3272,11 @@ int32_t pdn_solution_outcome(const struct pdn_solution *solution);
  * A readable report: outcome and why, iterations, error estimates, time spent.
  *
  * @param solution  the solution; not NULL
- * @param buffer  array of length [capacity] for the text, UTF-8, always ended by NUL; may be NULL if
- *     capacity is 0
+ * @param buffer  array of length [capacity] for the text, UTF-8, always ended by NUL; may be NULL
+ *     if capacity is 0
  * @param capacity  size of buffer in bytes
- * @return length of the whole report without the NUL, as snprintf does; 0 if the handle is not valid
+ * @return length of the whole report without the NUL, as snprintf does; 0 if the handle is not
+ *     valid
  *
  * Threads: like `const`.
  * @since 0.1
@@ -3245,7 +3317,8 @@ pdn_status pdn_solution_diagnostics(const struct pdn_solution *solution,
  * History of the Newton iterations of the periodic problem.
  *
  * @param solution  the solution; not NULL
- * @param residuals  array of length [count] for the largest residual before each iteration; may be NULL
+ * @param residuals  array of length [count] for the largest residual before each iteration; may be
+ *     NULL
  * @param increments  array of length [count] for the largest increment of each; may be NULL
  * @param steps  array of length [count] for the fraction of the increment taken; may be NULL
  * @param count  number of iterations, as pdn_diagnostics.iterations tells
@@ -3262,8 +3335,8 @@ pdn_status pdn_solution_history(const struct pdn_solution *solution,
                                 size_t count);
 
 /**
- * Decay of the harmonics: largest amplitude of each over all nodes, of positions relative to the size of
- * the mechanism and of entries of rotation matrices.
+ * Decay of the harmonics: largest amplitude of each over all nodes, of positions relative to the
+ * size of the mechanism and of entries of rotation matrices.
  *
  * @param solution  the solution; not NULL
  * @param amplitudes  array of length [count], harmonics 0, 1, ..., (N - 1) / 2
@@ -3303,7 +3376,8 @@ pdn_status pdn_solution_grid_times(const struct pdn_solution *solution,
  * @param node  id of the node
  * @param times  array of length [count]: times, also outside the first period
  * @param count  number of times
- * @param out  array of shape 3 x [count], coordinates of each time together, inertial frame \[length\]
+ * @param out  array of shape 3 x [count], coordinates of each time together, inertial frame
+ *     \[length\]
  * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_ID, PDN_ERR_GRID_TOO_COARSE,
  *     PDN_ERR_OVERFLOW
  *
@@ -3324,8 +3398,8 @@ pdn_status pdn_solution_node_position(const struct pdn_solution *solution,
  * @param node  id of the node
  * @param times  array of length [count]: times, also outside the first period
  * @param count  number of times
- * @param out  array of shape 9 x [count]: of each time the three columns, which are the node's axes in
- *     the inertial frame
+ * @param out  array of shape 9 x [count]: of each time the three columns, which are the node's
+ *     axes in the inertial frame
  * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_ID, PDN_ERR_GRID_TOO_COARSE,
  *     PDN_ERR_OVERFLOW
  *
@@ -3346,8 +3420,9 @@ pdn_status pdn_solution_node_rotation(const struct pdn_solution *solution,
  * @param node  id of the node
  * @param times  array of length [count]: times, also outside the first period
  * @param count  number of times
- * @param out  array of shape 4 x [count]: (w, x, y, z) of each time, from the inertial to the node's frame;
- *     w is not negative at the first time, and the sign is continuous from one time to the next
+ * @param out  array of shape 4 x [count]: (w, x, y, z) of each time, from the inertial to the
+ *     node's frame; w is not negative at the first time, and the sign is continuous from one time
+ *     to the next
  * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_ID, PDN_ERR_GRID_TOO_COARSE,
  *     PDN_ERR_OVERFLOW
  *
@@ -3366,8 +3441,8 @@ pdn_status pdn_solution_node_quaternion(const struct pdn_solution *solution,
  *
  * @param solution  the solution; not NULL
  * @param node  id of the node
- * @param frame  PDN_FRAME_SPACE: velocity of the node and angular velocity along the inertial axes;
- *     PDN_FRAME_MATERIAL: along the node's own
+ * @param frame  PDN_FRAME_SPACE: velocity of the node and angular velocity along the inertial
+ *     axes; PDN_FRAME_MATERIAL: along the node's own
  * @param times  array of length [count]: times, also outside the first period
  * @param count  number of times
  * @param out  array of shape 6 x [count]: linear, then angular velocity of each time
@@ -3391,8 +3466,8 @@ pdn_status pdn_solution_node_velocity(const struct pdn_solution *solution,
  *
  * @param solution  the solution; not NULL
  * @param node  id of the node
- * @param frame  PDN_FRAME_SPACE: acceleration of the node and angular acceleration along the inertial
- *     axes; PDN_FRAME_MATERIAL: time derivative of the velocity along the node's own axes
+ * @param frame  PDN_FRAME_SPACE: acceleration of the node and angular acceleration along the
+ *     inertial axes; PDN_FRAME_MATERIAL: time derivative of the velocity along the node's own axes
  * @param times  array of length [count]: times, also outside the first period
  * @param count  number of times
  * @param out  array of shape 6 x [count]: linear, then angular acceleration of each time
@@ -3412,7 +3487,8 @@ pdn_status pdn_solution_node_acceleration(const struct pdn_solution *solution,
                                           double *out);
 
 /**
- * Joint coordinate at any times: a displacement, or an angle, followed continuously through whole turns.
+ * Joint coordinate at any times: a displacement, or an angle, followed continuously through whole
+ * turns.
  *
  * @param solution  the solution; not NULL
  * @param joint  id of the joint
@@ -3486,8 +3562,8 @@ pdn_status pdn_solution_joint_acceleration(const struct pdn_solution *solution,
 /**
  * Force or torque that drives a prescribed coordinate, at any times.
  *
- * It acts on the second body, and its reaction on the first; positive where it does work on a growing
- * coordinate. Interpolated from the multipliers at the grid points.
+ * It acts on the second body, and its reaction on the first; positive where it does work on a
+ * growing coordinate. Interpolated from the multipliers at the grid points.
  *
  * @param solution  the solution; not NULL
  * @param joint  id of the joint
@@ -3513,8 +3589,8 @@ pdn_status pdn_solution_joint_driving_effort(const struct pdn_solution *solution
 /**
  * Reaction of a joint at any times: what its constraints exert on the second body.
  *
- * Force, and moment about the origin of the joint frame on the second body. Springs, dampers and the
- * drives of prescribed coordinates are not part of it.
+ * Force, and moment about the origin of the joint frame on the second body. Springs, dampers and
+ * the drives of prescribed coordinates are not part of it.
  *
  * @param solution  the solution; not NULL
  * @param joint  id of the joint
@@ -3539,9 +3615,9 @@ pdn_status pdn_solution_joint_reaction(const struct pdn_solution *solution,
 /**
  * Strains of a beam element at a station and any times.
  *
- * Per unit of reference length, along the section's axes: axial and two shear strains, twist and two
- * curvatures. Along the element they are the polynomial through those at its Gauss points; in time they are interpolated
- * from their values at the grid points.
+ * Per unit of reference length, along the section's axes: axial and two shear strains, twist and
+ * two curvatures. Along the element they are the polynomial through those at its Gauss points; in
+ * time they are interpolated from their values at the grid points.
  *
  * @param solution  the solution; not NULL
  * @param element  id of the beam element
@@ -3566,10 +3642,11 @@ pdn_status pdn_solution_beam_strain(const struct pdn_solution *solution,
 /**
  * Internal forces of a beam element at a station and any times.
  *
- * Along the section's axes: axial force and two shear forces, torque and two bending moments, exerted by
- * the part beyond the station. They are the polynomial through those at the element's Gauss points (one fewer than
- * nodes), where they are most accurate. At its ends, as all along, errors fall with the power n - 1 of the element's
- * length, for n nodes. At a node, each of two elements has its own: their difference tells how fine the mesh is.
+ * Along the section's axes: axial force and two shear forces, torque and two bending moments,
+ * exerted by the part beyond the station. They are the polynomial through those at the element's
+ * Gauss points (one fewer than nodes), where they are most accurate. At its ends, as all along,
+ * errors fall with the power n - 1 of the element's length, for n nodes. At a node, each of two
+ * elements has its own: their difference tells how fine the mesh is.
  *
  * @param solution  the solution; not NULL
  * @param element  id of the beam element
@@ -3592,12 +3669,14 @@ pdn_status pdn_solution_beam_force(const struct pdn_solution *solution,
                                    double *out);
 
 /**
- * Internal forces of a beam at a node between two of its elements: the mean of those of both, and how much they jump.
+ * Internal forces of a beam at a node between two of its elements: the mean of those of both, and
+ * how much they jump.
  *
- * At any other station they are those of ::pdn_solution_beam_force, and do not jump. Two elements have a node between them
- * if one ends and the other starts there, and nothing else is at the node: no other element, no body, joint, load or
- * force, whose own jump a mean would hide. Errors of the mean fall, between elements of an odd degree and equal length, with
- * a power of their length that is higher by one.
+ * At any other station they are those of ::pdn_solution_beam_force, and do not jump. Two elements
+ * have a node between them if one ends and the other starts there, and nothing else is at the
+ * node: no other element, no body, joint, load or force, whose own jump a mean would hide. Errors
+ * of the mean fall, between elements of an odd degree and equal length, with a power of their
+ * length that is higher by one.
  *
  * @param solution  the solution; not NULL
  * @param element  id of the beam element
@@ -3605,7 +3684,8 @@ pdn_status pdn_solution_beam_force(const struct pdn_solution *solution,
  * @param times  array of length [count]: times, also outside the first period
  * @param count  number of times
  * @param mean  array of shape 6 x [count]; may be NULL
- * @param jump  array of shape 6 x [count]: of the element beyond the node less those of the one before it; may be NULL
+ * @param jump  array of shape 6 x [count]: of the element beyond the node less those of the one
+ *     before it; may be NULL
  * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_ID, PDN_ERR_VALUE,
  *     PDN_ERR_OVERFLOW
  *
@@ -3631,7 +3711,8 @@ pdn_status pdn_solution_beam_force_between(const struct pdn_solution *solution,
  * @param quantity  PDN_NODE_POSITION, ...; it has C components
  * @param harmonics  number of harmonics wanted; those above (N - 1) / 2 are zero
  * @param mean  array of length C; may be NULL
- * @param cosines  array of shape C x [harmonics], components of each harmonic together; may be NULL
+ * @param cosines  array of shape C x [harmonics], components of each harmonic together; may be
+ *     NULL
  * @param sines  as cosines; may be NULL
  * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_SIZE, PDN_ERR_ID, PDN_ERR_VALUE,
  *     PDN_ERR_NOT_AVAILABLE (the quaternion of a node that makes an odd number of turns),
@@ -3650,16 +3731,20 @@ pdn_status pdn_solution_node_harmonics(const struct pdn_solution *solution,
                                        double *sines);
 
 /**
- * Fourier coefficients of a joint's quantity: mean + rate t + sum of cosines[j] cos jwt + sines[j] sin jwt.
+ * Fourier coefficients of a joint's quantity: mean + rate t + sum of cosines[j] cos jwt + sines[j]
+ * sin jwt.
  *
  * @param solution  the solution; not NULL
  * @param joint  id of the joint
  * @param quantity  PDN_JOINT_COORDINATE, ...; it has C components
- * @param detail  the coordinate (PDN_DISPLACEMENT, ...) or, for PDN_JOINT_REACTION, the axes (PDN_AXES_SPACE, ...)
+ * @param detail  the coordinate (PDN_DISPLACEMENT, ...) or, for PDN_JOINT_REACTION, the axes
+ *     (PDN_AXES_SPACE, ...)
  * @param harmonics  number of harmonics wanted; those above (N - 1) / 2 are zero
  * @param mean  array of length C; may be NULL
- * @param rate  array of length C: growth per unit of time, of an angle that gains turns; may be NULL
- * @param cosines  array of shape C x [harmonics], components of each harmonic together; may be NULL
+ * @param rate  array of length C: growth per unit of time, of an angle that gains turns; may be
+ *     NULL
+ * @param cosines  array of shape C x [harmonics], components of each harmonic together; may be
+ *     NULL
  * @param sines  as cosines; may be NULL
  * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_SIZE, PDN_ERR_ID, PDN_ERR_VALUE, PDN_ERR_NOT_AVAILABLE,
  *     PDN_ERR_OVERFLOW
@@ -3687,7 +3772,8 @@ pdn_status pdn_solution_joint_harmonics(const struct pdn_solution *solution,
  * @param quantity  PDN_BEAM_STRAIN, PDN_BEAM_FORCE, PDN_BEAM_FORCE_MEAN or PDN_BEAM_FORCE_JUMP
  * @param harmonics  number of harmonics wanted; those above (N - 1) / 2 are zero
  * @param mean  array of length 6; may be NULL
- * @param cosines  array of shape 6 x [harmonics], components of each harmonic together; may be NULL
+ * @param cosines  array of shape 6 x [harmonics], components of each harmonic together; may be
+ *     NULL
  * @param sines  as cosines; may be NULL
  * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_SIZE, PDN_ERR_ID, PDN_ERR_VALUE,
  *     PDN_ERR_OVERFLOW
@@ -3708,17 +3794,17 @@ pdn_status pdn_solution_beam_harmonics(const struct pdn_solution *solution,
 /**
  * Effort of a force on a joint coordinate, at any times.
  *
- * The effort of an actuator is positive where it acts towards growth of the coordinate; that of all others
- * (springs, dampers, viscoelastic elements, the user's laws) where it acts against. Interpolated from its
- * values at the grid points.
+ * The effort of an actuator is positive where it acts towards growth of the coordinate; that of
+ * all others (springs, dampers, viscoelastic elements, the user's laws) where it acts against.
+ * Interpolated from its values at the grid points.
  *
  * @param solution  the solution; not NULL
  * @param force  id of the force
  * @param times  array of length [count]: times, also outside the first period
  * @param count  number of times
  * @param out  array of length [count] \[force on a displacement, force x length on an angle\]
- * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_ID, PDN_ERR_NOT_AVAILABLE (the force is not on
- *     a joint coordinate), PDN_ERR_OVERFLOW
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_ID, PDN_ERR_NOT_AVAILABLE (the force
+ *     is not on a joint coordinate), PDN_ERR_OVERFLOW
  *
  * Threads: like `const`.
  * @since 0.1
@@ -3739,8 +3825,8 @@ pdn_status pdn_solution_force_effort(const struct pdn_solution *solution,
  * @param times  array of length [count]: times, also outside the first period
  * @param count  number of times
  * @param out  array of length [count] \[force on a displacement, force x length on an angle\]
- * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_ID, PDN_ERR_NOT_AVAILABLE (there is no such
- *     branch), PDN_ERR_OVERFLOW
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_ID, PDN_ERR_NOT_AVAILABLE (there is no
+ *     such branch), PDN_ERR_OVERFLOW
  *
  * Threads: like `const`.
  * @since 0.1
@@ -3754,7 +3840,8 @@ pdn_status pdn_solution_force_branch_effort(const struct pdn_solution *solution,
                                             double *out);
 
 /**
- * Elongation of the dashpot of one branch of a viscoelastic element, at any times: its internal state.
+ * Elongation of the dashpot of one branch of a viscoelastic element, at any times: its internal
+ * state.
  *
  * The branch's spring is elongated by the coordinate less this.
  *
@@ -3764,8 +3851,8 @@ pdn_status pdn_solution_force_branch_effort(const struct pdn_solution *solution,
  * @param times  array of length [count]: times, also outside the first period
  * @param count  number of times
  * @param out  array of length [count] \[length or radian\]
- * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_ID, PDN_ERR_NOT_AVAILABLE (there is no such
- *     branch), PDN_ERR_OVERFLOW
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_ID, PDN_ERR_NOT_AVAILABLE (there is no
+ *     such branch), PDN_ERR_OVERFLOW
  *
  * Threads: like `const`.
  * @since 0.1
@@ -3781,18 +3868,19 @@ pdn_status pdn_solution_force_branch_elongation(const struct pdn_solution *solut
 /**
  * What a force exerts on one of its nodes, at any times: force, and moment about the node.
  *
- * Interpolated from its values at the grid points. For forces of all kinds: those on a joint coordinate act
- * on the nodes of the joint.
+ * Interpolated from its values at the grid points. For forces of all kinds: those on a joint
+ * coordinate act on the nodes of the joint.
  *
  * @param solution  the solution; not NULL
  * @param force  id of the force
  * @param node  id of a node that it acts on
- * @param frame  PDN_FRAME_SPACE: components along the inertial axes; PDN_FRAME_MATERIAL: along the node's own
+ * @param frame  PDN_FRAME_SPACE: components along the inertial axes; PDN_FRAME_MATERIAL: along the
+ *     node's own
  * @param times  array of length [count]: times, also outside the first period
  * @param count  number of times
  * @param out  array of shape 6 x [count]: force, then moment of each time
- * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_ID, PDN_ERR_VALUE, PDN_ERR_NOT_AVAILABLE (it
- *     does not act on the node), PDN_ERR_OVERFLOW
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_ID, PDN_ERR_VALUE,
+ *     PDN_ERR_NOT_AVAILABLE (it does not act on the node), PDN_ERR_OVERFLOW
  *
  * Threads: like `const`.
  * @since 0.1
@@ -3807,7 +3895,8 @@ pdn_status pdn_solution_force_on_node(const struct pdn_solution *solution,
                                       double *out);
 
 /**
- * Fourier coefficients of a force's quantity: mean + rate t + sum of cosines[j] cos jwt + sines[j] sin jwt.
+ * Fourier coefficients of a force's quantity: mean + rate t + sum of cosines[j] cos jwt + sines[j]
+ * sin jwt.
  *
  * Those of the trigonometric polynomial through the values at the grid points.
  *
@@ -3817,8 +3906,10 @@ pdn_status pdn_solution_force_on_node(const struct pdn_solution *solution,
  * @param detail  the branch (PDN_FORCE_BRANCH_...) or the node (PDN_FORCE_ON_NODE...); otherwise 0
  * @param harmonics  number of harmonics wanted; those above (N - 1) / 2 are zero
  * @param mean  array of length C; may be NULL
- * @param rate  array of length C: growth per unit of time, of a dashpot that gains turns; may be NULL
- * @param cosines  array of shape C x [harmonics], components of each harmonic together; may be NULL
+ * @param rate  array of length C: growth per unit of time, of a dashpot that gains turns; may be
+ *     NULL
+ * @param cosines  array of shape C x [harmonics], components of each harmonic together; may be
+ *     NULL
  * @param sines  as cosines; may be NULL
  * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_SIZE, PDN_ERR_ID, PDN_ERR_VALUE, PDN_ERR_NOT_AVAILABLE,
  *     PDN_ERR_OVERFLOW
@@ -3840,19 +3931,22 @@ pdn_status pdn_solution_force_harmonics(const struct pdn_solution *solution,
 /**
  * A copy of a solution whose quantities are seen through a spectral filter.
  *
- * Where a response has a kink or a narrow peak (PDN_DECAY_SLOW), forces oscillate about their values over the
- * whole period, as all Fourier sums do (Gibbs). A filter weakens the harmonics towards the highest: the
- * oscillations stay near the peak, which itself gets lower and wider. Without one, nothing is filtered.
+ * Where a response has a kink or a narrow peak (PDN_DECAY_SLOW), forces oscillate about their
+ * values over the whole period, as all Fourier sums do (Gibbs). A filter weakens the harmonics
+ * towards the highest: the oscillations stay near the peak, which itself gets lower and wider.
+ * Without one, nothing is filtered.
  *
- * It acts on values at any time, on harmonics, tables and animations. The motions of nodes are filtered as
- * motions, and velocities follow from them. The solve, its diagnostics and report, and what starts from the copy
- * are those of the solution. A filter that the solution has already is replaced.
+ * It acts on values at any time, on harmonics, tables and animations. The motions of nodes are
+ * filtered as motions, and velocities follow from them. The solve, its diagnostics and report, and
+ * what starts from the copy are those of the solution. A filter that the solution has already is
+ * replaced.
  *
  * @param solution  the solution; not NULL. The copy is one of its own, which may outlive it
  * @param filter  PDN_FILTER_LANCZOS or PDN_FILTER_EXPONENTIAL
  * @param order  from 1 to 32
  * @param out  the copy; free it with ::pdn_solution_free; written on success only
- * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_VALUE, PDN_ERR_NOT_AVAILABLE (a march has no harmonics), PDN_ERR_MEMORY
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_VALUE, PDN_ERR_NOT_AVAILABLE (a march has no harmonics),
+ *     PDN_ERR_MEMORY
  *
  * Threads: like a `const` use of `solution`.
  * @since 0.1
@@ -3879,25 +3973,26 @@ void pdn_periodic_options_init(struct pdn_periodic_options *options,
 /**
  * Finds the periodic response of a model directly, by Fourier spectral collocation.
  *
- * Newton's method with the exact tangent on the equations of motion at N equispaced times, from the
- * quasi-static motion unless another start is given; where inertia takes the response far from that, or N is
- * large, from a solution on fewer points. Unless N is given, it is raised, each solution starting
- * the next, until the estimated error meets the tolerance. Not converging is no error: PDN_OK says that
- * the solve was carried out, ::pdn_solution_outcome how it ended, ::pdn_solution_report why.
+ * Newton's method with the exact tangent on the equations of motion at N equispaced times, from
+ * the quasi-static motion unless another start is given; where inertia takes the response far from
+ * that, or N is large, from a solution on fewer points. Unless N is given, it is raised, each
+ * solution starting the next, until the estimated error meets the tolerance. Not converging is no
+ * error: PDN_OK says that the solve was carried out, ::pdn_solution_outcome how it ended,
+ * ::pdn_solution_report why.
  *
  * @param model  the model; it is copied, so that later changes do not touch the solution
  * @param period  T, the period of the response; harmonics of signals are those of this period
  * @param options  may be NULL for the defaults
- * @param out  the solution, also if it has not converged; free it with ::pdn_solution_free; written
- *     on success only
- * @return PDN_OK; PDN_ERR_NULL; PDN_ERR_NOT_FINITE; PDN_ERR_SIZE (even number of grid points, a start of
- *     arrays without their number); PDN_ERR_VALUE; PDN_ERR_STRUCT_SIZE; PDN_ERR_MODEL (no node, a beam too distorted);
- *     PDN_ERR_NOT_PERIODIC (a prescribed motion or load that does not repeat, a spring on an
- *     angle that gains turns); PDN_ERR_GRID_TOO_COARSE (of the initial solution);
- *     PDN_ERR_CALLBACK (of a signal); PDN_ERR_MEMORY
+ * @param out  the solution, also if it has not converged; free it with ::pdn_solution_free;
+ *     written on success only
+ * @return PDN_OK; PDN_ERR_NULL; PDN_ERR_NOT_FINITE; PDN_ERR_SIZE (even number of grid points, a
+ *     start of arrays without their number); PDN_ERR_VALUE; PDN_ERR_STRUCT_SIZE; PDN_ERR_MODEL (no
+ *     node, a beam too distorted); PDN_ERR_NOT_PERIODIC (a prescribed motion or load that does not
+ *     repeat, a spring on an angle that gains turns); PDN_ERR_GRID_TOO_COARSE (of the initial
+ *     solution); PDN_ERR_CALLBACK (of a signal); PDN_ERR_MEMORY
  *
- * Threads: like a `const` use of `model` and of `options.initial`. Signals' functions and `progress` are
- * called on this thread.
+ * Threads: like a `const` use of `model` and of `options.initial`. Signals' functions and
+ * `progress` are called on this thread.
  * @since 0.1
  */
 PDN_API
@@ -3922,32 +4017,34 @@ void pdn_static_options_init(struct pdn_static_options *options,
 /**
  * Finds an equilibrium at one time: of forces at rest, or in steady rotation.
  *
- * Newton's method with the exact tangent, after load steps from the unloaded reference configuration.
- * Where these lead nowhere, as for a pendulum that is not in a position of equilibrium yet, the masses
- * creep downhill. Not converging is no error: PDN_OK says that the solve was carried out,
- * ::pdn_solution_outcome how it ended, ::pdn_solution_report why. A position that nothing
- * determines, such as that of a free body, is PDN_SINGULAR.
+ * Newton's method with the exact tangent, after load steps from the unloaded reference
+ * configuration. Where these lead nowhere, as for a pendulum that is not in a position of
+ * equilibrium yet, the masses creep downhill. Not converging is no error: PDN_OK says that the
+ * solve was carried out, ::pdn_solution_outcome how it ended, ::pdn_solution_report why. A
+ * position that nothing determines, such as that of a free body, is PDN_SINGULAR.
  *
  * The solution has a grid of one point and the same values at any time.
  *
  * With options.angular_velocity everything turns steadily, the ground too: the solution is the
- * equilibrium in the turning frame, under centrifugal and gyroscopic forces. Positions and directions
- * are those in that frame, at a moment at which its axes are the inertial ones; velocities and
- * accelerations of nodes are those in the inertial frame, in forces of yours on nodes, too; rates of joints, and
- * dampers, know the motion in the frame only. Loads with PDN_FRAME_SPACE keep their directions in the turning frame, as the
- * ground does. Gravity must be along the axis.
+ * equilibrium in the turning frame, under centrifugal and gyroscopic forces. Positions and
+ * directions are those in that frame, at a moment at which its axes are the inertial ones;
+ * velocities and accelerations of nodes are those in the inertial frame, in forces of yours on
+ * nodes, too; rates of joints, and dampers, know the motion in the frame only. Loads with
+ * PDN_FRAME_SPACE keep their directions in the turning frame, as the ground does. Gravity must be
+ * along the axis.
  *
  * @param model  the model; it is copied, so that later changes do not touch the solution
  * @param options  may be NULL for the defaults
- * @param out  the solution, also if it has not converged; free it with ::pdn_solution_free; written
- *     on success only
- * @return PDN_OK; PDN_ERR_NULL; PDN_ERR_NOT_FINITE; PDN_ERR_VALUE (no load step, a period that is needed but
- *     not given, an initial solution of another model); PDN_ERR_STRUCT_SIZE; PDN_ERR_MODEL (no node, a
- *     beam too distorted); PDN_ERR_NOT_PERIODIC (gravity across the axis of rotation);
- *     PDN_ERR_GRID_TOO_COARSE (of the initial solution); PDN_ERR_CALLBACK (of a signal); PDN_ERR_MEMORY
+ * @param out  the solution, also if it has not converged; free it with ::pdn_solution_free;
+ *     written on success only
+ * @return PDN_OK; PDN_ERR_NULL; PDN_ERR_NOT_FINITE; PDN_ERR_VALUE (no load step, a period that is
+ *     needed but not given, an initial solution of another model); PDN_ERR_STRUCT_SIZE;
+ *     PDN_ERR_MODEL (no node, a beam too distorted); PDN_ERR_NOT_PERIODIC (gravity across the axis
+ *     of rotation); PDN_ERR_GRID_TOO_COARSE (of the initial solution); PDN_ERR_CALLBACK (of a
+ *     signal); PDN_ERR_MEMORY
  *
- * Threads: like a `const` use of `model` and of `options.initial`. Signals' functions and `progress` are
- * called on this thread.
+ * Threads: like a `const` use of `model` and of `options.initial`. Signals' functions and
+ * `progress` are called on this thread.
  * @since 0.1
  */
 PDN_API
@@ -3973,8 +4070,8 @@ void pdn_modes_options_init(struct pdn_modes_options *options,
  *
  * The equations of motion with their exact tangents are linearised to `(s² M + s C + K) x = 0`,
  * constraints, internal states of viscoelastic forces, and in a turning frame gyroscopic and
- * centrifugal terms included. Of conjugate pairs of eigenvalues s one is given; constraints make no
- * modes. Each free motion is a mode whose s is exactly 0.
+ * centrifugal terms included. Of conjugate pairs of eigenvalues s one is given; constraints make
+ * no modes. Each free motion is a mode whose s is exactly 0.
  *
  * That there is no equilibrium is no error: ::pdn_modes_outcome tells, and there are no modes.
  *
@@ -3984,8 +4081,8 @@ void pdn_modes_options_init(struct pdn_modes_options *options,
  * @return PDN_OK; PDN_ERR_SIZE (no modes or too many wanted); PDN_ERR_OVERFLOW (stiffnesses and
  *     masses too far apart); else as ::pdn_solve_static
  *
- * Threads: like a `const` use of `model` and of `options.equilibrium.initial`. Signals' functions and
- * `progress` are called on this thread.
+ * Threads: like a `const` use of `model` and of `options.equilibrium.initial`. Signals' functions
+ * and `progress` are called on this thread.
  * @since 0.1
  */
 PDN_API
@@ -4020,10 +4117,11 @@ int32_t pdn_modes_outcome(const struct pdn_modes *modes);
  * A readable report: outcome of the equilibrium and why, and a table of the modes.
  *
  * @param modes  the modes; not NULL
- * @param buffer  array of length [capacity] for the text, UTF-8, always ended by NUL; may be NULL if
- *     capacity is 0
+ * @param buffer  array of length [capacity] for the text, UTF-8, always ended by NUL; may be NULL
+ *     if capacity is 0
  * @param capacity  size of buffer in bytes
- * @return length of the whole report without the NUL, as snprintf does; 0 if the handle is not valid
+ * @return length of the whole report without the NUL, as snprintf does; 0 if the handle is not
+ *     valid
  *
  * Threads: like `const`.
  * @since 0.1
@@ -4109,9 +4207,10 @@ pdn_status pdn_modes_shape(const struct pdn_modes *modes,
 /**
  * The motion in a mode, to be looked at as any other solution.
  *
- * From the equilibrium each node moves by the exponential of `amplitude Re(x exp(i ω t))`, with ω = Im s: it
- * neither decays nor grows, and repeats after 2π/ω. For a real s, ω is its size; for a free
- * motion the period is that of the options, or 1. The equations hold but for the square of the amplitude.
+ * From the equilibrium each node moves by the exponential of `amplitude Re(x exp(i ω t))`, with ω
+ * = Im s: it neither decays nor grows, and repeats after 2π/ω. For a real s, ω is its size; for a
+ * free motion the period is that of the options, or 1. The equations hold but for the square of
+ * the amplitude.
  *
  * @param modes  the modes; not NULL
  * @param mode  number of the mode, from 0
@@ -4160,32 +4259,34 @@ void pdn_march_options_init(struct pdn_march_options *options,
 /**
  * Marches a model in time, for a given duration or until its motion repeats itself.
  *
- * The generalised-alpha method on SE(3) for the equations of index 3 (Arnold and Bruels 2007; Bruels, Cardona
- * and Arnold 2012), of second order: motions are updated by the exponential map, equilibrium and constraints
- * hold at the end of each step. It starts in the reference configuration at rest unless another start is
- * given, but what hangs on a prescribed rotation turns with it as one rigid body, if the joints let it: a blade is not
- * left behind a hub that spins. Then motions are moved and velocities changed by the least, by inertia, that satisfies the constraints
- * and prescribed motions, and accelerations and reactions follow. Internal states of viscoelastic
- * elements start relaxed, or as they are in the initial solution.
+ * The generalised-alpha method on SE(3) for the equations of index 3 (Arnold and Bruels 2007;
+ * Bruels, Cardona and Arnold 2012), of second order: motions are updated by the exponential map,
+ * equilibrium and constraints hold at the end of each step. It starts in the reference
+ * configuration at rest unless another start is given, but what hangs on a prescribed rotation
+ * turns with it as one rigid body, if the joints let it: a blade is not left behind a hub that
+ * spins. Then motions are moved and velocities changed by the least, by inertia, that satisfies
+ * the constraints and prescribed motions, and accelerations and reactions follow. Internal states
+ * of viscoelastic elements start relaxed, or as they are in the initial solution.
  *
- * The solution is a trajectory: the functions of solutions give its quantities at any times from its first
- * to its last. Between steps motions, velocities and joint coordinates are interpolated by cubic
- * polynomials, all else linearly. It has no harmonics. Not reaching the end is no error:
+ * The solution is a trajectory: the functions of solutions give its quantities at any times from
+ * its first to its last. Between steps motions, velocities and joint coordinates are interpolated
+ * by cubic polynomials, all else linearly. It has no harmonics. Not reaching the end is no error:
  * ::pdn_solution_outcome tells, and the trajectory is there as far as it came. It serves as
  * `initial` of other solves; of a periodic one, its last period does.
  *
- * @param model  the model; it is copied, so that later changes do not touch the solution. Signals that are
- *     functions are called with the times of the march, and need not be periodic
+ * @param model  the model; it is copied, so that later changes do not touch the solution. Signals
+ *     that are functions are called with the times of the march, and need not be periodic
  * @param options  not NULL: how long, and in which steps
- * @param out  the solution, also if the march ended early; free it with ::pdn_solution_free; written on
- *     success only
- * @return PDN_OK; PDN_ERR_NULL; PDN_ERR_NOT_FINITE; PDN_ERR_VALUE (no duration or step, a period that is
- *     needed but not given, an initial solution of another model, rotations that are none);
- *     PDN_ERR_STRUCT_SIZE; PDN_ERR_MODEL (no node, a beam too distorted); PDN_ERR_GRID_TOO_COARSE (of the
- *     initial solution); PDN_ERR_CALLBACK (of a signal or force); PDN_ERR_MEMORY
+ * @param out  the solution, also if the march ended early; free it with ::pdn_solution_free;
+ *     written on success only
+ * @return PDN_OK; PDN_ERR_NULL; PDN_ERR_NOT_FINITE; PDN_ERR_VALUE (no duration or step, a period
+ *     that is needed but not given, an initial solution of another model, rotations that are
+ *     none); PDN_ERR_STRUCT_SIZE; PDN_ERR_MODEL (no node, a beam too distorted);
+ *     PDN_ERR_GRID_TOO_COARSE (of the initial solution); PDN_ERR_CALLBACK (of a signal or force);
+ *     PDN_ERR_MEMORY
  *
- * Threads: like a `const` use of `model` and of `options.initial`. Signals' functions and `progress` are
- * called on this thread.
+ * Threads: like a `const` use of `model` and of `options.initial`. Signals' functions and
+ * `progress` are called on this thread.
  * @since 0.1
  */
 PDN_API
@@ -4207,11 +4308,13 @@ void pdn_march_diagnostics_init(struct pdn_march_diagnostics *diagnostics,
                                 size_t struct_size);
 
 /**
- * Figures of a march: steps, periods, how much the last of them differ, how much the start was changed.
+ * Figures of a march: steps, periods, how much the last of them differ, how much the start was
+ * changed.
  *
  * @param solution  a solution of ::pdn_march; not NULL
  * @param out  initialised by PDN_INIT; filled on success only
- * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_STRUCT_SIZE, PDN_ERR_NOT_AVAILABLE (the solution is no trajectory)
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_STRUCT_SIZE, PDN_ERR_NOT_AVAILABLE (the solution is no
+ *     trajectory)
  *
  * Threads: like `const`.
  * @since 0.1
@@ -4234,28 +4337,30 @@ void pdn_shooting_options_init(struct pdn_shooting_options *options,
                                size_t struct_size);
 
 /**
- * Finds the periodic response of a model by shooting: Newton's method on the period map of ::pdn_march.
+ * Finds the periodic response of a model by shooting: Newton's method on the period map of
+ * ::pdn_march.
  *
- * What is found is the periodic motion of the marching scheme, of second order in its step; the derivative of
- * the map is exact. It needs time and memory that grow with the square of the number of nodes; it is there
- * to compare with, and for the Floquet multipliers, which tell whether the motion is stable.
+ * What is found is the periodic motion of the marching scheme, of second order in its step; the
+ * derivative of the map is exact. It needs time and memory that grow with the square of the number
+ * of nodes; it is there to compare with, and for the Floquet multipliers, which tell whether the
+ * motion is stable.
  *
  * The solution is a trajectory over one period, from 0 to T. Not converging is no error:
- * ::pdn_solution_outcome tells. A motion that may be shifted in time or space, as without a drive or without
- * damping, is PDN_SINGULAR.
+ * ::pdn_solution_outcome tells. A motion that may be shifted in time or space, as without a drive
+ * or without damping, is PDN_SINGULAR.
  *
  * @param model  the model; it is copied, so that later changes do not touch the solution
  * @param period  T, the period of the response; harmonics of signals are those of this period
  * @param options  may be NULL for the defaults
- * @param out  the solution, also if it has not converged; free it with ::pdn_solution_free; written on
- *     success only
- * @return PDN_OK; PDN_ERR_NULL; PDN_ERR_NOT_FINITE; PDN_ERR_VALUE; PDN_ERR_STRUCT_SIZE; PDN_ERR_MODEL (no
- *     node, a beam too distorted); PDN_ERR_NOT_PERIODIC (a prescribed motion or load that does not repeat);
- *     PDN_ERR_GRID_TOO_COARSE (of the initial solution); PDN_ERR_CALLBACK (of a signal or force);
- *     PDN_ERR_MEMORY
+ * @param out  the solution, also if it has not converged; free it with ::pdn_solution_free;
+ *     written on success only
+ * @return PDN_OK; PDN_ERR_NULL; PDN_ERR_NOT_FINITE; PDN_ERR_VALUE; PDN_ERR_STRUCT_SIZE;
+ *     PDN_ERR_MODEL (no node, a beam too distorted); PDN_ERR_NOT_PERIODIC (a prescribed motion or
+ *     load that does not repeat); PDN_ERR_GRID_TOO_COARSE (of the initial solution);
+ *     PDN_ERR_CALLBACK (of a signal or force); PDN_ERR_MEMORY
  *
- * Threads: like a `const` use of `model` and of `options.initial`. Signals' functions and `progress` are
- * called on this thread.
+ * Threads: like a `const` use of `model` and of `options.initial`. Signals' functions and
+ * `progress` are called on this thread.
  * @since 0.1
  */
 PDN_API
@@ -4265,8 +4370,8 @@ pdn_status pdn_solve_shooting(const struct pdn_model *model,
                               struct pdn_solution **out);
 
 /**
- * Number of Floquet multipliers of a solution: as many as the system has states, if ::pdn_solve_shooting found
- * them.
+ * Number of Floquet multipliers of a solution: as many as the system has states, if
+ * ::pdn_solve_shooting found them.
  *
  * @param solution  a solution of ::pdn_solve_shooting or ::pdn_march; not NULL
  * @param out  the number; zero of a march; written on success only
@@ -4280,16 +4385,18 @@ pdn_status pdn_solution_floquet_count(const struct pdn_solution *solution,
                                       size_t *out);
 
 /**
- * Floquet multipliers: what disturbances of the motion are multiplied by in a period, the largest first.
+ * Floquet multipliers: what disturbances of the motion are multiplied by in a period, the largest
+ * first.
  *
- * The motion is stable if all are smaller than 1 in magnitude. They are those of the marching scheme, with
- * its error and its numerical damping.
+ * The motion is stable if all are smaller than 1 in magnitude. They are those of the marching
+ * scheme, with its error and its numerical damping.
  *
  * @param solution  a solution of ::pdn_solve_shooting; not NULL
  * @param real  array of length [count] for the real parts
  * @param imaginary  array of length [count] for the imaginary parts
  * @param count  their number, as ::pdn_solution_floquet_count tells
- * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_SIZE, PDN_ERR_NOT_AVAILABLE (the solution is no trajectory)
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_SIZE, PDN_ERR_NOT_AVAILABLE (the solution is no
+ *     trajectory)
  *
  * Threads: like `const`.
  * @since 0.1
@@ -4303,8 +4410,8 @@ pdn_status pdn_solution_floquet(const struct pdn_solution *solution,
 /**
  * Interpolates a periodic motion given at N equispaced times, by dual polar decomposition.
  *
- * Exponentially accurate as N grows, for rotations and translations of any size (section 4 of Han and
- * Bauchau, Nonlinear Dynamics 92, 2018).
+ * Exponentially accurate as N grows, for rotations and translations of any size (section 4 of Han
+ * and Bauchau, Nonlinear Dynamics 92, 2018).
  *
  * @param period  T, the period of the motion
  * @param positions  array of shape 3 x [points]: positions at t = k T / N
@@ -4314,8 +4421,8 @@ pdn_status pdn_solution_floquet(const struct pdn_solution *solution,
  * @param count  number of times
  * @param position  array of shape 3 x [count]; may be NULL
  * @param rotation  array of shape 9 x [count], each matrix column by column; may be NULL
- * @param velocity  array of shape 6 x [count]: linear and angular velocity along the moving axes; may
- *     be NULL
+ * @param velocity  array of shape 6 x [count]: linear and angular velocity along the moving axes;
+ *     may be NULL
  * @param acceleration  array of shape 6 x [count]: time derivative of velocity; may be NULL
  * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_SIZE, PDN_ERR_VALUE,
  *     PDN_ERR_GRID_TOO_COARSE
@@ -4338,15 +4445,16 @@ pdn_status pdn_motion_interpolate(double period,
 /**
  * Velocities and accelerations of a motion at its own grid points, and their exact linearisation.
  *
- * With the material increments u = (R^T dr, dpsi) of the motions, ordered as 6 for each point,
- * d velocity = velocity_tangent u and d acceleration = acceleration_tangent u (eqs. 24 to 29).
+ * With the material increments u = (R^T dr, dpsi) of the motions, ordered as 6 for each point, d
+ * velocity = velocity_tangent u and d acceleration = acceleration_tangent u (eqs. 24 to 29 of the
+ * paper).
  *
  * @param period  T, the period of the motion
  * @param positions  array of shape 3 x [points]: positions at t = k T / N
  * @param rotations  array of shape 9 x [points]: rotation matrices, each column by column
  * @param points  N, odd
- * @param velocity  array of shape 6 x [points]: linear and angular velocity along the moving axes; may
- *     be NULL
+ * @param velocity  array of shape 6 x [points]: linear and angular velocity along the moving axes;
+ *     may be NULL
  * @param acceleration  array of shape 6 x [points]: time derivative of velocity; may be NULL
  * @param velocity_tangent  matrix of 6 N x 6 N, column-major; may be NULL
  * @param acceleration_tangent  matrix of 6 N x 6 N, column-major; may be NULL
@@ -4383,8 +4491,8 @@ void pdn_summary_init(struct pdn_summary *summary,
  *
  * @param model  the model
  * @param out  initialised by PDN_INIT; filled on success only
- * @return PDN_OK; PDN_ERR_NULL; PDN_ERR_STRUCT_SIZE; PDN_ERR_MODEL (no node, a beam too distorted);
- *     PDN_ERR_CALLBACK (of a signal)
+ * @return PDN_OK; PDN_ERR_NULL; PDN_ERR_STRUCT_SIZE; PDN_ERR_MODEL (no node, a beam too
+ *     distorted); PDN_ERR_CALLBACK (of a signal)
  *
  * Threads: like `const`. Signals' functions are called on this thread.
  * @since 0.1
@@ -4394,16 +4502,17 @@ pdn_status pdn_model_summary(const struct pdn_model *model,
                              struct pdn_summary *out);
 
 /**
- * The same in readable lines, with warnings: parts that nothing connects or holds, ends of beams without a joint,
- * nodes without inertia, joints open in the reference configuration or far from all else, impossible moments of
- * inertia, sizes, masses and stiffnesses that do not fit each other.
+ * The same in readable lines, with warnings: parts that nothing connects or holds, ends of beams
+ * without a joint, nodes without inertia, joints open in the reference configuration or far from
+ * all else, impossible moments of inertia, sizes, masses and stiffnesses that do not fit each
+ * other.
  *
  * @param model  the model; not NULL
- * @param buffer  array of length [capacity] for the text, UTF-8, always ended by NUL; may be NULL if
- *     capacity is 0
+ * @param buffer  array of length [capacity] for the text, UTF-8, always ended by NUL; may be NULL
+ *     if capacity is 0
  * @param capacity  size of buffer in bytes
- * @return length of the whole text without the NUL, as snprintf does; 0 if the handle is not valid or
- *     ::pdn_model_summary fails, see ::pdn_last_error
+ * @return length of the whole text without the NUL, as snprintf does; 0 if the handle is not valid
+ *     or ::pdn_model_summary fails, see ::pdn_last_error
  *
  * Threads: like `const`. Signals' functions are called on this thread.
  * @since 0.1
@@ -4416,8 +4525,8 @@ size_t pdn_model_describe(const struct pdn_model *model,
 /**
  * A table over these times, to choose columns for and to write as CSV.
  *
- * Its first column, `t`, are the times. Columns come from one solution or from several, which are sampled
- * as they are added and may then be freed.
+ * Its first column, `t`, are the times. Columns come from one solution or from several, which are
+ * sampled as they are added and may then be freed.
  *
  * @param times  array of length [count]: times, also outside the first period, in any order
  * @param count  number of times, at least 1
@@ -4446,17 +4555,17 @@ void pdn_table_free(struct pdn_table *table);
 /**
  * Adds the columns of a quantity of a node, named by the label and the component.
  *
- * Components are x, y, z (position, and along the inertial axes), 1, 2, 3 (along the node's own), 11, 21, 31,
- * 12, ... (rotation matrix, row and column), w, x, y, z (quaternion); angular_x, ... of velocities and
- * accelerations.
+ * Components are x, y, z (position, and along the inertial axes), 1, 2, 3 (along the node's own),
+ * 11, 21, 31, 12, ... (rotation matrix, row and column), w, x, y, z (quaternion); angular_x, ...
+ * of velocities and accelerations.
  *
  * @param table  the table; not NULL
  * @param solution  the solution; not NULL
  * @param node  id of the node
  * @param quantity  PDN_NODE_POSITION, ...; one column for each component
  * @param label  columns are called `label.x` and so on; NULL for a name such as `node3.position`
- * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_ID, PDN_ERR_VALUE (no such quantity; a name that a column has
- *     already), PDN_ERR_GRID_TOO_COARSE, PDN_ERR_OVERFLOW
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_ID, PDN_ERR_VALUE (no such quantity; a name that a column
+ *     has already), PDN_ERR_GRID_TOO_COARSE, PDN_ERR_OVERFLOW
  *
  * Threads: exclusive use of `table`; like `const` of `solution`.
  * @since 0.1
@@ -4469,18 +4578,19 @@ pdn_status pdn_table_add_node(struct pdn_table *table,
                               const char *label);
 
 /**
- * Adds the columns of a quantity of a joint: one of that name or, for reactions, six with components
- * force_x, ..., moment_x, ... (force_1, ... along joint frames).
+ * Adds the columns of a quantity of a joint: one of that name or, for reactions, six with
+ * components force_x, ..., moment_x, ... (force_1, ... along joint frames).
  *
  * @param table  the table; not NULL
  * @param solution  the solution; not NULL
  * @param joint  id of the joint
  * @param quantity  PDN_JOINT_COORDINATE, ...
- * @param detail  the coordinate (PDN_DISPLACEMENT, ...) or, for PDN_JOINT_REACTION, the axes (PDN_AXES_SPACE, ...)
- * @param label  name of the column or, followed by a dot and the component, of the columns; NULL for a name
- *     such as `joint2.rotation_1.rate`
- * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_ID, PDN_ERR_VALUE (no such quantity; a name that a column has
- *     already), PDN_ERR_NOT_AVAILABLE, PDN_ERR_OVERFLOW
+ * @param detail  the coordinate (PDN_DISPLACEMENT, ...) or, for PDN_JOINT_REACTION, the axes
+ *     (PDN_AXES_SPACE, ...)
+ * @param label  name of the column or, followed by a dot and the component, of the columns; NULL
+ *     for a name such as `joint2.rotation_1.rate`
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_ID, PDN_ERR_VALUE (no such quantity; a name that a column
+ *     has already), PDN_ERR_NOT_AVAILABLE, PDN_ERR_OVERFLOW
  *
  * Threads: exclusive use of `table`; like `const` of `solution`.
  * @since 0.1
@@ -4496,17 +4606,18 @@ pdn_status pdn_table_add_joint(struct pdn_table *table,
 /**
  * Adds the six columns of strains or internal forces of a beam element at a station.
  *
- * Components are axial, shear_2, shear_3, and twist, curvature_2, curvature_3 of strains or torque, bending_2,
- * bending_3 of forces.
+ * Components are axial, shear_2, shear_3, and twist, curvature_2, curvature_3 of strains or
+ * torque, bending_2, bending_3 of forces.
  *
  * @param table  the table; not NULL
  * @param solution  the solution; not NULL
  * @param element  id of the beam element
  * @param station  place along the element, from -1 at its first to 1 at its last node
  * @param quantity  PDN_BEAM_STRAIN, PDN_BEAM_FORCE, PDN_BEAM_FORCE_MEAN or PDN_BEAM_FORCE_JUMP
- * @param label  columns are called `label.axial` and so on; NULL for a name such as `beam4(0.5).force`
- * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_ID, PDN_ERR_VALUE (no such quantity or station; a
- *     name that a column has already), PDN_ERR_OVERFLOW
+ * @param label  columns are called `label.axial` and so on; NULL for a name such as
+ *     `beam4(0.5).force`
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_ID, PDN_ERR_VALUE (no such quantity or
+ *     station; a name that a column has already), PDN_ERR_OVERFLOW
  *
  * Threads: exclusive use of `table`; like `const` of `solution`.
  * @since 0.1
@@ -4520,18 +4631,18 @@ pdn_status pdn_table_add_beam(struct pdn_table *table,
                               const char *label);
 
 /**
- * Adds the columns of a quantity of a force: one of that name or, for what it exerts on a node, six with
- * components force_x, ..., moment_x, ... (force_1, ... along the node's own axes).
+ * Adds the columns of a quantity of a force: one of that name or, for what it exerts on a node,
+ * six with components force_x, ..., moment_x, ... (force_1, ... along the node's own axes).
  *
  * @param table  the table; not NULL
  * @param solution  the solution; not NULL
  * @param force  id of the force
  * @param quantity  PDN_FORCE_EFFORT, ...
  * @param detail  the branch (PDN_FORCE_BRANCH_...) or the node (PDN_FORCE_ON_NODE...); otherwise 0
- * @param label  name of the column or, followed by a dot and the component, of the columns; NULL for a name
- *     such as `force1.effort`
- * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_ID, PDN_ERR_VALUE (no such quantity; a name that a column has
- *     already), PDN_ERR_NOT_AVAILABLE, PDN_ERR_OVERFLOW
+ * @param label  name of the column or, followed by a dot and the component, of the columns; NULL
+ *     for a name such as `force1.effort`
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_ID, PDN_ERR_VALUE (no such quantity; a name that a column
+ *     has already), PDN_ERR_NOT_AVAILABLE, PDN_ERR_OVERFLOW
  *
  * Threads: exclusive use of `table`; like `const` of `solution`.
  * @since 0.1
@@ -4551,8 +4662,8 @@ pdn_status pdn_table_add_force(struct pdn_table *table,
  * @param label  name of the column; not NULL
  * @param values  array of length [count]: a value for each time
  * @param count  number of values: that of the times
- * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_SIZE, PDN_ERR_VALUE (a name that a column has
- *     already)
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_SIZE, PDN_ERR_VALUE (a name that a
+ *     column has already)
  *
  * Threads: exclusive use of `table`.
  * @since 0.1
@@ -4566,12 +4677,12 @@ pdn_status pdn_table_add_values(struct pdn_table *table,
 /**
  * Writes a table as a CSV file: a line of names, then a line for each time.
  *
- * Columns are separated by commas, names with commas or quotes are quoted. Numbers have as many digits as it
- * takes to read them back exactly.
+ * Columns are separated by commas, names with commas or quotes are quoted. Numbers have as many
+ * digits as it takes to read them back exactly.
  *
  * @param table  the table; not NULL
- * @param path  where to, UTF-8. A file that is there is replaced when all is written; if that fails it
- *     stays as it was. A terminal or pipe, such as "/dev/stdout", is written to directly
+ * @param path  where to, UTF-8. A file that is there is replaced when all is written; if that
+ *     fails it stays as it was. A terminal or pipe, such as "/dev/stdout", is written to directly
  * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_VALUE (text that is not UTF-8), PDN_ERR_IO
  *
  * Threads: like a `const` use of `table`.
@@ -4584,28 +4695,30 @@ pdn_status pdn_table_write_csv(const struct pdn_table *table,
 /**
  * Writes an animation of a solution that ParaView opens: VTK's XML files, and a list of them.
  *
- * `path` names the list; the files are put into a directory beside it that has its name without `.pvd`. For
- * each time there is one file for each of these parts that the model has:
+ * `path` names the list; the files are put into a directory beside it that has its name without
+ * `.pvd`. For each time there is one file for each of these parts that the model has:
  *
- * - `beams`: a line of `points_per_element` points for each beam element (draw it with the filter Tube). Each
- *   point has displacement, axes of the section (axis_1, axis_2, axis_3), and force, moment, strain,
- *   curvature along these axes; each line its element;
- * - `bodies`: the nodes that carry a rigid body or belong to no beam, with node, displacement, axes,
- *   velocity, angular_velocity;
- * - `joints`: the origins of the joint frames on the second bodies, with joint, displacement, axes,
- *   reaction_force, reaction_moment.
+ * - `beams`: a line of `points_per_element` points for each beam element (draw it with the filter
+ *   Tube). Each point has displacement, axes of the section (axis_1, axis_2, axis_3), and force,
+ *   moment, strain, curvature along these axes; each line its element;
+ * - `bodies`: the nodes that carry a rigid body or belong to no beam, with node, displacement,
+ *   axes, velocity, angular_velocity;
+ * - `joints`: the origins of the joint frames on the second bodies, with joint, displacement,
+ *   axes, reaction_force, reaction_moment.
  *
- * Displacements are from the reference configuration. Vectors are along the inertial axes, but for the
- * internal forces and strains of beams.
+ * Displacements are from the reference configuration. Vectors are along the inertial axes, but for
+ * the internal forces and strains of beams.
  *
  * @param solution  the solution; not NULL
- * @param times  array of length [count]: times of the animation, ascending, also outside the first period
+ * @param times  array of length [count]: times of the animation, ascending, also outside the first
+ *     period
  * @param count  number of times, at least 1
  * @param points_per_element  points along each beam element, 2 to 1000
- * @param path  where to, UTF-8, ending in `.pvd`. Files of these names are replaced; if writing fails,
- *     they stay as they were
- * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_SIZE, PDN_ERR_VALUE (times that do not ascend,
- *     a path that does not end in `.pvd`), PDN_ERR_GRID_TOO_COARSE, PDN_ERR_OVERFLOW, PDN_ERR_IO
+ * @param path  where to, UTF-8, ending in `.pvd`. Files of these names are replaced; if writing
+ *     fails, they stay as they were
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_SIZE, PDN_ERR_VALUE (times that do not
+ *     ascend, a path that does not end in `.pvd`, or whose name has control characters),
+ *     PDN_ERR_GRID_TOO_COARSE, PDN_ERR_OVERFLOW, PDN_ERR_IO
  *
  * Threads: like a `const` use of `solution`.
  * @since 0.1
@@ -4620,12 +4733,12 @@ pdn_status pdn_solution_write_vtk(const struct pdn_solution *solution,
 /**
  * Saves a solution with its model, whether it has converged or not.
  *
- * ::pdn_solution_load gives it back, to the last bit. Callbacks cannot be saved: see there. The format is the
- * same on all platforms, and later versions of the library read it.
+ * ::pdn_solution_load gives it back, to the last bit. Callbacks cannot be saved: see there. The
+ * format is the same on all platforms, and later versions of the library read it.
  *
  * @param solution  the solution; not NULL
- * @param path  where to, UTF-8. A file that is there is replaced when all is written; if that fails it
- *     stays as it was
+ * @param path  where to, UTF-8. A file that is there is replaced when all is written; if that
+ *     fails it stays as it was
  * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_VALUE (text that is not UTF-8), PDN_ERR_IO
  *
  * Threads: like a `const` use of `solution`.
@@ -4636,17 +4749,19 @@ pdn_status pdn_solution_save(const struct pdn_solution *solution,
                              const char *path);
 
 /**
- * Loads a solution that ::pdn_solution_save saved: its quantities, diagnostics and report are what they were.
+ * Loads a solution that ::pdn_solution_save saved: its quantities, diagnostics and report are what
+ * they were.
  *
- * A solve may start from it (the option `initial`), of your model or of the one that ::pdn_solution_model
- * gives. If the solved model had callbacks, in signals or forces, the quantities of the solution are there all
- * the same; but a solve of the model that was loaded with it fails with PDN_ERR_CALLBACK, as its callbacks
- * are not.
+ * A solve may start from it (the option `initial`), of your model or of the one that
+ * ::pdn_solution_model gives. If the solved model had callbacks, in signals or forces, the
+ * quantities of the solution are there all the same; but a solve of the model that was loaded with
+ * it fails with PDN_ERR_CALLBACK, as its callbacks are not.
  *
- * @param path  the file, UTF-8. It need not be trusted: its checksum and everything in it are checked
+ * @param path  the file, UTF-8. It need not be trusted: its checksum and everything in it are
+ *     checked
  * @param out  the solution; free it with ::pdn_solution_free; written on success only
- * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_VALUE (text that is not UTF-8), PDN_ERR_IO, PDN_ERR_FORMAT (not a saved
- *     solution, cut off, damaged, or of a newer version), PDN_ERR_MEMORY
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_VALUE (text that is not UTF-8), PDN_ERR_IO, PDN_ERR_FORMAT
+ *     (not a saved solution, cut off, damaged, or of a newer version), PDN_ERR_MEMORY
  *
  * Threads: any.
  * @since 0.1

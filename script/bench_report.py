@@ -3,8 +3,9 @@
 
     script/bench_report.py build/bench [docs/performance.md]
 
-Writes DIRECTORY/report.md and DIRECTORY/*.png. With a page, also replaces its tables, each between the lines
-`<!-- table NAME -->` or `<!-- picture NAME -->` and `<!-- end -->`, and draws its pictures in the directory images/ beside it.
+Writes DIRECTORY/report.md and DIRECTORY/*.png. With a page, also replaces its tables, each between
+the lines `<!-- table NAME -->` or `<!-- picture NAME -->` and `<!-- end -->`, and draws its
+pictures in the directory images/ beside it.
 """
 
 import argparse
@@ -39,7 +40,9 @@ def read(directory, name):
 def markdown(titles, rows):
     """A table; numbers to the right."""
     lines = ["| " + " | ".join(titles) + " |"]
-    numeric = [all(re.match(r"^([-−+\d.]|$)", str(row[i])) for row in rows) for i in range(len(titles))]
+    numeric = [
+        all(re.match(r"^([-−+\d.]|$)", str(row[i])) for row in rows) for i in range(len(titles))
+    ]
     lines.append("|" + "|".join("---:" if n else "---" for n in numeric) + "|")
     lines += ["| " + " | ".join(str(cell) for cell in row) + " |" for row in rows]
     return "\n".join(lines)
@@ -86,7 +89,8 @@ def cheapest(points, tolerance):
 
 
 def accuracy_table(directory):
-    """The quickest of each method for each tolerance, and how many times longer it takes than collocation."""
+    """The quickest of each method for each tolerance, and how many times longer it takes than
+    collocation."""
     rows = []
     for model, methods in accuracy(directory).items():
         for tolerance in TOLERANCES:
@@ -117,7 +121,9 @@ def draw_accuracy(directory, image):
     found = accuracy(directory)
     if not found:
         return
-    figure, axes = plt.subplots(1, len(found), figsize=(4.0 * len(found), 4.4), sharey=True, squeeze=False)
+    figure, axes = plt.subplots(
+        1, len(found), figsize=(4.0 * len(found), 4.4), sharey=True, squeeze=False
+    )
     for axis, (model, methods) in zip(axes[0], found.items()):
         for (method, points), (colour, marker) in zip(methods.items(), STYLES):
             front, least = [], math.inf
@@ -126,8 +132,16 @@ def draw_accuracy(directory, image):
                     front.append((seconds, error))
                     least = error
             if front:
-                axis.plot(*zip(*front), "-", marker=marker, color=colour, markersize=4.5, linewidth=1.4,
-                          markerfacecolor="white", label=method if method == "Exudyn" else f"Periodyn, {method}")
+                axis.plot(
+                    *zip(*front),
+                    "-",
+                    marker=marker,
+                    color=colour,
+                    markersize=4.5,
+                    linewidth=1.4,
+                    markerfacecolor="white",
+                    label=method if method == "Exudyn" else f"Periodyn, {method}",
+                )
         style(axis)
         axis.set_title(model, loc="left", fontsize=10.5)
         axis.set_xlabel("time [s]")
@@ -157,8 +171,16 @@ def draw_scaling(directory, image):
             fit = exponents.get(group, {}).get(quantity, "")
             label = f"{group[0]}, {group[1]} thread{'s' if group[1] != '1' else ''}"
             label += f": exponent {fit}" if fit else ""
-            axis.plot(*zip(*points), "-" if group[1] == "1" else "--", marker=marker, color=colour, markersize=5, linewidth=1.4,
-                      markerfacecolor="white", label=label)
+            axis.plot(
+                *zip(*points),
+                "-" if group[1] == "1" else "--",
+                marker=marker,
+                color=colour,
+                markersize=5,
+                linewidth=1.4,
+                markerfacecolor="white",
+                label=label,
+            )
         style(axis)
         axis.set_xlabel("unknowns 6 n N")
         axis.legend(frameon=False, fontsize=8, loc="upper left")
@@ -171,7 +193,9 @@ def draw_scaling(directory, image):
 
 def main():
     """Command line."""
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = argparse.ArgumentParser(
+        description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
+    )
     parser.add_argument("directory", type=pathlib.Path)
     parser.add_argument("page", type=pathlib.Path, nargs="?")
     arguments = parser.parse_args()
@@ -192,11 +216,15 @@ def main():
         text = arguments.page.read_text(encoding="utf-8")
         for name, table in tables.items():
             pattern = rf"(<!-- table {name} -->\n).*?(<!-- end -->)"
-            text = re.sub(pattern, lambda m, table=table: f"{m[1]}{table}\n{m[2]}", text, flags=re.DOTALL)
+            text = re.sub(
+                pattern, lambda m, table=table: f"{m[1]}{table}\n{m[2]}", text, flags=re.DOTALL
+            )
         for name, title in PICTURES.items():
             pattern = rf"(<!-- picture {name} -->\n).*?(<!-- end -->)"
             shown_there = f"![{title}](images/{name}.png)"
-            text = re.sub(pattern, lambda m, line=shown_there: f"{m[1]}{line}\n{m[2]}", text, flags=re.DOTALL)
+            text = re.sub(
+                pattern, lambda m, line=shown_there: f"{m[1]}{line}\n{m[2]}", text, flags=re.DOTALL
+            )
         arguments.page.write_text(text, encoding="utf-8")
         places.append(arguments.page.parent / "images")
     for place in places:

@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""Draws the columns of CSV files against their first column: a panel for each, a curve for each file.
+"""Draws the columns of CSV files against their first column: a panel for each, a curve for each
+file.
 
     script/plot.py output/rotor_blade.csv output/rotor_blade.png
     script/plot.py output/rigid.csv output/flexible.csv output/both.png
@@ -25,10 +26,14 @@ def read_columns(path):
     with open(path, newline="") as file:
         rows = list(csv.reader(file))
     if len(rows) < 3 or len(rows[0]) < 2:
-        raise ValueError(f"{path}: expected a line of names and lines of numbers, two columns at least")
+        raise ValueError(
+            f"{path}: expected a line of names and lines of numbers, two columns at least"
+        )
     for number, row in enumerate(rows, start=1):
         if len(row) != len(rows[0]):
-            raise ValueError(f"{path}, line {number}: expected {len(rows[0])} columns, got {len(row)}")
+            raise ValueError(
+                f"{path}, line {number}: expected {len(rows[0])} columns, got {len(row)}"
+            )
     return rows[0], [[float(text) for text in column] for column in zip(*rows[1:])]
 
 
@@ -57,7 +62,9 @@ def draw(files, image):
 
 def main():
     """Command line."""
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = argparse.ArgumentParser(
+        description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
+    )
     parser.add_argument("csv", type=pathlib.Path, nargs="+", help="at most four files")
     parser.add_argument("image", type=pathlib.Path, help="where the picture goes")
     arguments = parser.parse_args()

@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""Draws figures of Han & Bauchau (2018) from the CSV files that script/figures makes in DIRECTORY."""
+"""Draws figures of Han & Bauchau (2018) from the CSV files that script/figures makes in
+DIRECTORY."""
 
 import argparse
 import csv
@@ -45,7 +46,11 @@ def finish(directory, number, drawing, axes, period=None, turns=1):
     if period:
         parts = 4 if turns == 1 else turns
         ticks = [turns * period * k / parts for k in range(parts + 1)]
-        names = ["0", "T/4", "T/2", "3T/4", "T"] if turns == 1 else ["0", "T"] + [f"{k}T" for k in range(2, turns + 1)]
+        names = (
+            ["0", "T/4", "T/2", "3T/4", "T"]
+            if turns == 1
+            else ["0", "T"] + [f"{k}T" for k in range(2, turns + 1)]
+        )
         axes.set_xticks(ticks, names)
         axes.set_xlim(0, turns * period)
     if axes.get_legend_handles_labels()[0]:
@@ -64,7 +69,16 @@ def over_period(directory, number, column, label, cases, scale=1.0, limits=None)
         t, values = columns["t"], [scale * value for value in columns[column]]
         period = t[-1]
         every = max(1, len(t) // 24)
-        axes.plot(t, values, color=colour, marker=marker, markevery=every, markersize=4, linewidth=1.2, label=name)
+        axes.plot(
+            t,
+            values,
+            color=colour,
+            marker=marker,
+            markevery=every,
+            markersize=4,
+            linewidth=1.2,
+            label=name,
+        )
     if limits:
         axes.set_ylim(limits)
     finish(directory, number, drawing, axes, period)
@@ -75,21 +89,37 @@ def interpolation(directory):
     errors = read(directory / "interpolation.csv")
     drawing, axes = figure(3, "Number of grid points N", "Error")
     axes.loglog(errors["N"], errors["e_R"], "o-", color="#0072B2", label="rotation, $e_R$")
-    axes.loglog(errors["N"], errors["e_omega"], "^-", color="#D55E00", label="angular velocity, $e_\\omega$")
+    axes.loglog(
+        errors["N"], errors["e_omega"], "^-", color="#D55E00", label="angular velocity, $e_\\omega$"
+    )
     finish(directory, 3, drawing, axes)
 
 
 def damped(directory):
     """Figures 5 and 6: vibration of bar 2 after a start from rest, with the last turn enlarged."""
-    for number, column, label in [(5, "u2_B", "Displacement of B across bar 1 [ft]"), (6, "theta2", "Angle $\\theta_2$ [rad]")]:
+    for number, column, label in [
+        (5, "u2_B", "Displacement of B across bar 1 [ft]"),
+        (6, "theta2", "Angle $\\theta_2$ [rad]"),
+    ]:
         drawing, axes = figure(number, "Time", label)
         inset = axes.inset_axes([0.52, 0.66, 0.46, 0.32])
         period = 2 * math.pi / 50
         for (name, title), (colour, _) in zip(TAUS, STYLES):
             columns = read(directory / f"damped_{name}.csv")
-            axes.plot(columns["t"], columns[column], color=colour, linewidth=1.1, label=f"$\\tau_b$ = {title}")
+            axes.plot(
+                columns["t"],
+                columns[column],
+                color=colour,
+                linewidth=1.1,
+                label=f"$\\tau_b$ = {title}",
+            )
             late = [i for i, t in enumerate(columns["t"]) if t >= 7 * period]
-            inset.plot([columns["t"][i] for i in late], [columns[column][i] for i in late], color=colour, linewidth=0.9)
+            inset.plot(
+                [columns["t"][i] for i in late],
+                [columns[column][i] for i in late],
+                color=colour,
+                linewidth=0.9,
+            )
         inset.set_xticks([7 * period, 8 * period], ["7T", "8T"])
         inset.tick_params(labelsize=7)
         bottom, top = axes.get_ylim()
@@ -106,7 +136,10 @@ def damped(directory):
 
 def spatial(directory):
     """Figures 8 to 10."""
-    cases = [(f"N = {n}", style, read(directory / f"spatial_{n}.csv")) for n, style in zip(SPATIAL, STYLES)]
+    cases = [
+        (f"N = {n}", style, read(directory / f"spatial_{n}.csv"))
+        for n, style in zip(SPATIAL, STYLES)
+    ]
     over_period(directory, 8, "x3_B", "$x_3$ of B [m]", cases)
     over_period(directory, 9, "v3_B", "$v_3$ of B [m/s]", cases)
     over_period(directory, 10, "torque_D", "Driving torque at D [N m]", cases)
@@ -115,9 +148,13 @@ def spatial(directory):
 def planar(directory):
     """Figures 12 to 16."""
     cases = [("marching", ("#202020", None), read(directory / "planar_march.csv"))]
-    cases += [(f"N = {n}", style, read(directory / f"planar_{n}.csv")) for n, style in zip(PLANAR, STYLES)]
+    cases += [
+        (f"N = {n}", style, read(directory / f"planar_{n}.csv")) for n, style in zip(PLANAR, STYLES)
+    ]
     over_period(directory, 12, "u1_C", "$u_1$ of C [m]", cases)
-    over_period(directory, 13, "phi_C", "$\\varphi$ of bar 2 at C [deg]", cases, scale=180 / math.pi)
+    over_period(
+        directory, 13, "phi_C", "$\\varphi$ of bar 2 at C [deg]", cases, scale=180 / math.pi
+    )
     over_period(directory, 14, "theta_D", "Relative rotation $\\theta$ at D [rad]", cases)
     # As far as the paper's: marching goes on to -5.5 kN and -6 kN.
     over_period(directory, 15, "F1", "Axial force $F_1$ [N]", cases, limits=(-1000, 250))

@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""Draws the spatial four-bar's response on several grids, like figures 8 to 10 of Han & Bauchau (2018).
+"""Draws the spatial four-bar's response on several grids, like figures 8 to 10 of Han & Bauchau
+(2018).
 
 Reads DIRECTORY/spatial_four_bar_N.csv (columns t, x3_B, v3_B, torque_D over one period) for each N,
 writes DIRECTORY/spatial_four_bar.png.
@@ -38,7 +39,9 @@ def read_curves(path):
     columns = {name: [] for name in names}
     for number, row in enumerate(rows[1:], start=2):
         if len(row) != len(names):
-            raise ValueError(f"{path}, line {number}: expected {len(names)} numbers, got {len(row)}")
+            raise ValueError(
+                f"{path}, line {number}: expected {len(names)} numbers, got {len(row)}"
+            )
         for name, text in zip(names, row):
             value = float(text)
             if not math.isfinite(value):
@@ -125,7 +128,9 @@ def legend_handles(grids):
 def main():
     """Command line."""
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("directory", type=pathlib.Path, help="where the CSV files are, and the image goes")
+    parser.add_argument(
+        "directory", type=pathlib.Path, help="where the CSV files are, and the image goes"
+    )
     parser.add_argument("grid", type=int, nargs="+", help="numbers of grid points N")
     arguments = parser.parse_args()
     name = "spatial_four_bar"

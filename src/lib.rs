@@ -1,9 +1,10 @@
-//! Periodic response of flexible multibody systems by Fourier spectral collocation on SE(3), after S. Han and
-//! O. A. Bauchau, *Nonlinear Dynamics* 92(4), 1599–1618, 2018.
+//! Periodic response of flexible multibody systems by Fourier spectral collocation on SE(3), after
+//! S. Han and O. A. Bauchau, *Nonlinear Dynamics* 92(4), 1599–1618, 2018.
 //!
-//! A [`model::Model`] describes the mechanism in its reference configuration; [`output::Solution::solve`] finds
-//! its periodic response and gives access to it; [`capi`] is the same for C. Any consistent set of units will
-//! do. `ARCHITECTURE.md` tells how the modules build on each other.
+//! A [`model::Model`] describes the mechanism in its reference configuration;
+//! [`output::Solution::solve`] finds its periodic response and gives access to it; [`capi`] is the
+//! same for C. Any consistent set of units will do. `ARCHITECTURE.md` tells how the modules build
+//! on each other.
 //!
 //! ```
 //! use nalgebra::{Matrix3, Vector3};
@@ -18,7 +19,8 @@
 //! let axis = Model::frame_at("axis", &Vector3::zeros(), &-Vector3::y())?;
 //! let joint = model.add_joint(JointKind::Revolute, None, Some(arm), &axis, &axis)?;
 //! let coordinate = Coordinate::Rotation1;
-//! model.prescribe(JointCoordinate { joint, coordinate }, &Signal::harmonics(0.0, 3.0, &[], &[])?)?;
+//! let turning = Signal::harmonics(0.0, 3.0, &[], &[])?;
+//! model.prescribe(JointCoordinate { joint, coordinate }, &turning)?;
 //! let constant = |g| Signal::constant(g);
 //! model.set_gravity([constant(0.0)?, constant(0.0)?, constant(-9.81)?]);
 //!

@@ -1,7 +1,7 @@
 //! Threads that share work, from a pool of their own.
 //!
-//! Work is split into items that do not depend on each other, and each item is worked on in one piece: results are
-//! the same, bit by bit, for any number of threads.
+//! Work is split into items that do not depend on each other, and each item is worked on in one
+//! piece: results are the same, bit by bit, for any number of threads.
 
 use crate::error::{Error, ErrorKind, Result};
 use rayon::iter::{IntoParallelRefMutIterator, ParallelIterator};
@@ -12,7 +12,8 @@ use std::sync::{Arc, Condvar, Mutex};
 use std::thread::{self, JoinHandle};
 use std::time::Duration;
 
-/// Keeps faer's convenient functions on the calling thread: by default they would start a thread for each processor.
+/// Keeps faer's convenient functions on the calling thread: by default they would start a thread
+/// for each processor.
 pub(crate) fn no_threads_unasked() {
     faer::set_global_parallelism(faer::Par::Seq);
 }
@@ -243,8 +244,8 @@ impl Workers {
         }
     }
 
-    /// The same for work that may fail: the error of the first item that does. Items after it may be left out, as may be those
-    /// that follow where work is to end.
+    /// The same for work that may fail: the error of the first item that does. Items after it may
+    /// be left out, as may be those that follow where work is to end.
     pub fn try_for_each<T: Send, S: Send>(
         &self,
         items: &mut [T],

@@ -1,6 +1,6 @@
-//! Collocation, shooting and marching, three ways to the same periodic motion, agree to the errors that each of
-//! them estimates of itself: collocation from the decay of its harmonics, the others from steps of half the
-//! length.
+//! Collocation, shooting and marching, three ways to the same periodic motion, agree to the errors
+//! that each of them estimates of itself: collocation from the decay of its harmonics, the others
+//! from steps of half the length.
 
 mod common;
 
@@ -10,11 +10,12 @@ use periodyn::output::{NodeQuantity, Solution};
 use periodyn::solve::*;
 use std::f64::consts::TAU;
 
-/// What the difference of two methods may be, in units of the sum of their estimates: both are of the leading
-/// term of the error.
+/// What the difference of two methods may be, in units of the sum of their estimates: both are of
+/// the leading term of the error.
 const SAFETY: f64 = 1.2;
 
-/// Largest difference of motions, in the measure of the estimate of collocation; each at its own times.
+/// Largest difference of motions, in the measure of the estimate of collocation; each at its own
+/// times.
 fn distance((a, a_times): (&Solution, &[f64]), (b, b_times): (&Solution, &[f64])) -> f64 {
     let length = a.details().system.scales().length;
     largest((0..a.model().node_count()).flat_map(|node| {
@@ -54,8 +55,8 @@ fn agree(name: &str, model: &Model, period: f64, steps: usize) {
         options.start = start();
         Solution::march(model, &options, &mut |_, _| true).unwrap()
     };
-    // The start of a march sets what is stiff and light vibrating, by no more than rounding of the start: the second
-    // period is looked at.
+    // The start of a march sets what is stiff and light vibrating, by no more than rounding of the
+    // start: the second period is looked at.
     let later: Vec<f64> = times.iter().map(|t| t + period).collect();
     let mut fine = Vec::new();
     for (method, solutions, at) in [
@@ -75,7 +76,8 @@ fn agree(name: &str, model: &Model, period: f64, steps: usize) {
         let estimate = distance((&coarse, at), (&halved, at)) / 3.0;
         let difference = distance((&halved, at), (&collocation, &times));
         println!(
-            "{name}: {method} {difference:.2e} from collocation; estimates {estimate:.2e} and {own:.1e}"
+            "{name}: {method} {difference:.2e} from collocation; estimates {estimate:.2e} and \
+             {own:.1e}"
         );
         assert!(
             estimate < 1e-2,

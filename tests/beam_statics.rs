@@ -87,8 +87,8 @@ const BEND_STIFFNESS: [f64; 6] = {
     [youngs, shear, shear, bending, bending, bending]
 };
 
-/// Displacement of the tip of the 45° bend: radius 100 in the plane of axes 1 and 2, held where its tangent
-/// is axis 1, loaded by 600 along axis 3.
+/// Displacement of the tip of the 45° bend: radius 100 in the plane of axes 1 and 2, held where its
+/// tangent is axis 1, loaded by 600 along axis 3.
 fn bend(elements: usize, degree: usize) -> Vector3<f64> {
     let radius = 100.0;
     let section = diagonal(BEND_STIFFNESS);
@@ -118,8 +118,8 @@ fn the_45_degree_bend_has_its_published_displacement() {
         tips[0], tips[1], tips[2]
     );
     for tip in tips {
-        // Bathe and Bolourchi's problem. Published displacements differ by 0.2, as coarse elements do; by
-        // Crisfield the tip comes to (47.16, 15.68, 53.43), from (70.71, 29.29, 0).
+        // Bathe and Bolourchi's problem. Published displacements differ by 0.2, as coarse elements
+        // do; by Crisfield the tip comes to (47.16, 15.68, 53.43), from (70.71, 29.29, 0).
         assert!(
             (tip - Vector3::new(-23.65, 13.72, 53.58)).amax() < 0.15,
             "{tip}"
@@ -298,7 +298,8 @@ fn a_tapered_and_twisted_beam_bends_as_the_equations_of_the_rod_say() {
         1e-8,
     );
 
-    // Stress resultants, by the section of the place: less exact than displacements, most of all at ends.
+    // Stress resultants, by the section of the place: less exact than displacements, most of all at
+    // ends.
     let root = solution
         .beam(0, -1.0, periodyn::output::BeamQuantity::Force, &[0.0])
         .unwrap();
@@ -363,7 +364,8 @@ fn distributed_loads_bend_an_arc_as_the_equations_of_the_rod_say() {
             1e-8,
         );
         if frame == LoadFrame::Space {
-            // The sum of a load of fixed directions is exact on any mesh: 0.15 + 0.3 + 0.06 of the length.
+            // The sum of a load of fixed directions is exact on any mesh: 0.15 + 0.3 + 0.06 of the
+            // length.
             let sum = given.fixed_rows::<3>(0) * (0.51 * length);
             let held = reaction(&solution, joint);
             let error = (held.fixed_rows::<3>(0).abs() - sum.abs()).amax();
@@ -455,7 +457,8 @@ fn the_support_of_a_curved_beam_carries_its_weight() {
     let error = (force.abs() - weight.abs()).amax();
     assert!(error < 1e-11 * weight.amax(), "reaction off by {error:e}");
 
-    // The same weight as a load along the line, whose work is done through the sections and not the nodes.
+    // The same weight as a load along the line, whose work is done through the sections and not the
+    // nodes.
     let (_, held_load, tip_load) = built(false);
     println!(
         "weight and load differ by {:.1e} at {:?}",

@@ -1,12 +1,14 @@
 //! The static cases of BeamDyn's regression tests, against the equations of the rod.
 //!
-//! **Source** of the numbers: repository OpenFAST/r-test, `modules/beamdyn/bd_static_cantilever_beam`, `bd_isotropic_rollup`,
-//! `bd_curved_beam` and `bd_static_twisted_with_k1` (`bd_driver.inp`, `bd_primary.inp`, `beam_props.inp`, `bd_driver.out`).
-//! **Licence**: Apache-2.0 (OpenFAST). Numbers only, no text of theirs.
+//! **Source** of the numbers: repository OpenFAST/r-test,
+//! `modules/beamdyn/bd_static_cantilever_beam`, `bd_isotropic_rollup`, `bd_curved_beam` and
+//! `bd_static_twisted_with_k1` (`bd_driver.inp`, `bd_primary.inp`, `beam_props.inp`,
+//! `bd_driver.out`). **Licence**: Apache-2.0 (OpenFAST). Numbers only, no text of theirs.
 //!
-//! BeamDyn's axes x, y, z are axes 2, 3, 1 here, with z along the beam; a positive twist of BeamDyn turns about −z. Its own
-//! results are those of one element of the order 5 to 10: that of the cantilever is off by some percent, as the beam bends by more
-//! than a right angle within a tenth of its length; all that is asked of them is to be near.
+//! BeamDyn's axes x, y, z are axes 2, 3, 1 here, with z along the beam; a positive twist of BeamDyn
+//! turns about −z. Its own results are those of one element of the order 5 to 10: that of the
+//! cantilever is off by some percent, as the beam bends by more than a right angle within a tenth
+//! of its length; all that is asked of them is to be near.
 
 mod common;
 #[path = "common/rod.rs"]
@@ -65,7 +67,8 @@ fn straight() -> impl Fn(f64) -> Result<Motion> {
     straight_line(&Vector3::zeros(), &(Vector3::z() * 10.0), &Vector3::x()).unwrap()
 }
 
-/// Axial, shear, torsion, bending about x and y: uniform, with a mass of 1 for a unit of length, turned from start to end.
+/// Axial, shear, torsion, bending about x and y: uniform, with a mass of 1 for a unit of length,
+/// turned from start to end.
 fn stations(stiffness: [f64; 6], twist: f64) -> [SectionStation; 2] {
     let section = SectionInput::diagonal(&stiffness, &[1.0, 2.0, 1.0, 1.0]).unwrap();
     [(0.0, 0.0), (1.0, twist)].map(|(fraction, twist)| SectionStation {

@@ -63,8 +63,8 @@ fn its_mass_is_exact_on_any_mesh() {
 
 #[test]
 fn its_frequencies_on_four_elements_of_degree_four_are_those_of_a_fine_mesh() {
-    // First flapwise and edgewise, second flapwise: of 48 elements of degree 3, whose sections were those of their
-    // Gauss points.
+    // First flapwise and edgewise, second flapwise: of 48 elements of degree 3, whose sections were
+    // those of their Gauss points.
     let fine = frequencies(48, 3);
     let coarse = frequencies(4, 4);
     println!("{fine:?}\n{coarse:?}");
@@ -81,7 +81,8 @@ fn its_frequencies_on_four_elements_of_degree_four_are_those_of_a_fine_mesh() {
     }
 }
 
-/// The blade turning at 12.1 rpm in gravity, and the joint at its root; `places` of load for a unit of length along its axes.
+/// The blade turning at 12.1 rpm in gravity, and the joint at its root; `places` of load for a unit
+/// of length along its axes.
 fn rotor(places: usize) -> (Model, BeamIds, usize) {
     let mut model = Model::new();
     let mut stations = blade::stations(true);
@@ -205,7 +206,8 @@ fn borne(load: impl FnOnce(&mut Model, &BeamIds)) -> Vec<f64> {
 
 #[test]
 fn a_load_at_places_follows_the_untwisted_line() {
-    // In the plane of the arc, along it and across it, and a moment about its axis; jumps at a half.
+    // In the plane of the arc, along it and across it, and a moment about its axis; jumps at a
+    // half.
     let given = [
         (0.0, [2.0, 0.0]),
         (0.5, [2.0, 8.0]),

@@ -41,8 +41,8 @@ fn half(values: &[f64], first: usize) -> Vec<f64> {
     halves.copied().collect()
 }
 
-/// Offset mass on a vertical axis, with torsional spring and damper, driven by a moment: exactly linear,
-/// `I θ̈ + c θ̇ + k θ = M`, whatever the amplitude.
+/// Offset mass on a vertical axis, with torsional spring and damper, driven by a moment: exactly
+/// linear, `I θ̈ + c θ̇ + k θ = M`, whatever the amplitude.
 struct Oscillator {
     mass: f64,
     arm: f64,
@@ -348,7 +348,8 @@ fn a_slowly_loaded_cantilever_bends_as_timoshenko_says() {
         -load[2] * length,
         load[1] * length,
     ];
-    // Those of a straight cantilever; strains of 1e-8 have 1e-16 / 1e-8 of rounding, and twist turns them.
+    // Those of a straight cantilever; strains of 1e-8 have 1e-16 / 1e-8 of rounding, and twist
+    // turns them.
     assert_near(&forces, &root, 1e-5, "forces at the root");
 }
 
@@ -391,8 +392,8 @@ fn a_bar_vibrates_along_its_axis_as_the_wave_equation_says() {
     }
 }
 
-/// Mean power that the drive and the loads put into the loaded four-bar, and that its damper and its
-/// sections dissipate.
+/// Mean power that the drive and the loads put into the loaded four-bar, and that its damper and
+/// its sections dissipate.
 fn mean_powers(mechanism: &FourBarModel, elements: usize, points: usize) -> [f64; 4] {
     let solution = mechanism.solve(points);
     let times: Vec<f64> = solution.grid().times().collect();
@@ -442,8 +443,8 @@ fn imbalance([drive, loads, damper, sections]: [f64; 4]) -> f64 {
     ((drive + loads) / (damper + sections) - 1.0).abs()
 }
 
-/// Over a period the drive and the loads put in what damper and sections dissipate, and gravity nothing:
-/// an identity that no term of the equations can be missing from.
+/// Over a period the drive and the loads put in what damper and sections dissipate, and gravity
+/// nothing: an identity that no term of the equations can be missing from.
 #[test]
 fn power_put_in_is_dissipated() {
     let mechanism = FourBar {
@@ -458,7 +459,8 @@ fn power_put_in_is_dissipated() {
     assert!(fine < 1e-10 && fine < 1e-3 * coarse, "{coarse} {fine}");
 }
 
-/// A cantilever that sags by a third of its length hangs on its root by its whole weight, on any mesh.
+/// A cantilever that sags by a third of its length hangs on its root by its whole weight, on any
+/// mesh.
 #[test]
 fn the_weight_of_a_bent_beam_is_exact() {
     let section =

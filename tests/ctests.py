@@ -1,9 +1,10 @@
-"""The tests that a build tree runs are those of ctests.txt: none was left out, none forgotten in the list.
+"""The tests that a build tree runs are those of ctests.txt: none was left out, none forgotten in
+the list.
 
 usage: ctests.py BUILD [WITHOUT...]
 
-Each line of ctests.txt is the name of a test and, if it is not there without them, what it needs. Give what the
-build tree was configured without. PDN_BLESS=1 appends new tests to the list.
+Each line of ctests.txt is the name of a test and, if it is not there without them, what it needs.
+Give what the build tree was configured without. PDN_BLESS=1 appends new tests to the list.
 """
 
 import json
@@ -17,7 +18,9 @@ LIST = Path(__file__).with_suffix(".txt")
 
 def main():
     build, *without = sys.argv[1:]
-    shown = subprocess.run(["ctest", "--test-dir", build, "--show-only=json-v1"], check=True, capture_output=True)
+    shown = subprocess.run(
+        ["ctest", "--test-dir", build, "--show-only=json-v1"], check=True, capture_output=True
+    )
     found = {test["name"] for test in json.loads(shown.stdout)["tests"]}
     lines = [line.split() for line in LIST.read_text().splitlines()]
     unknown = set(without) - {need for _, *needs in lines for need in needs}

@@ -280,8 +280,8 @@ fn signals_are_functions_that_the_calling_thread_alone_calls() {
 
 #[test]
 fn a_grid_too_coarse_to_interpolate_a_motion_says_so() {
-    // Angles 0, α, −α at three points: half-way between the latter, the weights 2/3, 2/3, −1/3 of the
-    // interpolation sum to (4 cos α − 1) / 3, which is zero for this α: no rotation is nearest.
+    // Angles 0, α, −α at three points: half-way between the latter, the weights 2/3, 2/3, −1/3 of
+    // the interpolation sum to (4 cos α − 1) / 3, which is zero for this α: no rotation is nearest.
     let alpha = 0.25f64.acos();
     let amplitude = alpha / (TAU / 3.0).sin();
     let model = driven_arm(&Signal::harmonics(0.0, 0.0, &[0.0], &[amplitude]).unwrap());

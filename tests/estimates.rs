@@ -34,7 +34,8 @@ impl Random {
         (self.number() * n as f64) as usize
     }
 
-    /// A load of 1 to 20 harmonics that fall, of a single high one beside a low one, or a sampled pulse.
+    /// A load of 1 to 20 harmonics that fall, of a single high one beside a low one, or a sampled
+    /// pulse.
     fn signal(&mut self, size: f64) -> Signal {
         let mut cosines = vec![0.0; 41];
         let mut sines = vec![0.0; 41];
@@ -319,7 +320,8 @@ fn true_error(solution: &Solution, exact: &Solution) -> f64 {
     there.distance(&exact.details().state, system.scales().length)
 }
 
-/// Estimates on fixed grids, many of which cannot hold the loads: at most three times too low, and seldom ten times too high.
+/// Estimates on fixed grids, many of which cannot hold the loads: at most three times too low, and
+/// seldom ten times too high.
 ///
 #[test]
 fn estimates_are_honest_on_grids_that_hold_the_loads_or_do_not() {
@@ -458,7 +460,8 @@ fn a_fixed_grid_says_which_load_it_cannot_hold() {
 
 #[test]
 fn the_first_grid_follows_the_tolerance_not_the_samples() {
-    // A narrow pulse on an oscillator below its first frequency: linear, so that a grid of all harmonics is exact.
+    // A narrow pulse on an oscillator below its first frequency: linear, so that a grid of all
+    // harmonics is exact.
     for samples in [72, 360] {
         let (mut model, at) = mass_on_a_slide(1.0, &Vector3::x());
         spring(&mut model, at, 1000.0, 5.0);

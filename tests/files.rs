@@ -1,6 +1,8 @@
 //! Solutions in files: tables as CSV, animations for ParaView.
 
 mod common;
+#[path = "common/vtk.rs"]
+mod vtk;
 
 use common::*;
 use nalgebra::{Matrix3, Vector3};
@@ -9,8 +11,7 @@ use periodyn::error::ErrorKind;
 use periodyn::output::*;
 use std::fs;
 use std::path::Path;
-use vtkio::Vtk;
-use vtkio::model::{Attribute, DataSet, IOBuffer, PolyDataPiece, VertexNumbers};
+use vtk::Piece;
 
 /// The four-bar, with a body fixed to its node B.
 fn mechanism() -> (FourBarModel, Solution) {
@@ -209,31 +210,6 @@ fn files_come_whole_or_not_at_all() {
     );
 }
 
-/// The only piece of a file, read by the library that wrote it.
-fn piece(path: &Path) -> PolyDataPiece {
-    let DataSet::PolyData { pieces, .. } = Vtk::import(path).unwrap().data else {
-        panic!("{path:?} is no polygonal data");
-    };
-    let piece = pieces.into_iter().next().unwrap();
-    piece.into_loaded_piece_data(None).unwrap()
-}
-
-fn numbers(buffer: &IOBuffer) -> Vec<f64> {
-    match buffer {
-        IOBuffer::F64(values) => values.clone(),
-        IOBuffer::I64(values) => values.iter().map(|x| *x as f64).collect(),
-        _ => panic!("{buffer:?}"),
-    }
-}
-
-fn array(attributes: &[Attribute], name: &str) -> Vec<f64> {
-    let found = attributes.iter().find_map(|a| match a {
-        Attribute::DataArray(a) if a.name == name => Some(numbers(&a.data)),
-        _ => None,
-    });
-    found.unwrap_or_else(|| panic!("no {name}"))
-}
-
 #[test]
 fn an_animation_shows_what_the_solution_gives() {
     let (mechanism, solution) = mechanism();
@@ -263,15 +239,16 @@ fn an_animation_shows_what_the_solution_gives() {
     let elements = model.beam_element_count();
     for (k, time) in times.iter().enumerate() {
         let at = [*time];
-        let beams = piece(&files.join(format!("beams_{k:06}.vtp")));
-        let points = numbers(&beams.points);
+        let beams = Piece::read(&files.join(format!("beams_{k:06}.vtp")));
+        let points = &beams.points;
         assert_eq!(points.len(), 3 * elements * POINTS);
-        let Some(VertexNumbers::XML { offsets, .. }) = &beams.lines else {
-            panic!("{:?}", beams.lines);
-        };
-        assert_eq!(offsets.len(), elements);
+        assert_eq!((beams.lines, beams.verts), (elements, 0));
+        let all: Vec<f64> = (0..elements * POINTS).map(|i| i as f64).collect();
+        assert_eq!(beams.connectivity, all);
+        let ends: Vec<f64> = (1..=elements).map(|e| (e * POINTS) as f64).collect();
+        assert_eq!(beams.offsets, ends);
         let expected: Vec<f64> = (0..elements).map(|e| e as f64).collect();
-        assert_eq!(array(&beams.data.cell, "element"), expected);
+        assert_eq!(beams.cell_data["element"], expected);
         let names = [
             "axis_1",
             "axis_2",
@@ -281,8 +258,8 @@ fn an_animation_shows_what_the_solution_gives() {
             "strain",
             "curvature",
         ];
-        let vectors = names.map(|name| array(&beams.data.point, name));
-        let displacements = array(&beams.data.point, "displacement");
+        let vectors = names.map(|name| beams.at_points(name));
+        let displacements = beams.at_points("displacement");
         for element in 0..elements {
             for i in 0..POINTS {
                 let station = -1.0 + 2.0 * i as f64 / (POINTS - 1) as f64;
@@ -293,16 +270,13 @@ fn an_animation_shows_what_the_solution_gives() {
                 let strain = solution
                     .beam(element, station, BeamQuantity::Strain, &at)
                     .unwrap();
+                assert_eq!([at_point(vectors[3]), at_point(vectors[4])].concat(), force);
                 assert_eq!(
-                    [at_point(&vectors[3]), at_point(&vectors[4])].concat(),
-                    force
-                );
-                assert_eq!(
-                    [at_point(&vectors[5]), at_point(&vectors[6])].concat(),
+                    [at_point(vectors[5]), at_point(vectors[6])].concat(),
                     strain
                 );
                 let frame = solution.beam_frames(element, &[station], &at).unwrap()[0];
-                assert_eq!(at_point(&points), frame.position.as_slice());
+                assert_eq!(at_point(points), frame.position.as_slice());
                 for (axis, drawn) in vectors[..3].iter().enumerate() {
                     let column = frame.rotation.column(axis).into_owned();
                     assert_eq!(at_point(drawn), column.as_slice());
@@ -319,16 +293,15 @@ fn an_animation_shows_what_the_solution_gives() {
         let drawn = &displacements[last..][..3];
         assert!(largest_difference(drawn, moved.as_slice()) < 1e-14);
 
-        let joints = piece(&files.join(format!("joints_{k:06}.vtp")));
-        assert_eq!(
-            array(&joints.data.point, "joint"),
-            [0.0, 1.0, 2.0, 3.0, 4.0]
-        );
-        let positions = numbers(&joints.points);
+        let joints = Piece::read(&files.join(format!("joints_{k:06}.vtp")));
+        assert_eq!((joints.lines, joints.verts), (0, 5));
+        assert_eq!(joints.offsets, [1.0, 2.0, 3.0, 4.0, 5.0]);
+        assert_eq!(joints.at_points("joint"), [0.0, 1.0, 2.0, 3.0, 4.0]);
+        let positions = &joints.points;
         assert!(largest_difference(&positions[3..6], &b) < 1e-12);
         let (forces, moments) = (
-            array(&joints.data.point, "reaction_force"),
-            array(&joints.data.point, "reaction_moment"),
+            joints.at_points("reaction_force"),
+            joints.at_points("reaction_moment"),
         );
         for joint in 0..5 {
             let space = JointQuantity::Reaction(ResolvedIn::Space);
@@ -336,11 +309,11 @@ fn an_animation_shows_what_the_solution_gives() {
             let drawn = [&forces[3 * joint..][..3], &moments[3 * joint..][..3]].concat();
             assert_eq!(drawn, reaction);
         }
-        let bodies = piece(&files.join(format!("bodies_{k:06}.vtp")));
-        let ids = array(&bodies.data.point, "node");
+        let bodies = Piece::read(&files.join(format!("bodies_{k:06}.vtp")));
+        let ids = bodies.at_points("node");
         assert_eq!(ids, [(model.node_count() - 1) as f64]);
-        let velocities = array(&bodies.data.point, "velocity");
-        let turning = array(&bodies.data.point, "angular_velocity");
+        let velocities = bodies.at_points("velocity");
+        let turning = bodies.at_points("angular_velocity");
         for (i, id) in ids.iter().enumerate() {
             let node = *id as usize;
             let exact = solution.node(node, NodeQuantity::Velocity, &at).unwrap();
@@ -393,6 +366,9 @@ fn what_an_animation_refuses_writes_nothing() {
         "path: expected a name that ends in .pvd",
     );
     refused(&[0.0], 5, Path::new(".pvd"), ErrorKind::Value, "path: ");
+    let bell = directory.path().join("x\u{7}.pvd");
+    let expected = "path: expected a name without control characters";
+    refused(&[0.0], 5, &bell, ErrorKind::Value, expected);
     let nowhere = directory.path().join("none").join("x.pvd");
     refused(&[0.0], 5, &nowhere, ErrorKind::Io, "path: cannot write \"");
     // A file where the directory should be.

@@ -1,5 +1,5 @@
-//! A hinged blade has no static equilibrium: only its rotation holds it. The default initial guess must
-//! march in time, and the answer is known for small flapping.
+//! A hinged blade has no static equilibrium: only its rotation holds it. The default initial guess
+//! must march in time, and the answer is known for small flapping.
 
 use nalgebra::{Matrix3, Vector3};
 use periodyn::elements::{Coordinate, JointKind, LoadFrame};

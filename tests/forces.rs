@@ -1,4 +1,5 @@
-//! Forces on joint coordinates and nodes: closed forms, independent integrations, and forces of the user.
+//! Forces on joint coordinates and nodes: closed forms, independent integrations, and forces of the
+//! user.
 
 mod common;
 #[path = "common/shooting.rs"]
@@ -70,7 +71,8 @@ fn law(
     }
 }
 
-/// Checks the arm's angle, and the effort of force 0, against `I θ̈ = M cos Ωt − effort(θ, θ̇)` integrated.
+/// Checks the arm's angle, and the effort of force 0, against `I θ̈ = M cos Ωt − effort(θ, θ̇)`
+/// integrated.
 fn check_arm(
     model: &mut Model,
     moment: f64,
@@ -246,7 +248,8 @@ fn failing_laws_end_the_solve_with_what_they_say() {
     fails(said, &["force 0", "the table ends"]);
 }
 
-/// Refused as random or not periodic, with messages that contain `expected` and a motion at which that shows.
+/// Refused as random or not periodic, with messages that contain `expected` and a motion at which
+/// that shows.
 fn assert_refused(model: &Model, period: f64, expected: &[&str]) {
     let error = try_solve(model, period, 21).unwrap_err();
     assert_eq!(error.kind(), ErrorKind::NotPeriodic, "{error}");
@@ -313,7 +316,8 @@ fn laws_and_forces_that_are_random_or_not_periodic_are_refused_by_name() {
     );
     assert_refused(&with_force(|time, _| time), PERIOD, &other);
 
-    // What repeats is solved for, a period of six digits and a function that is written for one period alone included.
+    // What repeats is solved for, a period of six digits and a function that is written for one
+    // period alone included.
     try_solve(&with_law(|at, _| (OMEGA * at.time).cos()), PERIOD, 21).unwrap();
     try_solve(
         &with_force(|time, _| (2.0 * OMEGA * time).cos()),
@@ -328,7 +332,8 @@ fn laws_and_forces_that_are_random_or_not_periodic_are_refused_by_name() {
     try_solve(&hat, PERIOD, 21).unwrap();
 }
 
-/// A torsional spring and damper on the arm: `−k θ − c ω` about z, from rotation matrix and velocity.
+/// A torsional spring and damper on the arm: `−k θ − c ω` about z, from rotation matrix and
+/// velocity.
 fn torsion(frame: LoadFrame, gives_tangents: bool) -> NodeForceLaw {
     let (k, c) = (5.0, 0.8);
     NodeForceLaw {
@@ -398,8 +403,8 @@ fn a_users_torsion_spring_is_the_linear_oscillator_in_every_frame_and_way() {
     }
 }
 
-/// Two bodies, on a ball and a universal joint, swing in a user's field: drag on each, and an attraction
-/// between them that goes with the inverse of a distance.
+/// Two bodies, on a ball and a universal joint, swing in a user's field: drag on each, and an
+/// attraction between them that goes with the inverse of a distance.
 fn field(frame: LoadFrame, gives_tangents: bool) -> NodeForceLaw {
     let turned = move |r: &Matrix3<f64>, v: Vector3<f64>| match frame {
         LoadFrame::Space => v,
@@ -495,8 +500,8 @@ fn users_forces_converge_quadratically_to_the_same_motion_in_every_frame_and_way
             let iterations = &solution.details().report.iterations;
             let increments: Vec<f64> = iterations.iter().map(|i| i.increment).collect();
             println!("{frame:?}, tangents {gives_tangents}: increments {increments:?}");
-            // Once below 0.03 each increment is of the order of the square of the one before; differenced
-            // tangents leave 1e-9 of it, and rounding what it leaves.
+            // Once below 0.03 each increment is of the order of the square of the one before;
+            // differenced tangents leave 1e-9 of it, and rounding what it leaves.
             for pair in increments.windows(2).filter(|pair| pair[0] < 0.03) {
                 let left = if gives_tangents { 0.0 } else { 1e-8 * pair[0] };
                 assert!(
@@ -684,7 +689,8 @@ fn a_viscous_damper_between_moving_bodies_takes_up_what_the_drive_gives() {
             force += vector(f, 6 * i);
             moment += vector(f, 6 * i + 3) + vector(r, 3 * i).cross(&vector(f, 6 * i));
         }
-        // Forces are interpolated by themselves: between grid points they balance to the error of that.
+        // Forces are interpolated by themselves: between grid points they balance to the error of
+        // that.
         assert!(
             force.norm() < 1e-9 && moment.norm() < 1e-9,
             "{force} {moment}"
@@ -773,7 +779,8 @@ fn along(joint: usize) -> periodyn::model::JointCoordinate {
 
 #[test]
 fn a_strut_has_the_tension_of_its_length_and_rate() {
-    // Driven along x = 0.3 + s, from a point above: length ℓ = √(x² + h²), tension T = k (ℓ − ℓ₀) + c ℓ̇.
+    // Driven along x = 0.3 + s, from a point above: length ℓ = √(x² + h²), tension T = k (ℓ − ℓ₀) +
+    // c ℓ̇.
     let (k, c, free, h, a) = (40.0, 3.0, 0.6, 0.5, 0.4);
     let (mut model, struts) = slider(&[Vector3::new(0.0, 0.0, h)]);
     model.prescribe(along(0), &cosine(a)).unwrap();

@@ -1,5 +1,6 @@
-//! Collocation and harmonic balance (section 2 of the paper): with forces sampled at the grid points they are
-//! one; the Galerkin method proper, whose forces are not aliased, has the same limit.
+//! Collocation and harmonic balance (section 2 of the paper): with forces sampled at the grid
+//! points they are one; the Galerkin method proper, whose forces are not aliased, has the same
+//! limit.
 
 mod common;
 
@@ -51,7 +52,8 @@ fn basis(harmonics: usize, t: f64) -> [DVector<f64>; 3] {
     rows
 }
 
-/// Coefficients of the solution whose residual, sampled at `samples` times, has none of the harmonics.
+/// Coefficients of the solution whose residual, sampled at `samples` times, has none of the
+/// harmonics.
 fn balance(harmonics: usize, samples: usize, start: &DVector<f64>) -> DVector<f64> {
     let mut x = start.clone();
     for _ in 0..40 {
@@ -175,8 +177,8 @@ fn error(solution: &Solution, exact: &Solution) -> f64 {
 #[test]
 fn aliases_are_a_part_of_the_error_of_collocation() {
     let (two, period) = (double_pendulum().0, DOUBLE_PENDULUM_PERIOD);
-    // Name, model, period, and what is at most left of the error on the coarsest and on any grid: between
-    // grid points, the harmonics that are left out weigh as much in both.
+    // Name, model, period, and what is at most left of the error on the coarsest and on any grid:
+    // between grid points, the harmonics that are left out weigh as much in both.
     let cases = [
         ("Duffing's oscillator", duffing(), PERIOD, 0.1, 0.6),
         ("double pendulum", two, period, 0.8, 1.6),
@@ -190,7 +192,8 @@ fn aliases_are_a_part_of_the_error_of_collocation() {
                 let solution = oversampled(&model, period, points, times);
                 let iterations = &solution.details().report.iterations;
                 for pair in iterations.windows(2) {
-                    // Curvature: measured up to 30. Linear solves leave at most a tenth of an increment below 1e-7.
+                    // Curvature: measured up to 30. Linear solves leave at most a tenth of an
+                    // increment below 1e-7.
                     let bound = 100.0 * pair[0].increment.powi(2) + 1e-12;
                     let quadratic = pair[0].increment > 1e-2 || pair[1].increment < bound;
                     assert!(quadratic, "{name}, {points}: {iterations:#?}");

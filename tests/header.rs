@@ -72,7 +72,8 @@ fn header_is_what_the_source_says() {
             .zip(header.lines())
             .position(|(a, b)| a != b);
         panic!(
-            "include/periodyn.h is out of date (from line {:?}); run PDN_BLESS=1 cargo test --test header",
+            "include/periodyn.h is out of date (from line {:?}); \
+             run PDN_BLESS=1 cargo test --test header",
             first.map(|line| line + 1)
         );
     }

@@ -11,8 +11,8 @@ use std::collections::BTreeMap;
 
 const POINTS: usize = 21;
 
-/// The acceptance limit. What is left is rounding: strains of 1e-16 times axial stiffnesses of 5e7 N make
-/// 1e-8 N, against forces of some 10 N.
+/// The acceptance limit. What is left is rounding: strains of 1e-16 times axial stiffnesses of 5e7
+/// N make 1e-8 N, against forces of some 10 N.
 const TOLERANCE: f64 = 1e-8;
 
 /// Everything that is compared, by kind, back in SI units and in the mechanism's own place.

@@ -1,5 +1,6 @@
-//! Motions as large as the beams themselves: Newton's method takes full steps, with extrapolated stress resultants where
-//! the beams stretch by terms of second order, and ends where short steps end.
+//! Motions as large as the beams themselves: Newton's method takes full steps, with extrapolated
+//! stress resultants where the beams stretch by terms of second order, and ends where short steps
+//! end.
 
 #[allow(unused_macros)]
 #[path = "../benches/common/mod.rs"]
@@ -11,7 +12,8 @@ use periodyn::solve::{InitialGuess, Iteration, Outcome, PeriodicOptions, Stage};
 
 /// Grid points.
 const POINTS: usize = 15;
-/// On each of two grids. The guess is tens of degrees off. Line search alone took 13 iterations for 12 N, and 90 for 20 N.
+/// On each of two grids. The guess is tens of degrees off. Line search alone took 13 iterations for
+/// 12 N, and 90 for 20 N.
 const ITERATIONS: usize = 6;
 
 /// The solution, and Newton's iterations on all grids.
@@ -82,7 +84,8 @@ fn far_solutions_are_found_on_a_coarse_grid_first() {
     let fine = &solution.details().report.iterations;
     assert_eq!(coarse.points, 9);
     assert_eq!(coarse.iterations + fine.len(), iterations.len());
-    // Stress resultants are carried, too: without them the second increment is a seventh of the first.
+    // Stress resultants are carried, too: without them the second increment is a seventh of the
+    // first.
     assert!(fine[0].increment < 1e-3 && fine[1].increment < 1e-3 * fine[0].increment);
     let report = solution.report();
     assert!(

@@ -1,5 +1,5 @@
-//! However linear equations are solved, and by however many threads, the solution is the same: with the same number
-//! of threads, bit by bit.
+//! However linear equations are solved, and by however many threads, the solution is the same: with
+//! the same number of threads, bit by bit.
 
 #[allow(unused_macros)]
 #[path = "../benches/common/mod.rs"]

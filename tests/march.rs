@@ -1,4 +1,5 @@
-//! Marching in time: order, constraints, energy, independent solutions, trajectories and what starts from them.
+//! Marching in time: order, constraints, energy, independent solutions, trajectories and what
+//! starts from them.
 
 mod common;
 #[path = "common/shooting.rs"]
@@ -84,8 +85,8 @@ fn top_start() -> MarchStart {
     })
 }
 
-/// Euler's equations about the fixed point, by the classical Runge-Kutta method with its own steps: rotation
-/// and angular velocity at the end.
+/// Euler's equations about the fixed point, by the classical Runge-Kutta method with its own steps:
+/// rotation and angular velocity at the end.
 fn euler_top(duration: f64, steps: usize) -> (Matrix3<f64>, Vector3<f64>) {
     let offset = Vector3::new(0.0, CENTRE, 0.0);
     let j = Matrix3::from_diagonal(&INERTIA.into())
@@ -401,7 +402,8 @@ fn controlled_steps_keep_to_the_tolerance() {
         let found = solution.joint(joint, SLIDE, &times).unwrap();
         let error = largest_difference(&found, &exact);
         println!(
-            "tolerance {tolerance:.0e}: {} steps, {} rejected, step error {:.1e}, error {error:.2e}",
+            "tolerance {tolerance:.0e}: {} steps, {} rejected, step error {:.1e}, error \
+             {error:.2e}",
             record.steps, record.rejected, record.step_error
         );
         assert!(record.step_error <= tolerance);
@@ -455,7 +457,8 @@ fn marching_until_periodic_takes_as_long_as_the_damping_says() {
     let expected = (tolerance / 0.1).ln() / decay.ln();
     println!("{} periods, {expected:.1} expected", record.periods);
     assert!((record.periods as f64 - expected).abs() < 4.0);
-    // The last period is the periodic solution, but for the error of the steps and what has not decayed.
+    // The last period is the periodic solution, but for the error of the steps and what has not
+    // decayed.
     let periodic = solve(&model, period, 31);
     let (first, last) = (record.times[0], record.times[400]);
     let times: Vec<f64> = (0..50)
@@ -571,7 +574,8 @@ fn what_is_prescribed_starts_at_its_rate_and_velocities_are_projected() {
     assert!((acceleration + w * w * 0.2).abs() < 1e-9);
     let moved = solution.details().march.as_ref().unwrap().start_moved;
     assert!(moved > 0.1 && moved < 1.0, "{moved}");
-    // Velocities that pull a hinge apart: what is left is that of the least change of kinetic energy.
+    // Velocities that pull a hinge apart: what is left is that of the least change of kinetic
+    // energy.
     let (model, body) = heavy_top();
     let mut options = for_time(1e-3, 1);
     let centre = Vector3::new(0.0, CENTRE, 0.0);
@@ -743,7 +747,8 @@ fn times_harmonics_and_options_that_make_no_sense_are_refused() {
         "options.error_tolerance",
     );
     refused(&with(&|o| o.period = Some(-1.0)), "options.period");
-    // Steps of 0.01 would skip such periods, or be none at all; with error control these are too many.
+    // Steps of 0.01 would skip such periods, or be none at all; with error control these are too
+    // many.
     for period in [0.0099, 1e-7, 1e-9, 1e-300] {
         let skipped = "options.period: expected at least 1.000e-2";
         refused(&with(&|o| o.period = Some(period)), skipped);

@@ -193,7 +193,8 @@ fn equilibria() -> Vec<Case> {
 fn motions() -> Vec<Case> {
     vec![
         little("rotating", rotating(uniform(), 12.0, 9)),
-        // Away from its frequencies as it turns, 16 and 19 rad/s: in resonance it swings by most of its length.
+        // Away from its frequencies as it turns, 16 and 19 rad/s: in resonance it swings by most of
+        // its length.
         little("rotating, twisted", rotating(twisted(), 12.0, 9)),
         // Between them, 22 and 34 rad/s.
         little("rotating fast, twisted", rotating(twisted(), 30.0, 15)),
@@ -202,7 +203,8 @@ fn motions() -> Vec<Case> {
     ]
 }
 
-/// Largest difference of the motions at the nodes of the coarse solution: parts of the characteristic length, and angles.
+/// Largest difference of the motions at the nodes of the coarse solution: parts of the
+/// characteristic length, and angles.
 fn difference(coarse: &(Solution, BeamIds), fine: &(Solution, BeamIds), degree: usize) -> f64 {
     let points = lobatto_points(degree + 1);
     let times: Vec<f64> = coarse.0.grid().times().collect();
@@ -243,7 +245,8 @@ fn ratios(case: &Case, fine: (usize, usize), meshes: &[(usize, usize)]) -> (f64,
         let estimate = coarse.0.diagnostics().mesh_error;
         let ratio = estimate / error;
         println!(
-            "{:30} {elements:2} of degree {degree}: {error:.1e}, estimated {estimate:.1e}, ratio {ratio:.2}",
+            "{:30} {elements:2} of degree {degree}: {error:.1e}, estimated {estimate:.1e}, ratio \
+             {ratio:.2}",
             case.name,
         );
         // The fine mesh has an error of its own.
@@ -260,7 +263,8 @@ fn ratios(case: &Case, fine: (usize, usize), meshes: &[(usize, usize)]) -> (f64,
 fn assert_within_a_factor(cases: &[Case], fine: (usize, usize), meshes: &[(usize, usize)]) {
     for case in cases {
         let (least, most) = ratios(case, fine, meshes);
-        // As measured and documented: where elements turn much from end to end it errs to the safe side.
+        // As measured and documented: where elements turn much from end to end it errs to the safe
+        // side.
         let largest = if case.much { 30.0 } else { 5.0 };
         assert!(
             least > 0.15 && most < largest,

@@ -64,8 +64,8 @@ fn weld(model: &mut Model, node: usize) -> usize {
         .unwrap()
 }
 
-/// A slender beam of unit length, mass and bending stiffnesses along `x`: its radius of gyration is `r`,
-/// its bending stiffness about axis 3 `soft` and about axis 2 one.
+/// A slender beam of unit length, mass and bending stiffnesses along `x`: its radius of gyration is
+/// `r`, its bending stiffness about axis 3 `soft` and about axis 2 one.
 struct Slender {
     r: f64,
     soft: f64,
@@ -98,8 +98,9 @@ impl Slender {
 
 /// Bending frequency of a Timoshenko cantilever near `guess`, with the section above (`soft` = 1).
 ///
-/// `EI φ'' + kGA (w' − φ) + ω² ρI φ = 0`, `kGA (w'' − φ') + ω² m w = 0`: the determinant of the free end's
-/// conditions over the two solutions from the clamped end, each integrated by the matrix exponential.
+/// `EI φ'' + kGA (w' − φ) + ω² ρI φ = 0`, `kGA (w'' − φ') + ω² m w = 0`: the determinant of the
+/// free end's conditions over the two solutions from the clamped end, each integrated by the matrix
+/// exponential.
 fn timoshenko(r: f64, guess: f64) -> f64 {
     let shear = 0.35 / (r * r);
     let determinant = |w: f64| {
@@ -290,7 +291,8 @@ fn free_free_beam_has_six_free_motions() {
 
 #[test]
 fn turning_blade() {
-    // Wright et al. 1982: hub radius zero, flap frequencies for η = Ω √(mL⁴/EI); here m = L = EI = 1.
+    // Wright et al. 1982: hub radius zero, flap frequencies for η = Ω √(mL⁴/EI); here m = L = EI =
+    // 1.
     let r = 3e-4;
     let table: [(f64, [f64; 3]); 2] = [
         (2.0, [4.13732, 22.61492, 62.27318]),
@@ -318,8 +320,8 @@ fn turning_blade() {
                 (w / expected - 1.0).abs() < 1e-4,
                 "{eta}, {k}: {w} {expected}"
             );
-            // Lag moves in the plane, flap out of it. The squares of their frequencies differ by that of the speed: rounding
-            // mixes them as it is large beside that.
+            // Lag moves in the plane, flap out of it. The squares of their frequencies differ by
+            // that of the speed: rounding mixes them as it is large beside that.
             let mixed = 2.0 * rounding(r) * (flap / eta).powi(2);
             let tip = found.shape(k, ids.last_node).unwrap();
             let (lag, flap) = (tip[1].norm(), tip[2].norm());
@@ -334,9 +336,9 @@ fn turning_blade() {
 
 #[test]
 fn whirling_shaft() {
-    // A simply supported shaft that turns, seen from the frame that turns with it: backward and forward
-    // whirl, m (1 + k² r²) ω² − 2 m r² k² Ω ω − EI k⁴ = 0 in space, ω − Ω in the frame. Without the
-    // section's shear, which is made stiff.
+    // A simply supported shaft that turns, seen from the frame that turns with it: backward and
+    // forward whirl, m (1 + k² r²) ω² − 2 m r² k² Ω ω − EI k⁴ = 0 in space, ω − Ω in the frame.
+    // Without the section's shear, which is made stiff.
     let (r, speed) = (0.05f64, 12.0);
     let mut model = Model::new();
     let section = SectionInput::diagonal(
@@ -509,8 +511,8 @@ fn stiffness_proportional_damping() {
 
 #[test]
 fn slider_crank_with_a_spring() {
-    // A crank in line with its link, a slider, a spring at the crank's hinge: at q = 0 the slider does not
-    // move to first order, and the link turns by −q (crank)/(link).
+    // A crank in line with its link, a slider, a spring at the crank's hinge: at q = 0 the slider
+    // does not move to first order, and the link turns by −q (crank)/(link).
     let (a, b) = (0.4, 1.0);
     let (mc, ml, ms) = (0.5, 0.8, 2.0);
     let (jc, jl) = (0.02, 0.07);
@@ -835,8 +837,9 @@ fn a_maxwell_branch_makes_a_cubic() {
 
 #[test]
 fn a_spinning_body_nutates() {
-    // Held at its centre, A ≠ B: in the frame that turns with it the axis of spin turns by −Ω, and the body
-    // nutates by Ω √((C − A) (C − B) / (A B)), Euler's equations; or falls over if C is the middle one.
+    // Held at its centre, A ≠ B: in the frame that turns with it the axis of spin turns by −Ω, and
+    // the body nutates by Ω √((C − A) (C − B) / (A B)), Euler's equations; or falls over if C is
+    // the middle one.
     let speed = 7.0;
     for (a, b, c) in [(1.0, 1.4, 2.1), (1.6, 1.9, 0.5), (1.0, 2.0, 1.5)] {
         let mut model = Model::new();

@@ -1,4 +1,5 @@
-//! Mechanisms with redundant constraints: tolerated, with multipliers of least norm, or named as locked.
+//! Mechanisms with redundant constraints: tolerated, with multipliers of least norm, or named as
+//! locked.
 
 mod common;
 
@@ -22,8 +23,8 @@ fn reaction(solution: &Solution, joint: usize, time: f64) -> Vec<f64> {
     solution.joint(joint, quantity, &[time]).unwrap()
 }
 
-/// A planar four-bar with its first crank driven: all joints revolute, which is three constraints too
-/// many, or with a universal and a spherical joint instead.
+/// A planar four-bar with its first crank driven: all joints revolute, which is three constraints
+/// too many, or with a universal and a spherical joint instead.
 fn four_bar(redundant: bool, cycles: f64) -> Model {
     let [a, b, c, d] =
         [(0.0, 0.0), (0.2, 1.0), (2.2, 1.4), (2.0, 0.0)].map(|(x, y)| Vector3::new(x, y, 0.0));
@@ -76,7 +77,8 @@ fn a_planar_four_bar_of_revolutes_has_the_reactions_of_one_without_redundancy() 
                     assert!((x - y).abs() < 1e-12, "{x} {y}");
                 }
             }
-            // In the plane there is no redundancy; out of it nothing acts, so that the least norm is zero.
+            // In the plane there is no redundancy; out of it nothing acts, so that the least norm
+            // is zero.
             for joint in 0..4 {
                 let (found, exact) = (
                     reaction(&redundant, joint, time),
@@ -158,8 +160,9 @@ fn two_hinges_of_a_door_share_its_weight_by_least_norm() {
             .report()
             .contains("5 redundant constraints among joints 0, 1:")
     );
-    // Weight W at x = w: each hinge bears W/2, and the moment W w about y is borne by a couple F over the
-    // distance d and by moments m at each hinge: F d + 2 m = W w, with 2 F² + 2 m²/L² least.
+    // Weight W at x = w: each hinge bears W/2, and the moment W w about y is borne by a couple F
+    // over the distance d and by moments m at each hinge: F d + 2 m = W w, with 2 F² + 2 m²/L²
+    // least.
     let length = solution.details().system.scales().length;
     let multiplier = weight * width / (0.25 * distance * distance + length * length);
     let (force, moment) = (

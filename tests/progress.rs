@@ -1,4 +1,5 @@
-//! Whoever watches a solve is told of it within all that lasts, and may cancel it there; and the times of the report add up.
+//! Whoever watches a solve is told of it within all that lasts, and may cancel it there; and the
+//! times of the report add up.
 
 mod common;
 
@@ -23,7 +24,8 @@ fn record(last: usize) -> (Watch, Arc<Mutex<Vec<Progress>>>) {
     (watch.unwrap(), told)
 }
 
-/// Cancels a solve at its calls, some thirty of them from the first to the last, and finds that no other follows.
+/// Cancels a solve at its calls, some thirty of them from the first to the last, and finds that no
+/// other follows.
 fn cancel_everywhere(solve: impl Fn(Watch) -> Outcome) -> Vec<Progress> {
     let (watch, told) = record(usize::MAX);
     assert_eq!(solve(watch), Outcome::Converged);
@@ -200,7 +202,8 @@ fn times_of_the_parts_add_up_to_that_of_the_whole() {
     }
 }
 
-/// A hub that a shaft turns by `turn`, and a blade behind it on a lag hinge, both rigid; and the hinge.
+/// A hub that a shaft turns by `turn`, and a blade behind it on a lag hinge, both rigid; and the
+/// hinge.
 fn hinged_blade(turn: &Signal) -> (Model, usize) {
     let (hinge, length, mass) = (0.3, 2.0, 3.0);
     let mut model = Model::new();
@@ -243,7 +246,8 @@ fn a_march_takes_a_hinged_blade_along_with_its_hub() {
                 &times(period, 20),
             )
             .unwrap();
-        // The blade stays where its centrifugal force holds it. Rates are differences over a thousandth of a step; Newton leaves 1e-9.
+        // The blade stays where its centrifugal force holds it. Rates are differences over a
+        // thousandth of a step; Newton leaves 1e-9.
         assert!(largest(angles.iter().copied()) < 1e-8, "{angles:?}");
     }
 }

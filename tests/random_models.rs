@@ -1,4 +1,5 @@
-//! A share of the random machines that `script/zoo` solves: by default options they converge, and to what is right.
+//! A share of the random machines that `script/zoo` solves: by default options they converge, and
+//! to what is right.
 
 mod common;
 mod machines;
@@ -22,8 +23,8 @@ const LEAST: usize = 43;
 /// Iterations after which a solve is given up, those of all attempts together.
 const MOST_ITERATIONS: usize = 3000;
 
-/// The first machines of a family that are small and not loaded by pulses, which take many grid points: `script/zoo` has
-/// the others, too.
+/// The first machines of a family that are small and not loaded by pulses, which take many grid
+/// points: `script/zoo` has the others, too.
 fn share(family: usize) -> impl Iterator<Item = (usize, Machine)> {
     (0..)
         .map(move |index| (index, machine(SEED, family, index)))

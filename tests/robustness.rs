@@ -1,5 +1,5 @@
-//! Random models, many of them absurd: whatever the user describes, nothing panics, nothing hangs, and no
-//! number that is not finite is ever given as a result.
+//! Random models, many of them absurd: whatever the user describes, nothing panics, nothing hangs,
+//! and no number that is not finite is ever given as a result.
 
 use nalgebra::{Matrix3, Matrix6, Vector3, Vector6};
 use periodyn::elements::{Coordinate, JointKind, LoadFrame};

@@ -1,4 +1,8 @@
-//! Section forces of beams at the ends of elements, where joints and welds are, against equilibrium and closed forms.
+//! Section forces of beams at the ends of elements, where joints and welds are, against equilibrium
+//! and closed forms.
+
+#[path = "common/vtk.rs"]
+mod vtk;
 
 mod common;
 
@@ -9,8 +13,7 @@ use periodyn::model::*;
 use periodyn::output::{BeamQuantity, Solution};
 use periodyn::solve::*;
 use std::f64::consts::TAU;
-use vtkio::Vtk;
-use vtkio::model::{Attribute, DataSet, IOBuffer, PolyDataPiece};
+use vtk::Piece;
 
 const LENGTH: f64 = 60.0;
 const LOAD: f64 = 10.0;
@@ -88,7 +91,8 @@ fn they_converge_with_the_degree_as_their_order() {
             for quantity in [0, 1] {
                 for pair in all.windows(2) {
                     let (coarse, fine) = (pair[0][quantity], pair[1][quantity]);
-                    // The order, less a quarter while it sets in; or exact, up to the displacements' part of the length.
+                    // The order, less a quarter while it sets in; or exact, up to the
+                    // displacements' part of the length.
                     let order = (coarse / fine).log2();
                     assert!(
                         order > degree as f64 - 0.25 || fine < 1e-6,
@@ -134,8 +138,8 @@ fn shaken(elements: usize, degree: usize) -> (Solution, BeamIds) {
     (solution, ids)
 }
 
-/// `[w, ψ, Q, M]` along the beam, by that at its root: Timoshenko's beam with rotary inertia at one frequency,
-/// `w' = ψ + Q / GA`, `ψ' = M / EI`, `Q' = −ρA ω² w`, `M' = −Q − ρI ω² ψ`.
+/// `[w, ψ, Q, M]` along the beam, by that at its root: Timoshenko's beam with rotary inertia at one
+/// frequency, `w' = ψ + Q / GA`, `ψ' = M / EI`, `Q' = −ρA ω² w`, `M' = −Q − ρI ω² ψ`.
 fn carried(along: f64) -> Matrix4<f64> {
     let square = OMEGA * OMEGA;
     #[rustfmt::skip]
@@ -148,7 +152,8 @@ fn carried(along: f64) -> Matrix4<f64> {
     (slope * along).exp()
 }
 
-/// Amplitudes of shear and moment at a place, exactly: nothing moves at the root, the push is all at the tip.
+/// Amplitudes of shear and moment at a place, exactly: nothing moves at the root, the push is all
+/// at the tip.
 fn exact(along: f64) -> Vector2<f64> {
     let tip = carried(SPAN);
     let by_root = Matrix2::from_fn(|i, j| tip[(2 + i, 2 + j)]);
@@ -157,8 +162,8 @@ fn exact(along: f64) -> Vector2<f64> {
     Vector2::from_fn(|i, _| here[(2 + i, 2)] * root[0] + here[(2 + i, 3)] * root[1])
 }
 
-/// Largest errors at ends of elements of shear and moment as parts of the largest there are: of each element's own, and of means
-/// of two elements.
+/// Largest errors at ends of elements of shear and moment as parts of the largest there are: of
+/// each element's own, and of means of two elements.
 fn errors_when_shaken(elements: usize, degree: usize) -> [[f64; 2]; 2] {
     let (solution, ids) = shaken(elements, degree);
     let largest = (0..=30)
@@ -198,7 +203,8 @@ fn those_of_a_shaken_cantilever_converge_as_documented() {
             for (kind, quantity) in [(0, 0), (0, 1), (1, 0), (1, 1)] {
                 let (coarse, fine) = (pair[0][kind][quantity], pair[1][kind][quantity]);
                 let gained = f64::from(u8::from(kind == 1 && degree % 2 == 1));
-                // The order, less a little while it sets in; or the part of stretching, of second order in displacements.
+                // The order, less a little while it sets in; or the part of stretching, of second
+                // order in displacements.
                 let order = (coarse / fine).log2();
                 assert!(
                     order > degree as f64 + gained - 0.3 || fine < 1e-7,
@@ -280,17 +286,6 @@ fn a_node_with_a_load_keeps_its_jump() {
     }
 }
 
-fn vectors(piece: &PolyDataPiece, name: &str) -> Vec<f64> {
-    let found = piece.data.point.iter().find_map(|a| match a {
-        Attribute::DataArray(array) if array.name == name => match &array.data {
-            IOBuffer::F64(values) => Some(values.clone()),
-            _ => None,
-        },
-        _ => None,
-    });
-    found.unwrap_or_else(|| panic!("no {name}"))
-}
-
 #[test]
 fn an_animation_has_those_at_ends_of_elements() {
     const ELEMENTS: usize = 8;
@@ -300,10 +295,7 @@ fn an_animation_has_those_at_ends_of_elements() {
     let path = directory.path().join("shaken.pvd");
     solution.write_vtk(&[0.0], POINTS, &path).unwrap();
     let file = directory.path().join("shaken/beams_000000.vtp");
-    let DataSet::PolyData { pieces, .. } = Vtk::import(file).unwrap().data else {
-        panic!("no lines");
-    };
-    let piece = pieces[0].load_piece_data(None).unwrap();
+    let piece = Piece::read(&file);
     let names = [
         "force",
         "force_mean",
@@ -319,7 +311,7 @@ fn an_animation_has_those_at_ends_of_elements() {
         moment,
         moment_mean,
         moment_jump,
-    ] = names.map(|name| vectors(&piece, name));
+    ] = names.map(|name| piece.at_points(name));
     let largest = exact(0.0).abs();
     // But for the rounding of series.
     let near = |a: f64, b: f64| assert!((a - b).abs() < 1e-12 * PUSH * SPAN, "{a} {b}");

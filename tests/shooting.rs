@@ -1,4 +1,5 @@
-//! Shooting: agrees with collocation to the error of its steps, converges quadratically, Floquet multipliers.
+//! Shooting: agrees with collocation to the error of its steps, converges quadratically, Floquet
+//! multipliers.
 
 mod common;
 
@@ -51,8 +52,8 @@ fn floquet(solution: &Solution) -> Vec<Complex<f64>> {
         .collect()
 }
 
-/// Errors of a quantity against a reference fall with the square of the step: `errors` at steps and twice as
-/// many.
+/// Errors of a quantity against a reference fall with the square of the step: `errors` at steps and
+/// twice as many.
 fn assert_second_order(errors: [f64; 2], what: &str) {
     let order = (errors[0] / errors[1]).log2();
     println!(

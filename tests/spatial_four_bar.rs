@@ -1,4 +1,5 @@
-//! The spatial four-bar mechanism of section 7.2: convergence, accuracy, and what its error is.
+//! The spatial four-bar mechanism of section 7.2 of the paper: convergence, accuracy, and what its
+//! error is.
 
 mod common;
 
@@ -48,8 +49,8 @@ fn newton_converges_quadratically_in_at_most_four_iterations() {
         println!("N = {n}: increments {increments:?}");
         assert!((2..=4).contains(&iterations.len()), "N = {n}");
         for pair in iterations.windows(2) {
-            // 10: the curvature of the equations in their own scales, of order one (measured 0.4 to 1.7).
-            // 1e-13: rounding of increments, some hundred units in the last place.
+            // 10: the curvature of the equations in their own scales, of order one (measured 0.4 to
+            // 1.7). 1e-13: rounding of increments, some hundred units in the last place.
             let bound = 10.0 * pair[0].increment.powi(2) + 1e-13;
             assert!(pair[1].increment <= bound, "N = {n}: {pair:?}");
             assert_eq!(pair[1].step, 1.0);
@@ -142,9 +143,10 @@ fn reports_say_where_nothing_is_resolved() {
     assert!(!warned(11));
 }
 
-/// The position loop: B on a circle about A in the plane y = 0, at the distance |BC| from C, which is on
-/// a circle about D. `deflections` of B on bar 1 and of C on bar 3 are added, each in the axes of its
-/// bar at its fixed end. Returns B at each of `times`, followed from the reference configuration.
+/// The position loop: B on a circle about A in the plane y = 0, at the distance |BC| from C, which
+/// is on a circle about D. `deflections` of B on bar 1 and of C on bar 3 are added, each in the
+/// axes of its bar at its fixed end. Returns B at each of `times`, followed from the reference
+/// configuration.
 fn position_loop(
     times: &[f64],
     deflections: impl Fn(usize) -> [Vector3<f64>; 2],

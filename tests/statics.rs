@@ -101,8 +101,8 @@ fn pendulum_aligns_with_the_resultant() {
         let resultant = Vector3::new(side, 0.0, -MASS * 9.81);
         let expected = resultant.normalize() * ARM;
         let found = position(&solution, body);
-        // Newton's tolerance is 1e-9: what is left is its square, that is, rounding. From upright, the
-        // other equilibrium is as good a solution.
+        // Newton's tolerance is 1e-9: what is left is its square, that is, rounding. From upright,
+        // the other equilibrium is as good a solution.
         let off = (found - expected).norm().min((found + expected).norm());
         assert!(off < 1e-13, "{angle}: {off:e}");
         if angle.abs() < 2.5 {
@@ -187,8 +187,8 @@ fn load_steps_roll_a_beam_up() {
     let (elements, length, stiffness) = (16, 10.0, 100.0);
     let moment = 2.0 * TAU * stiffness / length;
     let (model, ids) = roll_up(elements, moment);
-    // Each element turns by θ with the curvature 2 tan(θ/2)/h in its middle, so that its energy has the
-    // derivative EI κ / cos²(θ/2) = EI κ (1 + (κ h/2)²) with respect to θ.
+    // Each element turns by θ with the curvature 2 tan(θ/2)/h in its middle, so that its energy has
+    // the derivative EI κ / cos²(θ/2) = EI κ (1 + (κ h/2)²) with respect to θ.
     let h = length / elements as f64;
     let mut curvature = moment / stiffness;
     for _ in 0..50 {
@@ -447,8 +447,8 @@ fn a_turning_rod_stretches() {
     let solution = statics(&model, &turning(axis * speed, place + axis * 3.0));
     let tip = length_of(k, length);
     let found = position(&solution, ids.last_node) - place;
-    // The products of inertia of the section vanish, so that the rod stays straight. Degree 7 leaves
-    // (k h)^8 / 8! of it, about 1e-9.
+    // The products of inertia of the section vanish, so that the rod stays straight. Degree 7
+    // leaves (k h)^8 / 8! of it, about 1e-9.
     assert!(
         (found - along * tip).amax() < 1e-9 * length,
         "{found} {tip}"
@@ -541,7 +541,8 @@ fn a_space_fixed_load_turns_with_the_frame() {
         &[0.0; 6],
     );
     let solution = statics(&model, &turning(Vector3::z() * speed, place));
-    // The inertia of the pendulum's ball is the same about all axes; below the critical speed it hangs.
+    // The inertia of the pendulum's ball is the same about all axes; below the critical speed it
+    // hangs.
     assert!(speed * speed * ARM > 9.81);
     let angle = (9.81 / (speed * speed * ARM)).acos();
     let found = position(&solution, body);
@@ -595,7 +596,8 @@ fn forces_of_the_user_see_the_velocities_of_a_steady_rotation() {
             let velocity = solution.node(0, NodeQuantity::Velocity, &[0.0]).unwrap();
             assert!((velocity[1] - speed * (radius + x)).abs() < 1e-12 * speed * radius);
             assert!((found[0] + c * velocity[1] * velocity[1]).abs() < 1e-10);
-            // From load 0 to 1 at once, in full steps; the square of an increment is left, or what differences leave.
+            // From load 0 to 1 at once, in full steps; the square of an increment is left, or what
+            // differences leave.
             let start = InitialGuess::State(GridState::at_points(
                 &System::at_standstill(&model, &options.standstill).unwrap(),
                 1,

@@ -25,7 +25,8 @@ fn summary(model: &Model) -> Summary {
 
 #[test]
 fn the_flexible_four_bar_has_one_freedom_if_rigid() {
-    // 7.2: revolute, spherical, universal, revolute: 5 + 3 + 4 + 5 constraints on three bars, one drive.
+    // 7.2: revolute, spherical, universal, revolute: 5 + 3 + 4 + 5 constraints on three bars, one
+    // drive.
     let mechanism = FourBar {
         elements: 4,
         ..FourBar::default()
@@ -58,7 +59,8 @@ fn the_flexible_four_bar_has_one_freedom_if_rigid() {
 
 #[test]
 fn planar_loops_of_revolutes_are_mechanisms_with_redundancy() {
-    // Rigid: Grübler counts 6·3 − 20 = −2, the loop moves all the same: three constraints are redundant.
+    // Rigid: Grübler counts 6·3 − 20 = −2, the loop moves all the same: three constraints are
+    // redundant.
     let points = [(0.0, 0.0), (0.2, 1.0), (2.2, 1.4), (2.0, 0.0)];
     let points = points.map(|(x, y)| Vector3::new(x, y, 0.0));
     let section = SectionInput::diagonal(&[1e6, 4e5, 4e5, 50.0, 80.0, 80.0], &[1.0; 4]).unwrap();

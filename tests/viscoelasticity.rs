@@ -59,7 +59,8 @@ fn assert_near(found: &[f64], exact: &[f64], tolerance: f64, what: &str) {
     assert!(error < tolerance, "{what}: {error:e}");
 }
 
-/// Torque `cosines[j] cos (j+1)Ωt` on the arm with an element: the motion is exactly linear at any amplitude.
+/// Torque `cosines[j] cos (j+1)Ωt` on the arm with an element: the motion is exactly linear at any
+/// amplitude.
 fn check_linear(long_term: f64, rest: f64, branches: &[MaxwellBranch], tolerance: f64) {
     let (omega, cosines) = (2.2, [2.0, -0.6]);
     let period = TAU / omega;
@@ -131,7 +132,8 @@ fn several_branches_have_the_complex_stiffness() {
 fn branches_that_relax_at_once_or_never_are_nothing_or_springs() {
     let (fast, slow) = (1e-9, 1e9);
     check_linear(5.0, 0.2, &[branch(3.0, fast)], 1e-10);
-    // The mean elongation of a dashpot that hardly moves is known to the rounding over its rate only.
+    // The mean elongation of a dashpot that hardly moves is known to the rounding over its rate
+    // only.
     let angle = |long_term: f64, branches: &[MaxwellBranch]| {
         let (mut model, hinge) = arm();
         let at = rotation1(hinge);

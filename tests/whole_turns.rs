@@ -1,5 +1,5 @@
-//! Angles of joints count whole turns: what a solution tells of them is what the forces on them act by, however it
-//! was found and whatever was kept of it.
+//! Angles of joints count whole turns: what a solution tells of them is what the forces on them act
+//! by, however it was found and whatever was kept of it.
 
 mod common;
 
@@ -29,7 +29,8 @@ const KINDS: [(JointKind, &[Coordinate]); 4] = [
     ),
 ];
 
-/// A wheel on a joint with a spring on each of its angles, that a moment turns by `turns`; joint, angles, springs.
+/// A wheel on a joint with a spring on each of its angles, that a moment turns by `turns`; joint,
+/// angles, springs.
 struct Wheel {
     model: Model,
     joint: usize,
@@ -77,7 +78,8 @@ fn wheel(kind: JointKind, angles: &[Coordinate], turns: f64) -> Wheel {
 }
 
 impl Wheel {
-    /// Checks that all angles are the efforts of their springs over the stiffness, at these times; returns them.
+    /// Checks that all angles are the efforts of their springs over the stiffness, at these times;
+    /// returns them.
     fn agree(&self, solution: &Solution, times: &[f64], what: &str) -> Vec<f64> {
         assert_eq!(
             solution.outcome(),
@@ -139,7 +141,8 @@ fn angles_over_a_period_are_those_of_their_springs() {
             let cold = solve(&wheel.model, PERIOD, 15);
             let found = wheel.agree(&cold, &times, &what);
             let mean = found.iter().sum::<f64>() / found.len() as f64;
-            // About the mean that the constant moment gives: the swing adds harmonics of its own in the universal joint.
+            // About the mean that the constant moment gives: the swing adds harmonics of its own in
+            // the universal joint.
             assert!((mean - TAU * turns).abs() < 0.2, "{what}: {mean}");
             // From this solution, on another grid.
             let options = PeriodicOptions {
@@ -226,8 +229,8 @@ fn springs_see_the_turns_that_a_signal_prescribes() {
 
 #[test]
 fn steps_of_more_than_half_a_turn_between_bodies_are_counted_by_springs_too() {
-    // Two wheels that moments drive against each other, through dampers, to 2.5 rad in a step each; a spring between
-    // them, too soft to matter, tells the angle that it sees.
+    // Two wheels that moments drive against each other, through dampers, to 2.5 rad in a step each;
+    // a spring between them, too soft to matter, tells the angle that it sees.
     let (soft, drive) = (1e-9, 2.5);
     let mut model = Model::new();
     let inertia = Matrix3::identity() * 0.4;

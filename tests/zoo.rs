@@ -1,5 +1,5 @@
-//! A zoo of random mechanisms: trees and loops of rigid bodies and beams, with joints, forces of all kinds,
-//! drives and loads. Each, moved as a whole or written in other units, does the same.
+//! A zoo of random mechanisms: trees and loops of rigid bodies and beams, with joints, forces of
+//! all kinds, drives and loads. Each, moved as a whole or written in other units, does the same.
 
 mod common;
 
@@ -20,12 +20,12 @@ const MODELS: u64 = 40;
 const POINTS: usize = 9;
 const PERIOD: f64 = 1.0;
 
-/// Rounding: strains of 1e-16 times axial stiffnesses of 1e5 N are 1e-11 N, against forces of some 10 N,
-/// and conditioning takes a few digits of that (measured 2e-11, of the beams' forces).
+/// Rounding: strains of 1e-16 times axial stiffnesses of 1e5 N are 1e-11 N, against forces of some
+/// 10 N, and conditioning takes a few digits of that (measured 2e-11, of the beams' forces).
 const TOLERANCE: f64 = 1e-9;
 
-/// A body that others can be joined to: its first and last node, and where they are, in SI units and in
-/// the mechanism's own place.
+/// A body that others can be joined to: its first and last node, and where they are, in SI units
+/// and in the mechanism's own place.
 #[derive(Clone, Copy)]
 struct Member {
     first: Option<usize>,

@@ -127,8 +127,8 @@ pub fn shaken_rod(force: f64, elements: usize, degree: usize) -> (Model, f64) {
     (model, 0.3)
 }
 
-/// A steel strip of 1 m, all of whose strains are damped by `seconds` times the stiffness, and its period: the tip is
-/// pushed by 10 N and shaken by 20 N.
+/// A steel strip of 1 m, all of whose strains are damped by `seconds` times the stiffness, and its
+/// period: the tip is pushed by 10 N and shaken by 20 N.
 pub fn damped_strip(seconds: f64, axial: f64, elements: usize, degree: usize) -> (Model, f64) {
     let (root, tip) = (Vector3::zeros(), Vector3::x());
     let shear = 0.32 * axial;
@@ -192,7 +192,8 @@ pub fn rotor_blade(elements: usize, degree: usize) -> (Model, f64) {
     (model, 1.0)
 }
 
-/// The slider-crank with a flexible rod of `c_examples/slider_crank.c`, whose crank turns once in `period`.
+/// The slider-crank with a flexible rod of `c_examples/slider_crank.c`, whose crank turns once in
+/// `period`.
 pub fn slider_crank(elements: usize, degree: usize, period: f64) -> Model {
     let at = |x: f64| Vector3::new(x, 0.0, 0.0);
     let (pin, wrist) = (at(0.15), at(0.45));
@@ -235,8 +236,8 @@ pub fn slider_crank(elements: usize, degree: usize, period: f64) -> Model {
     model
 }
 
-/// The planar four-bar with a crooked axis of section 7.3 of the paper, and its period; damping is `seconds` times the
-/// stiffness.
+/// The planar four-bar with a crooked axis of section 7.3 of the paper, and its period; damping is
+/// `seconds` times the stiffness.
 pub fn planar_four_bar(elements: usize, degree: usize, seconds: f64) -> (Model, f64) {
     let at = |x: f64, y: f64| Vector3::new(x, y, 0.0);
     let [a, b, c, d] = [at(0.0, 0.0), at(0.0, 0.12), at(0.24, 0.12), at(0.24, 0.0)];
@@ -285,8 +286,8 @@ pub fn planar_four_bar(elements: usize, degree: usize, seconds: f64) -> (Model, 
     (model, TAU / 0.6)
 }
 
-/// Three blades of 30 m clamped to a turning hub with a level shaft, in gravity, with harmonic forces at the tips; and the
-/// period. Two-node elements.
+/// Three blades of 30 m clamped to a turning hub with a level shaft, in gravity, with harmonic
+/// forces at the tips; and the period. Two-node elements.
 pub fn rotor(elements: usize) -> (Model, f64) {
     let mut model = Model::new();
     let hub = model

@@ -19,7 +19,8 @@ pub fn product_time() -> Duration {
     }))
 }
 
-/// Bytes that the machine reads and writes in a second on one core: sums of two vectors far larger than its caches.
+/// Bytes that the machine reads and writes in a second on one core: sums of two vectors far larger
+/// than its caches.
 pub fn bandwidth() -> f64 {
     let count = 16_000_000;
     let (a, b) = (vec![1.0f64; count], vec![2.0f64; count]);

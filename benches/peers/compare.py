@@ -1,9 +1,11 @@
-"""Compares the examples forced_cantilever and rotor_blade with Exudyn, and prints the tables of README.md.
+"""Compares the examples forced_cantilever and rotor_blade with Exudyn, and prints the tables of
+README.md.
 
     compare.py DIRECTORY_OF_EXAMPLES [EXAMPLE]...
 
-Exudyn marches in time, to second order in the step and of the order of its elements in the mesh; both errors
-are taken out by Richardson's extrapolation, and what that leaves is estimated from its last change.
+Exudyn marches in time, to second order in the step and of the order of its elements in the mesh;
+both errors are taken out by Richardson's extrapolation, and what that leaves is estimated from its
+last change.
 """
 
 import csv
@@ -18,8 +20,9 @@ import numpy as np
 
 import exudyn_models
 
-# For each example: Exudyn's meshes (at the middle step) and steps to a period (at the middle mesh), the order
-# of its elements, and our options from coarse to fine, the first being those of the example.
+# For each example: Exudyn's meshes (at the middle step) and steps to a period (at the middle mesh),
+# the order of its elements, and our options from coarse to fine, the first being those of the
+# example.
 CASES = {
     "forced_cantilever": dict(meshes=(4, 8, 16), steps=(200, 400, 800), order=4,
                               ours=[(41, 4, 4), (51, 4, 4), (41, 6, 5)]),
@@ -34,7 +37,8 @@ def processor_seconds():
 
 
 def solve(program, grid, elements, degree):
-    """Names and curves of an example at Exudyn's times, and the processor's seconds for all of it, on one thread."""
+    """Names and curves of an example at Exudyn's times, and the processor's seconds for all of it,
+    on one thread."""
     with tempfile.TemporaryDirectory() as directory:
         out = pathlib.Path(directory) / "curves.csv"
         options = ["--grid", grid, "--elements", elements, "--order", degree, "--out", out]
@@ -63,7 +67,9 @@ def extrapolated(coarse, middle, fine, order):
 def compare(directory, name, meshes, steps, order, ours):
     march = getattr(exudyn_models, name)
     marched = {}
-    for key in [(mesh, steps[1]) for mesh in meshes] + [(meshes[1], step) for step in (steps[0], steps[2])]:
+    for key in [(mesh, steps[1]) for mesh in meshes] + [
+        (meshes[1], step) for step in (steps[0], steps[2])
+    ]:
         curves, seconds = march(*key)
         unsettled = exudyn_models.unsettled(curves)
         print(f"{name}: Exudyn, {key[0]} elements, {key[1]} steps to a period: {seconds:.1f} s, "
@@ -71,7 +77,10 @@ def compare(directory, name, meshes, steps, order, ours):
         marched[key] = curves[-1]
     solved = [solve(pathlib.Path(directory) / name, *options) for options in ours]
     for options, (_, _, seconds) in zip(ours, solved):
-        print(f"{name}: Periodyn, {options[0]} grid points, {options[1]} elements of degree {options[2]}: {seconds:.2f} s")
+        print(
+            f"{name}: Periodyn, {options[0]} grid points, "
+            f"{options[1]} elements of degree {options[2]}: {seconds:.2f} s"
+        )
 
     names, own, _ = solved[0]
     # What the example does not write, velocities, comes last.

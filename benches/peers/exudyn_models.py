@@ -8,15 +8,18 @@ import time
 import exudyn as exu
 import exudyn.itemInterface as item
 import numpy as np
-from exudyn.rigidBodyUtilities import AngularVelocity2EulerParameters_t, RotationMatrix2EulerParameters
+from exudyn.rigidBodyUtilities import (
+    AngularVelocity2EulerParameters_t,
+    RotationMatrix2EulerParameters,
+)
 
 SAMPLES = 100  # a period, in what is returned; steps to a period are a multiple
 
 
 def march(mbs, sensors, period, periods, steps, radius=0.9, sparse=False):
-    """The sensors at SAMPLES times of each period, [period, time, curve], and the seconds of the processor it took.
-    Generalised-alpha of this spectral radius, `steps` steps to a period. `sparse`: with the sparse solver and modified
-    Newton's method."""
+    """The sensors at SAMPLES times of each period, [period, time, curve], and the seconds of the
+    processor it took. Generalised-alpha of this spectral radius, `steps` steps to a period.
+    `sparse`: with the sparse solver and modified Newton's method."""
     mbs.Assemble()
     settings = exu.SimulationSettings()
     settings.solution.file.write = False
@@ -45,35 +48,60 @@ def unsettled(curves):
 
 def sensors_of_node(mbs, node):
     """Position and velocity."""
-    return [mbs.AddSensor(item.SensorNode(nodeNumber=node, storeInternal=True, outputVariableType=output))
-            for output in (exu.OutputVariableType.Position, exu.OutputVariableType.Velocity)]
+    return [
+        mbs.AddSensor(
+            item.SensorNode(nodeNumber=node, storeInternal=True, outputVariableType=output)
+        )
+        for output in (exu.OutputVariableType.Position, exu.OutputVariableType.Velocity)
+    ]
 
 
 def forced_cantilever(elements, steps, periods=45, **scheme):
-    """Tip's displacements along and upwards, bending moment at the root, the tip's velocity upwards. Plane three-node
-    beams."""
+    """Tip's displacements along and upwards, bending moment at the root, the tip's velocity
+    upwards. Plane three-node beams."""
     mbs = exu.SystemContainer().AddSystem()
     length, period, force = 1.0, 0.3, 12.0
     nodes = [mbs.AddNode(item.NodeRigidBody2D(referenceCoordinates=[x, 0, 0]))
              for x in np.linspace(0, length, 2 * elements + 1)]
     for i in range(elements):
-        beam = mbs.AddObject(item.ObjectBeamGeometricallyExact2D(
-            nodeNumbers=nodes[2 * i:2 * i + 3], length=length / elements, massPerLength=0.361,
-            crossSectionInertia=9.0e-6, axialStiffness=785e3, shearStiffness=250e3, bendingStiffness=19.6,
-            bendingDamping=5e-3 * 19.6))
+        beam = mbs.AddObject(
+            item.ObjectBeamGeometricallyExact2D(
+                nodeNumbers=nodes[2 * i : 2 * i + 3],
+                length=length / elements,
+                massPerLength=0.361,
+                crossSectionInertia=9.0e-6,
+                axialStiffness=785e3,
+                shearStiffness=250e3,
+                bendingStiffness=19.6,
+                bendingDamping=5e-3 * 19.6,
+            )
+        )
         whole = mbs.AddMarker(item.MarkerBodyMass(bodyNumber=beam))
         mbs.AddLoad(item.LoadMassProportional(markerNumber=whole, loadVector=[0, -9.81, 0]))
 
     ground = mbs.AddNode(item.NodePointGround())
     fixed = mbs.AddMarker(item.MarkerNodeCoordinate(nodeNumber=ground, coordinate=0))
-    clamp = [mbs.AddObject(item.CoordinateConstraint(markerNumbers=[
-        fixed, mbs.AddMarker(item.MarkerNodeCoordinate(nodeNumber=nodes[0], coordinate=c))])) for c in range(3)]
+    clamp = [
+        mbs.AddObject(
+            item.CoordinateConstraint(
+                markerNumbers=[
+                    fixed,
+                    mbs.AddMarker(item.MarkerNodeCoordinate(nodeNumber=nodes[0], coordinate=c)),
+                ]
+            )
+        )
+        for c in range(3)
+    ]
 
     def shake(mbs, t, load):
         return [0, force * math.cos(2 * math.pi * t / period), 0]
 
     tip = mbs.AddMarker(item.MarkerNodePosition(nodeNumber=nodes[-1]))
-    mbs.AddLoad(item.LoadForceVector(markerNumber=tip, loadVector=[0, force, 0], loadVectorUserFunction=shake))
+    mbs.AddLoad(
+        item.LoadForceVector(
+            markerNumber=tip, loadVector=[0, force, 0], loadVectorUserFunction=shake
+        )
+    )
     sensors = [*sensors_of_node(mbs, nodes[-1]),
                mbs.AddSensor(item.SensorObject(objectNumber=clamp[2], storeInternal=True,
                                                outputVariableType=exu.OutputVariableType.Force))]
@@ -82,12 +110,15 @@ def forced_cantilever(elements, steps, periods=45, **scheme):
 
 
 def rotor_blade(elements, steps, periods=45, **scheme):
-    """Tip's flap and lag deflection, flap, lag and torsional moment at the root, in the turning frame, and the rate of
-    flap. Two-node beams on SE(3)."""
+    """Tip's flap and lag deflection, flap, lag and torsional moment at the root, in the turning
+    frame, and the rate of flap. Two-node beams on SE(3)."""
     mbs = exu.SystemContainer().AddSystem()
     root, length, pitch, omega = 0.5, 10.0, math.radians(8), 2 * math.pi
-    axes = np.array([[0, math.cos(pitch), -math.sin(pitch)], [0, math.sin(pitch), math.cos(pitch)], [1, 0, 0]])
-    # Angles about x, y, z. The shaft is x, so that the first counts the turns and none meets its singularity.
+    axes = np.array(
+        [[0, math.cos(pitch), -math.sin(pitch)], [0, math.sin(pitch), math.cos(pitch)], [1, 0, 0]]
+    )
+    # Angles about x, y, z. The shaft is x, so that the first counts the turns and none meets its
+    # singularity.
     angles = [-math.pi / 2, -pitch, -math.pi / 2]
     stiffness = np.array([500e6, 100e6, 100e6, 500e3, 3.87e6, 1.30e6])
     section = exu.BeamSection()
@@ -105,8 +136,8 @@ def rotor_blade(elements, steps, periods=45, **scheme):
                                                                sectionData=section))
         whole = mbs.AddMarker(item.MarkerBodyMass(bodyNumber=beam))
         mbs.AddLoad(item.LoadMassProportional(markerNumber=whole, loadVector=[0, 0, -9.81]))
-        # The beam itself knows no damping. The difference of the ends' angular velocities, in the axes
-        # half-way between, is its rate of curvature.
+        # The beam itself knows no damping. The difference of the ends' angular velocities, in the
+        # axes half-way between, is its rate of curvature.
         damping = np.diag(0.01 * stiffness / size)
         damping[:3] = 0
         mbs.AddObject(item.RigidBodySpringDamper(markerNumbers=list(ends), damping=damping,
@@ -125,23 +156,36 @@ def rotor_blade(elements, steps, periods=45, **scheme):
         coordinate = mbs.AddMarker(item.MarkerNodeCoordinate(nodeNumber=hub, coordinate=c))
         prescribed = {"offsetUserFunction": turn} if c == 3 else {}
         mbs.AddObject(item.CoordinateConstraint(markerNumbers=[fixed, coordinate], **prescribed))
-    seat = mbs.AddMarker(item.MarkerBodyRigid(bodyNumber=body, localHT=exu.HT(translation=[0, 0, root])))
+    seat = mbs.AddMarker(
+        item.MarkerBodyRigid(bodyNumber=body, localHT=exu.HT(translation=[0, 0, root]))
+    )
     foot = mbs.AddMarker(item.MarkerNodeRigid(nodeNumber=nodes[0], localHT=exu.HT(rotation=axes.T)))
     clamp = mbs.AddObject(item.GenericJoint(markerNumbers=[seat, foot]))
 
     def lift(mbs, t, load):
         return [3000 + 1000 * math.cos(omega * t) + 200 * math.sin(2 * omega * t), 0, 0]
 
-    mbs.AddLoad(item.LoadForceVector(markerNumber=markers[-1], loadVector=[4000, 0, 0], loadVectorUserFunction=lift))
-    sensors = [*sensors_of_node(mbs, nodes[-1]),
-               mbs.AddSensor(item.SensorObject(objectNumber=clamp, storeInternal=True,
-                                               outputVariableType=exu.OutputVariableType.TorqueLocal))]
+    mbs.AddLoad(
+        item.LoadForceVector(
+            markerNumber=markers[-1], loadVector=[4000, 0, 0], loadVectorUserFunction=lift
+        )
+    )
+    sensors = [
+        *sensors_of_node(mbs, nodes[-1]),
+        mbs.AddSensor(
+            item.SensorObject(
+                objectNumber=clamp,
+                storeInternal=True,
+                outputVariableType=exu.OutputVariableType.TorqueLocal,
+            )
+        ),
+    ]
     curves, seconds = march(mbs, sensors, 1.0, periods, steps, **scheme)
     flap, y, z, rate, _, _, *torque = np.moveaxis(curves, 2, 0)
     angle = omega * np.arange(SAMPLES) / SAMPLES
     lag = np.cos(angle) * y + np.sin(angle) * z
-    # The joint's torques about axes 1 and 2 are counted against, about axis 3 with our reactions' sense. That of
-    # axis 1 can be told by the weight of the blade as it lies level, at t = 1/4 s.
+    # The joint's torques about axes 1 and 2 are counted against, about axis 3 with our reactions'
+    # sense. That of axis 1 can be told by the weight of the blade as it lies level, at t = 1/4 s.
     return np.stack([flap, lag, -torque[1], -torque[0], torque[2], rate], axis=2), seconds
 
 
@@ -158,8 +202,12 @@ def spatial_four_bar(elements, steps, periods=2, **scheme):
         section.inertia = np.diag(inertia)
         return section
 
-    thick = steel([52.99e6, 16.88e6, 16.88e6, 733.5, 1131.0, 1131.0], 1.997, [85.2e-6, 42.6e-6, 42.6e-6])
-    thin = steel([13.25e6, 4.22e6, 4.22e6, 45.84, 70.66, 70.66], 0.4992, [5.324e-6, 2.662e-6, 2.662e-6])
+    thick = steel(
+        [52.99e6, 16.88e6, 16.88e6, 733.5, 1131.0, 1131.0], 1.997, [85.2e-6, 42.6e-6, 42.6e-6]
+    )
+    thin = steel(
+        [13.25e6, 4.22e6, 4.22e6, 45.84, 70.66, 70.66], 0.4992, [5.324e-6, 2.662e-6, 2.662e-6]
+    )
 
     def frame(third, first):
         """Axes, as columns, of which the third and the first are near these."""
@@ -179,17 +227,29 @@ def spatial_four_bar(elements, steps, periods=2, **scheme):
     of_coupler += (c - b) * ((of_crank - of_coupler) @ normal) / ((c - b) @ normal)
 
     def bar(start, end, across, section, velocity, rate):
-        """Nodes and the axes they have in the beginning; velocity of the first, rate of turning of all."""
+        """Nodes and the axes they have in the beginning; velocity of the first, rate of turning of
+        all."""
         along = (end - start) / np.linalg.norm(end - start)
         axes = frame(np.cross(along, across), along)
         turn = RotationMatrix2EulerParameters(axes)
         turning = AngularVelocity2EulerParameters_t(rate, turn)
-        nodes = [mbs.AddNode(item.NodeRigidBodyEP(
-            referenceCoordinates=[*(start + s * (end - start)), *turn],
-            initialVelocities=[*(velocity + s * np.cross(rate, end - start)), *turning])) for s in np.linspace(0, 1, elements + 1)]
+        nodes = [
+            mbs.AddNode(
+                item.NodeRigidBodyEP(
+                    referenceCoordinates=[*(start + s * (end - start)), *turn],
+                    initialVelocities=[*(velocity + s * np.cross(rate, end - start)), *turning],
+                )
+            )
+            for s in np.linspace(0, 1, elements + 1)
+        ]
         for pair in zip(nodes, nodes[1:]):
-            mbs.AddObject(item.ObjectBeamGeometricallyExact(
-                nodeNumbers=list(pair), length=np.linalg.norm(end - start) / elements, sectionData=section))
+            mbs.AddObject(
+                item.ObjectBeamGeometricallyExact(
+                    nodeNumbers=list(pair),
+                    length=np.linalg.norm(end - start) / elements,
+                    sectionData=section,
+                )
+            )
         return nodes, axes
 
     rocker, rocker_axes = bar(a, b, i2, thick, 0 * a, of_rocker)
@@ -198,12 +258,18 @@ def spatial_four_bar(elements, steps, periods=2, **scheme):
     ground = mbs.AddObject(item.ObjectGround())
 
     def on_node(node, axes, wanted):
-        return mbs.AddMarker(item.MarkerNodeRigid(nodeNumber=node, localHT=exu.HT(rotation=axes.T @ wanted)))
+        return mbs.AddMarker(
+            item.MarkerNodeRigid(nodeNumber=node, localHT=exu.HT(rotation=axes.T @ wanted))
+        )
 
     # Rocker: turns about the third axis of the markers, against the spring.
     hinge = frame(i2, i1)
-    markers = [mbs.AddMarker(item.MarkerBodyRigid(bodyNumber=ground, localHT=exu.HT(rotation=hinge, translation=a))),
-               on_node(rocker[0], rocker_axes, hinge)]
+    markers = [
+        mbs.AddMarker(
+            item.MarkerBodyRigid(bodyNumber=ground, localHT=exu.HT(rotation=hinge, translation=a))
+        ),
+        on_node(rocker[0], rocker_axes, hinge),
+    ]
     mbs.AddObject(item.GenericJoint(markerNumbers=markers, constrainedAxes=[1, 1, 1, 1, 1, 0]))
     mbs.AddObject(item.TorsionalSpringDamper(markerNumbers=markers, stiffness=18.0))
     mbs.AddObject(item.SphericalJoint(markerNumbers=[on_node(rocker[-1], rocker_axes, np.eye(3)),
@@ -217,22 +283,42 @@ def spatial_four_bar(elements, steps, periods=2, **scheme):
     # The motor: a light body whose first angle turns.
     motor = mbs.AddNode(item.NodeRigidBodyRxyz(referenceCoordinates=[*d, 0, 0, 0],
                                                   initialVelocities=[0, 0, 0, 0.36, 0, 0]))
-    body = mbs.AddObject(item.ObjectRigidBody(nodeNumber=motor, mass=1e-3, inertia=[1e-6, 1e-6, 1e-6, 0, 0, 0]))
+    body = mbs.AddObject(
+        item.ObjectRigidBody(nodeNumber=motor, mass=1e-3, inertia=[1e-6, 1e-6, 1e-6, 0, 0, 0])
+    )
     still = mbs.AddNode(item.NodePointGround())
     fixed = mbs.AddMarker(item.MarkerNodeCoordinate(nodeNumber=still, coordinate=0))
 
     def turn(mbs, t, number, offset):
-        return 0.3 * t + (1 - math.cos(0.3 * t)) / 3 + math.sin(0.6 * t) / 10 + (1 - math.cos(0.9 * t)) / 21
+        return (
+            0.3 * t
+            + (1 - math.cos(0.3 * t)) / 3
+            + math.sin(0.6 * t) / 10
+            + (1 - math.cos(0.9 * t)) / 21
+        )
 
     for coordinate in range(6):
         marker = mbs.AddMarker(item.MarkerNodeCoordinate(nodeNumber=motor, coordinate=coordinate))
         prescribed = {"offsetUserFunction": turn} if coordinate == 3 else {}
         mbs.AddObject(item.CoordinateConstraint(markerNumbers=[fixed, marker], **prescribed))
-    clamp = mbs.AddObject(item.GenericJoint(markerNumbers=[
-        mbs.AddMarker(item.MarkerBodyRigid(bodyNumber=body)), on_node(crank[-1], crank_axes, np.eye(3))]))
+    clamp = mbs.AddObject(
+        item.GenericJoint(
+            markerNumbers=[
+                mbs.AddMarker(item.MarkerBodyRigid(bodyNumber=body)),
+                on_node(crank[-1], crank_axes, np.eye(3)),
+            ]
+        )
+    )
 
-    sensors = [*sensors_of_node(mbs, rocker[-1]),
-               mbs.AddSensor(item.SensorObject(objectNumber=clamp, storeInternal=True,
-                                               outputVariableType=exu.OutputVariableType.TorqueLocal))]
+    sensors = [
+        *sensors_of_node(mbs, rocker[-1]),
+        mbs.AddSensor(
+            item.SensorObject(
+                objectNumber=clamp,
+                storeInternal=True,
+                outputVariableType=exu.OutputVariableType.TorqueLocal,
+            )
+        ),
+    ]
     curves, seconds = march(mbs, sensors, 2 * math.pi / 0.3, periods, steps, **scheme)
     return curves[:, :, [2, 5, 6]] * [1, 1, -1], seconds  # the joint's torque is on the motor

@@ -1,6 +1,7 @@
 //! Random machines of ten families, solved by default options and judged; see docs/robustness.md.
 //!
-//!     script/zoo [--seed S] [--count N] [--only FAMILY:INDEX] [--limit SECONDS] [--verbose] [--docs]
+//!     script/zoo [--seed S] [--count N] [--only FAMILY:INDEX] [--limit SECONDS]
+//!                [--verbose] [--docs]
 
 #[path = "../../tests/common/mod.rs"]
 mod common;

@@ -6,8 +6,8 @@ use crate::machines::judge::{ROUNDING, SHARP, TRUSTED, Verdict};
 use std::fmt::Write;
 use std::path::PathBuf;
 
-/// Writes `output/zoo.csv` and `output/zoo.md`, and prints the latter, which replaces the page's tables if
-/// asked for.
+/// Writes `output/zoo.csv` and `output/zoo.md`, and prints the latter, which replaces the page's
+/// tables if asked for.
 pub fn write(seed: u64, count: usize, records: &[Record], docs: bool) {
     let directory = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("output");
     std::fs::create_dir_all(&directory).expect("a directory");
@@ -37,8 +37,8 @@ fn replace_in_docs(tables: &str) {
 
 fn csv(records: &[Record]) -> String {
     let mut text = String::from(
-        "family,index,outcome,verdict,seconds,points,iterations,guess_iterations,unknowns,estimate,error,\
-         from_cold,march,march_uncertainty,what,why\n",
+        "family,index,outcome,verdict,seconds,points,iterations,guess_iterations,unknowns,\
+         estimate,error,from_cold,march,march_uncertainty,what,why\n",
     );
     let number = |x: Option<f64>| x.map_or(String::new(), |x| format!("{x:e}"));
     for r in records {
@@ -124,8 +124,10 @@ impl Count {
 
 fn markdown(seed: u64, count: usize, records: &[Record]) -> String {
     let mut text = format!(
-        "Seed {seed}, {count} machines of each family. Processor time of the solve in seconds, one thread.\n\n\
-         | family | machines | converged | false | unchecked | not periodic | failed | median s | longest s |\n\
+        "Seed {seed}, {count} machines of each family. Processor time of the solve in seconds, \
+         one thread.\n\n\
+         | family | machines | converged | false | unchecked | not periodic | failed | median s | \
+         longest s |\n\
          |---|---|---|---|---|---|---|---|---|\n"
     );
     let mut least = f64::INFINITY;
@@ -200,8 +202,10 @@ fn estimates(records: &[Record]) -> String {
         .filter(|r| r.verdict() == Verdict::False)
         .count();
     format!(
-        "\nTrue error at most {TRUSTED} × estimate: {} of {}. Estimate at most {SHARP} × true error, of those above \
-         {ROUNDING:.0e}: {} of {}. Marched: {}, disproved {disproved}. Finer grids from cold that found another \
+        "\nTrue error at most {TRUSTED} × estimate: {} of {}. Estimate at most {SHARP} × true \
+         error, of those above \
+         {ROUNDING:.0e}: {} of {}. Marched: {}, disproved {disproved}. Finer grids from cold that \
+         found another \
          solution: {other}.\n",
         trusted.count(),
         pairs.len(),

@@ -1,5 +1,5 @@
-//! One machine, in a process of its own: what comes out is printed line by line, so that what was known before a
-//! crash or a limit is not lost.
+//! One machine, in a process of its own: what comes out is printed line by line, so that what was
+//! known before a crash or a limit is not lost.
 
 use crate::machines::{FAMILIES, Machine, judge, machine};
 use periodyn::output::Solution;
@@ -9,7 +9,8 @@ use rustix::time::{ClockId, clock_gettime};
 
 /// Most memory, in bytes.
 const MEMORY: u64 = 6 << 30;
-/// Solves from cold on finer grids, for comparison, where that is likely to take no longer than seconds.
+/// Solves from cold on finer grids, for comparison, where that is likely to take no longer than
+/// seconds.
 const CHEAP: f64 = 0.3;
 const FEW: usize = 64;
 /// What a solve is doing is shown after so many seconds, if asked for.

@@ -34,8 +34,8 @@ const _: () = assert!(size_of::<pdn_beam>() == 32);
 
 /// Cross-sections along a beam, at stations; linear in between, entry by entry.
 ///
-/// Start with `PDN_INIT(pdn_stations, &stations)`, then set the fields. The library reads the arrays
-/// during the call that takes the stations.
+/// Start with `PDN_INIT(pdn_stations, &stations)`, then set the fields. The library reads the
+/// arrays during the call that takes the stations.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct pdn_stations {
@@ -43,14 +43,14 @@ pub struct pdn_stations {
     pub struct_size: usize,
     /// Number of stations; one alone stands for all of the beam.
     pub count: usize,
-    /// Array of length [count]: places along the span, from 0 at the start to 1 at the end, ascending;
-    /// two stations at the same place make a jump. May be NULL if count is 1.
+    /// Array of length [count]: places along the span, from 0 at the start to 1 at the end,
+    /// ascending; two stations at the same place make a jump. May be NULL if count is 1.
     pub fractions: *const f64,
     /// Array of length [count]: the sections, each initialised.
     pub sections: *const pdn_section,
-    /// Array of length [count]: structural twist, the angles by which axes 2 and 3 of the sections are
-    /// turned about axis 1 from those of the line, right-handed, linear between stations [radian]. NULL
-    /// for none. It has no jumps.
+    /// Array of length [count]: structural twist, the angles by which axes 2 and 3 of the sections
+    /// are turned about axis 1 from those of the line, right-handed, linear between stations
+    /// [radian]. NULL for none. It has no jumps.
     pub twists: *const f64,
 }
 
@@ -156,9 +156,9 @@ fn add_along(
 
 /// Adds a beam element over nodes that are there; it may be curved and twisted.
 ///
-/// The nodes stand, in order, at the Gauss-Lobatto points along the beam; two are its ends. Axis 1 of
-/// each node is along the beam (to within 60 degrees, for curved ones), axes 2 and 3 are those of the
-/// section. The element's reference shape interpolates them, and is free of stress.
+/// The nodes stand, in order, at the Gauss-Lobatto points along the beam; two are its ends. Axis 1
+/// of each node is along the beam (to within 60 degrees, for curved ones), axes 2 and 3 are those
+/// of the section. The element's reference shape interpolates them, and is free of stress.
 ///
 /// Elements may share end nodes, in chains and where beams branch, but not otherwise; elements that
 /// would lie on each other are refused.
@@ -203,8 +203,8 @@ pub unsafe extern "C" fn pdn_model_add_beam_element(
 /// Adds a straight beam: its nodes and elements.
 ///
 /// Axis 1 of every node is along the beam, from start to end; axis 2 is the part of axis_2 that is
-/// perpendicular to it; axis 3 = axis 1 * axis 2. Beams are joined by joints between their nodes, or by
-/// ::pdn_model_add_rigid_joint.
+/// perpendicular to it; axis 3 = axis 1 * axis 2. Beams are joined by joints between their nodes,
+/// or by ::pdn_model_add_rigid_joint.
 ///
 /// @param model  the model; not NULL
 /// @param start  array of length 3: where the beam starts, global coordinates [length]
@@ -215,7 +215,8 @@ pub unsafe extern "C" fn pdn_model_add_beam_element(
 /// @param elements  number of elements, 1 to 1000000
 /// @param degree  polynomial degree of the elements, 1 to 24; an element has degree + 1 nodes
 /// @param beam  ids of what was made; written on success only
-/// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_SIZE, PDN_ERR_STRUCT_SIZE, PDN_ERR_VALUE
+/// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_SIZE, PDN_ERR_STRUCT_SIZE,
+///     PDN_ERR_VALUE
 ///
 /// Threads: exclusive use of `model`.
 /// @since 0.1
@@ -246,10 +247,11 @@ pub unsafe extern "C" fn pdn_model_add_straight_beam(
 
 /// Adds a beam along a line, with sections that may vary: its nodes and elements.
 ///
-/// Axis 1 of every node is along the line; axes 2 and 3 are those of the line, turned by the twist. The
-/// mesh is even but for jumps of the section, where an element ends and the next begins; so there must
-/// be more elements than jumps. Stations may lie anywhere: elements are integrated from each to the next. Where slopes
-/// of section or twist jump inside an element, degrees gain less accuracy all the same.
+/// Axis 1 of every node is along the line; axes 2 and 3 are those of the line, turned by the twist.
+/// The mesh is even but for jumps of the section, where an element ends and the next begins; so
+/// there must be more elements than jumps. Stations may lie anywhere: elements are integrated from
+/// each to the next. Where slopes of section or twist jump inside an element, degrees gain less
+/// accuracy all the same.
 ///
 /// Beams are joined by joints between their nodes. To fix a beam's end to a body at a distance, use
 /// ::pdn_model_add_rigid_joint between the two nodes: they need not be at the same place.
@@ -260,8 +262,9 @@ pub unsafe extern "C" fn pdn_model_add_straight_beam(
 /// @param elements  number of elements, 1 to 1000000
 /// @param degree  polynomial degree of the elements, 1 to 24; an element has degree + 1 nodes
 /// @param beam  ids of what was made; written on success only
-/// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_SIZE, PDN_ERR_STRUCT_SIZE, PDN_ERR_VALUE,
-///     PDN_ERR_CALLBACK, PDN_ERR_MODEL (nodes that turn too much from one to the next)
+/// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_SIZE, PDN_ERR_STRUCT_SIZE,
+///     PDN_ERR_VALUE, PDN_ERR_CALLBACK, PDN_ERR_MODEL (nodes that turn too much from one to the
+///     next)
 ///
 /// Threads: exclusive use of `model`.
 /// @since 0.1
@@ -289,19 +292,20 @@ pub unsafe extern "C" fn pdn_model_add_beam(
 
 /// Adds a beam along a line as ::pdn_model_add_beam does, with elements between given places.
 ///
-/// For meshes that follow the stations of a section, give their fractions, each once; an element ends and the next begins
-/// at every jump of the section.
+/// For meshes that follow the stations of a section, give their fractions, each once; an element
+/// ends and the next begins at every jump of the section.
 ///
 /// @param model  the model; not NULL
 /// @param line  reference line; not NULL
 /// @param stations  cross-sections along it; not NULL
-/// @param boundaries  array of length [elements + 1]: places along the span where elements begin and end, from 0 at the
-///     start to 1 at the end, ascending, with all jumps among them
+/// @param boundaries  array of length [elements + 1]: places along the span where elements begin
+///     and end, from 0 at the start to 1 at the end, ascending, with all jumps among them
 /// @param elements  number of elements, 1 to 1000000
 /// @param degree  polynomial degree of the elements, 1 to 24; an element has degree + 1 nodes
 /// @param beam  ids of what was made; written on success only
-/// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_SIZE, PDN_ERR_STRUCT_SIZE, PDN_ERR_VALUE,
-///     PDN_ERR_CALLBACK, PDN_ERR_MODEL (nodes that turn too much from one to the next)
+/// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_SIZE, PDN_ERR_STRUCT_SIZE,
+///     PDN_ERR_VALUE, PDN_ERR_CALLBACK, PDN_ERR_MODEL (nodes that turn too much from one to the
+///     next)
 ///
 /// Threads: exclusive use of `model`.
 /// @since 0.1

@@ -3,14 +3,15 @@
 use super::handle::{self, Exclusive, Handle};
 use super::options::{self, Options, OutStruct};
 use crate::error::{Error, ErrorKind, Result, require_finite};
-use std::ffi::{CStr, c_char};
+use libc::c_char;
+use std::ffi::CStr;
 use std::marker::PhantomData;
 use std::sync::Arc;
 
 /// One call from C. Nothing borrowed from the caller's memory outlives it.
 ///
-/// Made by [`super::guard::guard`] alone. Its methods read pointers on the word of the C caller, who
-/// owes what the header says: each pointer is NULL or valid for the length given with it.
+/// Made by [`super::guard::guard`] alone. Its methods read pointers on the word of the C caller,
+/// who owes what the header says: each pointer is NULL or valid for the length given with it.
 pub(super) struct Call(());
 
 impl Call {
@@ -178,7 +179,8 @@ pub(super) struct Out<'call, T> {
 impl<T> Out<'_, T> {
     /// Writes the result.
     pub(super) fn set(self, value: T) {
-        // SAFETY: not NULL and aligned; the caller vouches for the room. What was there is plain data.
+        // SAFETY: not NULL and aligned; the caller vouches for the room. What was there is plain
+        // data.
         unsafe { self.pointer.write(value) }
     }
 }

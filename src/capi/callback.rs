@@ -3,8 +3,8 @@
 use super::guard::{guard, guard_or};
 use super::status::pdn_status;
 use crate::error::{Error, ErrorKind, Result};
+use libc::{c_char, c_void};
 use std::cell::{Cell, RefCell};
-use std::ffi::{c_char, c_void};
 
 thread_local! {
     static MESSAGE: RefCell<String> = const { RefCell::new(String::new()) };

@@ -5,33 +5,35 @@ use super::model::pdn_model;
 use super::solution::pdn_solution;
 use super::status::pdn_status;
 use crate::output::Solution;
-use std::ffi::c_char;
+use libc::c_char;
 use std::path::Path;
 
 /// Writes an animation of a solution that ParaView opens: VTK's XML files, and a list of them.
 ///
-/// `path` names the list; the files are put into a directory beside it that has its name without `.pvd`. For
-/// each time there is one file for each of these parts that the model has:
+/// `path` names the list; the files are put into a directory beside it that has its name without
+/// `.pvd`. For each time there is one file for each of these parts that the model has:
 ///
-/// - `beams`: a line of `points_per_element` points for each beam element (draw it with the filter Tube). Each
-///   point has displacement, axes of the section (axis_1, axis_2, axis_3), and force, moment, strain,
-///   curvature along these axes; each line its element;
-/// - `bodies`: the nodes that carry a rigid body or belong to no beam, with node, displacement, axes,
-///   velocity, angular_velocity;
-/// - `joints`: the origins of the joint frames on the second bodies, with joint, displacement, axes,
-///   reaction_force, reaction_moment.
+/// - `beams`: a line of `points_per_element` points for each beam element (draw it with the filter
+///   Tube). Each point has displacement, axes of the section (axis_1, axis_2, axis_3), and force,
+///   moment, strain, curvature along these axes; each line its element;
+/// - `bodies`: the nodes that carry a rigid body or belong to no beam, with node, displacement,
+///   axes, velocity, angular_velocity;
+/// - `joints`: the origins of the joint frames on the second bodies, with joint, displacement,
+///   axes, reaction_force, reaction_moment.
 ///
-/// Displacements are from the reference configuration. Vectors are along the inertial axes, but for the
-/// internal forces and strains of beams.
+/// Displacements are from the reference configuration. Vectors are along the inertial axes, but for
+/// the internal forces and strains of beams.
 ///
 /// @param solution  the solution; not NULL
-/// @param times  array of length [count]: times of the animation, ascending, also outside the first period
+/// @param times  array of length [count]: times of the animation, ascending, also outside the first
+///     period
 /// @param count  number of times, at least 1
 /// @param points_per_element  points along each beam element, 2 to 1000
-/// @param path  where to, UTF-8, ending in `.pvd`. Files of these names are replaced; if writing fails,
-///     they stay as they were
-/// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_SIZE, PDN_ERR_VALUE (times that do not ascend,
-///     a path that does not end in `.pvd`), PDN_ERR_GRID_TOO_COARSE, PDN_ERR_OVERFLOW, PDN_ERR_IO
+/// @param path  where to, UTF-8, ending in `.pvd`. Files of these names are replaced; if writing
+///     fails, they stay as they were
+/// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_SIZE, PDN_ERR_VALUE (times that do not
+///     ascend, a path that does not end in `.pvd`, or whose name has control characters),
+///     PDN_ERR_GRID_TOO_COARSE, PDN_ERR_OVERFLOW, PDN_ERR_IO
 ///
 /// Threads: like a `const` use of `solution`.
 /// @since 0.1
@@ -53,12 +55,12 @@ pub unsafe extern "C" fn pdn_solution_write_vtk(
 
 /// Saves a solution with its model, whether it has converged or not.
 ///
-/// ::pdn_solution_load gives it back, to the last bit. Callbacks cannot be saved: see there. The format is the
-/// same on all platforms, and later versions of the library read it.
+/// ::pdn_solution_load gives it back, to the last bit. Callbacks cannot be saved: see there. The
+/// format is the same on all platforms, and later versions of the library read it.
 ///
 /// @param solution  the solution; not NULL
-/// @param path  where to, UTF-8. A file that is there is replaced when all is written; if that fails it
-///     stays as it was
+/// @param path  where to, UTF-8. A file that is there is replaced when all is written; if that
+///     fails it stays as it was
 /// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_VALUE (text that is not UTF-8), PDN_ERR_IO
 ///
 /// Threads: like a `const` use of `solution`.
@@ -75,17 +77,19 @@ pub unsafe extern "C" fn pdn_solution_save(
     })
 }
 
-/// Loads a solution that ::pdn_solution_save saved: its quantities, diagnostics and report are what they were.
+/// Loads a solution that ::pdn_solution_save saved: its quantities, diagnostics and report are what
+/// they were.
 ///
-/// A solve may start from it (the option `initial`), of your model or of the one that ::pdn_solution_model
-/// gives. If the solved model had callbacks, in signals or forces, the quantities of the solution are there all
-/// the same; but a solve of the model that was loaded with it fails with PDN_ERR_CALLBACK, as its callbacks
-/// are not.
+/// A solve may start from it (the option `initial`), of your model or of the one that
+/// ::pdn_solution_model gives. If the solved model had callbacks, in signals or forces, the
+/// quantities of the solution are there all the same; but a solve of the model that was loaded with
+/// it fails with PDN_ERR_CALLBACK, as its callbacks are not.
 ///
-/// @param path  the file, UTF-8. It need not be trusted: its checksum and everything in it are checked
+/// @param path  the file, UTF-8. It need not be trusted: its checksum and everything in it are
+///     checked
 /// @param out  the solution; free it with ::pdn_solution_free; written on success only
-/// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_VALUE (text that is not UTF-8), PDN_ERR_IO, PDN_ERR_FORMAT (not a saved
-///     solution, cut off, damaged, or of a newer version), PDN_ERR_MEMORY
+/// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_VALUE (text that is not UTF-8), PDN_ERR_IO, PDN_ERR_FORMAT
+///     (not a saved solution, cut off, damaged, or of a newer version), PDN_ERR_MEMORY
 ///
 /// Threads: any.
 /// @since 0.1

@@ -5,28 +5,31 @@ use super::solution::{pdn_solution, unknown};
 use super::status::pdn_status;
 use crate::fourier::{FilterKind, SpectralFilter};
 
-/// Spectral filter: Lanczos' factors, (sin(x) / x)^order with x = pi j / (H + 1) for harmonic j of H. Of order 1
-/// they are running means over two grid intervals; order 2 or 3 removes more.
+/// Spectral filter: Lanczos' factors, (sin(x) / x)^order with x = pi j / (H + 1) for harmonic j of
+/// H. Of order 1 they are running means over two grid intervals; order 2 or 3 removes more.
 pub const PDN_FILTER_LANCZOS: i32 = 0;
-/// Spectral filter: exp(-36 (j / (H + 1))^order) for harmonic j of H. Order 2 smooths most; a high order, as 8,
-/// spares all but the highest harmonics.
+/// Spectral filter: exp(-36 (j / (H + 1))^order) for harmonic j of H. Order 2 smooths most; a high
+/// order, as 8, spares all but the highest harmonics.
 pub const PDN_FILTER_EXPONENTIAL: i32 = 1;
 
 /// A copy of a solution whose quantities are seen through a spectral filter.
 ///
-/// Where a response has a kink or a narrow peak (PDN_DECAY_SLOW), forces oscillate about their values over the
-/// whole period, as all Fourier sums do (Gibbs). A filter weakens the harmonics towards the highest: the
-/// oscillations stay near the peak, which itself gets lower and wider. Without one, nothing is filtered.
+/// Where a response has a kink or a narrow peak (PDN_DECAY_SLOW), forces oscillate about their
+/// values over the whole period, as all Fourier sums do (Gibbs). A filter weakens the harmonics
+/// towards the highest: the oscillations stay near the peak, which itself gets lower and wider.
+/// Without one, nothing is filtered.
 ///
-/// It acts on values at any time, on harmonics, tables and animations. The motions of nodes are filtered as
-/// motions, and velocities follow from them. The solve, its diagnostics and report, and what starts from the copy
-/// are those of the solution. A filter that the solution has already is replaced.
+/// It acts on values at any time, on harmonics, tables and animations. The motions of nodes are
+/// filtered as motions, and velocities follow from them. The solve, its diagnostics and report, and
+/// what starts from the copy are those of the solution. A filter that the solution has already is
+/// replaced.
 ///
 /// @param solution  the solution; not NULL. The copy is one of its own, which may outlive it
 /// @param filter  PDN_FILTER_LANCZOS or PDN_FILTER_EXPONENTIAL
 /// @param order  from 1 to 32
 /// @param out  the copy; free it with ::pdn_solution_free; written on success only
-/// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_VALUE, PDN_ERR_NOT_AVAILABLE (a march has no harmonics), PDN_ERR_MEMORY
+/// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_VALUE, PDN_ERR_NOT_AVAILABLE (a march has no harmonics),
+///     PDN_ERR_MEMORY
 ///
 /// Threads: like a `const` use of `solution`.
 /// @since 0.1

@@ -1,4 +1,5 @@
-//! Forces on joint coordinates and between bodies: springs, dampers, actuators, viscoelastic elements.
+//! Forces on joint coordinates and between bodies: springs, dampers, actuators, viscoelastic
+//! elements.
 //!
 //! All forces of a model, those of the user too, are numbered together.
 
@@ -12,7 +13,8 @@ use crate::error::Result;
 use crate::model::{JointCoordinate, Model, SpringDefinition};
 use nalgebra::Matrix6;
 
-/// Number of forces: springs, dampers, actuators and the like, but not loads; their ids are 0 ... count - 1.
+/// Number of forces: springs, dampers, actuators and the like, but not loads; their ids are 0 ...
+/// count - 1.
 ///
 /// @param model  the model; not NULL
 /// @param count  the number; written on success only
@@ -67,18 +69,20 @@ fn add_on_coordinate<T>(
 
 /// Adds a linear spring with a damper on a joint coordinate, in addition to those that are there.
 ///
-/// It resists with stiffness * (coordinate - rest) + damping * its rate: with a force on a displacement, with
-/// a moment on an angle. Whole turns count.
+/// It resists with stiffness * (coordinate - rest) + damping * its rate: with a force on a
+/// displacement, with a moment on an angle. Whole turns count.
 ///
 /// @param model  the model; not NULL
 /// @param joint  id of the joint
 /// @param coordinate  PDN_DISPLACEMENT, ... or PDN_ROTATION, ...; one that the joint has
-/// @param stiffness  effort for a unit of the coordinate [force / length, or force * length]; may be negative
-/// @param damping  effort for a unit of its rate [force * time / length, or force * length * time]; may be
-///     negative
+/// @param stiffness  effort for a unit of the coordinate [force / length, or force * length]; may
+///     be negative
+/// @param damping  effort for a unit of its rate [force * time / length, or force * length * time];
+///     may be negative
 /// @param rest  coordinate at which the spring is free of effort [length or radian]
 /// @param force  the force's id; may be NULL if it is not wanted; written on success only
-/// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_ID, PDN_ERR_VALUE, PDN_ERR_NOT_AVAILABLE
+/// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_ID, PDN_ERR_VALUE,
+///     PDN_ERR_NOT_AVAILABLE
 ///
 /// Threads: exclusive use of `model`.
 /// @since 0.1
@@ -110,10 +114,11 @@ pub unsafe extern "C" fn pdn_model_add_spring_damper(
     add_on_coordinate(model, joint, coordinate, force, read, add)
 }
 
-/// Adds a nonlinear spring with a damper on a joint coordinate: polynomials of the coordinate and its rate.
+/// Adds a nonlinear spring with a damper on a joint coordinate: polynomials of the coordinate and
+/// its rate.
 ///
-/// With u = coordinate - rest it resists with stiffness[0] u + stiffness[1] u^2 + ... + damping[0] u' +
-/// damping[1] u'^2 + ..., so that {k, 0, k3} is a cubic spring. Whole turns count.
+/// With u = coordinate - rest it resists with stiffness[0] u + stiffness[1] u^2 + ... + damping[0]
+/// u' + damping[1] u'^2 + ..., so that {k, 0, k3} is a cubic spring. Whole turns count.
 ///
 /// @param model  the model; not NULL
 /// @param joint  id of the joint
@@ -157,8 +162,8 @@ pub unsafe extern "C" fn pdn_model_add_nonlinear_spring_damper(
 
 /// Adds an actuator: a force on a displacement, or a torque on an angle, that follows a signal.
 ///
-/// It acts on the second body of the joint towards growth of the coordinate, and its reaction on the first.
-/// To prescribe the coordinate itself, see ::pdn_model_prescribe.
+/// It acts on the second body of the joint towards growth of the coordinate, and its reaction on
+/// the first. To prescribe the coordinate itself, see ::pdn_model_prescribe.
 ///
 /// @param model  the model; not NULL
 /// @param joint  id of the joint
@@ -185,20 +190,22 @@ pub unsafe extern "C" fn pdn_model_add_actuator(
 
 /// Adds a viscoelastic element on a joint coordinate: a generalised Maxwell model.
 ///
-/// A spring, and beside it branches of spring and dashpot in series. With coordinate q it resists with
-/// stiffness * (q - rest) + the sum over the branches b of branch_stiffness[b] a_b, where a_b, the elongation
-/// of the branch's spring, relaxes: t_b a_b' + a_b = t_b q', with relaxation time t_b. One branch makes it a
-/// Zener element, or standard linear solid. The internal states are solved for with the motion, at the same
-/// grid points. Whole turns count; a coordinate that gains turns needs stiffness 0.
+/// A spring, and beside it branches of spring and dashpot in series. With coordinate q it resists
+/// with stiffness * (q - rest) + the sum over the branches b of branch_stiffness[b] a_b, where a_b,
+/// the elongation of the branch's spring, relaxes: t_b a_b' + a_b = t_b q', with relaxation time
+/// t_b. One branch makes it a Zener element, or standard linear solid. The internal states are
+/// solved for with the motion, at the same grid points. Whole turns count; a coordinate that gains
+/// turns needs stiffness 0.
 ///
 /// @param model  the model; not NULL
 /// @param joint  id of the joint
 /// @param coordinate  PDN_DISPLACEMENT, ... or PDN_ROTATION, ...; one that the joint has
-/// @param stiffness  that of the spring alone, the long-term stiffness [force / length, or force * length]; may
-///     be negative
+/// @param stiffness  that of the spring alone, the long-term stiffness
+///     [force / length, or force * length]; may be negative
 /// @param rest  coordinate at which it is free of effort [length or radian]
 /// @param branch_stiffness  array of length [branches]: stiffness of each branch's spring, positive
-/// @param relaxation_times  array of length [branches]: relaxation time of each branch, positive [time]
+/// @param relaxation_times  array of length [branches]: relaxation time of each branch, positive
+///     [time]
 /// @param branches  number of branches, at least 1
 /// @param force  the force's id; may be NULL if it is not wanted; written on success only
 /// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_SIZE, PDN_ERR_NOT_FINITE, PDN_ERR_ID, PDN_ERR_VALUE,
@@ -240,16 +247,18 @@ pub unsafe extern "C" fn pdn_model_add_viscoelastic(
 
 /// Adds a viscous damper between two bodies, with a full matrix of coefficients.
 ///
-/// It exerts -matrix * v on the second body, and the reaction on the first, where v is the velocity (linear 1,
-/// 2, 3, angular 1, 2, 3) of the second body relative to the first, at the origin of a frame that is fixed to
-/// the second body. Velocity, force and moment are about and resolved in that frame, wherever it moves.
+/// It exerts -matrix * v on the second body, and the reaction on the first, where v is the velocity
+/// (linear 1, 2, 3, angular 1, 2, 3) of the second body relative to the first, at the origin of a
+/// frame that is fixed to the second body. Velocity, force and moment are about and resolved in
+/// that frame, wherever it moves.
 ///
 /// @param model  the model; not NULL
 /// @param first  id of the first node, or PDN_GROUND
 /// @param second  id of the second node, or PDN_GROUND; not the same body
-/// @param frame  the frame, where it is in the reference configuration; NULL for the second node's own
-/// @param matrix  array of length 36: 6 x 6, symmetric and positive semi-definite [force * time / length,
-///     force * time, force * length * time]
+/// @param frame  the frame, where it is in the reference configuration; NULL for the second node's
+///     own
+/// @param matrix  array of length 36: 6 x 6, symmetric and positive semi-definite [force * time /
+///     length, force * time, force * length * time]
 /// @param force  the force's id; may be NULL if it is not wanted; written on success only
 /// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_ID, PDN_ERR_VALUE
 ///

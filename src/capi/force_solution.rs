@@ -11,11 +11,14 @@ use crate::output::ForceQuantity;
 pub const PDN_FORCE_EFFORT: i32 = 0;
 /// Quantity of a viscoelastic element: effort of one of its branches; 1 component.
 pub const PDN_FORCE_BRANCH_EFFORT: i32 = 1;
-/// Quantity of a viscoelastic element: elongation of the dashpot of one of its branches; 1 component.
+/// Quantity of a viscoelastic element: elongation of the dashpot of one of its branches; 1
+/// component.
 pub const PDN_FORCE_BRANCH_ELONGATION: i32 = 2;
-/// Quantity of a force: force and moment on one of its nodes, along the inertial axes; 6 components.
+/// Quantity of a force: force and moment on one of its nodes, along the inertial axes; 6
+/// components.
 pub const PDN_FORCE_ON_NODE: i32 = 3;
-/// Quantity of a force: force and moment on one of its nodes, along the node's own axes; 6 components.
+/// Quantity of a force: force and moment on one of its nodes, along the node's own axes; 6
+/// components.
 pub const PDN_FORCE_ON_NODE_MATERIAL: i32 = 4;
 
 fn force_sampled(
@@ -52,17 +55,17 @@ pub(super) fn force_quantity(quantity: i32, detail: i32) -> Result<ForceQuantity
 
 /// Effort of a force on a joint coordinate, at any times.
 ///
-/// The effort of an actuator is positive where it acts towards growth of the coordinate; that of all others
-/// (springs, dampers, viscoelastic elements, the user's laws) where it acts against. Interpolated from its
-/// values at the grid points.
+/// The effort of an actuator is positive where it acts towards growth of the coordinate; that of
+/// all others (springs, dampers, viscoelastic elements, the user's laws) where it acts against.
+/// Interpolated from its values at the grid points.
 ///
 /// @param solution  the solution; not NULL
 /// @param force  id of the force
 /// @param times  array of length [count]: times, also outside the first period
 /// @param count  number of times
 /// @param out  array of length [count] \[force on a displacement, force x length on an angle\]
-/// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_ID, PDN_ERR_NOT_AVAILABLE (the force is not on
-///     a joint coordinate), PDN_ERR_OVERFLOW
+/// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_ID, PDN_ERR_NOT_AVAILABLE (the force
+///     is not on a joint coordinate), PDN_ERR_OVERFLOW
 ///
 /// Threads: like `const`.
 /// @since 0.1
@@ -93,8 +96,8 @@ pub unsafe extern "C" fn pdn_solution_force_effort(
 /// @param times  array of length [count]: times, also outside the first period
 /// @param count  number of times
 /// @param out  array of length [count] \[force on a displacement, force x length on an angle\]
-/// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_ID, PDN_ERR_NOT_AVAILABLE (there is no such
-///     branch), PDN_ERR_OVERFLOW
+/// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_ID, PDN_ERR_NOT_AVAILABLE (there is no
+///     such branch), PDN_ERR_OVERFLOW
 ///
 /// Threads: like `const`.
 /// @since 0.1
@@ -111,7 +114,8 @@ pub unsafe extern "C" fn pdn_solution_force_branch_effort(
     force_sampled(solution, force, quantity, 1, times, count, out)
 }
 
-/// Elongation of the dashpot of one branch of a viscoelastic element, at any times: its internal state.
+/// Elongation of the dashpot of one branch of a viscoelastic element, at any times: its internal
+/// state.
 ///
 /// The branch's spring is elongated by the coordinate less this.
 ///
@@ -121,8 +125,8 @@ pub unsafe extern "C" fn pdn_solution_force_branch_effort(
 /// @param times  array of length [count]: times, also outside the first period
 /// @param count  number of times
 /// @param out  array of length [count] \[length or radian\]
-/// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_ID, PDN_ERR_NOT_AVAILABLE (there is no such
-///     branch), PDN_ERR_OVERFLOW
+/// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_ID, PDN_ERR_NOT_AVAILABLE (there is no
+///     such branch), PDN_ERR_OVERFLOW
 ///
 /// Threads: like `const`.
 /// @since 0.1
@@ -141,18 +145,19 @@ pub unsafe extern "C" fn pdn_solution_force_branch_elongation(
 
 /// What a force exerts on one of its nodes, at any times: force, and moment about the node.
 ///
-/// Interpolated from its values at the grid points. For forces of all kinds: those on a joint coordinate act
-/// on the nodes of the joint.
+/// Interpolated from its values at the grid points. For forces of all kinds: those on a joint
+/// coordinate act on the nodes of the joint.
 ///
 /// @param solution  the solution; not NULL
 /// @param force  id of the force
 /// @param node  id of a node that it acts on
-/// @param frame  PDN_FRAME_SPACE: components along the inertial axes; PDN_FRAME_MATERIAL: along the node's own
+/// @param frame  PDN_FRAME_SPACE: components along the inertial axes; PDN_FRAME_MATERIAL: along the
+///     node's own
 /// @param times  array of length [count]: times, also outside the first period
 /// @param count  number of times
 /// @param out  array of shape 6 x [count]: force, then moment of each time
-/// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_ID, PDN_ERR_VALUE, PDN_ERR_NOT_AVAILABLE (it
-///     does not act on the node), PDN_ERR_OVERFLOW
+/// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_ID, PDN_ERR_VALUE,
+///     PDN_ERR_NOT_AVAILABLE (it does not act on the node), PDN_ERR_OVERFLOW
 ///
 /// Threads: like `const`.
 /// @since 0.1
@@ -175,7 +180,8 @@ pub unsafe extern "C" fn pdn_solution_force_on_node(
     force_sampled(solution, force, quantity, 6, times, count, out)
 }
 
-/// Fourier coefficients of a force's quantity: mean + rate t + sum of cosines[j] cos jwt + sines[j] sin jwt.
+/// Fourier coefficients of a force's quantity: mean + rate t + sum of cosines[j] cos jwt + sines[j]
+/// sin jwt.
 ///
 /// Those of the trigonometric polynomial through the values at the grid points.
 ///
@@ -185,8 +191,10 @@ pub unsafe extern "C" fn pdn_solution_force_on_node(
 /// @param detail  the branch (PDN_FORCE_BRANCH_...) or the node (PDN_FORCE_ON_NODE...); otherwise 0
 /// @param harmonics  number of harmonics wanted; those above (N - 1) / 2 are zero
 /// @param mean  array of length C; may be NULL
-/// @param rate  array of length C: growth per unit of time, of a dashpot that gains turns; may be NULL
-/// @param cosines  array of shape C x [harmonics], components of each harmonic together; may be NULL
+/// @param rate  array of length C: growth per unit of time, of a dashpot that gains turns; may be
+///     NULL
+/// @param cosines  array of shape C x [harmonics], components of each harmonic together; may be
+///     NULL
 /// @param sines  as cosines; may be NULL
 /// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_SIZE, PDN_ERR_ID, PDN_ERR_VALUE, PDN_ERR_NOT_AVAILABLE,
 ///     PDN_ERR_OVERFLOW

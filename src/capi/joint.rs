@@ -23,7 +23,8 @@ pub const PDN_JOINT_SPHERICAL: i32 = 3;
 pub const PDN_JOINT_PRISMATIC: i32 = 4;
 /// Joint that allows a displacement along axis 3 of its frames and a rotation about it.
 pub const PDN_JOINT_CYLINDRICAL: i32 = 5;
-/// Joint that allows displacements along axes 1 and 2 of its first frame and a rotation about axis 3.
+/// Joint that allows displacements along axes 1 and 2 of its first frame and a rotation about axis
+/// 3.
 pub const PDN_JOINT_PLANAR: i32 = 6;
 /// Joint that allows everything: it carries springs, prescribed coordinates and measures.
 pub const PDN_JOINT_FREE: i32 = 7;
@@ -41,8 +42,8 @@ pub const PDN_ROTATION_2: i32 = 4;
 /// Joint coordinate: third angle of a spherical or free joint.
 pub const PDN_ROTATION_3: i32 = 5;
 
-/// The joint coordinate that a `PDN_DISPLACEMENT...` or `PDN_ROTATION...` names; whether the joint has it is
-/// for the core.
+/// The joint coordinate that a `PDN_DISPLACEMENT...` or `PDN_ROTATION...` names; whether the joint
+/// has it is for the core.
 pub(super) fn coordinate(given: i32, name: &str) -> Result<Coordinate> {
     let table = [
         (PDN_DISPLACEMENT, Coordinate::Displacement1),
@@ -105,8 +106,8 @@ fn axis_frame(call: &Call, point: *const f64, axis: *const f64, name: &str) -> R
 
 /// Fixes two bodies to each other.
 ///
-/// Its frames are at the point, with axes parallel to the global ones in the reference configuration. It
-/// has no coordinates.
+/// Its frames are at the point, with axes parallel to the global ones in the reference
+/// configuration. It has no coordinates.
 ///
 /// @param model  the model; not NULL
 /// @param first  id of the first node, or PDN_GROUND
@@ -134,9 +135,9 @@ pub unsafe extern "C" fn pdn_model_add_rigid_joint(
 
 /// Joins two bodies by a hinge.
 ///
-/// Its frames are at the point, with axis 3 along the axis. Its coordinate PDN_ROTATION is the angle by
-/// which the second body has turned relative to the first, about the axis by the right-hand rule, since
-/// the reference configuration, where it is zero; it counts whole turns.
+/// Its frames are at the point, with axis 3 along the axis. Its coordinate PDN_ROTATION is the
+/// angle by which the second body has turned relative to the first, about the axis by the
+/// right-hand rule, since the reference configuration, where it is zero; it counts whole turns.
 ///
 /// @param model  the model; not NULL
 /// @param first  id of the first node, or PDN_GROUND
@@ -165,9 +166,9 @@ pub unsafe extern "C" fn pdn_model_add_revolute(
 
 /// Joins two bodies by a slider.
 ///
-/// Its frames are at the point, with axis 3 along the axis. Its coordinate PDN_DISPLACEMENT is the distance by
-/// which the second body has moved relative to the first, along the axis, since the reference configuration,
-/// where it is zero. The bodies do not turn relative to each other.
+/// Its frames are at the point, with axis 3 along the axis. Its coordinate PDN_DISPLACEMENT is the
+/// distance by which the second body has moved relative to the first, along the axis, since the
+/// reference configuration, where it is zero. The bodies do not turn relative to each other.
 ///
 /// @param model  the model; not NULL
 /// @param first  id of the first node, or PDN_GROUND
@@ -196,9 +197,10 @@ pub unsafe extern "C" fn pdn_model_add_prismatic(
 
 /// Joins two bodies by a shaft in a sleeve: one slides along the axis and turns about it.
 ///
-/// Its frames are at the point, with axis 3 along the axis. Its coordinates PDN_DISPLACEMENT and PDN_ROTATION are
-/// the distance and the angle by which the second body has moved relative to the first, along the axis and about
-/// it by the right-hand rule, since the reference configuration, where they are zero.
+/// Its frames are at the point, with axis 3 along the axis. Its coordinates PDN_DISPLACEMENT and
+/// PDN_ROTATION are the distance and the angle by which the second body has moved relative to the
+/// first, along the axis and about it by the right-hand rule, since the reference configuration,
+/// where they are zero.
 ///
 /// @param model  the model; not NULL
 /// @param first  id of the first node, or PDN_GROUND
@@ -227,17 +229,17 @@ pub unsafe extern "C" fn pdn_model_add_cylindrical(
 
 /// Joins two bodies by a screw: the second advances along the axis as it turns about it.
 ///
-/// Its frames are at the point, with axis 3 along the axis. Its coordinates are those of a cylindrical joint, and
-/// PDN_DISPLACEMENT = pitch PDN_ROTATION / (2 pi). The displacement tells the whole turns of the angle, so that
-/// unlike other angles it cannot gain any in a period.
+/// Its frames are at the point, with axis 3 along the axis. Its coordinates are those of a
+/// cylindrical joint, and PDN_DISPLACEMENT = pitch PDN_ROTATION / (2 pi). The displacement tells
+/// the whole turns of the angle, so that unlike other angles it cannot gain any in a period.
 ///
 /// @param model  the model; not NULL
 /// @param first  id of the first node, or PDN_GROUND
 /// @param second  id of the second node, or PDN_GROUND; not the same body
 /// @param point  array of length 3: a point of the axis, global coordinates [length]
 /// @param axis  array of length 3: direction of the axis, global coordinates, of any nonzero length
-/// @param pitch  advance for one turn [length]; positive for a right-handed thread, negative for a left-handed
-///     one, not zero
+/// @param pitch  advance for one turn [length]; positive for a right-handed thread, negative for a
+///     left-handed one, not zero
 /// @param joint  the joint's id; written on success only
 /// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_ID, PDN_ERR_VALUE
 ///
@@ -262,17 +264,17 @@ pub unsafe extern "C" fn pdn_model_add_screw(
 
 /// Joins two bodies by a pair of planes that slide and turn on each other.
 ///
-/// Its frames are at the point, with axis 3 along the normal; axes 1 and 2 are found by the library, see
-/// ::pdn_model_add_joint to choose them. Its coordinates are the displacements of the second body along axes 1
-/// and 2 of the first frame (PDN_DISPLACEMENT, PDN_DISPLACEMENT_2) and the angle by which it has turned relative
-/// to the first, about the normal by the right-hand rule (PDN_ROTATION), since the reference configuration, where
-/// they are zero.
+/// Its frames are at the point, with axis 3 along the normal; axes 1 and 2 are found by the
+/// library, see ::pdn_model_add_joint to choose them. Its coordinates are the displacements of the
+/// second body along axes 1 and 2 of the first frame (PDN_DISPLACEMENT, PDN_DISPLACEMENT_2) and the
+/// angle by which it has turned relative to the first, about the normal by the right-hand rule
+/// (PDN_ROTATION), since the reference configuration, where they are zero.
 ///
 /// @param model  the model; not NULL
 /// @param first  id of the first node, or PDN_GROUND
 /// @param second  id of the second node, or PDN_GROUND; not the same body
-/// @param point  array of length 3: a point of the plane, whose displacement is measured, global coordinates
-///     [length]
+/// @param point  array of length 3: a point of the plane, whose displacement is measured, global
+///     coordinates [length]
 /// @param normal  array of length 3: normal of the plane, global coordinates, of any nonzero length
 /// @param joint  the joint's id; written on success only
 /// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_ID, PDN_ERR_VALUE
@@ -296,10 +298,11 @@ pub unsafe extern "C" fn pdn_model_add_planar(
 
 /// Joins two bodies by nothing: a joint that constrains no motion, but has coordinates.
 ///
-/// It carries springs and dampers, prescribed coordinates and measures between any two bodies. Its frames are at
-/// the point, with axes parallel to the global ones in the reference configuration. Its coordinates are the
-/// displacements of the second body along axes 1, 2, 3 of the first frame (PDN_DISPLACEMENT, PDN_DISPLACEMENT_2,
-/// PDN_DISPLACEMENT_3), and the angles of a spherical joint (PDN_ROTATION, PDN_ROTATION_2, PDN_ROTATION_3).
+/// It carries springs and dampers, prescribed coordinates and measures between any two bodies. Its
+/// frames are at the point, with axes parallel to the global ones in the reference configuration.
+/// Its coordinates are the displacements of the second body along axes 1, 2, 3 of the first frame
+/// (PDN_DISPLACEMENT, PDN_DISPLACEMENT_2, PDN_DISPLACEMENT_3), and the angles of a spherical joint
+/// (PDN_ROTATION, PDN_ROTATION_2, PDN_ROTATION_3).
 ///
 /// @param model  the model; not NULL
 /// @param first  id of the first node, or PDN_GROUND
@@ -326,10 +329,11 @@ pub unsafe extern "C" fn pdn_model_add_free_joint(
 
 /// Joins two bodies by a ball.
 ///
-/// Its frames are at the point, with axes parallel to the global ones in the reference configuration.
-/// Its coordinates PDN_ROTATION, PDN_ROTATION_2, PDN_ROTATION_3 are the angles by which the second frame
-/// comes from the first by turning about axis 1, then about its own axis 2, then about its own axis 3;
-/// zero in the reference configuration. The second must stay between -pi/2 and pi/2.
+/// Its frames are at the point, with axes parallel to the global ones in the reference
+/// configuration. Its coordinates PDN_ROTATION, PDN_ROTATION_2, PDN_ROTATION_3 are the angles by
+/// which the second frame comes from the first by turning about axis 1, then about its own axis 2,
+/// then about its own axis 3; zero in the reference configuration. The second must stay between
+/// -pi/2 and pi/2.
 ///
 /// @param model  the model; not NULL
 /// @param first  id of the first node, or PDN_GROUND
@@ -357,18 +361,18 @@ pub unsafe extern "C" fn pdn_model_add_spherical(
 
 /// Joins two bodies by a cross (Cardan, Hooke).
 ///
-/// One arm of the cross turns in the first body, the other in the second. Its frames are at the point,
-/// with axis 1 along the first arm, axis 2 along the second, in the reference configuration. Its
-/// coordinates are the angle of the cross relative to the first body about first_arm (PDN_ROTATION), and
-/// of the second body relative to the cross about second_arm (PDN_ROTATION_2), both by the right-hand
-/// rule and zero in the reference configuration.
+/// One arm of the cross turns in the first body, the other in the second. Its frames are at the
+/// point, with axis 1 along the first arm, axis 2 along the second, in the reference configuration.
+/// Its coordinates are the angle of the cross relative to the first body about first_arm
+/// (PDN_ROTATION), and of the second body relative to the cross about second_arm (PDN_ROTATION_2),
+/// both by the right-hand rule and zero in the reference configuration.
 ///
 /// @param model  the model; not NULL
 /// @param first  id of the first node, or PDN_GROUND
 /// @param second  id of the second node, or PDN_GROUND; not the same body
 /// @param point  array of length 3: centre of the cross, global coordinates [length]
-/// @param first_arm  array of length 3: direction of the arm fixed to the first body, global coordinates,
-///     of any nonzero length
+/// @param first_arm  array of length 3: direction of the arm fixed to the first body, global
+///     coordinates, of any nonzero length
 /// @param second_arm  array of length 3: that of the arm fixed to the second body, perpendicular
 /// @param joint  the joint's id; written on success only
 /// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_ID, PDN_ERR_VALUE
@@ -396,16 +400,16 @@ pub unsafe extern "C" fn pdn_model_add_universal(
 
 /// Adds a strut: the line between a point of each of two bodies. It constrains nothing.
 ///
-/// Its coordinate PDN_DISPLACEMENT is the distance of the points. Springs, dampers, actuators and other forces
-/// on that coordinate act along the line: an effort against its growth is a tension, and the rest of a spring
-/// its free length. Prescribed, it is a rod without mass, of constant or varying length. The points must not
-/// meet while a force acts.
+/// Its coordinate PDN_DISPLACEMENT is the distance of the points. Springs, dampers, actuators and
+/// other forces on that coordinate act along the line: an effort against its growth is a tension,
+/// and the rest of a spring its free length. Prescribed, it is a rod without mass, of constant or
+/// varying length. The points must not meet while a force acts.
 ///
 /// @param model  the model; not NULL
 /// @param first  id of the first node, or PDN_GROUND
 /// @param second  id of the second node, or PDN_GROUND; not the same body
-/// @param first_point  array of length 3: the point of the first body in the reference configuration, global
-///     coordinates [length]
+/// @param first_point  array of length 3: the point of the first body in the reference
+///     configuration, global coordinates [length]
 /// @param second_point  array of length 3: that of the second body, not the same
 /// @param joint  the joint's id; written on success only
 /// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_ID, PDN_ERR_VALUE
@@ -437,9 +441,9 @@ pub unsafe extern "C" fn pdn_model_add_strut(
 
 /// Joins two bodies by a joint of any kind, between a frame fixed to each.
 ///
-/// The frames need not fit each other in the reference configuration: the solver closes the joint. With
-/// r = (r1, r2, r3) and R the position and rotation of the second frame relative to the first, and resolved in
-/// it, the closed joint has
+/// The frames need not fit each other in the reference configuration: the solver closes the joint.
+/// With r = (r1, r2, r3) and R the position and rotation of the second frame relative to the first,
+/// and resolved in it, the closed joint has
 ///
 /// | kind | r | R | coordinates |
 /// |---|---|---|---|
@@ -447,19 +451,20 @@ pub unsafe extern "C" fn pdn_model_add_strut(
 /// | PDN_JOINT_REVOLUTE | 0 | R3(a) | a = PDN_ROTATION |
 /// | PDN_JOINT_PRISMATIC | (0, 0, z) | I | z = PDN_DISPLACEMENT |
 /// | PDN_JOINT_CYLINDRICAL | (0, 0, z) | R3(a) | z = PDN_DISPLACEMENT, a = PDN_ROTATION |
-/// | PDN_JOINT_PLANAR | (x, y, 0) | R3(a) | x = PDN_DISPLACEMENT, y = PDN_DISPLACEMENT_2, a = PDN_ROTATION |
+/// | PDN_JOINT_PLANAR | (x, y, 0) | R3(a) | x = PDN_DISPLACEMENT, y = PDN_DISPLACEMENT_2, and a |
 /// | PDN_JOINT_UNIVERSAL | 0 | R1(a) R2(b) | a = PDN_ROTATION, b = PDN_ROTATION_2 |
 /// | PDN_JOINT_SPHERICAL | 0 | R1(a) R2(b) R3(c) | and c = PDN_ROTATION_3 |
 /// | PDN_JOINT_FREE | (x, y, z) | R1(a) R2(b) R3(c) | all of these, z = PDN_DISPLACEMENT_3 |
 ///
-/// where Rk(x) turns by x about axis k, right-handed. Angles count whole turns. A screw has a pitch besides:
-/// ::pdn_model_add_screw_between.
+/// where Rk(x) turns by x about axis k, right-handed. Angles count whole turns. A screw has a pitch
+/// besides: ::pdn_model_add_screw_between.
 ///
 /// @param model  the model; not NULL
 /// @param kind  PDN_JOINT_RIGID ... PDN_JOINT_FREE
 /// @param first  id of the first node, or PDN_GROUND
 /// @param second  id of the second node, or PDN_GROUND; not the same body
-/// @param first_frame  frame fixed to the first body, where it is in the reference configuration; not NULL
+/// @param first_frame  frame fixed to the first body, where it is in the reference configuration;
+///     not NULL
 /// @param second_frame  frame fixed to the second body, likewise; not NULL
 /// @param joint  the joint's id; written on success only
 /// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_ID, PDN_ERR_VALUE
@@ -487,17 +492,19 @@ pub unsafe extern "C" fn pdn_model_add_joint(
 
 /// Joins two bodies by a screw, between a frame fixed to each.
 ///
-/// As ::pdn_model_add_joint with frames: the closed joint has r = (0, 0, pitch a / (2 pi)) and R = R3(a), with
-/// the coordinates PDN_DISPLACEMENT = r3 and PDN_ROTATION = a. Where the frames do not fit each other in the
-/// reference configuration, the solver takes the thread's turn that is nearest.
+/// As ::pdn_model_add_joint with frames: the closed joint has r = (0, 0, pitch a / (2 pi)) and R =
+/// R3(a), with the coordinates PDN_DISPLACEMENT = r3 and PDN_ROTATION = a. Where the frames do not
+/// fit each other in the reference configuration, the solver takes the thread's turn that is
+/// nearest.
 ///
 /// @param model  the model; not NULL
 /// @param first  id of the first node, or PDN_GROUND
 /// @param second  id of the second node, or PDN_GROUND; not the same body
-/// @param first_frame  frame fixed to the first body, where it is in the reference configuration; not NULL
+/// @param first_frame  frame fixed to the first body, where it is in the reference configuration;
+///     not NULL
 /// @param second_frame  frame fixed to the second body, likewise; not NULL
-/// @param pitch  advance for one turn [length]; positive for a right-handed thread, negative for a left-handed
-///     one, not zero
+/// @param pitch  advance for one turn [length]; positive for a right-handed thread, negative for a
+///     left-handed one, not zero
 /// @param joint  the joint's id; written on success only
 /// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_ID, PDN_ERR_VALUE
 ///

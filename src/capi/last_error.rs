@@ -2,14 +2,15 @@
 
 use super::status::pdn_status;
 use crate::error::Error;
+use libc::c_char;
 use std::cell::RefCell;
-use std::ffi::c_char;
 
 thread_local! {
     static MESSAGE: RefCell<String> = const { RefCell::new(String::new()) };
 }
 
-/// Message of the last call that failed on this thread: which argument, what was expected, what came.
+/// Message of the last call that failed on this thread: which argument, what was expected, what
+/// came.
 ///
 /// Copies as much as fits, always ended by NUL; calls that succeed leave the message as it is.
 ///

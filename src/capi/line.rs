@@ -9,8 +9,8 @@ use super::status::pdn_status;
 use crate::error::{Error, Result};
 use crate::model::{circular_arc, smooth_curve, straight_line};
 use crate::motion::Motion;
+use libc::c_void;
 use nalgebra::Vector3;
-use std::ffi::c_void;
 use std::mem::offset_of;
 
 /// Kind of a line: straight.
@@ -22,14 +22,14 @@ pub const PDN_LINE_CURVE: i32 = 2;
 
 /// A smooth curve in space, to be written by the caller.
 ///
-/// Called only during the call that takes the line, on its thread, many times and in any order. It must
-/// neither throw nor jump out, nor use the model that the beam is added to.
+/// Called only during the call that takes the line, on its thread, many times and in any order. It
+/// must neither throw nor jump out, nor use the model that the beam is added to.
 ///
 /// @param fraction  place along the curve, from 0 at its start to 1 at its end
-/// @param position  array of length 3: where the position goes, global coordinates \[length\]; valid
-///     during the call only
-/// @param axis_2  array of length 3: where a direction goes, of any nonzero length, not along the curve;
-///     the part of it that is perpendicular to the curve is axis 2 of the line's frame there
+/// @param position  array of length 3: where the position goes, global coordinates \[length\];
+///     valid during the call only
+/// @param axis_2  array of length 3: where a direction goes, of any nonzero length, not along the
+///     curve; the part of it that is perpendicular to the curve is axis 2 of the line's frame there
 /// @param user_data  as given to ::pdn_line_set_curve
 /// @return 0 for success; anything else makes the call fail with PDN_ERR_CALLBACK (see
 ///     ::pdn_set_callback_error and ::pdn_last_callback_code)
@@ -160,8 +160,8 @@ pub unsafe extern "C" fn pdn_line_init(line: *mut pdn_line, struct_size: usize) 
 /// @param line  an initialised line; not NULL
 /// @param start  array of length 3: where it starts, global coordinates [length]
 /// @param end  array of length 3: where it ends, not at start
-/// @param axis_2  array of length 3: axis 2 is the part of this direction that is perpendicular to the
-///     line; of any nonzero length, not along the line
+/// @param axis_2  array of length 3: axis 2 is the part of this direction that is perpendicular to
+///     the line; of any nonzero length, not along the line
 /// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_STRUCT_SIZE, PDN_ERR_NOT_FINITE
 ///
 /// Threads: exclusive use of `line`.
@@ -228,13 +228,14 @@ pub unsafe extern "C" fn pdn_line_set_arc(
 
 /// Makes a line a curve that the caller computes.
 ///
-/// The curve must be smooth, and its fraction advance steadily: it is differentiated by the library, to
-/// rounding if it turns by less than half a radian in each 1/16 of the fraction. Join pieces that meet
-/// in a corner by ::pdn_model_add_rigid_joint.
+/// The curve must be smooth, and its fraction advance steadily: it is differentiated by the
+/// library, to rounding if it turns by less than half a radian in each 1/16 of the fraction. Join
+/// pieces that meet in a corner by ::pdn_model_add_rigid_joint.
 ///
 /// @param line  an initialised line; not NULL
 /// @param curve  the curve, see ::pdn_curve_fn for when it is called; not NULL
-/// @param user_data  handed to the curve; may be NULL. Must be valid until the line is no longer used
+/// @param user_data  handed to the curve; may be NULL. Must be valid until the line is no longer
+///     used
 /// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_STRUCT_SIZE
 ///
 /// Threads: exclusive use of `line`.

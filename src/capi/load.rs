@@ -13,7 +13,8 @@ use crate::model::{DistributedLoadDefinition, LoadPlace, Signal};
 pub const PDN_FRAME_SPACE: i32 = 0;
 /// Directions of a load: the axes of the node, which the load follows.
 pub const PDN_FRAME_MATERIAL: i32 = 1;
-/// Directions of a load along a beam: the axes that its sections have without twist, which follow the sections.
+/// Directions of a load along a beam: the axes that its sections have without twist, which follow
+/// the sections.
 pub const PDN_FRAME_UNTWISTED: i32 = 2;
 
 /// Component of a load: force along axis 1.
@@ -42,7 +43,8 @@ pub(super) fn load_frame(given: i32) -> Result<LoadFrame> {
     )
 }
 
-/// The frame of a load along a beam, for which `axis_2` is read if it is that of the untwisted beam.
+/// The frame of a load along a beam, for which `axis_2` is read if it is that of the untwisted
+/// beam.
 fn beam_load_frame(call: &Call, given: i32, axis_2: *const f64) -> Result<BeamLoadFrame> {
     if given == PDN_FRAME_UNTWISTED {
         let axis_2 = call.array::<3>(axis_2, "axis_2")?;
@@ -80,8 +82,8 @@ fn components(
 ///
 /// @param model  the model; not NULL
 /// @param node  id of the node
-/// @param frame  PDN_FRAME_SPACE: directions of the global axes; PDN_FRAME_MATERIAL: of the node's axes,
-///     which the load follows
+/// @param frame  PDN_FRAME_SPACE: directions of the global axes; PDN_FRAME_MATERIAL: of the node's
+///     axes, which the load follows
 /// @param component  PDN_FORCE_1, PDN_FORCE_2, PDN_FORCE_3 [force], PDN_MOMENT_1, PDN_MOMENT_2 or
 ///     PDN_MOMENT_3 [force * length]
 /// @param signal  the component in time, copied; not NULL
@@ -140,7 +142,8 @@ pub unsafe extern "C" fn pdn_model_set_gravity(
 /// @param acceleration_1  component along global axis 1 [length / time^2], copied; NULL for none
 /// @param acceleration_2  component along global axis 2, likewise
 /// @param acceleration_3  component along global axis 3, likewise
-/// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_SIZE, PDN_ERR_VALUE, PDN_ERR_STRUCT_SIZE
+/// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_SIZE, PDN_ERR_VALUE,
+///     PDN_ERR_STRUCT_SIZE
 ///
 /// Threads: exclusive use of `model`.
 /// @since 0.1
@@ -169,25 +172,25 @@ pub unsafe extern "C" fn pdn_model_set_gravity_signals(
     })
 }
 
-/// Adds one component of a force or moment distributed along beam elements, in addition to those that
-/// are there.
+/// Adds one component of a force or moment distributed along beam elements, in addition to those
+/// that are there.
 ///
-/// It acts on the line of the beam, for each unit of its reference length, and moves with the sections:
-/// signal times factor.
+/// It acts on the line of the beam, for each unit of its reference length, and moves with the
+/// sections: signal times factor.
 ///
 /// @param model  the model; not NULL
 /// @param first_element  id of the first beam element, such as the first_element of a ::pdn_beam
 /// @param elements  number of elements, from the first on, such as the elements of a ::pdn_beam; at
 ///     least 1
-/// @param frame  PDN_FRAME_SPACE: directions of the global axes; PDN_FRAME_MATERIAL: of the sections' axes,
-///     which the load follows
-/// @param component  PDN_FORCE_1, PDN_FORCE_2, PDN_FORCE_3 [force / length], PDN_MOMENT_1, PDN_MOMENT_2
-///     or PDN_MOMENT_3 [force]
+/// @param frame  PDN_FRAME_SPACE: directions of the global axes; PDN_FRAME_MATERIAL: of the
+///     sections' axes, which the load follows
+/// @param component  PDN_FORCE_1, PDN_FORCE_2, PDN_FORCE_3 [force / length], PDN_MOMENT_1,
+///     PDN_MOMENT_2 or PDN_MOMENT_3 [force]
 /// @param signal  the component in time, copied; not NULL
 /// @param fractions  array of length [count]: places, as fractions of the reference length of these
 ///     elements, ascending from 0 to 1; two at the same place make a jump. NULL if count is 0
-/// @param factors  array of length [count]: factors of the signal at these places, linear in between;
-///     NULL if count is 0
+/// @param factors  array of length [count]: factors of the signal at these places, linear in
+///     between; NULL if count is 0
 /// @param count  0 for a factor of 1 all along; or at least 2
 /// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_SIZE, PDN_ERR_ID, PDN_ERR_VALUE,
 ///     PDN_ERR_STRUCT_SIZE
@@ -231,26 +234,29 @@ pub unsafe extern "C" fn pdn_model_add_distributed_load(
     })
 }
 
-/// Adds a force and moment distributed along beam elements, all components at all places at once, in addition to those
-/// that are there: such as the air loads of a blade, at the places where these are computed.
+/// Adds a force and moment distributed along beam elements, all components at all places at once,
+/// in addition to those that are there: such as the air loads of a blade, at the places where these
+/// are computed.
 ///
-/// It acts on the line of the beam, for each unit of its reference length, and moves with the sections. It is linear
-/// between neighbouring places. However many there are, the beam is evaluated as for one.
+/// It acts on the line of the beam, for each unit of its reference length, and moves with the
+/// sections. It is linear between neighbouring places. However many there are, the beam is
+/// evaluated as for one.
 ///
 /// @param model  the model; not NULL
 /// @param first_element  id of the first beam element, such as the first_element of a ::pdn_beam
 /// @param elements  number of elements, from the first on, such as the elements of a ::pdn_beam; at
 ///     least 1
-/// @param frame  PDN_FRAME_SPACE: directions of the global axes; PDN_FRAME_MATERIAL: of the sections' axes, twisted as
-///     they are; PDN_FRAME_UNTWISTED: axis 1 along the reference line, axis 2 the part of axis_2 that is perpendicular to
-///     it, axis 3 = axis 1 * axis 2, all in the reference configuration, and each section takes these axes with it
-/// @param axis_2  array of length 3: direction, global coordinates, of any nonzero length, nowhere along the line; read for
-///     PDN_FRAME_UNTWISTED only, else it may be NULL
+/// @param frame  PDN_FRAME_SPACE: directions of the global axes; PDN_FRAME_MATERIAL: of the
+///     sections' axes, twisted as they are; PDN_FRAME_UNTWISTED: axis 1 along the reference line,
+///     axis 2 the part of axis_2 that is perpendicular to it, axis 3 = axis 1 * axis 2, all in the
+///     reference configuration, and each section takes these axes with it
+/// @param axis_2  array of length 3: direction, global coordinates, of any nonzero length, nowhere
+///     along the line; read for PDN_FRAME_UNTWISTED only, else it may be NULL
 /// @param fractions  array of length [count]: places, as fractions of the reference length of these
 ///     elements, ascending from 0 to 1; two at the same place make a jump
-/// @param signals  array of length [6 count], each initialised, copied: those of the first place, PDN_FORCE_1 to
-///     PDN_FORCE_3 [force / length] and PDN_MOMENT_1 to PDN_MOMENT_3 [force], then those of the next. One that was only
-///     initialised is zero
+/// @param signals  array of length [6 count], each initialised, copied: those of the first place,
+///     PDN_FORCE_1 to PDN_FORCE_3 [force / length] and PDN_MOMENT_1 to PDN_MOMENT_3 [force], then
+///     those of the next. One that was only initialised is zero
 /// @param count  number of places, at least 2
 /// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_SIZE, PDN_ERR_ID, PDN_ERR_VALUE,
 ///     PDN_ERR_STRUCT_SIZE

@@ -12,13 +12,13 @@ use crate::error::{Error, ErrorKind, Result};
 use crate::model::Model;
 use crate::output::Solution;
 use crate::solve::{MarchEnd, MarchOptions, MarchStart, NewtonOptions, StartState};
+use libc::c_void;
 use nalgebra::{Vector3, Vector6};
-use std::ffi::c_void;
 
 /// Options of ::pdn_march. Set the defaults by `PDN_INIT(pdn_march_options, &options)`.
 ///
-/// There is no default of how long to march and in which steps: set duration or periodic_tolerance, and
-/// step or steps_per_period.
+/// There is no default of how long to march and in which steps: set duration or periodic_tolerance,
+/// and step or steps_per_period.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct pdn_march_options {
@@ -28,25 +28,29 @@ pub struct pdn_march_options {
     pub start_time: f64,
     /// How long it is; leave it 0 to march until periodic. Default 0.
     pub duration: f64,
-    /// Period T that harmonics and samples of signals refer to, and that the motion may repeat itself with;
-    /// 0 if neither matters. Steps must not be longer, unless error_tolerance chooses them. Default 0.
+    /// Period T that harmonics and samples of signals refer to, and that the motion may repeat
+    /// itself with; 0 if neither matters. Steps must not be longer, unless error_tolerance chooses
+    /// them. Default 0.
     pub period: f64,
-    /// Length of the steps, made shorter by what lets a whole number of them fit the duration or the
-    /// period. With error_tolerance the length of the first. Default 0.
+    /// Length of the steps, made shorter by what lets a whole number of them fit the duration or
+    /// the period. With error_tolerance the length of the first. Default 0.
     pub step: f64,
     /// If not 0, the steps are period / steps_per_period. Default 0.
     pub steps_per_period: usize,
-    /// Spectral radius at infinite frequency, from 0 to 1: the numerical damping. With 1 no energy is lost, but
-    /// the reactions of joints oscillate; 0 removes at once what the steps do not resolve. Default 0.5.
+    /// Spectral radius at infinite frequency, from 0 to 1: the numerical damping. With 1 no energy
+    /// is lost, but the reactions of joints oscillate; 0 removes at once what the steps do not
+    /// resolve. Default 0.5.
     pub spectral_radius: f64,
-    /// If not 0, steps are chosen so that each has at most this estimated error of a motion (lengths
-    /// relative to the size of the mechanism, angles in radians). Default 0.
+    /// If not 0, steps are chosen so that each has at most this estimated error of a motion
+    /// (lengths relative to the size of the mechanism, angles in radians). Default 0.
     pub error_tolerance: f64,
-    /// If not 0, march until motions and velocities differ by at most this from the periodic ones, by how the differences
-    /// from each period to the next decay: displacements relative to the size of the mechanism, entries of rotation
-    /// matrices, velocities likewise in the time T / (2 pi). Default 0.
+    /// If not 0, march until motions and velocities differ by at most this from the periodic ones,
+    /// by how the differences from each period to the next decay: displacements relative to the
+    /// size of the mechanism, entries of rotation matrices, velocities likewise in the time T / (2
+    /// pi). Default 0.
     pub periodic_tolerance: f64,
-    /// Most periods of a march until periodic; then its outcome is PDN_ITERATION_LIMIT. Default 200.
+    /// Most periods of a march until periodic; then its outcome is PDN_ITERATION_LIMIT. Default
+    /// 200.
     pub most_periods: usize,
     /// Keep the steps of only so many of the last periods; all steps if 0. Default 0.
     pub stored_periods: usize,
@@ -55,16 +59,16 @@ pub struct pdn_march_options {
     pub tolerance: f64,
     /// Most Newton iterations in a step. Default 20.
     pub iteration_limit: usize,
-    /// Start from this solution of a model with the same nodes and joints, at start_time: an equilibrium,
-    /// a periodic motion or another march; NULL to start otherwise. Default NULL.
+    /// Start from this solution of a model with the same nodes and joints, at start_time: an
+    /// equilibrium, a periodic motion or another march; NULL to start otherwise. Default NULL.
     pub initial: *const pdn_solution,
     /// Start from these positions, 3 x nodes; NULL for those of the reference configuration. Needs
     /// rotations. Default NULL.
     pub positions: *const f64,
     /// Rotation matrices of the same start, 9 x nodes, each column by column. Default NULL.
     pub rotations: *const f64,
-    /// Velocities of the same start, 6 x nodes: velocity of each node and its angular velocity, inertial
-    /// frame; NULL for none. Default NULL.
+    /// Velocities of the same start, 6 x nodes: velocity of each node and its angular velocity,
+    /// inertial frame; NULL for none. Default NULL.
     pub velocities: *const f64,
     /// Told of each step, and about ten times a second while one lasts; may cancel. Default NULL.
     pub progress: pdn_progress_fn,
@@ -119,32 +123,34 @@ pub unsafe extern "C" fn pdn_march_options_init(
 
 /// Marches a model in time, for a given duration or until its motion repeats itself.
 ///
-/// The generalised-alpha method on SE(3) for the equations of index 3 (Arnold and Bruels 2007; Bruels, Cardona
-/// and Arnold 2012), of second order: motions are updated by the exponential map, equilibrium and constraints
-/// hold at the end of each step. It starts in the reference configuration at rest unless another start is
-/// given, but what hangs on a prescribed rotation turns with it as one rigid body, if the joints let it: a blade is not
-/// left behind a hub that spins. Then motions are moved and velocities changed by the least, by inertia, that satisfies the constraints
-/// and prescribed motions, and accelerations and reactions follow. Internal states of viscoelastic
-/// elements start relaxed, or as they are in the initial solution.
+/// The generalised-alpha method on SE(3) for the equations of index 3 (Arnold and Bruels 2007;
+/// Bruels, Cardona and Arnold 2012), of second order: motions are updated by the exponential map,
+/// equilibrium and constraints hold at the end of each step. It starts in the reference
+/// configuration at rest unless another start is given, but what hangs on a prescribed rotation
+/// turns with it as one rigid body, if the joints let it: a blade is not left behind a hub that
+/// spins. Then motions are moved and velocities changed by the least, by inertia, that satisfies
+/// the constraints and prescribed motions, and accelerations and reactions follow. Internal states
+/// of viscoelastic elements start relaxed, or as they are in the initial solution.
 ///
-/// The solution is a trajectory: the functions of solutions give its quantities at any times from its first
-/// to its last. Between steps motions, velocities and joint coordinates are interpolated by cubic
-/// polynomials, all else linearly. It has no harmonics. Not reaching the end is no error:
+/// The solution is a trajectory: the functions of solutions give its quantities at any times from
+/// its first to its last. Between steps motions, velocities and joint coordinates are interpolated
+/// by cubic polynomials, all else linearly. It has no harmonics. Not reaching the end is no error:
 /// ::pdn_solution_outcome tells, and the trajectory is there as far as it came. It serves as
 /// `initial` of other solves; of a periodic one, its last period does.
 ///
-/// @param model  the model; it is copied, so that later changes do not touch the solution. Signals that are
-///     functions are called with the times of the march, and need not be periodic
+/// @param model  the model; it is copied, so that later changes do not touch the solution. Signals
+///     that are functions are called with the times of the march, and need not be periodic
 /// @param options  not NULL: how long, and in which steps
-/// @param out  the solution, also if the march ended early; free it with ::pdn_solution_free; written on
-///     success only
-/// @return PDN_OK; PDN_ERR_NULL; PDN_ERR_NOT_FINITE; PDN_ERR_VALUE (no duration or step, a period that is
-///     needed but not given, an initial solution of another model, rotations that are none);
-///     PDN_ERR_STRUCT_SIZE; PDN_ERR_MODEL (no node, a beam too distorted); PDN_ERR_GRID_TOO_COARSE (of the
-///     initial solution); PDN_ERR_CALLBACK (of a signal or force); PDN_ERR_MEMORY
+/// @param out  the solution, also if the march ended early; free it with ::pdn_solution_free;
+///     written on success only
+/// @return PDN_OK; PDN_ERR_NULL; PDN_ERR_NOT_FINITE; PDN_ERR_VALUE (no duration or step, a period
+///     that is needed but not given, an initial solution of another model, rotations that are
+///     none); PDN_ERR_STRUCT_SIZE; PDN_ERR_MODEL (no node, a beam too distorted);
+///     PDN_ERR_GRID_TOO_COARSE (of the initial solution); PDN_ERR_CALLBACK (of a signal or force);
+///     PDN_ERR_MEMORY
 ///
-/// Threads: like a `const` use of `model` and of `options.initial`. Signals' functions and `progress` are
-/// called on this thread.
+/// Threads: like a `const` use of `model` and of `options.initial`. Signals' functions and
+/// `progress` are called on this thread.
 /// @since 0.1
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn pdn_march(
@@ -289,16 +295,16 @@ pub struct pdn_march_diagnostics {
     pub first_time: f64,
     /// Last time of the trajectory.
     pub last_time: f64,
-    /// How much the last period differs from the one before, as pdn_march_options.periodic_tolerance;
-    /// infinite before the end of the first period.
+    /// How much the last period differs from the one before, as
+    /// pdn_march_options.periodic_tolerance; infinite before the end of the first period.
     pub repetition: f64,
     /// Largest estimated error of a motion in one step, as pdn_march_options.error_tolerance.
     pub step_error: f64,
-    /// How much motions were moved at the start to satisfy constraints and prescribed motions: lengths
-    /// relative to the size of the mechanism, entries of rotation matrices.
+    /// How much motions were moved at the start to satisfy constraints and prescribed motions:
+    /// lengths relative to the size of the mechanism, entries of rotation matrices.
     pub start_moved: f64,
-    /// How much velocities were changed at the start: lengths relative to the size of the mechanism, or
-    /// radians, in the unit of time.
+    /// How much velocities were changed at the start: lengths relative to the size of the
+    /// mechanism, or radians, in the unit of time.
     pub start_corrected: f64,
 }
 
@@ -344,11 +350,13 @@ pub(super) fn no_trajectory() -> Error {
     Error::new(ErrorKind::NotAvailable, message)
 }
 
-/// Figures of a march: steps, periods, how much the last of them differ, how much the start was changed.
+/// Figures of a march: steps, periods, how much the last of them differ, how much the start was
+/// changed.
 ///
 /// @param solution  a solution of ::pdn_march; not NULL
 /// @param out  initialised by PDN_INIT; filled on success only
-/// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_STRUCT_SIZE, PDN_ERR_NOT_AVAILABLE (the solution is no trajectory)
+/// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_STRUCT_SIZE, PDN_ERR_NOT_AVAILABLE (the solution is no
+///     trajectory)
 ///
 /// Threads: like `const`.
 /// @since 0.1

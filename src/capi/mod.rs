@@ -1,8 +1,8 @@
 //! The C ABI: the only unsafe code of the crate, and nothing but a thin face on it.
 //!
 //! A function here checks what C gave, calls the core, and hands back the answer. What the library
-//! *does* belongs in the core. One file per noun; cbindgen writes `include/periodyn.h` from them, in
-//! the order that `tests/header.rs` lists (`cbindgen.toml` holds the rest).
+//! *does* belongs in the core. One file per noun; cbindgen writes `include/periodyn.h` from them,
+//! in the order that `tests/header.rs` lists (`cbindgen.toml` holds the rest).
 //!
 //! # Adding a function
 //!
@@ -41,9 +41,10 @@
 //! }
 //! ```
 //!
-//! Then `PDN_BLESS=1 cargo test --test header` rewrites the header, and `PDN_BLESS=1 ctest -R symbols`
-//! appends to `tests/abi/symbols.txt`. `script/fortran_interface` binds it in `include/periodyn.f90`; a
-//! method in `include/periodyn.hpp` and one in that file's module `periodyn` make it C++ and Fortran.
+//! Then `PDN_BLESS=1 cargo test --test header` rewrites the header, and
+//! `PDN_BLESS=1 ctest -R symbols` appends to `tests/abi/symbols.txt`. `script/fortran_interface`
+//! binds it in `include/periodyn.f90`; a method in `include/periodyn.hpp` and one in that file's
+//! module `periodyn` make it C++ and Fortran.
 //!
 //! * Read *every* argument, outputs included, before the core is called; set outputs last. So a
 //!   failed call has written nothing.
@@ -61,7 +62,8 @@
 #![allow(unsafe_code)]
 // C spells types in lower case.
 #![allow(non_camel_case_types)]
-// The `@param` lines say what the caller owes; a `# Safety` section would repeat them in the header.
+// The `@param` lines say what the caller owes; a `# Safety` section would repeat them in the
+// header.
 #![allow(clippy::missing_safety_doc)]
 // C has no named arguments to group them by.
 #![allow(clippy::too_many_arguments)]

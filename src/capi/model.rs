@@ -18,10 +18,11 @@ pub const PDN_GROUND: i32 = -1;
 ///
 /// It is described in its reference configuration: points, directions and frames are those of the
 /// undeformed, assembled mechanism, all in the global axes, which are fixed to the ground. Any
-/// consistent set of units will do (such as metre, newton, kilogram, second); angles are in radians.
+/// consistent set of units will do (such as metre, newton, kilogram, second); angles are in
+/// radians.
 ///
-/// Nodes, joints and beam elements are named by ids, each counted from 0 in the order they are made.
-/// A call that fails leaves the model as it was.
+/// Nodes, joints and beam elements are named by ids, each counted from 0 in the order they are
+/// made. A call that fails leaves the model as it was.
 pub struct pdn_model {
     _private: [u8; 0],
 }
@@ -36,8 +37,8 @@ impl Handle for pdn_model {
 pub struct pdn_frame {
     /// Its origin, in global coordinates [length].
     pub position: [f64; 3],
-    /// Its axes, in global coordinates: a rotation matrix, 3 x 3, column by column, the columns being
-    /// axes 1, 2, 3. Rounding up to 1e-8 is tolerated, and removed.
+    /// Its axes, in global coordinates: a rotation matrix, 3 x 3, column by column, the columns
+    /// being axes 1, 2, 3. Rounding up to 1e-8 is tolerated, and removed.
     pub rotation: [f64; 9],
 }
 
@@ -217,8 +218,8 @@ pub unsafe extern "C" fn pdn_model_element_count(
 ///
 /// @param model  the model; not NULL
 /// @param mass  total mass of bodies, masses and beams [mass]; written on success only
-/// @param centre  array of length 3: centre of mass, global coordinates [length]; may be NULL if it is
-///     not wanted; written on success only
+/// @param centre  array of length 3: centre of mass, global coordinates [length]; may be NULL if it
+///     is not wanted; written on success only
 /// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_AVAILABLE (a centre is wanted, and the mass is zero)
 ///
 /// Threads: `model` is `const`.
@@ -278,8 +279,8 @@ pub unsafe extern "C" fn pdn_model_node_frame(
 ///
 /// @param model  the model; not NULL
 /// @param position  array of length 3: its position, global coordinates [length]
-/// @param rotation  array of length 9: its axes, a rotation matrix column by column, the columns being
-///     axes 1, 2, 3 in global coordinates; NULL for axes parallel to the global ones
+/// @param rotation  array of length 9: its axes, a rotation matrix column by column, the columns
+///     being axes 1, 2, 3 in global coordinates; NULL for axes parallel to the global ones
 /// @param node  the node's id; written on success only
 /// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_VALUE
 ///
@@ -311,8 +312,8 @@ pub unsafe extern "C" fn pdn_model_add_node(
 /// @param model  the model; not NULL
 /// @param mass  mass, positive [mass]
 /// @param centre  array of length 3: centre of mass, global coordinates [length]
-/// @param inertia  array of length 9: moments of inertia about the centre of mass, in global axes, 3 x 3,
-///     symmetric and positive semi-definite [mass * length^2]
+/// @param inertia  array of length 9: moments of inertia about the centre of mass, in global axes,
+///     3 x 3, symmetric and positive semi-definite [mass * length^2]
 /// @param node  the node's id; written on success only
 /// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_VALUE
 ///
@@ -344,9 +345,10 @@ pub unsafe extern "C" fn pdn_model_add_rigid_body(
 /// @param model  the model; not NULL
 /// @param node  id of the node
 /// @param mass  mass, zero or more [mass]
-/// @param centre  array of length 3: its centre, global coordinates; need not be at the node [length]
-/// @param inertia  array of length 9: moments of inertia about the centre, in global axes, 3 x 3, symmetric
-///     and positive semi-definite [mass * length^2]; NULL for a point mass
+/// @param centre  array of length 3: its centre, global coordinates; need not be at the node
+///     [length]
+/// @param inertia  array of length 9: moments of inertia about the centre, in global axes, 3 x 3,
+///     symmetric and positive semi-definite [mass * length^2]; NULL for a point mass
 /// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_ID, PDN_ERR_VALUE
 ///
 /// Threads: exclusive use of `model`.
@@ -373,15 +375,15 @@ pub unsafe extern "C" fn pdn_model_add_mass(
 
 /// Fixes an inertia of any kind to a node, in addition to what the node has.
 ///
-/// A unit velocity of the frame (linear 1, 2, 3, angular 1, 2, 3) has the momentum (linear, angular) of
-/// the matrix's column. A rigid body of mass m, with centre c and moments of inertia J about the centre,
-/// both in the frame, has [m I, -m c~; m c~, J - m c~ c~], where c~ b = c * b.
+/// A unit velocity of the frame (linear 1, 2, 3, angular 1, 2, 3) has the momentum (linear,
+/// angular) of the matrix's column. A rigid body of mass m, with centre c and moments of inertia J
+/// about the centre, both in the frame, has [m I, -m c~; m c~, J - m c~ c~], where c~ b = c * b.
 ///
 /// @param model  the model; not NULL
 /// @param node  id of the node
 /// @param frame  the frame that the matrix is about and resolved in; NULL for the node's own
-/// @param matrix  array of length 36: 6 x 6, symmetric and positive semi-definite [mass, mass * length,
-///     mass * length^2]
+/// @param matrix  array of length 36: 6 x 6, symmetric and positive semi-definite
+///     [mass, mass * length,     mass * length^2]
 /// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_ID, PDN_ERR_VALUE
 ///
 /// Threads: exclusive use of `model`.

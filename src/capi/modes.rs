@@ -12,7 +12,7 @@ use super::status::pdn_status;
 use crate::error::Result;
 use crate::output::Modes;
 use crate::solve::ModesOptions;
-use std::ffi::c_char;
+use libc::c_char;
 
 /// An equilibrium and the modes about it. Made by ::pdn_solve_modes, freed by ::pdn_modes_free.
 pub struct pdn_modes {
@@ -72,8 +72,8 @@ pub unsafe extern "C" fn pdn_modes_options_init(
 ///
 /// The equations of motion with their exact tangents are linearised to `(s² M + s C + K) x = 0`,
 /// constraints, internal states of viscoelastic forces, and in a turning frame gyroscopic and
-/// centrifugal terms included. Of conjugate pairs of eigenvalues s one is given; constraints make no
-/// modes. Each free motion is a mode whose s is exactly 0.
+/// centrifugal terms included. Of conjugate pairs of eigenvalues s one is given; constraints make
+/// no modes. Each free motion is a mode whose s is exactly 0.
 ///
 /// That there is no equilibrium is no error: ::pdn_modes_outcome tells, and there are no modes.
 ///
@@ -83,8 +83,8 @@ pub unsafe extern "C" fn pdn_modes_options_init(
 /// @return PDN_OK; PDN_ERR_SIZE (no modes or too many wanted); PDN_ERR_OVERFLOW (stiffnesses and
 ///     masses too far apart); else as ::pdn_solve_static
 ///
-/// Threads: like a `const` use of `model` and of `options.equilibrium.initial`. Signals' functions and
-/// `progress` are called on this thread.
+/// Threads: like a `const` use of `model` and of `options.equilibrium.initial`. Signals' functions
+/// and `progress` are called on this thread.
 /// @since 0.1
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn pdn_solve_modes(
@@ -140,10 +140,11 @@ pub unsafe extern "C" fn pdn_modes_outcome(modes: *const pdn_modes) -> i32 {
 /// A readable report: outcome of the equilibrium and why, and a table of the modes.
 ///
 /// @param modes  the modes; not NULL
-/// @param buffer  array of length [capacity] for the text, UTF-8, always ended by NUL; may be NULL if
-///     capacity is 0
+/// @param buffer  array of length [capacity] for the text, UTF-8, always ended by NUL; may be NULL
+///     if capacity is 0
 /// @param capacity  size of buffer in bytes
-/// @return length of the whole report without the NUL, as snprintf does; 0 if the handle is not valid
+/// @return length of the whole report without the NUL, as snprintf does; 0 if the handle is not
+///     valid
 ///
 /// Threads: like `const`.
 /// @since 0.1
@@ -203,7 +204,8 @@ pub struct pdn_mode {
     pub frequency: f64,
     /// Damping ratio, -Re s / |s|; 0 for a free motion.
     pub damping_ratio: f64,
-    /// Product of the shape with M and its own conjugate, with the shape as ::pdn_modes_shape gives it.
+    /// Product of the shape with M and its own conjugate, with the shape as ::pdn_modes_shape gives
+    /// it.
     pub modal_mass: f64,
     /// Largest entry of the equations of small motions, relative to the largest sum of the sizes of
     /// their terms: rounding, if all is well.
@@ -322,9 +324,10 @@ pub unsafe extern "C" fn pdn_modes_shape(
 
 /// The motion in a mode, to be looked at as any other solution.
 ///
-/// From the equilibrium each node moves by the exponential of `amplitude Re(x exp(i ω t))`, with ω = Im s: it
-/// neither decays nor grows, and repeats after 2π/ω. For a real s, ω is its size; for a free
-/// motion the period is that of the options, or 1. The equations hold but for the square of the amplitude.
+/// From the equilibrium each node moves by the exponential of `amplitude Re(x exp(i ω t))`, with ω
+/// = Im s: it neither decays nor grows, and repeats after 2π/ω. For a real s, ω is its size; for a
+/// free motion the period is that of the options, or 1. The equations hold but for the square of
+/// the amplitude.
 ///
 /// @param modes  the modes; not NULL
 /// @param mode  number of the mode, from 0

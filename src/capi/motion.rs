@@ -1,4 +1,5 @@
-//! Motions as such, without a model: interpolation over a period, and its linearisation on the grid.
+//! Motions as such, without a model: interpolation over a period, and its linearisation on the
+//! grid.
 
 use super::call::Call;
 use super::guard::guard;
@@ -38,8 +39,8 @@ fn grid(call: &Call, period: f64, points: usize) -> Result<TimeGrid> {
 
 /// Interpolates a periodic motion given at N equispaced times, by dual polar decomposition.
 ///
-/// Exponentially accurate as N grows, for rotations and translations of any size (section 4 of Han and
-/// Bauchau, Nonlinear Dynamics 92, 2018).
+/// Exponentially accurate as N grows, for rotations and translations of any size (section 4 of Han
+/// and Bauchau, Nonlinear Dynamics 92, 2018).
 ///
 /// @param period  T, the period of the motion
 /// @param positions  array of shape 3 x [points]: positions at t = k T / N
@@ -49,8 +50,8 @@ fn grid(call: &Call, period: f64, points: usize) -> Result<TimeGrid> {
 /// @param count  number of times
 /// @param position  array of shape 3 x [count]; may be NULL
 /// @param rotation  array of shape 9 x [count], each matrix column by column; may be NULL
-/// @param velocity  array of shape 6 x [count]: linear and angular velocity along the moving axes; may
-///     be NULL
+/// @param velocity  array of shape 6 x [count]: linear and angular velocity along the moving axes;
+///     may be NULL
 /// @param acceleration  array of shape 6 x [count]: time derivative of velocity; may be NULL
 /// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_SIZE, PDN_ERR_VALUE,
 ///     PDN_ERR_GRID_TOO_COARSE
@@ -91,7 +92,8 @@ pub unsafe extern "C" fn pdn_motion_interpolate(
             weights.move_to(time);
             let state = interpolation.at(&weights).ok_or_else(|| {
                 let message = format!(
-                    "points: {points} grid points are too coarse to interpolate this motion at t = {time}"
+                    "points: {points} grid points are too coarse to interpolate this motion at t \
+                     = {time}"
                 );
                 Error::new(ErrorKind::GridTooCoarse, message)
             })?;
@@ -111,15 +113,16 @@ pub unsafe extern "C" fn pdn_motion_interpolate(
 
 /// Velocities and accelerations of a motion at its own grid points, and their exact linearisation.
 ///
-/// With the material increments u = (R^T dr, dpsi) of the motions, ordered as 6 for each point,
-/// d velocity = velocity_tangent u and d acceleration = acceleration_tangent u (eqs. 24 to 29).
+/// With the material increments u = (R^T dr, dpsi) of the motions, ordered as 6 for each point, d
+/// velocity = velocity_tangent u and d acceleration = acceleration_tangent u (eqs. 24 to 29 of the
+/// paper).
 ///
 /// @param period  T, the period of the motion
 /// @param positions  array of shape 3 x [points]: positions at t = k T / N
 /// @param rotations  array of shape 9 x [points]: rotation matrices, each column by column
 /// @param points  N, odd
-/// @param velocity  array of shape 6 x [points]: linear and angular velocity along the moving axes; may
-///     be NULL
+/// @param velocity  array of shape 6 x [points]: linear and angular velocity along the moving axes;
+///     may be NULL
 /// @param acceleration  array of shape 6 x [points]: time derivative of velocity; may be NULL
 /// @param velocity_tangent  matrix of 6 N x 6 N, column-major; may be NULL
 /// @param acceleration_tangent  matrix of 6 N x 6 N, column-major; may be NULL

@@ -19,11 +19,15 @@
 //! unsafe impl Options for pdn_solve_options {
 //!     const SIZES: &'static [usize] = &[24]; // a release that adds a field adds its size
 //!     fn defaults() -> Self {
-//!         pdn_solve_options { struct_size: size_of::<Self>(), grid_points: 21, max_iterations: 20, reserved: 0 }
+//!         let struct_size = size_of::<Self>();
+//!         pdn_solve_options { struct_size, grid_points: 21, max_iterations: 20, reserved: 0 }
 //!     }
 //! }
 //!
-//! pub unsafe extern "C" fn pdn_solve_options_init(options: *mut pdn_solve_options, struct_size: usize) {
+//! pub unsafe extern "C" fn pdn_solve_options_init(
+//!     options: *mut pdn_solve_options,
+//!     struct_size: usize,
+//! ) {
 //!     options::init(options, struct_size);
 //! }
 //! ```
@@ -36,8 +40,8 @@ use crate::error::{Error, ErrorKind, Result};
 ///
 /// # Safety
 ///
-/// `#[repr(C)]`, first field `struct_size: usize`, all others numbers or pointers for which any bits
-/// are valid, no padding (fill holes with `reserved` fields).
+/// `#[repr(C)]`, first field `struct_size: usize`, all others numbers or pointers for which any
+/// bits are valid, no padding (fill holes with `reserved` fields).
 pub(crate) unsafe trait Options: Copy {
     /// Size of the struct in each release that changed it, oldest first. Append only.
     const SIZES: &'static [usize];

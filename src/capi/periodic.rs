@@ -19,8 +19,8 @@ use crate::solve::{
     Preconditioner, Progress, Stage, Start, Watch,
 };
 use crate::system::System;
+use libc::c_void;
 use nalgebra::{Matrix3, Vector3};
-use std::ffi::c_void;
 
 /// Stage of a solve: finding the initial guess, each iteration at a single instant.
 pub const PDN_STAGE_INITIAL_GUESS: i32 = 0;
@@ -35,8 +35,8 @@ pub const PDN_STAGE_MODES: i32 = 3;
 pub const PDN_START_AUTOMATIC: i32 = 0;
 /// Start of a periodic solve: equilibrium at each time, without velocities.
 pub const PDN_START_QUASI_STATIC: i32 = 1;
-/// Start of a periodic solve: equilibrium at each time of what turns steadily with its drives, with its centrifugal and
-/// gyroscopic forces.
+/// Start of a periodic solve: equilibrium at each time of what turns steadily with its drives, with
+/// its centrifugal and gyroscopic forces.
 pub const PDN_START_STEADY_ROTATION: i32 = 2;
 /// Start of a periodic solve: all that hangs on drives turned with them, undeformed.
 pub const PDN_START_RIGID_ROTATION: i32 = 3;
@@ -47,15 +47,17 @@ pub const PDN_START_MARCH: i32 = 5;
 
 /// Linear equations: solved directly where that is quick, by iteration otherwise.
 pub const PDN_LINEAR_AUTOMATIC: i32 = 0;
-/// Linear equations: solved by factors of the whole Jacobian. Time grows with the third power of the number of grid
-/// points, memory with the second.
+/// Linear equations: solved by factors of the whole Jacobian. Time grows with the third power of
+/// the number of grid points, memory with the second.
 pub const PDN_LINEAR_DIRECT: i32 = 1;
-/// Linear equations: solved by iteration, with the preconditioner that suits; time and memory grow in proportion to
-/// nodes and grid points, or little more.
+/// Linear equations: solved by iteration, with the preconditioner that suits; time and memory grow
+/// in proportion to nodes and grid points, or little more.
 pub const PDN_LINEAR_ITERATIVE: i32 = 2;
-/// Linear equations: solved by iteration; bodies are averaged over time for the preconditioner, joints are not.
+/// Linear equations: solved by iteration; bodies are averaged over time for the preconditioner,
+/// joints are not.
 pub const PDN_LINEAR_BODY_CIRCULANT: i32 = 3;
-/// Linear equations: solved by iteration; the preconditioner is equilibrium at each grid point, without inertia.
+/// Linear equations: solved by iteration; the preconditioner is equilibrium at each grid point,
+/// without inertia.
 pub const PDN_LINEAR_TIME_LOCAL: i32 = 4;
 /// Linear equations: solved by iteration; everything is averaged over time for the preconditioner.
 pub const PDN_LINEAR_CIRCULANT: i32 = 5;
@@ -68,8 +70,8 @@ pub struct pdn_progress {
     pub struct_size: usize,
     /// PDN_STAGE_INITIAL_GUESS, PDN_STAGE_NEWTON, PDN_STAGE_MARCH or PDN_STAGE_MODES.
     pub stage: i32,
-    /// Number of the last iteration, from 1, or 0 before the first; starts again with each Newton solve. In a march,
-    /// number of the step.
+    /// Number of the last iteration, from 1, or 0 before the first; starts again with each Newton
+    /// solve. In a march, number of the step.
     pub iteration: i32,
     /// Largest residual before the step: forces relative to the characteristic force (the largest
     /// stiffness times the size of the mechanism), lengths relative to its size, angles in radians.
@@ -85,19 +87,20 @@ pub struct pdn_progress {
     pub elapsed: f64,
     /// Number of points of the grid that is worked on; 1 of an equilibrium or a march.
     pub grid_points: usize,
-    /// Number of the attempt of a periodic solve, from 1, as the report lists them; 0 where the start was given, and before the
-    /// first, as on a coarse grid that is to give a start.
+    /// Number of the attempt of a periodic solve, from 1, as the report lists them; 0 where the
+    /// start was given, and before the first, as on a coarse grid that is to give a start.
     pub attempt: i32,
     /// What it starts from: PDN_START_QUASI_STATIC, ...; 0 where the start was given.
     pub start: i32,
-    /// 1 where an iteration, or a step of a march, has just ended; 0 while one lasts, or what comes between them.
+    /// 1 where an iteration, or a step of a march, has just ended; 0 while one lasts, or what comes
+    /// between them.
     pub iterated: i32,
     /// Zero.
     pub reserved: i32,
 }
 
-/// Called after each Newton iteration, or after each step of a march, and while one lasts about ten times a second, on
-/// the solving thread.
+/// Called after each Newton iteration, or after each step of a march, and while one lasts about ten
+/// times a second, on the solving thread.
 ///
 /// `progress` is valid during the call only. It must not use the model that is being solved, nor
 /// throw or jump out. Return 0 to go on, anything else to cancel: the outcome is PDN_CANCELLED.
@@ -113,55 +116,62 @@ pub struct pdn_periodic_options {
     /// Number N of grid points, odd: harmonics up to (N - 1) / 2 are resolved. 0 for as many as
     /// error_tolerance needs. Default 0.
     pub grid_points: usize,
-    /// If not 0, the number of harmonics that are resolved: grid_points is then 2 harmonics + 1. Default 0.
+    /// If not 0, the number of harmonics that are resolved: grid_points is then 2 harmonics + 1.
+    /// Default 0.
     pub harmonics: usize,
-    /// Newton's method has converged when the largest increment (lengths relative to the size of the mechanism, angles in
-    /// radians) is below this. Newton is quadratic: the error left in motions is about its
-    /// square, that in forces about it times their last change. Default 1e-9.
+    /// Newton's method has converged when the largest increment (lengths relative to the size of
+    /// the mechanism, angles in radians) is below this. Newton is quadratic: the error left in
+    /// motions is about its square, that in forces about it times their last change. Default 1e-9.
     pub tolerance: f64,
     /// Most Newton iterations on a grid. Default 30.
     pub iteration_limit: usize,
-    /// Start from this solution of a model with the same nodes and joints, also on another grid or of
-    /// another period, or from the last period of this march; NULL to start otherwise. If grid_points is 0,
-    /// the first grid is that of this solution. Default NULL.
+    /// Start from this solution of a model with the same nodes and joints, also on another grid or
+    /// of another period, or from the last period of this march; NULL to start otherwise. If
+    /// grid_points is 0, the first grid is that of this solution. Default NULL.
     pub initial: *const pdn_solution,
-    /// Start from these positions, 3 x N x nodes: coordinates fastest, then grid points, then nodes;
-    /// NULL to start otherwise. Needs guess_rotations, and grid_points or harmonics. Default NULL.
+    /// Start from these positions, 3 x N x nodes: coordinates fastest, then grid points, then
+    /// nodes; NULL to start otherwise. Needs guess_rotations, and grid_points or harmonics. Default
+    /// NULL.
     pub guess_positions: *const f64,
     /// Rotation matrices of the same start, 9 x N x nodes, each column by column. Default NULL.
     pub guess_rotations: *const f64,
-    /// Told of each iteration, and while one lasts, see progress_interval; may cancel. Default NULL.
+    /// Told of each iteration, and while one lasts, see progress_interval; may cancel. Default
+    /// NULL.
     pub progress: pdn_progress_fn,
     /// Handed to progress.
     pub progress_data: *mut c_void,
-    /// If grid_points is 0, grid points are added until the estimated error of the motions is below this:
-    /// positions relative to the size of the mechanism, angles in radians. Default 1e-6, which leaves about
-    /// three digits to forces and accelerations, which are second derivatives.
+    /// If grid_points is 0, grid points are added until the estimated error of the motions is below
+    /// this: positions relative to the size of the mechanism, angles in radians. Default 1e-6,
+    /// which leaves about three digits to forces and accelerations, which are second derivatives.
     pub error_tolerance: f64,
-    /// If grid_points is 0, the largest number of grid points, at least 3; if the tolerance would need more,
-    /// the outcome is PDN_TOLERANCE_NOT_MET. Default 511.
+    /// If grid_points is 0, the largest number of grid points, at least 3; if the tolerance would
+    /// need more, the outcome is PDN_TOLERANCE_NOT_MET. Default 511.
     pub largest_grid_points: usize,
-    /// How linear equations are solved: PDN_LINEAR_AUTOMATIC, PDN_LINEAR_DIRECT, ... Default PDN_LINEAR_AUTOMATIC.
+    /// How linear equations are solved: PDN_LINEAR_AUTOMATIC, PDN_LINEAR_DIRECT, ... Default
+    /// PDN_LINEAR_AUTOMATIC.
     pub linear_solver: i32,
-    /// Threads that share the work, of a pool that lasts as long as the call; 0 for as many as there are processors.
-    /// Signals' and other functions of yours are called on the calling thread alone. Default 1.
+    /// Threads that share the work, of a pool that lasts as long as the call; 0 for as many as
+    /// there are processors. Signals' and other functions of yours are called on the calling thread
+    /// alone. Default 1.
     pub threads: i32,
-    /// The equations are sampled at this many times as many points (or one more), from 1 to 16, where motions and multipliers
-    /// are interpolated; their virtual work, and the harmonics of the constraints up to those of the grid, are to
-    /// vanish. 1: at the grid points alone. Default 1.
+    /// The equations are sampled at this many times as many points (or one more), from 1 to 16,
+    /// where motions and multipliers are interpolated; their virtual work, and the harmonics of the
+    /// constraints up to those of the grid, are to vanish. 1: at the grid points alone. Default 1.
     pub oversampling: usize,
-    /// If grid_points is 0 and this is not, the estimated error of the motions is also to be below this times the amplitude of the
-    /// response: the largest deviation of a node from its mean or, if it makes whole turns in a period, from a steady turn, in
-    /// the measure of error_tolerance. For responses that are small beside the mechanism. Default 0.
+    /// If grid_points is 0 and this is not, the estimated error of the motions is also to be below
+    /// this times the amplitude of the response: the largest deviation of a node from its mean or,
+    /// if it makes whole turns in a period, from a steady turn, in the measure of error_tolerance.
+    /// For responses that are small beside the mechanism. Default 0.
     pub response_tolerance: f64,
-    /// Where the library starts, unless a start is given: PDN_START_AUTOMATIC, or one way alone: PDN_START_QUASI_STATIC, ...
-    /// PDN_START_STEADY_ROTATION and PDN_START_RIGID_ROTATION need a drive that turns. Default PDN_START_AUTOMATIC.
+    /// Where the library starts, unless a start is given: PDN_START_AUTOMATIC, or one way alone:
+    /// PDN_START_QUASI_STATIC, ... PDN_START_STEADY_ROTATION and PDN_START_RIGID_ROTATION need a
+    /// drive that turns. Default PDN_START_AUTOMATIC.
     pub start: i32,
-    /// 1 to estimate the error by the mesh of beams, too, pdn_diagnostics.mesh_error, which takes about as long as an
-    /// iteration; not with oversampling. Default 0.
+    /// 1 to estimate the error by the mesh of beams, too, pdn_diagnostics.mesh_error, which takes
+    /// about as long as an iteration; not with oversampling. Default 0.
     pub estimate_mesh: i32,
-    /// Least time between two calls of progress while an iteration lasts, in seconds; 0 to be called at any opportunity.
-    /// Default 0.1.
+    /// Least time between two calls of progress while an iteration lasts, in seconds; 0 to be
+    /// called at any opportunity. Default 0.1.
     pub progress_interval: f64,
 }
 
@@ -213,25 +223,26 @@ pub unsafe extern "C" fn pdn_periodic_options_init(
 
 /// Finds the periodic response of a model directly, by Fourier spectral collocation.
 ///
-/// Newton's method with the exact tangent on the equations of motion at N equispaced times, from the
-/// quasi-static motion unless another start is given; where inertia takes the response far from that, or N is
-/// large, from a solution on fewer points. Unless N is given, it is raised, each solution starting
-/// the next, until the estimated error meets the tolerance. Not converging is no error: PDN_OK says that
-/// the solve was carried out, ::pdn_solution_outcome how it ended, ::pdn_solution_report why.
+/// Newton's method with the exact tangent on the equations of motion at N equispaced times, from
+/// the quasi-static motion unless another start is given; where inertia takes the response far from
+/// that, or N is large, from a solution on fewer points. Unless N is given, it is raised, each
+/// solution starting the next, until the estimated error meets the tolerance. Not converging is no
+/// error: PDN_OK says that the solve was carried out, ::pdn_solution_outcome how it ended,
+/// ::pdn_solution_report why.
 ///
 /// @param model  the model; it is copied, so that later changes do not touch the solution
 /// @param period  T, the period of the response; harmonics of signals are those of this period
 /// @param options  may be NULL for the defaults
-/// @param out  the solution, also if it has not converged; free it with ::pdn_solution_free; written
-///     on success only
-/// @return PDN_OK; PDN_ERR_NULL; PDN_ERR_NOT_FINITE; PDN_ERR_SIZE (even number of grid points, a start of
-///     arrays without their number); PDN_ERR_VALUE; PDN_ERR_STRUCT_SIZE; PDN_ERR_MODEL (no node, a beam too distorted);
-///     PDN_ERR_NOT_PERIODIC (a prescribed motion or load that does not repeat, a spring on an
-///     angle that gains turns); PDN_ERR_GRID_TOO_COARSE (of the initial solution);
-///     PDN_ERR_CALLBACK (of a signal); PDN_ERR_MEMORY
+/// @param out  the solution, also if it has not converged; free it with ::pdn_solution_free;
+///     written on success only
+/// @return PDN_OK; PDN_ERR_NULL; PDN_ERR_NOT_FINITE; PDN_ERR_SIZE (even number of grid points, a
+///     start of arrays without their number); PDN_ERR_VALUE; PDN_ERR_STRUCT_SIZE; PDN_ERR_MODEL (no
+///     node, a beam too distorted); PDN_ERR_NOT_PERIODIC (a prescribed motion or load that does not
+///     repeat, a spring on an angle that gains turns); PDN_ERR_GRID_TOO_COARSE (of the initial
+///     solution); PDN_ERR_CALLBACK (of a signal); PDN_ERR_MEMORY
 ///
-/// Threads: like a `const` use of `model` and of `options.initial`. Signals' functions and `progress` are
-/// called on this thread.
+/// Threads: like a `const` use of `model` and of `options.initial`. Signals' functions and
+/// `progress` are called on this thread.
 /// @since 0.1
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn pdn_solve_periodic(

@@ -11,9 +11,10 @@ use std::mem::offset_of;
 
 /// Cross-section of a beam, per unit of length.
 ///
-/// The matrices are 6 x 6, column-major, symmetric (damping need not be), and resolved in the axes of the section: axis 1 is
-/// along the beam. Rows and columns are in the order force 1, 2, 3, moment 1, 2, 3, which is axial,
-/// shear 2, shear 3, torsion, bending about axis 2, bending about axis 3. Any consistent set of units.
+/// The matrices are 6 x 6, column-major, symmetric (damping need not be), and resolved in the axes
+/// of the section: axis 1 is along the beam. Rows and columns are in the order force 1, 2, 3,
+/// moment 1, 2, 3, which is axial, shear 2, shear 3, torsion, bending about axis 2, bending about
+/// axis 3. Any consistent set of units.
 ///
 /// Start with `PDN_INIT(pdn_section, &section)`; then ::pdn_section_set_diagonal, or write the
 /// matrices yourself. A section without stiffness is refused where it is used.
@@ -26,9 +27,9 @@ pub struct pdn_section {
     pub stiffness: [f64; 36],
     /// Momenta for unit velocities; positive semi-definite.
     pub mass: [f64; 36],
-    /// Forces and moments for unit rates of strain and curvature. It may be unsymmetric, as a diagonal matrix of times
-    /// times the stiffness is for coupled sections; its symmetric part is positive semi-definite, so that no motion gains
-    /// energy.
+    /// Forces and moments for unit rates of strain and curvature. It may be unsymmetric, as a
+    /// diagonal matrix of times times the stiffness is for coupled sections; its symmetric part is
+    /// positive semi-definite, so that no motion gains energy.
     pub damping: [f64; 36],
 }
 
@@ -79,7 +80,8 @@ pub(super) fn read_array(
     Ok(sections.iter().map(pdn_section::input).collect())
 }
 
-/// An array of at least one struct: those of a caller compiled with another release have another size.
+/// An array of at least one struct: those of a caller compiled with another release have another
+/// size.
 pub(super) fn read_structs<T: Options>(
     call: &Call,
     first: *const T,
@@ -145,8 +147,8 @@ pub unsafe extern "C" fn pdn_section_init(section: *mut pdn_section, struct_size
     init_struct(section, struct_size, "section");
 }
 
-/// Describes a section without couplings: centroid, shear centre and centre of mass lie on the beam's
-/// line, and axes 2 and 3 are principal.
+/// Describes a section without couplings: centroid, shear centre and centre of mass lie on the
+/// beam's line, and axes 2 and 3 are principal.
 ///
 /// Sets stiffness and mass, and takes the damping away: give that afterwards.
 ///
@@ -175,15 +177,15 @@ pub unsafe extern "C" fn pdn_section_set_diagonal(
     })
 }
 
-/// Gives a section damping with one time for each force and moment: damping = diag(seconds) * stiffness, which must have
-/// been set.
+/// Gives a section damping with one time for each force and moment: damping = diag(seconds) *
+/// stiffness, which must have been set.
 ///
-/// For coupled sections that is no symmetric matrix. It is taken if no motion gains energy by it: if its symmetric part is
-/// positive semi-definite.
+/// For coupled sections that is no symmetric matrix. It is taken if no motion gains energy by it:
+/// if its symmetric part is positive semi-definite.
 ///
 /// @param section  an initialised section with stiffness; not NULL
-/// @param seconds  array of length 6: times of axial force, shear 2, shear 3, torsion, bending 2, bending 3; none
-///     negative [time]
+/// @param seconds  array of length 6: times of axial force, shear 2, shear 3, torsion, bending 2,
+///     bending 3; none negative [time]
 /// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_STRUCT_SIZE, PDN_ERR_NOT_FINITE, PDN_ERR_VALUE
 ///
 /// Threads: exclusive use of `section`.

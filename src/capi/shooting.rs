@@ -12,7 +12,7 @@ use crate::error::{Error, Result};
 use crate::model::Model;
 use crate::output::Solution;
 use crate::solve::{MarchStart, NewtonOptions, ShootingOptions};
-use std::ffi::c_void;
+use libc::c_void;
 
 /// Options of ::pdn_solve_shooting. Set the defaults by `PDN_INIT(pdn_shooting_options, &options)`.
 #[repr(C)]
@@ -24,19 +24,21 @@ pub struct pdn_shooting_options {
     pub steps_per_period: usize,
     /// Periods marched for the first guess. Default 1.
     pub guess_periods: usize,
-    /// Spectral radius at infinite frequency, from 0 to less than 1, as in ::pdn_march_options. Default 0.5.
+    /// Spectral radius at infinite frequency, from 0 to less than 1, as in ::pdn_march_options.
+    /// Default 0.5.
     pub spectral_radius: f64,
-    /// Converged when the largest increment of a motion or velocity at the start (lengths relative to the
-    /// size of the mechanism, angles in radians, velocities in the time T / (2 pi)) is below this.
-    /// Default 1e-8.
+    /// Converged when the largest increment of a motion or velocity at the start (lengths relative
+    /// to the size of the mechanism, angles in radians, velocities in the time T / (2 pi)) is below
+    /// this. Default 1e-8.
     pub tolerance: f64,
     /// Most Newton iterations. Default 30.
     pub iteration_limit: usize,
-    /// Start the march from this solution of a model with the same nodes and joints, at its time 0 or, of a
-    /// march, at its first time; NULL for the reference configuration at rest. Default NULL.
+    /// Start the march from this solution of a model with the same nodes and joints, at its time 0
+    /// or, of a march, at its first time; NULL for the reference configuration at rest. Default
+    /// NULL.
     pub initial: *const pdn_solution,
-    /// Told of each period of the guess and of each iteration, and about ten times a second while one lasts; may cancel.
-    /// Default NULL.
+    /// Told of each period of the guess and of each iteration, and about ten times a second while
+    /// one lasts; may cancel. Default NULL.
     pub progress: pdn_progress_fn,
     /// Handed to progress.
     pub progress_data: *mut c_void,
@@ -77,28 +79,30 @@ pub unsafe extern "C" fn pdn_shooting_options_init(
     options::init(options, struct_size);
 }
 
-/// Finds the periodic response of a model by shooting: Newton's method on the period map of ::pdn_march.
+/// Finds the periodic response of a model by shooting: Newton's method on the period map of
+/// ::pdn_march.
 ///
-/// What is found is the periodic motion of the marching scheme, of second order in its step; the derivative of
-/// the map is exact. It needs time and memory that grow with the square of the number of nodes; it is there
-/// to compare with, and for the Floquet multipliers, which tell whether the motion is stable.
+/// What is found is the periodic motion of the marching scheme, of second order in its step; the
+/// derivative of the map is exact. It needs time and memory that grow with the square of the number
+/// of nodes; it is there to compare with, and for the Floquet multipliers, which tell whether the
+/// motion is stable.
 ///
 /// The solution is a trajectory over one period, from 0 to T. Not converging is no error:
-/// ::pdn_solution_outcome tells. A motion that may be shifted in time or space, as without a drive or without
-/// damping, is PDN_SINGULAR.
+/// ::pdn_solution_outcome tells. A motion that may be shifted in time or space, as without a drive
+/// or without damping, is PDN_SINGULAR.
 ///
 /// @param model  the model; it is copied, so that later changes do not touch the solution
 /// @param period  T, the period of the response; harmonics of signals are those of this period
 /// @param options  may be NULL for the defaults
-/// @param out  the solution, also if it has not converged; free it with ::pdn_solution_free; written on
-///     success only
-/// @return PDN_OK; PDN_ERR_NULL; PDN_ERR_NOT_FINITE; PDN_ERR_VALUE; PDN_ERR_STRUCT_SIZE; PDN_ERR_MODEL (no
-///     node, a beam too distorted); PDN_ERR_NOT_PERIODIC (a prescribed motion or load that does not repeat);
-///     PDN_ERR_GRID_TOO_COARSE (of the initial solution); PDN_ERR_CALLBACK (of a signal or force);
-///     PDN_ERR_MEMORY
+/// @param out  the solution, also if it has not converged; free it with ::pdn_solution_free;
+///     written on success only
+/// @return PDN_OK; PDN_ERR_NULL; PDN_ERR_NOT_FINITE; PDN_ERR_VALUE; PDN_ERR_STRUCT_SIZE;
+///     PDN_ERR_MODEL (no node, a beam too distorted); PDN_ERR_NOT_PERIODIC (a prescribed motion or
+///     load that does not repeat); PDN_ERR_GRID_TOO_COARSE (of the initial solution);
+///     PDN_ERR_CALLBACK (of a signal or force); PDN_ERR_MEMORY
 ///
-/// Threads: like a `const` use of `model` and of `options.initial`. Signals' functions and `progress` are
-/// called on this thread.
+/// Threads: like a `const` use of `model` and of `options.initial`. Signals' functions and
+/// `progress` are called on this thread.
 /// @since 0.1
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn pdn_solve_shooting(
@@ -151,8 +155,8 @@ fn read_shooting_options(
     })
 }
 
-/// Number of Floquet multipliers of a solution: as many as the system has states, if ::pdn_solve_shooting found
-/// them.
+/// Number of Floquet multipliers of a solution: as many as the system has states, if
+/// ::pdn_solve_shooting found them.
 ///
 /// @param solution  a solution of ::pdn_solve_shooting or ::pdn_march; not NULL
 /// @param out  the number; zero of a march; written on success only
@@ -174,16 +178,18 @@ pub unsafe extern "C" fn pdn_solution_floquet_count(
     })
 }
 
-/// Floquet multipliers: what disturbances of the motion are multiplied by in a period, the largest first.
+/// Floquet multipliers: what disturbances of the motion are multiplied by in a period, the largest
+/// first.
 ///
-/// The motion is stable if all are smaller than 1 in magnitude. They are those of the marching scheme, with
-/// its error and its numerical damping.
+/// The motion is stable if all are smaller than 1 in magnitude. They are those of the marching
+/// scheme, with its error and its numerical damping.
 ///
 /// @param solution  a solution of ::pdn_solve_shooting; not NULL
 /// @param real  array of length [count] for the real parts
 /// @param imaginary  array of length [count] for the imaginary parts
 /// @param count  their number, as ::pdn_solution_floquet_count tells
-/// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_SIZE, PDN_ERR_NOT_AVAILABLE (the solution is no trajectory)
+/// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_SIZE, PDN_ERR_NOT_AVAILABLE (the solution is no
+///     trajectory)
 ///
 /// Threads: like `const`.
 /// @since 0.1

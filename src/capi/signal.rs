@@ -8,7 +8,7 @@ use super::section::{init_struct, read_struct, read_structs, update_struct};
 use super::status::pdn_status;
 use crate::error::{Error, Result};
 use crate::model::Signal;
-use std::ffi::c_void;
+use libc::c_void;
 use std::mem::offset_of;
 use std::sync::Arc;
 
@@ -21,10 +21,9 @@ pub const PDN_SIGNAL_FUNCTION: i32 = 2;
 
 /// A function of time, to be written by the caller.
 ///
-/// Called on the thread that solves, with times from 0 to the period T of the solve, or with the times of a
-/// march; if two threads
-/// solve at once, on both at once. It must give the same value for the same time, and must neither
-/// throw nor jump out, nor use the model it belongs to.
+/// Called on the thread that solves, with times from 0 to the period T of the solve, or with the
+/// times of a march; if two threads solve at once, on both at once. It must give the same value for
+/// the same time, and must neither throw nor jump out, nor use the model it belongs to.
 ///
 /// @param time  in [0, T]
 /// @param value  where the value goes; not NULL, valid during the call only
@@ -39,11 +38,11 @@ type Function = unsafe extern "C" fn(f64, *mut f64, *mut c_void) -> i32;
 
 /// A scalar function of time: a load's component or a prescribed coordinate.
 ///
-/// Start with `PDN_INIT(pdn_signal, &signal)`, which makes it zero; then one of the `pdn_signal_set_...`,
-/// each of which replaces all that was set before. Leave the fields to them.
+/// Start with `PDN_INIT(pdn_signal, &signal)`, which makes it zero; then one of the
+/// `pdn_signal_set_...`, each of which replaces all that was set before. Leave the fields to them.
 ///
-/// The signal only points to the caller's arrays: they must be there until the signal has been given
-/// to the model, which copies them. It can be given any number of times.
+/// The signal only points to the caller's arrays: they must be there until the signal has been
+/// given to the model, which copies them. It can be given any number of times.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct pdn_signal {
@@ -143,7 +142,8 @@ impl pdn_signal {
                     // What the function leaves unwritten is found out.
                     let mut value = f64::NAN;
                     callback.invoke("signal", |function, user_data| {
-                        // SAFETY: the caller gave the function with its `user_data`; it writes one number.
+                        // SAFETY: the caller gave the function with its `user_data`; it writes one
+                        // number.
                         unsafe { function(time, &raw mut value, user_data) }
                     })?;
                     Ok(value)
@@ -204,10 +204,10 @@ pub unsafe extern "C" fn pdn_signal_set_constant(
 
 /// Makes a signal of harmonics, mean and rate.
 ///
-/// Its value is mean + rate t + the sum over j = 1 ... count of cosines[j-1] cos(j w t) + sines[j-1]
-/// sin(j w t), with w = 2 pi / T and the period T that is given to the solve. What drives a rotation may
-/// have a rate if it grows by whole turns in a period (rate * T a multiple of 2 pi); all else must have
-/// rate zero.
+/// Its value is mean + rate t + the sum over j = 1 ... count of cosines[j-1] cos(j w t) +
+/// sines[j-1] sin(j w t), with w = 2 pi / T and the period T that is given to the solve. What
+/// drives a rotation may have a rate if it grows by whole turns in a period (rate * T a multiple of
+/// 2 pi); all else must have rate zero.
 ///
 /// @param signal  an initialised signal; not NULL
 /// @param mean  mean, in the unit of what the signal drives
@@ -252,8 +252,8 @@ pub unsafe extern "C" fn pdn_signal_set_harmonics(
 ///
 /// @param signal  an initialised signal; not NULL
 /// @param rate  growth for a unit of time, as in ::pdn_signal_set_harmonics
-/// @param samples  array of length [count], without the growth, in the unit of what the signal drives;
-///     not NULL. Read by the call that takes the signal: must be there until then
+/// @param samples  array of length [count], without the growth, in the unit of what the signal
+///     drives; not NULL. Read by the call that takes the signal: must be there until then
 /// @param count  number of samples, at least 1, odd or even
 /// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_STRUCT_SIZE, PDN_ERR_SIZE, PDN_ERR_NOT_FINITE
 ///
@@ -290,8 +290,8 @@ pub unsafe extern "C" fn pdn_signal_set_samples(
 ///
 /// @param signal  an initialised signal; not NULL
 /// @param function  the function, see ::pdn_signal_fn for when it is called; not NULL
-/// @param user_data  handed to the function; may be NULL. Must be valid until each model that was given
-///     the signal, and each solution of it, has been freed
+/// @param user_data  handed to the function; may be NULL. Must be valid until each model that was
+///     given the signal, and each solution of it, has been freed
 /// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_STRUCT_SIZE
 ///
 /// Threads: exclusive use of `signal`.

@@ -16,13 +16,13 @@ use crate::collocation::DecayKind;
 use crate::error::{Error, ErrorKind, Result};
 use crate::output::{BeamQuantity, JointQuantity, NodeQuantity, ResolvedIn, Solution};
 use crate::solve::{Iteration, IterativeRecord, Outcome, Preconditioner};
-use std::ffi::c_char;
+use libc::c_char;
 
 /// A solution, converged or not. Made by ::pdn_solve_periodic, ::pdn_solve_static,
 /// ::pdn_march and ::pdn_modes_motion, freed by ::pdn_solution_free.
 ///
-/// That of a march is a trajectory: the same functions give its quantities at times from its first to its
-/// last (PDN_ERR_VALUE for any other), but it has no harmonics (PDN_ERR_NOT_AVAILABLE).
+/// That of a march is a trajectory: the same functions give its quantities at times from its first
+/// to its last (PDN_ERR_VALUE for any other), but it has no harmonics (PDN_ERR_NOT_AVAILABLE).
 pub struct pdn_solution {
     _private: [u8; 0],
 }
@@ -39,20 +39,21 @@ pub const PDN_SINGULAR: i32 = 3;
 pub const PDN_CANCELLED: i32 = 4;
 /// Outcome: no initial guess could be found.
 pub const PDN_NO_INITIAL_GUESS: i32 = 5;
-/// Constraints that depend on each other contradict each other: the mechanism is locked, or cannot close.
+/// Constraints that depend on each other contradict each other: the mechanism is locked, or cannot
+/// close.
 pub const PDN_INCONSISTENT: i32 = 6;
 /// Outcome: a joint has closed turned over, its axes against each other; the report names it.
 pub const PDN_WRONG_ASSEMBLY: i32 = 7;
-/// Outcome: converged on the last grid tried, but the estimated error misses the tolerance, as the report
-/// explains; quantities are as good as pdn_diagnostics.error_estimate says.
+/// Outcome: converged on the last grid tried, but the estimated error misses the tolerance, as the
+/// report explains; quantities are as good as pdn_diagnostics.error_estimate says.
 pub const PDN_TOLERANCE_NOT_MET: i32 = 8;
 
 /// Decay of harmonics: not known, as there are too few or the solve has not converged.
 pub const PDN_DECAY_UNKNOWN: i32 = 0;
 /// Decay of harmonics: fast, as of a smooth response that the grid resolves.
 pub const PDN_DECAY_FAST: i32 = 1;
-/// Decay of harmonics: no faster than the fourth power of their number. The response has a kink, or a peak
-/// too narrow for the grid; forces may oscillate about their values.
+/// Decay of harmonics: no faster than the fourth power of their number. The response has a kink, or
+/// a peak too narrow for the grid; forces may oscillate about their values.
 pub const PDN_DECAY_SLOW: i32 = 2;
 /// Decay of harmonics: they have fallen to rounding; a finer grid gains nothing.
 pub const PDN_DECAY_ROUNDING: i32 = 3;
@@ -96,8 +97,8 @@ pub const PDN_BEAM_STRAIN: i32 = 0;
 pub const PDN_BEAM_FORCE: i32 = 1;
 /// Quantity of a beam: internal forces, at a node between two elements the mean of those of both.
 pub const PDN_BEAM_FORCE_MEAN: i32 = 2;
-/// Quantity of a beam: at a node between two elements, internal forces of the one beyond it less those of the one before
-/// it; zero elsewhere.
+/// Quantity of a beam: at a node between two elements, internal forces of the one beyond it less
+/// those of the one before it; zero elsewhere.
 pub const PDN_BEAM_FORCE_JUMP: i32 = 3;
 
 /// Frees a solution; NULL does nothing.
@@ -136,11 +137,13 @@ pub(super) fn outcome_code(outcome: Outcome) -> i32 {
 
 /// How the solve ended.
 ///
-/// Unless it is PDN_CONVERGED or PDN_TOLERANCE_NOT_MET the solution's quantities are those of the last iterate.
+/// Unless it is PDN_CONVERGED or PDN_TOLERANCE_NOT_MET the solution's quantities are those of the
+/// last iterate.
 ///
 /// @param solution  the solution; not NULL
-/// @return PDN_CONVERGED, PDN_ITERATION_LIMIT, PDN_STALLED, PDN_SINGULAR, PDN_CANCELLED, PDN_NO_INITIAL_GUESS,
-///     PDN_INCONSISTENT, PDN_WRONG_ASSEMBLY or PDN_TOLERANCE_NOT_MET; negative, as a ::pdn_status, if the handle is not valid
+/// @return PDN_CONVERGED, PDN_ITERATION_LIMIT, PDN_STALLED, PDN_SINGULAR, PDN_CANCELLED,
+///     PDN_NO_INITIAL_GUESS, PDN_INCONSISTENT, PDN_WRONG_ASSEMBLY or PDN_TOLERANCE_NOT_MET;
+///     negative, as a ::pdn_status, if the handle is not valid
 ///
 /// Threads: like `const`.
 /// @since 0.1
@@ -157,10 +160,11 @@ pub unsafe extern "C" fn pdn_solution_outcome(solution: *const pdn_solution) -> 
 /// A readable report: outcome and why, iterations, error estimates, time spent.
 ///
 /// @param solution  the solution; not NULL
-/// @param buffer  array of length [capacity] for the text, UTF-8, always ended by NUL; may be NULL if
-///     capacity is 0
+/// @param buffer  array of length [capacity] for the text, UTF-8, always ended by NUL; may be NULL
+///     if capacity is 0
 /// @param capacity  size of buffer in bytes
-/// @return length of the whole report without the NUL, as snprintf does; 0 if the handle is not valid
+/// @return length of the whole report without the NUL, as snprintf does; 0 if the handle is not
+///     valid
 ///
 /// Threads: like `const`.
 /// @since 0.1
@@ -189,7 +193,8 @@ pub struct pdn_diagnostics {
     pub iterations: i32,
     /// Newton iterations of the initial guess, each at a single instant.
     pub guess_iterations: i32,
-    /// Constraints that depend on others, and are tolerated: the reactions given are those of least norm.
+    /// Constraints that depend on others, and are tolerated: the reactions given are those of least
+    /// norm.
     pub redundant_constraints: i32,
     /// Number of grid points; of a march the number of times kept.
     pub grid_points: usize,
@@ -197,10 +202,11 @@ pub struct pdn_diagnostics {
     pub unknowns: usize,
     /// Largest increment of the last iteration, as ::pdn_progress.
     pub last_increment: f64,
-    /// Estimated error of the motions at all times: lengths relative to the size of the mechanism, angles in
-    /// radians; infinite if it cannot be had. From the decay of their harmonics, the violation of constraints
-    /// between grid points and, if several grids were tried, the difference between two of them.
-    /// Velocities and forces have larger errors: see force_residual_between.
+    /// Estimated error of the motions at all times: lengths relative to the size of the mechanism,
+    /// angles in radians; infinite if it cannot be had. From the decay of their harmonics, the
+    /// violation of constraints between grid points and, if several grids were tried, the
+    /// difference between two of them. Velocities and forces have larger errors: see
+    /// force_residual_between.
     pub error_estimate: f64,
     /// Largest residual force between grid points, relative to the largest force that any
     /// element exerts; infinite if the motion cannot be interpolated. Large values mean aliasing.
@@ -208,9 +214,11 @@ pub struct pdn_diagnostics {
     /// Largest violation of a constraint between grid points: lengths relative to the size of
     /// the mechanism, angles in radians; infinite if the motion cannot be interpolated.
     pub constraint_residual_between: f64,
-    /// Seconds spent on the initial guess: quasi-static motions, marches, and what is carried from grid to grid.
+    /// Seconds spent on the initial guess: quasi-static motions, marches, and what is carried from
+    /// grid to grid.
     pub guess_seconds: f64,
-    /// Seconds spent on elements and assembly, on all grids and in all attempts, as all that follows.
+    /// Seconds spent on elements and assembly, on all grids and in all attempts, as all that
+    /// follows.
     pub assembly_seconds: f64,
     /// Seconds spent on symbolic analysis.
     pub analysis_seconds: f64,
@@ -222,12 +230,15 @@ pub struct pdn_diagnostics {
     pub decay: i32,
     /// Number of grids that an adaptive solve tried; 0 if their number of points was given.
     pub grids: i32,
-    /// Exponent p of that fall, if harmonic j is as j^-p: 2 where velocities jump, 3 where accelerations do;
-    /// of a smooth response ever larger with more grid points. 0 if it is not known.
+    /// Exponent p of that fall, if harmonic j is as j^-p: 2 where velocities jump, 3 where
+    /// accelerations do; of a smooth response ever larger with more grid points. 0 if it is not
+    /// known.
     pub decay_order: f64,
-    /// Time at which the upper half of the harmonics adds up to most: where a kink or narrow peak is.
+    /// Time at which the upper half of the harmonics adds up to most: where a kink or narrow peak
+    /// is.
     pub least_resolved_time: f64,
-    /// How the linear equations of the last grid were solved: PDN_LINEAR_DIRECT, PDN_LINEAR_BODY_CIRCULANT, ...
+    /// How the linear equations of the last grid were solved: PDN_LINEAR_DIRECT,
+    /// PDN_LINEAR_BODY_CIRCULANT, ...
     pub linear_solver: i32,
     /// Products with the Jacobian that iteration took, in all linear solves on that grid.
     pub linear_iterations: i32,
@@ -249,9 +260,9 @@ pub struct pdn_diagnostics {
     pub total_iterations: i32,
     /// Attempts, each from another start, as the report lists them; 0 where the start was given.
     pub attempts: i32,
-    /// Estimated error of the motions of nodes by the mesh of beams, measured as error_estimate, which says nothing of the
-    /// mesh: what elements of a higher degree would make of them. 0 without beams; infinite unless asked for, of a march, of modes, and where it cannot be
-    /// had.
+    /// Estimated error of the motions of nodes by the mesh of beams, measured as error_estimate,
+    /// which says nothing of the mesh: what elements of a higher degree would make of them. 0
+    /// without beams; infinite unless asked for, of a march, of modes, and where it cannot be had.
     pub mesh_error: f64,
 }
 
@@ -383,7 +394,8 @@ pub unsafe extern "C" fn pdn_solution_diagnostics(
 /// History of the Newton iterations of the periodic problem.
 ///
 /// @param solution  the solution; not NULL
-/// @param residuals  array of length [count] for the largest residual before each iteration; may be NULL
+/// @param residuals  array of length [count] for the largest residual before each iteration; may be
+///     NULL
 /// @param increments  array of length [count] for the largest increment of each; may be NULL
 /// @param steps  array of length [count] for the fraction of the increment taken; may be NULL
 /// @param count  number of iterations, as pdn_diagnostics.iterations tells
@@ -425,8 +437,8 @@ pub unsafe extern "C" fn pdn_solution_history(
     })
 }
 
-/// Decay of the harmonics: largest amplitude of each over all nodes, of positions relative to the size of
-/// the mechanism and of entries of rotation matrices.
+/// Decay of the harmonics: largest amplitude of each over all nodes, of positions relative to the
+/// size of the mechanism and of entries of rotation matrices.
 ///
 /// @param solution  the solution; not NULL
 /// @param amplitudes  array of length [count], harmonics 0, 1, ..., (N - 1) / 2
@@ -540,7 +552,8 @@ fn node_sampled(
 /// @param node  id of the node
 /// @param times  array of length [count]: times, also outside the first period
 /// @param count  number of times
-/// @param out  array of shape 3 x [count], coordinates of each time together, inertial frame \[length\]
+/// @param out  array of shape 3 x [count], coordinates of each time together, inertial frame
+///     \[length\]
 /// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_ID, PDN_ERR_GRID_TOO_COARSE,
 ///     PDN_ERR_OVERFLOW
 ///
@@ -571,8 +584,8 @@ pub unsafe extern "C" fn pdn_solution_node_position(
 /// @param node  id of the node
 /// @param times  array of length [count]: times, also outside the first period
 /// @param count  number of times
-/// @param out  array of shape 9 x [count]: of each time the three columns, which are the node's axes in
-///     the inertial frame
+/// @param out  array of shape 9 x [count]: of each time the three columns, which are the node's
+///     axes in the inertial frame
 /// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_ID, PDN_ERR_GRID_TOO_COARSE,
 ///     PDN_ERR_OVERFLOW
 ///
@@ -603,8 +616,9 @@ pub unsafe extern "C" fn pdn_solution_node_rotation(
 /// @param node  id of the node
 /// @param times  array of length [count]: times, also outside the first period
 /// @param count  number of times
-/// @param out  array of shape 4 x [count]: (w, x, y, z) of each time, from the inertial to the node's frame;
-///     w is not negative at the first time, and the sign is continuous from one time to the next
+/// @param out  array of shape 4 x [count]: (w, x, y, z) of each time, from the inertial to the
+///     node's frame; w is not negative at the first time, and the sign is continuous from one time
+///     to the next
 /// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_ID, PDN_ERR_GRID_TOO_COARSE,
 ///     PDN_ERR_OVERFLOW
 ///
@@ -645,8 +659,8 @@ fn in_frame(frame: i32, space: NodeQuantity, material: NodeQuantity) -> Result<N
 ///
 /// @param solution  the solution; not NULL
 /// @param node  id of the node
-/// @param frame  PDN_FRAME_SPACE: velocity of the node and angular velocity along the inertial axes;
-///     PDN_FRAME_MATERIAL: along the node's own
+/// @param frame  PDN_FRAME_SPACE: velocity of the node and angular velocity along the inertial
+///     axes; PDN_FRAME_MATERIAL: along the node's own
 /// @param times  array of length [count]: times, also outside the first period
 /// @param count  number of times
 /// @param out  array of shape 6 x [count]: linear, then angular velocity of each time
@@ -677,8 +691,8 @@ pub unsafe extern "C" fn pdn_solution_node_velocity(
 ///
 /// @param solution  the solution; not NULL
 /// @param node  id of the node
-/// @param frame  PDN_FRAME_SPACE: acceleration of the node and angular acceleration along the inertial
-///     axes; PDN_FRAME_MATERIAL: time derivative of the velocity along the node's own axes
+/// @param frame  PDN_FRAME_SPACE: acceleration of the node and angular acceleration along the
+///     inertial axes; PDN_FRAME_MATERIAL: time derivative of the velocity along the node's own axes
 /// @param times  array of length [count]: times, also outside the first period
 /// @param count  number of times
 /// @param out  array of shape 6 x [count]: linear, then angular acceleration of each time
@@ -784,7 +798,8 @@ fn joint_sampled(
     sampled(solution, times, count, out, sample, components)
 }
 
-/// Joint coordinate at any times: a displacement, or an angle, followed continuously through whole turns.
+/// Joint coordinate at any times: a displacement, or an angle, followed continuously through whole
+/// turns.
 ///
 /// @param solution  the solution; not NULL
 /// @param joint  id of the joint
@@ -891,8 +906,8 @@ pub unsafe extern "C" fn pdn_solution_joint_acceleration(
 
 /// Force or torque that drives a prescribed coordinate, at any times.
 ///
-/// It acts on the second body, and its reaction on the first; positive where it does work on a growing
-/// coordinate. Interpolated from the multipliers at the grid points.
+/// It acts on the second body, and its reaction on the first; positive where it does work on a
+/// growing coordinate. Interpolated from the multipliers at the grid points.
 ///
 /// @param solution  the solution; not NULL
 /// @param joint  id of the joint
@@ -929,8 +944,8 @@ pub unsafe extern "C" fn pdn_solution_joint_driving_effort(
 
 /// Reaction of a joint at any times: what its constraints exert on the second body.
 ///
-/// Force, and moment about the origin of the joint frame on the second body. Springs, dampers and the
-/// drives of prescribed coordinates are not part of it.
+/// Force, and moment about the origin of the joint frame on the second body. Springs, dampers and
+/// the drives of prescribed coordinates are not part of it.
 ///
 /// @param solution  the solution; not NULL
 /// @param joint  id of the joint
@@ -966,9 +981,9 @@ pub unsafe extern "C" fn pdn_solution_joint_reaction(
 
 /// Strains of a beam element at a station and any times.
 ///
-/// Per unit of reference length, along the section's axes: axial and two shear strains, twist and two
-/// curvatures. Along the element they are the polynomial through those at its Gauss points; in time they are interpolated
-/// from their values at the grid points.
+/// Per unit of reference length, along the section's axes: axial and two shear strains, twist and
+/// two curvatures. Along the element they are the polynomial through those at its Gauss points; in
+/// time they are interpolated from their values at the grid points.
 ///
 /// @param solution  the solution; not NULL
 /// @param element  id of the beam element
@@ -1003,10 +1018,11 @@ pub unsafe extern "C" fn pdn_solution_beam_strain(
 
 /// Internal forces of a beam element at a station and any times.
 ///
-/// Along the section's axes: axial force and two shear forces, torque and two bending moments, exerted by
-/// the part beyond the station. They are the polynomial through those at the element's Gauss points (one fewer than
-/// nodes), where they are most accurate. At its ends, as all along, errors fall with the power n - 1 of the element's
-/// length, for n nodes. At a node, each of two elements has its own: their difference tells how fine the mesh is.
+/// Along the section's axes: axial force and two shear forces, torque and two bending moments,
+/// exerted by the part beyond the station. They are the polynomial through those at the element's
+/// Gauss points (one fewer than nodes), where they are most accurate. At its ends, as all along,
+/// errors fall with the power n - 1 of the element's length, for n nodes. At a node, each of two
+/// elements has its own: their difference tells how fine the mesh is.
 ///
 /// @param solution  the solution; not NULL
 /// @param element  id of the beam element
@@ -1039,12 +1055,14 @@ pub unsafe extern "C" fn pdn_solution_beam_force(
     sampled(solution, times, count, out, sample, 6)
 }
 
-/// Internal forces of a beam at a node between two of its elements: the mean of those of both, and how much they jump.
+/// Internal forces of a beam at a node between two of its elements: the mean of those of both, and
+/// how much they jump.
 ///
-/// At any other station they are those of ::pdn_solution_beam_force, and do not jump. Two elements have a node between them
-/// if one ends and the other starts there, and nothing else is at the node: no other element, no body, joint, load or
-/// force, whose own jump a mean would hide. Errors of the mean fall, between elements of an odd degree and equal length, with
-/// a power of their length that is higher by one.
+/// At any other station they are those of ::pdn_solution_beam_force, and do not jump. Two elements
+/// have a node between them if one ends and the other starts there, and nothing else is at the
+/// node: no other element, no body, joint, load or force, whose own jump a mean would hide. Errors
+/// of the mean fall, between elements of an odd degree and equal length, with a power of their
+/// length that is higher by one.
 ///
 /// @param solution  the solution; not NULL
 /// @param element  id of the beam element
@@ -1052,7 +1070,8 @@ pub unsafe extern "C" fn pdn_solution_beam_force(
 /// @param times  array of length [count]: times, also outside the first period
 /// @param count  number of times
 /// @param mean  array of shape 6 x [count]; may be NULL
-/// @param jump  array of shape 6 x [count]: of the element beyond the node less those of the one before it; may be NULL
+/// @param jump  array of shape 6 x [count]: of the element beyond the node less those of the one
+///     before it; may be NULL
 /// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_ID, PDN_ERR_VALUE,
 ///     PDN_ERR_OVERFLOW
 ///
@@ -1159,7 +1178,8 @@ pub(super) fn harmonics_of(
 /// @param quantity  PDN_NODE_POSITION, ...; it has C components
 /// @param harmonics  number of harmonics wanted; those above (N - 1) / 2 are zero
 /// @param mean  array of length C; may be NULL
-/// @param cosines  array of shape C x [harmonics], components of each harmonic together; may be NULL
+/// @param cosines  array of shape C x [harmonics], components of each harmonic together; may be
+///     NULL
 /// @param sines  as cosines; may be NULL
 /// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_SIZE, PDN_ERR_ID, PDN_ERR_VALUE,
 ///     PDN_ERR_NOT_AVAILABLE (the quaternion of a node that makes an odd number of turns),
@@ -1190,16 +1210,20 @@ pub unsafe extern "C" fn pdn_solution_node_harmonics(
     })
 }
 
-/// Fourier coefficients of a joint's quantity: mean + rate t + sum of cosines[j] cos jwt + sines[j] sin jwt.
+/// Fourier coefficients of a joint's quantity: mean + rate t + sum of cosines[j] cos jwt + sines[j]
+/// sin jwt.
 ///
 /// @param solution  the solution; not NULL
 /// @param joint  id of the joint
 /// @param quantity  PDN_JOINT_COORDINATE, ...; it has C components
-/// @param detail  the coordinate (PDN_DISPLACEMENT, ...) or, for PDN_JOINT_REACTION, the axes (PDN_AXES_SPACE, ...)
+/// @param detail  the coordinate (PDN_DISPLACEMENT, ...) or, for PDN_JOINT_REACTION, the axes
+///     (PDN_AXES_SPACE, ...)
 /// @param harmonics  number of harmonics wanted; those above (N - 1) / 2 are zero
 /// @param mean  array of length C; may be NULL
-/// @param rate  array of length C: growth per unit of time, of an angle that gains turns; may be NULL
-/// @param cosines  array of shape C x [harmonics], components of each harmonic together; may be NULL
+/// @param rate  array of length C: growth per unit of time, of an angle that gains turns; may be
+///     NULL
+/// @param cosines  array of shape C x [harmonics], components of each harmonic together; may be
+///     NULL
 /// @param sines  as cosines; may be NULL
 /// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_SIZE, PDN_ERR_ID, PDN_ERR_VALUE, PDN_ERR_NOT_AVAILABLE,
 ///     PDN_ERR_OVERFLOW
@@ -1242,7 +1266,8 @@ pub unsafe extern "C" fn pdn_solution_joint_harmonics(
 /// @param quantity  PDN_BEAM_STRAIN, PDN_BEAM_FORCE, PDN_BEAM_FORCE_MEAN or PDN_BEAM_FORCE_JUMP
 /// @param harmonics  number of harmonics wanted; those above (N - 1) / 2 are zero
 /// @param mean  array of length 6; may be NULL
-/// @param cosines  array of shape 6 x [harmonics], components of each harmonic together; may be NULL
+/// @param cosines  array of shape 6 x [harmonics], components of each harmonic together; may be
+///     NULL
 /// @param sines  as cosines; may be NULL
 /// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_SIZE, PDN_ERR_ID, PDN_ERR_VALUE,
 ///     PDN_ERR_OVERFLOW

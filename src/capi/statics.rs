@@ -13,8 +13,8 @@ use crate::model::Model;
 use crate::output::Solution;
 use crate::solve::{InitialGuess, NewtonOptions, StaticOptions};
 use crate::system::Standstill;
+use libc::c_void;
 use nalgebra::Vector3;
-use std::ffi::c_void;
 
 /// Options of ::pdn_solve_static. Set the defaults by `PDN_INIT(pdn_static_options, &options)`.
 #[repr(C)]
@@ -24,8 +24,8 @@ pub struct pdn_static_options {
     pub struct_size: usize,
     /// Loads and prescribed motions have their values at this time. Default 0.
     pub time: f64,
-    /// Period that harmonics and samples of signals refer to; 0 if not given, as at time 0, where it
-    /// does not matter. Default 0.
+    /// Period that harmonics and samples of signals refer to; 0 if not given, as at time 0, where
+    /// it does not matter. Default 0.
     pub period: f64,
     /// Load steps taken at least, from the unloaded reference configuration; a step that does not
     /// converge is halved. More than one keeps to the branch that grows from the reference
@@ -40,10 +40,11 @@ pub struct pdn_static_options {
     pub angular_velocity: [f64; 3],
     /// A point of the axis it turns about \[length\]. Default 0.
     pub axis_point: [f64; 3],
-    /// Start from this solution, at `time`, of a model with the same nodes and joints; NULL to start
-    /// from the reference configuration. Default NULL.
+    /// Start from this solution, at `time`, of a model with the same nodes and joints; NULL to
+    /// start from the reference configuration. Default NULL.
     pub initial: *const pdn_solution,
-    /// Told of each iteration, and about ten times a second while one lasts; may cancel. Default NULL.
+    /// Told of each iteration, and about ten times a second while one lasts; may cancel. Default
+    /// NULL.
     pub progress: pdn_progress_fn,
     /// Handed to progress.
     pub progress_data: *mut c_void,
@@ -88,32 +89,34 @@ pub unsafe extern "C" fn pdn_static_options_init(
 
 /// Finds an equilibrium at one time: of forces at rest, or in steady rotation.
 ///
-/// Newton's method with the exact tangent, after load steps from the unloaded reference configuration.
-/// Where these lead nowhere, as for a pendulum that is not in a position of equilibrium yet, the masses
-/// creep downhill. Not converging is no error: PDN_OK says that the solve was carried out,
-/// ::pdn_solution_outcome how it ended, ::pdn_solution_report why. A position that nothing
-/// determines, such as that of a free body, is PDN_SINGULAR.
+/// Newton's method with the exact tangent, after load steps from the unloaded reference
+/// configuration. Where these lead nowhere, as for a pendulum that is not in a position of
+/// equilibrium yet, the masses creep downhill. Not converging is no error: PDN_OK says that the
+/// solve was carried out, ::pdn_solution_outcome how it ended, ::pdn_solution_report why. A
+/// position that nothing determines, such as that of a free body, is PDN_SINGULAR.
 ///
 /// The solution has a grid of one point and the same values at any time.
 ///
 /// With options.angular_velocity everything turns steadily, the ground too: the solution is the
-/// equilibrium in the turning frame, under centrifugal and gyroscopic forces. Positions and directions
-/// are those in that frame, at a moment at which its axes are the inertial ones; velocities and
-/// accelerations of nodes are those in the inertial frame, in forces of yours on nodes, too; rates of joints, and
-/// dampers, know the motion in the frame only. Loads with PDN_FRAME_SPACE keep their directions in the turning frame, as the
-/// ground does. Gravity must be along the axis.
+/// equilibrium in the turning frame, under centrifugal and gyroscopic forces. Positions and
+/// directions are those in that frame, at a moment at which its axes are the inertial ones;
+/// velocities and accelerations of nodes are those in the inertial frame, in forces of yours on
+/// nodes, too; rates of joints, and dampers, know the motion in the frame only. Loads with
+/// PDN_FRAME_SPACE keep their directions in the turning frame, as the ground does. Gravity must be
+/// along the axis.
 ///
 /// @param model  the model; it is copied, so that later changes do not touch the solution
 /// @param options  may be NULL for the defaults
-/// @param out  the solution, also if it has not converged; free it with ::pdn_solution_free; written
-///     on success only
-/// @return PDN_OK; PDN_ERR_NULL; PDN_ERR_NOT_FINITE; PDN_ERR_VALUE (no load step, a period that is needed but
-///     not given, an initial solution of another model); PDN_ERR_STRUCT_SIZE; PDN_ERR_MODEL (no node, a
-///     beam too distorted); PDN_ERR_NOT_PERIODIC (gravity across the axis of rotation);
-///     PDN_ERR_GRID_TOO_COARSE (of the initial solution); PDN_ERR_CALLBACK (of a signal); PDN_ERR_MEMORY
+/// @param out  the solution, also if it has not converged; free it with ::pdn_solution_free;
+///     written on success only
+/// @return PDN_OK; PDN_ERR_NULL; PDN_ERR_NOT_FINITE; PDN_ERR_VALUE (no load step, a period that is
+///     needed but not given, an initial solution of another model); PDN_ERR_STRUCT_SIZE;
+///     PDN_ERR_MODEL (no node, a beam too distorted); PDN_ERR_NOT_PERIODIC (gravity across the axis
+///     of rotation); PDN_ERR_GRID_TOO_COARSE (of the initial solution); PDN_ERR_CALLBACK (of a
+///     signal); PDN_ERR_MEMORY
 ///
-/// Threads: like a `const` use of `model` and of `options.initial`. Signals' functions and `progress` are
-/// called on this thread.
+/// Threads: like a `const` use of `model` and of `options.initial`. Signals' functions and
+/// `progress` are called on this thread.
 /// @since 0.1
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn pdn_solve_static(

@@ -1,7 +1,9 @@
-//! Status codes. [`ErrorKind`] is the table; the constants repeat it because cbindgen reads literals only.
+//! Status codes. [`ErrorKind`] is the table; the constants repeat it because cbindgen reads
+//! literals only.
 
 use crate::error::ErrorKind;
-use std::ffi::{CString, c_char};
+use libc::c_char;
+use std::ffi::CString;
 use std::sync::OnceLock;
 
 /// What a call returns: PDN_OK, or the negative code of a failure.

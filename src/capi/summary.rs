@@ -7,7 +7,7 @@ use super::options::Options;
 use super::section::init_struct;
 use super::status::pdn_status;
 use crate::system::Summary;
-use std::ffi::c_char;
+use libc::c_char;
 
 /// Counts, mass and mobility of a model. Initialise with `PDN_INIT(pdn_summary, &summary)`.
 #[repr(C)]
@@ -31,12 +31,13 @@ pub struct pdn_summary {
     pub degrees_of_freedom: i32,
     /// Number of members: bodies, and connected beams, each taken as one rigid body.
     pub members: i32,
-    /// Degrees of freedom that were left if all members were rigid: 0 is a structure, or a mechanism
-    /// whose motion is prescribed; 6 more for each free body.
+    /// Degrees of freedom that were left if all members were rigid: 0 is a structure, or a
+    /// mechanism whose motion is prescribed; 6 more for each free body.
     pub mobility: i32,
     /// Constraints that would depend on others if all members were rigid.
     pub redundant_if_rigid: i32,
-    /// Number of parts that nothing connects to each other, neither directly nor through the ground.
+    /// Number of parts that nothing connects to each other, neither directly nor through the
+    /// ground.
     pub parts: i32,
     /// Number of warnings, which ::pdn_model_describe writes out.
     pub warnings: i32,
@@ -87,8 +88,8 @@ pub unsafe extern "C" fn pdn_summary_init(summary: *mut pdn_summary, struct_size
 ///
 /// @param model  the model
 /// @param out  initialised by PDN_INIT; filled on success only
-/// @return PDN_OK; PDN_ERR_NULL; PDN_ERR_STRUCT_SIZE; PDN_ERR_MODEL (no node, a beam too distorted);
-///     PDN_ERR_CALLBACK (of a signal)
+/// @return PDN_OK; PDN_ERR_NULL; PDN_ERR_STRUCT_SIZE; PDN_ERR_MODEL (no node, a beam too
+///     distorted); PDN_ERR_CALLBACK (of a signal)
 ///
 /// Threads: like `const`. Signals' functions are called on this thread.
 /// @since 0.1
@@ -123,16 +124,17 @@ pub unsafe extern "C" fn pdn_model_summary(
     })
 }
 
-/// The same in readable lines, with warnings: parts that nothing connects or holds, ends of beams without a joint,
-/// nodes without inertia, joints open in the reference configuration or far from all else, impossible moments of
-/// inertia, sizes, masses and stiffnesses that do not fit each other.
+/// The same in readable lines, with warnings: parts that nothing connects or holds, ends of beams
+/// without a joint, nodes without inertia, joints open in the reference configuration or far from
+/// all else, impossible moments of inertia, sizes, masses and stiffnesses that do not fit each
+/// other.
 ///
 /// @param model  the model; not NULL
-/// @param buffer  array of length [capacity] for the text, UTF-8, always ended by NUL; may be NULL if
-///     capacity is 0
+/// @param buffer  array of length [capacity] for the text, UTF-8, always ended by NUL; may be NULL
+///     if capacity is 0
 /// @param capacity  size of buffer in bytes
-/// @return length of the whole text without the NUL, as snprintf does; 0 if the handle is not valid or
-///     ::pdn_model_summary fails, see ::pdn_last_error
+/// @return length of the whole text without the NUL, as snprintf does; 0 if the handle is not valid
+///     or ::pdn_model_summary fails, see ::pdn_last_error
 ///
 /// Threads: like `const`. Signals' functions are called on this thread.
 /// @since 0.1

@@ -8,7 +8,7 @@ use super::last_error::pdn_last_error;
 use super::options::{self, Options};
 use super::status::*;
 use crate::error::{Error, Result};
-use std::ffi::{c_char, c_void};
+use libc::{c_char, c_void};
 use std::ptr::{null, null_mut};
 use std::sync::Arc;
 

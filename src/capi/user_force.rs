@@ -15,10 +15,11 @@ use crate::elements::{
 use crate::error::{Error, Result};
 use crate::model::Model;
 use crate::system::{TangentCheck, check_tangents};
-use std::ffi::c_void;
+use libc::c_void;
 use std::sync::Arc;
 
-/// Tangents of a user's function: it gives none, and the library finds them by differences of its forces.
+/// Tangents of a user's function: it gives none, and the library finds them by differences of its
+/// forces.
 pub const PDN_TANGENTS_DIFFERENCED: i32 = 0;
 /// Tangents of a user's function: it gives them.
 pub const PDN_TANGENTS_GIVEN: i32 = 1;
@@ -30,19 +31,20 @@ pub const PDN_TANGENT_VELOCITY: i32 = 1;
 
 /// A law of effort on a joint coordinate, to be written by the caller.
 ///
-/// Called on the thread that solves, with times in [0, T) of the period T of the solve; if two threads solve at
-/// once, on both at once. The same arguments must give the same values; over time the law must repeat with the
-/// period, and where its coordinate gains whole turns in a period, with these. Solves refuse what does not, with
-/// PDN_ERR_NOT_PERIODIC: for that they call it first a few times at one motion, at times in [0, 2 T). It must
-/// neither throw nor jump out, nor use the model it belongs to.
+/// Called on the thread that solves, with times in [0, T) of the period T of the solve; if two
+/// threads solve at once, on both at once. The same arguments must give the same values; over time
+/// the law must repeat with the period, and where its coordinate gains whole turns in a period,
+/// with these. Solves refuse what does not, with PDN_ERR_NOT_PERIODIC: for that they call it first
+/// a few times at one motion, at times in [0, 2 T). It must neither throw nor jump out, nor use the
+/// model it belongs to.
 ///
 /// @param time  in [0, T), but for these first calls
 /// @param coordinate  of the joint, an angle with its whole turns [length or radian]
 /// @param rate  its rate
-/// @param effort  where the effort goes that resists growth of the coordinate [force on a displacement,
-///     force * length on an angle]; not NULL
-/// @param derivatives  array of length 2: where the derivatives of the effort by coordinate and rate go. NULL if
-///     they are not wanted, or the law was said to give none
+/// @param effort  where the effort goes that resists growth of the coordinate
+///     [force on a displacement,     force * length on an angle]; not NULL
+/// @param derivatives  array of length 2: where the derivatives of the effort by coordinate and
+///     rate go. NULL if they are not wanted, or the law was said to give none
 /// @param user_data  as given to ::pdn_model_add_coordinate_law
 /// @return 0 for success; anything else makes the solve fail with PDN_ERR_CALLBACK (see
 ///     ::pdn_set_callback_error and ::pdn_last_callback_code), as does a value that is not finite
@@ -60,7 +62,8 @@ pub type pdn_coordinate_law_fn = Option<
 type CoordinateFunction =
     unsafe extern "C" fn(f64, f64, f64, *mut f64, *mut f64, *mut c_void) -> i32;
 
-/// What a user's forces on nodes may depend on. The library makes it; a later one may add fields at its end.
+/// What a user's forces on nodes may depend on. The library makes it; a later one may add fields at
+/// its end.
 ///
 /// Nodes are in the order they were given to ::pdn_model_add_user_force.
 #[repr(C)]
@@ -68,35 +71,38 @@ type CoordinateFunction =
 pub struct pdn_force_state {
     /// Size of the struct that the library knows.
     pub struct_size: usize,
-    /// Time, in [0, T) of the period T of the solve, but for the first calls of a solve (::pdn_user_force_fn).
+    /// Time, in [0, T) of the period T of the solve, but for the first calls of a solve
+    /// (::pdn_user_force_fn).
     pub time: f64,
     /// Number of nodes.
     pub node_count: usize,
     /// Array of shape 3 x [node_count]: positions, global coordinates [length].
     pub positions: *const f64,
-    /// Array of shape 9 x [node_count]: rotation matrices, column by column; the columns are the nodes' axes
-    /// in global coordinates.
+    /// Array of shape 9 x [node_count]: rotation matrices, column by column; the columns are the
+    /// nodes' axes in global coordinates.
     pub rotations: *const f64,
-    /// Array of shape 6 x [node_count]: velocity and angular velocity of each node relative to the inertial frame,
-    /// also in a steady rotation (::pdn_solve_static), along the global axes (PDN_FRAME_SPACE) or the node's own
-    /// (PDN_FRAME_MATERIAL).
+    /// Array of shape 6 x [node_count]: velocity and angular velocity of each node relative to the
+    /// inertial frame, also in a steady rotation (::pdn_solve_static), along the global axes
+    /// (PDN_FRAME_SPACE) or the node's own (PDN_FRAME_MATERIAL).
     pub velocities: *const f64,
 }
 
-/// Where a user's forces go. The library makes it, with all arrays set to zero; a later one may add fields.
+/// Where a user's forces go. The library makes it, with all arrays set to zero; a later one may add
+/// fields.
 ///
-/// Everything is along the same axes as the velocities. Row and column of the tangents count force 1, 2, 3,
-/// moment 1, 2, 3 and displacement 1, 2, 3, turn 1, 2, 3 of each node together; a turn is an infinitesimal
-/// rotation. Derivatives by motion are at fixed components of the velocities.
+/// Everything is along the same axes as the velocities. Row and column of the tangents count force
+/// 1, 2, 3, moment 1, 2, 3 and displacement 1, 2, 3, turn 1, 2, 3 of each node together; a turn is
+/// an infinitesimal rotation. Derivatives by motion are at fixed components of the velocities.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct pdn_force_values {
     /// Size of the struct that the library knows.
     pub struct_size: usize,
-    /// Array of shape 6 x [node_count]: force on each node and moment about it [force, force * length].
+    /// Array of shape 6 x [node_count]: force on each node and moment about it
+    /// [force, force * length].
     pub forces: *mut f64,
-    /// Array of shape 6 [node_count] x 6 [node_count], column by column: derivatives of forces by displacements
-    /// and turns. NULL if tangents are not wanted, or were said not to be given.
+    /// Array of shape 6 [node_count] x 6 [node_count], column by column: derivatives of forces by
+    /// displacements and turns. NULL if tangents are not wanted, or were said not to be given.
     pub by_motion: *mut f64,
     /// The same by velocities and angular velocities; NULL where by_motion is.
     pub by_velocity: *mut f64,
@@ -106,11 +112,11 @@ const _: () = assert!(size_of::<pdn_force_state>() == 48 && size_of::<pdn_force_
 
 /// Forces on nodes, to be computed by the caller.
 ///
-/// Called on the thread that solves; if two threads solve at once, on both at once. The same state must give
-/// the same forces, and over time they must repeat with the period: solves call it first a few times at one
-/// motion, at times in [0, 2 T), and refuse what does not with PDN_ERR_NOT_PERIODIC. It must neither throw nor
-/// jump out, nor use the model it belongs to. It is called many times at trial motions, which may be far from
-/// the solution.
+/// Called on the thread that solves; if two threads solve at once, on both at once. The same state
+/// must give the same forces, and over time they must repeat with the period: solves call it first
+/// a few times at one motion, at times in [0, 2 T), and refuse what does not with
+/// PDN_ERR_NOT_PERIODIC. It must neither throw nor jump out, nor use the model it belongs to. It is
+/// called many times at trial motions, which may be far from the solution.
 ///
 /// @param state  time and motions of the nodes; valid during the call only
 /// @param values  where the forces go, all zero at first; valid during the call only
@@ -147,18 +153,20 @@ fn gives_tangents(given: i32) -> Result<bool> {
 
 /// Adds a spring-damper on a joint coordinate whose law is a function of the caller.
 ///
-/// Its effort, a force on a displacement or a moment on an angle, resists growth of the coordinate as that of
-/// ::pdn_model_add_spring_damper does. It may depend on coordinate, rate and time.
+/// Its effort, a force on a displacement or a moment on an angle, resists growth of the coordinate
+/// as that of ::pdn_model_add_spring_damper does. It may depend on coordinate, rate and time.
 ///
 /// @param model  the model; not NULL
 /// @param joint  id of the joint
 /// @param coordinate  PDN_DISPLACEMENT, ... or PDN_ROTATION, ...; one that the joint has
-/// @param tangents  PDN_TANGENTS_GIVEN if the function writes derivatives, which ::pdn_model_check_tangents
-///     checks; PDN_TANGENTS_DIFFERENCED if the library is to find them by differences
+/// @param tangents  PDN_TANGENTS_GIVEN if the function writes derivatives, which
+///     ::pdn_model_check_tangents checks; PDN_TANGENTS_DIFFERENCED if the library is to find them
+///     by differences
 /// @param function  the law, see ::pdn_coordinate_law_fn for when it is called; not NULL
 /// @param user_data  handed to the function; may be NULL
-/// @param destroy  called once with user_data when the model, its copies in solutions included, no longer needs
-///     it, on the thread that frees the last; may be NULL. It is not called if this call fails
+/// @param destroy  called once with user_data when the model, its copies in solutions included, no
+///     longer needs it, on the thread that frees the last; may be NULL. It is not called if this
+///     call fails
 /// @param force  the force's id; may be NULL if it is not wanted; written on success only
 /// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_ID, PDN_ERR_VALUE, PDN_ERR_NOT_AVAILABLE
 ///
@@ -198,7 +206,8 @@ pub unsafe extern "C" fn pdn_model_add_coordinate_law(
                     } else {
                         std::ptr::null_mut()
                     };
-                    // SAFETY: the caller gave the function with its `user_data`; it writes three numbers.
+                    // SAFETY: the caller gave the function with its `user_data`; it writes three
+                    // numbers.
                     unsafe {
                         function(
                             at.time,
@@ -233,12 +242,14 @@ pub unsafe extern "C" fn pdn_model_add_coordinate_law(
 /// @param count  number of nodes, at least 1
 /// @param frame  PDN_FRAME_SPACE: velocities, forces and tangents are along the global axes;
 ///     PDN_FRAME_MATERIAL: along those of each node
-/// @param tangents  PDN_TANGENTS_GIVEN if the function writes tangents, which ::pdn_model_check_tangents checks;
-///     PDN_TANGENTS_DIFFERENCED if the library is to find them by differences, at the price of 24 calls a node
+/// @param tangents  PDN_TANGENTS_GIVEN if the function writes tangents, which
+///     ::pdn_model_check_tangents checks; PDN_TANGENTS_DIFFERENCED if the library is to find them
+///     by differences, at the price of 24 calls a node
 /// @param function  the forces, see ::pdn_user_force_fn for when it is called; not NULL
 /// @param user_data  handed to the function; may be NULL
-/// @param destroy  called once with user_data when the model, its copies in solutions included, no longer needs
-///     it, on the thread that frees the last; may be NULL. It is not called if this call fails
+/// @param destroy  called once with user_data when the model, its copies in solutions included, no
+///     longer needs it, on the thread that frees the last; may be NULL. It is not called if this
+///     call fails
 /// @param force  the force's id; may be NULL if it is not wanted; written on success only
 /// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_SIZE, PDN_ERR_ID, PDN_ERR_VALUE
 ///
@@ -318,8 +329,8 @@ fn call_back(
         by_velocity,
     };
     callback.invoke("user force", |function, user_data| {
-        // SAFETY: the caller gave the function with its `user_data`; vectors and matrices of fixed size are
-        // their numbers column by column, those of a slice one after the other.
+        // SAFETY: the caller gave the function with its `user_data`; vectors and matrices of fixed
+        // size are their numbers column by column, those of a slice one after the other.
         unsafe { function(&raw const state, &raw mut values, user_data) }
     })
 }
@@ -332,8 +343,9 @@ fn call_back(
 pub struct pdn_tangent_check {
     /// Set by the initialiser.
     pub struct_size: usize,
-    /// Largest difference, relative to the largest tangent; lengths, angles and velocities are taken relative to
-    /// what is characteristic of the model and the period. Tangents that are right leave about 1e-8.
+    /// Largest difference, relative to the largest tangent; lengths, angles and velocities are
+    /// taken relative to what is characteristic of the model and the period. Tangents that are
+    /// right leave about 1e-8.
     pub error: f64,
     /// Time of the state it was found at.
     pub time: f64,
@@ -390,17 +402,17 @@ pub unsafe extern "C" fn pdn_tangent_check_init(check: *mut pdn_tangent_check, s
 
 /// Compares the tangents that a user's function gives with differences of its forces.
 ///
-/// At a few states: nodes near their reference configuration, or a coordinate near its own, with velocities as
-/// they are in motions of the period; the same states in each call. Wrong tangents do not make solutions wrong,
-/// but Newton's method slow, or fail.
+/// At a few states: nodes near their reference configuration, or a coordinate near its own, with
+/// velocities as they are in motions of the period; the same states in each call. Wrong tangents do
+/// not make solutions wrong, but Newton's method slow, or fail.
 ///
 /// @param model  the model; not NULL
 /// @param force  id of a force by ::pdn_model_add_coordinate_law or ::pdn_model_add_user_force
 /// @param period  the period that the model is to be solved for, positive [time]
 /// @param check  initialised by PDN_INIT; filled on success only
-/// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_STRUCT_SIZE, PDN_ERR_ID, PDN_ERR_VALUE, PDN_ERR_NOT_FINITE,
-///     PDN_ERR_MODEL, PDN_ERR_NOT_PERIODIC (as for a solve), PDN_ERR_NOT_AVAILABLE (it gives no tangents),
-///     PDN_ERR_CALLBACK
+/// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_STRUCT_SIZE, PDN_ERR_ID, PDN_ERR_VALUE,
+///     PDN_ERR_NOT_FINITE, PDN_ERR_MODEL, PDN_ERR_NOT_PERIODIC (as for a solve),
+///     PDN_ERR_NOT_AVAILABLE (it gives no tangents), PDN_ERR_CALLBACK
 ///
 /// Threads: like `const`.
 /// @since 0.1

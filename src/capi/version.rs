@@ -3,7 +3,8 @@
 use super::guard::guard;
 use super::status::{c_string, pdn_status};
 use crate::error::Error;
-use std::ffi::{CString, c_char};
+use libc::c_char;
+use std::ffi::CString;
 use std::sync::OnceLock;
 
 /// Version of this header, first number.
@@ -26,8 +27,8 @@ pub extern "C" fn pdn_version() -> *const c_char {
 
 /// Whether the library serves a program compiled with the header of version major.minor.
 ///
-/// Before 1.0 both numbers must be equal; from 1.0 on, a later minor version serves as well. Call it as
-/// `pdn_version_check(PDN_VERSION_MAJOR, PDN_VERSION_MINOR)`.
+/// Before 1.0 both numbers must be equal; from 1.0 on, a later minor version serves as well. Call
+/// it as `pdn_version_check(PDN_VERSION_MAJOR, PDN_VERSION_MINOR)`.
 ///
 /// @param major  PDN_VERSION_MAJOR of the header
 /// @param minor  PDN_VERSION_MINOR of the header

@@ -1,14 +1,15 @@
-//! Increments of the highest harmonics, which the grid confuses with others where the motion that they are carried
-//! by has harmonics of its own.
+//! Increments of the highest harmonics, which the grid confuses with others where the motion that
+//! they are carried by has harmonics of its own.
 //!
-//! With `M = Σ M_m exp(imωt)`, an increment `u exp(ihωt)` changes `M` by harmonics `h + m`. Those above the highest, `H`,
-//! are differentiated as harmonics `h + m − N`: averaged over time,
+//! With `M = Σ M_m exp(imωt)`, an increment `u exp(ihωt)` changes `M` by harmonics `h + m`. Those
+//! above the highest, `H`, are differentiated as harmonics `h + m − N`: averaged over time,
 //!
 //! ```text
 //! A is off by  −iNω Σ P_m ũ,   B by  Nω² Σ (2(h + m) − N) P_m ũ,   P_m = M_mᴴ M_m,   h + m > H
 //! ```
 //!
 //! which is all there is to it where `M` turns steadily.
+//! See docs/theory.md, section 4.5.
 
 use super::kinematics::NodeKinematics;
 use crate::fourier::TimeGrid;

@@ -7,8 +7,8 @@ use nalgebra::{Matrix3, Vector3};
 use std::f64::consts::TAU;
 
 impl GridState {
-    /// Largest deviation of a node from its mean or, if it makes whole turns in the period, from a steady turn: positions relative
-    /// to the characteristic length, entries of rotation matrices.
+    /// Largest deviation of a node from its mean or, if it makes whole turns in the period, from a
+    /// steady turn: positions relative to the characteristic length, entries of rotation matrices.
     pub fn amplitude(&self, system: &System) -> f64 {
         let length = system.scales().length;
         (0..system.nodes()).fold(0.0, |most, node| {

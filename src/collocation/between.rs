@@ -1,8 +1,9 @@
 //! The equations between grid points: where aliasing shows, since collocation does not look there.
 //!
-//! A force of the harmonic `a + pN` counts on the grid as one of the harmonic `a`. The part `θ` of an interval after each
-//! grid point, it is off by the factor `exp(2πi pθ) − 1`: half-way between them nothing shows where `p` is even. With the
-//! golden section, `pθ` is as far from whole numbers as can be, for all `p`.
+//! A force of the harmonic `a + pN` counts on the grid as one of the harmonic `a`. The part `θ` of
+//! an interval after each grid point, it is off by the factor `exp(2πi pθ) − 1`: half-way between
+//! them nothing shows where `p` is even. With the golden section, `pθ` is as far from whole numbers
+//! as can be, for all `p`. See docs/theory.md, section 10.2.
 
 use super::problem::Collocation;
 use super::resampled::{ResampledNodes, dual, primal};
@@ -17,7 +18,7 @@ use nalgebra::{Vector3, Vector6};
 use realfft::RealFftPlanner;
 use serde::{Deserialize, Serialize};
 
-/// A node's motions over the grid, ready to be interpolated (section 4).
+/// A node's motions over the grid, ready to be interpolated (docs/theory.md, section 3).
 #[derive(Debug, Clone)]
 pub struct NodeInterpolation {
     /// `M_k`, with the mean position taken out.
@@ -57,7 +58,8 @@ impl NodeInterpolation {
         interpolation
     }
 
-    /// Motion, velocity and acceleration at the time of `weights`; `None` if the grid is too coarse.
+    /// Motion, velocity and acceleration at the time of `weights`; `None` if the grid is too
+    /// coarse.
     pub fn at(&self, weights: &CardinalWeights) -> Option<NodeState> {
         let mut sums = [DualMatrix::zeros(); 3];
         for (k, m) in self.motions.iter().enumerate() {
@@ -121,7 +123,8 @@ impl ResidualBetween {
 pub struct Defect {
     /// Largest of them.
     pub largest: ResidualBetween,
-    /// All of them, not scaled, time by time: the forces on each node, then the own equations of the elements.
+    /// All of them, not scaled, time by time: the forces on each node, then the own equations of
+    /// the elements.
     pub(super) rows: Vec<f64>,
     pub(super) count: usize,
     /// The nodes then.
@@ -161,7 +164,8 @@ impl Room {
         }
     }
 
-    /// Of the equations under these conditions; own unknowns and their rates are given by their places.
+    /// Of the equations under these conditions; own unknowns and their rates are given by their
+    /// places.
     fn unbalance(
         &mut self,
         system: &System,
@@ -293,10 +297,12 @@ impl Defect {
         })
     }
 
-    /// What the grid has taken for its own harmonics, scaled and ordered as the rows of `equations`, but for its phase and a part of an
-    /// interval: as if all of it came from the harmonics next above those of the grid (`p = ±1`).
+    /// What the grid has taken for its own harmonics, scaled and ordered as the rows of
+    /// `equations`, but for its phase and a part of an interval: as if all of it came from the
+    /// harmonics next above those of the grid (`p = ±1`).
     ///
-    /// Forces stay together that belong to one time, in the axes of the nodes then: stresses hold each other.
+    /// Forces stay together that belong to one time, in the axes of the nodes then: stresses hold
+    /// each other.
     pub fn aliased(&self, equations: &Collocation) -> Vec<f64> {
         let (system, points) = (equations.system(), equations.grid().points());
         let mut all = vec![0.0; equations.size()];
@@ -309,11 +315,12 @@ impl Defect {
         all
     }
 
-    /// `|exp(2πi θ) − 1|`: what an alias of a harmonic next above those of the grid leaves between its points, relative to it.
+    /// `|exp(2πi θ) − 1|`: what an alias of a harmonic next above those of the grid leaves between
+    /// its points, relative to it.
     const SHOWN: f64 = 1.864_064_8;
 
-    /// What a grid of three points leaves out at grid point `k` of this one, scaled and ordered as the rows of `equations`: a
-    /// cosine.
+    /// What a grid of three points leaves out at grid point `k` of this one, scaled and ordered as
+    /// the rows of `equations`: a cosine.
     pub fn left_out(&self, equations: &Collocation, k: usize) -> Vec<f64> {
         let system = equations.system();
         let here = &self.rows[k * self.count..][..self.count];
@@ -328,11 +335,11 @@ impl Defect {
         all
     }
 
-    /// Largest amplitudes of what is left of the equations by the harmonics from `H + 1` to `2 H`, scaled as those of `equations`, which
-    /// are on a grid of three points.
+    /// Largest amplitudes of what is left of the equations by the harmonics from `H + 1` to `2 H`,
+    /// scaled as those of `equations`, which are on a grid of three points.
     ///
-    /// Of the harmonic `N − a` a grid of `N` points makes `−a`: that is what is left at the same part of all intervals, but for a factor
-    /// that all rows share.
+    /// Of the harmonic `N − a` a grid of `N` points makes `−a`: that is what is left at the same
+    /// part of all intervals, but for a factor that all rows share.
     pub fn high_harmonics(&self, equations: &Collocation) -> Vec<f64> {
         let points = self.rows.len() / self.count;
         let transform = RealFftPlanner::new().plan_fft_forward(points);
@@ -356,8 +363,8 @@ impl Defect {
         largest
     }
 
-    /// The grid points after which most is left of the equations of forces, and of those of the elements, all scaled as those of
-    /// `equations`, which are on a grid of three points.
+    /// The grid points after which most is left of the equations of forces, and of those of the
+    /// elements, all scaled as those of `equations`, which are on a grid of three points.
     pub fn worst(&self, equations: &Collocation) -> [usize; 2] {
         let nodes = 6 * equations.system().nodes();
         let scales = equations.row_scale();
@@ -377,7 +384,8 @@ impl Defect {
     }
 }
 
-/// Each equation of an instant, and its places at the points of a grid among those of the whole period.
+/// Each equation of an instant, and its places at the points of a grid among those of the whole
+/// period.
 fn places(
     system: &System,
     points: usize,

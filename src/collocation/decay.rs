@@ -1,4 +1,5 @@
 //! How fast the harmonics of the motions decay: what a grid leaves out, and where in the period.
+//! See docs/theory.md, section 10.1.
 
 use super::state::GridState;
 use crate::fourier::{Resampling, TimeGrid};
@@ -14,7 +15,8 @@ pub enum DecayKind {
     Unknown,
     /// Fast, as the harmonics of a smooth response that the grid resolves.
     Fast,
-    /// No faster than a power of their number: the response has a kink, or a peak too narrow for the grid.
+    /// No faster than a power of their number: the response has a kink, or a peak too narrow for
+    /// the grid.
     Slow,
     /// They are rounding: more harmonics tell nothing more.
     Rounding,
@@ -23,13 +25,13 @@ pub enum DecayKind {
 /// Harmonics of the motions of a solution, and how they fall.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Decay {
-    /// Largest amplitude of each harmonic, from 0, over all nodes: positions relative to the characteristic
-    /// length, entries of rotation matrices.
+    /// Largest amplitude of each harmonic, from 0, over all nodes: positions relative to the
+    /// characteristic length, entries of rotation matrices.
     pub amplitudes: Vec<f64>,
     /// How their upper half falls.
     pub kind: DecayKind,
-    /// The exponent `p`, if it falls as `j⁻ᵖ`: 2 where velocities jump, 3 where accelerations do, ever larger
-    /// with more harmonics of a smooth response. Zero if it is not known.
+    /// The exponent `p`, if it falls as `j⁻ᵖ`: 2 where velocities jump, 3 where accelerations do,
+    /// ever larger with more harmonics of a smooth response. Zero if it is not known.
     pub order: f64,
     /// Time at which the upper half of the harmonics adds up to most.
     pub least_resolved: f64,
@@ -43,7 +45,8 @@ pub struct Decay {
 const SLOW_ORDER: f64 = 4.0;
 /// Harmonics that are as small as this and do not fall are rounding.
 const LARGEST_ROUNDING: f64 = 1e-10;
-/// A harmonic this much larger than rounding is not followed by one of rounding, unless by symmetry.
+/// A harmonic this much larger than rounding is not followed by one of rounding, unless by
+/// symmetry.
 const SYMMETRIC: f64 = 100.0;
 /// Rounding of a sum over the grid.
 const ROUNDING: f64 = 8.0 * f64::EPSILON;

@@ -1,8 +1,8 @@
 //! Elements divided among threads.
 //!
-//! Each share is some of the nodes, with all elements that act on them: those between the nodes of two shares are
-//! evaluated for both. So threads write nothing of each other's, and sums are over the same elements in the same order,
-//! whatever the number of threads.
+//! Each share is some of the nodes, with all elements that act on them: those between the nodes of
+//! two shares are evaluated for both. So threads write nothing of each other's, and sums are over
+//! the same elements in the same order, whatever the number of threads.
 
 use crate::system::System;
 use crate::workers::{Workers, parts};
@@ -107,8 +107,8 @@ impl Division {
         parts(values, self.shares.iter().map(count)).collect()
     }
 
-    /// What the elements have of their own, one after the other: for each share, that of each of its elements, if the share
-    /// has it.
+    /// What the elements have of their own, one after the other: for each share, that of each of
+    /// its elements, if the share has it.
     pub fn deal<T>(&self, of_elements: impl IntoIterator<Item = T>) -> Vec<Vec<Option<T>>> {
         let mut own: Vec<Option<T>> = of_elements.into_iter().map(Some).collect();
         let dealt = self

@@ -23,8 +23,8 @@ pub(super) struct Instants {
     pub(super) states: Vec<NodeState>,
     /// Rates of internal states, in the order of the multipliers; zero for these.
     pub(super) rates: Vec<f64>,
-    /// Stress resultants for the geometric stiffness: those of all stations at grid point 0, then 1, and so on. Empty for
-    /// those of the strains.
+    /// Stress resultants for the geometric stiffness: those of all stations at grid point 0, then
+    /// 1, and so on. Empty for those of the strains.
     pub(super) resultants: Vec<Vector6<f64>>,
 }
 
@@ -34,7 +34,8 @@ impl Instants {
         &self.system
     }
 
-    /// Writes the equations of a share, not scaled: forces on its nodes, and what the elements ask of their own unknowns.
+    /// Writes the equations of a share, not scaled: forces on its nodes, and what the elements ask
+    /// of their own unknowns.
     pub(super) fn forces(
         &self,
         share: &Share,

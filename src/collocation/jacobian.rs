@@ -1,4 +1,5 @@
 //! The Jacobian, assembled.
+//! See docs/theory.md, section 5.3.
 
 use super::division::Share;
 use super::pattern::Pattern;
@@ -44,7 +45,8 @@ struct Part<'a> {
     /// Number of the first pair in these columns, and position of the first value.
     first_pair: usize,
     first_value: usize,
-    /// Of each element with its own unknowns here: values in their columns, and tangents with respect to their rates.
+    /// Of each element with its own unknowns here: values in their columns, and tangents with
+    /// respect to their rates.
     own: Vec<Option<(&'a mut [f64], &'a mut [f64])>>,
 }
 
@@ -154,7 +156,8 @@ impl Collocation {
         }
     }
 
-    /// Sums tangents over the elements of a share; writes those of constraints straight into the values.
+    /// Sums tangents over the elements of a share; writes those of constraints straight into the
+    /// values.
     fn sum_elements(
         &self,
         state: &GridState,
@@ -262,8 +265,8 @@ impl Collocation {
         }
     }
 
-    /// Writes the columns of an element's own unknowns at grid point `k`; of internal states, which are of one grid point and
-    /// all others, their rows instead.
+    /// Writes the columns of an element's own unknowns at grid point `k`; of internal states, which
+    /// are of one grid point and all others, their rows instead.
     fn write_own(
         &self,
         pattern: &Pattern,
@@ -391,8 +394,9 @@ impl Collocation {
 }
 
 impl Collocation {
-    /// Writes, for a grid of one point, the scaled change of a residual with velocities and accelerations of
-    /// the nodes and rates of internal states; `blocks` are those of the last Jacobian.
+    /// Writes, for a grid of one point, the scaled change of a residual with velocities and
+    /// accelerations of the nodes and rates of internal states; `blocks` are those of the last
+    /// Jacobian.
     pub fn rate_forces(
         &self,
         pattern: &Pattern,

@@ -1,5 +1,5 @@
 //! Velocities and accelerations of a node at the grid points, and their exact linearisation
-//! (eqs. 24–29). Everything is dual algebra.
+//! (docs/theory.md, section 4.1). Everything is dual algebra.
 
 use super::resampled::{dual, primal};
 use crate::elements::NodeState;
@@ -90,7 +90,8 @@ impl NodeKinematics {
         present: &Motion,
         past: impl Iterator<Item = &'p Motion>,
     ) {
-        // Relative to the present motion, so that M is the identity and A, B are the sums themselves.
+        // Relative to the present motion, so that M is the identity and A, B are the sums
+        // themselves.
         let identity = Motion::identity().to_dual();
         let (mut a, mut b) = (identity * rule.first[0], identity * rule.second[0]);
         for (step, motion) in past.enumerate().take(rule.first.len() - 1) {
@@ -151,8 +152,8 @@ impl NodeKinematics {
         self.acceleration[l]
     }
 
-    /// `Δv_ℓ = Σ_k Γ_v Δu_k` and `Δv̇_ℓ = Σ_k Γ_a Δu_k` for `increments` of all grid points, six numbers each, by
-    /// the operators themselves: with them as fast as `D` and `T` are applied.
+    /// `Δv_ℓ = Σ_k Γ_v Δu_k` and `Δv̇_ℓ = Σ_k Γ_a Δu_k` for `increments` of all grid points, six
+    /// numbers each, by the operators themselves: with them as fast as `D` and `T` are applied.
     ///
     /// `ΔM = M Δũ`, so that `ΔA = −Δũ A + Mᵀ (D ΔM)` and `ΔB = −Δũ B + Mᵀ (T ΔM)`.
     pub fn variation(
@@ -200,7 +201,8 @@ impl NodeKinematics {
         }
     }
 
-    /// Blocks `(ℓ, k)` of `Γ_v` and `Γ_a`: `Δv_ℓ = Σ_k Γ_v Δu_k`, `Δv̇_ℓ = Σ_k Γ_a Δu_k`.
+    /// Blocks `(ℓ, k)` of `Γ_v` and `Γ_a` (docs/theory.md, section 4.2): `Δv_ℓ = Σ_k Γ_v Δu_k`,
+    /// `Δv̇_ℓ = Σ_k Γ_a Δu_k`.
     ///
     /// `weights` are `D_ℓk` and `T_ℓk`.
     pub fn tangent(&self, weights: (f64, f64), l: usize, k: usize) -> (DualMatrix, DualMatrix) {

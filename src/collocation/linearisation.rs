@@ -1,4 +1,5 @@
 //! Small motions about a state that stands still: `(s² M + s C + K) x = 0` for `x exp(st)`.
+//! See docs/theory.md, section 11.3.
 
 use super::pattern::Pattern;
 use super::problem::Collocation;
@@ -7,8 +8,8 @@ use crate::error::Result;
 
 /// The matrices of small motions, scaled as the Jacobian is: values in the order of one pattern.
 ///
-/// The unknowns are those of a grid of one point: constraints are a part of `K`, rates of internal states of
-/// `C`.
+/// The unknowns are those of a grid of one point: constraints are a part of `K`, rates of internal
+/// states of `C`.
 #[derive(Debug, Clone)]
 pub struct Linearisation {
     /// `K`.
@@ -17,8 +18,8 @@ pub struct Linearisation {
     pub damping: Vec<f64>,
     /// `M`.
     pub mass: Vec<f64>,
-    /// Where constraints depend on each other, a small compliance of all of them that makes factors of
-    /// `K` exist; no part of the equations.
+    /// Where constraints depend on each other, a small compliance of all of them that makes factors
+    /// of `K` exist; no part of the equations.
     pub compliance: Option<Vec<f64>>,
 }
 

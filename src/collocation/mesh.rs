@@ -1,4 +1,5 @@
-//! How much the equations of beams are wrong because their elements are of too low a degree, or too few.
+//! How much the equations of beams are wrong because their elements are of too low a degree, or too
+//! few. See docs/theory.md, section 10.5.
 
 use super::problem::Collocation;
 use super::state::GridState;
@@ -10,13 +11,16 @@ use nalgebra::{DVector, Vector6};
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
-/// Steps of Newton's method by which bubbles are found: where a beam bends much within an element, the first stretches it.
+/// Steps of Newton's method by which bubbles are found: where a beam bends much within an element,
+/// the first stretches it.
 const BENDINGS: usize = 3;
 
-/// Increments below this, of lengths beside the characteristic length and angles, have no second step.
+/// Increments below this, of lengths beside the characteristic length and angles, have no second
+/// step.
 const SMALL: f64 = 1e-4;
 
-/// The elements that stand for one beam element: itself, its inertia and the loads along it, by their numbers.
+/// The elements that stand for one beam element: itself, its inertia and the loads along it, by
+/// their numbers.
 #[derive(Debug, Clone, Default)]
 struct Together {
     beam: usize,
@@ -54,8 +58,8 @@ fn largest(increments: &DVector<f64>, length: f64) -> f64 {
 }
 
 impl Collocation {
-    /// What is left of these equations, scaled, if the beam elements are those of the `fine` system, [`Raised`] from their own: forces
-    /// on their nodes.
+    /// What is left of these equations, scaled, if the beam elements are those of the `fine`
+    /// system, [`Raised`] from their own: forces on their nodes.
     ///
     /// # Errors
     /// If a motion cannot be interpolated.

@@ -1,7 +1,7 @@
-//! The whole period: grid state, residual and Jacobian of eq. (37).
+//! The whole period: grid state, residual and Jacobian (docs/theory.md, section 5).
 //!
-//! With a grid of one point, velocities and accelerations vanish and the same equations are those of
-//! static equilibrium at the grid's start time.
+//! With a grid of one point, velocities and accelerations vanish and the same equations are those
+//! of static equilibrium at the grid's start time.
 
 mod aliasing;
 mod amplitude;

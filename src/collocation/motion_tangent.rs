@@ -1,5 +1,6 @@
-//! Forces that motions cause, linearised, where no stress resultants and no internal states are involved: as an operator, and
-//! between motions that are given at each grid point by itself, without the matrix of all motions.
+//! Forces that motions cause, linearised, where no stress resultants and no internal states are
+//! involved: as an operator, and between motions that are given at each grid point by itself,
+//! without the matrix of all motions.
 
 use super::kinematics::{NodeKinematics, VariationScratch};
 use super::problem::Collocation;
@@ -14,7 +15,8 @@ use nalgebra::Vector6;
 /// Forces at a grid point by motions at others are bilinear: in these numbers of each.
 const BILINEAR: usize = 18;
 
-/// The Jacobian's part of forces and motions at one state, whatever the equations are evaluated at since.
+/// The Jacobian's part of forces and motions at one state, whatever the equations are evaluated at
+/// since.
 #[derive(Debug)]
 pub struct MotionTangent {
     tangent: Tangent,
@@ -69,7 +71,8 @@ fn product(a: &[f64; BILINEAR], b: &[f64; BILINEAR]) -> f64 {
 }
 
 impl MotionTangent {
-    /// For `equations` on their grid; none where there is more than motions, or one point, whose velocities may be given.
+    /// For `equations` on their grid; none where there is more than motions, or one point, whose
+    /// velocities may be given.
     pub fn new(equations: &Collocation) -> Option<Self> {
         let (system, points) = (equations.system(), equations.grid().points());
         let serves = points > 1
@@ -108,7 +111,8 @@ impl MotionTangent {
         Ok(())
     }
 
-    /// Gradient of the constraints of element `index` at grid point `k`, column by column, not scaled.
+    /// Gradient of the constraints of element `index` at grid point `k`, column by column, not
+    /// scaled.
     pub fn gradient(&self, system: &System, index: usize, k: usize) -> &[f64] {
         self.tangent.gradient(system, index, k)
     }
@@ -165,8 +169,8 @@ impl MotionTangent {
         }
     }
 
-    /// Writes `Zᵀ K Z`, column by column, for `count` scaled motions at each grid point `k`: `basis(k)` has a row for each component
-    /// of each node.
+    /// Writes `Zᵀ K Z`, column by column, for `count` scaled motions at each grid point `k`:
+    /// `basis(k)` has a row for each component of each node.
     pub fn between<'z>(
         &mut self,
         count: usize,
@@ -224,8 +228,9 @@ impl MotionTangent {
             if !moving {
                 continue;
             }
-            // `ΔM = M z̃`, `Δv_ℓ = D_ℓk axial(R)` and `Δv̇_ℓ = T_ℓk axial(R) − D_ℓk ((tr(A) I − A) axial(R) + 2 axial(ṽ R))`, with
-            // `R = M_ℓᵀ ΔM_k`; `w · axial(R)` is half the product of all entries of `M_ℓ w̃` and `ΔM_k`.
+            // `ΔM = M z̃`, `Δv_ℓ = D_ℓk axial(R)` and `Δv̇_ℓ = T_ℓk axial(R) − D_ℓk ((tr(A) I − A)
+            // axial(R) + 2 axial(ṽ R))`, with `R = M_ℓᵀ ΔM_k`; `w · axial(R)` is half the product
+            // of all entries of `M_ℓ w̃` and `ΔM_k`.
             for list in [&mut room.second, &mut room.first, &mut room.moved] {
                 list.clear();
             }

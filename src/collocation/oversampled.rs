@@ -1,15 +1,16 @@
-//! The governing equations sampled on a finer grid and tested by the unknowns: Galerkin's method in time, up to what
-//! aliases on the finer grid.
+//! The governing equations sampled on a finer grid and tested by the unknowns: Galerkin's method in
+//! time, up to what aliases on the finer grid.
 //!
-//! Motions and own unknowns of a grid of `N` points are interpolated to `M > N` points (motions by polar
-//! decomposition, section 4), where the governing equations are evaluated. Of the constraints, and of the equations of
-//! internal states, the harmonics up to `(N − 1) / 2` are to vanish. So is the virtual work of the forces `F_j`,
-//! `Σ_j F_jᵀ δρ_j` for all `δu_k`, where `A δρ = 2 axial(Rᵀ δG)` and `δG = Σ_k w_k M_k δũ_k`. With `A μ = F` and
-//! `H = R μ̃`, the row of `δu_k` is `2 axial(M_kᵀ Π H)`, where `Π` keeps the lowest harmonics: those of the forces
-//! themselves if nothing turns.
+//! Motions and own unknowns of a grid of `N` points are interpolated to `M > N` points (motions by
+//! polar decomposition), where the governing equations are evaluated. Of the constraints, and of
+//! the equations of internal states, the harmonics up to `(N − 1) / 2` are to vanish. So is the
+//! virtual work of the forces `F_j`, `Σ_j F_jᵀ δρ_j` for all `δu_k`, where `A δρ = 2 axial(Rᵀ δG)`
+//! and `δG = Σ_k w_k M_k δũ_k`. With `A μ = F` and `H = R μ̃`, the row of `δu_k` is
+//! `2 axial(M_kᵀ Π H)`, where `Π` keeps the lowest harmonics: those of the forces themselves if
+//! nothing turns.
 //!
-//! (Harmonics of components in turning frames would not do: the highest of a multiplier in another frame
-//! is beyond them, and would have no effect.)
+//! (Harmonics of components in turning frames would not do: the highest of a multiplier in another
+//! frame is beyond them, and would have no effect.) See docs/theory.md, section 10.6.
 
 use super::between::too_coarse;
 use super::problem::Collocation;
@@ -31,7 +32,8 @@ pub struct Oversampled {
     grid: TimeGrid,
     interpolation: Resampling,
     projection: Resampling,
-    /// `M_k`: motion of node `a` at point `k` of the coarser grid, its mean position taken out, at `a N + k`.
+    /// `M_k`: motion of node `a` at point `k` of the coarser grid, its mean position taken out, at
+    /// `a N + k`.
     motions: Vec<DualMatrix>,
     /// `R` and `S` of node `a` at point `j` of the finer grid, at `a M + j`.
     polars: Vec<DualPolar>,
@@ -91,7 +93,8 @@ impl Oversampled {
     /// Writes the scaled residual.
     ///
     /// # Errors
-    /// [`crate::error::ErrorKind::GridTooCoarse`] if a motion cannot be interpolated; those of the elements.
+    /// [`crate::error::ErrorKind::GridTooCoarse`] if a motion cannot be interpolated; those of the
+    /// elements.
     pub fn residual(&mut self, state: &GridState, out: &mut [f64]) -> Result<()> {
         self.interpolate_motions(state)?;
         let (points, finer) = self.points();
@@ -227,7 +230,8 @@ impl Oversampled {
     }
 }
 
-/// Places of the first own unknown of each element on both grids, and how many there are at a point.
+/// Places of the first own unknown of each element on both grids, and how many there are at a
+/// point.
 fn own_rows(
     system: &System,
     points: usize,

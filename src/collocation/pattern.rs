@@ -1,5 +1,5 @@
-//! Sparsity of the Jacobian: dense in time within and between nodes coupled by inertia or damping, and
-//! within internal states; diagonal in time everywhere else.
+//! Sparsity of the Jacobian: dense in time within and between nodes coupled by inertia or damping,
+//! and within internal states; diagonal in time everywhere else.
 
 use crate::elements::Element;
 use crate::system::System;
@@ -51,7 +51,8 @@ struct ColumnGroup {
 pub struct Pattern {
     points: usize,
     nodes: Vec<ColumnGroup>,
-    /// Coupled nodes of each column node, in ascending order, numbered consecutively over all nodes.
+    /// Coupled nodes of each column node, in ascending order, numbered consecutively over all
+    /// nodes.
     pairs: Vec<Vec<NodePair>>,
     first_pair: Vec<usize>,
     multipliers: Vec<ColumnGroup>,
@@ -155,7 +156,8 @@ impl Pattern {
             offsets[local] = 6 * place;
         }
         self.force_offsets.push(offsets);
-        // Internal states couple with themselves at all times, a multiplier's own entry regularises it.
+        // Internal states couple with themselves at all times, a multiplier's own entry regularises
+        // it.
         let count = self.points * element.multipliers();
         let own_rows = if has_states { count } else { 1 };
         let group = self.next_group(6 * order.len() + own_rows, count);
@@ -229,8 +231,8 @@ impl Pattern {
         panels
     }
 
-    /// Unknowns of each node, then those of each element's multipliers: what the direct solver keeps
-    /// together.
+    /// Unknowns of each node, then those of each element's multipliers: what the direct solver
+    /// keeps together.
     pub fn groups(&self) -> Vec<Range<usize>> {
         self.nodes
             .iter()
@@ -342,7 +344,8 @@ impl Pattern {
         group.first_value + (6 * k + component) * group.length + pair.offset
     }
 
-    /// Position of an element's first constraint row in column `component` of its local node at `k`.
+    /// Position of an element's first constraint row in column `component` of its local node at
+    /// `k`.
     pub fn constraint_value(
         &self,
         element: usize,
@@ -357,14 +360,15 @@ impl Pattern {
             + self.constraint_offsets[element][local]
     }
 
-    /// Position of an element's first own row in the column of its own unknown `row` of `count` at `k`:
-    /// all of them for internal states, that on the diagonal for multipliers.
+    /// Position of an element's first own row in the column of its own unknown `row` of `count` at
+    /// `k`: all of them for internal states, that on the diagonal for multipliers.
     pub fn own_value(&self, element: usize, k: usize, row: usize, count: usize) -> usize {
         let group = &self.multipliers[element];
         group.first_value + (count * k + row) * group.length + self.own_offsets[element]
     }
 
-    /// Position of a local node's first row in the column of an element's multiplier `row` of `count`.
+    /// Position of a local node's first row in the column of an element's multiplier `row` of
+    /// `count`.
     pub fn force_value(
         &self,
         element: usize,

@@ -1,4 +1,4 @@
-//! Residual of the governing equations at all grid points, eq. (37).
+//! Residual of the governing equations at all grid points (docs/theory.md, section 5.2).
 
 use super::aliasing::Aliasing;
 use super::division::Division;
@@ -16,8 +16,9 @@ use crate::workers::{Workers, parts};
 use nalgebra::Vector6;
 use std::sync::Arc;
 
-/// Scaled compliance of dependent constraints in the Jacobian. Newton's method loses this factor, over
-/// the compliance of the mechanism, of its quadratic convergence; rounding must be well below it.
+/// Scaled compliance of dependent constraints in the Jacobian. Newton's method loses this factor,
+/// over the compliance of the mechanism, of its quadratic convergence; rounding must be well below
+/// it.
 const REGULARISATION: f64 = 1e-7;
 
 /// Multiply-adds of the velocity and acceleration of a node at a grid point, about.
@@ -26,8 +27,8 @@ const KINEMATICS: usize = 300;
 /// The equations of a system on a grid, scaled so that they do not depend on units.
 ///
 /// Rows of forces are divided by the characteristic force (moments also by the length), those of
-/// constrained lengths by the length. Unknown displacements are in units of the length, multipliers in
-/// units of the force, or the force times the length.
+/// constrained lengths by the length. Unknown displacements are in units of the length, multipliers
+/// in units of the force, or the force times the length.
 #[derive(Debug, Clone)]
 pub struct Collocation {
     system: Arc<System>,
@@ -64,7 +65,8 @@ pub(super) enum Derivatives {
     Step(AlphaStep),
     /// On a grid of one point: nothing, they are given.
     Given(GivenRates),
-    /// On a grid of one point: each node turns steadily, with this twist about the origin, resolved in space.
+    /// On a grid of one point: each node turns steadily, with this twist about the origin, resolved
+    /// in space.
     Steady(Vec<Vector6<f64>>),
 }
 
@@ -189,8 +191,8 @@ impl Collocation {
         &self.column_scale
     }
 
-    /// Moves the grid's first point to time `start`, with the fraction `load_factor` of all loads and
-    /// prescribed motions.
+    /// Moves the grid's first point to time `start`, with the fraction `load_factor` of all loads
+    /// and prescribed motions.
     pub fn set_conditions(&mut self, start: f64, load_factor: f64) -> Result<()> {
         let count = self.system.signals();
         for k in 0..self.grid.points() {
@@ -213,8 +215,9 @@ impl Collocation {
         }
     }
 
-    /// From now on takes the residual from `factor` times as many points, projected on the harmonics of this grid.
-    /// The Jacobian that is assembled remains that of the grid's own points.
+    /// From now on takes the residual from `factor` times as many points, projected on the
+    /// harmonics of this grid. The Jacobian that is assembled remains that of the grid's own
+    /// points.
     ///
     /// # Errors
     /// Those of signals.
@@ -230,11 +233,12 @@ impl Collocation {
         self.oversampled.as_deref()
     }
 
-    /// From now on takes geometric stiffness at the stress resultants that follow from those at `state` in proportion to
-    /// the unscaled `increment` of the unknowns.
+    /// From now on takes geometric stiffness at the stress resultants that follow from those at
+    /// `state` in proportion to the unscaled `increment` of the unknowns.
     ///
-    /// After an increment that turns beams much, those of the strains have little to do with equilibrium: second-order
-    /// stretching, times axial stiffness. These are in equilibrium, as the linear equations were.
+    /// After an increment that turns beams much, those of the strains have little to do with
+    /// equilibrium: second-order stretching, times axial stiffness. These are in equilibrium, as
+    /// the linear equations were.
     ///
     /// # Errors
     /// If an element is too distorted.
@@ -268,8 +272,8 @@ impl Collocation {
         Ok(())
     }
 
-    /// Increments of the nodes, and of their velocities, that an unscaled increment of all unknowns is; kinematics are
-    /// those of the last evaluation.
+    /// Increments of the nodes, and of their velocities, that an unscaled increment of all unknowns
+    /// is; kinematics are those of the last evaluation.
     fn increments_with_rates(&mut self, increment: &[f64]) -> Vec<[Vector6<f64>; 2]> {
         let points = self.grid.points();
         let mut changes = vec![[Vector6::zeros(); 2]; points * self.system.nodes()];
@@ -295,8 +299,8 @@ impl Collocation {
         changes
     }
 
-    /// Stress resultants of all stations at `state`, at the points of another grid of the same period that begins `start` periods
-    /// later; none where tangents have no use for them.
+    /// Stress resultants of all stations at `state`, at the points of another grid of the same
+    /// period that begins `start` periods later; none where tangents have no use for them.
     ///
     /// # Errors
     /// If an element is too distorted.
@@ -338,7 +342,8 @@ impl Collocation {
         !self.instants.resultants.is_empty()
     }
 
-    /// From now on takes geometric stiffness at the stress resultants of the strains: the tangent is exact.
+    /// From now on takes geometric stiffness at the stress resultants of the strains: the tangent
+    /// is exact.
     pub fn clear_resultants(&mut self) {
         self.instants.resultants.clear();
     }
@@ -363,8 +368,8 @@ impl Collocation {
         }
     }
 
-    /// Makes the state of a grid of one point, with the node states of the last evaluation, the start of the
-    /// next step.
+    /// Makes the state of a grid of one point, with the node states of the last evaluation, the
+    /// start of the next step.
     pub fn advance(&mut self, state: &GridState) {
         if let Derivatives::Step(step) = &mut self.derivatives {
             let system = &self.system;
@@ -382,14 +387,15 @@ impl Collocation {
         }
     }
 
-    /// Gives a grid of one point its velocities and accelerations. The unknowns are then accelerations.
+    /// Gives a grid of one point its velocities and accelerations. The unknowns are then
+    /// accelerations.
     pub fn set_given_rates(&mut self, given: GivenRates) {
         debug_assert_eq!(self.grid.points(), 1);
         self.derivatives = Derivatives::Given(given);
     }
 
-    /// Makes everything on a grid of one point turn steadily: `V = Ad(M⁻¹) W` with the twist `W` of each node about the
-    /// origin, resolved in space, and `V̇ = 0`. Internal states are at rest.
+    /// Makes everything on a grid of one point turn steadily: `V = Ad(M⁻¹) W` with the twist `W` of
+    /// each node about the origin, resolved in space, and `V̇ = 0`. Internal states are at rest.
     pub fn set_steady(&mut self, twists: Vec<Vector6<f64>>) {
         debug_assert_eq!(self.grid.points(), 1);
         self.derivatives = Derivatives::Steady(twists);
@@ -432,8 +438,9 @@ impl Collocation {
         Ok(())
     }
 
-    /// Whether constraints may depend on each other: all have then a small compliance in the Jacobian, not
-    /// in the residual, so that increments of the multipliers are those of least norm.
+    /// Whether constraints may depend on each other: all have then a small compliance in the
+    /// Jacobian, not in the residual, so that increments of the multipliers are those of least
+    /// norm.
     pub fn is_regularised(&self) -> bool {
         self.regularisation != 0.0
     }
@@ -446,7 +453,8 @@ impl Collocation {
         }
     }
 
-    /// What a scaled increment of multipliers, by their compliance in the Jacobian, leaves of the constraints.
+    /// What a scaled increment of multipliers, by their compliance in the Jacobian, leaves of the
+    /// constraints.
     pub fn compliance_of(&self, increment: &[f64], rest: &mut [f64]) {
         rest.fill(0.0);
         let points = self.grid.points();
@@ -603,8 +611,8 @@ impl Collocation {
         }
     }
 
-    /// Takes from the multipliers the part that has no effect, where constraints depend on each other;
-    /// kinematics must be those of `state`.
+    /// Takes from the multipliers the part that has no effect, where constraints depend on each
+    /// other; kinematics must be those of `state`.
     pub fn reduce_to_least_norm(&mut self, state: &mut GridState) -> Result<()> {
         if !self.is_regularised() {
             return Ok(());

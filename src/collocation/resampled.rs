@@ -10,8 +10,8 @@ use crate::system::System;
 use crate::workers::Workers;
 use nalgebra::{Matrix3, Vector3};
 
-/// Motions, velocities and accelerations of all nodes, interpolated over the period (section 4) at equispaced
-/// times.
+/// Motions, velocities and accelerations of all nodes, interpolated over the period
+/// (docs/theory.md, section 3) at equispaced times.
 #[derive(Debug, Clone)]
 pub struct ResampledNodes {
     /// Node `a` at time `k` of `n`, at `a n + k`.
@@ -91,8 +91,8 @@ impl NodeResampling {
 }
 
 impl ResampledNodes {
-    /// The nodes of `state` on `grid` at `points` (odd) times of a period, the first of them `start` periods
-    /// after its first point.
+    /// The nodes of `state` on `grid` at `points` (odd) times of a period, the first of them
+    /// `start` periods after its first point.
     ///
     /// # Errors
     /// [`crate::error::ErrorKind::GridTooCoarse`] if a motion cannot be interpolated.
@@ -117,8 +117,8 @@ impl ResampledNodes {
 }
 
 impl GridState {
-    /// This state, on `grid`, at the points of `other`, whose period is taken for the same; its first point is
-    /// `start` periods after that of `grid`.
+    /// This state, on `grid`, at the points of `other`, whose period is taken for the same; its
+    /// first point is `start` periods after that of `grid`.
     ///
     /// # Errors
     /// [`crate::error::ErrorKind::GridTooCoarse`] if a motion cannot be interpolated.

@@ -1,4 +1,5 @@
 //! How the end of a step varies with its start: exact linearisation of the generalised-α method.
+//! See docs/theory.md, section 12.3.
 
 use super::jacobian::TangentBlocks;
 use super::pattern::Pattern;
@@ -13,8 +14,8 @@ use nalgebra::{Matrix6, Vector6};
 pub struct Variation {
     /// Of each node: `δu`, `δv`, `δv̇`, `δa`.
     pub nodes: Vec<[Vector6<f64>; 4]>,
-    /// Of each own unknown of the elements that is an internal state: `δx`, `δẋ` and that of the like of
-    /// `a`; zero for multipliers.
+    /// Of each own unknown of the elements that is an internal state: `δx`, `δẋ` and that of the
+    /// like of `a`; zero for multipliers.
     pub states: Vec<[f64; 3]>,
 }
 
@@ -129,7 +130,8 @@ impl MotionState {
         next
     }
 
-    /// The variation that leads from here to `other`, whose internal states are first reduced by `gains`.
+    /// The variation that leads from here to `other`, whose internal states are first reduced by
+    /// `gains`.
     pub fn difference(&self, other: &MotionState, gains: &[f64]) -> Variation {
         let node = |n: usize| {
             [
@@ -188,8 +190,8 @@ impl StepVariation {
         }
     }
 
-    /// Takes from a variation at the end what the start's contributes to their difference: increments of
-    /// motions become those of `Ψ`.
+    /// Takes from a variation at the end what the start's contributes to their difference:
+    /// increments of motions become those of `Ψ`.
     pub fn subtract(&self, start: &Variation, end: &mut Variation) {
         for ((end, start), [inverse, turned]) in
             end.nodes.iter_mut().zip(&start.nodes).zip(&self.tangents)
@@ -206,8 +208,8 @@ impl StepVariation {
         }
     }
 
-    /// Makes the variation of the start that of the end. `solve` solves with the factored Jacobian of the
-    /// end, whose tangents are `blocks`.
+    /// Makes the variation of the start that of the end. `solve` solves with the factored Jacobian
+    /// of the end, whose tangents are `blocks`.
     pub fn propagate(
         &mut self,
         equations: &Collocation,

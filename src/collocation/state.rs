@@ -6,15 +6,17 @@ use crate::motion::Motion;
 use crate::system::{Placed, System};
 use serde::{Deserialize, Serialize};
 
-/// Angles are followed through larger turns of a node in parts: between them none moves half a turn.
+/// Angles are followed through larger turns of a node in parts: between them none moves half a
+/// turn.
 const SAFE_TURN: f64 = 1.0;
 /// Parts at most: what turns further in a Newton increment is far from any solution.
 const MOST_PARTS: f64 = 100.0;
 
 /// Motions of all nodes and multipliers of all joints over the grid, or at the times of a march.
 ///
-/// For `n` nodes and `N` grid points the unknowns are, in order: for each node and grid point the six
-/// increments of its motion, then, for each element with `m` multipliers and each grid point, those.
+/// For `n` nodes and `N` grid points the unknowns are, in order: for each node and grid point the
+/// six increments of its motion, then, for each element with `m` multipliers and each grid point,
+/// those.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct GridState {
     points: usize,
@@ -80,8 +82,8 @@ impl GridState {
         placed.first_multiplier * self.points + placed.element.multipliers() * k
     }
 
-    /// What an element's own unknown `row` gains in a period: whole turns, for the internal state of an
-    /// angle that does.
+    /// What an element's own unknown `row` gains in a period: whole turns, for the internal state
+    /// of an angle that does.
     pub fn gain(&self, system: &System, placed: &Placed, row: usize) -> f64 {
         match system.unknown(placed.first_multiplier + row) {
             Unknown::State {
@@ -136,7 +138,8 @@ impl GridState {
         );
     }
 
-    /// Makes room for tracked coordinates of a state that was kept with the first `old` of them only.
+    /// Makes room for tracked coordinates of a state that was kept with the first `old` of them
+    /// only.
     pub fn complete_tracked(&mut self, system: &System, old: usize) {
         let count = system.tracked();
         if count == old || self.coordinates.len() != old * self.points {
@@ -156,8 +159,8 @@ impl GridState {
         }
     }
 
-    /// Follows the tracked coordinates as [`track`](Self::track) does, through increments that may turn nodes far:
-    /// `increment` of the motions before, in parts.
+    /// Follows the tracked coordinates as [`track`](Self::track) does, through increments that may
+    /// turn nodes far: `increment` of the motions before, in parts.
     fn track_along(&mut self, system: &System, before: &Self, increment: &[f64], step: f64) {
         let turns = increment.chunks_exact(6).map(|u| {
             let turn = u[3] * u[3] + u[4] * u[4] + u[5] * u[5];
@@ -186,7 +189,8 @@ impl GridState {
         self.track(system);
     }
 
-    /// Follows the tracked coordinates from each point to the next: nothing else tells their whole turns.
+    /// Follows the tracked coordinates from each point to the next: nothing else tells their whole
+    /// turns.
     pub fn track_through(&mut self, system: &System) {
         let count = system.tracked();
         for k in 0..self.points {
@@ -213,7 +217,8 @@ impl GridState {
         next
     }
 
-    /// The state that follows `before` and this one by the fraction `ratio` of the step between them.
+    /// The state that follows `before` and this one by the fraction `ratio` of the step between
+    /// them.
     pub fn extrapolated(&self, system: &System, before: &Self, ratio: f64) -> Self {
         let mut next = self.clone();
         for (motion, earlier) in next.motions.iter_mut().zip(&before.motions) {

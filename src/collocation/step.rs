@@ -1,18 +1,20 @@
 //! A step in time by the generalised-α method on SE(3), and the state of motion it starts from.
 //!
-//! After Arnold and Brüls (Multibody System Dynamics 18, 2007) and Brüls, Cardona and Arnold (Mechanism and
-//! Machine Theory 48, 2012), for the equations of index 3: with steps of `h`,
+//! After Arnold and Brüls (Multibody System Dynamics 18, 2007) and Brüls, Cardona and Arnold
+//! (Mechanism and Machine Theory 48, 2012), for the equations of index 3: with steps of `h`,
 //!
 //! ```text
 //! M₁ = M₀ exp(Ψ),  Ψ = h v₀ + h² ((½ − β) a₀ + β a₁),  v₁ = v₀ + h ((1 − γ) a₀ + γ a₁),
 //! (1 − α_m) a₁ + α_m a₀ = (1 − α_f) v̇₁ + α_f v̇₀,
 //! ```
 //!
-//! and equilibrium, constraints and multipliers at the end of the step. As `v₁` and `v̇₁` are affine in
-//! `Ψ = log(M₀⁻¹ M₁)`, a step is collocation on a grid of one point with another rule for the derivatives.
+//! and equilibrium, constraints and multipliers at the end of the step. As `v₁` and `v̇₁` are
+//! affine in `Ψ = log(M₀⁻¹ M₁)`, a step is collocation on a grid of one point with another rule for
+//! the derivatives.
 //!
-//! Internal states follow the first-order method of the same kind (Jansen, Whiting and Hulbert, Computer
-//! Methods in Applied Mechanics and Engineering 190, 2000).
+//! Internal states follow the first-order method of the same kind (Jansen, Whiting and Hulbert,
+//! Computer Methods in Applied Mechanics and Engineering 190, 2000). See docs/theory.md, section
+//! 12.1.
 
 use super::state::GridState;
 use crate::elements::NodeState;
@@ -228,8 +230,8 @@ impl AlphaStep {
         }
     }
 
-    /// Makes `end`, with the node states that belong to it, the start of the next step, which is as long;
-    /// `is_state` tells internal states from multipliers.
+    /// Makes `end`, with the node states that belong to it, the start of the next step, which is as
+    /// long; `is_state` tells internal states from multipliers.
     pub fn advance(
         &mut self,
         end: &GridState,
@@ -255,9 +257,9 @@ impl AlphaStep {
     }
 }
 
-/// An instant whose velocities and accelerations are given; the unknowns are those of equations that are
-/// linear in accelerations (or in velocities): what the Jacobian holds is the inertia, constraint gradients
-/// and what balances rates of internal states.
+/// An instant whose velocities and accelerations are given; the unknowns are those of equations
+/// that are linear in accelerations (or in velocities): what the Jacobian holds is the inertia,
+/// constraint gradients and what balances rates of internal states.
 #[derive(Debug, Clone)]
 pub struct GivenRates {
     /// `v` of each node.

@@ -1,9 +1,10 @@
 //! Stretching between grid points.
 //!
-//! Slender beams that bend from one grid point to the next are stretched in between, by terms of second order, and what axial
-//! stiffness makes of that is much larger than all else that is left of the equations there. Tiny motions along the beams undo
-//! it. At the grid points, where the beams lie otherwise, the same forces would bend them; so it is stress resultants that
-//! are carried there.
+//! Slender beams that bend from one grid point to the next are stretched in between, by terms of
+//! second order, and what axial stiffness makes of that is much larger than all else that is left
+//! of the equations there. Tiny motions along the beams undo it. At the grid points, where the
+//! beams lie otherwise, the same forces would bend them; so it is stress resultants that are
+//! carried there.
 
 use super::between::{Defect, PART};
 use super::problem::Collocation;
@@ -13,8 +14,8 @@ use crate::error::Result;
 use nalgebra::Vector6;
 
 impl Defect {
-    /// Lets what stress resultants are more than those interpolated act on the beams as they are at the grid points before.
-    /// Kinematics of `equations` become those of `state`.
+    /// Lets what stress resultants are more than those interpolated act on the beams as they are at
+    /// the grid points before. Kinematics of `equations` become those of `state`.
     ///
     /// # Errors
     /// If an element is too distorted.

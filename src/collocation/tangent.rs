@@ -1,8 +1,8 @@
-//! The Jacobian of eq. (37) applied without being formed: tangents of the elements at each grid point, and
-//! `Γ_v`, `Γ_a` by FFT. `O(n N log N)` time, `O(n N)` memory.
+//! The Jacobian applied without being formed (docs/theory.md, section 5.3): tangents of the
+//! elements at each grid point, and `Γ_v`, `Γ_a` by FFT. `O(n N log N)` time, `O(n N)` memory.
 //!
-//! Stress resultants `f` of beams are kept apart: with their increments as unknowns of their own, the Jacobian is the Schur
-//! complement of
+//! Stress resultants `f` of beams are kept apart: with their increments as unknowns of their own,
+//! the Jacobian is the Schur complement of
 //!
 //! ```text
 //! [A Bᵀ; L −1]
@@ -80,7 +80,8 @@ pub struct TangentLayout {
     strains: usize,
     /// Of each node: the stations whose resultants act on it, and its strain tangents there.
     acting: Vec<Vec<(usize, usize)>>,
-    /// Of each coupling: the stations that it is a part of, and the strain tangents of its row and column there.
+    /// Of each coupling: the stations that it is a part of, and the strain tangents of its row and
+    /// column there.
     within: Vec<Vec<(usize, usize, usize)>>,
 }
 
@@ -172,7 +173,8 @@ impl TangentLayout {
     }
 }
 
-/// `∂force/∂u`, `∂force/∂V` and `∂force/∂V̇` of one coupling at one grid point, stress resultants held.
+/// `∂force/∂u`, `∂force/∂V` and `∂force/∂V̇` of one coupling at one grid point, stress resultants
+/// held.
 #[derive(Debug, Clone, Copy, Default)]
 pub struct PairTangent {
     /// `K`.
@@ -203,7 +205,8 @@ pub struct Tangent {
     own: Vec<OwnTangent>,
     /// Each strain tangent, at the grid points.
     strains: Vec<Vec<StrainTangent>>,
-    /// Stress resultants of station `s` at grid point `k`, at `s N + k`, that act on the nodes in a product.
+    /// Stress resultants of station `s` at grid point `k`, at `s N + k`, that act on the nodes in a
+    /// product.
     stresses: Vec<DualVector>,
     /// Size of the resultants' unknowns.
     resultant_scale: f64,
@@ -249,7 +252,8 @@ impl Tangent {
         &self.pairs[pair][k]
     }
 
-    /// `∂force/∂u` of the coupling `pair` at grid point `k`, stress resultants included, not scaled.
+    /// `∂force/∂u` of the coupling `pair` at grid point `k`, stress resultants included, not
+    /// scaled.
     pub fn stiffness(&self, pair: usize, k: usize) -> Matrix6<f64> {
         let mut sum = self.pair(pair, k).stiffness;
         for &(station, row, column) in &self.layout.within[pair] {
@@ -287,13 +291,14 @@ impl Tangent {
         &self.strains[index][k]
     }
 
-    /// Number of stress resultants over the grid: unknowns in the order of stations, then of grid points.
+    /// Number of stress resultants over the grid: unknowns in the order of stations, then of grid
+    /// points.
     pub fn resultants(&self) -> usize {
         6 * self.points * self.layout.stations.len()
     }
 
-    /// Forces and moments that count as 1 in the unknowns of stress resultants, the moments' for arms of the
-    /// characteristic length.
+    /// Forces and moments that count as 1 in the unknowns of stress resultants, the moments' for
+    /// arms of the characteristic length.
     pub fn resultant_scales(&self, system: &System) -> Vector6<f64> {
         let (force, moment) = (
             self.resultant_scale,
@@ -314,8 +319,8 @@ impl Tangent {
         &self.own[index].gradients[length * k..][..length]
     }
 
-    /// `∂constraint/∂λ` and `∂constraint/∂λ̇` of element `index`, which has internal states, at grid point
-    /// `k`, column by column, not scaled.
+    /// `∂constraint/∂λ` and `∂constraint/∂λ̇` of element `index`, which has internal states, at
+    /// grid point `k`, column by column, not scaled.
     pub fn own(&self, system: &System, index: usize, k: usize) -> (&[f64], &[f64]) {
         let count = system.elements()[index].element.multipliers();
         self.own[index].own[2 * count * count * k..][..2 * count * count].split_at(count * count)
@@ -334,8 +339,8 @@ impl Tangent {
             + size_of_val(&self.stresses[..])
     }
 
-    /// Evaluates the elements at `state`; `equations` keep their kinematics at this state until the last
-    /// product.
+    /// Evaluates the elements at `state`; `equations` keep their kinematics at this state until the
+    /// last product.
     pub fn evaluate(&mut self, equations: &mut Collocation, state: &GridState) -> Result<()> {
         equations.update_kinematics(state);
         let (instants, division) = (&equations.instants, &equations.division);
@@ -362,8 +367,8 @@ impl Tangent {
         )
     }
 
-    /// Writes the product of the scaled Jacobian and `x`. Where `x` goes on with increments of stress resultants, so does
-    /// `y` with what the equations of these ask for.
+    /// Writes the product of the scaled Jacobian and `x`. Where `x` goes on with increments of
+    /// stress resultants, so does `y` with what the equations of these ask for.
     pub fn apply(&mut self, equations: &Collocation, x: &[f64], y: &mut [f64]) {
         let (x, resultants) = x.split_at(equations.size());
         let (y, unbalance) = y.split_at_mut(equations.size());
@@ -598,8 +603,8 @@ impl TangentLayout {
         first(nodes.start)..first(nodes.end)
     }
 
-    /// Sums the tangents of the couplings of a share's rows; writes those of strains and of own unknowns of the elements
-    /// that have these there.
+    /// Sums the tangents of the couplings of a share's rows; writes those of strains and of own
+    /// unknowns of the elements that have these there.
     fn evaluate(
         &self,
         instants: &Instants,

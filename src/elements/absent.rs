@@ -11,8 +11,8 @@ thread_local! {
     static ZERO: Cell<bool> = const { Cell::new(false) };
 }
 
-/// Calls `work`, while absent functions give zero instead of failing: for a system whose loads do not matter,
-/// since its solution is known.
+/// Calls `work`, while absent functions give zero instead of failing: for a system whose loads do
+/// not matter, since its solution is known.
 pub(crate) fn with_zero_for_absent<T>(work: impl FnOnce() -> T) -> T {
     struct Reset(bool);
     impl Drop for Reset {
@@ -29,7 +29,8 @@ pub(crate) fn call_absent() -> Result<()> {
     if ZERO.get() {
         return Ok(());
     }
-    let message = "its function is not there, as the model was loaded from a file, which holds none: build the model again to solve it";
+    let message = "its function is not there, as the model was loaded from a file, which holds \
+        none: build the model again to solve it";
     Err(Error::new(ErrorKind::Callback, message))
 }
 

@@ -1,4 +1,4 @@
-//! Geometrically exact beam of any order (section 5 of the formulation).
+//! Geometrically exact beam of any order (docs/theory.md, section 6.2).
 //!
 //! Along the beam motions are interpolated exactly as in time: `G(ξ) = Σ N_a M_a`, polar
 //! decomposition `G = R S`, and the strain is the "velocity in ξ": `A e = 2 axial(Rᵀ Σ N'_a M_a)`.
@@ -25,7 +25,8 @@ pub(super) struct Station {
     pub stretch: f64,
     /// In the axes that the element's nodes give it.
     section: Section,
-    /// Angle by which the section's own axes are turned about axis 1 from these: where twist has a corner.
+    /// Angle by which the section's own axes are turned about axis 1 from these: where twist has a
+    /// corner.
     pub turn: f64,
     /// "Velocity in ξ" of the reference configuration.
     reference: Vector6<f64>,
@@ -93,7 +94,8 @@ const EVEN: f64 = 1e-13;
 /// A direction with less across a line than this part of it is along that.
 const ACROSS: f64 = 1e-9;
 
-/// Quadrature points of a section's flexibility in a piece, more than nodes: it is a rational function of the length.
+/// Quadrature points of a section's flexibility in a piece, more than nodes: it is a rational
+/// function of the length.
 const FLEXIBILITY_POINTS: usize = 3;
 
 /// What a beam is made from.
@@ -137,8 +139,8 @@ impl TryFrom<BeamRecord> for Beam {
 
 impl Beam {
     /// A beam over `nodes` (two or more, at the Gauss–Lobatto points along the beam), whose
-    /// reference shape interpolates the `reference` motions of its nodes, with a [`Section`] that is the
-    /// same all along, or changes.
+    /// reference shape interpolates the `reference` motions of its nodes, with a [`Section`] that
+    /// is the same all along, or changes.
     ///
     /// # Errors
     /// If neighbouring nodes coincide, or the reference shape is too distorted to interpolate.
@@ -212,7 +214,8 @@ impl Beam {
         )
     }
 
-    /// Frame in which the section at `xi` is described, in the reference configuration, without and with its twist.
+    /// Frame in which the section at `xi` is described, in the reference configuration, without and
+    /// with its twist.
     fn reference_frames(&self, xi: f64) -> Result<(Motion, Motion)> {
         let station = Station::bare(shape_functions(&self.points, xi));
         let first = self.untwisted(0);
@@ -223,8 +226,8 @@ impl Beam {
         Ok((line, section))
     }
 
-    /// Axes at `xi` in the reference configuration: axis 1 along the line, axis 2 the part of `direction` that is perpendicular
-    /// to it. None if it has no such part.
+    /// Axes at `xi` in the reference configuration: axis 1 along the line, axis 2 the part of
+    /// `direction` that is perpendicular to it. None if it has no such part.
     pub(super) fn axes_along_line(
         &self,
         xi: f64,
@@ -273,7 +276,8 @@ impl Beam {
         Ok(station)
     }
 
-    /// Reference length for each unit of ξ at `xi`: that of the line, whatever twist does to its interpolation.
+    /// Reference length for each unit of ξ at `xi`: that of the line, whatever twist does to its
+    /// interpolation.
     ///
     /// # Errors
     /// If the reference shape is too distorted there.
@@ -306,7 +310,8 @@ impl Beam {
         self.sections.at(0.0)
     }
 
-    /// The element's inertia, integrated by one quadrature point for each node from station to station of the section table.
+    /// The element's inertia, integrated by one quadrature point for each node from station to
+    /// station of the section table.
     ///
     /// Nodal velocities are first carried to the section's reference frame, then interpolated, so
     /// that the matrix is constant and a rigid motion has exact inertia.
@@ -359,8 +364,9 @@ impl Beam {
         Ok(Motion::new(motion.rotation * turn, motion.position))
     }
 
-    /// Strains `[γ; κ]` per unit of reference length, and stress resultants `[force; moment]`, in the
-    /// section's frame at `xi` in `[−1, 1]`, for the element's nodes at `motions` with `twists`.
+    /// Strains `[γ; κ]` per unit of reference length, and stress resultants `[force; moment]`, in
+    /// the section's frame at `xi` in `[−1, 1]`, for the element's nodes at `motions` with
+    /// `twists`.
     ///
     /// Both are the polynomials through those at the Gauss points, where they are most accurate.
     pub fn strain_and_stress(
@@ -399,7 +405,8 @@ impl Beam {
         Ok((own(&strain), own(&stress)))
     }
 
-    /// Stress resultants at Gauss point `i`, for all "velocities in ξ" less those of the reference, and their rates.
+    /// Stress resultants at Gauss point `i`, for all "velocities in ξ" less those of the reference,
+    /// and their rates.
     fn resultants(
         &self,
         i: usize,
@@ -591,13 +598,14 @@ pub(super) fn spread_variation(x: &DualMatrix, w: &DualVector) -> DualMatrix {
     w.outer(&x.axial()) * 2.0 - *x * w.skew()
 }
 
-/// `2 w xᵀ − (X w)~`: the part of `ΔCᵀ w` that the section's turn causes; a node's own increment causes
-/// minus its [`spread_variation`].
+/// `2 w xᵀ − (X w)~`: the part of `ΔCᵀ w` that the section's turn causes; a node's own increment
+/// causes minus its [`spread_variation`].
 pub(super) fn turned(x: &DualMatrix, w: &DualVector) -> DualMatrix {
     w.outer(&x.axial()) * 2.0 - (*x * *w).skew()
 }
 
-/// Second variation of `σᵀ Δe` at constant `σ`: fills `mu` and `nu` of every node and returns `(μ, ν)`.
+/// Second variation of `σᵀ Δe` at constant `σ` (docs/theory.md, section 6.4): fills `mu` and `nu`
+/// of every node and returns `(μ, ν)`.
 ///
 /// With `μ = A⁻¹ σ` and `ν = A⁻¹ Pᵀ μ`, a node's force is
 /// `N' Cᵀ μ + N (Cᵀ ν + 2 (μᵀe) x + ẽ Xᵀ μ)`; its variation needs those of `μ`, `ν`, `e` and `ρ`.
@@ -632,7 +640,8 @@ fn adjoint_variations(
 
 /// Geometric stiffness, block by block: passed to `add(a, b, block)`.
 ///
-/// Increments of two nodes commute, so that blocks on both sides of the diagonal are transposes of each other.
+/// Increments of two nodes commute, so that blocks on both sides of the diagonal are transposes of
+/// each other.
 fn geometric_stiffness(
     at: &StationMotion,
     (mu, nu): (&DualVector, &DualVector),
@@ -674,7 +683,8 @@ fn geometric_stiffness(
     }
 }
 
-/// Variation of the strain rate `ė = Σ B_a V_a` at constant nodal velocities: fills `rate`.
+/// Variation of the strain rate `ė = Σ B_a V_a` at constant nodal velocities (docs/theory.md,
+/// section 6.5): fills `rate`.
 fn rate_variations(
     at: &StationMotion,
     rate: &DualVector,
@@ -935,8 +945,9 @@ fn add_geometric_stiffness(
     });
 }
 
-/// Adds `K_ab = B_aᵀ Σ (S B_b + D R_b)` and `C_ab = B_aᵀ Σ D B_b`, sums over the stations that the `laws` of this one are of,
-/// whose `columns` follow each other; or puts `B` and `R` aside, if they are wanted apart.
+/// Adds `K_ab = B_aᵀ Σ (S B_b + D R_b)` and `C_ab = B_aᵀ Σ D B_b`, sums over the stations that the
+/// `laws` of this one are of, whose `columns` follow each other; or puts `B` and `R` aside, if they
+/// are wanted apart.
 fn add_material_stiffness(
     rows: &[NodeTerms],
     laws: &[(Matrix6<f64>, Matrix6<f64>)],

@@ -1,17 +1,21 @@
 //! Stress resultants of a beam element whose section changes along it.
 //!
-//! Strains are sampled at the Gauss points, one fewer than nodes, so that nothing locks. The section enters by its
-//! integrals, piece by piece from station to station of its table, in two ways:
+//! Strains are sampled at the Gauss points, one fewer than nodes, so that nothing locks. The
+//! section enters by its integrals, piece by piece from station to station of its table, in two
+//! ways:
 //!
 //! ```text
-//! strains interpolated, ε = Σ L_i ε_i:       f_i = Σ_j A_ij ε_j,   A_ij = ∫ L_i L_j 𝒦 ds
-//! resultants interpolated, s = Σ L_i s_i:    w_i ε_i = Σ_j F_ij s_j,   F_ij = ∫ L_i L_j 𝒦⁻¹ ds,   f_i = w_i s_i
+//! strains interpolated, ε = Σ L_i ε_i:
+//!     f_i = Σ_j A_ij ε_j,   A_ij = ∫ L_i L_j 𝒦 ds
+//! resultants interpolated, s = Σ L_i s_i:
+//!     w_i ε_i = Σ_j F_ij s_j,   F_ij = ∫ L_i L_j 𝒦⁻¹ ds,   f_i = w_i s_i
 //! ```
 //!
-//! with the length `w_i` that Gauss point i stands for. The first is too stiff (Voigt's bound); the second too soft, and where
-//! the section vanishes towards a tip it makes all of the element soft against strains that alternate (Reuss's). Their
-//! mean is Hill's: with few elements it is more accurate than the first, and at least half as stiff. Damping is that of
-//! `𝒟` under the strains of each. A uniform section gives each point its own law again.
+//! with the length `w_i` that Gauss point i stands for. The first is too stiff (Voigt's bound); the
+//! second too soft, and where the section vanishes towards a tip it makes all of the element soft
+//! against strains that alternate (Reuss's). Their mean is Hill's: with few elements it is more
+//! accurate than the first, and at least half as stiff. Damping is that of `𝒟` under the strains of
+//! each. A uniform section gives each point its own law again. See docs/theory.md, section 6.6.
 
 use super::section::Section;
 use super::shape::shape_functions;
@@ -19,7 +23,8 @@ use super::{OtherStation, StressLaw};
 use crate::error::{Error, ErrorKind, Result};
 use nalgebra::{DMatrix, Matrix6, Vector6};
 
-/// Resultants of all Gauss points by their strains: `f_i = Σ_j S_ij e_j + D_ij ė_j`, integrated, for "velocities in ξ".
+/// Resultants of all Gauss points by their strains: `f_i = Σ_j S_ij e_j + D_ij ė_j`, integrated,
+/// for "velocities in ξ".
 #[derive(Debug, Clone)]
 pub(super) struct CoupledLaw {
     points: usize,
@@ -52,7 +57,8 @@ impl LawIntegrals {
         }
     }
 
-    /// Adds a section at `xi`, where the reference line has so much length for each unit of ξ, with this weight in ξ.
+    /// Adds a section at `xi`, where the reference line has so much length for each unit of ξ, with
+    /// this weight in ξ.
     ///
     /// # Errors
     /// If its stiffness is not positive definite, as a damaged file may have it.

@@ -1,4 +1,5 @@
 //! Springs, dampers, actuators and laws of the user on a joint coordinate.
+//! See docs/theory.md, section 6.10.
 
 use super::absent;
 use super::joint::{FramePair, Joint, RelativeState};
@@ -31,8 +32,8 @@ pub(super) struct ActedState {
 }
 
 impl ActedCoordinate {
-    /// `coordinate` of `joint`, which is tracked coordinate number `tracked` and, maybe, `prescribed` by the signal
-    /// of that number.
+    /// `coordinate` of `joint`, which is tracked coordinate number `tracked` and, maybe,
+    /// `prescribed` by the signal of that number.
     pub fn new(
         joint: &Joint,
         coordinate: Coordinate,
@@ -93,7 +94,8 @@ impl ActedState {
     }
 }
 
-/// An effort on a joint coordinate (force on a displacement, moment on an angle), and its derivatives.
+/// An effort on a joint coordinate (force on a displacement, moment on an angle), and its
+/// derivatives.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Effort {
     /// The effort.
@@ -139,8 +141,8 @@ impl fmt::Debug for CoordinateLaw {
     }
 }
 
-/// Steps of differences: the cube root of the rounding, where a central difference is most accurate, of
-/// what the arguments are of the order of.
+/// Steps of differences: the cube root of the rounding, where a central difference is most
+/// accurate, of what the arguments are of the order of.
 pub(super) fn difference_step(size: f64) -> f64 {
     f64::EPSILON.cbrt() * size
 }
@@ -157,7 +159,8 @@ impl CoordinateLaw {
             Err(Error::new(
                 ErrorKind::Callback,
                 format!(
-                    "callback: expected a finite {name} at t = {time}, coordinate {value}, rate {rate}, got {x}"
+                    "callback: expected a finite {name} at t = {time}, coordinate {value}, rate \
+                     {rate}, got {x}"
                 ),
             ))
         };

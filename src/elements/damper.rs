@@ -1,12 +1,13 @@
 //! Viscous damper between two bodies, with a full matrix of coefficients.
+//! See docs/theory.md, section 6.10.
 
 use super::joint::{Attachment, FramePair};
 use super::{Contribution, Element, Instant};
 use crate::error::Result;
 use nalgebra::Matrix6;
 
-/// Wrench `−C ż` on the second of two frames, and its reaction on the first: `ż` is the twist of the second
-/// frame relative to the first, both wrench and twist are resolved in the second.
+/// Wrench `−C ż` on the second of two frames, and its reaction on the first: `ż` is the twist of
+/// the second frame relative to the first, both wrench and twist are resolved in the second.
 #[derive(Debug, Clone)]
 pub struct ViscousDamper {
     pair: FramePair,

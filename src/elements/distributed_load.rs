@@ -1,8 +1,8 @@
 //! Forces and moments per unit of a beam's reference length.
 //!
 //! They act on the sections between the nodes, whose motion the beam interpolates: the work is done
-//! through the section's turn `A Δρ = Σ N_a C_a Δu_a` (see `beam`), so that a node's share of the load `w`
-//! is `N_a C_aᵀ μ` with `μ = A⁻¹ w`.
+//! through the section's turn `A Δρ = Σ N_a C_a Δu_a` (see `beam`), so that a node's share of the
+//! load `w` is `N_a C_aᵀ μ` with `μ = A⁻¹ w`. See docs/theory.md, section 6.11.
 
 use super::beam::{Beam, Station, about_axis, spread_variation, turned};
 use super::shape::{gauss_legendre, shape_functions};
@@ -21,8 +21,9 @@ pub enum BeamLoadFrame {
     Space,
     /// Along the axes of the sections: the load follows them.
     Follower,
-    /// As of an untwisted beam: axis 1 along the reference line, axis 2 the part of this direction that is perpendicular to
-    /// it in the reference configuration; each section takes these axes with it.
+    /// As of an untwisted beam: axis 1 along the reference line, axis 2 the part of this direction
+    /// that is perpendicular to it in the reference configuration; each section takes these axes
+    /// with it.
     Untwisted(Vector3<f64>),
 }
 
@@ -37,8 +38,9 @@ impl From<LoadFrame> for BeamLoadFrame {
 
 /// Loads along one beam element, taken together.
 ///
-/// Each acts at one quadrature point for each node, with its integral times the point's Lagrange polynomial, so that however many
-/// components and places there are, the beam is interpolated there only.
+/// Each acts at one quadrature point for each node, with its integral times the point's Lagrange
+/// polynomial, so that however many components and places there are, the beam is interpolated there
+/// only.
 #[derive(Debug, Clone)]
 pub struct DistributedLoad {
     nodes: Vec<usize>,
@@ -62,13 +64,14 @@ struct LoadPart {
 pub(super) struct Scratch {
     /// Motions of the nodes relative to the first.
     relative: Vec<DualMatrix>,
-    /// Loads at each station, along the inertial axes and along those that the nodes give the section.
+    /// Loads at each station, along the inertial axes and along those that the nodes give the
+    /// section.
     loads: Vec<[Vector6<f64>; 2]>,
     tangents: Tangents,
 }
 
-/// Tangents of all nodes' forces by all nodes, as dual matrices, which take twists to wrenches: `Σ P_a T_b + T_aᵀ H_b` over the
-/// stations, in one product for all of these.
+/// Tangents of all nodes' forces by all nodes, as dual matrices, which take twists to wrenches:
+/// `Σ P_a T_b + T_aᵀ H_b` over the stations, in one product for all of these.
 #[derive(Debug, Clone)]
 struct Tangents {
     stations: usize,
@@ -108,8 +111,9 @@ impl DistributedLoad {
         self.parts.is_empty()
     }
 
-    /// Adds a load of the signals of `[force; moment]` (`None` is zero) times a factor that is linear between the given
-    /// places `(ξ, factor)`, which ascend from −1 to 1; two at the same ξ make a jump.
+    /// Adds a load of the signals of `[force; moment]` (`None` is zero) times a factor that is
+    /// linear between the given places `(ξ, factor)`, which ascend from −1 to 1; two at the same ξ
+    /// make a jump.
     ///
     /// # Errors
     /// As [`DistributedLoad::new`].
@@ -164,7 +168,8 @@ impl DistributedLoad {
         Ok(())
     }
 
-    /// Axes of a load at each station, in those of the section; in the inertial frame if they are fixed there.
+    /// Axes of a load at each station, in those of the section; in the inertial frame if they are
+    /// fixed there.
     ///
     /// # Errors
     /// If the direction of an untwisted beam is along its line.
@@ -236,7 +241,8 @@ impl Tangents {
         }
     }
 
-    /// Sets what node `a` has to do with the load at a station: `x` is its motion relative to the section, and `turn` what it turns that by.
+    /// Sets what node `a` has to do with the load at a station: `x` is its motion relative to the
+    /// section, and `turn` what it turns that by.
     fn set(&mut self, at: &Loaded, a: usize, shape: f64, x: &DualMatrix, turn: &DualMatrix) {
         let by_own = spread_variation(x, &at.mu) * shape;
         let factors = [
@@ -369,7 +375,8 @@ impl DistributedLoad {
                 dual: section.tr_mul(&moment),
             };
             let mu = polar.spread_inverse * (space + DualVector::from_wrench(follower));
-            // A Δμ = Δw − ΔA μ. In dual algebra Δw is w̃ Δρ, but for what a force in space does by being moved.
+            // A Δμ = Δw − ΔA μ. In dual algebra Δw is w̃ Δρ, but for what a force in space does by
+            // being moved.
             let loaded = Loaded {
                 station: place,
                 mu,

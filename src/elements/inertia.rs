@@ -1,4 +1,5 @@
-//! Inertia that is constant in the material frames of its nodes: rigid bodies and beams (section 4).
+//! Inertia that is constant in the material frames of its nodes: rigid bodies and beams
+//! (docs/theory.md, section 6.1).
 
 use super::{Contribution, Element, Instant};
 use crate::error::{Error, Result, require_finite};
@@ -15,12 +16,13 @@ use serde::{Deserialize, Serialize};
 pub struct Inertia {
     nodes: Vec<usize>,
     mass: DMatrix<f64>,
-    /// Inertial force of each node if all move as a rigid body, for a unit acceleration in its frame.
+    /// Inertial force of each node if all move as a rigid body, for a unit acceleration in its
+    /// frame.
     shares: Vec<Matrix6x3<f64>>,
 }
 
-/// 6×6 inertia `[m I, −m c̃; m c̃, J − m c̃ c̃]` about a frame, for a mass `m` whose centre is at `c` and
-/// whose inertia about its centre is `J`, all in that frame.
+/// 6×6 inertia `[m I, −m c̃; m c̃, J − m c̃ c̃]` about a frame, for a mass `m` whose centre is at
+/// `c` and whose inertia about its centre is `J`, all in that frame.
 pub fn rigid_body_inertia(
     mass: f64,
     centre: &Vector3<f64>,
@@ -199,7 +201,8 @@ impl Element for Inertia {
 }
 
 impl Inertia {
-    /// The 6×6 inertia about the origin of the inertial frame, resolved in it, of the nodes at `motions` if all move as a rigid body.
+    /// The 6×6 inertia about the origin of the inertial frame, resolved in it, of the nodes at
+    /// `motions` if all move as a rigid body.
     pub fn about_origin(&self, motions: &[Motion]) -> Matrix6<f64> {
         let carry: Vec<Matrix6<f64>> = motions.iter().map(|m| m.inverse().adjoint()).collect();
         let mut sum = Matrix6::zeros();

@@ -1,4 +1,5 @@
-//! Joints between two frames, and joint coordinates prescribed by a signal (section 6).
+//! Joints between two frames, and joint coordinates prescribed by a signal (docs/theory.md, section
+//! 6.9).
 
 use super::relative::{Coordinate, JointKind, RelativeMotion, ScalarFunction};
 use super::{Contribution, Element, Instant, NodeState, Unknown};
@@ -153,7 +154,8 @@ impl RelativeState {
         }
     }
 
-    /// Adds the gradient of own equation `row`, which is also that of the forces by own unknown `row`.
+    /// Adds the gradient of own equation `row`, which is also that of the forces by own unknown
+    /// `row`.
     pub fn add_gradient(&self, row: usize, gradient: &Vector6<f64>, out: &mut Contribution) {
         for (a, jacobian) in self.local_jacobians() {
             let mut columns = out.gradient.fixed_view_mut::<1, 6>(row, 6 * a);
@@ -161,7 +163,8 @@ impl RelativeState {
         }
     }
 
-    /// Adds constraints, row by row with their multipliers: violations, gradients, and the forces of the multipliers.
+    /// Adds constraints, row by row with their multipliers: violations, gradients, and the forces
+    /// of the multipliers.
     pub fn add_constraints(
         &self,
         functions: impl Iterator<Item = ScalarFunction>,

@@ -1,4 +1,5 @@
 //! Forces and moments on a node, each component a signal.
+//! See docs/theory.md, section 6.11.
 
 use super::{Contribution, Element, Instant};
 use crate::error::Result;

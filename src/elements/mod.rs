@@ -2,6 +2,7 @@
 //!
 //! An element knows nothing of the period or of other elements. Adding one takes a file here and
 //! an entry in the test that every element passes (`tangent_test`).
+//! See docs/theory.md, section 5.1.
 
 mod absent;
 mod beam;
@@ -81,7 +82,8 @@ pub struct Instant<'a> {
     pub multipliers: &'a [f64],
     /// Rates of internal states; zero for multipliers.
     pub multiplier_rates: &'a [f64],
-    /// Stress resultants that the geometric stiffness is to be of, station by station; of the strains if empty.
+    /// Stress resultants that the geometric stiffness is to be of, station by station; of the
+    /// strains if empty.
     pub resultants: &'a [Vector6<f64>],
     /// Values of all the model's signals at this time.
     pub signals: &'a [f64],
@@ -107,8 +109,8 @@ pub enum Measure {
 pub enum Unknown {
     /// Lagrange multiplier: a force that constrains a length, or a moment that constrains an angle.
     Multiplier(Measure),
-    /// Internal state with a rate: an elongation or a turn, determined by a balance of the forces or
-    /// moments conjugate to it.
+    /// Internal state with a rate: an elongation or a turn, determined by a balance of the forces
+    /// or moments conjugate to it.
     State {
         /// Of the state itself.
         measure: Measure,
@@ -117,8 +119,8 @@ pub enum Unknown {
     },
 }
 
-/// Stress resultants at a station of an element, integrated with its weight: `f = S e + D ė` of its strains `e`, and
-/// likewise of those at other stations of the element.
+/// Stress resultants at a station of an element, integrated with its weight: `f = S e + D ė` of its
+/// strains `e`, and likewise of those at other stations of the element.
 #[derive(Debug, Clone, PartialEq)]
 pub struct StressLaw {
     /// `S`.
@@ -140,8 +142,8 @@ pub struct OtherStation {
     pub damping: Matrix6<f64>,
 }
 
-/// What a node's increment does to the strains of a station: `Δe = B Δu` and `Δė = B ΔV + R Δu`. The resultants'
-/// force on the node is `Bᵀ f`.
+/// What a node's increment does to the strains of a station: `Δe = B Δu` and `Δė = B ΔV + R Δu`.
+/// The resultants' force on the node is `Bᵀ f`.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct StrainTangent {
     /// `B`, that acts on twists.
@@ -183,7 +185,8 @@ pub struct Contribution {
     pub own: DMatrix<f64>,
     /// `∂constraint/∂λ̇`, `m × m`, for internal states `λ`.
     pub own_rate: DMatrix<f64>,
-    /// Whether what stress resultants contribute is wanted apart, as `strains`, not in stiffness and damping.
+    /// Whether what stress resultants contribute is wanted apart, as `strains`, not in stiffness
+    /// and damping.
     pub with_resultants_apart: bool,
     /// Of each station with [`StressLaw`], for each node, if wanted apart.
     pub strains: Vec<StrainTangent>,
@@ -291,8 +294,9 @@ pub trait Element: Send + Sync + std::fmt::Debug {
         Vec::new()
     }
 
-    /// Writes the stress resultants at each station that has a [`StressLaw`] for strains and strain rates that change in
-    /// proportion to increments of the nodes, which are at `nodes`, and of their velocities.
+    /// Writes the stress resultants at each station that has a [`StressLaw`] for strains and strain
+    /// rates that change in proportion to increments of the nodes, which are at `nodes`, and of
+    /// their velocities.
     ///
     /// # Errors
     /// As [`Element::evaluate`].
@@ -305,7 +309,8 @@ pub trait Element: Send + Sync + std::fmt::Debug {
         Ok(())
     }
 
-    /// Adds the forces on the nodes, which are at `nodes`, of stress resultants at each station that has a [`StressLaw`].
+    /// Adds the forces on the nodes, which are at `nodes`, of stress resultants at each station
+    /// that has a [`StressLaw`].
     ///
     /// # Errors
     /// As [`Element::evaluate`].

@@ -1,8 +1,9 @@
 //! What a beam element leaves of the equations, told by one of a higher degree in its place.
 //!
-//! The finer element moves as the coarse one does. What then is left of its equations bends it further, by functions that vanish
-//! at the nodes of the coarse one (bubbles): they are found element by element, and what holds them there are forces on
-//! the coarse nodes, which is how much the coarse equations are wrong.
+//! The finer element moves as the coarse one does. What then is left of its equations bends it
+//! further, by functions that vanish at the nodes of the coarse one (bubbles): they are found
+//! element by element, and what holds them there are forces on the coarse nodes, which is how much
+//! the coarse equations are wrong. See docs/theory.md, section 10.5.
 
 use super::beam::{Beam, Station, about_axis};
 use super::shape::lobatto_points;
@@ -11,7 +12,8 @@ use crate::error::Result;
 use crate::motion::{DualVector, Motion};
 use nalgebra::{DMatrix, DVector, Vector6};
 
-/// Degrees that are added: bending by one more needs a deflection by one more than that, or shear would lock it.
+/// Degrees that are added: bending by one more needs a deflection by one more than that, or shear
+/// would lock it.
 const MORE: usize = 2;
 
 /// Between a beam element and one of a higher degree.
@@ -30,7 +32,8 @@ impl Beam {
         self.nodes().len() + MORE
     }
 
-    /// An element of a higher degree over `nodes`, which has the same reference shape and sections, and how they hang together.
+    /// An element of a higher degree over `nodes`, which has the same reference shape and sections,
+    /// and how they hang together.
     ///
     /// # Errors
     /// If its shape is too distorted.
@@ -68,8 +71,8 @@ impl Raised {
         self.stations.iter().map(at).collect()
     }
 
-    /// Increments of the nodes of the finer element by its bubbles, which with its tangents balance the `forces` on its nodes; and the
-    /// forces that are left on these then.
+    /// Increments of the nodes of the finer element by its bubbles, which with its tangents balance
+    /// the `forces` on its nodes; and the forces that are left on these then.
     pub fn bent(&self, fine: &Contribution, forces: &DVector<f64>) -> (DVector<f64>, DVector<f64>) {
         let size = 6 * self.bubbles.len();
         let modes = DMatrix::from_fn(size, 6 * MORE, |row, column| {
@@ -88,7 +91,8 @@ impl Raised {
         }
     }
 
-    /// Forces on the nodes of the coarse element, at `states`, that do the same work as these on those of the finer.
+    /// Forces on the nodes of the coarse element, at `states`, that do the same work as these on
+    /// those of the finer.
     ///
     /// # Errors
     /// As [`Raised::motions`].

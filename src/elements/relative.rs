@@ -1,7 +1,8 @@
 //! Scalar functions of the relative motion of two joint frames: constraints and joint coordinates.
 //!
-//! With `Z = C_i⁻¹ C_j` and its material increment `δz = [linear; angular]` (resolved in frame j), two
-//! primitives have simple exact derivatives, and everything else is composed of them.
+//! With `Z = C_i⁻¹ C_j` and its material increment `δz = [linear; angular]` (resolved in frame j),
+//! two primitives have simple exact derivatives, and everything else is composed of them. See
+//! docs/theory.md, section 6.8.
 
 use super::Measure;
 use crate::motion::{Motion, skew};
@@ -28,7 +29,8 @@ pub struct ScalarFunction {
 trait Composed: Copy {
     /// Displacement `e_kᵀ r` along axis `k` of the first frame.
     fn displacement(z: &RelativeMotion, k: usize) -> Self;
-    /// Direction cosine `e_aᵀ R e_b` between axis `a` of the first and axis `b` of the second frame.
+    /// Direction cosine `e_aᵀ R e_b` between axis `a` of the first and axis `b` of the second
+    /// frame.
     fn cosine(z: &RelativeMotion, a: usize, b: usize) -> Self;
     /// Distance `|r|` between the origins.
     fn distance(z: &RelativeMotion) -> Self;
@@ -133,7 +135,8 @@ impl Composed for ScalarFunction {
 
     fn angle(y: &Self, x: &Self) -> Self {
         let square = x.value * x.value + y.value * y.value;
-        // Far from the joint's constraints the angle may be undefined; there any finite slope will do.
+        // Far from the joint's constraints the angle may be undefined; there any finite slope will
+        // do.
         let square = if square > 0.0 {
             square
         } else {
@@ -227,9 +230,9 @@ pub(crate) fn nearest_turn(angle: f64, near: f64) -> f64 {
 /// | rigid | `r = 0`, `axial(R) = 0` | none |
 /// | revolute | `r = 0`, `e₁ᵀR e₃ = e₂ᵀR e₃ = 0` | angle about `e₃` |
 /// | prismatic | `e₁ᵀr = e₂ᵀr = 0`, `axial(R) = 0` | displacement `e₃ᵀr` |
-/// | cylindrical | `e₁ᵀr = e₂ᵀr = 0`, `e₁ᵀR e₃ = e₂ᵀR e₃ = 0` | displacement `e₃ᵀr`, angle `θ` about `e₃` |
+/// | cylindrical | `e₁ᵀr = e₂ᵀr = 0`, `e₁ᵀR e₃ = e₂ᵀR e₃ = 0` | `e₃ᵀr`, angle `θ` about `e₃` |
 /// | screw | those of the cylindrical joint, `e₃ᵀr = p θ/2π` | `e₃ᵀr`, `θ` |
-/// | planar | `e₃ᵀr = 0`, `e₁ᵀR e₃ = e₂ᵀR e₃ = 0` | displacements `e₁ᵀr`, `e₂ᵀr`, angle about `e₃` |
+/// | planar | `e₃ᵀr = 0`, `e₁ᵀR e₃ = e₂ᵀR e₃ = 0` | `e₁ᵀr`, `e₂ᵀr`, angle about `e₃` |
 /// | universal | `r = 0`, `e₁ᵀR e₂ = 0` | `R = R₁(θ₁) R₂(θ₂)` |
 /// | spherical | `r = 0` | `R = R₁(θ₁) R₂(θ₂) R₃(θ₃)` |
 /// | free | none | displacements `r`, `R = R₁(θ₁) R₂(θ₂) R₃(θ₃)` |
@@ -246,7 +249,8 @@ pub enum JointKind {
     Cylindrical,
     /// A displacement along axis 3 of the joint frames, in proportion to the rotation about it.
     Screw {
-        /// Advance for one turn: positive for a right-handed thread, negative for a left-handed one.
+        /// Advance for one turn: positive for a right-handed thread, negative for a left-handed
+        /// one.
         pitch: f64,
     },
     /// Displacements along axes 1 and 2 of the first frame, and a rotation about axis 3.
@@ -255,8 +259,8 @@ pub enum JointKind {
     Universal,
     /// All relative rotations; coordinates are the Cardan angles of the sequence 1-2-3.
     Spherical,
-    /// All relative motions: nothing is constrained. Coordinates are the displacements along the axes of
-    /// the first frame and the Cardan angles of the sequence 1-2-3.
+    /// All relative motions: nothing is constrained. Coordinates are the displacements along the
+    /// axes of the first frame and the Cardan angles of the sequence 1-2-3.
     Free,
     /// The line between two points, which constrains nothing; its coordinate is their distance.
     Strut,
@@ -375,8 +379,8 @@ impl JointKind {
         }
     }
 
-    /// Joint coordinate `which`, which the joint must have. Angles are in `(−π, π]`, save that of a screw,
-    /// whose whole turns its displacement tells.
+    /// Joint coordinate `which`, which the joint must have. Angles are in `(−π, π]`, save that of a
+    /// screw, whose whole turns its displacement tells.
     pub fn coordinate(self, which: Coordinate, z: &RelativeMotion) -> ScalarFunction {
         self.composed_coordinate(which, z)
     }
@@ -429,8 +433,8 @@ impl JointKind {
         which.measure() == Measure::Angle && !matches!(self, JointKind::Screw { .. })
     }
 
-    /// The value of coordinate `which` that fits `value` and, if its whole turns are open, is nearest to
-    /// `near`.
+    /// The value of coordinate `which` that fits `value` and, if its whole turns are open, is
+    /// nearest to `near`.
     pub(crate) fn follow(self, which: Coordinate, value: f64, near: f64) -> f64 {
         if self.leaves_turns_open(which) {
             nearest_turn(value, near)
@@ -439,8 +443,8 @@ impl JointKind {
         }
     }
 
-    /// The axis of the joint frames that points the wrong way in a joint that is closed: its constraints
-    /// hold too if it is turned over.
+    /// The axis of the joint frames that points the wrong way in a joint that is closed: its
+    /// constraints hold too if it is turned over.
     pub fn turned_over(self, z: &RelativeMotion) -> Option<usize> {
         let aligned: &[usize] = match self {
             JointKind::Rigid | JointKind::Prismatic => &[0, 1, 2],

@@ -112,7 +112,8 @@ impl SectionLine {
         self.places.len().saturating_sub(2)
     }
 
-    /// The same with these twists, one for each place, that are part of the reference motions of the nodes; or with none.
+    /// The same with these twists, one for each place, that are part of the reference motions of
+    /// the nodes; or with none.
     ///
     /// # Errors
     /// If they are not finite, or of another number.

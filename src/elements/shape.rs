@@ -1,4 +1,5 @@
 //! Quadrature points and Lagrange shape functions on `[−1, 1]`.
+//! See docs/theory.md, section 6.2.
 
 /// Legendre polynomial `P_n` and its derivative at `x`.
 fn legendre(n: usize, x: f64) -> (f64, f64) {

@@ -130,7 +130,8 @@ fn cases() -> Vec<Case> {
         }
     }
 
-    // Every joint, and what attaches to its coordinates, between two nodes or a node and the ground.
+    // Every joint, and what attaches to its coordinates, between two nodes or a node and the
+    // ground.
     for kind in relative::ALL_KINDS {
         for (first, second) in [(Some(0), Some(1)), (None, Some(0)), (Some(0), None)] {
             let offsets = [random.motion(), random.motion()];
@@ -278,8 +279,9 @@ fn coordinate_law(at: &CoordinateState) -> Result<Effort> {
     })
 }
 
-/// A user's forces on two nodes, of positions, axes and velocities, whatever the axes of these. With
-/// `d = r₀ − r₁` and `a = R₀ e₁`: `F₀ = [d² v₁ + a × ω₀; (a·d) d]`, `F₁ = [−F₀ force; v₀² ω₁]`.
+/// A user's forces on two nodes, of positions, axes and velocities, whatever the axes of these.
+/// With `d = r₀ − r₁` and `a = R₀ e₁`: `F₀ = [d² v₁ + a × ω₀; (a·d) d]`,
+/// `F₁ = [−F₀ force; v₀² ω₁]`.
 fn node_forces(
     frame: LoadFrame,
     input: &NodeForceInput,

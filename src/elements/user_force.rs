@@ -1,4 +1,5 @@
 //! Forces on nodes that a function of the user computes.
+//! See docs/theory.md, section 6.12.
 
 use super::absent;
 use super::coordinate_force::difference_step;
@@ -20,15 +21,15 @@ pub struct NodeForceInput<'a> {
     pub positions: &'a [Vector3<f64>],
     /// Rotation matrices; their columns are the nodes' axes in the inertial frame.
     pub rotations: &'a [Matrix3<f64>],
-    /// `[velocity; angular velocity]` relative to the inertial frame, along its or the nodes' own axes. In a frame that
-    /// turns steadily, positions, rotations and these are along its axes.
+    /// `[velocity; angular velocity]` relative to the inertial frame, along its or the nodes' own
+    /// axes. In a frame that turns steadily, positions, rotations and these are along its axes.
     pub velocities: &'a [Vector6<f64>],
 }
 
 /// Where a [`NodeForceFunction`] writes; everything is zero at first.
 ///
-/// All is resolved in the same axes as the velocities. Increments are `[displacement; turn]` of each node;
-/// derivatives by motion are at fixed components of the velocities.
+/// All is resolved in the same axes as the velocities. Increments are `[displacement; turn]` of
+/// each node; derivatives by motion are at fixed components of the velocities.
 #[derive(Debug)]
 pub struct NodeForceOutput<'a> {
     /// `[force; moment]` on each node.
@@ -70,7 +71,8 @@ impl fmt::Debug for NodeForceLaw {
 pub struct UserForce {
     nodes: Vec<usize>,
     law: NodeForceLaw,
-    /// What positions and velocities are of the order of: length, and length and turn for a unit of time.
+    /// What positions and velocities are of the order of: length, and length and turn for a unit of
+    /// time.
     length: f64,
     frequency: f64,
 }
@@ -169,7 +171,8 @@ fn both(r: &Matrix3<f64>) -> Matrix6<f64> {
     m
 }
 
-/// `[0 ã; 0 b̃]` of a 6-vector `[a; b]`: what turning the axes by `ψ` does is `−` this times `[·; ψ]`, reversed.
+/// `[0 ã; 0 b̃]` of a 6-vector `[a; b]`: what turning the axes by `ψ` does is `−` this times
+/// `[·; ψ]`, reversed.
 fn skews(v: &Vector6<f64>) -> Matrix6<f64> {
     let mut m = Matrix6::zeros();
     for half in [0, 3] {
@@ -180,7 +183,8 @@ fn skews(v: &Vector6<f64>) -> Matrix6<f64> {
 }
 
 impl UserForce {
-    /// On `nodes`; their motions are of the order of `length`, at the circular frequency `frequency`.
+    /// On `nodes`; their motions are of the order of `length`, at the circular frequency
+    /// `frequency`.
     pub fn new(nodes: Vec<usize>, law: NodeForceLaw, length: f64, frequency: f64) -> Self {
         UserForce {
             nodes,
@@ -251,7 +255,8 @@ impl UserForce {
         Ok(())
     }
 
-    /// Writes differences of the forces, of second order, to `scratch.stiffness` and `scratch.damping`.
+    /// Writes differences of the forces, of second order, to `scratch.stiffness` and
+    /// `scratch.damping`.
     fn difference(&self, time: f64, scratch: &mut Scratch) -> Result<()> {
         let turn_rate = self.frequency;
         for column in 0..6 * self.nodes.len() {
@@ -379,7 +384,8 @@ impl UserForce {
                 let block = |m: &DMatrix<f64>| m.fixed_view::<6, 6>(6 * a, 6 * b).into_owned();
                 let (mut k, mut c) = (block(&scratch.stiffness), block(&scratch.damping));
                 if let Some(back) = &back {
-                    // Increments and velocities in space are R times the material ones, and Δ(R V) = R ΔV − R Ṽ ψ.
+                    // Increments and velocities in space are R times the material ones, and Δ(R V)
+                    // = R ΔV − R Ṽ ψ.
                     let ahead = both(&other.motion.rotation);
                     k = back * k * ahead;
                     c = back * c * ahead;

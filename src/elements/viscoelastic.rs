@@ -1,4 +1,5 @@
-//! Generalised Maxwell model on a joint coordinate: a spring and branches of spring and dashpot in series.
+//! Generalised Maxwell model on a joint coordinate: a spring and branches of spring and dashpot in
+//! series. See docs/theory.md, section 6.10.
 
 use super::coordinate_force::{ActedCoordinate, ActedState, Effort};
 use super::{Contribution, Element, Instant, Unknown};
@@ -16,9 +17,10 @@ pub struct MaxwellBranch {
 
 /// Effort `K∞ (q − q₀) + Σ K_b (q − β_b)` on a joint coordinate `q`, against its growth.
 ///
-/// `β_b`, the elongation of the dashpot of branch b, is an internal state: the dashpot carries what the
-/// spring does, `K_b τ_b β̇_b = K_b (q − β_b)`. With `α_b = q − β_b` this is `τ_b α̇_b + α_b = τ_b q̇`. Without
-/// branches that move it is the spring alone; one branch makes it a Zener element.
+/// `β_b`, the elongation of the dashpot of branch b, is an internal state: the dashpot carries what
+/// the spring does, `K_b τ_b β̇_b = K_b (q − β_b)`. With `α_b = q − β_b` this is
+/// `τ_b α̇_b + α_b = τ_b q̇`. Without branches that move it is the spring alone; one branch makes
+/// it a Zener element.
 #[derive(Debug, Clone)]
 pub struct Viscoelastic {
     at: ActedCoordinate,

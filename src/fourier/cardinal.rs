@@ -1,9 +1,10 @@
-//! Cardinal functions and their derivatives, eqs. (2) and (4).
+//! Cardinal functions and their derivatives (docs/theory.md, section 2.1).
 
 use super::grid::TimeGrid;
 use std::f64::consts::{PI, TAU};
 
-/// Values of `I_k`, `D_k` and `T_k` at one time: `f(t) = Σ I_k f_k`, `ḟ(t) = Σ D_k f_k`, `f̈(t) = Σ T_k f_k`.
+/// Values of `I_k`, `D_k` and `T_k` at one time: `f(t) = Σ I_k f_k`, `ḟ(t) = Σ D_k f_k`,
+/// `f̈(t) = Σ T_k f_k`.
 #[derive(Debug, Clone)]
 pub struct CardinalWeights {
     grid: TimeGrid,
@@ -63,7 +64,7 @@ impl CardinalWeights {
     }
 }
 
-/// Eqs. (2) and (4), for `Ω = 1`.
+/// Away from the grid point, for `Ω = 1`.
 fn in_closed_form(n: f64, x: f64, sin_y: f64, cos_y: f64) -> (f64, f64, f64) {
     let (sin_x, cos_x) = x.sin_cos();
     let sin2 = sin_x * sin_x;
@@ -129,7 +130,7 @@ mod tests {
                     assert!((weights.first[k] - d).abs() < 4.0 * n * (1e-15 + phase));
                     assert!((weights.second[k] - t).abs() < 10.0 * n * n * (1e-15 + phase));
                 }
-                // Partition of unity, eq. (6).
+                // Partition of unity.
                 assert!((weights.value.iter().sum::<f64>() - 1.0).abs() < 1e-14);
             }
         }

@@ -1,4 +1,5 @@
-//! The circulant differentiation matrices `D` and `T`, eq. (5), applied densely or by FFT.
+//! The circulant differentiation matrices `D` and `T`, applied densely or by FFT (docs/theory.md,
+//! section 2.2).
 
 use super::grid::TimeGrid;
 use realfft::num_complex::Complex;
@@ -7,7 +8,8 @@ use std::f64::consts::PI;
 use std::fmt;
 use std::sync::Arc;
 
-/// Above this many grid points the FFT is used: where it was measured to overtake the dense product.
+/// Above this many grid points the FFT is used: where it was measured to overtake the dense
+/// product.
 const DENSE_LIMIT: usize = 8;
 
 /// First and second derivatives in time of grid functions.

@@ -1,5 +1,5 @@
-//! Spectral filters: harmonics near the grid's limit are weakened, so that a kink or a narrow peak does not
-//! ring through the whole period (Gibbs).
+//! Spectral filters: harmonics near the grid's limit are weakened, so that a kink or a narrow peak
+//! does not ring through the whole period (Gibbs). See docs/theory.md, section 2.3.
 
 use crate::error::{Error, Result};
 use serde::{Deserialize, Serialize};

@@ -1,4 +1,5 @@
-//! Fourier spectral interpolation and differentiation on an odd, equispaced grid (section 2).
+//! Fourier spectral interpolation and differentiation on an odd, equispaced grid (docs/theory.md,
+//! section 2).
 
 mod cardinal;
 mod differentiation;

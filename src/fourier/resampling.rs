@@ -1,4 +1,5 @@
 //! From the points of one grid to those of another of the same period, by FFT.
+//! See docs/theory.md, section 2.3.
 
 use super::filter::SpectralFilter;
 use super::grid::TimeGrid;
@@ -8,8 +9,8 @@ use std::f64::consts::TAU;
 use std::fmt;
 use std::sync::Arc;
 
-/// The trigonometric polynomial through values on a grid, and its derivatives, at the points of another grid,
-/// which may begin later.
+/// The trigonometric polynomial through values on a grid, and its derivatives, at the points of
+/// another grid, which may begin later.
 #[derive(Clone)]
 pub struct Resampling {
     grid: TimeGrid,
@@ -32,7 +33,8 @@ impl fmt::Debug for Resampling {
 }
 
 impl Resampling {
-    /// From `grid` to `points` (odd) equispaced times of a period, the first of them `start` periods later.
+    /// From `grid` to `points` (odd) equispaced times of a period, the first of them `start`
+    /// periods later.
     pub fn new(grid: TimeGrid, start: f64, points: usize) -> Self {
         let mut planner = RealFftPlanner::new();
         let forward = planner.plan_fft_forward(grid.points());
@@ -93,8 +95,8 @@ impl Resampling {
         self.spectrum.iter().enumerate().map(both)
     }
 
-    /// Writes the derivative of the given order (0 for the values), of the harmonics from `first` on, at the
-    /// points of the other grid.
+    /// Writes the derivative of the given order (0 for the values), of the harmonics from `first`
+    /// on, at the points of the other grid.
     pub fn write(&mut self, order: u32, first: usize, out: &mut [f64]) {
         let points = out.len();
         let half = points / 2;

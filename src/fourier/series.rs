@@ -49,7 +49,8 @@ impl PeriodicSeries {
     pub fn from_samples(period: f64, samples: &[f64], rate: f64) -> Self {
         let n = samples.len();
         let spectrum = spectrum(samples);
-        // Each harmonic stands for itself and its mirror image, but for the highest of an even number.
+        // Each harmonic stands for itself and its mirror image, but for the highest of an even
+        // number.
         let scale = |j: usize| if 2 * j == n { 1.0 } else { 2.0 } / n as f64;
         let harmonics = || spectrum.iter().enumerate().skip(1);
         let cosines = harmonics().map(|(j, c)| scale(j) * c.re).collect();

@@ -146,8 +146,8 @@ impl Stations {
         SectionLine::new(ends.0.0, &inside, ends.1.0).twisted(twists)
     }
 
-    /// Fractions of the element boundaries: some where the section jumps, and the others so that the
-    /// elements between jumps are equally long, and all about so.
+    /// Fractions of the element boundaries: some where the section jumps, and the others so that
+    /// the elements between jumps are equally long, and all about so.
     fn boundaries(&self, elements: usize) -> Result<Vec<f64>> {
         let jumps = self.0.windows(2).filter(|pair| pair[0].0 == pair[1].0);
         let mut ends: Vec<f64> = vec![0.0];
@@ -215,8 +215,8 @@ impl Model {
     /// Elements may share end nodes: in chains, and where beams branch.
     ///
     /// # Errors
-    /// If nodes do not exist, are out of order, or belong to another beam element in a way that makes
-    /// the two overlap; if the section is not valid.
+    /// If nodes do not exist, are out of order, or belong to another beam element in a way that
+    /// makes the two overlap; if the section is not valid.
     pub fn add_beam_element(&mut self, nodes: &[usize], section: &SectionInput) -> Result<usize> {
         Self::require_element_size("nodes", nodes.len())?;
         for (i, &node) in nodes.iter().enumerate() {
@@ -269,8 +269,8 @@ impl Model {
         Ok(())
     }
 
-    /// Checks that a new element over `nodes` shares no more than an end node with each element that is
-    /// there, and does not run along it.
+    /// Checks that a new element over `nodes` shares no more than an end node with each element
+    /// that is there, and does not run along it.
     fn require_not_shared(&self, nodes: &[usize]) -> Result<()> {
         let new = self.beams.len();
         let ends = |nodes: &[usize]| (nodes[0], nodes[nodes.len() - 1]);
@@ -318,15 +318,17 @@ impl Model {
     /// Meshes a beam along a reference line with `elements` elements of polynomial degree `degree`
     /// (nodes of an element, less one).
     ///
-    /// `line` gives, for each fraction of the span from 0 to 1, a frame with axis 1 along the line, such as
-    /// [`straight_line`], [`circular_arc`](super::circular_arc) and [`smooth_curve`](super::smooth_curve) make. Sections and twist
-    /// are linear in the fraction between `stations`, which ascend from 0 to 1; two stations at the same
-    /// fraction make a jump of the section, where the mesh gets a boundary. One station alone stands for all.
-    /// Stations may lie anywhere: elements are integrated from each to the next. Where the slope of section or twist
-    /// jumps inside an element, convergence with the degree is slower all the same.
+    /// `line` gives, for each fraction of the span from 0 to 1, a frame with axis 1 along the line,
+    /// such as [`straight_line`], [`circular_arc`](super::circular_arc) and
+    /// [`smooth_curve`](super::smooth_curve) make. Sections and twist are linear in the fraction
+    /// between `stations`, which ascend from 0 to 1; two stations at the same fraction make a jump
+    /// of the section, where the mesh gets a boundary. One station alone stands for all. Stations
+    /// may lie anywhere: elements are integrated from each to the next. Where the slope of section
+    /// or twist jumps inside an element, convergence with the degree is slower all the same.
     ///
     /// # Errors
-    /// If the line, the stations or the numbers of the mesh are not valid; the model is then as it was.
+    /// If the line, the stations or the numbers of the mesh are not valid; the model is then as it
+    /// was.
     pub fn add_beam_along(
         &mut self,
         line: impl Fn(f64) -> Result<Motion>,
@@ -340,11 +342,13 @@ impl Model {
         self.mesh_beam(line, &stations, &boundaries, degree)
     }
 
-    /// The same with elements from each of the `boundaries` to the next, fractions from 0 to 1: those of the stations, for a mesh
-    /// that follows them, or others. The section jumps at boundaries only.
+    /// The same with elements from each of the `boundaries` to the next, fractions from 0 to 1:
+    /// those of the stations, for a mesh that follows them, or others. The section jumps at
+    /// boundaries only.
     ///
     /// # Errors
-    /// If the line, the stations, the boundaries or the degree are not valid; the model is then as it was.
+    /// If the line, the stations, the boundaries or the degree are not valid; the model is then as
+    /// it was.
     pub fn add_beam_between(
         &mut self,
         line: impl Fn(f64) -> Result<Motion>,
@@ -474,7 +478,8 @@ mod tests {
         let end = add(&[2, 3, 4]).unwrap_err();
         assert!(end.contains("node 3, an end of beam element 1"), "{end}");
 
-        // A branch, and the same pair of ends the other way round as a ring needs them, are allowed.
+        // A branch, and the same pair of ends the other way round as a ring needs them, are
+        // allowed.
         let aside = Motion::new(Matrix3::identity(), Vector3::new(3.0, 0.4, 0.0));
         let aside = model.add_node(&aside).unwrap();
         assert_eq!(model.add_beam_element(&[2, aside], &uniform), Ok(3));
@@ -601,7 +606,8 @@ mod tests {
             (mass - 3.0 * (0.5 * 3.0 + 0.25 * 1.0001)).abs() < 1e-13,
             "{mass}"
         );
-        // ∫ (4 − 4 s) s ds to 1/2, and ∫ (1 − 0.9999 (2 s − 1)) s ds from there, times length squared.
+        // ∫ (4 − 4 s) s ds to 1/2, and ∫ (1 − 0.9999 (2 s − 1)) s ds from there, times length
+        // squared.
         let exact = 9.0 * ((0.5 - 1.0 / 6.0) + (0.375 - 0.9999 * 5.0 / 24.0));
         assert!((moment.x - exact).abs() < 1e-12, "{moment} {exact}");
         // Refused lines leave the model as it was.

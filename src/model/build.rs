@@ -66,8 +66,8 @@ pub(super) fn require_positive(
     Ok(0.5 * m + 0.5 * m.transpose()) // the sum of large entries would overflow
 }
 
-/// Checks a damping matrix, which may be unsymmetric (as stiffness times a matrix of times is for coupled sections): whatever
-/// the rates, it must not add energy.
+/// Checks a damping matrix, which may be unsymmetric (as stiffness times a matrix of times is for
+/// coupled sections): whatever the rates, it must not add energy.
 fn require_dissipating(name: &str, m: &Matrix6<f64>) -> Result<Matrix6<f64>> {
     require_finite(name, m.as_slice())?;
     let symmetric = 0.5 * (m + m.transpose());
@@ -75,7 +75,8 @@ fn require_dissipating(name: &str, m: &Matrix6<f64>) -> Result<Matrix6<f64>> {
     if smallest < -1e-9 {
         return Err(Error::value(
             name,
-            "a matrix whose symmetric part is positive semi-definite, so that no motion gains energy",
+            "a matrix whose symmetric part is positive semi-definite, so that no motion gains \
+             energy",
             format!("one whose symmetric part has the scaled eigenvalue {smallest:.3e}"),
         ));
     }
@@ -114,10 +115,12 @@ impl SectionInput {
         Ok(())
     }
 
-    /// Makes the damping `diag(seconds) 𝒦`, with one time for each resultant, as BeamDyn has it; the stiffness must have been set.
+    /// Makes the damping `diag(seconds) 𝒦`, with one time for each resultant, as BeamDyn has it;
+    /// the stiffness must have been set.
     ///
     /// # Errors
-    /// If times are negative, or so different that a coupled section would gain energy in some motion.
+    /// If times are negative, or so different that a coupled section would gain energy in some
+    /// motion.
     pub fn damp_by_component(&mut self, seconds: &[f64; 6]) -> Result<()> {
         require_finite("seconds", seconds)?;
         if let Some(i) = seconds.iter().position(|&time| time < 0.0) {

@@ -8,7 +8,8 @@ use crate::motion::Motion;
 use nalgebra::{Matrix3, Matrix6, Vector3};
 use serde::{Deserialize, Serialize};
 
-/// Linear spring-damper on a joint coordinate: effort `stiffness (q − rest) + damping q̇` against growth.
+/// Linear spring-damper on a joint coordinate: effort `stiffness (q − rest) + damping q̇` against
+/// growth.
 #[derive(Debug, Clone, Copy)]
 pub struct SpringDefinition {
     /// Where it acts.
@@ -24,7 +25,8 @@ pub struct SpringDefinition {
 /// A force of the model.
 #[derive(Debug, Clone, Serialize, Deserialize)]
 pub enum ForceDefinition {
-    /// Effort `Σ stiffness[i−1] (q − rest)ⁱ + Σ damping[i−1] q̇ⁱ` on a joint coordinate, against growth.
+    /// Effort `Σ stiffness[i−1] (q − rest)ⁱ + Σ damping[i−1] q̇ⁱ` on a joint coordinate, against
+    /// growth.
     SpringDamper {
         /// Where it acts.
         at: JointCoordinate,
@@ -118,10 +120,10 @@ impl Model {
         self.forces.len() - 1
     }
 
-    /// Adds a strut: the line between a point of each of two bodies (`None` is the ground), given in the
-    /// reference configuration. It is a joint that constrains nothing, with the distance of the points as
-    /// its coordinate [`Coordinate::Displacement1`](crate::elements::Coordinate); springs, dampers and
-    /// actuators act along it. Returns the joint's id.
+    /// Adds a strut: the line between a point of each of two bodies (`None` is the ground), given
+    /// in the reference configuration. It is a joint that constrains nothing, with the distance of
+    /// the points as its coordinate [`Coordinate::Displacement1`](crate::elements::Coordinate);
+    /// springs, dampers and actuators act along it. Returns the joint's id.
     pub fn add_strut(
         &mut self,
         first: Option<usize>,
@@ -170,23 +172,24 @@ impl Model {
         }))
     }
 
-    /// Adds a force or torque on a joint coordinate that follows a signal and is positive towards growth;
-    /// returns the force's id.
+    /// Adds a force or torque on a joint coordinate that follows a signal and is positive towards
+    /// growth; returns the force's id.
     pub fn add_actuator(&mut self, at: JointCoordinate, signal: &Signal) -> Result<usize> {
         self.require_coordinate(&at)?;
         let signal = signal.clone();
         Ok(self.add_force(ForceDefinition::Actuator { at, signal }))
     }
 
-    /// Adds a user's law for the effort on a joint coordinate, against growth; returns the force's id.
+    /// Adds a user's law for the effort on a joint coordinate, against growth; returns the force's
+    /// id.
     pub fn add_coordinate_law(&mut self, at: JointCoordinate, law: CoordinateLaw) -> Result<usize> {
         self.require_coordinate(&at)?;
         Ok(self.add_force(ForceDefinition::CoordinateLaw { at, law }))
     }
 
     /// Adds a generalised Maxwell model on a joint coordinate `q`, against growth: effort
-    /// `K∞ (q − rest) + Σ K_b α_b`, `τ_b α̇_b + α_b = τ_b q̇`. Stiffnesses of the branches and relaxation times
-    /// are positive. One branch makes it a Zener element. Returns the force's id.
+    /// `K∞ (q − rest) + Σ K_b α_b`, `τ_b α̇_b + α_b = τ_b q̇`. Stiffnesses of the branches and
+    /// relaxation times are positive. One branch makes it a Zener element. Returns the force's id.
     pub fn add_viscoelastic(
         &mut self,
         at: JointCoordinate,
@@ -218,11 +221,11 @@ impl Model {
         }))
     }
 
-    /// Adds a viscous damper between two bodies (`None` is the ground): the wrench on the second is `−C ż`,
-    /// with the twist `ż` of the second relative to the first. Both are about and resolved in a frame that
-    /// is fixed to the second body and given where it is in the reference configuration (`None`: the second
-    /// node's own, or the inertial frame). `matrix` is symmetric and positive semi-definite. Returns the
-    /// force's id.
+    /// Adds a viscous damper between two bodies (`None` is the ground): the wrench on the second is
+    /// `−C ż`, with the twist `ż` of the second relative to the first. Both are about and resolved
+    /// in a frame that is fixed to the second body and given where it is in the reference
+    /// configuration (`None`: the second node's own, or the inertial frame). `matrix` is symmetric
+    /// and positive semi-definite. Returns the force's id.
     pub fn add_viscous_damper(
         &mut self,
         first: Option<usize>,

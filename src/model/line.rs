@@ -27,7 +27,8 @@ fn axes(axis_1: &Vector3<f64>, axis_2: &Vector3<f64>) -> Result<Matrix3<f64>> {
     ]))
 }
 
-/// A straight line from `start` to `end`. Axis 2 is the part of `axis_2` that is perpendicular to it.
+/// A straight line from `start` to `end`. Axis 2 is the part of `axis_2` that is perpendicular to
+/// it.
 ///
 /// # Errors
 /// If the points coincide, or `axis_2` is along the line.
@@ -45,8 +46,8 @@ pub fn straight_line(
 }
 
 /// The circular arc from `start` through `point` to `end`. Axis 2 at the start is the part of
-/// `axis_2` that is perpendicular to the arc; the axes then turn with the arc about its axis, so that
-/// their curvature is constant. Fractions are of the arc's length.
+/// `axis_2` that is perpendicular to the arc; the axes then turn with the arc about its axis, so
+/// that their curvature is constant. Fractions are of the arc's length.
 ///
 /// # Errors
 /// If the points are on a straight line, or `axis_2` is along the arc's start.
@@ -101,14 +102,15 @@ fn require_apart(from: &str, a: &Vector3<f64>, name: &str, b: &Vector3<f64>) -> 
 
 /// Share of the line over which a curve is differentiated.
 const WINDOW: f64 = 1.0 / 16.0;
-/// Points at which it is evaluated there: a turn of half a radian is resolved to rounding, one of two to 1e-9.
+/// Points at which it is evaluated there: a turn of half a radian is resolved to rounding, one of
+/// two to 1e-9.
 const SAMPLES: usize = 14;
-/// Largest deviation of a curve from the polynomial through these points, relative to the window's length:
-/// a corner of 10 degrees has about as much.
+/// Largest deviation of a curve from the polynomial through these points, relative to the window's
+/// length: a corner of 10 degrees has about as much.
 const SMOOTH: f64 = 1e-3;
 
-/// A curve given by its position and a direction, the part of which across the curve is axis 2, at each
-/// fraction of the span. Axis 1 is found by differentiation.
+/// A curve given by its position and a direction, the part of which across the curve is axis 2, at
+/// each fraction of the span. Axis 1 is found by differentiation.
 ///
 /// `curve` is called several times for each frame, with fractions from 0 to 1.
 pub fn smooth_curve(

@@ -19,8 +19,8 @@ pub struct DistributedLoadDefinition {
     pub frame: BeamLoadFrame,
     /// Components `[force; moment]`, per unit of length.
     pub components: [Option<Signal>; 6],
-    /// Factors `(fraction, factor)` at ascending fractions, from 0 to 1, of the reference length of these
-    /// elements; linear in between, two at the same fraction make a jump. Empty: 1 all along.
+    /// Factors `(fraction, factor)` at ascending fractions, from 0 to 1, of the reference length of
+    /// these elements; linear in between, two at the same fraction make a jump. Empty: 1 all along.
     pub factors: Vec<(f64, f64)>,
 }
 
@@ -71,8 +71,8 @@ impl DistributedLoadDefinition {
     }
 }
 
-/// The part of piecewise linear `factors` from `start` to `end`, with places given as shares of that
-/// part, from 0 to 1.
+/// The part of piecewise linear `factors` from `start` to `end`, with places given as shares of
+/// that part, from 0 to 1.
 fn places_within(factors: &[(f64, f64)], start: f64, end: f64) -> Vec<(f64, f64)> {
     if factors.is_empty() {
         return vec![(0.0, 1.0), (1.0, 1.0)];
@@ -105,11 +105,13 @@ fn factors_at(i: usize, fraction: impl Fn(usize) -> f64, last: usize) -> Vec<(f6
 }
 
 impl Model {
-    /// Adds a load that is given at `places`, from 0 to 1 and ascending, all its components at once, and linear in between; two
-    /// at the same fraction make a jump. See [`Model::add_distributed_load`].
+    /// Adds a load that is given at `places`, from 0 to 1 and ascending, all its components at
+    /// once, and linear in between; two at the same fraction make a jump. See
+    /// [`Model::add_distributed_load`].
     ///
     /// # Errors
-    /// If the elements do not exist, or the places are fewer than two, not in order, or not from 0 to 1; then nothing is added.
+    /// If the elements do not exist, or the places are fewer than two, not in order, or not from 0
+    /// to 1; then nothing is added.
     pub fn add_load_at_places(
         &mut self,
         first_element: usize,
@@ -144,12 +146,12 @@ impl Model {
 
     /// Adds a load along beam elements.
     ///
-    /// The load acts on the line of the beam and moves with its sections. It stays a load for a unit of
-    /// *reference* length, however much the beam stretches.
+    /// The load acts on the line of the beam and moves with its sections. It stays a load for a
+    /// unit of *reference* length, however much the beam stretches.
     ///
     /// # Errors
-    /// If the elements do not exist, or the factors are not finite, not in order, or not from 0 to 1; if the direction of an
-    /// untwisted beam is along it somewhere.
+    /// If the elements do not exist, or the factors are not finite, not in order, or not from 0 to
+    /// 1; if the direction of an untwisted beam is along it somewhere.
     pub fn add_distributed_load(&mut self, load: DistributedLoadDefinition) -> Result<()> {
         self.require_load(&load)?;
         self.distributed_loads.push(load);

@@ -21,8 +21,8 @@ fn require_motion(name: &str, motion: &Motion) -> Result<()> {
 }
 
 impl Model {
-    /// Builds the model anew, with all the checks of building. Unlike the calls of the user, none of it changes
-    /// a number.
+    /// Builds the model anew, with all the checks of building. Unlike the calls of the user, none
+    /// of it changes a number.
     pub(crate) fn checked(self) -> Result<Model> {
         let mut model = Model {
             nodes: self.nodes,

@@ -6,8 +6,8 @@ use crate::error::Result;
 use std::collections::BTreeMap;
 
 impl Model {
-    /// The same with each beam element by one of a higher degree, and what is between the two. The nodes that are there keep
-    /// their numbers; those inside elements belong to beams no more.
+    /// The same with each beam element by one of a higher degree, and what is between the two. The
+    /// nodes that are there keep their numbers; those inside elements belong to beams no more.
     ///
     /// # Errors
     /// If an element is too distorted.

@@ -83,7 +83,8 @@ impl fmt::Debug for Signal {
 }
 
 impl Signal {
-    /// `mean + rate t + Σ_j (cosines[j−1] cos jΩt + sines[j−1] sin jΩt)`, with `Ω` of the solve's period.
+    /// `mean + rate t + Σ_j (cosines[j−1] cos jΩt + sines[j−1] sin jΩt)`, with `Ω` of the solve's
+    /// period.
     pub fn harmonics(mean: f64, rate: f64, cosines: &[f64], sines: &[f64]) -> Result<Self> {
         require_finite("mean", &[mean])?;
         require_finite("rate", &[rate])?;
@@ -224,8 +225,8 @@ impl BoundSignal {
         }
     }
 
-    /// Value, first and second derivative at `time`; those of a function by differences of its values at
-    /// `time` and later times, `step` apart.
+    /// Value, first and second derivative at `time`; those of a function by differences of its
+    /// values at `time` and later times, `step` apart.
     pub fn derivatives(&self, time: f64, step: f64) -> Result<[f64; 3]> {
         match self {
             BoundSignal::Series(series) => {

@@ -1,4 +1,4 @@
-//! Dual numbers, vectors and 3×3 matrices, `a + ε a°` with `ε² = 0` (appendix A).
+//! Dual numbers, vectors and 3×3 matrices, `a + ε a°` with `ε² = 0` (docs/theory.md, section 1.1).
 //!
 //! A formula for rotations, evaluated in dual algebra, is the formula for motions.
 
@@ -239,7 +239,7 @@ impl DualMatrix {
         self.transpose().trace_minus()
     }
 
-    /// 6×6 matrix acting on twists `[dual; primal]`, eq. (30b): `[A A°; 0 A]`.
+    /// 6×6 matrix acting on twists `[dual; primal]`: `[A A°; 0 A]` (docs/theory.md, section 1.2).
     #[inline]
     pub fn to_twist_matrix(&self) -> Matrix6<f64> {
         let mut m = Matrix6::zeros();
@@ -249,7 +249,8 @@ impl DualMatrix {
         m
     }
 
-    /// Adds the product of `m` and the matrix that acts on twists, `m [A A°; 0 A]`, to `sum`, sparing the zeros.
+    /// Adds the product of `m` and the matrix that acts on twists, `m [A A°; 0 A]`, to `sum`,
+    /// sparing the zeros.
     #[inline]
     pub fn add_product_to(&self, m: &Matrix6<f64>, sum: &mut Matrix6<f64>) {
         let (m, sum) = (&m.data.0, &mut sum.data.0);
@@ -298,7 +299,7 @@ mod tests {
     }
 
     #[test]
-    fn identities_of_appendix_b_hold_in_dual_algebra() {
+    fn identities_hold_in_dual_algebra() {
         let (a, b, m) = (vector(0.7), vector(1.9), matrix(0.4));
         // (38a), (38b), (38c)
         assert_equal((a.skew() * m).axial(), m.trace_minus() * a * 0.5);

@@ -1,6 +1,7 @@
-//! Interpolation of motions by dual polar decomposition (section 4, appendix C).
+//! Interpolation of motions by dual polar decomposition (docs/theory.md, section 3).
 //!
-//! The same algebra serves in time, with cardinal functions, and along a beam, with shape functions.
+//! The same algebra serves in time, with cardinal functions, and along a beam, with shape
+//! functions.
 
 use super::dual::{DualMatrix, DualVector};
 use super::polar::{polar_rotation, spread_matrix, symmetric_factor_is_admissible};

@@ -1,12 +1,13 @@
 //! Logarithm of motions, and how it varies: the inverse of the exponential map of SE(3).
+//! See docs/theory.md, section 1.4.
 
 use super::dual::{Dual, DualMatrix, DualVector};
 use super::rigid::Motion;
 use super::rotation::{quaternion_from_rotation, skew};
 use nalgebra::{Vector3, Vector6};
 
-/// `d(x) = (1 − (θ/2) cot(θ/2)) / θ²` with `x = θ²`, for a dual `x`: that its dual part is multiplied by is
-/// the derivative.
+/// `d(x) = (1 − (θ/2) cot(θ/2)) / θ²` with `x = θ²`, for a dual `x`: that its dual part is
+/// multiplied by is the derivative.
 fn quadratic_factor(x: Dual) -> Dual {
     let (value, slope) = if x.primal < 0.25 {
         // |B₂ₙ| / (2n)!, the Taylor series, where the quotients would cancel.

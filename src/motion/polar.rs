@@ -1,4 +1,5 @@
-//! Polar decomposition `G = R S` with `tr(S) I − S` positive definite (appendix C).
+//! Polar decomposition `G = R S` with `tr(S) I − S` positive definite (docs/theory.md, section
+//! 3.1).
 
 use super::rotation::{axial, rotation_from_vector};
 use nalgebra::Matrix3;

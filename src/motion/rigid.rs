@@ -1,11 +1,13 @@
 //! Motions, the elements of SE(3).
+//! See docs/theory.md, section 1.2.
 
 use super::dual::{DualMatrix, DualVector};
 use super::rotation::{rotation_from_vector, skew};
 use nalgebra::{Matrix3, Matrix6, Vector3, Vector6};
 use serde::{Deserialize, Serialize};
 
-/// A motion: rotation and position of a frame, `R` and `r`, both with respect to the inertial frame.
+/// A motion: rotation and position of a frame, `R` and `r`, both with respect to the inertial
+/// frame.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Motion {
     /// Rotation matrix; its columns are the frame's axes.

@@ -12,15 +12,17 @@ use nalgebra::Vector6;
 pub enum BeamQuantity {
     /// `[axial, shear 2, shear 3]` strains and `[torsion, bending 2, bending 3]` curvatures.
     Strain,
-    /// `[axial, shear 2, shear 3]` forces and `[torsion, bending 2, bending 3]` moments: the element's own.
+    /// `[axial, shear 2, shear 3]` forces and `[torsion, bending 2, bending 3]` moments: the
+    /// element's own.
     Force,
     /// The same, but at a node between two elements the mean of those of both.
     MeanForce,
-    /// At a node between two elements, forces and moments of the one beyond it less those of the one before it, which a
-    /// finer mesh makes smaller; zero elsewhere.
+    /// At a node between two elements, forces and moments of the one beyond it less those of the
+    /// one before it, which a finer mesh makes smaller; zero elsewhere.
     ///
-    /// Two elements have a node between them if one ends and the other starts there, and nothing else is at the node: no
-    /// other element, no body, joint, load or force, whose own jump this would hide.
+    /// Two elements have a node between them if one ends and the other starts there, and nothing
+    /// else is at the node: no other element, no body, joint, load or force, whose own jump this
+    /// would hide.
     ForceJump,
 }
 

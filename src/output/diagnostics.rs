@@ -11,12 +11,13 @@ pub struct Diagnostics {
     /// Largest amplitude of each harmonic, from 0, over all nodes: positions relative to the
     /// characteristic length, entries of rotation matrices.
     pub harmonics: Vec<f64>,
-    /// Estimated error of the motions at all times, in the same measure: from the decay of `harmonics`, the
-    /// violation of constraints between grid points and, if several grids were tried, the difference to the
-    /// grid before.
+    /// Estimated error of the motions at all times, in the same measure: from the decay of
+    /// `harmonics`, the violation of constraints between grid points and, if several grids were
+    /// tried, the difference to the grid before.
     pub error_estimate: f64,
-    /// Estimated error of the motions of nodes by the mesh of beams, at the grid points, in the same measure: what elements of a higher
-    /// degree would make of the forces between them. Zero without beams, infinite unless asked for.
+    /// Estimated error of the motions of nodes by the mesh of beams, at the grid points, in the
+    /// same measure: what elements of a higher degree would make of the forces between them. Zero
+    /// without beams, infinite unless asked for.
     #[serde(default = "unknown")]
     pub mesh_error: f64,
     /// Residuals between grid points.
@@ -27,7 +28,8 @@ pub struct Diagnostics {
     /// Exponent `p` of that, if it falls as `j⁻ᵖ`.
     #[serde(default)]
     pub decay_order: f64,
-    /// Time at which the upper half of the harmonics adds up to most: where a kink or narrow peak is.
+    /// Time at which the upper half of the harmonics adds up to most: where a kink or narrow peak
+    /// is.
     #[serde(default)]
     pub least_resolved_time: f64,
 }

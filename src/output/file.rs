@@ -1,11 +1,11 @@
 //! Solutions saved in files, and loaded from them.
 //!
-//! A file is a header and a body. The header has 24 bytes: a signature, the version of the format, a CRC-32 of
-//! all that follows it and of the version, and the length of the body; integers are little-endian. The body is
-//! the [`Content`] in MessagePack, with the names of all fields.
+//! A file is a header and a body. The header has 24 bytes: a signature, the version of the format,
+//! a CRC-32 of all that follows it and of the version, and the length of the body; integers are
+//! little-endian. The body is the [`Content`] in MessagePack, with the names of all fields.
 //!
-//! A field that is added later gets a default, so that older files can be read; one that changes its meaning, or
-//! goes, takes a new version.
+//! A field that is added later gets a default, so that older files can be read; one that changes
+//! its meaning, or goes, takes a new version.
 
 use super::diagnostics::Diagnostics;
 use super::force::ForceRecord;
@@ -112,13 +112,15 @@ impl Solution {
         })
     }
 
-    /// Loads a solution. It gives what the saved one gave, to the last bit, and a solve may start from it.
+    /// Loads a solution. It gives what the saved one gave, to the last bit, and a solve may start
+    /// from it.
     ///
-    /// If its model had functions of the user, its quantities are there all the same; but a solve of the
-    /// loaded model fails with [`ErrorKind::Callback`], since the functions are not.
+    /// If its model had functions of the user, its quantities are there all the same; but a solve
+    /// of the loaded model fails with [`ErrorKind::Callback`], since the functions are not.
     ///
     /// # Errors
-    /// [`ErrorKind::Io`]; [`ErrorKind::Format`] if the file is no solution, damaged, or of a newer version.
+    /// [`ErrorKind::Io`]; [`ErrorKind::Format`] if the file is no solution, damaged, or of a newer
+    /// version.
     pub fn load(path: &Path) -> Result<Self> {
         let mut file = File::open(path).map_err(|e| refused("read", path, &e))?;
         let file_of = |what: String| {
@@ -189,7 +191,8 @@ fn read_header(header: &[u8]) -> std::result::Result<(u32, u64), String> {
     match u32::from_le_bytes(version) {
         VERSION => Ok((u32::from_le_bytes(checksum), u64::from_le_bytes(length))),
         newer if newer > VERSION => Err(format!(
-            "is of version {newer} of the format; this library reads up to {VERSION}: use a newer one"
+            "is of version {newer} of the format; this library reads up to {VERSION}: use a newer \
+             one"
         )),
         unknown => Err(format!(
             "names version {unknown} of the format, which never was"

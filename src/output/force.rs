@@ -18,7 +18,8 @@ pub enum ForceQuantity {
     BranchEffort(usize),
     /// Elongation (or turn) of the dashpot of such a branch.
     BranchElongation(usize),
-    /// Force and moment that it exerts on one of its nodes, along the inertial axes or those of the node.
+    /// Force and moment that it exerts on one of its nodes, along the inertial axes or those of the
+    /// node.
     OnNode(usize, LoadFrame),
 }
 
@@ -207,8 +208,8 @@ impl Solution {
         Err(Error::new(ErrorKind::NotAvailable, message))
     }
 
-    /// A spring on an angle that gains turns would pull ever harder; what depends on such an angle must
-    /// repeat with its turns.
+    /// A spring on an angle that gains turns would pull ever harder; what depends on such an angle
+    /// must repeat with its turns.
     pub(super) fn require_periodic_forces(&self) -> Result<()> {
         if !self.outcome().is_solution() {
             return Ok(());
@@ -269,7 +270,8 @@ impl Solution {
                 return Err(Error::new(
                     ErrorKind::NotPeriodic,
                     format!(
-                        "force {index} on joint {}: its angle gains {turns:.0} turn{plural} in one period, so that \
+                        "force {index} on joint {}: its angle gains {turns:.0} turn{plural} in \
+                         one period, so that \
                          its moment is not periodic; use stiffness 0 or another joint",
                         at.joint
                     ),

@@ -90,8 +90,8 @@ impl Solution {
         Ok(definition)
     }
 
-    /// What tells the whole turns of a coordinate at the first grid point or step: the signal that prescribes it
-    /// or, without one, how the solve came there.
+    /// What tells the whole turns of a coordinate at the first grid point or step: the signal that
+    /// prescribes it or, without one, how the solve came there.
     pub(super) fn start_of(&self, at: &JointCoordinate) -> f64 {
         if let Some(index) = self.model.prescribed_index(at) {
             return self.prescribed_start[index];

@@ -1,4 +1,5 @@
-//! Solutions: quantities of nodes, joints and beams at any time, their harmonics, and error estimates.
+//! Solutions: quantities of nodes, joints and beams at any time, their harmonics, and error
+//! estimates.
 
 mod beam;
 mod diagnostics;
@@ -7,6 +8,7 @@ mod force;
 mod joint;
 mod modes;
 mod node;
+mod poly_data;
 mod report;
 mod solution;
 mod table;

@@ -74,14 +74,16 @@ impl Modes {
         Solution::of(&self.model, self.solve.equilibrium.clone())
     }
 
-    /// The motion `M exp(a Re(φ exp(iωt)))` from the equilibrium `M` in a mode, for the amplitude `a`, as a
-    /// solution with the period `2π/ω`.
+    /// The motion `M exp(a Re(φ exp(iωt)))` from the equilibrium `M` in a mode, for the amplitude
+    /// `a`, as a solution with the period `2π/ω`.
     ///
-    /// It neither decays nor grows: of the eigenvalue `s` only `ω = Im s` counts. For a real `s`, `ω = |s|` makes
-    /// a period of the time constant, and for a free motion the period is that of the equilibrium.
+    /// It neither decays nor grows: of the eigenvalue `s` only `ω = Im s` counts. For a real `s`,
+    /// `ω = |s|` makes a period of the time constant, and for a free motion the period is that of
+    /// the equilibrium.
     ///
     /// # Errors
-    /// An unknown mode, or an amplitude so large that a node turns further than the grid can follow.
+    /// An unknown mode, or an amplitude so large that a node turns further than the grid can
+    /// follow.
     pub fn motion(&self, mode: usize, amplitude: f64) -> Result<Solution> {
         let number = mode;
         let mode = self.mode(number)?;

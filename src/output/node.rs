@@ -165,7 +165,8 @@ impl Solution {
                 return Err(Error::new(
                     ErrorKind::NotAvailable,
                     format!(
-                        "the quaternion of node {node} changes sign over the period, as its node makes an odd \
+                        "the quaternion of node {node} changes sign over the period, as its node \
+                         makes an odd \
                          number of turns; ask for the rotation matrix"
                     ),
                 ));

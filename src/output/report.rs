@@ -24,7 +24,8 @@ impl Outcome {
     }
 }
 
-/// An estimated error beyond this, relative to the size of the mechanism or in radians, is one of the motion itself.
+/// An estimated error beyond this, relative to the size of the mechanism or in radians, is one of
+/// the motion itself.
 const UNRESOLVED: f64 = 0.1;
 
 impl Solution {
@@ -50,7 +51,8 @@ impl Solution {
         let resolves = || self.diagnostics().error_estimate <= UNRESOLVED;
         if solve.march.is_none() && self.outcome().is_solution() && !resolves() {
             line(format_args!(
-                "  but {} grid points resolve nothing, as the estimated error says: more are needed, or an error tolerance \
+                "  but {} grid points resolve nothing, as the estimated error says: more are \
+                 needed, or an error tolerance \
                  instead of their number",
                 solve.grid.points()
             ));
@@ -85,7 +87,8 @@ impl Solution {
         }
         if let Some(shooting) = solve.march.as_ref().filter(|march| march.shooting) {
             line(format_args!(
-                "  {} steps over the period {}, {} in all marches; the end differs from the start by {:.1e}",
+                "  {} steps over the period {}, {} in all marches; the end differs from the start \
+                 by {:.1e}",
                 shooting.times.len() - 1,
                 solve.grid.period(),
                 shooting.steps,
@@ -100,7 +103,8 @@ impl Solution {
         } else if let Some(march) = &solve.march {
             let (first, last) = (march.times[0], march.times[march.times.len() - 1]);
             line(format_args!(
-                "  {} steps to t = {last} ({} given up, {} iterations), kept from t = {first}; largest error of a step {:.1e}",
+                "  {} steps to t = {last} ({} given up, {} iterations), kept from t = {first}; \
+                 largest error of a step {:.1e}",
                 march.steps, march.rejected, march.iterations, march.step_error
             ));
             line(format_args!(
@@ -132,7 +136,8 @@ impl Solution {
         }
         if let Some(coarse) = &solve.coarse_start {
             line(format_args!(
-                "  start: a solution on {} grid points, after {} iterations, with an estimated error of {:.1e}",
+                "  start: a solution on {} grid points, after {} iterations, with an estimated \
+                 error of {:.1e}",
                 coarse.points, coarse.iterations, coarse.error_estimate
             ));
         }
@@ -148,7 +153,8 @@ impl Solution {
         if solve.march.is_none() {
             let diagnostics = self.diagnostics();
             line(format_args!(
-                "  estimated error of the motions {:.1e}; between grid points: residual force {:.1e}, constraints {:.1e}",
+                "  estimated error of the motions {:.1e}; between grid points: residual force \
+                 {:.1e}, constraints {:.1e}",
                 diagnostics.error_estimate,
                 diagnostics.between.force,
                 diagnostics.between.constraint
@@ -161,12 +167,14 @@ impl Solution {
             }
             if diagnostics.mesh_error.is_infinite() && diagnostics.error_estimate.is_finite() {
                 line(format_args!(
-                    "  these are estimates of time alone; the error by the mesh of beams is estimated if asked for (estimate_mesh)"
+                    "  these are estimates of time alone; the error by the mesh of beams is \
+                     estimated if asked for (estimate_mesh)"
                 ));
             }
             if diagnostics.decay == DecayKind::Slow {
                 line(format_args!(
-                    "  harmonics fall slowly, as j^-{:.1}: a kink, or a peak too narrow for the grid, near t = {:.6}; forces may oscillate about their values",
+                    "  harmonics fall slowly, as j^-{:.1}: a kink, or a peak too narrow for the \
+                     grid, near t = {:.6}; forces may oscillate about their values",
                     diagnostics.decay_order, diagnostics.least_resolved_time
                 ));
             }
@@ -185,7 +193,8 @@ impl Solution {
         }
         let t = solve.timings;
         line(format_args!(
-            "  time: {:.4} s for {} iterations on all grids and in all attempts, and {} of the initial guess",
+            "  time: {:.4} s for {} iterations on all grids and in all attempts, and {} of the \
+             initial guess",
             solve.total_time.as_secs_f64(),
             solve.total_iterations,
             solve.guess_iterations

@@ -14,19 +14,20 @@ use crate::solve::{
 use crate::system::{Driven, System};
 use crate::workers::Workers;
 
-/// Result of a periodic or static solve or of a march, converged or not; otherwise it holds the last iterate,
-/// or the march as far as it came.
+/// Result of a periodic or static solve or of a march, converged or not; otherwise it holds the
+/// last iterate, or the march as far as it came.
 ///
-/// A march is a trajectory: the same can be asked of it, at times of its own. Between its steps, motions,
-/// velocities and joint coordinates are interpolated by cubic polynomials with the right rates, all else
-/// linearly. It has no harmonics. That of a static solve has a grid of one point, and the same values at any time. If the frame turns,
-/// positions and directions are those in it, velocities and accelerations those in the inertial frame,
-/// resolved along its axes.
+/// A march is a trajectory: the same can be asked of it, at times of its own. Between its steps,
+/// motions, velocities and joint coordinates are interpolated by cubic polynomials with the right
+/// rates, all else linearly. It has no harmonics. That of a static solve has a grid of one point,
+/// and the same values at any time. If the frame turns, positions and directions are those in it,
+/// velocities and accelerations those in the inertial frame, resolved along its axes.
 #[derive(Debug, Clone)]
 pub struct Solution {
     pub(super) model: Model,
     pub(super) solve: PeriodicSolve,
-    /// Value of each prescribed coordinate at time zero: a signal's function is not called any more.
+    /// Value of each prescribed coordinate at time zero: a signal's function is not called any
+    /// more.
     pub(super) prescribed_start: Vec<f64>,
     pub(super) diagnostics: Diagnostics,
     /// Applied to what is sampled.
@@ -106,13 +107,14 @@ impl Solution {
         self.solve.grid
     }
 
-    /// A copy whose quantities are seen through a filter: harmonics of motions (of whose entries velocities and
-    /// joint coordinates follow), of forces and of strains are weakened towards the grid's limit, in values
-    /// at any time, harmonics, tables and animations. What oscillates about its value because of a kink or a
-    /// narrow peak then does so near that only; the peak itself gets lower and wider.
+    /// A copy whose quantities are seen through a filter: harmonics of motions (of whose entries
+    /// velocities and joint coordinates follow), of forces and of strains are weakened towards the
+    /// grid's limit, in values at any time, harmonics, tables and animations. What oscillates about
+    /// its value because of a kink or a narrow peak then does so near that only; the peak itself
+    /// gets lower and wider.
     ///
-    /// The solution itself, its diagnostics, and what starts from it, are the same. A filter that was there
-    /// before is replaced.
+    /// The solution itself, its diagnostics, and what starts from it, are the same. A filter that
+    /// was there before is replaced.
     ///
     /// # Errors
     /// [`ErrorKind::NotAvailable`] of a trajectory, which has no harmonics.
@@ -151,9 +153,10 @@ impl Solution {
         ))
     }
 
-    /// This solution at the points of another grid of the same period: where a solve may start.
-    /// On a grid of one point that is the start of the period. Of a trajectory it is the last period. Of an equilibrium, in steady
-    /// rotation or not, what hangs on drives that turn is carried with them, if the joints let it turn as one rigid body.
+    /// This solution at the points of another grid of the same period: where a solve may start. On
+    /// a grid of one point that is the start of the period. Of a trajectory it is the last period.
+    /// Of an equilibrium, in steady rotation or not, what hangs on drives that turn is carried with
+    /// them, if the joints let it turn as one rigid body.
     ///
     /// # Errors
     /// [`ErrorKind::GridTooCoarse`] if a motion cannot be interpolated.
@@ -195,8 +198,8 @@ impl Solution {
         Ok(state)
     }
 
-    /// The same for a grid whose first point is at the time `start` of this solution; of a trajectory for a
-    /// grid of one point only.
+    /// The same for a grid whose first point is at the time `start` of this solution; of a
+    /// trajectory for a grid of one point only.
     pub fn prolonged_from(&self, start: f64, grid: TimeGrid) -> Result<GridState> {
         if self.is_trajectory() && grid.points() == 1 {
             return self.between_steps(start);

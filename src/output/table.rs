@@ -10,7 +10,8 @@ use std::path::Path;
 /// Name of the first column.
 const TIME: &str = "t";
 
-/// Columns of numbers over the same times: quantities of one solution or of several, or the user's own.
+/// Columns of numbers over the same times: quantities of one solution or of several, or the user's
+/// own.
 #[derive(Debug, Clone)]
 pub struct Table {
     times: Vec<f64>,
@@ -33,8 +34,8 @@ impl Table {
         })
     }
 
-    /// Appends the components of a quantity of a node, named after `label` (by default `node` and its id,
-    /// and the quantity) and the component.
+    /// Appends the components of a quantity of a node, named after `label` (by default `node` and
+    /// its id, and the quantity) and the component.
     ///
     /// # Errors
     /// As [`Solution::node`], or a column of that name is there already.
@@ -92,7 +93,8 @@ impl Table {
         self.add_components(label, default, components, &values)
     }
 
-    /// Appends the six components of a quantity of a beam element at a station, as [`Table::add_node`].
+    /// Appends the six components of a quantity of a beam element at a station, as
+    /// [`Table::add_node`].
     ///
     /// # Errors
     /// As [`Solution::beam`], or a column of that name is there already.
@@ -168,7 +170,8 @@ impl Table {
     /// Appends a column of the user's own values, one for each time.
     ///
     /// # Errors
-    /// Values that are not as many as the times, or not finite, or a column of that name is there already.
+    /// Values that are not as many as the times, or not finite, or a column of that name is there
+    /// already.
     pub fn add_values(&mut self, label: &str, values: &[f64]) -> Result<()> {
         require_finite("values", values)?;
         if values.len() != self.times.len() {
@@ -208,8 +211,8 @@ impl Table {
         Ok(())
     }
 
-    /// Writes the table as a CSV file: a line of names, then one line for each time. Numbers have as many
-    /// digits as tell them apart from all others, so that they are read back exactly.
+    /// Writes the table as a CSV file: a line of names, then one line for each time. Numbers have
+    /// as many digits as tell them apart from all others, so that they are read back exactly.
     ///
     /// # Errors
     /// [`ErrorKind::Io`](crate::error::ErrorKind::Io); a file that was there stays as it was.

@@ -57,8 +57,8 @@ impl Between {
     }
 }
 
-/// State between two: motion and velocity by Hermite's cubic (the former of the logarithm of the motion
-/// from the first), acceleration linearly.
+/// State between two: motion and velocity by Hermite's cubic (the former of the logarithm of the
+/// motion from the first), acceleration linearly.
 fn interpolate(place: &Between, a: &NodeState, b: &NodeState) -> NodeState {
     let w = place.cubic();
     let whole = a.motion.relative(&b.motion).logarithm();
@@ -88,7 +88,8 @@ impl Solution {
         Self::of(model, march(model, options, observe)?)
     }
 
-    /// Finds the periodic motion of `model` by shooting, see [`solve_shooting`]: a trajectory over one period.
+    /// Finds the periodic motion of `model` by shooting, see [`solve_shooting`]: a trajectory over
+    /// one period.
     pub fn solve_shooting(
         model: &Model,
         period: f64,
@@ -286,7 +287,8 @@ impl Solution {
             let time = (phase + periods * period).clamp(first, last);
             state.copy_point(system, k, &self.between_steps(time)?, 0);
         }
-        // Turns gained are those from the start of this period on, not of the time the trajectory was at.
+        // Turns gained are those from the start of this period on, not of the time the trajectory
+        // was at.
         state.track(system);
         Ok(state)
     }

@@ -1,25 +1,19 @@
 //! Animations for ParaView and other programs that read VTK's XML files.
 //!
-//! A collection (`.pvd`) lists the times, and for each up to three parts, each a file of its own (`.vtp`):
-//! beams as lines, bodies and joints as points.
+//! A collection (`.pvd`) lists the times, and for each up to three parts, each a file of its own
+//! (`.vtp`): beams as lines, bodies and joints as points.
 
 use super::beam::Neighbours;
+use super::poly_data::{BYTE_ORDER, Cells, DECLARATION, Field, PolyData, escaped};
 use super::write::{directory_of, plain, refused, write_file};
 use super::{BeamQuantity, JointQuantity, NodeQuantity, ResolvedIn, Solution};
 use crate::elements::{Element, NodeState};
 use crate::error::{Error, Result, require_finite};
 use crate::motion::Motion;
 use nalgebra::{Matrix3, Vector3};
-use quick_xml::Writer;
-use quick_xml::events::{BytesDecl, BytesEnd, BytesStart, Event};
 use std::fs;
 use std::io::{self, BufWriter, Write};
 use std::path::Path;
-use vtkio::model::{
-    Attribute, Attributes, ByteOrder, DataArray, DataSet, IOBuffer, PolyDataPiece, Version,
-    VertexNumbers,
-};
-use vtkio::{Vtk, model};
 
 /// Most points drawn on one beam element.
 const MOST_POINTS: usize = 1000;
@@ -46,20 +40,28 @@ struct DrawnPoint {
 }
 
 impl Solution {
-    /// Writes an animation over `times`, which ascend: a collection at `path`, which ends in `.pvd`, and
-    /// the files that it lists in a directory beside it, which has its name without the ending.
+    /// Writes an animation over `times`, which ascend: a collection at `path`, which ends in
+    /// `.pvd`, and the files that it lists in a directory beside it, which has its name without the
+    /// ending.
     ///
-    /// | part | point data |
-    /// |---|---|
-    /// | `beams`: a line of `points_per_element` points for each element; cell data `element` | `displacement`, section axes `axis_1` to `axis_3`, `force`, `moment`, `strain`, `curvature`, all of the element itself; where two elements meet, `force_mean`, `moment_mean` of both, and `force_jump`, `moment_jump` from one to the other, see [`BeamQuantity::ForceJump`]; components of all these along the section's axes |
-    /// | `bodies`: the nodes that carry a body or belong to no beam | `node`, `displacement`, `axis_1` to `axis_3`, `velocity`, `angular_velocity` |
-    /// | `joints`: the origins of the joint frames on the second bodies | `joint`, `displacement`, `axis_1` to `axis_3` of these frames, `reaction_force`, `reaction_moment` |
+    /// Parts, and what is known at their points:
+    ///
+    /// * `beams`, a line of `points_per_element` points for each element, with cell data `element`:
+    ///   `displacement`, section axes `axis_1` to `axis_3`, `force`, `moment`, `strain`,
+    ///   `curvature`, all of the element itself; where two elements meet, `force_mean`,
+    ///   `moment_mean` of both, and `force_jump`, `moment_jump` from one to the other, see
+    ///   [`BeamQuantity::ForceJump`]; components of all these along the section's axes.
+    /// * `bodies`, the nodes that carry a body or belong to no beam: `node`, `displacement`,
+    ///   `axis_1` to `axis_3`, `velocity`, `angular_velocity`.
+    /// * `joints`, the origins of the joint frames on the second bodies: `joint`, `displacement`,
+    ///   `axis_1` to `axis_3` of these frames, `reaction_force`, `reaction_moment`.
     ///
     /// All vectors but the internal forces and strains are along the inertial axes.
     ///
     /// # Errors
-    /// Times that are not finite or do not ascend, a path that does not end in `.pvd`, a quantity that is
-    /// too large to be a number, [`ErrorKind::Io`](crate::error::ErrorKind::Io); then nothing has been written.
+    /// Times that are not finite or do not ascend, a path that does not end in `.pvd` or whose name
+    /// has control characters, a quantity that is too large to be a number,
+    /// [`ErrorKind::Io`](crate::error::ErrorKind::Io); then nothing has been written.
     pub fn write_vtk(&self, times: &[f64], points_per_element: usize, path: &Path) -> Result<()> {
         require_finite("times", times)?;
         if times.is_empty() {
@@ -85,6 +87,10 @@ impl Solution {
             let got = format!("\"{}\"", path.display());
             return Err(Error::value("path", "a name that ends in .pvd", got));
         };
+        let Some(directory) = escaped(stem) else {
+            let expected = "a name without control characters";
+            return Err(Error::value("path", expected, format!("{stem:?}")));
+        };
         let mut parts = vec![
             ("beams", self.beams_drawn(times, points_per_element)?),
             ("bodies", self.bodies_drawn(times)?),
@@ -92,14 +98,10 @@ impl Solution {
         ];
         parts.retain(|(_, pieces)| !pieces.is_empty());
         let names: Vec<&str> = parts.iter().map(|part| part.0).collect();
-        let written = write_pieces(path, stem, parts);
+        let written = write_pieces(path, stem, &parts);
         written.map_err(|e| refused("write", path, &e))?;
         write_file(path, |file| {
-            let written = write_collection(file, stem, times, &names);
-            written.map_err(|error| match error {
-                quick_xml::Error::Io(reason) => io::Error::new(reason.kind(), reason),
-                other => io::Error::other(other),
-            })
+            write_collection(file, &directory, times, &names)
         })
     }
 
@@ -143,7 +145,7 @@ impl Solution {
         Ok(frames)
     }
 
-    fn beams_drawn(&self, times: &[f64], points: usize) -> Result<Vec<PolyDataPiece>> {
+    fn beams_drawn(&self, times: &[f64], points: usize) -> Result<Vec<PolyData>> {
         let elements = self.model().beam_element_count();
         if elements == 0 {
             return Ok(Vec::new());
@@ -172,12 +174,6 @@ impl Solution {
                 jumps: each(BeamQuantity::ForceJump)?,
             });
         }
-        let connectivity = (0..(elements * points) as u64).collect();
-        let lines = VertexNumbers::XML {
-            connectivity,
-            offsets: (1..=elements).map(|e| (e * points) as u64).collect(),
-        };
-        let ids: Vec<i64> = (0..elements).map(|e| e as i64).collect();
         let frame_of = |k: usize| {
             let of_beam = |beam: &BeamPoints| beam.frames[k * points..][..points].to_vec();
             let frames: Vec<Motion> = drawn.iter().flat_map(of_beam).collect();
@@ -187,29 +183,26 @@ impl Solution {
             };
             let mut data = frame_data(&reference, &frames);
             data.extend([
-                vectors("force", half(&|b| &b.stresses, 0)),
-                vectors("moment", half(&|b| &b.stresses, 3)),
-                vectors("strain", half(&|b| &b.strains, 0)),
-                vectors("curvature", half(&|b| &b.strains, 3)),
-                vectors("force_mean", half(&|b| &b.means, 0)),
-                vectors("moment_mean", half(&|b| &b.means, 3)),
-                vectors("force_jump", half(&|b| &b.jumps, 0)),
-                vectors("moment_jump", half(&|b| &b.jumps, 3)),
+                Field::vectors("force", half(&|b| &b.stresses, 0)),
+                Field::vectors("moment", half(&|b| &b.stresses, 3)),
+                Field::vectors("strain", half(&|b| &b.strains, 0)),
+                Field::vectors("curvature", half(&|b| &b.strains, 3)),
+                Field::vectors("force_mean", half(&|b| &b.means, 0)),
+                Field::vectors("moment_mean", half(&|b| &b.means, 3)),
+                Field::vectors("force_jump", half(&|b| &b.jumps, 0)),
+                Field::vectors("moment_jump", half(&|b| &b.jumps, 3)),
             ]);
-            PolyDataPiece {
-                points: positions(&frames),
-                lines: Some(lines.clone()),
-                data: Attributes {
-                    point: data,
-                    cell: vec![scalars("element", &ids)],
-                },
-                ..Default::default()
+            PolyData {
+                positions: positions(&frames),
+                cells: Cells::Lines(points),
+                point_data: data,
+                cell_data: vec![Field::ids("element", 0..elements)],
             }
         };
         Ok((0..times.len()).map(frame_of).collect())
     }
 
-    fn bodies_drawn(&self, times: &[f64]) -> Result<Vec<PolyDataPiece>> {
+    fn bodies_drawn(&self, times: &[f64]) -> Result<Vec<PolyData>> {
         let model = self.model();
         let mut shown = vec![true; model.nodes.len()];
         for &node in model.beams.iter().flat_map(|beam| beam.nodes()) {
@@ -239,7 +232,7 @@ impl Solution {
         ))
     }
 
-    fn joints_drawn(&self, times: &[f64]) -> Result<Vec<PolyDataPiece>> {
+    fn joints_drawn(&self, times: &[f64]) -> Result<Vec<PolyData>> {
         let joints = self.model().joints.iter().enumerate();
         let drawn = joints
             .map(|(id, joint)| {
@@ -271,18 +264,13 @@ impl Solution {
 fn points_drawn(
     times: &[f64],
     drawn: &[DrawnPoint],
-    id: &str,
-    names: [&str; 2],
-) -> Vec<PolyDataPiece> {
+    id: &'static str,
+    names: [&'static str; 2],
+) -> Vec<PolyData> {
     if drawn.is_empty() {
         return Vec::new();
     }
-    let ids: Vec<i64> = drawn.iter().map(|point| point.id as i64).collect();
     let reference: Vec<Motion> = drawn.iter().map(|point| point.reference).collect();
-    let verts = VertexNumbers::XML {
-        connectivity: (0..drawn.len() as u64).collect(),
-        offsets: (1..=drawn.len() as u64).collect(),
-    };
     let frame_of = |k: usize| {
         let frames: Vec<Motion> = drawn.iter().map(|point| point.frames[k]).collect();
         let half = |first: usize| {
@@ -291,54 +279,46 @@ fn points_drawn(
             };
             drawn.iter().flat_map(of_point).collect()
         };
-        let mut data = vec![scalars(id, &ids)];
+        let mut data = vec![Field::ids(id, drawn.iter().map(|point| point.id))];
         data.extend(frame_data(&reference, &frames));
-        data.extend([vectors(names[0], half(0)), vectors(names[1], half(3))]);
-        PolyDataPiece {
-            points: positions(&frames),
-            verts: Some(verts.clone()),
-            data: Attributes {
-                point: data,
-                cell: Vec::new(),
-            },
-            ..Default::default()
+        data.extend([
+            Field::vectors(names[0], half(0)),
+            Field::vectors(names[1], half(3)),
+        ]);
+        PolyData {
+            positions: positions(&frames),
+            cells: Cells::Points,
+            point_data: data,
+            cell_data: Vec::new(),
         }
     };
     (0..times.len()).map(frame_of).collect()
 }
 
-fn positions(frames: &[Motion]) -> IOBuffer {
+fn positions(frames: &[Motion]) -> Vec<f64> {
     let coordinates = frames.iter().flat_map(|m| m.position.data.0[0]);
-    IOBuffer::F64(coordinates.collect())
+    coordinates.collect()
 }
 
 /// Displacements from the reference, and axes.
-fn frame_data(reference: &[Motion], frames: &[Motion]) -> Vec<Attribute> {
+fn frame_data(reference: &[Motion], frames: &[Motion]) -> Vec<Field> {
     let moved = frames.iter().zip(reference);
     let displacement = moved.flat_map(|(m, r)| (m.position - r.position).data.0[0]);
-    let mut data = vec![vectors("displacement", displacement.collect())];
+    let mut data = vec![Field::vectors("displacement", displacement.collect())];
     for (column, name) in ["axis_1", "axis_2", "axis_3"].into_iter().enumerate() {
         let axes = frames.iter().flat_map(|m| m.rotation.data.0[column]);
-        data.push(vectors(name, axes.collect()));
+        data.push(Field::vectors(name, axes.collect()));
     }
     data
-}
-
-fn vectors(name: &str, data: Vec<f64>) -> Attribute {
-    Attribute::DataArray(DataArray::vectors(name).with_vec(data))
-}
-
-fn scalars(name: &str, data: &[i64]) -> Attribute {
-    Attribute::DataArray(DataArray::scalars(name, 1).with_vec(data.to_vec()))
 }
 
 fn file_name(part: &str, k: usize) -> String {
     format!("{part}_{k:06}.vtp")
 }
 
-/// Writes all pieces, of each part one for each time, to a temporary directory, and moves them to that of
-/// the collection when all are there.
-fn write_pieces(path: &Path, stem: &str, parts: Vec<(&str, Vec<PolyDataPiece>)>) -> io::Result<()> {
+/// Writes all pieces, of each part one for each time, to a temporary directory, and moves them to
+/// that of the collection when all are there.
+fn write_pieces(path: &Path, stem: &str, parts: &[(&str, Vec<PolyData>)]) -> io::Result<()> {
     let parent = directory_of(path);
     let temporary = tempfile::Builder::new()
         .prefix(&format!(".{stem}."))
@@ -346,7 +326,7 @@ fn write_pieces(path: &Path, stem: &str, parts: Vec<(&str, Vec<PolyDataPiece>)>)
         .map_err(plain)?;
     let mut names = Vec::new();
     for (part, pieces) in parts {
-        for (k, piece) in pieces.into_iter().enumerate() {
+        for (k, piece) in pieces.iter().enumerate() {
             let name = file_name(part, k);
             write_piece(&temporary.path().join(&name), piece)?;
             names.push(name);
@@ -370,56 +350,31 @@ fn write_pieces(path: &Path, stem: &str, parts: Vec<(&str, Vec<PolyDataPiece>)>)
     Ok(())
 }
 
-fn write_piece(path: &Path, piece: PolyDataPiece) -> io::Result<()> {
-    let file = Vtk {
-        version: Version::Auto,
-        title: String::new(),
-        byte_order: ByteOrder::LittleEndian,
-        data: DataSet::PolyData {
-            meta: None,
-            pieces: vec![model::Piece::Inline(Box::new(piece))],
-        },
-        file_path: None,
-    };
+fn write_piece(path: &Path, piece: &PolyData) -> io::Result<()> {
     let mut buffer = BufWriter::new(fs::File::create(path)?);
-    file.write_xml(&mut buffer).map_err(|error| match error {
-        vtkio::Error::IO(reason) => reason,
-        other => io::Error::other(other.to_string()),
-    })?;
+    piece.write(&mut buffer)?;
     buffer.flush()
 }
 
 /// The list of files and times, in the format of ParaView's data files.
 fn write_collection(
     file: &mut dyn Write,
-    stem: &str,
+    directory: &str,
     times: &[f64],
     parts: &[&str],
-) -> quick_xml::Result<()> {
-    let mut xml = Writer::new_with_indent(file, b' ', 2);
-    xml.write_event(Event::Decl(BytesDecl::new("1.0", Some("UTF-8"), None)))?;
-    let kind = [
-        ("type", "Collection"),
-        ("version", "1.0"),
-        ("byte_order", "LittleEndian"),
-    ];
-    xml.write_event(Event::Start(
-        BytesStart::new("VTKFile").with_attributes(kind),
-    ))?;
-    xml.write_event(Event::Start(BytesStart::new("Collection")))?;
+) -> io::Result<()> {
+    writeln!(file, "{DECLARATION}")?;
+    writeln!(
+        file,
+        r#"<VTKFile type="Collection" version="1.0" {BYTE_ORDER}>"#
+    )?;
+    writeln!(file, "  <Collection>")?;
     for (k, time) in times.iter().enumerate() {
         for (number, part) in parts.iter().enumerate() {
-            let (time, number) = (format!("{time:?}"), number.to_string());
-            let file = format!("{stem}/{}", file_name(part, k));
-            xml.create_element("DataSet")
-                .with_attribute(("timestep", time.as_str()))
-                .with_attribute(("part", number.as_str()))
-                .with_attribute(("name", *part))
-                .with_attribute(("file", file.as_str()))
-                .write_empty()?;
+            let name = file_name(part, k);
+            let when = format!(r#"timestep="{time:?}" part="{number}" name="{part}""#);
+            writeln!(file, r#"    <DataSet {when} file="{directory}/{name}"/>"#)?;
         }
     }
-    xml.write_event(Event::End(BytesEnd::new("Collection")))?;
-    xml.write_event(Event::End(BytesEnd::new("VTKFile")))?;
-    Ok(())
+    writeln!(file, "  </Collection>\n</VTKFile>")
 }

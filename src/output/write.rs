@@ -21,8 +21,9 @@ pub(super) fn refused(what: &str, path: &Path, error: &io::Error) -> Error {
     Error::new(ErrorKind::Io, message)
 }
 
-/// Writes a file by `write`, which sees a buffer. A file that is there already is replaced when all is
-/// written, and stays as it is if that fails; what is no file (a terminal, a pipe) is written to directly.
+/// Writes a file by `write`, which sees a buffer. A file that is there already is replaced when all
+/// is written, and stays as it is if that fails; what is no file (a terminal, a pipe) is written to
+/// directly.
 ///
 /// # Errors
 /// [`ErrorKind::Io`] with the path and the system's reason.

@@ -1,4 +1,5 @@
 //! Grids made finer until the estimated error meets a tolerance.
+//! See docs/theory.md, section 10.4.
 
 use super::estimate::Assessment;
 use super::loads::Loads;
@@ -24,19 +25,20 @@ pub struct GridTried {
 /// When to stop making grids finer.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Adaptation {
-    /// Largest estimated error of the motions that is accepted: positions relative to the characteristic
-    /// length, entries of rotation matrices.
+    /// Largest estimated error of the motions that is accepted: positions relative to the
+    /// characteristic length, entries of rotation matrices.
     pub error_tolerance: f64,
-    /// If not zero, also the largest that is accepted relative to the amplitude of the response: the largest deviation of a node
-    /// from its mean, or from its steady turn.
+    /// If not zero, also the largest that is accepted relative to the amplitude of the response:
+    /// the largest deviation of a node from its mean, or from its steady turn.
     pub response_tolerance: f64,
     /// Largest number of grid points.
     pub largest: usize,
 }
 
 impl Default for Adaptation {
-    /// Errors of a millionth of the size of the mechanism, which leaves three or four digits to forces and accelerations,
-    /// second derivatives, on at most 511 points: pulses of a fortieth of the period need more than half as many.
+    /// Errors of a millionth of the size of the mechanism, which leaves three or four digits to
+    /// forces and accelerations, second derivatives, on at most 511 points: pulses of a fortieth of
+    /// the period need more than half as many.
     fn default() -> Self {
         Adaptation {
             error_tolerance: 1e-6,
@@ -46,11 +48,14 @@ impl Default for Adaptation {
     }
 }
 
-/// Points of the first grid. A prime, so that harmonics that a symmetry leaves out appear by aliasing.
+/// Points of the first grid. A prime, so that harmonics that a symmetry leaves out appear by
+/// aliasing.
 const FIRST: usize = 11;
-/// Points of the initial guess to one of a first grid that small: quasi-static steps are as many anyway.
+/// Points of the initial guess to one of a first grid that small: quasi-static steps are as many
+/// anyway.
 const GUESS_FACTOR: usize = 3;
-/// Least and largest factor from one grid to the next; of an unresolved response, whose decay tells little.
+/// Least and largest factor from one grid to the next; of an unresolved response, whose decay tells
+/// little.
 const GROWTH: [f64; 3] = [1.15, 4.0, 2.0];
 /// The next grid aims at this fraction of the tolerance.
 const AIM: f64 = 0.2;
@@ -106,7 +111,8 @@ impl Adaptation {
         self.largest.saturating_sub((self.largest + 1) % 2)
     }
 
-    /// Points of the first grid: enough for the harmonics of the signals that motions owe most to, if allowed.
+    /// Points of the first grid: enough for the harmonics of the signals that motions owe most to,
+    /// if allowed.
     pub(super) fn first(&self, loads: &Loads) -> usize {
         let most = (self.largest_odd() - 1) / 2;
         let points = 2 * loads.essential(most) + 1;
@@ -199,7 +205,8 @@ impl Attempts<'_> {
             None => self.on_first_grid(adaptation)?,
         };
         let length = self.system.scales().length;
-        // Estimate of the grid before by its own harmonics and constraints, and its state at these points.
+        // Estimate of the grid before by its own harmonics and constraints, and its state at these
+        // points.
         let mut before: Option<(f64, GridState)> = None;
         loop {
             if report.outcome != Outcome::Converged {
@@ -234,7 +241,8 @@ impl Attempts<'_> {
             let mut missed = |why: &str| {
                 report.outcome = Outcome::ToleranceNotMet;
                 report.explanation = format!(
-                    "the estimated error of the motions is {:.1e} on {points} grid points, and the tolerance {:.1e}: {why}",
+                    "the estimated error of the motions is {:.1e} on {points} grid points, and \
+                     the tolerance {:.1e}: {why}",
                     found.error, adaptation.error_tolerance
                 );
             };
@@ -252,7 +260,8 @@ impl Attempts<'_> {
                     match (unheld, found.decay.kind) {
                         (Some(unheld), _) => format!("; {unheld}"),
                         (None, DecayKind::Slow) => format!(
-                            "; harmonics fall slowly, as with a kink or a narrow peak near t = {:.4}",
+                            "; harmonics fall slowly, as with a kink or a narrow peak near t = \
+                             {:.4}",
                             found.decay.least_resolved
                         ),
                         _ => String::new(),
@@ -271,7 +280,8 @@ impl Attempts<'_> {
                     before = start.map(|start| (own, start));
                     (state, report) = (fine, fine_report);
                 }
-                // That constraints contradict each other may show between the points of a coarse grid only.
+                // That constraints contradict each other may show between the points of a coarse
+                // grid only.
                 Outcome::Cancelled | Outcome::Inconsistent => return Ok((fine, fine_report)),
                 outcome => {
                     missed(&format!(
@@ -301,7 +311,8 @@ impl Attempts<'_> {
         self.find()
     }
 
-    /// Points that the quasi-static motion takes where it is the response, all motions being prescribed.
+    /// Points that the quasi-static motion takes where it is the response, all motions being
+    /// prescribed.
     fn points_of_guess(&mut self, adaptation: &Adaptation) -> Result<Option<usize>> {
         if self.system.has_freedoms() {
             return Ok(None);

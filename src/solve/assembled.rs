@@ -102,7 +102,8 @@ impl Assembled {
         solver.factor(&self.values)
     }
 
-    /// Solves in place with the factors of the whole. `false` if there are none or the result is not finite.
+    /// Solves in place with the factors of the whole. `false` if there are none or the result is
+    /// not finite.
     pub(super) fn substitute(&self, rhs: &mut [f64]) -> bool {
         self.solver.as_ref().is_some_and(|solver| solver.solve(rhs))
     }

@@ -1,7 +1,8 @@
 //! Joints that have closed the wrong way round.
 //!
-//! Constraints are zeros of direction cosines: they hold as well in a joint that is turned over, its
-//! axes against each other. From a start far off, Newton's method may find that assembly. It is none.
+//! Constraints are zeros of direction cosines: they hold as well in a joint that is turned over,
+//! its axes against each other. From a start far off, Newton's method may find that assembly. It is
+//! none.
 
 use crate::collocation::GridState;
 use crate::elements::{Element, JointKind, Measure, NodeState, RelativeMotion};
@@ -30,8 +31,10 @@ pub(super) fn describe_turned_over(system: &System, state: &GridState) -> Option
                 && is_closed(joint.kind(), &relative)
             {
                 return Some(format!(
-                    "joint {index} ({}) has closed turned over: axis {} of its second frame points against that \
-                     of its first, at grid point {k}. Start nearer to the assembled mechanism, or turn the frame",
+                    "joint {index} ({}) has closed turned over: axis {} of its second frame \
+                     points against that \
+                     of its first, at grid point {k}. Start nearer to the assembled mechanism, or \
+                     turn the frame",
                     joint.kind().name(),
                     axis + 1
                 ));

@@ -1,4 +1,5 @@
-//! Large dense factorisations and products, in blocks of little work each, so that it can be told between them that work goes on.
+//! Large dense factorisations and products, in blocks of little work each, so that it can be told
+//! between them that work goes on.
 
 use crate::error::Result;
 use crate::workers::Workers;

@@ -1,10 +1,12 @@
 //! Keeping to one branch of equilibria.
 //!
-//! Where branches cross, or nearly do as in a mechanism near a change-point, the Jacobian is nearly singular.
-//! A step over that place may end on the other branch. The determinant tells: it keeps its sign along a branch
-//! that does not cross, and falls where another one comes near.
+//! Where branches cross, or nearly do as in a mechanism near a change-point, the Jacobian is nearly
+//! singular. A step over that place may end on the other branch. The determinant tells: it keeps
+//! its sign along a branch that does not cross, and falls where another one comes near. See
+//! docs/theory.md, section 9.2.
 
-/// A step should not take more from the determinant than this factor, nor add more than its inverse.
+/// A step should not take more from the determinant than this factor, nor add more than its
+/// inverse.
 const FALL: f64 = 0.5;
 /// A step that takes more is rejected.
 const LARGEST_FALL: f64 = 0.25;

@@ -1,8 +1,9 @@
-//! Initial values that satisfy the constraints and their derivatives: projected motions and velocities,
-//! accelerations, multipliers and rates of internal states.
+//! Initial values that satisfy the constraints and their derivatives: projected motions and
+//! velocities, accelerations, multipliers and rates of internal states.
 //!
-//! All follow from one matrix, `[M Cᵀ; C 0]`. What the constraints demand of velocities and accelerations is
-//! had by differences of sixth order of their violations along `M exp(s v + ½ s² v̇)`.
+//! All follow from one matrix, `[M Cᵀ; C 0]`. What the constraints demand of velocities and
+//! accelerations is had by differences of sixth order of their violations along
+//! `M exp(s v + ½ s² v̇)`. See docs/theory.md, section 12.2.
 
 use super::assembly::describe_turned_over;
 use super::diagnosis::{Singularity, describe_open_joint};
@@ -17,8 +18,8 @@ use nalgebra::Vector6;
 const CLOSED: f64 = 1e-13;
 /// Iterations that close them; dependent constraints converge linearly.
 const MOST_ITERATIONS: usize = 30;
-/// Largest motion of a difference stencil, relative to the characteristic length or in radians: sixth
-/// powers of it are as small as rounding over its square.
+/// Largest motion of a difference stencil, relative to the characteristic length or in radians:
+/// sixth powers of it are as small as rounding over its square.
 const STENCIL: f64 = 0.02;
 /// Weights of a first and second derivative by central differences, at −3 … 3.
 const FIRST: [f64; 7] = [-1.0, 9.0, -45.0, 0.0, 45.0, -9.0, 1.0];
@@ -30,10 +31,11 @@ const SECOND_UNIT: f64 = 180.0;
 const REFINEMENTS: usize = 3;
 /// Part of a step over which `v̈` is differenced, so short that no stiffness shows.
 const SHORT: f64 = 1e-3;
-/// Accelerations that move nodes further than this in a step belong to vibrations that it does not resolve.
+/// Accelerations that move nodes further than this in a step belong to vibrations that it does not
+/// resolve.
 const RESOLVED: f64 = 0.1;
-/// Inertia lent to nodes that have none, relative to the total mass: it decides on nothing but how they
-/// start.
+/// Inertia lent to nodes that have none, relative to the total mass: it decides on nothing but how
+/// they start.
 const LENT_MASS: f64 = 1e-3;
 
 /// Why there are no consistent initial values.
@@ -159,8 +161,8 @@ impl<'a> Initial<'a> {
             .collect()
     }
 
-    /// Derivatives of the constraints along the motion of `at`, with the signals `values`, their rates and
-    /// second derivatives.
+    /// Derivatives of the constraints along the motion of `at`, with the signals `values`, their
+    /// rates and second derivatives.
     fn constraint_rates(
         &mut self,
         at: &MotionState,
@@ -288,9 +290,10 @@ impl<'a> Initial<'a> {
         Ok(())
     }
 
-    /// Velocities nearest to the given ones that the constraints allow: by kinetic energy, and by what it
-    /// takes to move on with them for a step. So a shock does not leave stiff parts behind that vibrate faster
-    /// than the steps resolve. How far they were off is returned, relative to the characteristic length, or in radians, in a unit of time.
+    /// Velocities nearest to the given ones that the constraints allow: by kinetic energy, and by
+    /// what it takes to move on with them for a step. So a shock does not leave stiff parts behind
+    /// that vibrate faster than the steps resolve. How far they were off is returned, relative to
+    /// the characteristic length, or in radians, in a unit of time.
     fn project_velocities(
         &mut self,
         at: &mut MotionState,
@@ -377,8 +380,9 @@ impl<'a> Initial<'a> {
         Ok(None)
     }
 
-    /// Makes everything at `at` consistent with its motions and velocities, which are projected. Without
-    /// given internal states these are relaxed. Returns the largest moves of motions and of velocities.
+    /// Makes everything at `at` consistent with its motions and velocities, which are projected.
+    /// Without given internal states these are relaxed. Returns the largest moves of motions and of
+    /// velocities.
     pub fn make_consistent(
         &mut self,
         at: &mut MotionState,
@@ -419,15 +423,16 @@ impl<'a> Initial<'a> {
         })
     }
 
-    /// Largest displacement, relative to the characteristic length, or turn in a step by the accelerations.
+    /// Largest displacement, relative to the characteristic length, or turn in a step by the
+    /// accelerations.
     fn displacement_in_a_step(&self, at: &MotionState) -> f64 {
         let scales = self.newton.equations.system().scales();
         let sizes = at.twist_rate.iter().map(|v| scales.size_of(v));
         sizes.fold(0.0, f64::max) * self.step * self.step
     }
 
-    /// `a = v̇ + (α_m − α_f) h v̈`, with `v̈` by differences: without it multipliers start with an error
-    /// of the first order. Where `v̈` is that of unresolved vibrations it is cut off.
+    /// `a = v̇ + (α_m − α_f) h v̈`, with `v̈` by differences: without it multipliers start with an
+    /// error of the first order. Where `v̈` is that of unresolved vibrations it is cut off.
     fn shift(&mut self, at: &mut MotionState, method: &GeneralizedAlpha) -> Result<()> {
         let system = self.newton.equations.system().clone();
         let short = SHORT * self.step;

@@ -1,4 +1,5 @@
-//! Products and triangular solves with one vector: bound by memory, so four columns are read at a time.
+//! Products and triangular solves with one vector: bound by memory, so four columns are read at a
+//! time.
 
 /// Columns that are taken together.
 const TOGETHER: usize = 4;

@@ -1,4 +1,5 @@
-//! Why a Jacobian is singular: what is free to move, and which constraints say the same thing twice.
+//! Why a Jacobian is singular: what is free to move, and which constraints say the same thing
+//! twice. See docs/theory.md, section 7.5.
 
 use crate::collocation::{Collocation, GridState, Pattern};
 use crate::system::{Dependency, ElementRole, System, name_all, name_constraints};
@@ -20,8 +21,8 @@ pub(super) enum Singularity {
 
 /// Explains the singularity of the Jacobian `values` at `state`, by a vector of its null space.
 ///
-/// A null vector that moves nodes is a freedom that nothing resists; one of multipliers alone is a set
-/// of constraints that are redundant.
+/// A null vector that moves nodes is a freedom that nothing resists; one of multipliers alone is a
+/// set of constraints that are redundant.
 pub(super) fn diagnose(
     equations: &Collocation,
     pattern: &Pattern,
@@ -101,7 +102,8 @@ fn describe_freedom(motions: &[f64], largest: f64, points: usize, state: &GridSt
             harmonic => format!("{harmonic} times"),
         };
         return format!(
-            "resonance without damping: {names} may vibrate {times} in a period at any amplitude, with stiffness and \
+            "resonance without damping: {names} may vibrate {times} in a period at any amplitude, \
+             with stiffness and \
              inertia in balance; there node {worst} can {how}. Add damping, or change the period"
         );
     }
@@ -115,8 +117,8 @@ fn describe_freedom(motions: &[f64], largest: f64, points: usize, state: &GridSt
 /// Part of a motion that a mean must have, or else it vibrates.
 const MEAN: f64 = 0.1;
 
-/// The harmonic of a free motion that vibrates: one without a mean, along the inertial axes and along those of
-/// the nodes alike.
+/// The harmonic of a free motion that vibrates: one without a mean, along the inertial axes and
+/// along those of the nodes alike.
 fn vibration(motions: &[f64], points: usize, state: &GridState) -> Option<usize> {
     let mut found = (0.0, 0);
     for inertial in [true, false] {
@@ -196,7 +198,8 @@ pub(super) fn describe_inconsistency(equations: &Collocation, residual: &[f64]) 
         let (joints, prescribed) = dependency.joints_and_prescribed();
         if prescribed.is_empty() {
             format!(
-                "the constraints of {} contradict each other: they depend on each other, and do not all close",
+                "the constraints of {} contradict each other: they depend on each other, and do \
+                 not all close",
                 name_constraints(&joints, &[])
             )
         } else {
@@ -237,7 +240,8 @@ pub(super) fn describe_open_joint(equations: &Collocation, residual: &[f64]) -> 
         return String::new();
     }
     format!(
-        "; {} stays open by {:.2e} (relative to the size of the mechanism, or in radians): the mechanism may be locked",
+        "; {} stays open by {:.2e} (relative to the size of the mechanism, or in radians): the \
+         mechanism may be locked",
         worst.1, worst.0
     )
 }

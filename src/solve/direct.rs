@@ -1,5 +1,6 @@
-//! Direct solution of the Jacobian by blocks: multifrontal LU over the graph of nodes and multipliers, with
-//! the N grid points of each kept together, so that all work is done by faer's dense kernels.
+//! Direct solution of the Jacobian by blocks: multifrontal LU over the graph of nodes and
+//! multipliers, with the N grid points of each kept together, so that all work is done by faer's
+//! dense kernels. See docs/theory.md, section 8.1.
 
 use super::dense::{largest, solve_unit_lower, solve_upper, subtract_product};
 use super::front::{Front, LARGE_FRONT, Room, make_zero};
@@ -19,10 +20,11 @@ const SMALLEST_PIVOT: f64 = 1e-9;
 const SMALLEST_SAFE_PIVOT: f64 = 1e-5;
 /// Residual of a solve, relative to its right-hand side, that needs no refinement.
 const ACCURATE: f64 = 1e-10;
-/// Residual of a refined solve that calls for safer pivots, relative to the right-hand side or, if that is more, to the
-/// largest number that the product may add up.
+/// Residual of a refined solve that calls for safer pivots, relative to the right-hand side or, if
+/// that is more, to the largest number that the product may add up.
 const INACCURATE: f64 = 1e-9;
-/// Most forks of the tree of fronts, one above the other, where threads part: each takes room on the stack.
+/// Most forks of the tree of fronts, one above the other, where threads part: each takes room on
+/// the stack.
 const MOST_FORKS: usize = 32;
 /// Most refinements of a solve.
 const REFINEMENTS: usize = 4;
@@ -34,7 +36,8 @@ struct Analysis {
     plans: Vec<FrontPlan>,
     /// Entries of the matrix that enter each front.
     panels: Vec<Vec<Panel>>,
-    /// Of each front with all those that lead to it, which come just before it: multiply-adds, and their number.
+    /// Of each front with all those that lead to it, which come just before it: multiply-adds, and
+    /// their number.
     subtrees: Vec<(f64, usize)>,
 }
 
@@ -107,7 +110,8 @@ impl Analysis {
         self.roots().iter().map(|&root| self.subtrees[root].0).sum()
     }
 
-    /// The subtrees that end with these fronts, which are in order, from `fronts` that begin with their first.
+    /// The subtrees that end with these fronts, which are in order, from `fronts` that begin with
+    /// their first.
     fn split<'f>(&self, roots: &[usize], fronts: &'f mut [Front]) -> Vec<(usize, &'f mut [Front])> {
         let counts = roots.iter().map(|&root| self.subtrees[root].1);
         roots.iter().copied().zip(parts(fronts, counts)).collect()
@@ -119,7 +123,8 @@ impl Analysis {
 }
 
 impl Factorisation<'_> {
-    /// Factors subtrees, each with its fronts, in parallel. `false` if a singular front has no parent.
+    /// Factors subtrees, each with its fronts, in parallel. `false` if a singular front has no
+    /// parent.
     fn factor_all(
         &self,
         subtrees: Vec<(usize, &mut [Front])>,
@@ -158,7 +163,8 @@ impl Factorisation<'_> {
         self.factor_in_order(next..root + 1, (first, fronts), parallelism)
     }
 
-    /// Factors some of `fronts`, of which front `first` is the first, one after the other; what leads to them has been factored.
+    /// Factors some of `fronts`, of which front `first` is the first, one after the other; what
+    /// leads to them has been factored.
     fn factor_in_order(
         &self,
         some: Range<usize>,
@@ -178,7 +184,8 @@ impl Factorisation<'_> {
         Ok(true)
     }
 
-    /// Factors front `f`, one of `fronts`, of which front `first` is the first. `false` if it is singular and has no parent.
+    /// Factors front `f`, one of `fronts`, of which front `first` is the first. `false` if it is
+    /// singular and has no parent.
     fn factor(
         &self,
         f: usize,
@@ -230,8 +237,8 @@ impl Factorisation<'_> {
         Ok(true)
     }
 
-    /// Sums up front `f` of `size` unknowns from the matrix and what is left of the fronts that lead to it, which are among `fronts`
-    /// from front `first` on. Group `g` begins at `place[g]`.
+    /// Sums up front `f` of `size` unknowns from the matrix and what is left of the fronts that
+    /// lead to it, which are among `fronts` from front `first` on. Group `g` begins at `place[g]`.
     fn assemble(
         &self,
         f: usize,
@@ -301,8 +308,8 @@ impl DirectSolver {
         Self::with_panels(pattern.groups(), pattern.node_groups(), pattern.panels())
     }
 
-    /// The same for matrices with the entries of `panels`, whose unknowns are kept together in `groups`; the
-    /// first `node_groups` of them are those of nodes.
+    /// The same for matrices with the entries of `panels`, whose unknowns are kept together in
+    /// `groups`; the first `node_groups` of them are those of nodes.
     pub fn with_panels(
         groups: Vec<Range<usize>>,
         node_groups: usize,
@@ -431,9 +438,10 @@ impl DirectSolver {
         sizes.sum()
     }
 
-    /// As [`DirectSolver::solve`], for the `values` of the matrix that was factored: refines the result by its
-    /// residual, unless an earlier one with the same factors was accurate. Pivots are sought within a front
-    /// only: where that has cost too many digits, the matrix is factored again with more of them waiting.
+    /// As [`DirectSolver::solve`], for the `values` of the matrix that was factored: refines the
+    /// result by its residual, unless an earlier one with the same factors was accurate. Pivots are
+    /// sought within a front only: where that has cost too many digits, the matrix is factored
+    /// again with more of them waiting.
     ///
     /// # Errors
     /// If memory runs out.
@@ -446,7 +454,8 @@ impl DirectSolver {
             return Ok(false);
         }
         let left = self.refine(values, &wanted, rhs);
-        // What rounding of the product leaves, of a small right side much, is none of the factors' fault.
+        // What rounding of the product leaves, of a small right side much, is none of the factors'
+        // fault.
         let size = largest(&wanted).max(self.largest_entry() * largest(rhs));
         if left > INACCURATE * size && self.smallest_pivot < SMALLEST_SAFE_PIVOT {
             self.smallest_pivot = SMALLEST_SAFE_PIVOT;
@@ -523,7 +532,8 @@ impl DirectSolver {
     }
 }
 
-/// Multiply-adds of the elimination of so many unknowns, with so many others in their rows and columns.
+/// Multiply-adds of the elimination of so many unknowns, with so many others in their rows and
+/// columns.
 pub(super) fn elimination_work(count: usize, rest: usize) -> f64 {
     let (own, rest) = (count as f64, rest as f64);
     own * own * own / 3.0 + own * own * rest + own * rest * rest
@@ -556,8 +566,8 @@ mod tests {
     use faer::linalg::solvers::Solve;
     use nalgebra::{Matrix3, Vector3};
 
-    /// A turning rigid crank, a rigid link with a spring, and a beam: diagonal blocks of the rigid bodies
-    /// are singular, so that they must wait for their joints.
+    /// A turning rigid crank, a rigid link with a spring, and a beam: diagonal blocks of the rigid
+    /// bodies are singular, so that they must wait for their joints.
     fn mechanism() -> Model {
         let mut model = Model::new();
         let at = |x: f64| Vector3::new(x, 0.0, 0.0);
@@ -607,7 +617,8 @@ mod tests {
         Springs,
     }
 
-    /// A turning shaft of `count` beams in a row, which rigid joints join, each `throw` beside the one before, there and back.
+    /// A turning shaft of `count` beams in a row, which rigid joints join, each `throw` beside the
+    /// one before, there and back.
     fn shaft(count: usize, throw: f64, support: Support) -> Model {
         let mut model = Model::new();
         let at = |i: usize, y: usize| Vector3::new(0.1 * i as f64, throw * (y % 2) as f64, 0.0);
@@ -693,7 +704,8 @@ mod tests {
             let sizes = [10, 20, 40].map(|count| {
                 let hinge = size(&shaft(count, throw, Support::Hinge));
                 let springs = size(&shaft(count, throw, Support::Springs));
-                // Each beam leaves 6 of its 90 unknowns, its motions as a whole, until it is joined to what is held.
+                // Each beam leaves 6 of its 90 unknowns, its motions as a whole, until it is joined
+                // to what is held.
                 assert!(
                     springs as f64 <= 1.2 * hinge as f64,
                     "{count} beams: {springs} numbers instead of {hinge}"

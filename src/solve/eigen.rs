@@ -1,4 +1,5 @@
 //! Eigenvalues of the quadratic pencil near a shift.
+//! See docs/theory.md, section 11.4.
 
 use super::krylov::{Map, Ritz, Space};
 use super::pencil::{C64, Inverse, Pencil};
@@ -56,8 +57,8 @@ pub(super) struct Search<'a> {
     x: Vec<usize>,
     y: Vec<usize>,
     highest: f64,
-    /// Inverse at the highest frequency, to make vectors obey the constraints with little loss of high
-    /// modes.
+    /// Inverse at the highest frequency, to make vectors obey the constraints with little loss of
+    /// high modes.
     cleaner: Option<Inverse>,
 }
 
@@ -111,8 +112,8 @@ impl<'a> Search<'a> {
         Ok(first)
     }
 
-    /// Roughly the smallest eigenvalue that is not far below the shift, as those of free motions are, if
-    /// a few steps show any.
+    /// Roughly the smallest eigenvalue that is not far below the shift, as those of free motions
+    /// are, if a few steps show any.
     fn lowest(&self, inverse: &Inverse, shift: f64) -> Result<Option<f64>> {
         let map = self.map(inverse, shift);
         let mut space = self.space()?;
@@ -165,7 +166,8 @@ impl<'a> Search<'a> {
         Ok(any)
     }
 
-    /// Finds `count` modes or more, if there are: twice as many eigenvalues, as most are conjugate pairs.
+    /// Finds `count` modes or more, if there are: twice as many eigenvalues, as most are conjugate
+    /// pairs.
     ///
     /// # Errors
     /// If memory runs out, or numbers overflow.
@@ -221,8 +223,8 @@ impl<'a> Search<'a> {
         }
     }
 
-    /// Converged eigenvalues that nothing nearer to the target can precede, nearest first; both of each
-    /// conjugate pair.
+    /// Converged eigenvalues that nothing nearer to the target can precede, nearest first; both of
+    /// each conjugate pair.
     fn found(
         &self,
         map: &Map,

@@ -15,7 +15,8 @@ pub(super) fn eigenvectors(matrix: &Mat<f64>) -> Option<(Vec<c64>, Mat<c64>)> {
     let size = matrix.nrows();
     let mut parts = Mat::zeros(size, size);
     let values = decompose(matrix, Some(parts.as_mut()))?;
-    // Of a conjugate pair, the first column is the real part and the second the imaginary part of the first vector.
+    // Of a conjugate pair, the first column is the real part and the second the imaginary part of
+    // the first vector.
     let vectors = Mat::from_fn(size, size, |i, j| {
         let im = values[j].im;
         if im > 0.0 && j + 1 < size {
@@ -29,8 +30,8 @@ pub(super) fn eigenvectors(matrix: &Mat<f64>) -> Option<(Vec<c64>, Mat<c64>)> {
     Some((values, vectors))
 }
 
-/// By the plain QR iteration: faer's blocked one, which would take over for larger matrices, may exchange blocks of equal
-/// eigenvalues for ever.
+/// By the plain QR iteration: faer's blocked one, which would take over for larger matrices, may
+/// exchange blocks of equal eigenvalues for ever.
 fn decompose(matrix: &Mat<f64>, vectors: Option<MatMut<f64>>) -> Option<Vec<c64>> {
     let size = matrix.nrows();
     let mut params = <EvdParams as Auto<f64>>::auto();
@@ -70,7 +71,8 @@ fn decompose(matrix: &Mat<f64>, vectors: Option<MatMut<f64>>) -> Option<Vec<c64>
 mod tests {
     use super::*;
 
-    /// A rotation of each plane `2i, 2i + 1` by an angle that is one of three, in a basis that mixes the planes.
+    /// A rotation of each plane `2i, 2i + 1` by an angle that is one of three, in a basis that
+    /// mixes the planes.
     fn rotations(planes: usize) -> (Mat<f64>, Vec<f64>) {
         let size = 2 * planes;
         let angles: Vec<f64> = (0..planes).map(|i| 0.4 + 0.7 * (i % 3) as f64).collect();

@@ -1,4 +1,5 @@
 //! How far the motions of a periodic solution are from those that any finer grid would give.
+//! See docs/theory.md, section 10.3.
 
 use super::linear::LinearSolver;
 use super::loads::Unheld;
@@ -21,12 +22,13 @@ pub struct Assessment {
     pub decay: Decay,
     /// Residuals between grid points.
     pub between: ResidualBetween,
-    /// Estimated error of the motions, positions relative to the characteristic length and entries of rotation
-    /// matrices.
+    /// Estimated error of the motions, positions relative to the characteristic length and entries
+    /// of rotation matrices.
     pub error: f64,
     /// What harmonics of loads and prescribed motions that the grid cannot hold have to do with it.
     pub unheld: Option<Unheld>,
-    /// A harmonic above those of the grid that is so near a natural frequency that a finer grid alone can tell what it adds.
+    /// A harmonic above those of the grid that is so near a natural frequency that a finer grid
+    /// alone can tell what it adds.
     pub resounding: Option<usize>,
 }
 
@@ -72,10 +74,11 @@ pub(super) fn assess(
     Ok((assessment, defect))
 }
 
-/// How far the motions are from those by beam elements of a higher degree: positions relative to the characteristic length, and
-/// angles. Zero without beams; infinite where it cannot be had.
+/// How far the motions are from those by beam elements of a higher degree: positions relative to
+/// the characteristic length, and angles. Zero without beams; infinite where it cannot be had.
 ///
-/// Forces by which the equations of the nodes are wrong turn into motions by the linearised equations, that were solved last.
+/// Forces by which the equations of the nodes are wrong turn into motions by the linearised
+/// equations, that were solved last.
 ///
 /// # Errors
 /// That of a callback.
@@ -118,12 +121,13 @@ fn left_by_newton(iterations: &[Iteration]) -> f64 {
 }
 
 impl Attempts<'_> {
-    /// Assesses a converged solution on the present grid, where the equations have been solved last; multipliers become those of
-    /// least norm.
+    /// Assesses a converged solution on the present grid, where the equations have been solved
+    /// last; multipliers become those of least norm.
     ///
-    /// What is left of the equations between grid points is what the grid has taken for its own harmonics, and what it has left out, which
-    /// is as much. The linearised equations turn the one into motions at the grid points; the other is above the harmonics
-    /// of the grid: the mechanism hardly moves during such a wave, and it is enough to look at one on its own.
+    /// What is left of the equations between grid points is what the grid has taken for its own
+    /// harmonics, and what it has left out, which is as much. The linearised equations turn the one
+    /// into motions at the grid points; the other is above the harmonics of the grid: the mechanism
+    /// hardly moves during such a wave, and it is enough to look at one on its own.
     pub(super) fn assess(
         &mut self,
         state: &mut GridState,
@@ -222,7 +226,8 @@ impl Attempts<'_> {
         let counts = unheld.error > BALANCED && unheld.error > 0.1 * found.error;
         counts.then(|| {
             format!(
-                "{} has harmonics up to {}, which take at least {} grid points: {} take them for lower ones, an error of about {:.1e}",
+                "{} has harmonics up to {}, which take at least {} grid points: {} take them for \
+                 lower ones, an error of about {:.1e}",
                 unheld.place,
                 unheld.harmonic,
                 2 * unheld.harmonic + 1,

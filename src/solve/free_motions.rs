@@ -1,4 +1,5 @@
 //! Free motions, which nothing resists: eigenvalues that are exactly zero.
+//! See docs/theory.md, section 11.4.
 
 use super::eigen::{EigenPair, Search};
 use super::krylov::{Random, Space, complex, norm, overflow};
@@ -17,8 +18,8 @@ const FREE_STEPS: usize = 40;
 
 /// Replaces the eigenvalues that rounding makes of zero by zeros, one for each free motion.
 ///
-/// A free motion is a double eigenvalue with one vector, or a simple one if something damps it: in the first
-/// case rounding splits it into two of the order of its square root.
+/// A free motion is a double eigenvalue with one vector, or a simple one if something damps it: in
+/// the first case rounding splits it into two of the order of its square root.
 pub(super) fn without_free_motions(
     search: &Search,
     pairs: Vec<EigenPair>,

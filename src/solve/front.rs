@@ -1,4 +1,5 @@
-//! One front of the multifrontal solver: its own unknowns are eliminated by dense kernels, as far as they have pivots.
+//! One front of the multifrontal solver: its own unknowns are eliminated by dense kernels, as far
+//! as they have pivots.
 
 use super::blocks::{self, Diagonal};
 use super::dense::largest;
@@ -13,7 +14,8 @@ use faer::{Mat, MatRef, Par};
 /// Multiply-adds of a front, or several, that are worth sharing among threads.
 pub(super) const LARGE_FRONT: f64 = 2e7;
 
-/// Smallest pivot, relative to its column, of a front that leaves something to its parent: to leave more costs little there.
+/// Smallest pivot, relative to its column, of a front that leaves something to its parent: to leave
+/// more costs little there.
 const SMALLEST_PARTIAL_PIVOT: f64 = 1e-4;
 
 /// What rows in the boundary count of in the size of a column there.
@@ -22,21 +24,24 @@ const BOUNDARY_SHARE: f64 = 1e-2;
 /// A front, and then its factors: `P F₁₁ Q = L U`, `U₁₂`, `L₂₁`.
 #[derive(Debug)]
 pub(super) struct Front {
-    /// Equations and unknowns of the matrix that are to be eliminated here; then those that are, in the order of their pivots.
+    /// Equations and unknowns of the matrix that are to be eliminated here; then those that are, in
+    /// the order of their pivots.
     pub rows: Vec<usize>,
     pub columns: Vec<usize>,
     /// `L`, `U` and, to their right, `U₁₂`; before, `F₁₁` and `F₁₂`.
     pub upper: Mat<f64>,
     /// `L₂₁`; before, `F₂₁`.
     pub lower: Mat<f64>,
-    /// Whether it was found singular on its own: what has no pivot waits for the parent's ever after.
+    /// Whether it was found singular on its own: what has no pivot waits for the parent's ever
+    /// after.
     waits: bool,
     /// Equations and unknowns without pivots.
     pub delayed_rows: Vec<usize>,
     pub delayed_columns: Vec<usize>,
     /// How large these columns have been: what is left of them may be rounding.
     pub delayed_sizes: Vec<f64>,
-    /// What is left of their entries, and behind them of those of the boundary, until the parent takes it.
+    /// What is left of their entries, and behind them of those of the boundary, until the parent
+    /// takes it.
     pub remainder: Mat<f64>,
     /// Largest entry of the matrix that enters here.
     pub largest_entry: f64,
@@ -118,8 +123,9 @@ impl Front {
         }
     }
 
-    /// Eliminates the unknowns of the front, which `assemble` sums up; leaves to the parent what has no pivot larger than
-    /// `smallest_pivot`, relative to its column. `room` tells the sizes that columns have had before. Without a parent all is eliminated that can be.
+    /// Eliminates the unknowns of the front, which `assemble` sums up; leaves to the parent what
+    /// has no pivot larger than `smallest_pivot`, relative to its column. `room` tells the sizes
+    /// that columns have had before. Without a parent all is eliminated that can be.
     ///
     /// `false` if something is left and there is no parent.
     ///

@@ -1,4 +1,5 @@
-//! The default initial guess: quasi-static equilibrium, followed once around the period (section 8).
+//! The default initial guess: quasi-static equilibrium, followed once around the period
+//! (docs/theory.md, section 9.1).
 
 use super::branch::Branch;
 use super::newton::{Iteration, Newton, NewtonOptions, Outcome};
@@ -11,7 +12,8 @@ use std::sync::Arc;
 
 /// Largest increment of a quasi-static solve: its square is the error left.
 const TOLERANCE: f64 = 1e-3;
-/// What that error stretches slender beams by is to be no more geometric stiffness than this part of their bending stiffness.
+/// What that error stretches slender beams by is to be no more geometric stiffness than this part
+/// of their bending stiffness.
 const SPURIOUS: f64 = 0.5;
 /// A step that needs more iterations than this is halved.
 const ITERATION_LIMIT: usize = 12;
@@ -24,7 +26,8 @@ const LARGEST_TURN: f64 = 1.0;
 /// Smallest fraction of a step before giving up.
 const SMALLEST_FRACTION: f64 = 1.0 / 1024.0;
 
-/// Parts of the period at which inertial forces are looked at: none of the first four harmonics vanishes at both.
+/// Parts of the period at which inertial forces are looked at: none of the first four harmonics
+/// vanishes at both.
 const LOOKED_AT: [f64; 2] = [0.0, 0.2];
 
 /// How the guess ended.
@@ -109,8 +112,8 @@ impl<'a> Tracker<'a> {
     /// Goes from parameter 0 to 1 in adaptive steps of at most `largest_step`, with conditions
     /// `(time, load factor)` at each.
     ///
-    /// In time it keeps to its branch of equilibria; where that ends, it snaps to what Newton's method finds
-    /// beyond.
+    /// In time it keeps to its branch of equilibria; where that ends, it snaps to what Newton's
+    /// method finds beyond.
     pub fn follow(
         &mut self,
         largest_step: f64,
@@ -216,7 +219,8 @@ impl<'a> Tracker<'a> {
     }
 }
 
-/// Quasi-static states at all points of `grid`: of what is at rest or, if `driven` is given, turns steadily.
+/// Quasi-static states at all points of `grid`: of what is at rest or, if `driven` is given, turns
+/// steadily.
 pub(super) fn quasi_static(
     system: &Arc<System>,
     grid: TimeGrid,
@@ -256,8 +260,8 @@ pub(super) fn quasi_static(
     })
 }
 
-/// Largest increment of a motion, in scaled unknowns, that the inertial forces of the quasi-static motion `state` would cause at
-/// rest, or on what turns steadily, at the times looked at.
+/// Largest increment of a motion, in scaled unknowns, that the inertial forces of the quasi-static
+/// motion `state` would cause at rest, or on what turns steadily, at the times looked at.
 pub(super) fn inertial_displacement(
     system: &Arc<System>,
     grid: TimeGrid,
@@ -342,7 +346,8 @@ mod tests {
         let guess = quasi_static(&system, grid, None, &workers, &mut |_| true).unwrap();
         assert_eq!(guess.outcome, Outcome::Converged);
         let found = inertial_displacement(&system, grid, None, &guess.state, &workers).unwrap();
-        // Second differences of a cosine over a grid interval; the damper has no share in it where the motion turns.
+        // Second differences of a cosine over a grid interval; the damper has no share in it where
+        // the motion turns.
         let interval = period / 15.0;
         let acceleration =
             force / stiffness * (2.0 - 2.0 * (TAU / 15.0).cos()) / (interval * interval);

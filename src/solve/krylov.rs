@@ -1,14 +1,16 @@
 //! Block Arnoldi's method on the inverted linearisation of the quadratic pencil.
 //!
-//! With `y = s x / ω` (`ω` a unit of frequency) the pencil is linear in `z = [x; y]`, and the map `z ↦ z'`
+//! With `y = s x / ω` (`ω` a unit of frequency) the pencil is linear in `z = [x; y]`, and the map
+//! `z ↦ z'`
 //!
 //! ```text
 //! u = −Q(σ)⁻¹ (C x + M (ω y + σ x)),     x' = u,     y' = (x + σ u) / ω
 //! ```
 //!
-//! has the eigenvalues `θ = 1/(s − σ)`. Constraints have infinite `s`, so `θ = 0`: they are far from all
-//! that is sought. For a complex shift the real part of the map serves, with
-//! `θ = ½ (1/(s − σ) + 1/(s − σ̄))`. The state holds only unknowns that `C` or `M` know of.
+//! has the eigenvalues `θ = 1/(s − σ)`. Constraints have infinite `s`, so `θ = 0`: they are far
+//! from all that is sought. For a complex shift the real part of the map serves, with
+//! `θ = ½ (1/(s − σ) + 1/(s − σ̄))`. The state holds only unknowns that `C` or `M` know of. See
+//! docs/theory.md, section 11.4.
 
 use super::eigenvalues::eigenvectors;
 use super::pencil::{C64, Inverse, Pencil};
@@ -245,7 +247,8 @@ pub(super) struct Ritz {
     pub y: Vec<C64>,
 }
 
-/// An eigenvector of `matrix` from a start that `seed` chooses: of equal eigenvalues each has its own.
+/// An eigenvector of `matrix` from a start that `seed` chooses: of equal eigenvalues each has its
+/// own.
 fn inverse_iteration(matrix: &Mat<f64>, theta: C64, seed: usize) -> Vec<C64> {
     let size = matrix.nrows();
     let shift = theta * (1.0 + 1e-13);

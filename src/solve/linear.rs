@@ -18,8 +18,8 @@ pub(super) trait LinearSolver {
         timings: &mut Timings,
     ) -> Result<bool>;
 
-    /// Solves the scaled equations in place; errors relative to the solution may be of the order of `accuracy`.
-    /// `false` if that cannot be done.
+    /// Solves the scaled equations in place; errors relative to the solution may be of the order of
+    /// `accuracy`. `false` if that cannot be done.
     ///
     /// # Errors
     /// If memory runs out.
@@ -31,13 +31,14 @@ pub(super) trait LinearSolver {
         timings: &mut Timings,
     ) -> Result<bool>;
 
-    /// Whether the compliance of constraints that may depend on each other is in the solutions of the last linearisation.
+    /// Whether the compliance of constraints that may depend on each other is in the solutions of
+    /// the last linearisation.
     fn has_compliance(&self) -> bool {
         true
     }
 
-    /// Size of the inverse of the Jacobian, relative to the Jacobian: about the inverse of the rounding if it
-    /// is singular.
+    /// Size of the inverse of the Jacobian, relative to the Jacobian: about the inverse of the
+    /// rounding if it is singular.
     fn growth(&mut self, equations: &mut Collocation) -> f64;
 
     /// Why the Jacobian at `state`, where it was linearised last, is singular.

@@ -1,4 +1,5 @@
-//! Harmonics of loads and prescribed motions, and those that a grid cannot hold: it takes them for lower ones.
+//! Harmonics of loads and prescribed motions, and those that a grid cannot hold: it takes them for
+//! lower ones. See docs/theory.md, section 10.3.
 
 use crate::error::Result;
 use crate::fourier::PeriodicSeries;
@@ -11,8 +12,9 @@ struct Spectrum {
     series: PeriodicSeries,
     /// Amplitude of each harmonic, from 1, relative to the signal's size.
     amplitudes: Vec<f64>,
-    /// Sum of what motions owe to each harmonic and all above it, relative to what they owe to all: to a motion that is prescribed its
-    /// amplitude, to a load its amplitude over the square of its number, as inertia has it. From harmonic 1; ends with zero.
+    /// Sum of what motions owe to each harmonic and all above it, relative to what they owe to all:
+    /// to a motion that is prescribed its amplitude, to a load its amplitude over the square of its
+    /// number, as inertia has it. From harmonic 1; ends with zero.
     remaining: Vec<f64>,
 }
 
@@ -79,7 +81,8 @@ impl Spectrum {
 }
 
 impl Loads {
-    /// Of `system`, whose functions are looked at for as many harmonics as twice the `points` of a grid have.
+    /// Of `system`, whose functions are looked at for as many harmonics as twice the `points` of a
+    /// grid have.
     pub fn of(system: &System, points: usize) -> Result<Self> {
         let prescribed = system.prescribed_measures().count();
         let spectra = system.spectra(4 * points + 1)?.into_iter().enumerate();
@@ -104,8 +107,8 @@ impl Loads {
         self.spectra.iter().any(|s| s.above(harmonics) > 0.0)
     }
 
-    /// Of all that have harmonics above these: the signal that needs most, and up to which harmonic, to leave the `fraction` of what
-    /// motions owe to them.
+    /// Of all that have harmonics above these: the signal that needs most, and up to which
+    /// harmonic, to leave the `fraction` of what motions owe to them.
     pub fn needed(&self, harmonics: usize, fraction: f64) -> Option<(usize, usize)> {
         let above = self.spectra.iter().map(|s| s.above(harmonics));
         let most = above.fold(0.0, f64::max);
@@ -128,7 +131,8 @@ impl Loads {
         }
     }
 
-    /// The `count` strongest harmonics above these, and the part of what motions owe to those above that they stand for.
+    /// The `count` strongest harmonics above these, and the part of what motions owe to those above
+    /// that they stand for.
     pub fn strongest(&self, harmonics: usize, count: usize) -> (Vec<usize>, f64) {
         let last = self.spectra.iter().map(|s| s.amplitudes.len()).max();
         let strength = |j: usize, of: &dyn Fn(&Spectrum) -> f64| {
@@ -151,7 +155,8 @@ impl Loads {
         (found.into_iter().map(|(j, _, _)| j).collect(), part)
     }
 
-    /// Values of all signals at the third `point` of a period of harmonic `j`, of that harmonic alone.
+    /// Values of all signals at the third `point` of a period of harmonic `j`, of that harmonic
+    /// alone.
     pub fn wave(&self, j: usize, point: usize, values: &mut [f64]) {
         let (sin, cos) = (TAU * point as f64 / 3.0).sin_cos();
         for (value, spectrum) in values.iter_mut().zip(&self.spectra) {

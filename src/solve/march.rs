@@ -1,5 +1,6 @@
 //! Strongly dissipative marching by backward differences (Houbolt's rule, spectral radius zero at
 //! infinity). It serves as an initial guess only.
+//! See docs/theory.md, section 9.6.
 
 use super::newton::{Iteration, Newton, NewtonOptions, Outcome};
 use crate::collocation::{BackwardRule, Collocation, GridState};
@@ -52,7 +53,8 @@ pub(super) struct DissipativeMarch {
 }
 
 impl DissipativeMarch {
-    /// From the first point of `start`, with the velocity that leads there, or from rest in the reference configuration.
+    /// From the first point of `start`, with the velocity that leads there, or from rest in the
+    /// reference configuration.
     pub fn new(
         system: &Arc<System>,
         grid: TimeGrid,
@@ -101,7 +103,8 @@ impl DissipativeMarch {
         self.change = f64::INFINITY;
     }
 
-    /// Change of the last period from the one before: motions relative to the characteristic length, or in radians.
+    /// Change of the last period from the one before: motions relative to the characteristic
+    /// length, or in radians.
     pub fn change(&self) -> f64 {
         self.change
     }

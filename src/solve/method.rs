@@ -1,4 +1,5 @@
 //! How Newton's linear equations are solved: directly or by iteration, as costs less.
+//! See docs/theory.md, section 8.7.
 
 use super::assembled::Assembled;
 use super::diagnosis::Singularity;
@@ -29,12 +30,14 @@ pub enum LinearMethod {
 const LARGE: f64 = 1.5e9;
 /// Factors that take more than this are not tried, even where iteration fails.
 const TOO_LARGE: f64 = 6e9;
-/// Multiply-adds that a factorisation may take for each number that is stored at a node and grid point, where
-/// iteration is the alternative: about what its products take.
+/// Multiply-adds that a factorisation may take for each number that is stored at a node and grid
+/// point, where iteration is the alternative: about what its products take.
 const AFFORDABLE: f64 = 1e4;
-/// Multiply-adds of a factorisation that take as long as a product and its preconditioner, for each of these numbers.
+/// Multiply-adds of a factorisation that take as long as a product and its preconditioner, for each
+/// of these numbers.
 const PRODUCT: f64 = 1e3;
-/// The same of few freedoms, all in all: a few seconds. Turning joints have as many in the dense system that iteration solves.
+/// The same of few freedoms, all in all: a few seconds. Turning joints have as many in the dense
+/// system that iteration solves.
 const AFFORDABLE_FREEDOMS: f64 = 1e10;
 /// So few numbers are not worth the trouble.
 const SMALL: f64 = 1500.0;

@@ -1,4 +1,5 @@
 //! Natural modes and damped eigenvalues about an equilibrium, at rest or in steady rotation.
+//! See docs/theory.md, section 11.3.
 
 use super::eigen::{EigenPair, Search, Target};
 use super::free_motions::without_free_motions;
@@ -39,13 +40,13 @@ impl Default for ModesOptions {
 pub struct Mode {
     /// `s`, of a conjugate pair that with the positive imaginary part.
     pub eigenvalue: Complex<f64>,
-    /// Largest entry of the equations of small motions, relative to the largest sum of the sizes of their
-    /// terms; for a free motion relative to the largest stiffness.
+    /// Largest entry of the equations of small motions, relative to the largest sum of the sizes of
+    /// their terms; for a free motion relative to the largest stiffness.
     pub residual: f64,
     /// `φᴴ M φ`, with the shape as it is scaled here.
     pub modal_mass: f64,
-    /// Material increments `[linear; angular]` of each node. The largest is 1, of displacements relative to
-    /// the size of the mechanism and of turns in radians.
+    /// Material increments `[linear; angular]` of each node. The largest is 1, of displacements
+    /// relative to the size of the mechanism and of turns in radians.
     pub shape: Vec<[Complex<f64>; 6]>,
     /// Multipliers and internal states, in the order of those of an instant.
     pub(crate) own: Vec<Complex<f64>>,
@@ -71,8 +72,8 @@ impl Mode {
 pub struct ModesSolve {
     /// The equilibrium, converged or not.
     pub equilibrium: PeriodicSolve,
-    /// The modes, the smallest eigenvalue or that nearest to the wanted frequency first; none if there is no
-    /// equilibrium.
+    /// The modes, the smallest eigenvalue or that nearest to the wanted frequency first; none if
+    /// there is no equilibrium.
     pub modes: Vec<Mode>,
     /// Whether the wanted number was found, or all that there are.
     pub complete: bool,
@@ -81,13 +82,14 @@ pub struct ModesSolve {
 /// Finds an equilibrium of `model` and the modes of small motions about it.
 ///
 /// The equations of motion with their exact tangents, constraints included, are linearised to
-/// `(s² M + s C + K) x = 0`; in a turning frame `C` and `K` contain gyroscopic and centrifugal terms.
+/// `(s² M + s C + K) x = 0`; in a turning frame `C` and `K` contain gyroscopic and centrifugal
+/// terms.
 ///
 /// `observe` sees each iteration of the equilibrium and returns `false` to cancel.
 ///
 /// # Errors
-/// If options or model are not valid, memory runs out or numbers overflow. Where there is no equilibrium there
-/// are no modes; that is an outcome, not an error.
+/// If options or model are not valid, memory runs out or numbers overflow. Where there is no
+/// equilibrium there are no modes; that is an outcome, not an error.
 pub fn solve_modes(
     model: &Model,
     options: &ModesOptions,

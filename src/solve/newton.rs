@@ -1,4 +1,5 @@
 //! Newton's method with the exact tangent and a line search that does not depend on scaling.
+//! See docs/theory.md, section 7.1.
 
 use super::assembled::Assembled;
 use super::assembly::describe_turned_over;
@@ -29,7 +30,8 @@ pub enum Outcome {
     Inconsistent,
     /// A joint has closed turned over, its axes against each other.
     WrongAssembly,
-    /// Newton's method has converged on the last grid, but the estimated error misses the tolerance.
+    /// Newton's method has converged on the last grid, but the estimated error misses the
+    /// tolerance.
     ToleranceNotMet,
 }
 
@@ -49,7 +51,8 @@ pub struct Iteration {
     /// to the characteristic length.
     pub residual: f64,
     /// Largest increment of a motion: displacements relative to the characteristic length, turns in
-    /// radians. An iteration that uses the Jacobian of the one before takes several; this is the last.
+    /// radians. An iteration that uses the Jacobian of the one before takes several; this is the
+    /// last.
     pub increment: f64,
     /// Fraction of the increment that was taken.
     pub step: f64,
@@ -144,21 +147,24 @@ const SHORTEST_STEP: f64 = 1.0 / 256.0;
 const SHORT_STEP: f64 = 0.1;
 /// Largest turn of a node in one step; beyond it the linearisation means little.
 const LARGEST_TURN: f64 = 1.0;
-/// Largest contraction, from one increment to the next with extrapolated stress resultants, that is progress.
+/// Largest contraction, from one increment to the next with extrapolated stress resultants, that is
+/// progress.
 const LEAP_CONTRACTION: f64 = 0.5;
-/// The second of them may be so much longer than the first, which the geometric stiffness of stretching of second order
-/// may have held back.
+/// The second of them may be so much longer than the first, which the geometric stiffness of
+/// stretching of second order may have held back.
 const LEAP_GROWTH: f64 = 8.0;
 /// The same matrix is used again while it is expected to end the iteration within so many steps.
 const CHORD_STEPS: i32 = 3;
 /// Largest contraction, from one increment to the next with the same matrix, that is worth another.
 const CHORD_CONTRACTION: f64 = 0.2;
-/// Error that the last step may leave in multipliers, and in motions after steps with the same matrix,
-/// relative to the tolerance.
+/// Error that the last step may leave in multipliers, and in motions after steps with the same
+/// matrix, relative to the tolerance.
 const ERROR_LEFT: f64 = 1e-3;
-/// Largest contraction, from one increment to the next with the same matrix, that leaves its determinant as it is.
+/// Largest contraction, from one increment to the next with the same matrix, that leaves its
+/// determinant as it is.
 const FAITHFUL: f64 = 0.05;
-/// Accuracy of linear solves, relative to the increment: far from the solution and of simplified increments.
+/// Accuracy of linear solves, relative to the increment: far from the solution and of simplified
+/// increments.
 const COARSE: f64 = 1e-4;
 /// Of those that estimate errors.
 const ESTIMATE: f64 = 1e-2;
@@ -172,11 +178,12 @@ pub(super) const SINGULAR_GROWTH: f64 = 1e15;
 /// resisted by as much.
 const STALLED_GROWTH: f64 = 1e13;
 
-/// Violation of constraints (relative to the size of the mechanism, or in radians) that rounding of the
-/// user's geometry excuses, where constraints depend on each other.
+/// Violation of constraints (relative to the size of the mechanism, or in radians) that rounding of
+/// the user's geometry excuses, where constraints depend on each other.
 const VIOLATION: f64 = 1e-8;
 
-/// Full steps with extrapolated stress resultants, one after the other.
+/// Full steps with extrapolated stress resultants, one after the other (docs/theory.md, section
+/// 7.3).
 struct Leap {
     /// Where they began.
     start: GridState,
@@ -234,8 +241,8 @@ impl Newton {
         }
     }
 
-    /// Sign of the Jacobian's determinant at `state`, where the last solve ended, and logarithm of its size;
-    /// none if it is singular.
+    /// Sign of the Jacobian's determinant at `state`, where the last solve ended, and logarithm of
+    /// its size; none if it is singular.
     pub fn determinant(&mut self, state: &GridState) -> Result<Option<(f64, f64)>> {
         if self.contraction.is_some_and(|c| c <= FAITHFUL) {
             return Ok(Some(self.linear.determinant()));
@@ -246,8 +253,8 @@ impl Newton {
         Ok(regular.then(|| self.linear.determinant()))
     }
 
-    /// Largest increment of a motion that the equations at these rates ask for, with the Jacobian at rest; none if that is
-    /// singular.
+    /// Largest increment of a motion that the equations at these rates ask for, with the Jacobian
+    /// at rest; none if that is singular.
     pub fn displacement_at(&mut self, state: &GridState, given: GivenRates) -> Result<Option<f64>> {
         let regular = self
             .linear
@@ -286,16 +293,17 @@ impl<L: LinearSolver> Newton<L> {
         }
     }
 
-    /// Turns scaled forces and constraints into the increment of the scaled unknowns that they cause, with the Jacobian of the last
-    /// linearisation, and gives its largest motion; none if that is singular.
+    /// Turns scaled forces and constraints into the increment of the scaled unknowns that they
+    /// cause, with the Jacobian of the last linearisation, and gives its largest motion; none if
+    /// that is singular.
     pub fn response(&mut self, scaled: &mut [f64]) -> Result<Option<f64>> {
         let solved = self.solve_linear(scaled, ESTIMATE)?;
         let largest = self.motion_norm(scaled);
         Ok((solved && largest.is_finite()).then_some(largest))
     }
 
-    /// The same for a wave about a state at rest, which has no mean: that of the solution is rounding, of which what nothing but
-    /// rotation holds up would make much.
+    /// The same for a wave about a state at rest, which has no mean: that of the solution is
+    /// rounding, of which what nothing but rotation holds up would make much.
     pub fn response_of_wave(&mut self, scaled: &mut [f64]) -> Result<Option<f64>> {
         let solved = self.solve_linear(scaled, ESTIMATE)?;
         let points = self.equations.grid().points();
@@ -355,7 +363,8 @@ impl<L: LinearSolver> Newton<L> {
         self.find(state, options, true, observe)
     }
 
-    /// As [`Newton::solve`], but whether the multipliers have converged with the motions does not matter.
+    /// As [`Newton::solve`], but whether the multipliers have converged with the motions does not
+    /// matter.
     pub(super) fn solve_motions(
         &mut self,
         state: &mut GridState,
@@ -396,8 +405,9 @@ impl<L: LinearSolver> Newton<L> {
 
     /// Solves with the factored Jacobian.
     ///
-    /// Where constraints have a compliance, takes back what that lets them open: motions are then those of the
-    /// exact Jacobian, and the line search, which looks at motions only, does not take compliance for distance.
+    /// Where constraints have a compliance, takes back what that lets them open: motions are then
+    /// those of the exact Jacobian, and the line search, which looks at motions only, does not take
+    /// compliance for distance.
     fn solve_linear(&mut self, rhs: &mut [f64], accuracy: f64) -> Result<bool> {
         let (equations, timings) = (&mut self.equations, &mut self.timings);
         let solved = self.linear.solve(equations, rhs, accuracy, timings)?;
@@ -518,9 +528,10 @@ impl<L: LinearSolver> Newton<L> {
             }
 
             // Accept the longest step whose simplified Newton increment (same matrix, new residual)
-            // is shorter: natural monotonicity, blind to how the equations are scaled. Beams that turn much stretch by
-            // terms of second order, and that hides the progress of a full step: it is taken all the same, as long
-            // as increments with stress resultants that do not know of the stretching become shorter.
+            // is shorter: natural monotonicity, blind to how the equations are scaled. Beams that
+            // turn much stretch by terms of second order, and that hides the progress of a full
+            // step: it is taken all the same, as long as increments with stress resultants that do
+            // not know of the stretching become shorter.
             let turn = self.largest_turn(&step_vector);
             let mut step = if turn > LARGEST_TURN {
                 LARGEST_TURN / turn
@@ -612,7 +623,8 @@ impl<L: LinearSolver> Newton<L> {
                 }
                 report.outcome = Outcome::Stalled;
                 report.explanation = format!(
-                    "no step along the Newton direction brings progress; the last increment is {increment:.3e}{}",
+                    "no step along the Newton direction brings progress; the last increment is \
+                     {increment:.3e}{}",
                     describe_open_joint(&self.equations, &residual)
                 );
                 return Ok(());
@@ -636,8 +648,9 @@ impl<L: LinearSolver> Newton<L> {
             if step < 1.0 || leaping {
                 continue;
             }
-            // After a full step the simplified increment is the next one, up to a part of the order of
-            // the last increment: if what that leaves is small enough, there is no need to factor again.
+            // After a full step the simplified increment is the next one, up to a part of the order
+            // of the last increment: if what that leaves is small enough, there is no need to
+            // factor again.
             let mut before = increment;
             let mut simplified = self.motion_norm(&step_vector);
             self.contraction = Some(simplified / before);

@@ -18,11 +18,12 @@ pub(super) struct FrontPlan {
 /// Fronts with fewer unknowns than this are merged with their parents: a dense kernel wants work.
 const SMALLEST_FRONT: usize = 48;
 
-/// Plans the elimination of groups of unknowns with the given `sizes` and couplings, children first.
+/// Plans the elimination of groups of unknowns with the given `sizes` and couplings, children
+/// first.
 ///
-/// Minimum degree, weighted by size; of equals the one that has least to wait for, so that the tree of fronts is bushy and
-/// threads find work. But groups from `first_multiplier` on wait until all that they were
-/// coupled to is eliminated: their own diagonal is zero.
+/// Minimum degree, weighted by size; of equals the one that has least to wait for, so that the tree
+/// of fronts is bushy and threads find work. But groups from `first_multiplier` on wait until all
+/// that they were coupled to is eliminated: their own diagonal is zero.
 pub(super) fn plan(
     sizes: &[usize],
     coupled: &[BTreeSet<usize>],
@@ -41,8 +42,8 @@ pub(super) fn plan(
 /// Has a group wait for ever.
 pub(super) const NEVER: usize = usize::MAX;
 
-/// The order of elimination, one group in each front, not linked. Each group waits until so many of those that it is
-/// coupled to are eliminated.
+/// The order of elimination, one group in each front, not linked. Each group waits until so many of
+/// those that it is coupled to are eliminated.
 pub(super) fn elimination(
     sizes: &[usize],
     coupled: &[BTreeSet<usize>],
@@ -88,7 +89,8 @@ pub(super) fn elimination(
     fronts
 }
 
-/// Links fronts to their parents, the next of their boundary to be eliminated, and merges small ones.
+/// Links fronts to their parents, the next of their boundary to be eliminated, and merges small
+/// ones.
 fn merge(sizes: &[usize], fronts: Vec<FrontPlan>) -> Vec<FrontPlan> {
     let mut step = vec![0; sizes.len()];
     for (i, front) in fronts.iter().enumerate() {

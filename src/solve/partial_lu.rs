@@ -24,11 +24,13 @@ struct PartialLu<'a> {
     multipliers: Vec<f64>,
 }
 
-/// Factors the first columns of `matrix`, as many as it has rows: `P A Q = L U` as far as there are pivots larger than
-/// `smallest_pivot`, relative to the `sizes` of these columns; those where there is none come last.
+/// Factors the first columns of `matrix`, as many as it has rows: `P A Q = L U` as far as there are
+/// pivots larger than `smallest_pivot`, relative to the `sizes` of these columns; those where there
+/// is none come last.
 ///
-/// Returns the number of pivots, or an error if work is to end. Of the other rows and columns, those to the right of the square among them, what remains is left
-/// in their place. `rows`, `columns` and `sizes` are exchanged with those of the square.
+/// Returns the number of pivots, or an error if work is to end. Of the other rows and columns,
+/// those to the right of the square among them, what remains is left in their place. `rows`,
+/// `columns` and `sizes` are exchanged with those of the square.
 pub(super) fn factor_partially(
     matrix: &mut Mat<f64>,
     rows: &mut [usize],
@@ -165,7 +167,8 @@ mod tests {
             let mut worst: f64 = 0.0;
             for i in 0..size {
                 for j in 0..size + 7 {
-                    // L U and, beyond the pivots, what remains: 0 within rounding, as the rank says.
+                    // L U and, beyond the pivots, what remains: 0 within rounding, as the rank
+                    // says.
                     let inner = i.min(j).min(count);
                     let mut sum: f64 = (0..inner).map(|k| matrix[(i, k)] * matrix[(k, j)]).sum();
                     if i < count && i <= j {

@@ -69,8 +69,8 @@ impl Pencil {
         }
     }
 
-    /// Largest entry of `K x`, relative to the largest ones of `K` and `x`: for a free motion, all terms of
-    /// which may vanish.
+    /// Largest entry of `K x`, relative to the largest ones of `K` and `x`: for a free motion, all
+    /// terms of which may vanish.
     pub fn resistance(&self, x: &[C64]) -> f64 {
         let stiffest = self
             .matrices
@@ -185,8 +185,8 @@ impl Inverse {
         self.shift
     }
 
-    /// Solves `Q(σ) x = b`, with iterative refinement, which also undoes the compliance of constraints.
-    /// `None` if that overflows.
+    /// Solves `Q(σ) x = b`, with iterative refinement, which also undoes the compliance of
+    /// constraints. `None` if that overflows.
     pub fn solve(&self, pencil: &Pencil, b: &[C64]) -> Option<Vec<C64>> {
         let mut x = self.solve_once(b)?;
         let steps = if pencil.matrices.compliance.is_some() {
@@ -233,7 +233,8 @@ impl Inverse {
     }
 }
 
-/// Factors a complex matrix as the real one `[Re −Im; Im Re]`, with both parts of each group together.
+/// Factors a complex matrix as the real one `[Re −Im; Im Re]`, with both parts of each group
+/// together.
 fn factor_complex(
     pattern: &Pattern,
     values: &[C64],

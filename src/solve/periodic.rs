@@ -1,4 +1,5 @@
 //! The periodic solve from model to solution.
+//! See docs/theory.md, section 9.
 
 use super::adaptive::{Adaptation, GridTried};
 use super::estimate::{Assessment, assess, mesh_error};
@@ -68,21 +69,23 @@ pub struct PeriodicOptions {
     pub guess: InitialGuess,
     /// How linear equations are solved.
     pub linear: LinearMethod,
-    /// Threads that share the work, 0 for as many as there are processors. Results do not depend on it but for
-    /// rounding. The user's functions are called on the calling thread alone.
+    /// Threads that share the work, 0 for as many as there are processors. Results do not depend on
+    /// it but for rounding. The user's functions are called on the calling thread alone.
     pub threads: usize,
-    /// The equations are sampled at this many times as many points, or one more, where motions and own unknowns are
-    /// interpolated: forces are to do no virtual work on their changes, constraints to have none of the grid's
-    /// harmonics. 1 for the grid points alone: collocation, where higher harmonics of the equations count as
-    /// the lower ones that they alias onto.
+    /// The equations are sampled at this many times as many points, or one more, where motions and
+    /// own unknowns are interpolated: forces are to do no virtual work on their changes,
+    /// constraints to have none of the grid's harmonics. 1 for the grid points alone: collocation,
+    /// where higher harmonics of the equations count as the lower ones that they alias onto.
     pub oversampling: usize,
-    /// Whether the error by the mesh of beams is estimated, too, which takes about as long as an iteration.
+    /// Whether the error by the mesh of beams is estimated, too, which takes about as long as an
+    /// iteration.
     pub estimate_mesh: bool,
     /// Who is told how the solve goes on, and may cancel it.
     pub watch: Watch,
 }
 
-/// The largest factor of oversampling: sixteen times the points leave no alias of products of thirty-one.
+/// The largest factor of oversampling: sixteen times the points leave no alias of products of
+/// thirty-one.
 const MOST_OVERSAMPLING: usize = 16;
 
 impl Default for PeriodicOptions {
@@ -137,8 +140,8 @@ impl NewtonOptions {
     }
 }
 
-/// Result of a periodic or static solve, or of a march: the last state, converged or not, and how it was
-/// reached.
+/// Result of a periodic or static solve, or of a march: the last state, converged or not, and how
+/// it was reached.
 #[derive(Debug, Clone)]
 pub struct PeriodicSolve {
     /// The system.
@@ -157,7 +160,8 @@ pub struct PeriodicSolve {
     pub guess_time: Duration,
     /// Time spent on the periodic problem, by kind of work, on all grids and in all attempts.
     pub timings: Timings,
-    /// Time of the whole solve: that of the guess, that by kind of work, and the little that is neither.
+    /// Time of the whole solve: that of the guess, that by kind of work, and the little that is
+    /// neither.
     pub total_time: Duration,
     /// Newton iterations on all grids and in all attempts.
     pub total_iterations: usize,
@@ -173,8 +177,8 @@ pub struct PeriodicSolve {
     pub threads: usize,
     /// Of a periodic solution: what it tells of its error.
     pub assessment: Option<Assessment>,
-    /// Estimated error of the motions by the mesh of beams: positions relative to the characteristic length, and angles. Infinite where
-    /// none can be had.
+    /// Estimated error of the motions by the mesh of beams: positions relative to the
+    /// characteristic length, and angles. Infinite where none can be had.
     pub mesh_error: f64,
     /// Of a march: its times, and how it went.
     pub march: Option<MarchRecord>,
@@ -190,15 +194,17 @@ impl PeriodicSolve {
     }
 }
 
-/// Grids of more than this many times the points that a first guess takes start from a solution on fewer.
+/// Grids of more than this many times the points that a first guess takes start from a solution on
+/// fewer.
 const COARSER: usize = 2;
-/// Estimated error of such a solution that leaves it nearer than the quasi-static motion: this, or so many times what inertial
-/// forces displace that by.
+/// Estimated error of such a solution that leaves it nearer than the quasi-static motion: this, or
+/// so many times what inertial forces displace that by.
 const RESOLVED: f64 = 1e-4;
 const NEARER: f64 = 0.1;
 /// Tolerance of such a solution: the error after the last increment goes with its square.
 const ENOUGH: f64 = 1e-3;
-/// Inertial displacement, in scaled unknowns, of a quasi-static motion from which Newton's method takes more than a few iterations.
+/// Inertial displacement, in scaled unknowns, of a quasi-static motion from which Newton's method
+/// takes more than a few iterations.
 const FAR: f64 = 0.01;
 /// Fewest points of a grid with half the harmonics that may serve as a start.
 const LEAST_COARSE: usize = 7;
@@ -244,9 +250,10 @@ pub(super) struct Attempts<'a> {
 ///
 /// On an adaptive grid, each solution starts from that on the grid before; the last is given.
 ///
-/// Without a given start, Newton begins at the quasi-static motion, in steady rotation of what hangs on drives, or, on a large
-/// grid or where inertial forces would displace that much, at a solution on a smaller grid if that resolves the motion.
-/// Where that does not lead to a solution, other starts are tried, see [`Start`].
+/// Without a given start, Newton begins at the quasi-static motion, in steady rotation of what
+/// hangs on drives, or, on a large grid or where inertial forces would displace that much, at a
+/// solution on a smaller grid if that resolves the motion. Where that does not lead to a solution,
+/// other starts are tried, see [`Start`].
 ///
 /// `observe` sees each iteration and returns `false` to cancel.
 ///
@@ -536,10 +543,11 @@ impl Attempts<'_> {
         Ok(())
     }
 
-    /// Goes on with another grid, from a solution on the present one; none if that is too coarse to tell.
+    /// Goes on with another grid, from a solution on the present one; none if that is too coarse to
+    /// tell.
     ///
-    /// The first tangent there is of stress resultants that are carried, too: those of strains between grid points know too much
-    /// of stretching by turns that are a little off.
+    /// The first tangent there is of stress resultants that are carried, too: those of strains
+    /// between grid points know too much of stretching by turns that are a little off.
     pub(super) fn carry_to(
         &mut self,
         grid: TimeGrid,
@@ -560,7 +568,8 @@ impl Attempts<'_> {
         Ok(start)
     }
 
-    /// A state on the grid `from`, at the points of the present one; none if `from` is too coarse to tell.
+    /// A state on the grid `from`, at the points of the present one; none if `from` is too coarse
+    /// to tell.
     pub(super) fn carried(
         &mut self,
         state: &GridState,
@@ -605,8 +614,9 @@ impl Attempts<'_> {
         self.find_from_coarse(grid, distance, most)
     }
 
-    /// From a solution on the present grid, which is coarse, if `most` iterations find one with an error that is small beside
-    /// the `distance` of the quasi-static motion; as [`find`](Self::find) otherwise.
+    /// From a solution on the present grid, which is coarse, if `most` iterations find one with an
+    /// error that is small beside the `distance` of the quasi-static motion; as
+    /// [`find`](Self::find) otherwise.
     fn find_from_coarse(
         &mut self,
         grid: TimeGrid,
@@ -623,8 +633,9 @@ impl Attempts<'_> {
             let (state, report) = self.newton_to(state, &enough)?;
             match report.outcome {
                 Outcome::Converged => {
-                    // As a start it is as good as its harmonics fall: stretching between points, which is a part of the
-                    // error, is taken out by the stress resultants that are carried.
+                    // As a start it is as good as its harmonics fall: stretching between points,
+                    // which is a part of the error, is taken out by the stress resultants that are
+                    // carried.
                     let began = Instant::now();
                     let (found, _) = assess(&self.system, coarse, &state, &self.workers)?;
                     self.timings.estimates += began.elapsed();

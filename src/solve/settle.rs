@@ -1,4 +1,5 @@
 //! Looking for an equilibrium downhill, where Newton's method and load steps find none.
+//! See docs/theory.md, section 11.1.
 
 use super::guess::Tracker;
 use super::newton::{NewtonOptions, Outcome};
@@ -14,7 +15,8 @@ const SETTLED: f64 = 1e-7;
 const EASY_ITERATIONS: usize = 5;
 /// Shortest step relative to the first.
 const SHORTEST: f64 = 1e-6;
-/// Factor between the first step, of the order of the fastest motion, and the smallest that may end.
+/// Factor between the first step, of the order of the fastest motion, and the smallest that may
+/// end.
 const LONG: f64 = 10.0;
 
 const NEWTON: NewtonOptions = NewtonOptions {
@@ -34,11 +36,11 @@ impl Tracker<'_> {
         Ok(report.outcome != Outcome::Singular)
     }
 
-    /// Lets the masses creep under the full loads: each step of `h` is an equilibrium with the resistance
-    /// `M Δu / h²`, so that energy is lost in each; steps grow as long as they are easy.
+    /// Lets the masses creep under the full loads: each step of `h` is an equilibrium with the
+    /// resistance `M Δu / h²`, so that energy is lost in each; steps grow as long as they are easy.
     ///
-    /// `false`, with the state unchanged, if nothing settles: without inertia, under loads that nothing
-    /// resists, or when cancelled, which is then the failure.
+    /// `false`, with the state unchanged, if nothing settles: without inertia, under loads that
+    /// nothing resists, or when cancelled, which is then the failure.
     pub(super) fn settle(&mut self, system: &System) -> Result<bool> {
         let scales = system.scales();
         if scales.mass <= 0.0 || self.was_cancelled() {

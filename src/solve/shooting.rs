@@ -1,9 +1,10 @@
 //! Periodic motions by shooting: Newton's method on the period map of the marching scheme.
 //!
 //! The unknowns are all that a step starts from: motions, velocities, accelerations and internal
-//! states. So what is found is the periodic motion of the scheme itself, without a transient of its start,
-//! and no projection is needed: what the map gives satisfies the constraints. Its derivative is propagated
-//! through the linearised steps, with the factors of each.
+//! states. So what is found is the periodic motion of the scheme itself, without a transient of its
+//! start, and no projection is needed: what the map gives satisfies the constraints. Its derivative
+//! is propagated through the linearised steps, with the factors of each. See docs/theory.md,
+//! section 12.3.
 
 use super::eigenvalues::eigenvalues;
 use super::newton::{Iteration, NewtonOptions, NewtonReport, Outcome};
@@ -64,7 +65,8 @@ impl Default for ShootingOptions {
 const MOST_STEPS: usize = 1_000_000;
 /// Shortest step of the line search.
 const SHORTEST_STEP: f64 = 1.0 / 64.0;
-/// Larger increments are taken in part: displacements relative to the characteristic length, radians.
+/// Larger increments are taken in part: displacements relative to the characteristic length,
+/// radians.
 const LARGEST_INCREMENT: f64 = 1.0;
 
 impl ShootingOptions {
@@ -213,8 +215,8 @@ impl Shooting {
             .fold(0.0, |m: f64, x| m.max(x.abs()))
     }
 
-    /// `∂(end − start)/∂start`, from the derivative of the end, at the miss of the motions: increments of
-    /// the end are taken to those of the logarithm of the motion from the start.
+    /// `∂(end − start)/∂start`, from the derivative of the end, at the miss of the motions:
+    /// increments of the end are taken to those of the logarithm of the motion from the start.
     fn tangent(&self, orbit: &Orbit, monodromy: &Mat<f64>) -> Mat<f64> {
         let size = self.scales.size();
         let mut tangent = Mat::zeros(size, size);
@@ -233,10 +235,11 @@ impl Shooting {
     }
 }
 
-/// Finds the periodic motion of `model` with period `period` by shooting, on the equal steps of a march.
+/// Finds the periodic motion of `model` with period `period` by shooting, on the equal steps of a
+/// march.
 ///
-/// The solve that is returned is a trajectory over one period. Its history is that of Newton's method on the
-/// period map, and its record holds the Floquet multipliers.
+/// The solve that is returned is a trajectory over one period. Its history is that of Newton's
+/// method on the period map, and its record holds the Floquet multipliers.
 ///
 /// `observe` sees the steps of the guess and each iteration, and returns `false` to cancel.
 ///
@@ -393,7 +396,9 @@ fn iterate(
         if !bounded || !increment.iter().all(|x| x.is_finite()) || size > SINGULAR {
             report.outcome = Outcome::Singular;
             report.explanation =
-                "the motion is free to shift: the derivative of the period map has the eigenvalue 1".into();
+                "the motion is free to shift: the derivative of the period map has the eigenvalue \
+                 1"
+                .into();
             return Ok(multipliers(shooting, &monodromy));
         }
         let converged = size <= options.newton.tolerance;
@@ -425,7 +430,8 @@ fn iterate(
         let Some(next) = accepted else {
             report.outcome = Outcome::Stalled;
             report.explanation = format!(
-                "no step along the Newton direction brings progress; the last increment is {size:.3e}"
+                "no step along the Newton direction brings progress; the last increment is \
+                 {size:.3e}"
             );
             return Ok(multipliers(shooting, &monodromy));
         };
@@ -446,7 +452,8 @@ fn iterate(
     Ok(Vec::new())
 }
 
-/// An increment larger than this, in characteristic lengths or radians, is that of a singular matrix.
+/// An increment larger than this, in characteristic lengths or radians, is that of a singular
+/// matrix.
 const SINGULAR: f64 = 1e8;
 
 /// Solves for the increment that makes up for a miss.
@@ -455,8 +462,8 @@ fn solve(factors: &PartialPivLu<f64>, miss: &[f64]) -> Vec<f64> {
     factors.solve(&rhs).col_as_slice(0).to_vec()
 }
 
-/// Floquet multipliers, the largest first: as many as the system has states. Those of the scheme itself, which
-/// are of the order of `ρ∞` to the number of steps, are left out.
+/// Floquet multipliers, the largest first: as many as the system has states. Those of the scheme
+/// itself, which are of the order of `ρ∞` to the number of steps, are left out.
 fn multipliers(shooting: &Shooting, monodromy: &Mat<f64>) -> Vec<[f64; 2]> {
     let system = shooting.marcher.newton.equations.system();
     let independent = system.constraint_count() - system.redundant_constraints();

@@ -1,4 +1,5 @@
 //! Where Newton's method begins: ways to start, cheapest first, each with its share of work.
+//! See docs/theory.md, section 9.
 
 use super::guess::{Guess, inertial_displacement, quasi_static};
 use super::march::DissipativeMarch;
@@ -18,13 +19,15 @@ use std::time::{Duration, Instant};
 pub enum Start {
     /// Equilibrium at each time, without velocities.
     QuasiStatic,
-    /// Equilibrium at each time of what turns steadily with its drives, with its centrifugal and gyroscopic forces.
+    /// Equilibrium at each time of what turns steadily with its drives, with its centrifugal and
+    /// gyroscopic forces.
     SteadyRotation,
     /// All that hangs on drives turned with them, undeformed.
     RigidRotation,
     /// The quasi-static motion, and inertial forces that are raised in steps.
     RaisedInertia,
-    /// A march in time, from the quasi-static motion or rigid rotation, with strong numerical dissipation.
+    /// A march in time, from the quasi-static motion or rigid rotation, with strong numerical
+    /// dissipation.
     March,
 }
 
@@ -83,19 +86,22 @@ impl fmt::Display for Attempt {
 const PATIENCE: usize = 4;
 /// Smallest step of the continuation in the inertia factor.
 const SMALLEST_INERTIA_STEP: f64 = 1.0 / 16.0;
-/// Least and largest number of Newton iterations that this continuation may take, and multiply-adds of their factorisations.
+/// Least and largest number of Newton iterations that this continuation may take, and multiply-adds
+/// of their factorisations.
 const RAISING: [usize; 2] = [12, 40];
 const RAISING_WORK: f64 = 2e10;
 /// Periods that a march takes at most.
 const MOST_PERIODS: usize = 24;
-/// Changes from one period to the next, relative to the characteristic length or in radians, at which Newton's method is tried:
-/// from a motion that is still far from periodic it may find one that nobody meant.
+/// Changes from one period to the next, relative to the characteristic length or in radians, at
+/// which Newton's method is tried: from a motion that is still far from periodic it may find one
+/// that nobody meant.
 const TRIED: [f64; 3] = [5e-2, 5e-3, 1e-3];
 
 /// Periods after which the change is compared with later ones.
 const EARLY: usize = 3;
 
-/// Whether a change that has become what it is after `period` periods, at the rate since the early one, falls below `most` in time.
+/// Whether a change that has become what it is after `period` periods, at the rate since the early
+/// one, falls below `most` in time.
 fn settles(early: f64, change: f64, period: usize, most: f64) -> bool {
     let rate = (change / early).ln() / (period - EARLY) as f64;
     let left = (MOST_PERIODS - period) as f64;
@@ -162,7 +168,8 @@ impl Attempts<'_> {
         Ok(())
     }
 
-    /// The first quasi-static motion at the points where it was found, if that is how to start and there is one.
+    /// The first quasi-static motion at the points where it was found, if that is how to start and
+    /// there is one.
     pub(super) fn first_quasi_static(&mut self) -> Result<Option<&GridState>> {
         if !matches!(
             self.chosen,
@@ -194,7 +201,8 @@ impl Attempts<'_> {
         self.carried(&state, from)
     }
 
-    /// How far inertial forces would displace the first quasi-static motion; zero where there is none.
+    /// How far inertial forces would displace the first quasi-static motion; zero where there is
+    /// none.
     pub(super) fn inertial_displacement(&mut self) -> Result<f64> {
         let (at, start) = (self.guess_grid, self.first_start());
         let guess = self.quasi_static(start)?;

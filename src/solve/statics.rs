@@ -1,4 +1,5 @@
 //! Equilibrium at one time, at rest or turning steadily: collocation on a grid of one point.
+//! See docs/theory.md, section 11.1.
 
 use super::estimate::mesh_error;
 use super::guess::Tracker;
@@ -93,8 +94,8 @@ pub(super) enum Indifferent {
 /// Finds an equilibrium of `model` at one time, at rest or in steady rotation.
 ///
 /// The state is followed from the unloaded reference configuration by load steps. Where that leads
-/// nowhere, and for mechanisms, which nothing but the loads holds, the masses creep downhill under the full
-/// loads. The solve that is returned has a grid of one point.
+/// nowhere, and for mechanisms, which nothing but the loads holds, the masses creep downhill under
+/// the full loads. The solve that is returned has a grid of one point.
 ///
 /// `observe` sees each iteration and returns `false` to cancel.
 ///
@@ -111,7 +112,8 @@ pub fn solve_static(
 
 /// Looks for an equilibrium from the reference configuration.
 fn find_start(tracker: &mut Tracker, system: &System, least_load_steps: usize) -> Result<bool> {
-    // Where nothing holds the unloaded mechanism, small loads move it far, and load steps lead nowhere.
+    // Where nothing holds the unloaded mechanism, small loads move it far, and load steps lead
+    // nowhere.
     let held = tracker.is_held()?;
     if !held && tracker.settle(system)? {
         return Ok(true);
@@ -182,7 +184,8 @@ pub(super) fn find_equilibrium(
             },
             iterations: Vec::new(),
             explanation: format!(
-                "load steps ended at the fraction {reached:.4} of loads and prescribed motions: {explanation}"
+                "load steps ended at the fraction {reached:.4} of loads and prescribed motions: \
+                 {explanation}"
             ),
         },
         None => {

@@ -1,5 +1,5 @@
-//! Marching in time by the generalised-α method, from consistent initial values, for a given time or until
-//! the motion repeats itself.
+//! Marching in time by the generalised-α method, from consistent initial values, for a given time
+//! or until the motion repeats itself. See docs/theory.md, section 12.1.
 
 use super::consistent::{Initial, Refusal};
 use super::newton::{Iteration, Newton, NewtonOptions, NewtonReport, Outcome};
@@ -19,23 +19,24 @@ use std::f64::consts::TAU;
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 
-/// Motions and velocities that a march starts from; what the constraints do not allow is projected out.
+/// Motions and velocities that a march starts from; what the constraints do not allow is projected
+/// out.
 #[derive(Debug, Clone)]
 pub struct StartState {
     /// Motion of each node.
     pub motions: Vec<Motion>,
     /// Material velocity of each node; at rest if there are none.
     pub twists: Vec<Vector6<f64>>,
-    /// Internal states of all elements, at the places of the own unknowns of an instant, and the last values
-    /// of the tracked coordinates. Without them internal states are relaxed.
+    /// Internal states of all elements, at the places of the own unknowns of an instant, and the
+    /// last values of the tracked coordinates. Without them internal states are relaxed.
     pub internal: Option<(Vec<f64>, Vec<f64>)>,
 }
 
 /// Where a march starts.
 #[derive(Debug, Clone, Default)]
 pub enum MarchStart {
-    /// The reference configuration, at rest but for what is prescribed and what hangs on drives that turn, which turns with them if
-    /// the joints let it.
+    /// The reference configuration, at rest but for what is prescribed and what hangs on drives
+    /// that turn, which turns with them if the joints let it.
     #[default]
     Reference,
     /// These motions and velocities.
@@ -49,8 +50,9 @@ pub enum MarchEnd {
     Duration(f64),
     /// When motions and velocities are those of the periodic motion.
     Periodic {
-        /// Largest difference from it, by how the differences between neighbouring periods decay: displacements relative to the characteristic length, rotation matrices entry
-        /// by entry, velocities likewise in units of a radian of the period.
+        /// Largest difference from it, by how the differences between neighbouring periods decay:
+        /// displacements relative to the characteristic length, rotation matrices entry by entry,
+        /// velocities likewise in units of a radian of the period.
         tolerance: f64,
         /// Periods after which it is given up.
         most_periods: usize,
@@ -68,14 +70,14 @@ pub struct MarchOptions {
     pub end: MarchEnd,
     /// Period that harmonics of signals refer to, and that the motion may repeat itself with.
     pub period: Option<f64>,
-    /// Length of the steps, the first at least. Steps are shortened so that a whole number of them fits the
-    /// period (marching until periodic) or the duration.
+    /// Length of the steps, the first at least. Steps are shortened so that a whole number of them
+    /// fits the period (marching until periodic) or the duration.
     pub step: f64,
-    /// If given, steps are chosen so that each has at most this estimated error of a motion: displacements
-    /// relative to the characteristic length, turns in radians.
+    /// If given, steps are chosen so that each has at most this estimated error of a motion:
+    /// displacements relative to the characteristic length, turns in radians.
     pub error_tolerance: Option<f64>,
-    /// Spectral radius at infinite frequency, from 0 to 1: 1 keeps all vibrations, 0 removes at once what the
-    /// steps do not resolve.
+    /// Spectral radius at infinite frequency, from 0 to 1: 1 keeps all vibrations, 0 removes at
+    /// once what the steps do not resolve.
     pub spectral_radius: f64,
     /// When Newton's method stops in each step.
     pub newton: NewtonOptions,
@@ -86,8 +88,8 @@ pub struct MarchOptions {
 }
 
 impl MarchOptions {
-    /// Default numerical dissipation. What steps of a mechanism do not resolve, in the constraints above
-    /// all, must decay (1 is unstable for index 3); half in a step does, and costs a resolved
+    /// Default numerical dissipation. What steps of a mechanism do not resolve, in the constraints
+    /// above all, must decay (1 is unstable for index 3); half in a step does, and costs a resolved
     /// vibration of 20 steps no more than some 0.4 % of its amplitude in a cycle.
     pub const SPECTRAL_RADIUS: f64 = 0.5;
 
@@ -278,8 +280,8 @@ pub(super) fn difference(a: &MotionState, b: &MotionState, scales: &Scales, peri
 /// Part of a step over which rates of drives are differenced.
 const SHORT: f64 = 1e-3;
 
-/// The reference configuration at rest, but for what hangs on drives that turn, if the joints let it turn with them as one rigid
-/// body: that is where they are, and has their velocity.
+/// The reference configuration at rest, but for what hangs on drives that turn, if the joints let
+/// it turn with them as one rigid body: that is where they are, and has their velocity.
 fn rigid_rotation(
     system: &System,
     time: f64,
@@ -403,8 +405,8 @@ impl Marcher {
         }
     }
 
-    /// Tries one step; the present state is then its end. Otherwise says why not, and nothing has changed.
-    /// `accept` is asked with the estimated error.
+    /// Tries one step; the present state is then its end. Otherwise says why not, and nothing has
+    /// changed. `accept` is asked with the estimated error.
     pub fn step(
         &mut self,
         accept: impl Fn(f64) -> bool,
@@ -599,7 +601,8 @@ impl Run<'_> {
             MarchEnd::Periodic { .. } => Some((
                 Outcome::IterationLimit,
                 format!(
-                    "not periodic after {most} periods: the last differs from the one before by {:.3e}, and by about {:.3e} \
+                    "not periodic after {most} periods: the last differs from the one before by \
+                     {:.3e}, and by about {:.3e} \
                      from the periodic motion",
                     self.marcher.record.repetition,
                     distance(&changes)
@@ -612,8 +615,8 @@ impl Run<'_> {
 /// Changes this much below the tolerance may be rounding, which does not decay.
 const NEGLIGIBLE: f64 = 1e-2;
 
-/// How far the last period is from the periodic motion, by the `changes` from each period to the next: what is left of them if
-/// they go on to decay as they did in the last three.
+/// How far the last period is from the periodic motion, by the `changes` from each period to the
+/// next: what is left of them if they go on to decay as they did in the last three.
 fn distance(changes: &[f64]) -> f64 {
     let Some(&last) = changes.last() else {
         return f64::INFINITY;
@@ -643,7 +646,8 @@ pub(super) fn fitting_step(span: f64, step: f64) -> f64 {
 /// `observe` sees each step, with the last of its iterations, and returns `false` to cancel.
 ///
 /// # Errors
-/// If options or model are not valid. A march that does not reach its end is an outcome, not an error.
+/// If options or model are not valid. A march that does not reach its end is an outcome, not an
+/// error.
 pub fn march(
     model: &Model,
     options: &MarchOptions,

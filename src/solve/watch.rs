@@ -16,7 +16,8 @@ use std::time::{Duration, Instant};
 pub struct Progress {
     /// What it is doing.
     pub stage: Stage,
-    /// Whether an iteration, or a step of a march, has just ended; otherwise work goes on within one.
+    /// Whether an iteration, or a step of a march, has just ended; otherwise work goes on within
+    /// one.
     pub iterated: bool,
     /// The last iteration; number 0 before the first.
     pub iteration: Iteration,
@@ -40,8 +41,8 @@ struct Watched {
     callback: Mutex<Box<Callback>>,
 }
 
-/// Who is told how a solve goes on, on the thread that asked for it: after each iteration and, while one lasts, a few times a
-/// second. Nobody by default.
+/// Who is told how a solve goes on, on the thread that asked for it: after each iteration and,
+/// while one lasts, a few times a second. Nobody by default.
 #[derive(Clone, Default)]
 pub struct Watch(Option<Arc<Watched>>);
 
@@ -52,7 +53,8 @@ impl fmt::Debug for Watch {
 }
 
 impl Watch {
-    /// Calls `callback`, which returns `false` to cancel; within iterations whenever 0.1 s have passed since the last call.
+    /// Calls `callback`, which returns `false` to cancel; within iterations whenever 0.1 s have
+    /// passed since the last call.
     pub fn new(callback: impl FnMut(&Progress) -> bool + Send + 'static) -> Self {
         Watch(Some(Arc::new(Watched {
             interval: INTERVAL,

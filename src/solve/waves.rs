@@ -1,5 +1,5 @@
-//! Motions by harmonics above those of the grid: waves about single grid points of a solution, during which the mechanism hardly
-//! moves otherwise.
+//! Motions by harmonics above those of the grid: waves about single grid points of a solution,
+//! during which the mechanism hardly moves otherwise.
 
 use super::loads::Loads;
 use super::newton::Newton;
@@ -9,11 +9,13 @@ use crate::fourier::TimeGrid;
 
 /// Harmonics of the loads that are looked at one by one.
 const HARMONICS: usize = 6;
-/// What is lightly damped may answer that much more to a harmonic than to one below its natural frequencies.
+/// What is lightly damped may answer that much more to a harmonic than to one below its natural
+/// frequencies.
 const RESONANCE: f64 = 1e3;
 /// A harmonic answered by so many times what is expected is near a natural frequency.
 const RESOUNDS: f64 = 3.0;
-/// Natural frequencies vary over the period: on the whole, harmonics may come so many times nearer to them than at one point.
+/// Natural frequencies vary over the period: on the whole, harmonics may come so many times nearer
+/// to them than at one point.
 const MISTUNED: f64 = 30.0;
 /// What may add less than this part of the error is not looked at.
 const SLIGHT: f64 = 0.2;
@@ -23,7 +25,8 @@ const SLIGHT: f64 = 0.2;
 pub(super) struct LeftOut {
     /// Largest of the motions.
     pub error: f64,
-    /// The harmonic further up that is so near a natural frequency that a finer grid alone can tell what it adds.
+    /// The harmonic further up that is so near a natural frequency that a finer grid alone can tell
+    /// what it adds.
     pub resounding: Option<usize>,
 }
 
@@ -59,7 +62,8 @@ impl<'a> Waves<'a> {
         at
     }
 
-    /// Linearises the equations of a wave of this harmonic about grid point `k`. `false` if they are singular.
+    /// Linearises the equations of a wave of this harmonic about grid point `k`. `false` if they
+    /// are singular.
     fn freeze(&mut self, harmonic: usize, k: usize) -> Result<bool> {
         let at = self.frozen(k);
         let equations = &mut self.newton.equations;
@@ -75,7 +79,8 @@ impl<'a> Waves<'a> {
         self.newton.linearise(&at)
     }
 
-    /// Motions by what is left out of the equations after grid point `k`, as a wave of this harmonic; none where that is singular.
+    /// Motions by what is left out of the equations after grid point `k`, as a wave of this
+    /// harmonic; none where that is singular.
     fn response(&mut self, defect: &Defect, harmonic: usize, k: usize) -> Result<Option<f64>> {
         if !self.freeze(harmonic, k)? {
             return Ok(None);
@@ -84,8 +89,8 @@ impl<'a> Waves<'a> {
         self.newton.response_of_wave(&mut rows)
     }
 
-    /// Motions by what is left out of the equations, as a wave next above the harmonics of the grid, at the worst points; and what
-    /// harmonics further up add, as one of them may resound.
+    /// Motions by what is left out of the equations, as a wave next above the harmonics of the
+    /// grid, at the worst points; and what harmonics further up add, as one of them may resound.
     ///
     /// `aliased` is the error by what the grid has taken for its own harmonics.
     pub fn left_out(&mut self, defect: &Defect, aliased: f64) -> Result<Option<LeftOut>> {
@@ -129,7 +134,8 @@ impl<'a> Waves<'a> {
         Ok(Some(left))
     }
 
-    /// Motions by the harmonics of the loads that the grid cannot hold, where most is left of the equations.
+    /// Motions by the harmonics of the loads that the grid cannot hold, where most is left of the
+    /// equations.
     pub fn unheld(&mut self, defect: &Defect, loads: &Loads) -> Result<Option<f64>> {
         let (harmonics, part) = loads.strongest((self.state.points() - 1) / 2, HARMONICS);
         let [k, _] = defect.worst(&self.newton.equations);

@@ -13,8 +13,9 @@ const STATES: usize = 4;
 /// Where the tangents of a user's function differ most from differences of its forces.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct TangentCheck {
-    /// Largest difference, relative to the largest tangent; forces and motions are taken relative to what
-    /// is characteristic of the model. What is right leaves some 1e-8, the error of the differences.
+    /// Largest difference, relative to the largest tangent; forces and motions are taken relative
+    /// to what is characteristic of the model. What is right leaves some 1e-8, the error of the
+    /// differences.
     pub error: f64,
     /// Time of the state that it was found at.
     pub time: f64,
@@ -128,12 +129,12 @@ impl Worst {
     }
 }
 
-/// Compares the tangents of force `force`, at a few states near the reference configuration with random
-/// velocities, as they are in motions of period `period`.
+/// Compares the tangents of force `force`, at a few states near the reference configuration with
+/// random velocities, as they are in motions of period `period`.
 ///
 /// # Errors
-/// [`ErrorKind::NotAvailable`] if the force is no function of the user that gives tangents, and what
-/// [`System::new`] refuses.
+/// [`ErrorKind::NotAvailable`] if the force is no function of the user that gives tangents, and
+/// what [`System::new`] refuses.
 pub fn check_tangents(model: &Model, force: usize, period: f64) -> Result<TangentCheck> {
     let definition = model.require_force("force", force)?;
     let unavailable = |why: &str| {

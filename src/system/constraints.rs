@@ -1,7 +1,8 @@
 //! Which constraints depend on others: closed loops of joints, and the rank of their gradient.
 //!
-//! Constraints of different elements can only depend on each other if they act on the same nodes all
-//! around a loop. So the gradient is looked at loop by loop, densely.
+//! Constraints of different elements can only depend on each other if they act on the same nodes
+//! all around a loop. So the gradient is looked at loop by loop, densely. See docs/theory.md,
+//! section 5.6.
 
 use super::{Conditions, ElementRole, OwnValues, Placed, System, Workspace};
 use crate::elements::{Measure, NodeState, Unknown};
@@ -9,12 +10,13 @@ use crate::error::Result;
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt;
 
-/// A gradient of which no more than this is left beside those of other constraints, relative to the largest, depends on
-/// them: geometry given with rounding leaves less, and no working joint comes near.
+/// A gradient of which no more than this is left beside those of other constraints, relative to the
+/// largest, depends on them: geometry given with rounding leaves less, and no working joint comes
+/// near.
 const DEPENDENT: f64 = 1e-7;
 
-/// Loops with more constraints than this are not looked at: their dense factorisation would take longer
-/// than the solve.
+/// Loops with more constraints than this are not looked at: their dense factorisation would take
+/// longer than the solve.
 const MOST_ROWS: usize = 1500;
 
 impl Dependency {
@@ -90,7 +92,8 @@ pub struct Dependency {
     pub roles: Vec<ElementRole>,
 }
 
-/// All loops of a system whose node `n` moves as one with node `members[n]`, which represents its member.
+/// All loops of a system whose node `n` moves as one with node `members[n]`, which represents its
+/// member.
 fn constraint_loops(system: &System, members: &[usize]) -> Vec<ConstraintLoop> {
     // Members connected by constraints; the ground connects nothing.
     let mut group: Vec<usize> = (0..system.nodes()).collect();
@@ -146,7 +149,8 @@ fn constraint_loops(system: &System, members: &[usize]) -> Vec<ConstraintLoop> {
         .collect()
 }
 
-/// Whether connected constraints are more than a tree of joints, each with at most one driven coordinate.
+/// Whether connected constraints are more than a tree of joints, each with at most one driven
+/// coordinate.
 fn closes_loop(system: &System, members: &[usize], elements: &[usize]) -> bool {
     let mut vertices = BTreeSet::new();
     let mut joined = BTreeSet::new();
@@ -176,7 +180,8 @@ fn closes_loop(system: &System, members: &[usize], elements: &[usize]) -> bool {
 }
 
 impl ConstraintLoop {
-    /// Null space of the transposed, scaled gradient at the given states: multipliers without effect.
+    /// Null space of the transposed, scaled gradient at the given states: multipliers without
+    /// effect.
     fn null_space(
         &self,
         system: &System,
@@ -255,15 +260,17 @@ impl ConstraintLoop {
     }
 }
 
-/// Orthonormal combinations of the `count` rows of a matrix that vanish. Takes from the rows, the largest first,
-/// what they have along those before; what is left of them is none of the matrix any more.
+/// Orthonormal combinations of the `count` rows of a matrix that vanish. Takes from the rows, the
+/// largest first, what they have along those before; what is left of them is none of the matrix any
+/// more.
 fn dependent_rows(matrix: &mut [f64], count: usize) -> Vec<Vec<f64>> {
     let size = matrix.len() / count.max(1);
     let mut rows: Vec<&mut [f64]> = matrix.chunks_exact_mut(size.max(1)).collect();
     let dot = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
     let mut order: Vec<usize> = (0..rows.len()).collect();
     let mut largest = 0.0f64;
-    // Of each direction found: what each row has along it, and that of the row that it was found by.
+    // Of each direction found: what each row has along it, and that of the row that it was found
+    // by.
     let mut parts: Vec<Vec<f64>> = Vec::new();
     while parts.len() < rows.len() {
         let rank = parts.len();
@@ -348,7 +355,8 @@ impl System {
         &self.dependencies
     }
 
-    /// Constraints that would depend on each other if every node `n` moved as one with `members[n]`.
+    /// Constraints that would depend on each other if every node `n` moved as one with
+    /// `members[n]`.
     pub(super) fn dependencies_if_rigid(&self, members: &[usize]) -> Result<Vec<Dependency>> {
         self.dependencies_of(&constraint_loops(self, members), members)
     }
@@ -369,9 +377,10 @@ impl System {
         6 * self.nodes() + self.redundant_constraints() > self.constraint_count()
     }
 
-    /// Takes from the multipliers of an instant the part that has no effect, so that their norm is least;
-    /// moments count divided by the characteristic length. `at` is the place of the first
-    /// multiplier of an element, given by index, in `multipliers`. `workspace` is one with tangents.
+    /// Takes from the multipliers of an instant the part that has no effect, so that their norm is
+    /// least; moments count divided by the characteristic length. `at` is the place of the first
+    /// multiplier of an element, given by index, in `multipliers`. `workspace` is one with
+    /// tangents.
     pub fn reduce_to_least_norm(
         &self,
         state: impl Fn(usize) -> NodeState,

@@ -1,4 +1,5 @@
 //! Parts that hang on drives which turn on and on: a rotor on its shaft, a blade behind a hub.
+//! See docs/theory.md, section 9.3.
 
 use super::{ElementRole, Placed, System};
 use crate::elements::{Attachment, Coordinate, Element, Joint, Measure, NodeState};
@@ -8,8 +9,8 @@ use crate::motion::Motion;
 use nalgebra::{Matrix6, Vector6};
 use std::f64::consts::TAU;
 
-/// Change of a joint's constraints, relative to the size of the mechanism or in radians, that parts which turn as one rigid body
-/// may leave to rounding.
+/// Change of a joint's constraints, relative to the size of the mechanism or in radians, that parts
+/// which turn as one rigid body may leave to rounding.
 const CLOSED: f64 = 1e-6;
 /// Change of a drive, relative to its value, that is one of rounding.
 const ROUNDING: f64 = 1e-13;
@@ -53,7 +54,8 @@ impl Driven {
         self.rigid
     }
 
-    /// Twist of a node about the origin, resolved in space, in steady rotation; zero of what does not turn.
+    /// Twist of a node about the origin, resolved in space, in steady rotation; zero of what does
+    /// not turn.
     pub fn twist(&self, node: usize) -> Vector6<f64> {
         let parts = self.parts.iter().filter(|part| part.hangs[node]);
         parts.map(|part| part.unit * part.rate).sum()
@@ -70,12 +72,14 @@ impl Driven {
         turned(motion, &(self.twist(node) * time))
     }
 
-    /// Reference `motion` of a node carried to where the drives are, given the values of all signals.
+    /// Reference `motion` of a node carried to where the drives are, given the values of all
+    /// signals.
     pub fn carried(&self, node: usize, motion: &Motion, signals: &[f64]) -> Motion {
         self.carried_by(node, motion, |part| signals[part.drive.signal] - part.start)
     }
 
-    /// `motion` of a node carried from where the drives are with one set of values of all signals to where they are with another.
+    /// `motion` of a node carried from where the drives are with one set of values of all signals
+    /// to where they are with another.
     pub fn carried_between(
         &self,
         node: usize,
@@ -103,8 +107,9 @@ fn turned(motion: &Motion, step: &Vector6<f64>) -> Motion {
 impl System {
     /// What would turn if all that hangs on a drive were one rigid body; none without drives.
     ///
-    /// A drive is a joint coordinate whose prescribed angle gains whole turns in a period, or grows in a march. What hangs
-    /// on it is connected to it by joints and beams otherwise than through the ground.
+    /// A drive is a joint coordinate whose prescribed angle gains whole turns in a period, or grows
+    /// in a march. What hangs on it is connected to it by joints and beams otherwise than through
+    /// the ground.
     ///
     /// # Errors
     /// Those of signals.
@@ -112,7 +117,8 @@ impl System {
         self.driven_with(|drive| self.mean_rate(drive.signal))
     }
 
-    /// The same with the rates that drives have at the start of a march, as differences over so short a time tell.
+    /// The same with the rates that drives have at the start of a march, as differences over so
+    /// short a time tell.
     ///
     /// # Errors
     /// Those of signals.
@@ -191,8 +197,9 @@ impl System {
         })
     }
 
-    /// Twist of the second body of a driven joint relative to the first for a unit rate of its coordinate, all others at
-    /// rest, in the reference configuration; about the origin, resolved in space.
+    /// Twist of the second body of a driven joint relative to the first for a unit rate of its
+    /// coordinate, all others at rest, in the reference configuration; about the origin, resolved
+    /// in space.
     fn unit_twist(&self, drive: &Drive) -> Option<Vector6<f64>> {
         let joint = &self.joints[drive.joint];
         let states = self.reference_states(joint);
@@ -220,7 +227,8 @@ impl System {
             .collect()
     }
 
-    /// Which nodes are connected to `start` otherwise than by the joint `without`, or through the ground.
+    /// Which nodes are connected to `start` otherwise than by the joint `without`, or through the
+    /// ground.
     fn hangs_on(&self, start: usize, without: usize) -> Vec<bool> {
         let mut hangs = vec![false; self.nodes()];
         hangs[start] = true;

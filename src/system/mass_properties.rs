@@ -23,7 +23,8 @@ pub struct MassProperties {
 }
 
 impl MassProperties {
-    /// Of all members of a model that have mass: `members` gives, for each node, the node that stands for its member.
+    /// Of all members of a model that have mass: `members` gives, for each node, the node that
+    /// stands for its member.
     pub(super) fn of_members(model: &Model, members: &[usize]) -> Vec<Self> {
         let mut about_origin: BTreeMap<usize, Matrix6<f64>> = BTreeMap::new();
         for inertia in &model.inertias {

@@ -91,8 +91,8 @@ struct DrivenSignal {
 pub struct Standstill {
     /// The time: signals keep the values that they have then.
     pub time: f64,
-    /// Period that harmonics of signals refer to. It may be left out if no harmonics matter: at time
-    /// zero, or if there are none.
+    /// Period that harmonics of signals refer to. It may be left out if no harmonics matter: at
+    /// time zero, or if there are none.
     pub period: Option<f64>,
     /// Angular velocity of the frame, in which positions, directions and the ground are described.
     pub angular_velocity: Vector3<f64>,
@@ -168,7 +168,8 @@ pub struct System {
     turning: Option<[usize; 3]>,
     /// Prescribed angles whose whole turns are open.
     drives: Vec<Drive>,
-    /// Coordinates that forces act on, force by force, then all other angles whose whole turns are open.
+    /// Coordinates that forces act on, force by force, then all other angles whose whole turns are
+    /// open.
     tracked: Vec<Tracked>,
     /// How many of them forces act on.
     acted_on: usize,
@@ -408,7 +409,8 @@ impl System {
         self.tracked.len() - 1
     }
 
-    /// Follows the angles that no force acts on; those of prescribed ones are told by their signals.
+    /// Follows the angles that no force acts on; those of prescribed ones are told by their
+    /// signals.
     fn track_other_angles(&mut self, model: &Model) {
         for (joint, definition) in model.joints.iter().enumerate() {
             let kind = definition.kind();
@@ -552,7 +554,8 @@ impl System {
         self.transient.as_ref()
     }
 
-    /// Those of `workers` that may evaluate elements: functions of the user are called on the thread of the caller.
+    /// Those of `workers` that may evaluate elements: functions of the user are called on the
+    /// thread of the caller.
     pub(crate) fn element_workers(&self, workers: &Workers) -> Workers {
         if self.calls_functions {
             workers.alone()
@@ -571,7 +574,8 @@ impl System {
         &self.scales
     }
 
-    /// Frequency that inertial forces are characterised by: that of the period or, of a march, of a step.
+    /// Frequency that inertial forces are characterised by: that of the period or, of a march, of a
+    /// step.
     pub(super) fn characteristic_frequency(&self) -> f64 {
         match &self.transient {
             Some(transient) => 1.0 / transient.step,
@@ -636,7 +640,8 @@ impl System {
         Ok(self.counted_turns.iter().map(change).fold(0.0, f64::max))
     }
 
-    /// Values, first and second derivatives of all signals at `time`, see [`BoundSignal::derivatives`].
+    /// Values, first and second derivatives of all signals at `time`, see
+    /// [`BoundSignal::derivatives`].
     pub fn signal_derivatives(&self, time: f64, step: f64) -> Result<[Vec<f64>; 3]> {
         let mut all = [(); 3].map(|()| Vec::with_capacity(self.signals.len()));
         for driven in &self.signals {
@@ -789,8 +794,8 @@ impl System {
         }
     }
 
-    /// Moves the tracked coordinates on by what velocities and accelerations at `state` make of them in `time`, so
-    /// that they may then be followed through more than half a turn.
+    /// Moves the tracked coordinates on by what velocities and accelerations at `state` make of
+    /// them in `time`, so that they may then be followed through more than half a turn.
     pub fn foresee(&self, state: impl Fn(usize) -> NodeState, time: f64, coordinates: &mut [f64]) {
         for (tracked, last) in self.tracked.iter().zip(coordinates) {
             let states: Vec<NodeState> = tracked.joint.nodes().iter().map(|&n| state(n)).collect();
@@ -805,7 +810,8 @@ impl System {
     }
 }
 
-/// What a joint coordinate and its rate are of the order of, in a mechanism of this length and circular frequency.
+/// What a joint coordinate and its rate are of the order of, in a mechanism of this length and
+/// circular frequency.
 fn coordinate_scales(coordinate: Coordinate, length: f64, frequency: f64) -> [f64; 2] {
     let size = match coordinate.measure() {
         Measure::Angle => 1.0,
@@ -861,7 +867,8 @@ fn require_periodic(signal: &BoundSignal, unit: f64) -> Result<()> {
         return Err(Error::new(
             ErrorKind::NotPeriodic,
             format!(
-                "the function gives different values at the same time: {first}, then {again} at t = 0"
+                "the function gives different values at the same time: {first}, then {again} at t \
+                 = 0"
             ),
         ));
     }

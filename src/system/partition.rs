@@ -29,8 +29,9 @@ impl Partition {
     }
 }
 
-/// For each node the number of its part, if no element of those that `count` is connected to the ground or,
-/// where nothing is, to the first node: parts count from 1 then, and none stands for the first part.
+/// For each node the number of its part, if no element of those that `count` is connected to the
+/// ground or, where nothing is, to the first node: parts count from 1 then, and none stands for the
+/// first part.
 pub(super) fn parts(system: &System, counts: impl Fn(&Placed) -> bool) -> Vec<Option<usize>> {
     let ground = system.nodes();
     let mut connected = Partition::new(ground + 1);

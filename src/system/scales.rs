@@ -1,4 +1,5 @@
 //! Characteristic scales, so that nothing in the solution depends on the user's units.
+//! See docs/theory.md, section 5.4.
 
 use super::{Conditions, OwnValues, System};
 use crate::elements::{NodeState, StressLaw};
@@ -12,9 +13,10 @@ pub struct Scales {
     pub length: f64,
     /// Total mass.
     pub mass: f64,
-    /// The largest force that a displacement of `length` or an acceleration of `length Ω²` can cause, in a
-    /// march `length / h²` for steps of `h`, so that the matrices of small steps stay well scaled; at
-    /// a standstill, the largest force that such a displacement or the loads can cause.
+    /// The largest force that a displacement of `length` or an acceleration of `length Ω²` can
+    /// cause, in a march `length / h²` for steps of `h`, so that the matrices of small steps stay
+    /// well scaled; at a standstill, the largest force that such a displacement or the loads can
+    /// cause.
     pub force: f64,
 }
 
@@ -29,8 +31,8 @@ impl Default for Scales {
 }
 
 impl Scales {
-    /// Size of an increment, or of a velocity or acceleration, `[linear; angular]`: its largest component,
-    /// linear ones relative to the characteristic length.
+    /// Size of an increment, or of a velocity or acceleration, `[linear; angular]`: its largest
+    /// component, linear ones relative to the characteristic length.
     pub fn size_of(&self, v: &Vector6<f64>) -> f64 {
         let linear = v.fixed_rows::<3>(0).amax() / self.length;
         linear.max(v.fixed_rows::<3>(3).amax())
@@ -107,8 +109,8 @@ impl Scales {
 }
 
 impl System {
-    /// Axial or shear stiffness of beams relative to that in bending or torsion, for curvatures over the characteristic
-    /// length: the largest of all stations, zero without beams.
+    /// Axial or shear stiffness of beams relative to that in bending or torsion, for curvatures
+    /// over the characteristic length: the largest of all stations, zero without beams.
     pub fn slenderness(&self) -> f64 {
         let laws = self
             .elements

@@ -41,8 +41,8 @@ pub struct Summary {
     pub centre: Vector3<f64>,
     /// Mass, centre and inertia of each body and beam that has mass.
     pub mass_properties: Vec<MassProperties>,
-    /// Stations of sections inside beam elements: these are integrated from each to the next, but what bends or twists more from one
-    /// on is smooth in the element.
+    /// Stations of sections inside beam elements: these are integrated from each to the next, but
+    /// what bends or twists more from one on is smooth in the element.
     pub inner_stations: usize,
     /// What looks like a mistake, one sentence each.
     pub warnings: Vec<String>,
@@ -135,7 +135,8 @@ impl fmt::Display for Summary {
         if self.inner_stations > 0 {
             writeln!(
                 f,
-                "  {} stations of sections inside beam elements: with boundaries there, higher degrees gain more",
+                "  {} stations of sections inside beam elements: with boundaries there, higher \
+                 degrees gain more",
                 self.inner_stations
             )?;
         }

@@ -1,8 +1,8 @@
 //! A frame that turns steadily, in which motions are described and the ground is at rest.
 //!
-//! With `W` the twist of the frame and `M` a motion in it, the material velocity is
-//! `V = v + U`, `U = Ad(M⁻¹) W`, where `v` is that of `M`. So `V̇ = v̇ + Ũ v`, and a material increment
-//! `Δu` of `M` causes `ΔV = Δv + Ũ Δu`, `ΔV̇ = Δv̇ + Ũ Δv − ṽ Ũ Δu`.
+//! With `W` the twist of the frame and `M` a motion in it, the material velocity is `V = v + U`,
+//! `U = Ad(M⁻¹) W`, where `v` is that of `M`. So `V̇ = v̇ + Ũ v`, and a material increment `Δu` of
+//! `M` causes `ΔV = Δv + Ũ Δu`, `ΔV̇ = Δv̇ + Ũ Δv − ṽ Ũ Δu`. See docs/theory.md, section 11.2.
 
 use super::System;
 use crate::elements::{Contribution, NodeState};
@@ -70,7 +70,8 @@ impl System {
             return Err(Error::new(
                 ErrorKind::NotPeriodic,
                 format!(
-                    "gravity: expected a direction along the axis of a steady rotation, got ({}, {}, {}), of \
+                    "gravity: expected a direction along the axis of a steady rotation, got ({}, \
+                     {}, {}), of \
                      which {across:.3e} is across it; solve for the periodic response instead",
                     gravity.x, gravity.y, gravity.z
                 ),
@@ -106,8 +107,8 @@ impl System {
         self.standstill.as_ref()
     }
 
-    /// State in the inertial frame, from one in the frame that motions are described in; resolved along
-    /// the same axes.
+    /// State in the inertial frame, from one in the frame that motions are described in; resolved
+    /// along the same axes.
     pub fn inertial_state(&self, state: &NodeState) -> NodeState {
         match &self.standstill {
             Some(standstill) if self.turning.is_some() => {
@@ -141,7 +142,8 @@ mod tests {
         let frame = Vector6::from(FRAME);
         let at = state();
         let found = inertial(&at, &frame);
-        // F(t) M(t) with F = exp(W t), M = M₀ exp(v t + ½ v̇ t²), which has twist v and rate v̇ at 0.
+        // F(t) M(t) with F = exp(W t), M = M₀ exp(v t + ½ v̇ t²), which has twist v and rate v̇ at
+        // 0.
         let motion = |t: f64| {
             Motion::identity().increment(&(frame * t)).compose(
                 &at.motion

@@ -9,22 +9,24 @@ use crate::motion::Motion;
 use nalgebra::{Matrix3, Matrix6, Vector3};
 use std::collections::HashMap;
 
-/// Range of the ratio of a section's radius of gyration to the element's length beyond which units look mixed
-/// up: millimetres for metres are a factor of 1000.
+/// Range of the ratio of a section's radius of gyration to the element's length beyond which units
+/// look mixed up: millimetres for metres are a factor of 1000.
 const SLENDER: std::ops::RangeInclusive<f64> = 5e-5..=5.0;
 /// Ratio of stiffnesses in one model beyond which results lose most of their digits.
 const SPREAD: f64 = 1e12;
-/// A section's radii of gyration by mass and by stiffness are alike; their squares must not differ by more.
+/// A section's radii of gyration by mass and by stiffness are alike; their squares must not differ
+/// by more.
 const UNLIKE: f64 = 1e5;
 /// Range of the ratio of a body's radius of gyration to the size of the model, likewise.
 const BODY: std::ops::RangeInclusive<f64> = 5e-5..=30.0;
-/// A joint is no farther from its nodes than this many times the size of the model without that joint.
+/// A joint is no farther from its nodes than this many times the size of the model without that
+/// joint.
 const FAR: f64 = 3.0;
 /// Nodes closer than this part of the model's size are at the same place.
 const SAME_PLACE: f64 = 1e-6;
 
-/// One sentence for each, with the node that stands for the member of each node, and the parts that nothing
-/// connects.
+/// One sentence for each, with the node that stands for the member of each node, and the parts that
+/// nothing connects.
 pub(super) fn warnings(
     model: &Model,
     system: &System,
@@ -86,7 +88,8 @@ fn warn_of_loose_parts(
             .collect();
         if nodes.iter().any(|&n| unconnected[n].is_none()) {
             warnings.push(format!(
-                "nothing holds {} to the rest of the model: what connects them has neither constraints nor stiffness; is a \
+                "nothing holds {} to the rest of the model: what connects them has neither \
+                 constraints nor stiffness; is a \
                  joint or a spring missing?",
                 name_all("node", &nodes)
             ));
@@ -172,7 +175,8 @@ fn warn_of_beams(model: &Model, warnings: &mut Vec<String>) {
     let mut massless = Vec::new();
     let (mut slender, mut thick, mut odd_shear) = (Vec::new(), Vec::new(), Vec::new());
     let (mut odd_mass, mut radii) = (Vec::new(), (0.0, 0.0));
-    // Stiffness against stretching and bending, as forces for a displacement of the element's length.
+    // Stiffness against stretching and bending, as forces for a displacement of the element's
+    // length.
     let (mut stiffest, mut softest) = ((0.0, 0), (f64::INFINITY, 0));
     for (index, beam) in model.beams.iter().enumerate() {
         let section = beam.middle_section();
@@ -219,13 +223,15 @@ fn warn_of_beams(model: &Model, warnings: &mut Vec<String>) {
     }
     if !thick.is_empty() {
         warnings.push(format!(
-            "{}: very stiff in bending for its length and axial stiffness, as if units were mixed up",
+            "{}: very stiff in bending for its length and axial stiffness, as if units were mixed \
+             up",
             name_all("beam element", &thick)
         ));
     }
     if !odd_mass.is_empty() {
         warnings.push(format!(
-            "{}: a radius of gyration of {:.1e} by mass, but {:.1e} by stiffness, as if units were mixed up",
+            "{}: a radius of gyration of {:.1e} by mass, but {:.1e} by stiffness, as if units \
+             were mixed up",
             name_all("beam element", &odd_mass),
             radii.0,
             radii.1
@@ -239,7 +245,8 @@ fn warn_of_beams(model: &Model, warnings: &mut Vec<String>) {
     }
     if stiffest.0 > SPREAD * softest.0 {
         warnings.push(format!(
-            "beam element {} is {:.0e} times as stiff in tension as beam element {} is in bending: results lose as \
+            "beam element {} is {:.0e} times as stiff in tension as beam element {} is in \
+             bending: results lose as \
              many digits",
             stiffest.1,
             stiffest.0 / softest.0,
@@ -273,14 +280,16 @@ fn warn_of_bodies(model: &Model, size: f64, warnings: &mut Vec<String>) {
     }
     if !odd.is_empty() {
         warnings.push(format!(
-            "body at {}: its mass and moments of inertia are those of a body of another order of size than the model, as \
+            "body at {}: its mass and moments of inertia are those of a body of another order of \
+             size than the model, as \
              if units were mixed up",
             name_all("node", &odd)
         ));
     }
     if !impossible.is_empty() {
         warnings.push(format!(
-            "body at {}: no body has these moments of inertia, as the largest exceeds the sum of the others",
+            "body at {}: no body has these moments of inertia, as the largest exceeds the sum of \
+             the others",
             name_all("node", &impossible)
         ));
     }
@@ -305,7 +314,8 @@ fn warn_of_open_joints(model: &Model, length: f64, warnings: &mut Vec<String>) {
         }
         if gap > 1e-9 {
             warnings.push(format!(
-                "joint {index} is open by {gap:.1e} (relative to the size of the model, or in radians) in the \
+                "joint {index} is open by {gap:.1e} (relative to the size of the model, or in \
+                 radians) in the \
                  reference configuration; a solve closes it"
             ));
         }
@@ -331,7 +341,8 @@ fn warn_of_far_joints(model: &Model, size: f64, warnings: &mut Vec<String>) {
         let elsewhere = others.fold(size, |most, (_, &d)| most.max(d));
         if far > FAR * elsewhere {
             warnings.push(format!(
-                "joint {index} is {far:.3e} away from a node that it joins, in a model of the size {elsewhere:.3e}: is its \
+                "joint {index} is {far:.3e} away from a node that it joins, in a model of the \
+                 size {elsewhere:.3e}: is its \
                  point right?"
             ));
         }

@@ -1,4 +1,5 @@
-//! Models with smooth periodic responses of all kinds: flexible and rigid, forced, driven and turning.
+//! Models with smooth periodic responses of all kinds: flexible and rigid, forced, driven and
+//! turning.
 
 use crate::common::*;
 use nalgebra::{Matrix3, Vector3};
@@ -69,7 +70,8 @@ pub fn forced_cantilever() -> Example {
     }
 }
 
-/// A blade, clamped to a hub that turns about a horizontal shaft, loaded by its weight and at its tip.
+/// A blade, clamped to a hub that turns about a horizontal shaft, loaded by its weight and at its
+/// tip.
 pub fn rotor_blade() -> Example {
     let pitch = 8f64.to_radians();
     let stiffness = [500e6, 100e6, 100e6, 500e3, 3.87e6, 1.30e6];
@@ -170,8 +172,8 @@ pub fn slider_crank(flexible: bool, omega: f64) -> Example {
     }
 }
 
-/// Section 7.1 of the paper: a bar on a turning one, with a spring and a damper between them, at rest in the
-/// turning frame.
+/// Section 7.1 of the paper: a bar on a turning one, with a spring and a damper between them, at
+/// rest in the turning frame.
 pub fn damped_mechanism() -> Example {
     let omega = 10.0;
     let at = |x: f64| Vector3::new(x, 0.0, 0.0);
@@ -307,8 +309,8 @@ pub fn swinging() -> Example {
     }
 }
 
-/// The planar four-bar mechanism with a crooked axis of section 7.3 of the paper: narrow peaks of forces where
-/// all bars lie in a line.
+/// The planar four-bar mechanism with a crooked axis of section 7.3 of the paper: narrow peaks of
+/// forces where all bars lie in a line.
 pub fn planar_four_bar() -> Example {
     let at = |x: f64, y: f64| Vector3::new(x, y, 0.0);
     let [a, b, c, d] = [at(0.0, 0.0), at(0.0, 0.12), at(0.24, 0.12), at(0.24, 0.0)];

@@ -38,8 +38,9 @@ fn true_error(solution: &Solution, exact: &Solution) -> f64 {
     there.distance(&exact.details().state, system.scales().length)
 }
 
-/// Errors of velocities, accelerations and multipliers of constraints, each relative to the largest of its kind: the
-/// estimate does not cover these derivatives, and the table shows how much larger they are.
+/// Errors of velocities, accelerations and multipliers of constraints, each relative to the largest
+/// of its kind: the estimate does not cover these derivatives, and the table shows how much larger
+/// they are.
 fn derived_errors(solution: &Solution, exact: &Solution) -> [f64; 3] {
     let times: Vec<f64> = exact.grid().times().collect();
     let nodes = exact.model().node_count();
@@ -129,10 +130,12 @@ fn the_tolerance_is_met_and_the_estimate_honest_on_all_smooth_examples() {
             let [velocity, acceleration, force] = derived_errors(&alone, &exact);
             let [ratio, ratio_alone] = [tried.error_estimate, own].map(|x| x / error);
             println!(
-                "{:24} {:5} {:9.1e} {error:9.1e} {ratio:7.2} {ratio_alone:7.2} {:3}   {velocity:9.1e} {acceleration:9.1e} {force:9.1e}",
+                "{:24} {:5} {:9.1e} {error:9.1e} {ratio:7.2} {ratio_alone:7.2} {:3}   \
+                 {velocity:9.1e} {acceleration:9.1e} {force:9.1e}",
                 example.name, tried.points, tried.error_estimate, tried.iterations
             );
-            // On grids that leave beams unresolved, stresses of stretching that relieve themselves count as loads: 39 measured.
+            // On grids that leave beams unresolved, stresses of stretching that relieve themselves
+            // count as loads: 39 measured.
             let most = if error > 1e-5 { 50.0 } else { 10.0 };
             if !(0.3..most).contains(&ratio) || !(0.3..most).contains(&ratio_alone) {
                 failures.push(format!("{} N = {}", example.name, tried.points));
@@ -226,8 +229,8 @@ fn narrow_peaks_end_at_the_largest_grid_and_are_named() {
     assert!(diagnostics.error_estimate > 1e-3 && diagnostics.error_estimate < 0.3);
 }
 
-/// How much a curve oscillates as the highest harmonics do, away from the two peaks: a smooth curve by about the
-/// square of that wave's length.
+/// How much a curve oscillates as the highest harmonics do, away from the two peaks: a smooth curve
+/// by about the square of that wave's length.
 fn ringing(force: &[f64], wave: usize) -> f64 {
     let count = force.len();
     largest((0..count).filter_map(|i| {

@@ -1,4 +1,5 @@
-"""Reads the animation that test_files wrote, by what the format says alone: python3 read_animation.py LIST.pvd"""
+"""Reads the animation that test_files wrote, by what the format says alone: python3
+read_animation.py LIST.pvd"""
 
 import base64
 import pathlib
@@ -37,8 +38,16 @@ def check_piece(path, part):
     assert cells["connectivity"] == tuple(range(points)) and cells["offsets"][-1] == points
     data = arrays(piece.find("PointData"))
     names = {
-        "beams": {"force", "moment", "strain", "curvature", "force_mean", "moment_mean", "force_jump",
-                  "moment_jump"},
+        "beams": {
+            "force",
+            "moment",
+            "strain",
+            "curvature",
+            "force_mean",
+            "moment_mean",
+            "force_jump",
+            "moment_jump",
+        },
         "bodies": {"node", "velocity", "angular_velocity"},
         "joints": {"joint", "reaction_force", "reaction_moment"},
     }[part]

@@ -288,8 +288,8 @@ static void a_load_at_places_in_untwisted_axes(void)
     joint = hold(model, beam.first, ORIGIN);
     for (i = 0; i < 18; i++)
         PDN_INIT(pdn_signal, &signals[i]);
-    /* Along the given direction, across the beam: 0, 4, 10 for a unit of length; along the beam 1, 1, 1; a moment of 2 at the
-     * start. */
+    /* Along the given direction, across the beam: 0, 4, 10 for a unit of length; along the beam 1,
+     * 1, 1; a moment of 2 at the start. */
     signals[6 + PDN_FORCE_2] = constant(4);
     signals[12 + PDN_FORCE_2] = constant(10);
     for (i = 0; i < 3; i++)
@@ -304,7 +304,8 @@ static void a_load_at_places_in_untwisted_axes(void)
     NEAR(fabs(held[0]), 3, 1e-5);
     NEAR(fabs(held[1]), 0, 1e-5);
     NEAR(fabs(held[2]), 1.5 * (2 + 7), 1e-5);
-    /* Of the forces 3 + 24.75 by integration, of the moment along the first half 1.5 about axis 3, the same way. */
+    /* Of the forces 3 + 24.75 by integration, of the moment along the first half 1.5 about axis 3,
+     * the same way. */
     NEAR(fabs(held[3]), 0, 1e-4);
     NEAR(fabs(held[4]), 27.75 + 1.5, 1e-4);
     NEAR(fabs(held[5]), 0, 1e-4);
@@ -342,7 +343,8 @@ static void gravity_may_vary(void)
     pdn_model_free(model);
 }
 
-/* A body that a rigid joint fixes to the beam's end, away from it, and a point mass on that body. */
+/* A body that a rigid joint fixes to the beam's end, away from it, and a point mass on
+ * that body. */
 static void bodies_hang_at_a_distance(void)
 {
     const double centre[3] = {2.5, 0.4, 0}, point[3] = {2.5, 1.4, 0}, down[3] = {0, 0, -10};

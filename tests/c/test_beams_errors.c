@@ -180,7 +180,8 @@ static void beams_along_lines(void)
     } curves[] = {
         {FAILS, PDN_ERR_CALLBACK, "curve: the callback returned 7: no such curve"},
         {LEAVES_POSITION, PDN_ERR_NOT_FINITE, "line at fraction 0.000000: position[0]: expected a"},
-        {LEAVES_AXIS, PDN_ERR_NOT_FINITE, "line at fraction 0.000000: axis_2[0]: expected a finite"},
+        {LEAVES_AXIS, PDN_ERR_NOT_FINITE,
+         "line at fraction 0.000000: axis_2[0]: expected a finite"},
         {CORNER, PDN_ERR_VALUE, "line at fraction 0.500000: expected a smooth line, got a corner"},
         {STANDS_STILL, PDN_ERR_VALUE, "line at fraction 0.000000: expected a line that goes on"},
         {AXIS_ALONG, PDN_ERR_VALUE, "line at fraction 0.000000: axis_2: expected a vector across"},

@@ -1,5 +1,5 @@
-/* Forces on joint coordinates and on nodes against closed forms: what they do to the motion, and what
- * can be read of them. A body of mass MASS slides along AXIS. */
+/* Forces on joint coordinates and on nodes against closed forms: what they do to the motion, and
+ * what can be read of them. A body of mass MASS slides along AXIS. */
 #include "near.h"
 
 #define PERIOD 1.4
@@ -81,8 +81,8 @@ static void check_force_count(int32_t expected)
     CHECK(count == expected);
 }
 
-/* What the force exerts on the body is the force along the axis, in space and along the node's axes,
- * which do not turn on a slider. */
+/* What the force exerts on the body is the force along the axis, in space and along the node's
+ * axes, which do not turn on a slider. */
 static void check_on_body(int32_t force, const double *along)
 {
     double wrench[6 * TIMES], own[6 * TIMES];
@@ -300,8 +300,8 @@ static void a_damper_resists_by_its_matrix(void)
                  PDN_OK);
     for (k = 0; k < 6; k++)
         CHECK_NEAR(harmonics[k], -matrix[k] * 0.4 * OMEGA, 1e-9);
-    /* The frame is fixed to the ground here, and the body passes over it: the wrench at its origin is the
-     * matrix' column of axis 2, and the body's moment is about where the body is. */
+    /* The frame is fixed to the ground here, and the body passes over it: the wrench at its origin
+     * is the matrix' column of axis 2, and the body's moment is about where the body is. */
     CHECK_STATUS(
         pdn_solution_force_on_node(solution, other, body, PDN_FRAME_SPACE, times, TIMES, wrench),
         PDN_OK);

@@ -1,5 +1,5 @@
-/* Every function of forces refuses what it must, and functions of the user that fail, or return what is
- * no number, are named: nothing is written, and the model stays as it was. */
+/* Every function of forces refuses what it must, and functions of the user that fail, or return
+ * what is no number, are named: nothing is written, and the model stays as it was. */
 #include "near.h"
 
 #define PERIOD 1.4
@@ -332,7 +332,8 @@ static void laws_that_go_wrong(void)
     }
     in.law_wrong = RANDOM;
     REFUSED(SOLVE, PDN_ERR_NOT_PERIODIC,
-            "force 4 on joint 0: the function gives different values at the same time and motion: ");
+            "force 4 on joint 0: the function gives different values at the same time and "
+            "motion: ");
     in.law_wrong = DRIFTS;
     REFUSED(SOLVE, PDN_ERR_NOT_PERIODIC,
             "force 4 on joint 0: the function does not repeat with the period ");

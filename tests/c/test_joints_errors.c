@@ -1,5 +1,5 @@
-/* Joints that are refused, drives that do not repeat, and mechanisms that cannot move or have closed the
- * wrong way round: each is named, and the model stays as it was. */
+/* Joints that are refused, drives that do not repeat, and mechanisms that cannot move or have
+ * closed the wrong way round: each is named, and the model stays as it was. */
 #include "near.h"
 
 static const double PERIOD = 1.5;
@@ -54,7 +54,8 @@ static const double no_pitch[] = {0.0, -0.0};
         in.other = second_;                                                                        \
     } while (0)
 
-/* What all joints by point and axis refuse; the call uses `in`, and MODEL, POINT, AXIS and JOINT. */
+/* What all joints by point and axis refuse; the call uses `in`, and MODEL, POINT, AXIS
+ * and JOINT. */
 #define REFUSES_BY_AXIS(axis_name)                                                                 \
     do {                                                                                           \
         static const double zero_[3] = {0, 0, 0};                                                  \
@@ -200,7 +201,8 @@ static void drives_that_do_not_repeat_are_named(void)
         const char *message;
     } drives[] = {
         {PDN_ROTATION, PI / 1.5, "prescribed rotation 1 of joint 1: the signal grows by 3.14159"},
-        {PDN_DISPLACEMENT, 2 * PI / 1.5, "prescribed displacement 1 of joint 1: the signal grows by 6.28"},
+        {PDN_DISPLACEMENT, 2 * PI / 1.5,
+         "prescribed displacement 1 of joint 1: the signal grows by 6.28"},
     };
     const pdn_periodic_options options = on_grid();
     pdn_model *const saved = in.model;

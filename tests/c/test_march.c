@@ -44,7 +44,8 @@ static double exact(double x0, double v0, double t)
     const double a = FORCE * real / size, b = FORCE * imaginary / size;
     const double sigma = DAMPING / (2 * MASS), w = sqrt(STIFFNESS / MASS - sigma * sigma);
     const double p = x0 - a, q = (v0 - b * OMEGA + sigma * p) / w;
-    return a * cos(OMEGA * t) + b * sin(OMEGA * t) + exp(-sigma * t) * (p * cos(w * t) + q * sin(w * t));
+    return a * cos(OMEGA * t) + b * sin(OMEGA * t) +
+           exp(-sigma * t) * (p * cos(w * t) + q * sin(w * t));
 }
 
 static size_t steps_told;
@@ -75,8 +76,9 @@ static double error_of(const pdn_solution *solution, double x0, double v0)
         CHECK_STATUS(pdn_solution_joint_rate(solution, slide, PDN_DISPLACEMENT, &time, 1, &rate),
                      PDN_OK);
         CHECK_STATUS(pdn_solution_node_position(solution, body, &time, 1, position), PDN_OK);
-        CHECK_STATUS(pdn_solution_node_velocity(solution, body, PDN_FRAME_SPACE, &time, 1, velocity),
-                     PDN_OK);
+        CHECK_STATUS(
+            pdn_solution_node_velocity(solution, body, PDN_FRAME_SPACE, &time, 1, velocity),
+            PDN_OK);
         CHECK(fabs(position[2] - x) < 1e-13 && fabs(velocity[2] - rate) < 1e-12);
         worst = fmax(worst, fabs(x - exact(x0, v0, time)));
     }
@@ -111,14 +113,16 @@ static void trajectories(void)
     CHECK(pdn_solution_report(solution, report, sizeof report) > 0);
     CHECK(strncmp(report, "March: converged", 16) == 0);
     /* No harmonics, and nothing beyond the end. */
-    CHECK_STATUS(pdn_solution_node_harmonics(solution, body, PDN_NODE_POSITION, 0, &mean, NULL, NULL),
-                 PDN_ERR_NOT_AVAILABLE);
+    CHECK_STATUS(
+        pdn_solution_node_harmonics(solution, body, PDN_NODE_POSITION, 0, &mean, NULL, NULL),
+        PDN_ERR_NOT_AVAILABLE);
     CHECK_MESSAGE("a trajectory has no harmonics");
     CHECK_STATUS(pdn_solution_joint_coordinate(solution, slide, PDN_DISPLACEMENT, &late, 1, &x),
                  PDN_ERR_VALUE);
     CHECK_MESSAGE("times: expected times of the trajectory, from 0 to 6, got 6.001");
 
-    /* Its last period starts a periodic solve, its end another march, and its middle an equilibrium. */
+    /* Its last period starts a periodic solve, its end another march, and its middle an
+     * equilibrium. */
     PDN_INIT(pdn_periodic_options, &periodic);
     periodic.initial = solution;
     CHECK_STATUS(pdn_solve_periodic(model, in.options.period, &periodic, &next), PDN_OK);
@@ -150,8 +154,9 @@ static void trajectories(void)
     CHECK_STATUS(pdn_march(model, &in.options, &solution), PDN_OK);
     {
         double kept, other;
-        CHECK_STATUS(pdn_solution_joint_coordinate(solution, slide, PDN_DISPLACEMENT, &end, 1, &kept),
-                     PDN_OK);
+        CHECK_STATUS(
+            pdn_solution_joint_coordinate(solution, slide, PDN_DISPLACEMENT, &end, 1, &kept),
+            PDN_OK);
         CHECK_STATUS(pdn_solution_joint_coordinate(next, slide, PDN_DISPLACEMENT, &end, 1, &other),
                      PDN_OK);
         CHECK(fabs(kept - other) < 1e-4);
@@ -306,7 +311,8 @@ static void refusals_of_each_argument(void)
     in.options.stored_periods = 0;
     in.options.step = 0;
     in.options.steps_per_period = 10;
-    REFUSED(march(), PDN_ERR_VALUE, "options.period: expected the period of options.steps_per_period");
+    REFUSED(march(), PDN_ERR_VALUE,
+            "options.period: expected the period of options.steps_per_period");
     in.options.steps_per_period = 0;
     in.options.step = 0.01;
     in.options.period = 2;
@@ -338,7 +344,8 @@ static void refusals_of_each_argument(void)
     CHECK_STATUS(pdn_march(other, &in.options, &solution), PDN_OK);
     CHECK(pdn_solution_outcome(solution) == PDN_CONVERGED);
     in.options.initial = solution;
-    REFUSED(march(), PDN_ERR_VALUE, "options.initial: expected a solution of a model with the same");
+    REFUSED(march(), PDN_ERR_VALUE,
+            "options.initial: expected a solution of a model with the same");
     in.options.initial = NULL;
     PDN_INIT(pdn_march_diagnostics, &figures.figures);
     REFUSED(pdn_solution_march(NULL, &figures.figures), PDN_ERR_NULL,

@@ -244,17 +244,19 @@ static void spatial_mechanism(void)
     for (i = 0; i < 3; i++)
         CHECK(near(centre[i] * mass, moment[i] + 0.125 * (frame.position[i] + flywheel_centre[i])));
 
-    /* A node of its own axes, fixed by a joint whose frames are apart until the solver closes it. */
+    /* A node of its own axes, fixed by a joint whose frames are apart until the solver
+     * closes it. */
     CHECK_STATUS(pdn_model_add_node(model, tool_centre, turned, &tool), PDN_OK);
     CHECK(tool == 27);
     CHECK_STATUS(pdn_model_node_frame(model, tool, &other), PDN_OK);
     for (i = 0; i < 9; i++)
-        CHECK(near(other.rotation[i], turned[i]) && near(other.position[i % 3], tool_centre[i % 3]));
+        CHECK(near(other.rotation[i], turned[i]) &&
+              near(other.position[i % 3], tool_centre[i % 3]));
     frame = other;
     other.position[0] += 0.01;
-    CHECK_STATUS(
-        pdn_model_add_joint(model, PDN_JOINT_RIGID, rocker.last, tool, &frame, &other, &strut_joint),
-        PDN_OK);
+    CHECK_STATUS(pdn_model_add_joint(model, PDN_JOINT_RIGID, rocker.last, tool, &frame, &other,
+                                     &strut_joint),
+                 PDN_OK);
     CHECK_STATUS(pdn_model_add_mass(model, tool, 0.1, tool_centre, flywheel_inertia), PDN_OK);
 
     /* A curved strut of three nodes, on a joint of each further kind in turn. */
@@ -280,10 +282,14 @@ static void spatial_mechanism(void)
     CHECK(free_joint == 8 && joints(model) == 9);
 
     /* Springs, drives, loads. */
-    CHECK_STATUS(pdn_model_add_spring_damper(model, hinge_A, PDN_ROTATION, 18.0, 0.1, 0.2, NULL), PDN_OK);
-    CHECK_STATUS(pdn_model_add_spring_damper(model, hinge_A, PDN_ROTATION, 1.0, 0, 0, NULL), PDN_OK);
-    CHECK_STATUS(pdn_model_add_spring_damper(model, ball_B, PDN_ROTATION_3, 1.0, 0, 0, NULL), PDN_OK);
-    CHECK_STATUS(pdn_model_add_spring_damper(model, cardan_C, PDN_ROTATION_2, 1.0, 0, 0, NULL), PDN_OK);
+    CHECK_STATUS(pdn_model_add_spring_damper(model, hinge_A, PDN_ROTATION, 18.0, 0.1, 0.2, NULL),
+                 PDN_OK);
+    CHECK_STATUS(pdn_model_add_spring_damper(model, hinge_A, PDN_ROTATION, 1.0, 0, 0, NULL),
+                 PDN_OK);
+    CHECK_STATUS(pdn_model_add_spring_damper(model, ball_B, PDN_ROTATION_3, 1.0, 0, 0, NULL),
+                 PDN_OK);
+    CHECK_STATUS(pdn_model_add_spring_damper(model, cardan_C, PDN_ROTATION_2, 1.0, 0, 0, NULL),
+                 PDN_OK);
     PDN_INIT(pdn_signal, &signal);
     CHECK_STATUS(pdn_signal_set_harmonics(&signal, 0.4, 0.3, cosines, sines, 3), PDN_OK);
     CHECK_STATUS(pdn_model_prescribe(model, motor_D, PDN_ROTATION, &signal), PDN_OK);

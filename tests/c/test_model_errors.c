@@ -251,7 +251,8 @@ static void sections(void)
 #undef CALL
 }
 
-/* A section that couples bending and torsion: times may differ, but not so much that a motion gains energy. */
+/* A section that couples bending and torsion: times may differ, but not so much that a motion gains
+ * energy. */
 static void damping_by_component(void)
 {
     const double times[6] = {1e-5, 1e-5, 1e-5, 2e-5, 1.4e-5, 2.2e-5};
@@ -559,10 +560,11 @@ static void forces(void)
     REFUSES_NOT_FINITE(in.number,
                        pdn_model_add_spring_damper(model, 0, in.coordinate, 1, in.number, 0, NULL),
                        "damping");
-    REFUSES_NOT_FINITE(
-        in.number, pdn_model_add_spring_damper(model, 0, in.coordinate, 1, 0, in.number, NULL), "rest");
-    REFUSED(pdn_model_add_spring_damper(model, 0, PDN_ROTATION_2, 1, 0, 0, NULL), PDN_ERR_NOT_AVAILABLE,
-            "coordinate: expected one of a revolute joint ");
+    REFUSES_NOT_FINITE(in.number,
+                       pdn_model_add_spring_damper(model, 0, in.coordinate, 1, 0, in.number, NULL),
+                       "rest");
+    REFUSED(pdn_model_add_spring_damper(model, 0, PDN_ROTATION_2, 1, 0, 0, NULL),
+            PDN_ERR_NOT_AVAILABLE, "coordinate: expected one of a revolute joint ");
     REFUSED(pdn_model_add_spring_damper(model, in.rigid, PDN_ROTATION, 1, 0, 0, NULL),
             PDN_ERR_NOT_AVAILABLE, "coordinate: expected one of a rigid joint ");
 #undef CALL

@@ -1,4 +1,5 @@
-/* Modes, as users of C meet them: a pendulum with a spring and a damper, at rest and in rotation. */
+/* Modes, as users of C meet them: a pendulum with a spring and a damper, at rest and
+ * in rotation. */
 #include "check.h"
 #include <math.h>
 
@@ -19,8 +20,9 @@ static void set_up(void)
     CHECK_STATUS(pdn_model_add_rigid_body(model, MASS, centre, inertia, &body), PDN_OK);
     CHECK_STATUS(pdn_model_add_revolute(model, PDN_GROUND, body, origin, axis, &hinge), PDN_OK);
     CHECK_STATUS(pdn_model_set_gravity(model, gravity), PDN_OK);
-    CHECK_STATUS(pdn_model_add_spring_damper(model, hinge, PDN_ROTATION, STIFFNESS, DAMPING, 0, NULL),
-                 PDN_OK);
+    CHECK_STATUS(
+        pdn_model_add_spring_damper(model, hinge, PDN_ROTATION, STIFFNESS, DAMPING, 0, NULL),
+        PDN_OK);
 }
 
 /* J s² + c s + k = 0 for the turn of the pendulum. */

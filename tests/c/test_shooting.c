@@ -141,7 +141,8 @@ static void refusals_of_each_argument(void)
     CHECK_STATUS(pdn_solve_shooting(other, 1.0, NULL, &solution), PDN_OK);
     CHECK(pdn_solution_outcome(solution) != PDN_CONVERGED);
     in.options.initial = solution;
-    REFUSED(shoot(), PDN_ERR_VALUE, "options.initial: expected a solution of a model with the same");
+    REFUSED(shoot(), PDN_ERR_VALUE,
+            "options.initial: expected a solution of a model with the same");
     in.options.initial = NULL;
     REFUSED(pdn_solution_floquet_count(NULL, &out.count), PDN_ERR_NULL,
             "solution: expected a pointer, got NULL");

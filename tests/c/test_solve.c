@@ -37,8 +37,9 @@ static pdn_model *pendulum_with(const pdn_signal *signal)
     CHECK_STATUS(pdn_model_new(&model), PDN_OK);
     CHECK_STATUS(pdn_model_add_rigid_body(model, MASS, CENTRE, MOMENTS_OF_INERTIA, &node), PDN_OK);
     CHECK_STATUS(pdn_model_add_revolute(model, PDN_GROUND, node, ORIGIN, AXIS, &joint), PDN_OK);
-    CHECK_STATUS(pdn_model_add_spring_damper(model, joint, PDN_ROTATION, STIFFNESS, DAMPING, 0.0, NULL),
-                 PDN_OK);
+    CHECK_STATUS(
+        pdn_model_add_spring_damper(model, joint, PDN_ROTATION, STIFFNESS, DAMPING, 0.0, NULL),
+        PDN_OK);
     CHECK_STATUS(pdn_model_add_load(model, node, PDN_FRAME_SPACE, PDN_MOMENT_3, signal), PDN_OK);
     return model;
 }
@@ -636,13 +637,15 @@ static void joints_too_many_are_tolerated_or_named(void)
     pdn_signal swing;
     double single[6], half[6];
     int32_t joint, i;
-    CHECK_STATUS(pdn_solution_joint_reaction(solution, 0, PDN_AXES_SPACE, &instant, 1, single), PDN_OK);
+    CHECK_STATUS(pdn_solution_joint_reaction(solution, 0, PDN_AXES_SPACE, &instant, 1, single),
+                 PDN_OK);
     pdn_solution_free(solution);
     CHECK_STATUS(pdn_model_add_revolute(model, PDN_GROUND, 0, ORIGIN, AXIS, &joint), PDN_OK);
     solution = solve(model, &options);
     CHECK(pdn_solution_outcome(solution) == PDN_CONVERGED);
     CHECK(reports(solution, "5 redundant constraints among joints 0, 1"));
-    CHECK_STATUS(pdn_solution_joint_reaction(solution, joint, PDN_AXES_SPACE, &instant, 1, half), PDN_OK);
+    CHECK_STATUS(pdn_solution_joint_reaction(solution, joint, PDN_AXES_SPACE, &instant, 1, half),
+                 PDN_OK);
     for (i = 0; i < 6; ++i)
         CHECK(fabs(half[i] - 0.5 * single[i]) < 1e-9 * (1.0 + fabs(single[i])));
     pdn_solution_free(solution);

@@ -241,7 +241,8 @@ static pdn_model *wheel(const pdn_signal *motor, const pdn_signal *load, double 
     CHECK_STATUS(pdn_model_new(&made), PDN_OK);
     CHECK_STATUS(pdn_model_add_rigid_body(made, 1, origin, inertia, &node), PDN_OK);
     CHECK_STATUS(pdn_model_add_revolute(made, PDN_GROUND, node, origin, axis, &joint), PDN_OK);
-    CHECK_STATUS(pdn_model_add_spring_damper(made, joint, PDN_ROTATION, stiffness, 1, 0, NULL), PDN_OK);
+    CHECK_STATUS(pdn_model_add_spring_damper(made, joint, PDN_ROTATION, stiffness, 1, 0, NULL),
+                 PDN_OK);
     if (motor != NULL)
         CHECK_STATUS(pdn_model_prescribe(made, joint, PDN_ROTATION, motor), PDN_OK);
     if (load != NULL)

@@ -186,7 +186,8 @@ static void refusals_of_each_argument(void)
     CHECK_STATUS(pdn_solve_static(other, NULL, &solution), PDN_OK);
     CHECK(pdn_solution_outcome(solution) == PDN_SINGULAR);
     in.options.initial = solution;
-    REFUSED(solve(), PDN_ERR_VALUE, "options.initial: expected a solution of a model with the same");
+    REFUSED(solve(), PDN_ERR_VALUE,
+            "options.initial: expected a solution of a model with the same");
     in.options.initial = NULL;
     pdn_solution_free(solution);
     pdn_model_free(other);

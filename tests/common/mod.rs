@@ -58,7 +58,8 @@ pub fn oscillator() -> (Model, usize) {
     (model, at.joint)
 }
 
-/// Two rigid bodies that swing through large angles under gravity, driven at the shoulder; and the elbow's joint.
+/// Two rigid bodies that swing through large angles under gravity, driven at the shoulder; and the
+/// elbow's joint.
 pub fn double_pendulum() -> (Model, usize) {
     let mut model = Model::new();
     let spin = Matrix3::from_diagonal(&Vector3::new(0.02, 0.03, 0.01));
@@ -88,8 +89,8 @@ pub fn double_pendulum() -> (Model, usize) {
 /// Period of its drive.
 pub const DOUBLE_PENDULUM_PERIOD: f64 = 1.7;
 
-/// Pendulum with a Zener element: length and mass of the arm, and the element's long-term stiffness, stiffness of
-/// its branch and relaxation time.
+/// Pendulum with a Zener element: length and mass of the arm, and the element's long-term
+/// stiffness, stiffness of its branch and relaxation time.
 pub const ZENER_ARM: f64 = 0.7;
 pub const ZENER_BOB: f64 = 1.3;
 pub const ZENER: [f64; 3] = [6.0, 4.0, 0.3];
@@ -114,8 +115,8 @@ pub fn zener_pendulum() -> (Model, usize, usize) {
     (model, hinge, force)
 }
 
-/// Options with the tolerance of all tests: the square of such an increment is below rounding, so that
-/// what Newton leaves is rounding alone.
+/// Options with the tolerance of all tests: the square of such an increment is below rounding, so
+/// that what Newton leaves is rounding alone.
 pub fn options(grid_points: usize) -> PeriodicOptions {
     PeriodicOptions {
         newton: NewtonOptions {

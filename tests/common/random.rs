@@ -5,7 +5,8 @@ use nalgebra::{Matrix6, Vector3, Vector6};
 pub struct Random(pub u64);
 
 impl Random {
-    /// A stream of its own for each list of numbers, well mixed: nearby lists have nothing in common.
+    /// A stream of its own for each list of numbers, well mixed: nearby lists have nothing in
+    /// common.
     pub fn of(numbers: &[u64]) -> Self {
         let mix = |x: u64| {
             let x = (x ^ (x >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);

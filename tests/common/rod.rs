@@ -14,12 +14,14 @@ pub struct RodState {
 }
 
 /// A rod held at the origin, in its section's axes there, and its equations of equilibrium:
-/// `r' = R (e₁ + γ)`, `R' = R (κ₀ + κ)~`, `n' = −f`, `m' = −r' × n − l`, and `[γ; κ] = 𝒦⁻¹ Rᵀ[n; m]`.
+/// `r' = R (e₁ + γ)`, `R' = R (κ₀ + κ)~`, `n' = −f`, `m' = −r' × n − l`, and
+/// `[γ; κ] = 𝒦⁻¹ Rᵀ[n; m]`.
 pub struct Rod<'a> {
     pub length: f64,
     /// Fractions of the length where anything is not smooth, 0 and 1 included.
     pub corners: &'a [f64],
-    /// Compliance at a fraction; the second argument is the middle of the smooth part that it is in.
+    /// Compliance at a fraction; the second argument is the middle of the smooth part that it is
+    /// in.
     pub stiffness: &'a dyn Fn(f64, f64) -> Matrix6<f64>,
     /// Curvature of the line free of stress.
     pub curvature: &'a dyn Fn(f64, f64) -> Vector3<f64>,
@@ -50,8 +52,8 @@ impl Rod<'_> {
         }
     }
 
-    /// The end, for a force and moment at the start: Runge and Kutta's fourth order, which leaves an
-    /// error of about (1/1500)⁴ = 2e-13 in each smooth part.
+    /// The end, for a force and moment at the start: Runge and Kutta's fourth order, which leaves
+    /// an error of about (1/1500)⁴ = 2e-13 in each smooth part.
     fn integrate(&self, start: &Vector6<f64>, factor: f64) -> RodState {
         const STEPS: usize = 1500;
         let mut y = RodState {
@@ -85,7 +87,8 @@ impl Rod<'_> {
         y
     }
 
-    /// The end of the rod in equilibrium, by Newton on the force and moment at its start, in load steps.
+    /// The end of the rod in equilibrium, by Newton on the force and moment at its start, in load
+    /// steps.
     pub fn equilibrium(&self, steps: usize) -> RodState {
         let mut start = SVector::<f64, 6>::zeros();
         for step in 1..=steps {

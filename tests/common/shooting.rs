@@ -1,4 +1,5 @@
-//! Periodic solutions of ordinary differential equations by shooting: an independent way to the same motions.
+//! Periodic solutions of ordinary differential equations by shooting: an independent way to the
+//! same motions.
 
 // Each test binary uses its own part of this module.
 #![allow(dead_code)]
@@ -28,7 +29,8 @@ pub fn integrate(
     states
 }
 
-/// The periodic solution near `guess`, at `steps + 1` uniform times: Newton's method on the map over a period.
+/// The periodic solution near `guess`, at `steps + 1` uniform times: Newton's method on the map
+/// over a period.
 pub fn shoot(f: &Equations, period: f64, steps: usize, guess: &[f64]) -> Vec<DVector<f64>> {
     let mut start = DVector::from_column_slice(guess);
     let n = start.len();

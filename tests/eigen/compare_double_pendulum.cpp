@@ -29,21 +29,24 @@ struct Rod {
 const Rod upper = {1.0, 1.0, 0.45, 0.08, 0.9}, lower = {0.7, 0.8, 0.5, 0.05, 0.5};
 
 double torque(double t) {
-    return torque_mean + torque_cosine * std::cos(omega * t) + torque_sine_2 * std::sin(2 * omega * t);
+    return torque_mean + torque_cosine * std::cos(omega * t) +
+           torque_sine_2 * std::sin(2 * omega * t);
 }
 
 // State: both rods' angles from the vertical, and their rates. Lagrange's equations.
 VectorXd rate(double t, const VectorXd &x) {
     const double difference = x(0) - x(1), coupling = lower.mass * upper.length * lower.centre;
     Eigen::Matrix2d mass;
-    mass << upper.inertia + upper.mass * upper.centre * upper.centre + lower.mass * upper.length * upper.length,
+    mass << upper.inertia + upper.mass * upper.centre * upper.centre +
+                lower.mass * upper.length * upper.length,
         coupling * std::cos(difference), coupling * std::cos(difference),
         lower.inertia + lower.mass * lower.centre * lower.centre;
     const double knee = lower.damping * (x(3) - x(2));
     const Vector2d force(
         torque(t) - upper.damping * x(2) + knee - coupling * std::sin(difference) * x(3) * x(3) -
             (upper.mass * upper.centre + lower.mass * upper.length) * gravity * std::sin(x(0)),
-        -knee + coupling * std::sin(difference) * x(2) * x(2) - lower.mass * lower.centre * gravity * std::sin(x(1)));
+        -knee + coupling * std::sin(difference) * x(2) * x(2) -
+            lower.mass * lower.centre * gravity * std::sin(x(1)));
     VectorXd out(4);
     out << x.tail(2), mass.ldlt().solve(force);
     return out;
@@ -75,12 +78,15 @@ Pendulum pendulum() {
         const Matrix3d along = p.down * p.down.transpose();
         const Matrix3d inertia = rod.inertia * (Matrix3d::Identity() - 0.7 * along);
         must(pdn_model_add_rigid_body(model, rod.mass, centre.data(), inertia.data(), &p.body[i]));
-        must(pdn_model_add_revolute(model, previous, p.body[i], pivot.data(), p.axis.data(), &p.hinge[i]));
-        must(pdn_model_add_spring_damper(model, p.hinge[i], PDN_ROTATION, 0, rod.damping, 0, nullptr));
+        must(pdn_model_add_revolute(model, previous, p.body[i], pivot.data(), p.axis.data(),
+                                    &p.hinge[i]));
+        must(pdn_model_add_spring_damper(model, p.hinge[i], PDN_ROTATION, 0, rod.damping, 0,
+                                         nullptr));
         previous = p.body[i], pivot += rod.length * p.down;
     }
     for (int c = 0; c < 3; ++c) {
-        const double cosines[] = {torque_cosine * p.axis(c), 0}, sines[] = {0, torque_sine_2 * p.axis(c)};
+        const double cosines[] = {torque_cosine * p.axis(c), 0},
+                     sines[] = {0, torque_sine_2 * p.axis(c)};
         pdn_signal moment;
         PDN_INIT(pdn_signal, &moment);
         must(pdn_signal_set_harmonics(&moment, torque_mean * p.axis(c), 0, cosines, sines, 2));
@@ -89,7 +95,8 @@ Pendulum pendulum() {
     return p;
 }
 
-// Angles, their rates, and position and velocity of the lower rod's centre: one column for each time.
+// Angles, their rates, and position and velocity of the lower rod's centre: one column for each
+// time.
 using Curves = Eigen::Matrix<double, 8, Eigen::Dynamic>;
 const char *const names[] = {"upper angle", "lower angle", "upper rate", "lower rate",
                              "centre across", "centre down", "velocity across", "velocity down"};
@@ -98,8 +105,12 @@ Curves expected(const std::vector<VectorXd> &orbit, int n) {
     Curves out(8, n);
     for (int k = 0; k < n; ++k) {
         const VectorXd &x = orbit[k];
-        const auto towards = [](double angle) { return Vector2d(std::sin(angle), std::cos(angle)); };
-        const auto sideways = [](double angle) { return Vector2d(std::cos(angle), -std::sin(angle)); };
+        const auto towards = [](double angle) {
+            return Vector2d(std::sin(angle), std::cos(angle));
+        };
+        const auto sideways = [](double angle) {
+            return Vector2d(std::cos(angle), -std::sin(angle));
+        };
         out.col(k) << x, upper.length * towards(x(0)) + lower.centre * towards(x(1)),
             upper.length * x(2) * sideways(x(0)) + lower.centre * x(3) * sideways(x(1));
     }
@@ -112,13 +123,17 @@ Curves found(const Pendulum &p, const pdn_solution *solution, int n) {
     VectorXd angle(n), rate(n);
     Curves out = Curves::Zero(8, n);
     for (int i = 0; i < 2; ++i) {
-        must(pdn_solution_joint_coordinate(solution, p.hinge[i], PDN_ROTATION, times.data(), n, angle.data()));
-        must(pdn_solution_joint_rate(solution, p.hinge[i], PDN_ROTATION, times.data(), n, rate.data()));
-        for (int k = i; k < 2; ++k) out.row(k) += angle.transpose(), out.row(2 + k) += rate.transpose();
+        must(pdn_solution_joint_coordinate(solution, p.hinge[i], PDN_ROTATION, times.data(), n,
+                                           angle.data()));
+        must(pdn_solution_joint_rate(solution, p.hinge[i], PDN_ROTATION, times.data(), n,
+                                     rate.data()));
+        for (int k = i; k < 2; ++k)
+            out.row(k) += angle.transpose(), out.row(2 + k) += rate.transpose();
     }
     MatrixXd position(3, n), velocity(6, n);
     must(pdn_solution_node_position(solution, p.body[1], times.data(), n, position.data()));
-    must(pdn_solution_node_velocity(solution, p.body[1], PDN_FRAME_SPACE, times.data(), n, velocity.data()));
+    must(pdn_solution_node_velocity(solution, p.body[1], PDN_FRAME_SPACE, times.data(), n,
+                                    velocity.data()));
     position.colwise() -= Vector3d(0.4, -0.2, 1.1);
     out.row(4) = p.across.transpose() * position;
     out.row(5) = p.down.transpose() * position;
@@ -149,13 +164,16 @@ int main() {
     options.grid_points = n;
     pdn_solution *solution = nullptr;
     must(pdn_solve_periodic(p.model.get(), period, &options, &solution));
-    const std::unique_ptr<pdn_solution, decltype(&pdn_solution_free)> owner(solution, pdn_solution_free);
+    const std::unique_ptr<pdn_solution, decltype(&pdn_solution_free)> owner(solution,
+                                                                            pdn_solution_free);
     char report[4096];
     pdn_solution_report(solution, report, sizeof report);
     std::printf("%s", report);
     check.is_true("converged", pdn_solution_outcome(solution) == PDN_CONVERGED);
     const Curves difference = found(p, solution, n) - exact;
     for (int i = 0; i < 8; ++i)
-        check.at_most(names[i], difference.row(i).cwiseAbs().maxCoeff() / exact.row(i).cwiseAbs().maxCoeff(), 1e-9);
+        check.at_most(names[i],
+                      difference.row(i).cwiseAbs().maxCoeff() / exact.row(i).cwiseAbs().maxCoeff(),
+                      1e-9);
     return check.exit_code();
 }

@@ -1,5 +1,5 @@
-// The spatial four-bar mechanism in the library, with rigid and with flexible bars, against the rigid
-// reference and an elementary estimate of the elastic deflection.
+// The spatial four-bar mechanism in the library, with rigid and with flexible bars, against the
+// rigid reference and an elementary estimate of the elastic deflection.
 
 #include "check.hpp"
 #include "differences.hpp"
@@ -29,8 +29,9 @@ constexpr int elements = 8;  // two-node beams to a flexible bar
 struct Stiffness {
     double axial, shear, torsion, bending;
 };
-const std::array<Stiffness, 3> steel = {
-    {{52.99e6, 16.88e6, 733.5, 1131}, {52.99e6, 16.88e6, 733.5, 1131}, {13.25e6, 4.220e6, 45.84, 70.66}}};
+const std::array<Stiffness, 3> steel = {{{52.99e6, 16.88e6, 733.5, 1131},
+                                         {52.99e6, 16.88e6, 733.5, 1131},
+                                         {13.25e6, 4.220e6, 45.84, 70.66}}};
 
 struct Mechanism {
     Model model{nullptr, pdn_model_free};
@@ -42,14 +43,18 @@ struct Mechanism {
 
 // Joins the bars, as in c_examples/spatial_four_bar.c.
 void join(Mechanism &m, const FourBar &data) {
-    const Vector3d i1 = Vector3d::UnitX(), i2 = Vector3d::UnitY(), arm = i1.cross(data.c0 - data.b0);
+    const Vector3d i1 = Vector3d::UnitX(), i2 = Vector3d::UnitY(),
+                   arm = i1.cross(data.c0 - data.b0);
     pdn_model *model = m.model.get();
     int32_t ball, cardan;
-    must(pdn_model_add_revolute(model, PDN_GROUND, m.first[0], data.a0.data(), i2.data(), &m.hinge));
+    must(
+        pdn_model_add_revolute(model, PDN_GROUND, m.first[0], data.a0.data(), i2.data(), &m.hinge));
     must(pdn_model_add_spherical(model, m.last[0], m.first[1], data.b0.data(), &ball));
-    must(pdn_model_add_universal(model, m.last[1], m.first[2], data.c0.data(), arm.data(), i1.data(), &cardan));
+    must(pdn_model_add_universal(model, m.last[1], m.first[2], data.c0.data(), arm.data(),
+                                 i1.data(), &cardan));
     must(pdn_model_add_revolute(model, PDN_GROUND, m.last[2], data.d0.data(), i1.data(), &m.motor));
-    must(pdn_model_add_spring_damper(model, m.hinge, PDN_ROTATION, data.spring_stiffness, 0.0, 0.0, NULL));
+    must(pdn_model_add_spring_damper(model, m.hinge, PDN_ROTATION, data.spring_stiffness, 0.0, 0.0,
+                                     NULL));
 
     pdn_signal turn;
     PDN_INIT(pdn_signal, &turn);
@@ -72,7 +77,8 @@ Mechanism with_rigid_bars(const FourBar &data) {
     for (int i = 0; i < 3; ++i) {
         const Vector3d centre = starts[i] + 0.5 * data.reference_span(i);
         const Matrix3d inertia = data.reference_inertia(i);
-        must(pdn_model_add_rigid_body(m.model.get(), data.mass(i), centre.data(), inertia.data(), &m.first[i]));
+        must(pdn_model_add_rigid_body(m.model.get(), data.mass(i), centre.data(), inertia.data(),
+                                      &m.first[i]));
     }
     m.last = m.first;
     // B is a node without mass, welded to bar 1.
@@ -94,13 +100,14 @@ Mechanism with_flexible_bars(const FourBar &data, double stiffer) {
         Vector6 stiffness;
         stiffness << k.axial, k.shear, k.shear, k.torsion, k.bending, k.bending;
         stiffness *= stiffer;
-        const double mass[] = {bar.mass_per_length, bar.polar_inertia, bar.transverse_inertia, bar.transverse_inertia};
+        const double mass[] = {bar.mass_per_length, bar.polar_inertia, bar.transverse_inertia,
+                               bar.transverse_inertia};
         pdn_section section;
         PDN_INIT(pdn_section, &section);
         must(pdn_section_set_diagonal(&section, stiffness.data(), mass));
         pdn_beam beam;
-        must(pdn_model_add_straight_beam(m.model.get(), starts[i].data(), ends[i].data(), axes[i].data(), &section, elements,
-                                         1, &beam));
+        must(pdn_model_add_straight_beam(m.model.get(), starts[i].data(), ends[i].data(),
+                                         axes[i].data(), &section, elements, 1, &beam));
         m.first[i] = beam.first, m.last[i] = beam.last;
     }
     m.b = m.last[0];
@@ -139,9 +146,12 @@ Curves curves(const Mechanism &m, const pdn_solution *solution, int n) {
     MatrixXd position(3, n), velocity(6, n);
     VectorXd torque(n), angle(n);
     must(pdn_solution_node_position(solution, m.b, times.data(), n, position.data()));
-    must(pdn_solution_node_velocity(solution, m.b, PDN_FRAME_SPACE, times.data(), n, velocity.data()));
-    must(pdn_solution_joint_driving_effort(solution, m.motor, PDN_ROTATION, times.data(), n, torque.data()));
-    must(pdn_solution_joint_coordinate(solution, m.hinge, PDN_ROTATION, times.data(), n, angle.data()));
+    must(pdn_solution_node_velocity(solution, m.b, PDN_FRAME_SPACE, times.data(), n,
+                                    velocity.data()));
+    must(pdn_solution_joint_driving_effort(solution, m.motor, PDN_ROTATION, times.data(), n,
+                                           torque.data()));
+    must(pdn_solution_joint_coordinate(solution, m.hinge, PDN_ROTATION, times.data(), n,
+                                       angle.data()));
     Curves out(4, n);
     out << position.row(2), velocity.row(2), torque.transpose(), angle.transpose();
     return out;
@@ -162,20 +172,25 @@ struct BarDifferences {
     double motion = 0, velocity = 0;
 };
 
-BarDifferences compare_bars(const Mechanism &m, const pdn_solution *solution, const FourBar &data, int n) {
+BarDifferences compare_bars(const Mechanism &m, const pdn_solution *solution, const FourBar &data,
+                            int n) {
     const std::vector<double> times = grid_times(n);
     BarDifferences d;
     double largest = 0;
     for (int i = 0; i < 3; ++i) {
         library::Columns found(n);
         MatrixXd velocity(6, n);
-        must(pdn_solution_node_position(solution, m.first[i], times.data(), n, found.positions.data()));
-        must(pdn_solution_node_rotation(solution, m.first[i], times.data(), n, found.rotations.data()));
-        must(pdn_solution_node_velocity(solution, m.first[i], PDN_FRAME_MATERIAL, times.data(), n, velocity.data()));
+        must(pdn_solution_node_position(solution, m.first[i], times.data(), n,
+                                        found.positions.data()));
+        must(pdn_solution_node_rotation(solution, m.first[i], times.data(), n,
+                                        found.rotations.data()));
+        must(pdn_solution_node_velocity(solution, m.first[i], PDN_FRAME_MATERIAL, times.data(), n,
+                                        velocity.data()));
         for (int k = 0; k < n; ++k) {
             const MotionState x = data.bar_motion(i, times[k]);
             const Motion y = found.motion(k);
-            d.motion = std::max({d.motion, (y.position - x.motion.position).norm(), (y.rotation - x.motion.rotation).norm()});
+            d.motion = std::max({d.motion, (y.position - x.motion.position).norm(),
+                                 (y.rotation - x.motion.rotation).norm()});
             d.velocity = std::max(d.velocity, (velocity.col(k) - x.velocity).norm());
             largest = std::max(largest, x.velocity.norm());
         }
@@ -186,25 +201,29 @@ BarDifferences compare_bars(const Mechanism &m, const pdn_solution *solution, co
 
 void check_rigid_bars(Checks &check, const std::string &name, const FourBar &data) {
     const Mechanism mechanism = with_rigid_bars(data);
-    std::printf("%s\n  N   bars       x3_B       phi_A      twists     v3_B       torque\n", name.c_str());
+    std::printf("%s\n  N   bars       x3_B       phi_A      twists     v3_B       torque\n",
+                name.c_str());
     double previous_velocity = 1, previous_torque = 1;
     for (int n = 11; n <= 81; n += 10) {
-        // Tighter than the default: the joints place the bars before Newton's method has found the inertial
-        // forces, and a step that turns the bars by x leaves those forces a relative error of x, not x^2.
+        // Tighter than the default: the joints place the bars before Newton's method has found the
+        // inertial forces, and a step that turns the bars by x leaves those forces a relative error
+        // of x, not x^2.
         const Solution solution = solve(mechanism, n, 1e-12);
         const BarDifferences bars = compare_bars(mechanism, solution.get(), data, n);
         const Curves found = curves(mechanism, solution.get(), n), expected = rigid_curves(data, n);
         const Eigen::Vector4d difference = (found - expected).cwiseAbs().rowwise().maxCoeff();
         const Eigen::Vector4d scale = expected.cwiseAbs().rowwise().maxCoeff();
         const double v3 = difference(1) / scale(1), torque = difference(2) / scale(2);
-        std::printf("%3d   %.2e   %.2e   %.2e   %.2e   %.2e   %.2e\n", n, bars.motion, difference(0), difference(3),
-                    bars.velocity, v3, torque);
+        std::printf("%3d   %.2e   %.2e   %.2e   %.2e   %.2e   %.2e\n", n, bars.motion,
+                    difference(0), difference(3), bars.velocity, v3, torque);
 
         const std::string at = ", " + name + ", N = " + std::to_string(n);
-        // The acceptance limit; joints and drive alone place the bars, so only rounding is left at any N.
-        check.at_most("bars, x3 of B and rotation at A" + at, std::max({bars.motion, difference(0), difference(3)}), 1e-9);
-        // Exponential: a tenth for each ten points, down to rounding (1e-15 times a frequency of 40 squared for
-        // the torque). From N = 51 to 61 no algebraic order below 13 falls like that.
+        // The acceptance limit; joints and drive alone place the bars, so only rounding is left at
+        // any N.
+        check.at_most("bars, x3 of B and rotation at A" + at,
+                      std::max({bars.motion, difference(0), difference(3)}), 1e-9);
+        // Exponential: a tenth for each ten points, down to rounding (1e-15 times a frequency of 40
+        // squared for the torque). From N = 51 to 61 no algebraic order below 13 falls like that.
         const double velocity = std::max(bars.velocity, v3);
         check.at_most("velocities" + at, velocity, std::max(0.1 * previous_velocity, 1e-11));
         check.at_most("torque" + at, torque, std::max(0.1 * previous_torque, 2e-11));
@@ -215,8 +234,8 @@ void check_rigid_bars(Checks &check, const std::string &name, const FourBar &dat
 
 // First-order change of the mechanism if its bars bend like the beams of a textbook.
 //
-// Without inertia, bar 2 carries an axial force alone, P = spring moment over its arm. Bars 1 and 3 are
-// cantilevers, fixed at A and at D, with P at their tips.
+// Without inertia, bar 2 carries an axial force alone, P = spring moment over its arm. Bars 1 and 3
+// are cantilevers, fixed at A and at D, with P at their tips.
 class ElasticEstimate {
 public:
     ElasticEstimate(const FourBar &data, double stiffer) : data_(data), stiffer_(stiffer) {}
@@ -224,19 +243,22 @@ public:
     // Change of x3 of B.
     double x3(double time) const {
         const State s = at(time);
-        const Vector3d of_b = tip(0, s.bar_1, s.tension * s.along), of_c = tip(2, s.bar_3, -s.tension * s.along);
+        const Vector3d of_b = tip(0, s.bar_1, s.tension * s.along),
+                       of_c = tip(2, s.bar_3, -s.tension * s.along);
         // |C - B| becomes its stretched length: bar 1 turns until it does.
-        const double stretch = s.tension * data_.reference_span(1).norm() / (steel[1].axial * stiffer_);
+        const double stretch =
+            s.tension * data_.reference_span(1).norm() / (steel[1].axial * stiffer_);
         const double turn = (s.along.dot(of_c - of_b) - stretch) / s.along.dot(s.b_by_phi);
         return (of_b + turn * s.b_by_phi).z();
     }
     double v3(double time) const {
         return central_difference([&](double h) { return x3(time + h); }, 1e-3);
     }
-    // At given theta, a compliance c under the force P takes c P^2 / 2 off the energy: as much as it
-    // stores. The torque is the derivative of the energy with respect to theta.
+    // At given theta, a compliance c under the force P takes c P^2 / 2 off the energy: as much as
+    // it stores. The torque is the derivative of the energy with respect to theta.
     double torque(double time) const {
-        return -central_difference([&](double h) { return energy(time + h); }, 1e-3) / data_.at(time).theta_rate;
+        return -central_difference([&](double h) { return energy(time + h); }, 1e-3) /
+               data_.at(time).theta_rate;
     }
 
 private:
@@ -256,8 +278,9 @@ private:
         return s;
     }
 
-    // Displacement of a cantilever's tip under a force there. Two-node elements have the curvature of their
-    // middle throughout, which leaves 1 / (4 n^2) of the bending out: as the midpoint rule does of x^2.
+    // Displacement of a cantilever's tip under a force there. Two-node elements have the curvature
+    // of their middle throughout, which leaves 1 / (4 n^2) of the bending out: as the midpoint rule
+    // does of x^2.
     Vector3d tip(int i, const Vector3d &bar, const Vector3d &force) const {
         const Stiffness &k = steel[i];
         const double length = bar.norm();
@@ -270,8 +293,10 @@ private:
     double energy(double time) const {
         const State s = at(time);
         const Vector3d force = s.tension * s.along;
-        const double stretch = s.tension * data_.reference_span(1).norm() / (steel[1].axial * stiffer_);
-        return 0.5 * (force.dot(tip(0, s.bar_1, force)) + force.dot(tip(2, s.bar_3, force)) + s.tension * stretch);
+        const double stretch =
+            s.tension * data_.reference_span(1).norm() / (steel[1].axial * stiffer_);
+        return 0.5 * (force.dot(tip(0, s.bar_1, force)) + force.dot(tip(2, s.bar_3, force)) +
+                      s.tension * stretch);
     }
 
     const FourBar &data_;
@@ -279,13 +304,16 @@ private:
 };
 
 // `inertial` is the part of the differences that inertia may make, which the estimate lacks.
-void check_flexible_bars(Checks &check, const std::string &name, const FourBar &data, double inertial) {
-    // Here the error of collocation is some 1e-8 of the curves, and the least difference 1e-3 of them.
+void check_flexible_bars(Checks &check, const std::string &name, const FourBar &data,
+                         double inertial) {
+    // Here the error of collocation is some 1e-8 of the curves, and the least difference 1e-3 of
+    // them.
     const int n = 51;
     const Curves rigid = rigid_curves(data, n);
     Eigen::Vector3d previous;
     std::printf("%s, N = %d: largest difference from rigid bars\n"
-                "stiffer   curve         found       estimated   found - estimated\n", name.c_str(), n);
+                "stiffer   curve         found       estimated   found - estimated\n",
+                name.c_str(), n);
     for (double stiffer : {1.0, 10.0, 100.0}) {
         const Mechanism mechanism = with_flexible_bars(data, stiffer);
         const Curves difference = curves(mechanism, solve(mechanism, n, 1e-9).get(), n) - rigid;
@@ -299,17 +327,22 @@ void check_flexible_bars(Checks &check, const std::string &name, const FourBar &
             const double found = difference.row(i).cwiseAbs().maxCoeff();
             const double expected = estimated.row(i).cwiseAbs().maxCoeff();
             const double left = (difference.row(i) - estimated.row(i)).cwiseAbs().maxCoeff();
-            std::printf("%7g   %-11s   %.4e  %.4e  %.4e\n", stiffer, curve_names[i], found, expected, left);
+            std::printf("%7g   %-11s   %.4e  %.4e  %.4e\n", stiffer, curve_names[i], found,
+                        expected, left);
 
             char times_as_stiff[64];
             std::snprintf(times_as_stiff, sizeof times_as_stiff, "%g times as stiff", stiffer);
-            const std::string at = std::string(curve_names[i]) + ", " + name + ", " + times_as_stiff;
+            const std::string at =
+                std::string(curve_names[i]) + ", " + name + ", " + times_as_stiff;
             check.at_most("over the estimate: " + at, found / expected, 2.0);
-            // Second order: forces change by some 10 % as the mechanism gives way (measured 0.12 / stiffer).
+            // Second order: forces change by some 10 % as the mechanism gives way (measured 0.12 /
+            // stiffer).
             check.at_most("not explained: " + at, left / expected, 0.15 / stiffer + inertial);
-            // Linear in 1 / E, but for that second order in the previous solution; 10 % is the demand.
+            // Linear in 1 / E, but for that second order in the previous solution; 10 % is the
+            // demand.
             const double off = std::min(1.0, 10 * 0.15 / (stiffer / 10));
-            if (stiffer > 1) check.within("ratio for ten times: " + at, previous(i) / found, 10 - off, 10 + off);
+            if (stiffer > 1)
+                check.within("ratio for ten times: " + at, previous(i) / found, 10 - off, 10 + off);
             previous(i) = found;
         }
     }
@@ -332,8 +365,8 @@ int main() {
     check_rigid_bars(check, "rigid bars", FourBar());
     // As built, inertia makes a 400th of the torque; here it makes most of it.
     check_rigid_bars(check, "heavy rigid bars", with_mass(1e3));
-    // A 400th of the forces, and more of their fast changes that v3 shows (measured 0.006). Light bars leave
-    // elastic deflection alone.
+    // A 400th of the forces, and more of their fast changes that v3 shows (measured 0.006). Light
+    // bars leave elastic deflection alone.
     check_flexible_bars(check, "flexible bars", FourBar(), 0.01);
     check_flexible_bars(check, "light flexible bars", with_mass(1e-3), 1e-4);
     return check.exit_code();

@@ -19,7 +19,8 @@ struct Differences {
 };
 
 // Largest differences at any of the times, relative to the largest magnitudes; rates in radians.
-Differences compare(double period, const std::vector<Motion> &samples, const std::vector<double> &times) {
+Differences compare(double period, const std::vector<Motion> &samples,
+                    const std::vector<double> &times) {
     const std::vector<MotionState> found = library::interpolate(period, samples, times);
     const MotionInterpolant interpolant(period, samples);
     Differences d, scale;
@@ -33,15 +34,16 @@ Differences compare(double period, const std::vector<Motion> &samples, const std
         scale.velocity = std::max(scale.velocity, x.velocity.norm());
         scale.acceleration = std::max(scale.acceleration, x.acceleration.norm());
     }
-    return {d.position / scale.position, d.rotation, d.velocity / scale.velocity, d.acceleration / scale.acceleration};
+    return {d.position / scale.position, d.rotation, d.velocity / scale.velocity,
+            d.acceleration / scale.acceleration};
 }
 
 void check_agreement(Checks &check) {
     const double period = euler_motion_period;
     std::printf("  N   times           position   rotation   velocity   acceleration\n");
     for (int n : {3, 5, 7, 15, 31, 63}) {
-        // Offsets from a grid point, in periods: on it, beside it, where cardinal functions written as
-        // quotients cancel, and between.
+        // Offsets from a grid point, in periods: on it, beside it, where cardinal functions written
+        // as quotients cancel, and between.
         const std::vector<std::pair<std::string, std::vector<double>>> kinds = {
             {"on", {0.0}}, {"1e-12 beside", {1e-12, -1e-12}}, {"1e-7 beside", {1e-7, -1e-7}},
             {"between", {0.13 / n, 0.5 / n, 0.91 / n}}};
@@ -50,12 +52,14 @@ void check_agreement(Checks &check) {
             for (int k = -2 * n; k < 3 * n; ++k)  // outside of [0, T), too
                 for (double offset : offsets) times.push_back(period * (double(k) / n + offset));
             const Differences d = compare(period, euler_motion_samples(n), times);
-            std::printf("%3d   %-13s   %.2e   %.2e   %.2e   %.2e\n", n, kind.c_str(), d.position, d.rotation, d.velocity,
-                        d.acceleration);
-            // Rounding: sums of N terms, and the condition of tr(S) I - S on the coarse grids. The rounding of a
-            // time itself, eps times it, is a part of that. Derivatives multiply it by (N - 1) / 2 each.
+            std::printf("%3d   %-13s   %.2e   %.2e   %.2e   %.2e\n", n, kind.c_str(), d.position,
+                        d.rotation, d.velocity, d.acceleration);
+            // Rounding: sums of N terms, and the condition of tr(S) I - S on the coarse grids. The
+            // rounding of a time itself, eps times it, is a part of that. Derivatives multiply it
+            // by (N - 1) / 2 each.
             const std::string at = ", N = " + std::to_string(n) + ", times " + kind;
-            check.at_most("motion and velocity" + at, std::max({d.position, d.rotation, d.velocity}), 1e-13);
+            check.at_most("motion and velocity" + at,
+                          std::max({d.position, d.rotation, d.velocity}), 1e-13);
             check.at_most("acceleration" + at, d.acceleration, 1e-12);
         }
     }
@@ -71,7 +75,8 @@ void check_errors(Checks &check) {
         const int n = grids[i], points = 60 * n;
         std::vector<double> times;
         for (int k = 1; k <= points; ++k) times.push_back(euler_motion_period * k / points);
-        const std::vector<MotionState> found = library::interpolate(euler_motion_period, euler_motion_samples(n), times);
+        const std::vector<MotionState> found =
+            library::interpolate(euler_motion_period, euler_motion_samples(n), times);
         double rotation = 0, angular_velocity = 0;
         for (int k = 0; k < points; ++k) {
             const MotionState exact = euler_motion(times[k]);
@@ -83,8 +88,10 @@ void check_errors(Checks &check) {
         std::printf("%3d   %.3e  %.3e\n", n, rotation, angular_velocity);
         const std::string at = " at N = " + std::to_string(n);
         if (n < 63) {
-            check.within("e_R" + at + " over its listed value", rotation / listed_rotation[i], 0.5, 2.0);
-            check.within("e_omega" + at + " over its listed value", angular_velocity / listed_angular_velocity[i], 0.5, 2.0);
+            check.within("e_R" + at + " over its listed value", rotation / listed_rotation[i], 0.5,
+                         2.0);
+            check.within("e_omega" + at + " over its listed value",
+                         angular_velocity / listed_angular_velocity[i], 0.5, 2.0);
         } else {
             // The acceptance limits: rounding, times the highest frequency for the velocity.
             check.at_most("e_R" + at, rotation, 1e-14);
@@ -97,17 +104,19 @@ void check_errors(Checks &check) {
 // I_1 = (1 + 2 cos x) / 3 = 1/2. There no rotation is nearer than the others.
 void check_refusal(Checks &check) {
     const double period = 2.0, omega = 2 * pi / period;
-    const std::vector<Motion> samples = {{Matrix3d::Identity(), Vector3d(1, 2, 3)},
-                                         {rotation_about(Vector3d(1, -2, 2), pi), Vector3d(-1, 1, 2)},
-                                         {Matrix3d::Identity(), Vector3d(2, 0, 1)}};
+    const std::vector<Motion> samples = {
+        {Matrix3d::Identity(), Vector3d(1, 2, 3)},
+        {rotation_about(Vector3d(1, -2, 2), pi), Vector3d(-1, 1, 2)},
+        {Matrix3d::Identity(), Vector3d(2, 0, 1)}};
     const double singular = period / 3 + std::acos(0.25) / omega;
 
     std::vector<MotionState> states;
     const pdn_status status = library::try_interpolate(period, samples, {singular}, states);
     check.is_true("a motion too coarse for the grid is refused", status == PDN_ERR_GRID_TOO_COARSE);
-    // A hundredth of a grid interval from there, tr(S) I - S has an eigenvalue of some 0.03, which may cost two
-    // digits for each derivative.
-    const Differences d = compare(period, samples, {singular - 0.01 * period / 3, singular + 0.01 * period / 3});
+    // A hundredth of a grid interval from there, tr(S) I - S has an eigenvalue of some 0.03, which
+    // may cost two digits for each derivative.
+    const Differences d =
+        compare(period, samples, {singular - 0.01 * period / 3, singular + 0.01 * period / 3});
     check.at_most("beside the singular time", d.largest(), 1e-10);
 }
 

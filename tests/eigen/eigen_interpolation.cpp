@@ -17,7 +17,8 @@ namespace {
 void check_fourier(Checks &check) {
     const int n = 15;
     const double period = 1.7, omega = 2 * pi / period;
-    const Eigen::MatrixXd d = differentiation_matrix(n, period, 1), t = differentiation_matrix(n, period, 2);
+    const Eigen::MatrixXd d = differentiation_matrix(n, period, 1),
+                          t = differentiation_matrix(n, period, 2);
     Eigen::MatrixXd d_closed = Eigen::MatrixXd::Zero(n, n), t_closed = d_closed;
     for (int l = 0; l < n; ++l)
         for (int k = 0; k < n; ++k) {
@@ -25,7 +26,8 @@ void check_fourier(Checks &check) {
             if (l == k) t_closed(l, k) = omega * omega * (1.0 - n * n) / 12;
             else {
                 d_closed(l, k) = omega * sign / (2 * std::sin(x));
-                t_closed(l, k) = -omega * omega * sign * std::cos(x) / (2 * std::sin(x) * std::sin(x));
+                t_closed(l, k) =
+                    -omega * omega * sign * std::cos(x) / (2 * std::sin(x) * std::sin(x));
             }
         }
     // Rounding only: n terms, each relative to the largest entry.
@@ -56,14 +58,19 @@ void check_exact_motion(Checks &check) {
     for (double time = 0.0; time < euler_motion_period; time += 0.0137) {
         const MotionState exact = euler_motion(time);
         const Matrix3d rt = exact.motion.rotation.transpose();
-        const Matrix3d rate = central_difference([&](double h) { return euler_motion(time + h).motion.rotation; }, 1e-4);
-        const Vector3d r1 = central_difference([&](double h) { return euler_motion(time + h).motion.position; }, 1e-4);
-        const Vector6 acceleration = central_difference([&](double h) { return euler_motion(time + h).velocity; }, 1e-4);
+        const Matrix3d rate = central_difference(
+            [&](double h) { return euler_motion(time + h).motion.rotation; }, 1e-4);
+        const Vector3d r1 = central_difference(
+            [&](double h) { return euler_motion(time + h).motion.position; }, 1e-4);
+        const Vector6 acceleration =
+            central_difference([&](double h) { return euler_motion(time + h).velocity; }, 1e-4);
         Vector6 velocity;
         velocity << rt * r1, axial(rt * rate);
-        worst_velocity = std::max(worst_velocity, (velocity - exact.velocity).norm() / exact.velocity.norm());
+        worst_velocity =
+            std::max(worst_velocity, (velocity - exact.velocity).norm() / exact.velocity.norm());
         worst_acceleration =
-            std::max(worst_acceleration, (acceleration - exact.acceleration).norm() / exact.acceleration.norm());
+            std::max(worst_acceleration,
+                     (acceleration - exact.acceleration).norm() / exact.acceleration.norm());
     }
     // Truncation (Omega h)^4 = 1e-12 with a factor for the higher harmonics.
     check.at_most("exact velocity against differences", worst_velocity, 1e-8);
@@ -87,7 +94,9 @@ Errors interpolation_errors(int n) {
         const double time = euler_motion_period * k / points;
         const MotionState x = interpolant.at(time), exact = euler_motion(time);
         const Vector6 dv = x.velocity - exact.velocity, da = x.acceleration - exact.acceleration;
-        e.rotation += (x.motion.rotation.transpose() * exact.motion.rotation - Matrix3d::Identity()).norm() / (3.0 * points);
+        e.rotation +=
+            (x.motion.rotation.transpose() * exact.motion.rotation - Matrix3d::Identity()).norm() /
+            (3.0 * points);
         e.angular_velocity += dv.tail<3>().norm() / exact.velocity.tail<3>().norm() / points;
         e.angular_acceleration += da.tail<3>().norm();
         e.position += (x.motion.position - exact.motion.position).norm();
@@ -110,8 +119,9 @@ void check_convergence(Checks &check) {
     std::printf("  N   e_R        e_omega    angular acc. position   velocity   acceleration\n");
     for (int i = 0; i < 5; ++i) {
         e[i] = interpolation_errors(grids[i]);
-        std::printf("%3d   %.3e  %.3e  %.3e    %.3e  %.3e  %.3e\n", grids[i], e[i].rotation, e[i].angular_velocity,
-                    e[i].angular_acceleration, e[i].position, e[i].velocity, e[i].acceleration);
+        std::printf("%3d   %.3e  %.3e  %.3e    %.3e  %.3e  %.3e\n", grids[i], e[i].rotation,
+                    e[i].angular_velocity, e[i].angular_acceleration, e[i].position, e[i].velocity,
+                    e[i].acceleration);
     }
     for (int i = 0; i < 4; ++i) {
         const std::string at = " at N = " + std::to_string(grids[i]) + " over its listed value";
@@ -129,11 +139,13 @@ void check_convergence(Checks &check) {
     // Exponential convergence: each doubling of N squares the error, but for constants. From 1e-2
     // on, a factor of 500 a doubling is a mild demand that no algebraic order below 9 meets.
     for (int i = 3; i < 5; ++i) {
-        const std::string fall = " from N = " + std::to_string(grids[i - 1]) + " to " + std::to_string(grids[i]);
+        const std::string fall =
+            " from N = " + std::to_string(grids[i - 1]) + " to " + std::to_string(grids[i]);
         check.at_most("position," + fall, e[i].position / e[i - 1].position, 2e-3);
         check.at_most("velocity," + fall, e[i].velocity / e[i - 1].velocity, 2e-3);
         check.at_most("acceleration," + fall, e[i].acceleration / e[i - 1].acceleration, 2e-3);
-        check.at_most("angular acceleration," + fall, e[i].angular_acceleration / e[i - 1].angular_acceleration, 2e-3);
+        check.at_most("angular acceleration," + fall,
+                      e[i].angular_acceleration / e[i - 1].angular_acceleration, 2e-3);
     }
 }
 
@@ -145,13 +157,18 @@ void check_consistency(Checks &check) {
     for (double time = 0.003; time < euler_motion_period; time += 0.0137) {
         const MotionState x = interpolant.at(time);
         const Matrix3d rt = x.motion.rotation.transpose();
-        const Matrix3d rate = central_difference([&](double h) { return interpolant.at(time + h).motion.rotation; }, 1e-4);
-        const Vector3d r1 = central_difference([&](double h) { return interpolant.at(time + h).motion.position; }, 1e-4);
-        const Vector6 acceleration = central_difference([&](double h) { return interpolant.at(time + h).velocity; }, 1e-4);
+        const Matrix3d rate = central_difference(
+            [&](double h) { return interpolant.at(time + h).motion.rotation; }, 1e-4);
+        const Vector3d r1 = central_difference(
+            [&](double h) { return interpolant.at(time + h).motion.position; }, 1e-4);
+        const Vector6 acceleration =
+            central_difference([&](double h) { return interpolant.at(time + h).velocity; }, 1e-4);
         Vector6 velocity;
         velocity << rt * r1, axial(rt * rate);
-        worst_velocity = std::max(worst_velocity, (velocity - x.velocity).norm() / x.velocity.norm());
-        worst_acceleration = std::max(worst_acceleration, (acceleration - x.acceleration).norm() / x.acceleration.norm());
+        worst_velocity =
+            std::max(worst_velocity, (velocity - x.velocity).norm() / x.velocity.norm());
+        worst_acceleration = std::max(worst_acceleration, (acceleration - x.acceleration).norm() /
+                                                              x.acceleration.norm());
     }
     // As for the exact motion, with poles of the interpolant nearer to the real axis.
     check.at_most("coarse interpolant, velocity against differences", worst_velocity, 1e-7);
@@ -168,7 +185,8 @@ void check_frame_indifference(Checks &check) {
     const std::vector<Motion> samples = euler_motion_samples(7);
     std::vector<Motion> moved;
     for (const Motion &m : samples) moved.push_back(compose(compose(left, m), right));
-    const MotionInterpolant original(euler_motion_period, samples), other(euler_motion_period, moved);
+    const MotionInterpolant original(euler_motion_period, samples),
+        other(euler_motion_period, moved);
     double worst = 0;
     for (double time = 0.0; time < euler_motion_period; time += 0.0137) {
         const Motion expected = compose(compose(left, original.at(time).motion), right);
@@ -182,9 +200,11 @@ void check_frame_indifference(Checks &check) {
 
 void check_polar_decomposition(Checks &check) {
     // det G < 0: a stretch with one negative eigenvalue, the smallest in magnitude.
-    const Matrix3d rotation = rotation_about(Vector3d(1, -2, 3), 2.5), axes = rotation_about(Vector3d(0, 1, 1), 0.7);
+    const Matrix3d rotation = rotation_about(Vector3d(1, -2, 3), 2.5),
+                   axes = rotation_about(Vector3d(0, 1, 1), 0.7);
     const Matrix3d stretch = axes * Vector3d(0.9, 0.5, -0.2).asDiagonal() * axes.transpose();
-    check.at_most("polar decomposition with det G < 0", (polar_rotation(rotation * stretch) - rotation).norm(), 1e-14);
+    check.at_most("polar decomposition with det G < 0",
+                  (polar_rotation(rotation * stretch) - rotation).norm(), 1e-14);
 
     // Two eigenvalues that cancel: no rotation is nearer than the others.
     bool refused = false;

@@ -22,10 +22,12 @@ inline MotionState euler_motion(double time) {
                  psi2 = pi / 17 * 9 * f * f * std::cos(3 * x);
 
     const double sn = std::sin(nut), cn = std::cos(nut), sp = std::sin(psi), cp = std::cos(psi);
-    const Eigen::Vector3d w(phi1 * sn * sp + nut1 * cp, phi1 * sn * cp - nut1 * sp, phi1 * cn + psi1);
-    const Eigen::Vector3d w1(phi1 * (nut1 * cn * sp + psi1 * sn * cp) + nut2 * cp - nut1 * psi1 * sp,
-                             phi1 * (nut1 * cn * cp - psi1 * sn * sp) - nut2 * sp - nut1 * psi1 * cp,
-                             -phi1 * nut1 * sn + psi2);
+    const Eigen::Vector3d w(phi1 * sn * sp + nut1 * cp, phi1 * sn * cp - nut1 * sp,
+                            phi1 * cn + psi1);
+    const Eigen::Vector3d w1(
+        phi1 * (nut1 * cn * sp + psi1 * sn * cp) + nut2 * cp - nut1 * psi1 * sp,
+        phi1 * (nut1 * cn * cp - psi1 * sn * sp) - nut2 * sp - nut1 * psi1 * cp,
+        -phi1 * nut1 * sn + psi2);
 
     // Position: exp(sin x), sin(2x + cos x), cos(3x) / 2.
     const double s = std::sin(x), c = std::cos(x), e = std::exp(s);
@@ -37,7 +39,8 @@ inline MotionState euler_motion(double time) {
 
     const Eigen::Vector3d axis1 = Eigen::Vector3d::UnitX(), axis3 = Eigen::Vector3d::UnitZ();
     MotionState state;
-    state.motion.rotation = rotation_about(axis3, phi) * rotation_about(axis1, nut) * rotation_about(axis3, psi);
+    state.motion.rotation =
+        rotation_about(axis3, phi) * rotation_about(axis1, nut) * rotation_about(axis3, psi);
     state.motion.position = r;
     const Eigen::Matrix3d rt = state.motion.rotation.transpose();
     state.velocity << rt * r1, w;
@@ -47,7 +50,8 @@ inline MotionState euler_motion(double time) {
 
 inline std::vector<Motion> euler_motion_samples(int n) {
     std::vector<Motion> samples;
-    for (int k = 0; k < n; ++k) samples.push_back(euler_motion(grid_time(k, n, euler_motion_period)).motion);
+    for (int k = 0; k < n; ++k)
+        samples.push_back(euler_motion(grid_time(k, n, euler_motion_period)).motion);
     return samples;
 }
 

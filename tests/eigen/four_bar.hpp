@@ -47,7 +47,8 @@ struct FourBarState {
 
 class FourBar {
 public:
-    Eigen::Vector3d a0{-0.4, 0.0, 0.0}, b0{-0.75, 0.0, 0.652}, c0{0.0, 0.85, 0.2}, d0{0.0, 0.85, 0.0};
+    Eigen::Vector3d a0{-0.4, 0.0, 0.0}, b0{-0.75, 0.0, 0.652};
+    Eigen::Vector3d c0{0.0, 0.85, 0.2}, d0{0.0, 0.85, 0.0};
     std::array<UniformBar, 3> sections{{{1.997, 42.60e-6, 2 * 42.60e-6},
                                         {1.997, 42.60e-6, 2 * 42.60e-6},
                                         {0.4992, 2.662e-6, 2 * 2.662e-6}}};
@@ -58,9 +59,12 @@ public:
     // The prescribed rotation at D and its time derivatives.
     static Eigen::Vector3d drive(double t) {
         const double w = 0.3;
-        return {w * t + (1 - std::cos(w * t)) / 3 + std::sin(2 * w * t) / 10 + (1 - std::cos(3 * w * t)) / 21,
-                w * (1 + std::sin(w * t) / 3 + std::cos(2 * w * t) / 5 + std::sin(3 * w * t) / 7),
-                w * w * (std::cos(w * t) / 3 - 2 * std::sin(2 * w * t) / 5 + 3 * std::cos(3 * w * t) / 7)};
+        return {
+            w * t + (1 - std::cos(w * t)) / 3 + std::sin(2 * w * t) / 10 +
+                (1 - std::cos(3 * w * t)) / 21,
+            w * (1 + std::sin(w * t) / 3 + std::cos(2 * w * t) / 5 + std::sin(3 * w * t) / 7),
+            w * w *
+                (std::cos(w * t) / 3 - 2 * std::sin(2 * w * t) / 5 + 3 * std::cos(3 * w * t) / 7)};
     }
 
     FourBarState at(double time) const {
@@ -84,7 +88,8 @@ public:
         x.b_velocity = x.phi_rate * b_by_phi;
         x.c_velocity = x.theta_rate * c_by_theta;
         const Vector3d b_centripetal = x.phi_rate * i2.cross(x.b_velocity);
-        x.c_acceleration = x.theta_acceleration * c_by_theta + x.theta_rate * i1.cross(x.c_velocity);
+        x.c_acceleration =
+            x.theta_acceleration * c_by_theta + x.theta_rate * i1.cross(x.c_velocity);
         x.phi_acceleration = (bc.dot(x.c_acceleration - b_centripetal)
                               + (x.c_velocity - x.b_velocity).squaredNorm()) / bc.dot(b_by_phi);
         x.b_acceleration = x.phi_acceleration * b_by_phi + b_centripetal;
@@ -95,9 +100,11 @@ public:
         x.bars[0].angular_velocity = x.phi_rate * i2;
         x.bars[0].angular_acceleration = x.phi_acceleration * i2;
 
-        x.bars[1] = between(x.b, x.b_velocity, x.b_acceleration, x.c, x.c_velocity, x.c_acceleration);
+        x.bars[1] =
+            between(x.b, x.b_velocity, x.b_acceleration, x.c, x.c_velocity, x.c_acceleration);
         x.bars[1].rotation = coupler_frame(x.b, x.c) * coupler_frame(b0, c0).transpose();
-        x.bars[1].angular_velocity = coupler_angular_velocity(x.b, x.c, x.c_velocity - x.b_velocity);
+        x.bars[1].angular_velocity =
+            coupler_angular_velocity(x.b, x.c, x.c_velocity - x.b_velocity);
         x.bars[1].angular_acceleration = coupler_angular_acceleration(
             x.b, x.c, x.c_velocity - x.b_velocity, x.c_acceleration - x.b_acceleration);
 
@@ -108,7 +115,8 @@ public:
 
         // Virtual velocities: those at theta' = 1.
         const Vector3d virtual_b = ratio * b_by_phi, virtual_c = c_by_theta;
-        const std::array<Vector3d, 3> virtual_centre = {0.5 * virtual_b, 0.5 * (virtual_b + virtual_c), 0.5 * virtual_c};
+        const std::array<Vector3d, 3> virtual_centre = {
+            0.5 * virtual_b, 0.5 * (virtual_b + virtual_c), 0.5 * virtual_c};
         const std::array<Vector3d, 3> virtual_spin = {
             ratio * i2, coupler_angular_velocity(x.b, x.c, virtual_c - virtual_b), i1};
 
@@ -117,10 +125,12 @@ public:
         x.energy = 0.5 * spring_stiffness * x.phi * x.phi;
         for (int i = 0; i < 3; ++i) {
             const BarState &bar = x.bars[i];
-            const Eigen::Matrix3d inertia = bar.rotation * reference_inertia(i) * bar.rotation.transpose();
+            const Eigen::Matrix3d inertia =
+                bar.rotation * reference_inertia(i) * bar.rotation.transpose();
             const Vector3d &w = bar.angular_velocity;
             x.dynamic_torque += mass(i) * bar.acceleration.dot(virtual_centre[i]);
-            x.dynamic_torque += (inertia * bar.angular_acceleration + w.cross(inertia * w)).dot(virtual_spin[i]);
+            x.dynamic_torque +=
+                (inertia * bar.angular_acceleration + w.cross(inertia * w)).dot(virtual_spin[i]);
             x.energy += 0.5 * mass(i) * bar.velocity.squaredNorm() + 0.5 * w.dot(inertia * w);
         }
         return x;
@@ -133,11 +143,14 @@ public:
         MotionState m;
         m.motion = {s.rotation, s.centre};
         m.velocity << rt * s.velocity, rt * s.angular_velocity;
-        m.acceleration << rt * (s.acceleration - s.angular_velocity.cross(s.velocity)), rt * s.angular_acceleration;
+        m.acceleration << rt * (s.acceleration - s.angular_velocity.cross(s.velocity)),
+            rt * s.angular_acceleration;
         return m;
     }
 
-    double mass(int bar) const { return sections[bar].mass_per_length * reference_span(bar).norm(); }
+    double mass(int bar) const {
+        return sections[bar].mass_per_length * reference_span(bar).norm();
+    }
 
     // Inertia about the centre, in the reference configuration.
     Eigen::Matrix3d reference_inertia(int bar) const {
@@ -146,12 +159,15 @@ public:
         const Eigen::Vector3d axis = reference_span(bar) / length;
         const Eigen::Matrix3d along = axis * axis.transpose();
         const double polar = section.polar_inertia * length;
-        const double transverse = mass(bar) * length * length / 12 + section.transverse_inertia * length;
+        const double transverse =
+            mass(bar) * length * length / 12 + section.transverse_inertia * length;
         return polar * along + transverse * (Eigen::Matrix3d::Identity() - along);
     }
 
     // Ends of a bar in the reference configuration, from first to second.
-    Eigen::Vector3d reference_span(int bar) const { return bar == 0 ? b0 - a0 : bar == 1 ? c0 - b0 : d0 - c0; }
+    Eigen::Vector3d reference_span(int bar) const {
+        return bar == 0 ? b0 - a0 : bar == 1 ? c0 - b0 : d0 - c0;
+    }
 
 private:
     Eigen::Vector3d point_b(double phi) const {
@@ -185,8 +201,9 @@ private:
         throw std::runtime_error("the loop of the four-bar mechanism cannot be closed");
     }
 
-    static BarState between(const Eigen::Vector3d &p, const Eigen::Vector3d &p1, const Eigen::Vector3d &p2,
-                            const Eigen::Vector3d &q, const Eigen::Vector3d &q1, const Eigen::Vector3d &q2) {
+    static BarState between(const Eigen::Vector3d &p, const Eigen::Vector3d &p1,
+                            const Eigen::Vector3d &p2, const Eigen::Vector3d &q,
+                            const Eigen::Vector3d &q1, const Eigen::Vector3d &q2) {
         BarState bar;
         bar.centre = 0.5 * (p + q);
         bar.velocity = 0.5 * (p1 + q1);
@@ -203,8 +220,10 @@ private:
         return frame;
     }
 
-    // w = e x e' + sigma e, with the spin sigma that keeps the arm normal to i1: (w x arm) . i1 = 0.
-    static Eigen::Vector3d coupler_angular_velocity(const Eigen::Vector3d &b, const Eigen::Vector3d &c,
+    // w = e x e' + sigma e, with the spin sigma that keeps the arm normal to i1:
+    // (w x arm) . i1 = 0.
+    static Eigen::Vector3d coupler_angular_velocity(const Eigen::Vector3d &b,
+                                                    const Eigen::Vector3d &c,
                                                     const Eigen::Vector3d &bc_velocity) {
         const Eigen::Matrix3d frame = coupler_frame(b, c);
         const Eigen::Vector3d e = frame.col(0), arm = frame.col(1), i1 = Eigen::Vector3d::UnitX();
@@ -214,7 +233,8 @@ private:
     }
 
     // The time derivative of the above: (w' x arm + w x (w x arm)) . i1 = 0.
-    static Eigen::Vector3d coupler_angular_acceleration(const Eigen::Vector3d &b, const Eigen::Vector3d &c,
+    static Eigen::Vector3d coupler_angular_acceleration(const Eigen::Vector3d &b,
+                                                        const Eigen::Vector3d &c,
                                                         const Eigen::Vector3d &bc_velocity,
                                                         const Eigen::Vector3d &bc_acceleration) {
         const Eigen::Matrix3d frame = coupler_frame(b, c);

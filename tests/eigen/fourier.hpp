@@ -35,7 +35,8 @@ public:
         coefficients_.setZero(samples.rows(), n);
         for (int j = -highest_; j <= highest_; ++j)
             for (int k = 0; k < n; ++k)
-                coefficients_.col(j + highest_) += samples.col(k) * root_of_unity(-long(j) * k, n) / double(n);
+                coefficients_.col(j + highest_) +=
+                    samples.col(k) * root_of_unity(-long(j) * k, n) / double(n);
     }
 
     // Value (derivative = 0) or time derivative of the given order at any time.

@@ -101,7 +101,8 @@ inline GridKinematics grid_kinematics(double period, const std::vector<Motion> &
             velocity += d(l, k) * unit_velocity(m);
             for (int i = 0; i < 6; ++i) {
                 gamma_v.col(6 * k + i) += d(l, k) * unit_velocity_change(m, change_by_target(m, i));
-                gamma_v.col(6 * l + i) += d(l, k) * unit_velocity_change(m, change_by_observer(m, i));
+                gamma_v.col(6 * l + i) +=
+                    d(l, k) * unit_velocity_change(m, change_by_observer(m, i));
             }
         }
 
@@ -113,7 +114,8 @@ inline GridKinematics grid_kinematics(double period, const std::vector<Motion> &
         for (int k = 0; k < n; ++k) {
             const Relative m = relative(samples[l], samples[k]);
             const auto change = [&](const Relative &dm) -> Vector6 {
-                return t(l, k) * unit_velocity_change(m, dm) - 2.0 * d(l, k) * convective_change(v, m, dm);
+                return t(l, k) * unit_velocity_change(m, dm) -
+                       2.0 * d(l, k) * convective_change(v, m, dm);
             };
             acceleration += t(l, k) * unit_velocity(m) - 2.0 * d(l, k) * convective(v, m);
             for (int i = 0; i < 6; ++i) {

@@ -39,14 +39,17 @@ struct Columns {
     Motion motion(size_t k) const { return {rotations.col(k).reshaped(3, 3), positions.col(k)}; }
 };
 
-inline pdn_status try_interpolate(double period, const std::vector<Motion> &samples, const std::vector<double> &times,
+inline pdn_status try_interpolate(double period, const std::vector<Motion> &samples,
+                                  const std::vector<double> &times,
                                   std::vector<MotionState> &states) {
     const Columns given(samples);
     Columns found(times.size());
-    Eigen::Matrix<double, 6, Eigen::Dynamic> velocity(6, times.size()), acceleration(6, times.size());
-    const pdn_status status = pdn_motion_interpolate(
-        period, given.positions.data(), given.rotations.data(), samples.size(), times.data(), times.size(),
-        found.positions.data(), found.rotations.data(), velocity.data(), acceleration.data());
+    Eigen::Matrix<double, 6, Eigen::Dynamic> velocity(6, times.size()),
+        acceleration(6, times.size());
+    const pdn_status status =
+        pdn_motion_interpolate(period, given.positions.data(), given.rotations.data(),
+                               samples.size(), times.data(), times.size(), found.positions.data(),
+                               found.rotations.data(), velocity.data(), acceleration.data());
     states.clear();
     for (size_t k = 0; k < times.size() && status == PDN_OK; ++k)
         states.push_back({found.motion(k), velocity.col(k), acceleration.col(k)});

@@ -26,7 +26,9 @@ inline Motion moved(const Motion &m, const Vector6 &increment) {
 inline std::vector<Motion> random_samples(int n) {
     std::mt19937 generator(20180404);
     std::uniform_real_distribution<double> uniform(-1.0, 1.0);
-    const auto vector = [&] { return Eigen::Vector3d(uniform(generator), uniform(generator), uniform(generator)); };
+    const auto vector = [&] {
+        return Eigen::Vector3d(uniform(generator), uniform(generator), uniform(generator));
+    };
     std::vector<Motion> samples;
     for (int k = 0; k < n; ++k) {
         const Eigen::Vector3d axis = vector();
@@ -55,8 +57,8 @@ inline double relative_error(const Eigen::MatrixXd &found, const Eigen::MatrixXd
 }
 
 // Gamma_v and Gamma_a by differences of the velocities and accelerations of grid_kinematics.
-inline std::pair<Eigen::MatrixXd, Eigen::MatrixXd> differences_of_kinematics(double period,
-                                                                             const std::vector<Motion> &samples) {
+inline std::pair<Eigen::MatrixXd, Eigen::MatrixXd>
+differences_of_kinematics(double period, const std::vector<Motion> &samples) {
     const int size = 6 * static_cast<int>(samples.size());
     Eigen::MatrixXd gamma_v(size, size), gamma_a(size, size);
     for (int j = 0; j < size; ++j) {

@@ -63,9 +63,11 @@ inline Eigen::Matrix3d trace_complement(const Eigen::Matrix3d &s) {
 inline Eigen::Matrix3d polar_rotation(const Eigen::Matrix3d &g) {
     const Eigen::JacobiSVD<Eigen::Matrix3d> svd(g, Eigen::ComputeFullU | Eigen::ComputeFullV);
     // A value that is not a number leaves the singular values unset.
-    if (svd.info() != Eigen::Success) throw std::domain_error("polar decomposition of an invalid matrix");
+    if (svd.info() != Eigen::Success)
+        throw std::domain_error("polar decomposition of an invalid matrix");
     const Eigen::Vector3d s = svd.singularValues();
-    const double sign = (svd.matrixU() * svd.matrixV().transpose()).determinant() < 0.0 ? -1.0 : 1.0;
+    const double sign =
+        (svd.matrixU() * svd.matrixV().transpose()).determinant() < 0.0 ? -1.0 : 1.0;
     if (!(s(1) + sign * s(2) > 16.0 * std::numeric_limits<double>::epsilon() * s(0)))
         throw std::domain_error("the grid is too coarse for this motion: tr(S) I - S is singular");
     return svd.matrixU() * Eigen::Vector3d(1.0, 1.0, sign).asDiagonal() * svd.matrixV().transpose();

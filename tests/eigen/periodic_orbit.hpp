@@ -41,7 +41,8 @@ inline VectorXd after_step(const Rate &f, double t, const VectorXd &x, double st
 }
 
 // States at t = k T / count, k = 0 ... count, `steps` steps from one to the next.
-inline std::vector<VectorXd> trajectory(const Rate &f, double period, VectorXd x, int count, int steps) {
+inline std::vector<VectorXd> trajectory(const Rate &f, double period, VectorXd x, int count,
+                                        int steps) {
     std::vector<VectorXd> states{x};
     const double h = period / (count * steps);
     for (int k = 0; k < count * steps; ++k) {
@@ -52,9 +53,11 @@ inline std::vector<VectorXd> trajectory(const Rate &f, double period, VectorXd x
 }
 
 // The periodic orbit near the state that `start` settles to in `settling` periods.
-inline std::vector<VectorXd> periodic_orbit(const Rate &f, double period, const VectorXd &start, int settling, int count,
-                                            int steps) {
-    const auto after_period = [&](const VectorXd &x) { return trajectory(f, period, x, count, steps).back(); };
+inline std::vector<VectorXd> periodic_orbit(const Rate &f, double period, const VectorXd &start,
+                                            int settling, int count, int steps) {
+    const auto after_period = [&](const VectorXd &x) {
+        return trajectory(f, period, x, count, steps).back();
+    };
     VectorXd x = start;
     for (int i = 0; i < settling; ++i) x = after_period(x);
     for (int iteration = 0; iteration < 10; ++iteration) {
@@ -66,7 +69,8 @@ inline std::vector<VectorXd> periodic_orbit(const Rate &f, double period, const 
         }
         const VectorXd increment = tangent.partialPivLu().solve(x - after_period(x));
         x += increment;
-        if (increment.norm() < 1e-12 * (1 + x.norm())) return trajectory(f, period, x, count, steps);
+        if (increment.norm() < 1e-12 * (1 + x.norm()))
+            return trajectory(f, period, x, count, steps);
     }
     throw std::runtime_error("shooting has not converged");
 }

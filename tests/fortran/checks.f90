@@ -6,7 +6,8 @@ module checks
 
     integer, parameter :: dp = c_double
     real(dp), parameter :: pi = acos(-1.0_dp)
-    real(dp), parameter :: origin(3) = 0, axis_1(3) = [1, 0, 0], axis_2(3) = [0, 1, 0], axis_3(3) = [0, 0, 1]
+    real(dp), parameter :: origin(3) = 0, axis_1(3) = [1, 0, 0], axis_2(3) = [0, 1, 0], &
+        axis_3(3) = [0, 0, 1]
     real(dp), parameter :: identity(3, 3) = reshape([1, 0, 0, 0, 1, 0, 0, 0, 1], [3, 3])
     real(dp), parameter :: omega = 1.5_dp, period = 2*pi/omega
     integer :: refusals = 0
@@ -42,8 +43,8 @@ contains
 
         refusals = refusals + 1
         if (stat /= status .or. index(errmsg, start) /= 1) then
-            print '(a, i0, 8a)', 'refusal ', refusals, ': ', pdn_status_name(stat), ': ', trim(errmsg), &
-                ', expected ', pdn_status_name(status), ': ', start
+            print '(a, i0, 8a)', 'refusal ', refusals, ': ', pdn_status_name(stat), ': ', &
+                trim(errmsg), ', expected ', pdn_status_name(status), ': ', start
             error stop 1
         end if
         stat = 77
@@ -83,8 +84,8 @@ contains
     function steel() result(section)
         type(pdn_section) :: section
 
-        section = pdn_diagonal_section([53e6_dp, 17e6_dp, 17e6_dp, 730.0_dp, 1130.0_dp, 1130.0_dp], &
-            [2.0_dp, 85e-6_dp, 43e-6_dp, 43e-6_dp])
+        section = pdn_diagonal_section([53e6_dp, 17e6_dp, 17e6_dp, 730.0_dp, 1130.0_dp, &
+            1130.0_dp], [2.0_dp, 85e-6_dp, 43e-6_dp, 43e-6_dp])
     end function steel
 
     function frame_at(point) result(frame)

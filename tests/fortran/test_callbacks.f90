@@ -1,4 +1,5 @@
-! Functions of the caller: signals, laws, user forces and progress, with their data; and their failures.
+! Functions of the caller: signals, laws, user forces and progress, with their data; and their
+! failures.
 module functions
     use checks
     implicit none
@@ -51,13 +52,15 @@ contains
         type(pdn_force_values), intent(inout) :: values
         type(c_ptr), value :: user_data
         type(law_data), pointer :: data
-        real(dp), pointer :: rotations(:, :), velocities(:, :), forces(:, :), by_motion(:, :), by_velocity(:, :)
+        real(dp), pointer :: rotations(:, :), velocities(:, :), forces(:, :), by_motion(:, :), &
+            by_velocity(:, :)
 
         call c_f_pointer(user_data, data)
         call c_f_pointer(state%rotations, rotations, [9, int(state%node_count)])
         call c_f_pointer(state%velocities, velocities, [6, int(state%node_count)])
         call c_f_pointer(values%forces, forces, [6, int(state%node_count)])
-        forces(6, 1) = -data%stiffness*atan2(rotations(2, 1), rotations(1, 1)) - data%damping*velocities(6, 1)
+        forces(6, 1) = -data%stiffness*atan2(rotations(2, 1), rotations(1, 1)) &
+            - data%damping*velocities(6, 1)
         if (c_associated(values%by_motion)) then
             call c_f_pointer(values%by_motion, by_motion, [6, 6])
             call c_f_pointer(values%by_velocity, by_velocity, [6, 6])
@@ -125,15 +128,18 @@ contains
         factors = oscillator_angle(5.0_dp, 0.3_dp)
         do kind = 1, 3
             call oscillator(model, body, hinge, spring)
-            call model%add_load(body, PDN_FRAME_SPACE, PDN_MOMENT_3, pdn_function(moment, c_loc(amplitude)))
+            call model%add_load(body, PDN_FRAME_SPACE, PDN_MOMENT_3, &
+                pdn_function(moment, c_loc(amplitude)))
             select case (kind)
             case (1)
-                call model%add_coordinate_law(hinge, PDN_ROTATION, PDN_TANGENTS_DIFFERENCED, law, c_loc(data))
+                call model%add_coordinate_law(hinge, PDN_ROTATION, PDN_TANGENTS_DIFFERENCED, law, &
+                    c_loc(data))
             case (2)
-                call model%add_coordinate_law(hinge, PDN_ROTATION, PDN_TANGENTS_GIVEN, law, c_loc(data), destroy, force)
+                call model%add_coordinate_law(hinge, PDN_ROTATION, PDN_TANGENTS_GIVEN, law, &
+                    c_loc(data), destroy, force)
             case (3)
-                call model%add_user_force([body], PDN_FRAME_MATERIAL, PDN_TANGENTS_GIVEN, torque, c_loc(data), &
-                    destroy, force)
+                call model%add_user_force([body], PDN_FRAME_MATERIAL, PDN_TANGENTS_GIVEN, torque, &
+                    c_loc(data), destroy, force)
             end select
             if (kind == 2) then
                 call model%check_tangents(force, period, tangents)
@@ -152,7 +158,8 @@ contains
         call solution%free()
         call check(data%destroyed == 2, 'destroyed with the solution')
         call oscillator(model, body, hinge, spring)
-        call model%add_coordinate_law(99, PDN_ROTATION, PDN_TANGENTS_GIVEN, law, c_loc(data), destroy, stat=stat)
+        call model%add_coordinate_law(99, PDN_ROTATION, PDN_TANGENTS_GIVEN, law, c_loc(data), &
+            destroy, stat=stat)
         call check(stat == PDN_ERR_ID .and. data%destroyed == 2, 'not taken')
     end subroutine laws_and_forces
 
@@ -166,12 +173,15 @@ contains
         call oscillator(model, body, hinge, spring)
         call model%add_load(body, PDN_FRAME_SPACE, PDN_MOMENT_3, pdn_function(failing))
         call model%solve_periodic(period, solution, stat=stat, errmsg=errmsg)
-        call check(stat == PDN_ERR_CALLBACK .and. pdn_last_callback_code() == 42, 'status of the callback')
+        call check(stat == PDN_ERR_CALLBACK .and. pdn_last_callback_code() == 42, &
+            'status of the callback')
         call check(index(errmsg, 'no moment is known') > 0, 'message of the callback')
         call check(.not. c_associated(solution%handle()), 'no solution')
 
-        call model%add_beam(pdn_curve(failing_curve), [steel()], 1, 1, beam, stat=stat, errmsg=errmsg)
-        call check(stat == PDN_ERR_CALLBACK .and. pdn_last_callback_code() == 5, 'status of the curve')
+        call model%add_beam(pdn_curve(failing_curve), [steel()], 1, 1, beam, stat=stat, &
+            errmsg=errmsg)
+        call check(stat == PDN_ERR_CALLBACK .and. pdn_last_callback_code() == 5, &
+            'status of the curve')
     end subroutine failures
 
     subroutine cancelling()
@@ -189,6 +199,7 @@ contains
         options%progress_data = c_loc(left)
         call model%solve_periodic(period, solution, options)
         call solution%outcome(outcome)
-        call check(outcome == PDN_CANCELLED .and. left <= 0 .and. .not. solution%converged(), 'cancelled')
+        call check(outcome == PDN_CANCELLED .and. left <= 0 .and. .not. solution%converged(), &
+            'cancelled')
     end subroutine cancelling
 end program test_callbacks

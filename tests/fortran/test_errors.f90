@@ -135,7 +135,8 @@ contains
         call refused(stat, errmsg, PDN_ERR_VALUE, 'second_point: ')
         call m%add_joint(-1, PDN_GROUND, body, frame_at(origin), frame_at(origin), id, stat, errmsg)
         call refused(stat, errmsg, PDN_ERR_VALUE, 'kind: ')
-        call m%add_screw_between(PDN_GROUND, body, frame_at(origin), frame_at(origin), nan, id, stat, errmsg)
+        call m%add_screw_between(PDN_GROUND, body, frame_at(origin), frame_at(origin), nan, id, &
+            stat, errmsg)
         call refused(stat, errmsg, PDN_ERR_NOT_FINITE, 'pitch: ')
         call m%prescribe(hinge, PDN_DISPLACEMENT, pdn_constant(0.0_dp), stat, errmsg)
         call refused(stat, errmsg, PDN_ERR_NOT_AVAILABLE, 'coordinate: ')
@@ -154,12 +155,14 @@ contains
         call m%add_beam(pdn_straight_line(origin, axis_1, axis_2), [steel()], 1, 1, beam, &
             twists=[0.0_dp, 1.0_dp], stat=stat, errmsg=errmsg)
         call refused(stat, errmsg, PDN_ERR_SIZE, 'twists: ')
-        call m%add_beam(pdn_straight_line(origin, axis_1, axis_1), [steel()], 1, 1, beam, stat=stat, errmsg=errmsg)
+        call m%add_beam(pdn_straight_line(origin, axis_1, axis_1), [steel()], 1, 1, beam, &
+            stat=stat, errmsg=errmsg)
         call refused(stat, errmsg, PDN_ERR_VALUE, 'line')
-        call m%add_distributed_load(0, 1, PDN_FRAME_SPACE, PDN_FORCE_1, pdn_constant(1.0_dp), stat=stat, errmsg=errmsg)
+        call m%add_distributed_load(0, 1, PDN_FRAME_SPACE, PDN_FORCE_1, pdn_constant(1.0_dp), &
+            stat=stat, errmsg=errmsg)
         call refused(stat, errmsg, PDN_ERR_ID, 'first_element: ')
-        call m%add_distributed_load(0, 1, PDN_FRAME_SPACE, PDN_FORCE_1, pdn_constant(1.0_dp), [0.0_dp, 1.0_dp], &
-            [1.0_dp], stat, errmsg)
+        call m%add_distributed_load(0, 1, PDN_FRAME_SPACE, PDN_FORCE_1, pdn_constant(1.0_dp), &
+            [0.0_dp, 1.0_dp], [1.0_dp], stat, errmsg)
         call refused(stat, errmsg, PDN_ERR_SIZE, 'factors: ')
         call m%add_load_at_places(0, 1, PDN_FRAME_SPACE, [0.0_dp, 1.0_dp], &
             reshape([pdn_constant(1.0_dp)], [1, 1]), stat=stat, errmsg=errmsg)
@@ -181,13 +184,16 @@ contains
         unit(1, 1) = -1
         call m%add_spring_damper(5, PDN_ROTATION, 1.0_dp, 0.0_dp, 0.0_dp, id, stat, errmsg)
         call refused(stat, errmsg, PDN_ERR_ID, 'joint: ')
-        call m%add_nonlinear_spring_damper(hinge, PDN_ROTATION, [nan], [1.0_dp], 0.0_dp, id, stat, errmsg)
+        call m%add_nonlinear_spring_damper(hinge, PDN_ROTATION, [nan], [1.0_dp], 0.0_dp, id, &
+            stat, errmsg)
         call refused(stat, errmsg, PDN_ERR_NOT_FINITE, 'stiffness: ')
         call m%add_actuator(hinge, PDN_DISPLACEMENT, pdn_constant(1.0_dp), id, stat, errmsg)
         call refused(stat, errmsg, PDN_ERR_NOT_AVAILABLE, 'coordinate: ')
-        call m%add_viscoelastic(hinge, PDN_ROTATION, 1.0_dp, 0.0_dp, [1.0_dp], [-1.0_dp], id, stat, errmsg)
+        call m%add_viscoelastic(hinge, PDN_ROTATION, 1.0_dp, 0.0_dp, [1.0_dp], [-1.0_dp], id, &
+            stat, errmsg)
         call refused(stat, errmsg, PDN_ERR_VALUE, 'relaxation_times[0]: ')
-        call m%add_viscoelastic(hinge, PDN_ROTATION, 1.0_dp, 0.0_dp, [1.0_dp], unit(:2, 1), id, stat, errmsg)
+        call m%add_viscoelastic(hinge, PDN_ROTATION, 1.0_dp, 0.0_dp, [1.0_dp], unit(:2, 1), id, &
+            stat, errmsg)
         call refused(stat, errmsg, PDN_ERR_SIZE, 'relaxation_times: ')
         call m%add_viscous_damper(PDN_GROUND, body, unit, force=id, stat=stat, errmsg=errmsg)
         call refused(stat, errmsg, PDN_ERR_VALUE, 'matrix: ')
@@ -230,9 +236,12 @@ contains
         call refused(stat, errmsg, PDN_ERR_VALUE, 'options.oversampling: ')
         call pdn_init(options)
         options%grid_points = 31
-        call m%solve_periodic(1.0_dp, solution, options, guess_positions=guess, stat=stat, errmsg=errmsg)
-        call refused(stat, errmsg, PDN_ERR_SIZE, 'guess_positions: expected the shape 3 x 31 x 1, got 3 x 31 x 2')
-        call m%solve_periodic(1.0_dp, solution, options, guess_rotations=guess, stat=stat, errmsg=errmsg)
+        call m%solve_periodic(1.0_dp, solution, options, guess_positions=guess, stat=stat, &
+            errmsg=errmsg)
+        call refused(stat, errmsg, PDN_ERR_SIZE, &
+            'guess_positions: expected the shape 3 x 31 x 1, got 3 x 31 x 2')
+        call m%solve_periodic(1.0_dp, solution, options, guess_rotations=guess, stat=stat, &
+            errmsg=errmsg)
         call refused(stat, errmsg, PDN_ERR_SIZE, 'guess_rotations: ')
         call m%solve_static(solution, unset_static, stat=stat, errmsg=errmsg)
         call refused(stat, errmsg, PDN_ERR_STRUCT_SIZE, 'options')
@@ -240,7 +249,8 @@ contains
         at_rest%load_steps = 0
         call m%solve_static(solution, at_rest, stat=stat, errmsg=errmsg)
         call refused(stat, errmsg, PDN_ERR_VALUE, 'options.load_steps: ')
-        call m%prescribe(hinge, PDN_ROTATION, pdn_harmonics(0.0_dp, 1.0_dp, guess(:1, 1, 1), guess(:1, 1, 1)))
+        call m%prescribe(hinge, PDN_ROTATION, &
+            pdn_harmonics(0.0_dp, 1.0_dp, guess(:1, 1, 1), guess(:1, 1, 1)))
         call m%solve_periodic(1.0_dp, solution, stat=stat, errmsg=errmsg)
         call refused(stat, errmsg, PDN_ERR_NOT_PERIODIC, '')
         call check(.not. c_associated(solution%handle()), 'no solution')
@@ -300,13 +310,16 @@ contains
         call refused(stat, errmsg, PDN_ERR_SIZE, 'mean: expected the shape 6, got 3')
         call s%node_harmonics(body, PDN_NODE_POSITION, mean, many, many1, stat, errmsg)
         call refused(stat, errmsg, PDN_ERR_SIZE, 'sines: ')
-        call s%joint_harmonics(hinge, PDN_JOINT_RATE, PDN_ROTATION, mean1, many1, many1, mean, stat, errmsg)
+        call s%joint_harmonics(hinge, PDN_JOINT_RATE, PDN_ROTATION, mean1, many1, many1, mean, &
+            stat, errmsg)
         call refused(stat, errmsg, PDN_ERR_SIZE, 'rate: ')
-        call s%joint_harmonics(hinge, 50, PDN_ROTATION, mean6, many6, many6, stat=stat, errmsg=errmsg)
+        call s%joint_harmonics(hinge, 50, PDN_ROTATION, mean6, many6, many6, stat=stat, &
+            errmsg=errmsg)
         call refused(stat, errmsg, PDN_ERR_VALUE, 'quantity: ')
         call s%beam_harmonics(0, 0.0_dp, PDN_BEAM_FORCE, mean6, many6, many6, stat, errmsg)
         call refused(stat, errmsg, PDN_ERR_ID, 'element: ')
-        call s%force_harmonics(9, PDN_FORCE_EFFORT, 0, mean1, many1(:, :2), many1(:, :2), stat=stat, errmsg=errmsg)
+        call s%force_harmonics(9, PDN_FORCE_EFFORT, 0, mean1, many1(:, :2), many1(:, :2), &
+            stat=stat, errmsg=errmsg)
         call refused(stat, errmsg, PDN_ERR_ID, 'force: ')
         call check(all(one == 8) .and. all(three == 8), 'outputs as they were')
     end subroutine solutions
@@ -316,17 +329,22 @@ contains
 
         positions = 0
         rotations = spread(reshape(identity, [9]), 2, 2)
-        call pdn_motion_interpolate(1.0_dp, positions, rotations, [0.0_dp], stat=stat, errmsg=errmsg)
-        call refused(stat, errmsg, PDN_ERR_SIZE, 'points: ')
-        call pdn_motion_interpolate(1.0_dp, positions, rotations(:, :1), [0.0_dp], stat=stat, errmsg=errmsg)
-        call refused(stat, errmsg, PDN_ERR_SIZE, 'rotations: ')
-        call pdn_motion_interpolate(1.0_dp, positions, rotations, [0.0_dp], velocity=out, stat=stat, errmsg=errmsg)
-        call refused(stat, errmsg, PDN_ERR_SIZE, 'velocity: expected the shape 6 x 1, got 6 x 2')
-        call pdn_motion_grid_kinematics(0.0_dp, positions(:, :1), rotations(:, :1), stat=stat, errmsg=errmsg)
-        call refused(stat, errmsg, PDN_ERR_VALUE, 'period: ')
-        call pdn_motion_grid_kinematics(1.0_dp, positions, rotations, acceleration_tangent=out, stat=stat, &
+        call pdn_motion_interpolate(1.0_dp, positions, rotations, [0.0_dp], stat=stat, &
             errmsg=errmsg)
-        call refused(stat, errmsg, PDN_ERR_SIZE, 'acceleration_tangent: expected the shape 12 x 12, got 6 x 2')
+        call refused(stat, errmsg, PDN_ERR_SIZE, 'points: ')
+        call pdn_motion_interpolate(1.0_dp, positions, rotations(:, :1), [0.0_dp], stat=stat, &
+            errmsg=errmsg)
+        call refused(stat, errmsg, PDN_ERR_SIZE, 'rotations: ')
+        call pdn_motion_interpolate(1.0_dp, positions, rotations, [0.0_dp], velocity=out, &
+            stat=stat, errmsg=errmsg)
+        call refused(stat, errmsg, PDN_ERR_SIZE, 'velocity: expected the shape 6 x 1, got 6 x 2')
+        call pdn_motion_grid_kinematics(0.0_dp, positions(:, :1), rotations(:, :1), stat=stat, &
+            errmsg=errmsg)
+        call refused(stat, errmsg, PDN_ERR_VALUE, 'period: ')
+        call pdn_motion_grid_kinematics(1.0_dp, positions, rotations, acceleration_tangent=out, &
+            stat=stat, errmsg=errmsg)
+        call refused(stat, errmsg, PDN_ERR_SIZE, &
+            'acceleration_tangent: expected the shape 12 x 12, got 6 x 2')
     end subroutine motions
 
     ! Handles that were never made, or were freed.
@@ -347,7 +365,8 @@ contains
         call refused(stat, errmsg, PDN_ERR_NULL, 'solution: ')
         call s%grid_times(times, stat, errmsg)
         call refused(stat, errmsg, PDN_ERR_NULL, 'solution: ')
-        call check(outcome == 55 .and. .not. allocated(times) .and. .not. s%converged(), 'outputs as they were')
+        call check(outcome == 55 .and. .not. allocated(times) .and. .not. s%converged(), &
+            'outputs as they were')
         call check(len(s%report()) == 0, 'no report')
     end subroutine nothing_there
 end program test_errors

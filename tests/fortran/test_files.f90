@@ -76,9 +76,11 @@ contains
         call refused(stat, errmsg, PDN_ERR_ID, 'node: ')
         call table%add_node(solution, body, PDN_NODE_POSITION, stat=stat, errmsg=errmsg)
         call refused(stat, errmsg, PDN_ERR_VALUE, 'label: ')
-        call table%add_joint(solution, hinge, PDN_JOINT_RATE, PDN_DISPLACEMENT, stat=stat, errmsg=errmsg)
+        call table%add_joint(solution, hinge, PDN_JOINT_RATE, PDN_DISPLACEMENT, stat=stat, &
+            errmsg=errmsg)
         call refused(stat, errmsg, PDN_ERR_NOT_AVAILABLE, 'coordinate: ')
-        call table%add_beam(bent, beam%first_element, 3.0_dp, PDN_BEAM_FORCE, stat=stat, errmsg=errmsg)
+        call table%add_beam(bent, beam%first_element, 3.0_dp, PDN_BEAM_FORCE, stat=stat, &
+            errmsg=errmsg)
         call refused(stat, errmsg, PDN_ERR_VALUE, 'station: ')
         call table%add_force(solution, 8, PDN_FORCE_EFFORT, 0, stat=stat, errmsg=errmsg)
         call refused(stat, errmsg, PDN_ERR_ID, 'force: ')

@@ -82,6 +82,7 @@ contains
         figures%steps = 55
         call periodic%march(figures, stat, errmsg)
         call refused(stat, errmsg, PDN_ERR_NOT_AVAILABLE, 'solution: ')
-        call check(figures%steps == 55 .and. .not. c_associated(none%handle()), 'outputs as they were')
+        call check(figures%steps == 55 .and. .not. c_associated(none%handle()), &
+            'outputs as they were')
     end subroutine march
 end program test_march

@@ -1,4 +1,5 @@
-! Every procedure of the module periodyn at least once, against closed forms where there are results.
+! Every procedure of the module periodyn at least once, against closed forms where there are
+! results.
 program test_model
     use checks
     implicit none
@@ -16,7 +17,8 @@ contains
     subroutine library()
         character(40) :: version
 
-        write (version, '(i0, ".", i0, ".", i0)') PDN_VERSION_MAJOR, PDN_VERSION_MINOR, PDN_VERSION_PATCH
+        write (version, '(i0, ".", i0, ".", i0)') PDN_VERSION_MAJOR, PDN_VERSION_MINOR, &
+            PDN_VERSION_PATCH
         call check(pdn_version() == version, 'version')
         call check(index(pdn_build_info(), pdn_version()) > 0, 'build info')
         call check(pdn_status_name(PDN_ERR_VALUE) == 'PDN_ERR_VALUE', 'status name')
@@ -31,9 +33,12 @@ contains
         type(pdn_diagnostics) :: figures
         integer :: body, hinge, spring, outcome, k
         real(dp), allocatable :: residuals(:), increments(:), steps(:), amplitudes(:), times(:)
-        real(dp) :: angle(31), rate(31), acceleration(31), effort(31), position(3, 31), rotation(9, 31)
-        real(dp) :: quaternion(4, 31), velocity(6, 31), turning(6, 31), reaction(6, 31), on_body(6, 31)
-        real(dp) :: expected, slope, factors(2), mean(1), growth(1), cosines(1, 2), sines(1, 2), mean6(6)
+        real(dp) :: angle(31), rate(31), acceleration(31), effort(31), position(3, 31), &
+            rotation(9, 31)
+        real(dp) :: quaternion(4, 31), velocity(6, 31), turning(6, 31), reaction(6, 31), &
+            on_body(6, 31)
+        real(dp) :: expected, slope, factors(2), mean(1), growth(1), cosines(1, 2), sines(1, 2), &
+            mean6(6)
         real(dp) :: cosines6(6, 2), sines6(6, 2), plain(1), smooth(1)
 
         call oscillator(model, body, hinge, spring)
@@ -49,7 +54,8 @@ contains
         call solution%diagnostics(figures)
         call check(figures%grid_points == 31, 'grid points')
         call solution%history(residuals, increments, steps)
-        call check(size(residuals) == figures%iterations .and. size(increments) == size(steps), 'history')
+        call check(size(residuals) == figures%iterations .and. size(increments) == size(steps), &
+            'history')
         call check(increments(size(increments)) < 1e-9_dp, 'last increment')
         call solution%decay(amplitudes)
         call check(size(amplitudes) == 16, 'decay')
@@ -84,14 +90,16 @@ contains
             call near(on_body(6, k), -effort(k), 1e-11_dp, 'on body')
         end do
 
-        call solution%joint_harmonics(hinge, PDN_JOINT_COORDINATE, PDN_ROTATION, mean, cosines, sines, growth)
+        call solution%joint_harmonics(hinge, PDN_JOINT_COORDINATE, PDN_ROTATION, mean, cosines, &
+            sines, growth)
         call near(mean(1), 0.0_dp, 1e-12_dp, 'mean')
         call near(growth(1), 0.0_dp, 1e-12_dp, 'growth')
         call near(cosines(1, 1), factors(1), 1e-12_dp, 'cosine')
         call near(sines(1, 1), factors(2), 1e-12_dp, 'sine')
         call near(cosines(1, 2), 0.0_dp, 1e-12_dp, 'second cosine')
         call solution%force_harmonics(spring, PDN_FORCE_EFFORT, 0, mean, cosines, sines)
-        call near(cosines(1, 1), 3*factors(1) + 0.2_dp*omega*factors(2), 1e-11_dp, 'cosine of effort')
+        call near(cosines(1, 1), 3*factors(1) + 0.2_dp*omega*factors(2), 1e-11_dp, &
+            'cosine of effort')
         call solution%node_harmonics(body, PDN_NODE_VELOCITY, mean6, cosines6, sines6)
         call near(cosines6(6, 1), omega*factors(2), 1e-12_dp, 'cosine of velocity')
 
@@ -101,7 +109,8 @@ contains
         call again%diagnostics(figures)
         call check(figures%iterations == 1 .and. figures%grid_points == 33, 'from a solution')
         options%grid_points = 31
-        call model%solve_periodic(period, again, options, guess_positions=reshape(position, [3, 31, 1]), &
+        call model%solve_periodic(period, again, options, &
+            guess_positions=reshape(position, [3, 31, 1]), &
             guess_rotations=reshape(rotation, [9, 31, 1]))
         call again%diagnostics(figures)
         call check(figures%iterations == 1, 'from a guess')
@@ -118,13 +127,15 @@ contains
         call model%solve_periodic(period, again, options)
         call again%diagnostics(figures)
         call check(figures%error_estimate <= 1e-9_dp .and. figures%grids > 0, 'adaptive')
-        call check(figures%outcome == PDN_CONVERGED .and. figures%decay /= PDN_DECAY_SLOW, 'fast decay')
+        call check(figures%outcome == PDN_CONVERGED .and. figures%decay /= PDN_DECAY_SLOW, &
+            'fast decay')
     end subroutine solution_of_oscillator
 
     ! A motion about axis 3 with angle 0.4 cos(omega t), and its derivatives.
     subroutine motions()
         integer, parameter :: n = 21
-        real(dp) :: positions(3, n), rotations(9, n), a, position(3, 2), rotation(9, 2), velocity(6, 2)
+        real(dp) :: positions(3, n), rotations(9, n), a, position(3, 2), rotation(9, 2), &
+            velocity(6, 2)
         real(dp) :: acceleration(6, 2), at_grid(6, n)
         real(dp), allocatable :: linear(:, :)
         integer :: k
@@ -134,15 +145,19 @@ contains
         do k = 1, n
             a = 0.4_dp*cos(2*pi*(k - 1)/n)
             positions(:, k) = [cos(a), sin(a), 0.0_dp]
-            rotations(:, k) = [cos(a), sin(a), 0.0_dp, -sin(a), cos(a), 0.0_dp, 0.0_dp, 0.0_dp, 1.0_dp]
+            rotations(:, k) = [cos(a), sin(a), 0.0_dp, -sin(a), cos(a), 0.0_dp, 0.0_dp, 0.0_dp, &
+                1.0_dp]
         end do
-        call pdn_motion_interpolate(period, positions, rotations, [0.3_dp, 7.7_dp], position, rotation, velocity, &
-            acceleration)
+        call pdn_motion_interpolate(period, positions, rotations, [0.3_dp, 7.7_dp], position, &
+            rotation, velocity, acceleration)
         call near(position(2, 1), sin(0.4_dp*cos(omega*0.3_dp)), 1e-12_dp, 'interpolated position')
         call near(rotation(1, 2), cos(0.4_dp*cos(omega*7.7_dp)), 1e-12_dp, 'interpolated rotation')
-        call near(velocity(6, 1), -0.4_dp*omega*sin(omega*0.3_dp), 1e-11_dp, 'interpolated velocity')
-        call near(acceleration(6, 1), -0.4_dp*omega**2*cos(omega*0.3_dp), 1e-10_dp, 'interpolated acceleration')
-        call pdn_motion_grid_kinematics(period, positions, rotations, acceleration=at_grid, velocity_tangent=linear)
+        call near(velocity(6, 1), -0.4_dp*omega*sin(omega*0.3_dp), 1e-11_dp, &
+            'interpolated velocity')
+        call near(acceleration(6, 1), -0.4_dp*omega**2*cos(omega*0.3_dp), 1e-10_dp, &
+            'interpolated acceleration')
+        call pdn_motion_grid_kinematics(period, positions, rotations, acceleration=at_grid, &
+            velocity_tangent=linear)
         call near(at_grid(6, 1), -0.4_dp*omega**2, 1e-10_dp, 'acceleration at the grid')
         call check(any(linear /= 0), 'tangent')
     end subroutine motions
@@ -163,8 +178,8 @@ contains
         thick = steel()
         thick%stiffness = 2*thick%stiffness
         call model%new()
-        call model%add_beam(pdn_straight_line(origin, 2*axis_1, axis_2), [thick, thick, thin, thin], 4, 2, beam, &
-            fractions=[0.0_dp, 0.5_dp, 0.5_dp, 1.0_dp])
+        call model%add_beam(pdn_straight_line(origin, 2*axis_1, axis_2), &
+            [thick, thick, thin, thin], 4, 2, beam, fractions=[0.0_dp, 0.5_dp, 0.5_dp, 1.0_dp])
         call model%add_node(origin, reshape(identity, [9]), root)
         call model%add_rigid_joint(PDN_GROUND, root, origin)
         call model%add_rigid_joint(root, beam%first, origin)
@@ -186,13 +201,14 @@ contains
         call check(again%converged(), 'static from a solution')
 
         call pdn_init(initialised)
-        call check(initialised%struct_size == c_sizeof(initialised) .and. all(initialised%stiffness >= 0), 'section')
+        call check(initialised%struct_size == c_sizeof(initialised) .and. &
+            all(initialised%stiffness >= 0), 'section')
         thin = pdn_diagonal_section([1e7_dp, 1e7_dp, 1e7_dp, 1e3_dp, 1e3_dp, 1e3_dp], &
             [2.0_dp, 1e-4_dp, 1e-4_dp, 1e-4_dp], damping_time=1e-4_dp)
         call near(thin%damping(1), 1e3_dp, 1e-9_dp, 'damping')
         call model%new()
-        call model%add_beam(pdn_arc(axis_1, [sqrt(0.5_dp), sqrt(0.5_dp), 0.0_dp], axis_2, axis_3), [thin, thin], 3, 3, &
-            beam, fractions=[0.0_dp, 1.0_dp], twists=[0.0_dp, 0.1_dp])
+        call model%add_beam(pdn_arc(axis_1, [sqrt(0.5_dp), sqrt(0.5_dp), 0.0_dp], axis_2, &
+            axis_3), [thin, thin], 3, 3, beam, fractions=[0.0_dp, 1.0_dp], twists=[0.0_dp, 0.1_dp])
         call model%add_beam(pdn_curve(quarter), [thin], 3, 3, curve)
         call model%node_frame((beam%first + beam%last)/2, middle)
         call model%node_frame((curve%first + curve%last)/2, same)
@@ -205,15 +221,15 @@ contains
         call check(element == 6 .and. elements == 7, 'elements')
         call model%add_straight_beam(3*axis_1, 4*axis_1, axis_2, thin, 2, 1, beam)
         call check(beam%elements == 2, 'straight beam')
-        call model%add_distributed_load(curve%first_element, curve%elements, PDN_FRAME_SPACE, PDN_FORCE_3, &
-            pdn_constant(2.0_dp), [0.0_dp, 1.0_dp], [1.0_dp, 2.0_dp])
+        call model%add_distributed_load(curve%first_element, curve%elements, PDN_FRAME_SPACE, &
+            PDN_FORCE_3, pdn_constant(2.0_dp), [0.0_dp, 1.0_dp], [1.0_dp, 2.0_dp])
         call model%add_distributed_load(curve%first_element, 1, PDN_FRAME_MATERIAL, PDN_MOMENT_1, &
             pdn_samples(0.0_dp, [0.0_dp, 1.0_dp, 2.0_dp]))
         do i = 1, 12
             load(i) = pdn_constant(real(i, dp))
         end do
-        call model%add_load_at_places(curve%first_element, curve%elements, PDN_FRAME_UNTWISTED, [0.0_dp, 1.0_dp], &
-            reshape(load, [6, 2]), axis_3)
+        call model%add_load_at_places(curve%first_element, curve%elements, PDN_FRAME_UNTWISTED, &
+            [0.0_dp, 1.0_dp], reshape(load, [6, 2]), axis_3)
     end subroutine beams
 
     ! All joints and forces can be made, and are counted.
@@ -250,11 +266,14 @@ contains
         call check(id == 10 .and. joints == 11, 'joints')
         call m%prescribe(0, PDN_DISPLACEMENT, pdn_constant(0.1_dp))
         call m%set_gravity([0.0_dp, 0.0_dp, -9.81_dp])
-        call m%set_gravity_signals(pdn_constant(0.0_dp), pdn_constant(0.0_dp), pdn_constant(-9.81_dp))
+        call m%set_gravity_signals(pdn_constant(0.0_dp), pdn_constant(0.0_dp), &
+            pdn_constant(-9.81_dp))
         call m%add_spring_damper(6, PDN_DISPLACEMENT_2, 1.0_dp, 0.0_dp, 0.0_dp)
-        call m%add_nonlinear_spring_damper(6, PDN_DISPLACEMENT_3, [1.0_dp, 0.0_dp, 2.0_dp], [0.1_dp], 0.0_dp)
+        call m%add_nonlinear_spring_damper(6, PDN_DISPLACEMENT_3, [1.0_dp, 0.0_dp, 2.0_dp], &
+            [0.1_dp], 0.0_dp)
         call m%add_actuator(6, PDN_ROTATION_2, pdn_constant(0.5_dp))
-        call m%add_viscoelastic(6, PDN_ROTATION_3, 1.0_dp, 0.0_dp, [2.0_dp, 3.0_dp], [0.1_dp, 0.2_dp])
+        call m%add_viscoelastic(6, PDN_ROTATION_3, 1.0_dp, 0.0_dp, [2.0_dp, 3.0_dp], &
+            [0.1_dp, 0.2_dp])
         call m%add_viscous_damper(a, b, unit)
         call m%add_viscous_damper(PDN_GROUND, b, unit, frame_at(origin), id)
         call m%force_count(forces)
@@ -264,7 +283,8 @@ contains
         call m%mass(mass, centre)
         call near(mass, 7.0_dp, 1e-15_dp, 'mass')
         call m%summary(summary)
-        call check(summary%nodes == 2 .and. summary%joints == joints .and. summary%prescribed == 1, 'summary')
+        call check(summary%nodes == 2 .and. summary%joints == joints .and. summary%prescribed == &
+            1, 'summary')
         call m%describe(text)
         call check(index(text, 'mass') > 0, 'description')
     end subroutine everything
@@ -291,7 +311,8 @@ contains
         call solution%joint_coordinate(hinge, PDN_ROTATION, [0.0_dp], found)
         call near(found(1), factors(1), 1e-12_dp, 'angle')
         call solution%force_branch_effort(branch, 0, [0.0_dp], effort)
-        call near(effort(1), dot_product([storage, loss], factors), 1e-12_dp, 'effort of the branch')
+        call near(effort(1), dot_product([storage, loss], factors), 1e-12_dp, &
+            'effort of the branch')
         call solution%force_branch_elongation(branch, 0, [0.0_dp], found)
         call near(found(1), factors(1) - effort(1)/2, 1e-12_dp, 'elongation of the dashpot')
     end subroutine viscoelastic

@@ -16,7 +16,8 @@ contains
         type(pdn_solution) :: motion, equilibrium
         integer :: body, hinge, spring, count, outcome, stat
         logical :: complete
-        real(dp) :: real_part(6, 1), imaginary_part(6, 1), mean(1), cosines(1, 1), sines(1, 1), angle(1)
+        real(dp) :: real_part(6, 1), imaginary_part(6, 1), mean(1), cosines(1, 1), sines(1, 1), &
+            angle(1)
         character(300) :: errmsg
 
         call oscillator(model, body, hinge, spring)

@@ -1,5 +1,5 @@
-"""The derived types and constants of module periodyn_c are those of C: sizes, offsets and sizes of all
-fields, and values, as the two compilers see them.
+"""The derived types and constants of module periodyn_c are those of C: sizes, offsets and sizes of
+all fields, and values, as the two compilers see them.
 
 usage: fortran_layout.py C_COMPILER FORTRAN_COMPILER DIRECTORY
 """
@@ -59,13 +59,24 @@ def main():
     (directory / "layout.f90").write_text(fortran_program(types, constants))
 
     include = ROOT / "include"
-    subprocess.run([c_compiler, f"-I{include}", "layout.c", "-o", "c_layout"], cwd=directory, check=True)
-    subprocess.run([fortran_compiler, str(include / "periodyn.f90"), "layout.f90", "-c"], cwd=directory,
-                   check=True)
+    subprocess.run(
+        [c_compiler, f"-I{include}", "layout.c", "-o", "c_layout"], cwd=directory, check=True
+    )
+    subprocess.run(
+        [fortran_compiler, str(include / "periodyn.f90"), "layout.f90", "-c"],
+        cwd=directory,
+        check=True,
+    )
     # Only the raw module, whose functions are not called, goes into the program.
-    subprocess.run([fortran_compiler, "layout.o", "-o", "fortran_layout"], cwd=directory, check=True)
-    c, fortran = (subprocess.run([directory / name], cwd=directory, check=True, capture_output=True,
-                                 text=True).stdout.splitlines() for name in ["c_layout", "fortran_layout"])
+    subprocess.run(
+        [fortran_compiler, "layout.o", "-o", "fortran_layout"], cwd=directory, check=True
+    )
+    c, fortran = (
+        subprocess.run(
+            [directory / name], cwd=directory, check=True, capture_output=True, text=True
+        ).stdout.splitlines()
+        for name in ["c_layout", "fortran_layout"]
+    )
     wrong = [f"C: {a}, Fortran: {b}" for a, b in zip(c, fortran) if a != b]
     if wrong or len(c) != len(fortran) or not c:
         sys.exit("\n".join(wrong) or "different numbers of lines")

@@ -45,7 +45,9 @@ def main():
 
     constants = set(re.findall(r"^#define (PDN_\w+) -?\d+$", header, re.M))
     # Statuses, which are left as they are, and kinds that the wrappers of signals and lines set.
-    not_wrapped = {name for name in constants if re.match(r"PDN_(OK$|ERR_|LINE_|SIGNAL_|VERSION_PATCH)", name)}
+    not_wrapped = {
+        name for name in constants if re.match(r"PDN_(OK$|ERR_|LINE_|SIGNAL_|VERSION_PATCH)", name)
+    }
     for name, text, wanted in [("periodyn.hpp", cpp, constants - not_wrapped),
                                ("periodyn.f90", raw, constants)]:
         missing = wanted - set(re.findall(r"\bPDN_\w+", text))

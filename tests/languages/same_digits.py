@@ -14,7 +14,11 @@ def results(directory, program):
     out = directory / (Path(program).stem + ".csv")
     done = subprocess.run([program, "--grid", "15", "--elements", "4", "--out", out], check=True,
                           capture_output=True, text=True)
-    lines = [line.rstrip() for line in done.stdout.splitlines() if not line.startswith(("  time:", "    of it "))]
+    lines = [
+        line.rstrip()
+        for line in done.stdout.splitlines()
+        if not line.startswith(("  time:", "    of it "))
+    ]
     head, *rows = out.read_text().splitlines()
     return lines, head, [[float(number) for number in row.split(",")] for row in rows]
 
@@ -28,7 +32,9 @@ def main():
     for program in others:
         other_lines, other_head, other_rows = results(directory, program)
         wrong = [f"{a!r} and {b!r}" for a, b in zip(lines, other_lines) if a != b]
-        wrong += [f"{a} and {b}" for a, b in zip([head] + rows, [other_head] + other_rows) if a != b]
+        wrong += [
+            f"{a} and {b}" for a, b in zip([head] + rows, [other_head] + other_rows) if a != b
+        ]
         if wrong or len(lines) != len(other_lines) or len(rows) != len(other_rows):
             sys.exit(f"{first} and {program} differ: " + "\n".join(wrong))
     print("\n".join(lines))

@@ -3,8 +3,8 @@
 use super::workshop::{FREQUENCY, Vec3, Workshop};
 use periodyn::elements::{Coordinate::*, JointKind};
 
-/// Bending stiffness of a cantilever of mass and length 1 with a tip mass, so that its first frequency is
-/// [`FREQUENCY`] (Rayleigh).
+/// Bending stiffness of a cantilever of mass and length 1 with a tip mass, so that its first
+/// frequency is [`FREQUENCY`] (Rayleigh).
 fn bending(tip_mass: f64) -> f64 {
     FREQUENCY * FREQUENCY * (tip_mass + 33.0 / 140.0) / 3.0
 }

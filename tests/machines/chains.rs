@@ -5,8 +5,8 @@ use nalgebra::{DMatrix, SymmetricEigen};
 use periodyn::elements::{Coordinate::*, JointKind};
 use std::f64::consts::PI;
 
-/// First natural frequency squared of a planar chain of `n` slender rigid links, of mass and length 1 together, with
-/// hinge springs and in gravity.
+/// First natural frequency squared of a planar chain of `n` slender rigid links, of mass and length
+/// 1 together, with hinge springs and in gravity.
 fn first_eigenvalue(n: usize, spring: f64, gravity: f64) -> f64 {
     let (m, l) = (1.0 / n as f64, 1.0 / n as f64);
     let beyond = |i: usize| (n - 1 - i) as f64;
@@ -88,7 +88,8 @@ fn links(w: &mut Workshop, n: usize, spring: f64) -> (Vec<Bar>, Vec<usize>) {
     (bars, joints)
 }
 
-/// Hinge dampers that give the first mode about its damping ratio: those of a spring alone that would.
+/// Hinge dampers that give the first mode about its damping ratio: those of a spring alone that
+/// would.
 fn joint_damper(w: &Workshop, n: usize, spring: f64) -> f64 {
     let alone = FREQUENCY * FREQUENCY / first_eigenvalue(n, 1.0, 0.0);
     w.damper(alone.max(spring))

@@ -1,4 +1,5 @@
-//! Drivelines with universal joints, and machines with laws of the user: clutches, fans, friction, hardening springs.
+//! Drivelines with universal joints, and machines with laws of the user: clutches, fans, friction,
+//! hardening springs.
 
 use super::workshop::{FREQUENCY, Vec3, Workshop};
 use periodyn::elements::{Coordinate::*, JointKind};
@@ -11,7 +12,8 @@ pub fn build(w: &mut Workshop) {
     }
 }
 
-/// A motor, a cardan shaft at an angle, an output shaft, and a wheel on it behind a torsional spring.
+/// A motor, a cardan shaft at an angle, an output shaft, and a wheel on it behind a torsional
+/// spring.
 fn driveline(w: &mut Workshop) {
     let bend = w.random.between(0.05, 0.45);
     let parallel = w.random.percent(70);

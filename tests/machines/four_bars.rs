@@ -17,8 +17,8 @@ struct Planar {
 }
 
 impl Planar {
-    /// Crank pin and rocker pin for a crank angle, in the x-z plane; none where it cannot be closed or is
-    /// transmitted badly.
+    /// Crank pin and rocker pin for a crank angle, in the x-z plane; none where it cannot be closed
+    /// or is transmitted badly.
     fn pins(&self, angle: f64) -> Option<[Vec3; 2]> {
         let pin = Vec3::new(self.crank * angle.cos(), 0.0, self.crank * angle.sin());
         let ground = Vec3::x();
@@ -103,8 +103,9 @@ pub fn planar(w: &mut Workshop) {
 /// How much stiffer the crank is than the other links.
 const CRANK: f64 = 3.0;
 
-/// Bending stiffness that gives links of these lengths the first frequency wanted: the longest on two hinges, and those
-/// that hinges or a motor hold at their root with half the coupler at their end.
+/// Bending stiffness that gives links of these lengths the first frequency wanted: the longest on
+/// two hinges, and those that hinges or a motor hold at their root with half the coupler at their
+/// end.
 fn bending(lengths: [f64; 3], held: [bool; 3]) -> f64 {
     let longest = lengths.iter().copied().fold(0.0, f64::max);
     let mut compliance = longest.powi(4) / PI.powi(4);
@@ -116,7 +117,8 @@ fn bending(lengths: [f64; 3], held: [bool; 3]) -> f64 {
     FREQUENCY * FREQUENCY * compliance
 }
 
-/// Flexible links, and a speed that they can run at: bending by inertia stays below a quarter of their length.
+/// Flexible links, and a speed that they can run at: bending by inertia stays below a quarter of
+/// their length.
 fn link_material(
     w: &mut Workshop,
     lengths: [f64; 3],
@@ -215,7 +217,8 @@ fn run(
     }
 }
 
-/// A spatial four-bar: the crank turns about `crank_axis` at the origin, the rocker about `rocker_axis` at `pivot`.
+/// A spatial four-bar: the crank turns about `crank_axis` at the origin, the rocker about
+/// `rocker_axis` at `pivot`.
 struct Spatial {
     pivot: Vec3,
     crank_axis: Vec3,
@@ -226,8 +229,9 @@ struct Spatial {
 }
 
 impl Spatial {
-    /// Whether it closes with margin for crank angles up to `swing`, the rocker is moved well and the coupler does
-    /// not line up with the rocker's hinge, which the universal joint's first arm is along.
+    /// Whether it closes with margin for crank angles up to `swing`, the rocker is moved well and
+    /// the coupler does not line up with the rocker's hinge, which the universal joint's first arm
+    /// is along.
     fn works(&self, swing: f64) -> bool {
         let length2 = (self.pivot + self.rocker - self.crank).norm_squared();
         let across = self.rocker_axis.cross(&self.rocker);

@@ -1,5 +1,5 @@
-//! How a machine is solved, and how the solution is judged: by a finer grid, reached from the solution and from cold, and
-//! by a march.
+//! How a machine is solved, and how the solution is judged: by a finer grid, reached from the
+//! solution and from cold, and by a march.
 
 use super::Machine;
 use periodyn::collocation::GridState;
@@ -15,10 +15,12 @@ pub const TRUSTED: f64 = 3.0;
 pub const SHARP: f64 = 10.0;
 /// Errors that are left to rounding.
 pub const ROUNDING: f64 = 1e-9;
-/// A finer grid judges if its own estimate is less than this part of the difference, or if it has so many points.
+/// A finer grid judges if its own estimate is less than this part of the difference, or if it has
+/// so many points.
 const SURER: f64 = 0.2;
 const FINEST: usize = 600;
-/// A solution is false if it is wrong by more than its estimate allows, and by so many times the tolerance.
+/// A solution is false if it is wrong by more than its estimate allows, and by so many times the
+/// tolerance.
 const FALSE: f64 = 10.0;
 /// Difference to a march, in uncertainties of that, that disproves a solution.
 const DISPROVED: f64 = 10.0;
@@ -26,8 +28,9 @@ const DISPROVED: f64 = 10.0;
 const LEAST_STEPS: usize = 400;
 const STEPS_OF_HARMONIC: usize = 16;
 
-/// An undamped machine has no periodic solution near if, in a march from rest, the largest distances from the start in so many
-/// blocks of so many periods each grow, by this factor at least from one to the next.
+/// An undamped machine has no periodic solution near if, in a march from rest, the largest
+/// distances from the start in so many blocks of so many periods each grow, by this factor at least
+/// from one to the next.
 const BLOCKS: usize = 4;
 const PERIODS: usize = 15;
 const GROWTH: f64 = 1.15;
@@ -59,8 +62,8 @@ pub struct Checked {
     pub error: Option<f64>,
     /// The same, found from cold; large if that is another solution.
     pub from_cold: Option<f64>,
-    /// Largest difference to a march over a period from the solution's start, and that of two marches with steps of
-    /// which one is half as long.
+    /// Largest difference to a march over a period from the solution's start, and that of two
+    /// marches with steps of which one is half as long.
     pub march: Option<[f64; 2]>,
 }
 
@@ -174,8 +177,8 @@ fn march_twice(machine: &Machine, solution: &Solution) -> Result<Option<[f64; 2]
     Ok(Some(largest))
 }
 
-/// Whether a machine has no periodic solution near: it is undamped, and its vibrations grow from period to period, as those of a
-/// linear one do at resonance.
+/// Whether a machine has no periodic solution near: it is undamped, and its vibrations grow from
+/// period to period, as those of a linear one do at resonance.
 pub fn grows(machine: &Machine) -> bool {
     machine.undamped && growth(machine).unwrap_or(false)
 }

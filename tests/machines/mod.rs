@@ -1,4 +1,5 @@
-//! Random machines of ten families, as an engineer might build them: periodic by construction, and all drawn from a seed.
+//! Random machines of ten families, as an engineer might build them: periodic by construction, and
+//! all drawn from a seed.
 //!
 //! Nothing here looks at what the solver makes of them.
 

@@ -1,5 +1,5 @@
-//! Blades and rotors of two to four blades: clamped or on flap and lag hinges, with pitch, on a driven hub, which may
-//! stand on a tower.
+//! Blades and rotors of two to four blades: clamped or on flap and lag hinges, with pitch, on a
+//! driven hub, which may stand on a tower.
 
 use super::waves::Wave;
 use super::workshop::{Bar, FREQUENCY, Flexible, Vec3, Workshop};
@@ -14,7 +14,8 @@ struct Blades {
     /// Place of the hinges or clamps.
     offset: f64,
     flexible: Option<Flexible>,
-    /// Frequencies of hinge springs, and damping ratios of hinge dampers against the rate of rotation.
+    /// Frequencies of hinge springs, and damping ratios of hinge dampers against the rate of
+    /// rotation.
     springs: [f64; 2],
     dampers: [f64; 2],
     /// Collective and cyclic pitch.
@@ -187,7 +188,8 @@ impl Blades {
         }
     }
 
-    /// Gravity that neither lets blades droop much without rotation, if they are clamped, nor in it.
+    /// Gravity that neither lets blades droop much without rotation, if they are clamped, nor in
+    /// it.
     fn gravity(&self, w: &mut Workshop) {
         let rate2 = w.rate().powi(2);
         let sag = w.random.decades(1e-3, 0.1);
@@ -248,8 +250,8 @@ fn tower(w: &mut Workshop, carried: f64) -> Option<usize> {
         return None;
     }
     let nacelle = w.ball(2.0, &Vec3::zeros(), 0.3);
-    // The tower's frequency over that of the blades; not within 15 % of the rate of rotation, as every
-    // manufacturer sees to.
+    // The tower's frequency over that of the blades; not within 15 % of the rate of rotation, as
+    // every manufacturer sees to.
     let frequency = loop {
         let frequency = w.random.decades(0.3, 5.0);
         if (frequency / w.speed).ln().abs() > 0.15 {

@@ -81,7 +81,8 @@ pub fn build(w: &mut Workshop) {
     }
 }
 
-/// Pieces along the first axis; inner ones off it, if the shaft has cranks, one after the other further round.
+/// Pieces along the first axis; inner ones off it, if the shaft has cranks, one after the other
+/// further round.
 fn pieces_of(w: &mut Workshop, count: usize, throw: f64, bending: f64) -> Vec<Piece> {
     let mut whole = w.flexible(bending);
     whole.slenderness = whole.slenderness.max(1e3);

@@ -1,4 +1,5 @@
-//! Slider-cranks: rigid or with a flexible rod, in line or offset, with gas forces, driven stiffly or through a shaft.
+//! Slider-cranks: rigid or with a flexible rod, in line or offset, with gas forces, driven stiffly
+//! or through a shaft.
 
 use super::workshop::{FREQUENCY, Vec3, Workshop};
 use nalgebra::Matrix3;
@@ -6,7 +7,8 @@ use periodyn::elements::{Coordinate::*, JointKind};
 use std::f64::consts::PI;
 
 pub fn build(w: &mut Workshop) {
-    // Lengths over that of the rod; the crank turns as crank and offset together are shorter than it.
+    // Lengths over that of the rod; the crank turns as crank and offset together are shorter than
+    // it.
     let crank = w.random.between(0.15, 0.4);
     let offset = if w.random.percent(40) {
         w.random.between(-0.3, 0.3)

@@ -14,13 +14,15 @@ pub struct Wave {
     pub what: String,
 }
 
-/// How much a lightly damped oscillation is allowed to grow in the estimate, so that loads are not absurdly small.
+/// How much a lightly damped oscillation is allowed to grow in the estimate, so that loads are not
+/// absurdly small.
 const LEAST_RATIO: f64 = 5e-3;
 /// Uncertainty of natural frequencies.
 const DETUNING: f64 = 0.02;
 
-/// Amplitude of an oscillator over its static displacement, at a frequency `x` times its own that is known to
-/// some per cent; of what vibrates in more ways than one, whose other frequencies are above that, not much less.
+/// Amplitude of an oscillator over its static displacement, at a frequency `x` times its own that
+/// is known to some per cent; of what vibrates in more ways than one, whose other frequencies are
+/// above that, not much less.
 pub fn gain(x: f64, ratio: f64) -> f64 {
     let ratio = ratio.max(LEAST_RATIO);
     let at = |x: f64| 1.0 / (1.0 - x * x).hypot(2.0 * ratio * x);
@@ -137,14 +139,15 @@ impl Wave {
         pairs.map(|(j, (a, b))| ((j + 1) as f64, a.hypot(*b)))
     }
 
-    /// Displacement that a force of this shape causes, over what a constant force of size 1 causes, where the first
-    /// harmonic has `speed` times the first natural frequency.
+    /// Displacement that a force of this shape causes, over what a constant force of size 1 causes,
+    /// where the first harmonic has `speed` times the first natural frequency.
     pub fn response(&self, speed: f64, ratio: f64) -> f64 {
         let parts = self.amplitudes().map(|(j, a)| a * gain(j * speed, ratio));
         parts.sum::<f64>().max(0.1)
     }
 
-    /// Motion relative to a base that moves so, over the size of the base's motion, or the base's if that is larger.
+    /// Motion relative to a base that moves so, over the size of the base's motion, or the base's
+    /// if that is larger.
     pub fn base_response(&self, speed: f64, ratio: f64) -> f64 {
         let parts = self.amplitudes().map(|(j, a)| {
             let x = j * speed;

@@ -1,5 +1,5 @@
-//! What machines are built with. All is given in units in which sizes and masses are about 1, with the third axis up,
-//! and written down in the machine's own units and place.
+//! What machines are built with. All is given in units in which sizes and masses are about 1, with
+//! the third axis up, and written down in the machine's own units and place.
 
 use super::Machine;
 use super::waves::Wave;
@@ -29,8 +29,8 @@ pub enum Damped {
     Joints,
 }
 
-/// A flexible bar: first bending stiffness, the other relative to it, axial stiffness times length squared over the
-/// first, and the mesh.
+/// A flexible bar: first bending stiffness, the other relative to it, axial stiffness times length
+/// squared over the first, and the mesh.
 #[derive(Clone, Copy)]
 pub struct Flexible {
     pub bending: f64,
@@ -221,8 +221,8 @@ impl Workshop {
         section
     }
 
-    /// A straight bar, rigid and slender if it is not flexible; the first bending stiffness is against moments about
-    /// `axis_2`.
+    /// A straight bar, rigid and slender if it is not flexible; the first bending stiffness is
+    /// against moments about `axis_2`.
     pub fn bar(
         &mut self,
         start: &Vec3,
@@ -366,7 +366,8 @@ impl Workshop {
             .unwrap();
     }
 
-    /// A spring of which `cubic` is the third coefficient, with the damper that goes with the first.
+    /// A spring of which `cubic` is the third coefficient, with the damper that goes with the
+    /// first.
     pub fn cubic_spring(
         &mut self,
         joint: usize,
@@ -444,7 +445,8 @@ impl Workshop {
         self.model.add_actuator(at, &signal).unwrap();
     }
 
-    /// A force on a node, of a constant direction in space or in the node's axes: `mean + amplitude × wave`.
+    /// A force on a node, of a constant direction in space or in the node's axes:
+    /// `mean + amplitude × wave`.
     pub fn force(
         &mut self,
         node: usize,

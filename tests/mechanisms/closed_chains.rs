@@ -1,4 +1,5 @@
-//! Linkages with more constraints than they seem to bear: Bennett's of four hinges, and Bricard's of six.
+//! Linkages with more constraints than they seem to bear: Bennett's of four hinges, and Bricard's
+//! of six.
 
 use super::common::times;
 use super::jet::{Jet, Point, second_rate};
@@ -68,8 +69,8 @@ impl Frame {
     }
 }
 
-/// A closed chain of hinges, whose last link is the ground and whose first hinge is turned: the angles of all
-/// hinges, continuous functions of that of the first.
+/// A closed chain of hinges, whose last link is the ground and whose first hinge is turned: the
+/// angles of all hinges, continuous functions of that of the first.
 struct Chain<'a> {
     name: &'a str,
     links: Vec<Link>,
@@ -218,7 +219,8 @@ impl Chain<'_> {
 }
 
 /// Bennett: opposite links are equal, and twists go with lengths, `sin α / a = sin β / b`. Then
-/// `tan(θ₁/2) tan(θ₂/2) = sin((β + α)/2) / sin((β − α)/2)`, and opposite hinges turn by opposite angles.
+/// `tan(θ₁/2) tan(θ₂/2) = sin((β + α)/2) / sin((β − α)/2)`, and opposite hinges turn by opposite
+/// angles.
 #[test]
 fn a_bennett_linkage_turns_round_and_round() {
     let (a, alpha, beta) = (0.5, 0.6f64, 1.3f64);
@@ -260,8 +262,9 @@ fn a_bennett_linkage_turns_round_and_round() {
     .check();
 }
 
-/// Bricard, with threefold symmetry: equal links, twists `α` and `−α` in turn. Then every second hinge turns
-/// by the same angle, and `cos²α + sin²α (cos θ + cos φ) + (1 + cos²α) cos θ cos φ = 2 cos α sin θ sin φ`.
+/// Bricard, with threefold symmetry: equal links, twists `α` and `−α` in turn. Then every second
+/// hinge turns by the same angle, and `cos²α + sin²α (cos θ + cos φ) + (1 + cos²α) cos θ cos φ = 2
+/// cos α sin θ sin φ`.
 #[test]
 fn a_bricard_linkage_swings() {
     let twist = 1.1f64;

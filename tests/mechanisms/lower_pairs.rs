@@ -317,8 +317,8 @@ fn a_planar_pair_responds_independently_in_its_plane_to_large_rotations() {
     );
 }
 
-/// A mass on springs in the axes of a table that turns in a vertical plane: in these axes its weight turns
-/// backwards, and it is subject to Coriolis and centrifugal forces.
+/// A mass on springs in the axes of a table that turns in a vertical plane: in these axes its
+/// weight turns backwards, and it is subject to Coriolis and centrifugal forces.
 #[test]
 fn a_planar_pair_on_a_turning_table_follows_the_rotating_frame() {
     let (mass, inertia, omega, g) = (1.5, 0.1, 3.0, 9.81);
@@ -344,7 +344,8 @@ fn a_planar_pair_on_a_turning_table_follows_the_rotating_frame() {
     gravity(m, &Vector3::new(0.0, -g, 0.0));
     let solution = solve(&model, period, 15);
 
-    // x = a sin Ωt, y = b cos Ωt in m(ẍ − 2Ωẏ − Ω²x) + k₁x = −mg sin Ωt, m(ÿ + 2Ωẋ − Ω²y) + k₂y = −mg cos Ωt.
+    // x = a sin Ωt, y = b cos Ωt in m(ẍ − 2Ωẏ − Ω²x) + k₁x = −mg sin Ωt, m(ÿ + 2Ωẋ − Ω²y) + k₂y =
+    // −mg cos Ωt.
     let s = 2.0 * mass * omega * omega;
     let determinant = (k1 - s) * (k2 - s) - s * s;
     let a = -mass * g * (k2 - 2.0 * s) / determinant;
@@ -372,8 +373,8 @@ fn a_planar_pair_on_a_turning_table_follows_the_rotating_frame() {
     assert_near(&found, &torque, "torque on the table");
 }
 
-/// Springs between two bodies in general motion, by a joint that constrains nothing: base moved in all six
-/// coordinates, and a suspended body that must move with it in the end.
+/// Springs between two bodies in general motion, by a joint that constrains nothing: base moved in
+/// all six coordinates, and a suspended body that must move with it in the end.
 #[test]
 fn a_free_joint_prescribes_and_measures_any_motion() {
     let (omega, stiff) = (2.0, 1.1e3);
@@ -394,8 +395,8 @@ fn a_free_joint_prescribes_and_measures_any_motion() {
         let signal = Signal::harmonics(mean, 0.0, &[cosine], &[sine]).unwrap();
         prescribe(&mut model, drive, coordinate, &signal);
     }
-    // A particle hangs on three equal springs at a point of the base: they pull as one spring, whatever
-    // their axes do.
+    // A particle hangs on three equal springs at a point of the base: they pull as one spring,
+    // whatever their axes do.
     let place = frame.position + Vector3::new(0.4, 0.0, 0.2);
     let bob = particle(&mut model, 1.5, &place);
     let ties = Motion::new(Matrix3::identity(), place);

@@ -50,7 +50,8 @@ fn universal(
         .unwrap()
 }
 
-/// A solve that must converge, to rounding also of second derivatives, which amplify errors by some 10³.
+/// A solve that must converge, to rounding also of second derivatives, which amplify errors by some
+/// 10³.
 fn solve(model: &Model, period: f64, grid_points: usize) -> Solution {
     let mut options = common::options(grid_points);
     options.newton.tolerance = 1e-12;

@@ -7,8 +7,8 @@ use periodyn::elements::Coordinate::{Displacement1, Rotation1};
 
 const G: f64 = 9.81;
 
-/// Crank and slider in the plane of x and y: the crank about the origin, the slider along x at the height
-/// `offset`.
+/// Crank and slider in the plane of x and y: the crank about the origin, the slider along x at the
+/// height `offset`.
 struct SliderCrank {
     crank: f64,
     rod: f64,
@@ -62,7 +62,8 @@ impl SliderCrank {
         (torque, self.masses[2] * G - push_y)
     }
 
-    /// The model at a reference angle of the crank; slider, and joints of crank and slider to the ground.
+    /// The model at a reference angle of the crank; slider, and joints of crank and slider to the
+    /// ground.
     fn build(&self, angle: f64, turning: &Turning) -> (Model, [usize; 3]) {
         let (pin, slider, _) = self.at(angle);
         let (pin, slider) = (pin.0[0], slider.0[0]);

@@ -7,7 +7,8 @@ use periodyn::elements::Coordinate::Rotation1;
 use periodyn::elements::LoadFrame;
 use periodyn::motion::Motion;
 
-/// Two shafts that meet at an angle, the first turned by a motor, the second with a flywheel and a load.
+/// Two shafts that meet at an angle, the first turned by a motor, the second with a flywheel and a
+/// load.
 fn check_hooke(bend: f64) {
     let (inertia, load) = (0.3, 2.0);
     let turning = Turning {
@@ -25,7 +26,8 @@ fn check_hooke(bend: f64) {
     let polar = axis * axis.transpose();
     let spin = polar * inertia + (Matrix3::identity() - polar) * 0.2;
     let second = m.add_rigid_body(1.0, &(axis * 0.7), &spin).unwrap();
-    // The first shaft is held at its end and at the cross, the second in a sleeve: no constraint too many.
+    // The first shaft is held at its end and at the cross, the second in a sleeve: no constraint
+    // too many.
     let end = Motion::new(Matrix3::identity(), x * -1.0);
     let motor = m.add_joint(JointKind::Spherical, None, first, &end, &end);
     let motor = motor.unwrap();
@@ -44,7 +46,8 @@ fn check_hooke(bend: f64) {
     add_load(m, second, LoadFrame::Space, &constant, &[0.0; 6]);
     let solution = solve(&model, turning.period(), 121);
 
-    // The Jacobian's blocks of this model are close to singular; yet each increment is exact enough.
+    // The Jacobian's blocks of this model are close to singular; yet each increment is exact
+    // enough.
     let iterations = &solution.details().report.iterations;
     assert!(iterations.iter().all(|i| i.step == 1.0), "{iterations:?}");
     // tan θ₂ = tan θ₁ / cos β, and so on.
@@ -98,8 +101,8 @@ struct Rssr {
 }
 
 impl Rssr {
-    /// Angle of the rocker as a function of that of the crank: of `P cos φ + Q sin φ = S`, the branch that
-    /// goes on.
+    /// Angle of the rocker as a function of that of the crank: of `P cos φ + Q sin φ = S`, the
+    /// branch that goes on.
     fn output(&self, angle: f64) -> Jet {
         let a = self.pin(angle);
         let dot = |v: &Vector3<f64>| a[0] * v.x + a[1] * v.y - Jet::constant(self.foot.dot(v));
@@ -173,7 +176,8 @@ fn a_spatial_four_bar_with_two_balls_has_its_closed_form() {
         &Vector3::zeros(),
         &Vector3::z(),
     );
-    // A cross in place of one ball keeps the coupler from spinning, and leaves its ends where they are.
+    // A cross in place of one ball keeps the coupler from spinning, and leaves its ends where they
+    // are.
     let along_coupler = (ball - pin).normalize();
     let across = along_coupler.cross(&axis).normalize();
     let third = along_coupler.cross(&across);

@@ -31,14 +31,21 @@ class Columns(unittest.TestCase):
         self.assertEqual(image.read_bytes()[:8], b"\x89PNG\r\n\x1a\n")
 
     def test_reads_names_and_numbers(self):
-        self.assertEqual(plot.read_columns(self.written("t,x\n0,2\n1,3\n")), (["t", "x"], [[0, 1], [2, 3]]))
+        self.assertEqual(
+            plot.read_columns(self.written("t,x\n0,2\n1,3\n")), (["t", "x"], [[0, 1], [2, 3]])
+        )
 
     def test_refuses_what_cannot_be_drawn(self):
-        for text, complaint in [("", "expected a line of names"), ("t,x\n0,1\n1\n", "line 3: expected 2 columns")]:
+        for text, complaint in [
+            ("", "expected a line of names"),
+            ("t,x\n0,1\n1\n", "line 3: expected 2 columns"),
+        ]:
             with self.assertRaisesRegex(ValueError, complaint):
                 plot.read_columns(self.written(text))
         with self.assertRaisesRegex(ValueError, "its columns are"):
-            plot.draw({"one": (["t", "x"], [[0, 1]] * 2), "two": (["t", "y"], [[0, 1]] * 2)}, "unused")
+            plot.draw(
+                {"one": (["t", "x"], [[0, 1]] * 2), "two": (["t", "y"], [[0, 1]] * 2)}, "unused"
+            )
 
 
 if __name__ == "__main__":

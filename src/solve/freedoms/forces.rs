@@ -1,4 +1,5 @@
-//! What the elimination of constraints needs of a Jacobian: gradients of the constraints, and forces by motions.
+//! What the elimination of constraints needs of a Jacobian: gradients of the constraints, and
+//! forces by motions.
 
 use super::point::{Point, add};
 use super::{Constraints, Layout};
@@ -20,7 +21,8 @@ pub(super) enum Forces {
 pub(super) struct Assembled {
     /// All but those of constraints, and where their rows and columns begin.
     panels: Vec<(Panel, usize, usize)>,
-    /// Those of constraints: of each element in turn, at each grid point, of each component of each of its nodes.
+    /// Those of constraints: of each element in turn, at each grid point, of each component of each
+    /// of its nodes.
     gradients: Vec<usize>,
     /// `K Z`, column by column.
     product: Vec<f64>,

@@ -1,8 +1,10 @@
-//! Direct solution of the Jacobian of mechanisms with few freedoms: constraints are eliminated first, at each grid point by
-//! itself, and what is left, dense in time, is as large as the freedoms at all grid points.
+//! Direct solution of the Jacobian of mechanisms with few freedoms: constraints are eliminated
+//! first, at each grid point by itself, and what is left, dense in time, is as large as the
+//! freedoms at all grid points.
 //!
-//! Constraints hold at each instant, `C u = g`. With `C = L [T F]` the motions that obey them are `u = u_p + Z v`, and of the
-//! equilibrium `K u + Cᵀ λ = f` there remains `Zᵀ K Z v = Zᵀ (f − K u_p)`.
+//! Constraints hold at each instant, `C u = g`. With `C = L [T F]` the motions that obey them are
+//! `u = u_p + Z v`, and of the equilibrium `K u + Cᵀ λ = f` there remains
+//! `Zᵀ K Z v = Zᵀ (f − K u_p)`. See docs/theory.md, section 8.2.
 
 mod forces;
 mod point;
@@ -19,10 +21,12 @@ use std::collections::BTreeMap;
 
 /// Pivot of the equations of the freedoms that is zero, relative to its column.
 const SINGULAR: f64 = 1e-13;
-/// Part of the largest violation that a constraint that was left out may keep, and one that is rounding.
+/// Part of the largest violation that a constraint that was left out may keep, and one that is
+/// rounding.
 const LEFT_OPEN: f64 = 0.1;
 const ROUNDING: f64 = 1e-10;
-/// Residual of a solve, relative to its right-hand side, that needs no refinement, and one that is too large.
+/// Residual of a solve, relative to its right-hand side, that needs no refinement, and one that is
+/// too large.
 const ACCURATE: f64 = 1e-10;
 const INACCURATE: f64 = 1e-9;
 /// Multiply-adds that the direct solver's bookkeeping of a node is worth.
@@ -148,8 +152,9 @@ impl Layout {
 }
 
 impl FreedomSolver {
-    /// Multiply-adds of one factorisation, if that is much cheaper than elimination of node by node. Not where there are beams: they
-    /// are stiff in tension by so much that what is left for bending would be rounding.
+    /// Multiply-adds of one factorisation, if that is much cheaper than elimination of node by
+    /// node. Not where there are beams: they are stiff in tension by so much that what is left for
+    /// bending would be rounding.
     pub fn work(equations: &Collocation) -> Option<f64> {
         Self::work_of(&Layout::new(equations), equations)
     }
@@ -171,7 +176,8 @@ impl FreedomSolver {
         (solvable && here <= 0.5 * directly).then_some(here)
     }
 
-    /// For the Jacobians of `equations`, if that is worth it. `pattern` is asked for where the Jacobian has to be formed.
+    /// For the Jacobians of `equations`, if that is worth it. `pattern` is asked for where the
+    /// Jacobian has to be formed.
     pub fn new<'p>(equations: &Collocation, pattern: impl FnOnce() -> &'p Pattern) -> Option<Self> {
         let layout = Layout::new(equations);
         Self::work_of(&layout, equations)?;
@@ -208,12 +214,14 @@ impl FreedomSolver {
         })
     }
 
-    /// Linearises at `state`, where the Jacobian need not be formed. `false` where its values are needed.
+    /// Linearises at `state`, where the Jacobian need not be formed. `false` where its values are
+    /// needed.
     pub fn evaluate(&mut self, equations: &mut Collocation, state: &GridState) -> Result<bool> {
         self.forces.evaluate(equations, state)
     }
 
-    /// Factors the Jacobian, with these values if it was formed. `false` if that cannot be done, or is not sure.
+    /// Factors the Jacobian, with these values if it was formed. `false` if that cannot be done, or
+    /// is not sure.
     pub fn factor(
         &mut self,
         equations: &Collocation,
@@ -263,8 +271,8 @@ impl FreedomSolver {
         Ok(found == unknowns)
     }
 
-    /// Solves in place, for the `values` that were factored; constraints that depend on others get no multipliers. `false` if that is
-    /// not accurate, or violates what was left out.
+    /// Solves in place, for the `values` that were factored; constraints that depend on others get
+    /// no multipliers. `false` if that is not accurate, or violates what was left out.
     pub fn solve(&mut self, values: &[f64], rhs: &mut [f64]) -> bool {
         let mut room = std::mem::take(&mut self.room);
         room.wanted.clear();
@@ -292,7 +300,8 @@ impl FreedomSolver {
         solved
     }
 
-    /// Solves in place without regard to accuracy, or to what was left out. `false` if the result is not finite.
+    /// Solves in place without regard to accuracy, or to what was left out. `false` if the result
+    /// is not finite.
     pub fn respond(&mut self, values: &[f64], rhs: &mut [f64]) -> bool {
         let mut room = std::mem::take(&mut self.room);
         self.substitute(values, rhs, &mut room);
@@ -374,7 +383,8 @@ impl FreedomSolver {
         }
     }
 
-    /// Residual of a solution of the equations with the right side `room.wanted`, without the constraints left out: the largest.
+    /// Residual of a solution of the equations with the right side `room.wanted`, without the
+    /// constraints left out: the largest.
     fn residual(&mut self, values: &[f64], x: &[f64], room: &mut Room) -> f64 {
         let layout = &self.layout;
         let (count, size) = (layout.constraints, layout.coordinates);
@@ -420,8 +430,9 @@ impl FreedomSolver {
         })
     }
 
-    /// Sign and logarithm of the size of the determinant of the matrix that was factored, of which `regularisation` is what
-    /// constraints left out have of their own, but for terms of that order.
+    /// Sign and logarithm of the size of the determinant of the matrix that was factored, of which
+    /// `regularisation` is what constraints left out have of their own, but for terms of that
+    /// order.
     pub fn determinant(&self, regularisation: f64) -> (f64, f64) {
         let layout = &self.layout;
         let (count, rank) = (layout.constraints, layout.rank());
@@ -482,8 +493,8 @@ mod tests {
     use crate::solve::test_models::Linearised;
     use nalgebra::{Matrix3, Vector3};
 
-    /// A planar four-bar of revolutes, three constraints of which depend on others; without its last joint a driven triple
-    /// pendulum. All joints have springs, but for one that is driven.
+    /// A planar four-bar of revolutes, three constraints of which depend on others; without its
+    /// last joint a driven triple pendulum. All joints have springs, but for one that is driven.
     fn four_bar(closed: bool, driven: bool) -> Model {
         let mut model = Model::new();
         let corners = [(0.0, 0.0), (0.1, 0.3), (0.7, 0.4), (0.8, 0.0)];

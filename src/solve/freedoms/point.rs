@@ -1,11 +1,14 @@
-//! Constraints of one grid point, eliminated: the motions that obey them, and the forces that they exert.
+//! Constraints of one grid point, eliminated: the motions that obey them, and the forces that they
+//! exert.
 
 use crate::solve::dense::largest;
 use faer::Mat;
 
-/// A constraint of which no more than this is left beside those before it waits, for one that depends on others is to be left out.
+/// A constraint of which no more than this is left beside those before it waits, for one that
+/// depends on others is to be left out.
 const POSTPONED: f64 = 0.1;
-/// What is left of a constraint must be more than this, of one that is left out less than the other: relative to its gradient.
+/// What is left of a constraint must be more than this, of one that is left out less than the
+/// other: relative to its gradient.
 const SMALLEST_PIVOT: f64 = 1e-5;
 const LARGEST_REMAINDER: f64 = 1e-2;
 
@@ -37,7 +40,8 @@ pub(super) fn add(y: &mut [f64], factor: f64, x: &[f64]) {
 }
 
 impl Point {
-    /// Eliminates constraints, `left_out` of which depend on others. `false` if that cannot be done.
+    /// Eliminates constraints, `left_out` of which depend on others. `false` if that cannot be
+    /// done.
     pub fn eliminate(&mut self, count: usize, size: usize, left_out: usize) -> bool {
         let rank = count - left_out;
         self.lower.clear();
@@ -89,7 +93,8 @@ impl Point {
         true
     }
 
-    /// Takes from a constraint, which may have been reduced before, what those in order make of it. `false` if it is not finite.
+    /// Takes from a constraint, which may have been reduced before, what those in order make of it.
+    /// `false` if it is not finite.
     fn reduce(&mut self, row: usize, size: usize, count: usize) -> bool {
         for place in 0..self.rows.len() {
             let column = self.columns[place];
@@ -170,7 +175,8 @@ impl Point {
         }
     }
 
-    /// Multipliers that balance these forces, `Cᵀ λ = f`, where only those on coordinates with pivots count.
+    /// Multipliers that balance these forces, `Cᵀ λ = f`, where only those on coordinates with
+    /// pivots count.
     pub fn multipliers(
         &self,
         rank: usize,
@@ -198,7 +204,8 @@ impl Point {
         }
     }
 
-    /// Logarithm of the determinant of `I + W Wᵀ`, where the constraints left out are `W` times the others.
+    /// Logarithm of the determinant of `I + W Wᵀ`, where the constraints left out are `W` times the
+    /// others.
     pub fn of_left_out(&self, rank: usize) -> f64 {
         let count = self.rows.len();
         let left_out = count - rank;

@@ -1,5 +1,5 @@
-//! LU factorisations of many small sparse matrices with one structure: those of all harmonics, or of all grid
-//! points. Blocks are those of nodes; pivots are sought within a block.
+//! LU factorisations of many small sparse matrices with one structure: those of all harmonics, or
+//! of all grid points. Blocks are those of nodes; pivots are sought within a block.
 
 use super::lanes::{LANES, Lanes};
 use crate::solve::ordering::{NEVER, elimination};
@@ -141,7 +141,8 @@ impl BlockStructure {
         self.entries
     }
 
-    /// What begins at an unknown of a block row and at one of a block column, whose block must be there.
+    /// What begins at an unknown of a block row and at one of a block column, whose block must be
+    /// there.
     pub fn block_at(
         &self,
         (row, first_row): (usize, usize),
@@ -164,7 +165,8 @@ impl BlockStructure {
     }
 }
 
-/// [`LANES`] matrices, or their factors: `L` and `U` without the diagonal blocks, and these inverted.
+/// [`LANES`] matrices, or their factors: `L` and `U` without the diagonal blocks, and these
+/// inverted.
 #[derive(Debug, Clone)]
 pub(super) struct BlockLanes<T> {
     values: Vec<T>,
@@ -188,8 +190,8 @@ impl<T: Lanes> BlockLanes<T> {
         &self.values[place]
     }
 
-    /// Factors all matrices in place, but for rows that are kept: there remain their Schur complements. `false` if
-    /// one is singular.
+    /// Factors all matrices in place, but for rows that are kept: there remain their Schur
+    /// complements. `false` if one is singular.
     ///
     pub fn factor(&mut self, structure: &BlockStructure) -> bool {
         let mut left = Vec::new();
@@ -319,8 +321,8 @@ fn add_block_product<T: Lanes, const MINUS: bool>(
     }
 }
 
-/// Inverts the `size × size` blocks of all lanes, by Gauss and Jordan with pivots sought in columns; `false` if
-/// one is singular.
+/// Inverts the `size × size` blocks of all lanes, by Gauss and Jordan with pivots sought in
+/// columns; `false` if one is singular.
 fn invert<T: Lanes>(block: &mut [T], size: usize) -> bool {
     let mut a = vec![T::Number::default(); size * size];
     let mut pivots = vec![0; size];

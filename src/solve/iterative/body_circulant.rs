@@ -1,14 +1,16 @@
-//! A preconditioner for bodies that move fast, and joints that turn: each body's own operator is averaged over
-//! time in its own frame, where it hardly changes, so that harmonics separate; joints stay exact.
+//! A preconditioner for bodies that move fast, and joints that turn: each body's own operator is
+//! averaged over time in its own frame, where it hardly changes, so that harmonics separate; joints
+//! stay exact.
 //!
 //! ```text
 //! P = [S̄ Gᵀ; G 0]
 //! ```
 //!
-//! with `S̄` circulant, made of averages that leave stress resultants apart: see [`MeanStrain`]. Constraints that are the
-//! same at all times in the frames of their bodies, up to a combination of their rows, are circulant as well, and are
-//! eliminated with the bodies, harmonic by harmonic: `G_k = Q_k Ḡ`. At the nodes of other joints there remains the
-//! dynamic stiffness of the bodies between them, and a dense system over all grid points.
+//! with `S̄` circulant, made of averages that leave stress resultants apart: see [`MeanStrain`].
+//! Constraints that are the same at all times in the frames of their bodies, up to a combination of
+//! their rows, are circulant as well, and are eliminated with the bodies, harmonic by harmonic:
+//! `G_k = Q_k Ḡ`. At the nodes of other joints there remains the dynamic stiffness of the bodies
+//! between them, and a dense system over all grid points. See docs/theory.md, section 8.5.
 
 use super::block_lu::BlockLanes;
 use super::constraints::{Class, Joints, RowRotation, classify, row_rotations, turning_nodes};
@@ -97,15 +99,16 @@ pub(super) struct BodyCirculant {
     /// Derivatives of the motions, if resultants depend on them.
     rates: Vec<f64>,
     frequency: f64,
-    /// Of each node, scaled: what the grid adds to changes of velocity of the highest harmonic, the one below, and so on.
+    /// Of each node, scaled: what the grid adds to changes of velocity of the highest harmonic, the
+    /// one below, and so on.
     aliasing: Vec<Vec<Aliasing>>,
     /// Time that the dense system of the joints took.
     pub interface_time: Duration,
 }
 
 impl BodyCirculant {
-    /// Averages and factors the Jacobian `tangent`. None if that cannot be done: a body by itself is singular,
-    /// or the dense system would have more than `largest_interface` unknowns.
+    /// Averages and factors the Jacobian `tangent`. None if that cannot be done: a body by itself
+    /// is singular, or the dense system would have more than `largest_interface` unknowns.
     ///
     /// # Errors
     /// If memory runs out.
@@ -116,7 +119,8 @@ impl BodyCirculant {
         largest_interface: usize,
     ) -> Result<Option<Self>> {
         let classes = classify(equations, tangent, joints);
-        // What is joined rigidly to a node of a joint that turns is eliminated, if it can be without that node.
+        // What is joined rigidly to a node of a joint that turns is eliminated, if it can be
+        // without that node.
         let turning = turning_nodes(equations.system(), &classes);
         let few = Self::factored(equations, tangent, &classes, &turning, largest_interface)?;
         if few.is_some() || !turning.contains(&true) {
@@ -444,7 +448,8 @@ fn collect(transform: &mut Transform, lanes: &[Vec<ComplexLanes>], unknown: usiz
     transform.backward();
 }
 
-/// What the grid makes of a node's highest harmonics, for scaled increments and their scaled changes.
+/// What the grid makes of a node's highest harmonics, for scaled increments and their scaled
+/// changes.
 fn scaled_aliasing(equations: &Collocation, node: usize) -> Vec<Aliasing> {
     let scale = &equations.column_scale()[6 * equations.grid().points() * node..][..6];
     let scaled = |m: Matrix6<Complex<f64>>| m.map_with_location(|i, j, x| x * scale[j] / scale[i]);

@@ -43,7 +43,8 @@ pub(super) struct Average {
 
 /// What becomes of the own unknowns of each element.
 ///
-/// Steady constraints all of whose nodes have a joint that turns stay exact as well, which leaves fewer motions free there.
+/// Steady constraints all of whose nodes have a joint that turns stay exact as well, which leaves
+/// fewer motions free there.
 pub(super) fn classify(equations: &Collocation, tangent: &Tangent, joints: Joints) -> Vec<Class> {
     let mut classes = classify_alone(equations, tangent, joints);
     let turning = turning_nodes(equations.system(), &classes);
@@ -170,7 +171,8 @@ pub(super) struct RowRotation {
     pub inverse: Vec<DMatrix<f64>>,
 }
 
-/// Motions that joints which turn leave their nodes at a grid point; none if there are no such joints.
+/// Motions that joints which turn leave their nodes at a grid point; none if there are no such
+/// joints.
 pub(super) fn count_free(equations: &Collocation, tangent: &Tangent) -> Option<usize> {
     let classes = classify(equations, tangent, Joints::Exact);
     let rows = |class: &Class| match class {

@@ -1,5 +1,6 @@
-//! GMRES with a preconditioner from the left, so that errors are measured by what they mean for the unknowns,
-//! not by residuals, in which stiff directions drown soft ones.
+//! GMRES with a preconditioner from the left, so that errors are measured by what they mean for the
+//! unknowns, not by residuals, in which stiff directions drown soft ones. See docs/theory.md,
+//! section 8.3.
 
 use crate::solve::dense::probe;
 use crate::workers::Workers;
@@ -19,7 +20,8 @@ const FINEST: f64 = 1e-10;
 pub(super) struct GmresOptions {
     /// Estimated error, relative to the smaller part of the solution.
     pub tolerance: f64,
-    /// Entries of the first of its two parts, motions: the others, multipliers, may be of quite another size.
+    /// Entries of the first of its two parts, motions: the others, multipliers, may be of quite
+    /// another size.
     pub leading: usize,
     /// Entries of both parts; what comes behind them is not asked for.
     pub essential: usize,
@@ -34,8 +36,8 @@ pub(super) struct GmresOptions {
 pub(super) struct GmresEnd {
     /// Products taken.
     pub iterations: usize,
-    /// Estimated error, relative to the smaller part of the solution: the preconditioned residual, amplified as
-    /// much as the preconditioned operator may amplify it.
+    /// Estimated error, relative to the smaller part of the solution: the preconditioned residual,
+    /// amplified as much as the preconditioned operator may amplify it.
     pub error: f64,
 }
 
@@ -58,7 +60,8 @@ pub(super) trait Preconditioned {
     fn precondition(&mut self, y: &mut [f64]);
 }
 
-/// Solves `A x = b` from `x = 0`: `rhs` is `b` before and `x` after. What `room` holds does not matter.
+/// Solves `A x = b` from `x = 0`: `rhs` is `b` before and `x` after. What `room` holds does not
+/// matter.
 pub(super) fn gmres(
     operator: &mut impl Preconditioned,
     rhs: &mut [f64],
@@ -150,7 +153,8 @@ pub(super) fn gmres(
             }
         }
         vectors.add(rhs, basis, &triangle.solve(&rotated));
-        // What rounding in the preconditioner leaves, nearly singular as it may be, shows in the residual only.
+        // What rounding in the preconditioner leaves, nearly singular as it may be, shows in the
+        // residual only.
         operator.product(rhs, rest);
         vectors.sums(rest, 1, |first, r, _| {
             let b = &b[first..][..r.len()];
@@ -223,8 +227,8 @@ struct Vectors<'a> {
 const PIECE: usize = 1 << 12;
 
 impl Vectors<'_> {
-    /// Works on pieces of a vector, each with where it starts, and sums `count` sums of each, whatever the number of
-    /// threads.
+    /// Works on pieces of a vector, each with where it starts, and sums `count` sums of each,
+    /// whatever the number of threads.
     fn sums(
         &self,
         x: &mut [f64],
@@ -275,8 +279,8 @@ impl Vectors<'_> {
         counts.fold(1.0, f64::min)
     }
 
-    /// Takes from `w` its parts along orthonormal `basis` vectors, twice so that rounding leaves none; returns these parts,
-    /// and the length of what is left.
+    /// Takes from `w` its parts along orthonormal `basis` vectors, twice so that rounding leaves
+    /// none; returns these parts, and the length of what is left.
     fn project_out(&self, basis: &[f64], w: &mut [f64]) -> (Vec<f64>, f64) {
         let count = basis.len() / w.len();
         let basis = Columns::new(basis, w.len(), count);

@@ -1,12 +1,12 @@
-//! The dense system of joints that turn: motions at these joints at all grid points, by the dynamic stiffness of
-//! the bodies between them.
+//! The dense system of joints that turn: motions at these joints at all grid points, by the dynamic
+//! stiffness of the bodies between them.
 //!
 //! ```text
 //! D u + Gᵀ λ = r,   G u = g
 //! ```
 //!
-//! with `D` circulant and `G` local in time. At each grid point `u = Y g + Z q` with `G Z = 0`, so that
-//! `Zᵀ D Z q = Zᵀ (r − D Y g)`.
+//! with `D` circulant and `G` local in time. At each grid point `u = Y g + Z q` with `G Z = 0`, so
+//! that `Zᵀ D Z q = Zᵀ (r − D Y g)`. See docs/theory.md, section 8.5.
 
 use super::constraints::Class;
 use super::dense::{DenseLu, zeros};
@@ -17,7 +17,8 @@ use crate::workers::Workers;
 use faer::prelude::ReborrowMut;
 use nalgebra::{DMatrix, DVector};
 
-/// Singular values of gradients below this, relative to the largest, are those of constraints that depend on others.
+/// Singular values of gradients below this, relative to the largest, are those of constraints that
+/// depend on others.
 const DEPENDENT: f64 = 1e-9;
 
 /// Constraints that are not steady.
@@ -53,8 +54,8 @@ struct Split {
 }
 
 impl Interface {
-    /// The constraints that `classes` keep exact, on motions whose places at the first grid point are `kept`. None
-    /// if more of them depend on each other at some grid points than at others.
+    /// The constraints that `classes` keep exact, on motions whose places at the first grid point
+    /// are `kept`. None if more of them depend on each other at some grid points than at others.
     pub fn new(
         equations: &Collocation,
         classes: &[Class],
@@ -83,8 +84,8 @@ impl Interface {
 
     /// Assembles and factors `Zᵀ D Z`. `false` if it is singular.
     ///
-    /// `stiffness[i][j]` is, over the grid, the force at `i` by a unit motion of `j` at the first grid point;
-    /// empty where there is none.
+    /// `stiffness[i][j]` is, over the grid, the force at `i` by a unit motion of `j` at the first
+    /// grid point; empty where there is none.
     ///
     /// # Errors
     /// If memory runs out.
@@ -166,7 +167,8 @@ impl Interface {
         }
     }
 
-    /// Writes the multipliers `Yᵀ (r − D u)` of what is left of the `forces` to their places in `x`, which hold `g`.
+    /// Writes the multipliers `Yᵀ (r − D u)` of what is left of the `forces` to their places in
+    /// `x`, which hold `g`.
     pub fn write_multipliers(&self, forces: &[Vec<f64>], x: &mut [f64]) {
         for part in &self.parts {
             let count = part.rows.len();
@@ -343,8 +345,8 @@ fn over_time<'s>(
         .collect()
 }
 
-/// Elements with exact constraints, and the motions that they share, part by part; motions without one stand alone. None if
-/// a constrained motion is not kept.
+/// Elements with exact constraints, and the motions that they share, part by part; motions without
+/// one stand alone. None if a constrained motion is not kept.
 fn connected(
     equations: &Collocation,
     classes: &[Class],

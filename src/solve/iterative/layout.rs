@@ -27,8 +27,8 @@ pub(super) struct Layout {
     pub regions: Vec<Region>,
 }
 
-/// Unknowns of a node, or own unknowns of an element, that stand together among all: those of the first grid point,
-/// then those of the second, and so on.
+/// Unknowns of a node, or own unknowns of an element, that stand together among all: those of the
+/// first grid point, then those of the second, and so on.
 pub(super) struct Region {
     /// Place of the first among all.
     first: usize,
@@ -63,10 +63,12 @@ impl Region {
 }
 
 impl Layout {
-    /// Constraints stand together with all nodes that they constrain, as their own diagonal is zero; all else
-    /// stands alone. Constraints that `classes` keep exact are left out, rows with nodes that they constrain are kept.
+    /// Constraints stand together with all nodes that they constrain, as their own diagonal is
+    /// zero; all else stands alone. Constraints that `classes` keep exact are left out, rows with
+    /// nodes that they constrain are kept.
     ///
-    /// `kept_alone`: nodes that stand alone although they are constrained, as long as another node of the constraint does not.
+    /// `kept_alone`: nodes that stand alone although they are constrained, as long as another node
+    /// of the constraint does not.
     pub fn new(
         equations: &Collocation,
         tangent: &Tangent,

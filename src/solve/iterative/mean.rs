@@ -8,7 +8,8 @@ use crate::collocation::{Aliasing, Collocation, Coupling, Station, Tangent};
 use crate::elements::StressLaw;
 use nalgebra::{Complex, Matrix3, Matrix6, Vector3, Vector6};
 
-/// Means over time of what multiplies the increments of a coupling, their first and second derivatives.
+/// Means over time of what multiplies the increments of a coupling, their first and second
+/// derivatives.
 #[derive(Debug, Clone, Default)]
 struct MeanTangent {
     orders: [Matrix6<f64>; 3],
@@ -42,8 +43,8 @@ impl MeanTangent {
     }
 }
 
-/// Means over time of what ties a node to the stress resultants of a station. Averaged apart, they let a bent beam bend on
-/// without stretching, which the mean of their product would not.
+/// Means over time of what ties a node to the stress resultants of a station. Averaged apart, they
+/// let a bent beam bend on without stretching, which the mean of their product would not.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct MeanStrain {
     /// `B̄`: of its transpose, forces by resultants.

@@ -1,5 +1,5 @@
-//! Iterative solution of Newton's linear equations, without forming the Jacobian: GMRES with preconditioners
-//! that know what is nearly constant, in time or in the frames of the bodies.
+//! Iterative solution of Newton's linear equations, without forming the Jacobian: GMRES with
+//! preconditioners that know what is nearly constant, in time or in the frames of the bodies.
 
 mod block_lu;
 mod body_circulant;
@@ -36,11 +36,13 @@ const ITERATION_LIMIT: usize = 150;
 /// Vectors that are kept at least, and more while they take no more bytes than this.
 const RESTART: usize = 60;
 const KEPT: usize = 500_000_000;
-/// A solve that takes so many products more than the first with its preconditioner asks for a new one.
+/// A solve that takes so many products more than the first with its preconditioner asks for a new
+/// one.
 const MANY: usize = 10;
 /// Size of the unknowns of stress resultants relative to the others: what matters are these.
 const RESULTANT_SHARE: f64 = 0.03;
-/// Multiply-adds of a dense system, for each unknown, that are little beside the products of a solve.
+/// Multiply-adds of a dense system, for each unknown, that are little beside the products of a
+/// solve.
 const CHEAP: f64 = 2000.0;
 /// Largest dense system of joints: 1.6 GB.
 const LARGEST_INTERFACE: usize = 14_000;
@@ -54,7 +56,8 @@ const LARGE_INTERFACE: usize = 3_000;
 /// What the Jacobian is approximated by, to be solved with exactly.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Preconditioner {
-    /// Bodies averaged over time, each in its own frame; joints as they are. Serves all kinds of systems.
+    /// Bodies averaged over time, each in its own frame; joints as they are. Serves all kinds of
+    /// systems.
     BodyCirculant,
     /// Equilibrium at each grid point by itself, without inertia: for slow mechanisms.
     TimeLocal,
@@ -132,8 +135,8 @@ impl Factors {
         }
     }
 
-    /// Gives unknowns of stress resultants a size that goes with that of the others, for a right side of `size` entries and
-    /// zeros behind them.
+    /// Gives unknowns of stress resultants a size that goes with that of the others, for a right
+    /// side of `size` entries and zeros behind them.
     fn scale_resultants(&mut self, tangent: &mut Tangent, rhs: &[f64], size: usize) {
         let Factors::Body(factors) = self else {
             return;
@@ -213,7 +216,8 @@ impl Iterative {
         }
     }
 
-    /// Gives up for factors of the whole Jacobian, which take so many multiply-adds, where a dense system would take more.
+    /// Gives up for factors of the whole Jacobian, which take so many multiply-adds, where a dense
+    /// system would take more.
     pub fn or_directly(mut self, work: f64) -> Self {
         self.direct_work = Some(work);
         self
@@ -395,8 +399,10 @@ impl LinearSolver for Iterative {
             .wanted
             .map_or("any preconditioner", Preconditioner::name);
         Singularity::Unsolved(format!(
-            "the linear equations could not be solved by iteration with {tried}: they are singular, or \
-             nearly so, or the preconditioner is unlike them; solve them directly, or with fewer grid points"
+            "the linear equations could not be solved by iteration with {tried}: they are \
+             singular, or \
+             nearly so, or the preconditioner is unlike them; solve them directly, or with fewer \
+             grid points"
         ))
     }
 }
@@ -418,8 +424,8 @@ mod tests {
         solve
     }
 
-    /// Products that a solution to 1e-8 takes at the periodic motion; none if it cannot be had. The error is
-    /// measured.
+    /// Products that a solution to 1e-8 takes at the periodic motion; none if it cannot be had. The
+    /// error is measured.
     fn products(solve: &PeriodicSolve, preconditioner: Preconditioner) -> Option<usize> {
         let trial = try_linear_solve(solve, preconditioner, 1e-8).unwrap();
         // The estimate may miss by the part of the error that the small system does not show.
@@ -433,7 +439,8 @@ mod tests {
 
     #[test]
     fn the_body_circulant_preconditioner_serves_all_kinds_of_systems() {
-        // A rotor; mechanisms that turn at 1/260, 1/43 and 1/13 of the coupler's first bending frequency.
+        // A rotor; mechanisms that turn at 1/260, 1/43 and 1/13 of the coupler's first bending
+        // frequency.
         let kinds = [
             (rotor(4), 20),
             (four_bar(2, 2, 0.5), 14),

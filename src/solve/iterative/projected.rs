@@ -1,5 +1,5 @@
-//! Linear equations whose residual is sampled on a finer grid and projected: iteration on the exact Jacobian, with
-//! that of the grid's own points for a preconditioner.
+//! Linear equations whose residual is sampled on a finer grid and projected: iteration on the exact
+//! Jacobian, with that of the grid's own points for a preconditioner.
 
 use super::gmres::{GmresOptions, GmresRoom, Preconditioned, gmres};
 use crate::collocation::{Collocation, GridState, OversampledTangent};
@@ -147,7 +147,8 @@ impl<L: LinearSolver> LinearSolver for Projected<L> {
     fn explain(&mut self, equations: &mut Collocation, state: &GridState) -> Singularity {
         if self.failed {
             return Singularity::Unsolved(
-                "the linear equations of the oversampled residual could not be solved by iteration with those of \
+                "the linear equations of the oversampled residual could not be solved by \
+                 iteration with those of \
                  the grid points: the grid may be too coarse for the motion; use more grid points"
                     .to_string(),
             );
@@ -167,8 +168,8 @@ mod tests {
 
     #[test]
     fn collocation_preconditions_and_convergence_is_quadratic() {
-        // Clamped, in a turning frame; mechanisms that turn at 1/260, 1/43 and 1/13 of the coupler's first
-        // bending frequency.
+        // Clamped, in a turning frame; mechanisms that turn at 1/260, 1/43 and 1/13 of the
+        // coupler's first bending frequency.
         let kinds = [
             (hingeless(), 30),
             (rotor(2), 30),
@@ -212,7 +213,8 @@ mod tests {
                     println!("{points} points, {method:?}: {products:?}, {increments:?}");
                     assert!(products.iter().all(|p| p <= &most), "{products:?}");
                     for pair in increments.windows(2) {
-                        // Curvature measured: up to 45. Linear solves leave some 1e-8 of the increment, and rounding.
+                        // Curvature measured: up to 45. Linear solves leave some 1e-8 of the
+                        // increment, and rounding.
                         let bound = 200.0 * pair[0] * pair[0] + 1e-6 * pair[0] + 1e-11;
                         assert!(pair[1] < bound, "{increments:?}");
                     }

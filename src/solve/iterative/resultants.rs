@@ -4,8 +4,8 @@
 //! [S Bᵀ; L −1] [x; f] = [b; r]   ⇔   (S + Bᵀ L) x = b + Bᵀ r,   f = L x − r
 //! ```
 //!
-//! with `B` and `L` averaged over time. They are worth their room because averages of a bent beam's stiffness,
-//! `Bᵀ L`, would stretch it where it bends.
+//! with `B` and `L` averaged over time. They are worth their room because averages of a bent beam's
+//! stiffness, `Bᵀ L`, would stretch it where it bends. See docs/theory.md, section 8.4.
 
 use super::mean::MeanStrain;
 use crate::collocation::{Collocation, Station, Tangent};
@@ -85,7 +85,8 @@ impl Resultants {
         );
     }
 
-    /// `r = L x − r`, for the derivatives of `x` at the same places, if any resultant depends on them.
+    /// `r = L x − r`, for the derivatives of `x` at the same places, if any resultant depends on
+    /// them.
     pub fn determine(&self, x: &[f64], rates: &[f64], r: &mut [f64]) {
         let of_node = |x: &[f64], node: usize, k: usize| {
             Vector6::from_column_slice(&x[6 * (self.points * node + k)..][..6])

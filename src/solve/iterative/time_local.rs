@@ -1,5 +1,5 @@
-//! A preconditioner for slow mechanisms, and for heavily constrained ones: equilibrium at each grid point by
-//! itself, without inertia.
+//! A preconditioner for slow mechanisms, and for heavily constrained ones: equilibrium at each grid
+//! point by itself, without inertia. See docs/theory.md, section 8.6.
 
 use super::block_lu::BlockLanes;
 use super::constraints::{Class, classify_at};

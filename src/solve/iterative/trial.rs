@@ -14,15 +14,17 @@ const TIMED: usize = 5;
 /// Part of the inertial forces that a Newton step makes up for.
 const PART: f64 = 0.1;
 
-/// What iterative solves with the Jacobian at a periodic solution take. Numbers of products are none if the preconditioner
-/// cannot be had or the tolerance not be reached.
+/// What iterative solves with the Jacobian at a periodic solution take. Numbers of products are
+/// none if the preconditioner cannot be had or the tolerance not be reached.
 #[derive(Debug, Clone, PartialEq)]
 pub struct LinearTrial {
     /// Unknowns.
     pub unknowns: usize,
-    /// Products of a Newton step to the solution from where a tenth of the inertial forces is missing.
+    /// Products of a Newton step to the solution from where a tenth of the inertial forces is
+    /// missing.
     pub products: Option<usize>,
-    /// Products for a solution without pattern: all numbers are of the same size, so that all harmonics count alike.
+    /// Products for a solution without pattern: all numbers are of the same size, so that all
+    /// harmonics count alike.
     pub products_of_noise: Option<usize>,
     /// Error of the latter, relative to its norm; infinite if there is none.
     pub error_of_noise: f64,
@@ -90,7 +92,8 @@ pub fn try_linear_solve(
     })
 }
 
-/// Right side of a Newton step to the solution `state` from where a part of the inertial forces is missing.
+/// Right side of a Newton step to the solution `state` from where a part of the inertial forces is
+/// missing.
 pub(in crate::solve) fn missing_inertia(
     equations: &mut Collocation,
     state: &GridState,
