@@ -42,6 +42,8 @@ pub struct DistributedLoad {
     nodes: Vec<usize>,
     stations: Vec<Station>,
     parts: Vec<LoadPart>,
+    /// Axes of the load that was added last: many have the same.
+    last_axes: Option<(BeamLoadFrame, Vec<Matrix3<f64>>)>,
 }
 
 /// One component of a load, where it is not zero all along the element.
@@ -110,6 +112,7 @@ impl DistributedLoad {
                 .map(|(xi, weight)| beam.station(xi, weight))
                 .collect::<Result<_>>()?,
             parts: Vec::new(),
+            last_axes: None,
         })
     }
 
@@ -130,7 +133,6 @@ impl DistributedLoad {
         signals: [Option<usize>; 6],
         places: &[(f64, f64)],
     ) -> Result<()> {
-        let axes = self.axes(beam, frame)?;
         let rule = gauss_legendre(self.nodes.len() + 1);
         let points: Vec<f64> = gauss_legendre(self.nodes.len())
             .iter()
@@ -157,6 +159,10 @@ impl DistributedLoad {
         if lengths.iter().all(|&length| length == 0.0) {
             return Ok(());
         }
+        let axes = match self.last_axes.take() {
+            Some((last, axes)) if last == frame => axes,
+            _ => self.axes(beam, frame)?,
+        };
         for (component, signal) in signals.into_iter().enumerate() {
             if let Some(signal) = signal {
                 let unit = Vector6::ith(component, 1.0);
@@ -171,6 +177,7 @@ impl DistributedLoad {
                 });
             }
         }
+        self.last_axes = Some((frame, axes));
         Ok(())
     }
 
