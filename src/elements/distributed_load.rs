@@ -63,7 +63,7 @@ struct NodeTerms {
     shape: f64,
     /// Motion of the node relative to the section, `X = RᵀM`.
     x: DualMatrix,
-    /// Section's turn `T`, and what the load gains as seen by it, `A Δμ`, for a unit increment of the node.
+    /// Section's turn `T`, and `A Δμ` of the load, for a unit increment of the node.
     turn: DualMatrix,
     gain: DualMatrix,
 }
@@ -218,11 +218,11 @@ impl DistributedLoad {
 }
 
 impl Scratch {
-    /// Adds the tangents of a station's load to the blocks, from the terms of the nodes: `mu` is that of the load, of which the part
-    /// `space`, in the section's axes, does not turn with it.
+    /// Adds the tangents of a station's load to the blocks, from the terms of the nodes: `mu` is
+    /// that of the load, of which the part `space`, in the section's axes, does not turn with it.
     fn add_tangents(&mut self, polar: &DualPolar, mu: &DualVector, space: &DualVector) {
-        // A Δμ = Δw − ΔA μ. In dual algebra Δw is w̃ Δρ, but for the moment of the force about where the section moves: that
-        // it does not lose.
+        // A Δμ = Δw − ΔA μ. In dual algebra Δw is w̃ Δρ, but for the moment that a force would
+        // get by being moved: it moves with the section.
         let by_turn = (polar.factor * *mu).skew() + space.skew();
         for node in &mut self.terms {
             node.gain = by_turn * node.turn + spread_variation(&node.x, mu) * node.shape;

@@ -783,7 +783,8 @@ impl System {
     }
 }
 
-/// What a joint coordinate and its rate are of the order of, in a mechanism of this length and circular frequency.
+/// What a joint coordinate and its rate are of the order of, in a mechanism of this length and
+/// circular frequency.
 fn coordinate_scales(coordinate: Coordinate, length: f64, frequency: f64) -> [f64; 2] {
     let size = match coordinate.measure() {
         Measure::Angle => 1.0,
