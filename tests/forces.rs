@@ -248,8 +248,7 @@ fn failing_laws_end_the_solve_with_what_they_say() {
     fails(said, &["force 0", "the table ends"]);
 }
 
-/// Refused as random or not periodic, with messages that contain `expected` and a motion at which
-/// that shows.
+/// Refused as random or not periodic, with messages that contain `expected`.
 fn assert_refused(model: &Model, period: f64, expected: &[&str]) {
     let error = try_solve(model, period, 21).unwrap_err();
     assert_eq!(error.kind(), ErrorKind::NotPeriodic, "{error}");
@@ -316,8 +315,8 @@ fn laws_and_forces_that_are_random_or_not_periodic_are_refused_by_name() {
     );
     assert_refused(&with_force(|time, _| time), PERIOD, &other);
 
-    // What repeats is solved for, a period of six digits and a function that is written for one
-    // period alone included.
+    // What repeats is solved for; so it is with a period of six digits, and with a function that
+    // is written for one period alone.
     try_solve(&with_law(|at, _| (OMEGA * at.time).cos()), PERIOD, 21).unwrap();
     try_solve(
         &with_force(|time, _| (2.0 * OMEGA * time).cos()),

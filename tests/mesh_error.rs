@@ -193,8 +193,8 @@ fn equilibria() -> Vec<Case> {
 fn motions() -> Vec<Case> {
     vec![
         little("rotating", rotating(uniform(), 12.0, 9)),
-        // Away from its frequencies as it turns, 16 and 19 rad/s: in resonance it swings by most of
-        // its length.
+        // Away from its frequencies as it turns, 16 and 19 rad/s: in resonance it swings by
+        // most of its length.
         little("rotating, twisted", rotating(twisted(), 12.0, 9)),
         // Between them, 22 and 34 rad/s.
         little("rotating fast, twisted", rotating(twisted(), 30.0, 15)),

@@ -46,6 +46,8 @@ pub struct DistributedLoad {
     nodes: Vec<usize>,
     stations: Vec<Station>,
     parts: Vec<LoadPart>,
+    /// Axes of the load that was added last: many have the same.
+    last_axes: Option<(BeamLoadFrame, Vec<Matrix3<f64>>)>,
 }
 
 /// One component of a load, where it is not zero all along the element.
@@ -57,6 +59,35 @@ struct LoadPart {
     signal: usize,
     /// Force and moment at each station for a signal of 1.
     loads: Vec<Vector6<f64>>,
+}
+
+/// What the tangent needs of one node at one station.
+#[derive(Debug, Clone)]
+struct NodeTerms {
+    shape: f64,
+    /// Motion of the node relative to the section, `X = RᵀM`.
+    x: DualMatrix,
+    /// Section's turn `T`, and `A Δμ` of the load, for a unit increment of the node.
+    turn: DualMatrix,
+    gain: DualMatrix,
+}
+
+/// Tangent of one node's force by one node, summed over the stations.
+#[derive(Debug, Clone)]
+struct Block {
+    /// As a dual matrix, which takes twists to wrenches.
+    dual: DualMatrix,
+    /// What is not: moments by displacements.
+    rest: Matrix3<f64>,
+}
+
+impl Block {
+    fn zeros() -> Self {
+        Block {
+            dual: DualMatrix::zeros(),
+            rest: Matrix3::zeros(),
+        }
+    }
 }
 
 /// Room for what loads along an element find.
@@ -103,6 +134,7 @@ impl DistributedLoad {
                 .map(|(xi, weight)| beam.station(xi, weight))
                 .collect::<Result<_>>()?,
             parts: Vec::new(),
+            last_axes: None,
         })
     }
 
@@ -150,7 +182,10 @@ impl DistributedLoad {
         if lengths.iter().all(|&length| length == 0.0) {
             return Ok(());
         }
-        let axes = self.axes(beam, frame)?;
+        let axes = match self.last_axes.take() {
+            Some((last, axes)) if last == frame => axes,
+            _ => self.axes(beam, frame)?,
+        };
         for (component, signal) in signals.into_iter().enumerate() {
             if let Some(signal) = signal {
                 let unit = Vector6::ith(component, 1.0);
@@ -165,6 +200,7 @@ impl DistributedLoad {
                 });
             }
         }
+        self.last_axes = Some((frame, axes));
         Ok(())
     }
 
@@ -205,12 +241,36 @@ impl DistributedLoad {
     }
 }
 
-impl Default for Scratch {
-    fn default() -> Self {
-        Scratch {
-            relative: Vec::new(),
-            loads: Vec::new(),
-            tangents: Tangents::new(0, 0),
+impl Scratch {
+    /// Adds the tangents of a station's load to the blocks, from the terms of the nodes: `mu` is
+    /// that of the load, of which the part `space`, in the section's axes, does not turn with it.
+    fn add_tangents(&mut self, polar: &DualPolar, mu: &DualVector, space: &DualVector) {
+        // A Δμ = Δw − ΔA μ. In dual algebra Δw is w̃ Δρ, but for the moment that a force would
+        // get by being moved: it moves with the section.
+        let by_turn = (polar.factor * *mu).skew() + space.skew();
+        for node in &mut self.terms {
+            node.gain = by_turn * node.turn + spread_variation(&node.x, mu) * node.shape;
+        }
+        let in_space = space.primal != Vector3::zeros();
+        let force = skew(&space.primal);
+        let count = self.terms.len();
+        for ((a, node), row) in self
+            .terms
+            .iter()
+            .enumerate()
+            .zip(self.blocks.chunks_exact_mut(count))
+        {
+            let own = turned(&node.x, mu) * node.shape;
+            let turn = node.turn.transpose();
+            let lost = turn.primal * force;
+            for (other, block) in self.terms.iter().zip(row.iter_mut()) {
+                block.dual += own * other.turn + turn * other.gain;
+                if in_space {
+                    block.rest += lost * other.turn.primal;
+                    block.dual.dual -= lost * other.turn.dual;
+                }
+            }
+            row[a].dual = row[a].dual - spread_variation(&node.x, mu) * node.shape;
         }
     }
 }

@@ -9,11 +9,11 @@ use std::f64::consts::TAU;
 
 /// Relative differences of two calls that are none: a function that iterates leaves as much.
 const SAME: f64 = 1e-9;
-/// Relative differences from one period to the next that are none: a period given to six digits
-/// leaves as much.
+/// Relative differences from one period to the next that are none: a period of six digits leaves
+/// as much.
 const REPEATED: f64 = 1e-6;
-/// Times that a function is looked at, as parts of the period: one that is written for one period
-/// may change between periods.
+/// Times that a function is looked at, as parts of the period. It has to change at both: one that
+/// is written for a single period may do so at one of them.
 const TIMES: [f64; 2] = [0.0, 0.37];
 
 /// Refuses forces whose functions give different values at the same motion and `time`.
@@ -104,8 +104,7 @@ fn require_repeating(
             Some((a, b)) => {
                 changes = Some(format!(
                     "the function does not repeat with the period {period}: at the same motion it \
-                     gives {a} at t = {time}, \
-                     and {b} at t = {}",
+                     gives {a} at t = {time}, and {b} at t = {}",
                     time + period
                 ));
             }
