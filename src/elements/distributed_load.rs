@@ -2,16 +2,14 @@
 //!
 //! They act on the sections between the nodes, whose motion the beam interpolates: the work is done
 //! through the section's turn `A Δρ = Σ N_a C_a Δu_a` (see `beam`), so that a node's share of the
-//! load `w` is `N_a C_aᵀ μ` with `μ = A⁻¹ w`. See docs/theory.md, section 6.11.
+//! load `w` is `N_a C_aᵀ μ` with `μ = A⁻¹ w`.
 
 use super::beam::{Beam, Station, about_axis, spread_variation, turned};
 use super::shape::{gauss_legendre, shape_functions};
 use super::{Contribution, Element, Instant, LoadFrame};
 use crate::error::{Error, Result};
-use crate::motion::{DualMatrix, DualVector, skew};
-use faer::linalg::matmul::matmul;
-use faer::{Accum, MatMut, MatRef, Par};
-use nalgebra::{DMatrix, Matrix3, Vector3, Vector6};
+use crate::motion::{DualMatrix, DualPolar, DualVector, skew};
+use nalgebra::{Matrix3, Vector3, Vector6};
 use serde::{Deserialize, Serialize};
 
 /// How the components of a load along a beam are directed.
@@ -91,33 +89,16 @@ impl Block {
 }
 
 /// Room for what loads along an element find.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, Default)]
 pub(super) struct Scratch {
     /// Motions of the nodes relative to the first.
     relative: Vec<DualMatrix>,
     /// Loads at each station, along the inertial axes and along those that the nodes give the
     /// section.
     loads: Vec<[Vector6<f64>; 2]>,
-    tangents: Tangents,
-}
-
-/// Tangents of all nodes' forces by all nodes, as dual matrices, which take twists to wrenches:
-/// `Σ P_a T_b + T_aᵀ H_b` over the stations, in one product for all of these.
-#[derive(Debug, Clone)]
-struct Tangents {
-    stations: usize,
-    /// Whether any part of the load does not turn with its section.
-    in_space: bool,
-    /// `P` of the stations, then `Tᵀ`: primal, then dual.
-    left: DMatrix<f64>,
-    /// `T` of the stations, then `H`, below each other: dual, then primal.
-    right: DMatrix<f64>,
-    /// Of each station, `T_aᵀ` times the force that does not turn with it.
-    held: DMatrix<f64>,
-    primal: DMatrix<f64>,
-    dual: DMatrix<f64>,
-    /// What is not dual: moments by displacements.
-    rest: DMatrix<f64>,
+    terms: Vec<NodeTerms>,
+    /// Row by row.
+    blocks: Vec<Block>,
 }
 
 impl DistributedLoad {
@@ -275,117 +256,6 @@ impl Scratch {
     }
 }
 
-impl Tangents {
-    fn new(nodes: usize, stations: usize) -> Self {
-        let (rows, inner) = (3 * nodes, 12 * stations);
-        Tangents {
-            stations,
-            in_space: false,
-            left: DMatrix::zeros(rows, inner),
-            right: DMatrix::zeros(inner, rows),
-            held: DMatrix::zeros(rows, 3 * stations),
-            primal: DMatrix::zeros(rows, rows),
-            dual: DMatrix::zeros(rows, rows),
-            rest: DMatrix::zeros(rows, rows),
-        }
-    }
-
-    /// None yet, of so many nodes and stations.
-    fn clear(&mut self, nodes: usize, stations: usize) {
-        if (self.primal.nrows(), self.stations) != (3 * nodes, stations) {
-            *self = Tangents::new(nodes, stations);
-        }
-        self.in_space = false;
-        for sum in [&mut self.primal, &mut self.dual, &mut self.rest] {
-            sum.fill(0.0);
-        }
-    }
-
-    /// Sets what node `a` has to do with the load at a station: `x` is its motion relative to the
-    /// section, and `turn` what it turns that by.
-    fn set(&mut self, at: &Loaded, a: usize, shape: f64, x: &DualMatrix, turn: &DualMatrix) {
-        let by_own = spread_variation(x, &at.mu) * shape;
-        let factors = [
-            (turned(x, &at.mu) * shape, *turn),
-            (turn.transpose(), at.by_turn * *turn + by_own),
-        ];
-        let half = 6 * self.stations;
-        for (kind, (left, right)) in factors.iter().enumerate() {
-            let here = 3 * (kind * self.stations + at.station);
-            put(&mut self.left, (3 * a, here), &left.primal);
-            put(&mut self.left, (3 * a, half + here), &left.dual);
-            put(&mut self.right, (here, 3 * a), &right.dual);
-            put(&mut self.right, (half + here, 3 * a), &right.primal);
-        }
-        let mut own = self.primal.fixed_view_mut::<3, 3>(3 * a, 3 * a);
-        own -= by_own.primal;
-        let mut own = self.dual.fixed_view_mut::<3, 3>(3 * a, 3 * a);
-        own -= by_own.dual;
-        let held = turn.primal.tr_mul(&at.force);
-        put(&mut self.held, (3 * a, 3 * at.station), &held);
-    }
-
-    /// Subtracts them, as those of a load, from the stiffness.
-    fn subtract_from(&mut self, stiffness: &mut DMatrix<f64>) {
-        let inner = 6 * self.stations;
-        let (left, right) = (view(&self.left), view(&self.right));
-        let mut dual = view_mut(&mut self.dual);
-        let primal = view_mut(&mut self.primal);
-        let (left_primal, right_primal) = (left.subcols(0, inner), right.subrows(inner, inner));
-        matmul(primal, Accum::Add, left_primal, right_primal, 1.0, Par::Seq);
-        matmul(dual.as_mut(), Accum::Add, left, right, 1.0, Par::Seq);
-        if self.in_space {
-            // In dual algebra a force that turns takes its moment along.
-            let held = view(&self.held);
-            let turn = |half: usize| right.subrows(half * inner, inner / 2);
-            matmul(dual, Accum::Add, held, turn(0), -1.0, Par::Seq);
-            matmul(
-                view_mut(&mut self.rest),
-                Accum::Replace,
-                held,
-                turn(1),
-                1.0,
-                Par::Seq,
-            );
-        }
-        let nodes = self.primal.nrows() / 3;
-        for (a, b) in (0..nodes).flat_map(|b| (0..nodes).map(move |a| (a, b))) {
-            let of = |sum: &DMatrix<f64>| sum.fixed_view::<3, 3>(3 * a, 3 * b).into_owned();
-            let (primal, dual, rest) = (of(&self.primal), of(&self.dual), of(&self.rest));
-            for ((row, column), block) in
-                [((0, 3), primal), ((3, 0), primal - rest), ((3, 3), dual)]
-            {
-                let mut sum = stiffness.fixed_view_mut::<3, 3>(6 * a + row, 6 * b + column);
-                sum -= block;
-            }
-        }
-    }
-}
-
-/// The load at a station, for its tangents.
-struct Loaded {
-    station: usize,
-    /// `A⁻¹ w`.
-    mu: DualVector,
-    /// What the station's turn does to `A μ`.
-    by_turn: DualMatrix,
-    /// The force that does not turn with the section, skew.
-    force: Matrix3<f64>,
-}
-
-fn put(matrix: &mut DMatrix<f64>, at: (usize, usize), block: &Matrix3<f64>) {
-    matrix.fixed_view_mut::<3, 3>(at.0, at.1).copy_from(block);
-}
-
-fn view(matrix: &DMatrix<f64>) -> MatRef<'_, f64> {
-    MatRef::from_column_major_slice(matrix.as_slice(), matrix.nrows(), matrix.ncols())
-}
-
-fn view_mut(matrix: &mut DMatrix<f64>) -> MatMut<'_, f64> {
-    let (rows, columns) = matrix.shape();
-    MatMut::from_column_major_slice_mut(matrix.as_mut_slice(), rows, columns)
-}
-
 /// Force and moment of a wrench.
 fn halves(w: &Vector6<f64>) -> (Vector3<f64>, Vector3<f64>) {
     (
@@ -423,7 +293,9 @@ impl DistributedLoad {
         room.relative.extend(relative);
         self.sum(instant.signals, &mut room.loads);
         if out.with_tangents {
-            room.tangents.clear(states.len(), self.stations.len());
+            room.blocks.clear();
+            room.blocks
+                .resize(states.len() * states.len(), Block::zeros());
         }
         for (place, station) in self.stations.iter().enumerate() {
             let polar = station.polar(&room.relative)?;
@@ -435,27 +307,32 @@ impl DistributedLoad {
                 dual: section.tr_mul(&moment),
             };
             let mu = polar.spread_inverse * (space + DualVector::from_wrench(follower));
-            // A Δμ = Δw − ΔA μ. In dual algebra Δw is w̃ Δρ, but for what a force in space does by
-            // being moved.
-            let loaded = Loaded {
-                station: place,
-                mu,
-                by_turn: (polar.factor * mu).skew() + space.skew(),
-                force: skew(&space.primal),
-            };
-            room.tangents.in_space |= space.primal != Vector3::zeros();
+            room.terms.clear();
             for (a, (y, shape)) in room.relative.iter().zip(station.shapes()).enumerate() {
                 let x = polar.rotation.tr_mul(y);
                 let c = x.trace_minus_transpose() * shape;
                 out.add_force(a, &-(c.transpose() * mu).to_wrench());
                 if out.with_tangents {
-                    let turn = polar.spread_inverse * c;
-                    room.tangents.set(&loaded, a, shape, &x, &turn);
+                    room.terms.push(NodeTerms {
+                        shape,
+                        x,
+                        turn: polar.spread_inverse * c,
+                        gain: DualMatrix::zeros(),
+                    });
                 }
+            }
+            if out.with_tangents {
+                room.add_tangents(&polar, &mu, &space);
             }
         }
         if out.with_tangents {
-            room.tangents.subtract_from(&mut out.stiffness);
+            let count = states.len();
+            for (place, block) in room.blocks.iter().enumerate() {
+                let mut k = -block.dual.to_stiffness_matrix();
+                let mut moments = k.fixed_view_mut::<3, 3>(3, 0);
+                moments += block.rest;
+                out.add_stiffness(place / count, place % count, &k);
+            }
         }
         Ok(())
     }
