@@ -256,15 +256,15 @@ impl MotionTangent {
             room.rows.extend(
                 rows.filter(|&(i, _)| !is_zero(&room.second[i]) || !is_zero(&room.first[i])),
             );
-            for (j, moved) in room.moved.iter().enumerate() {
-                if is_zero(moved) {
-                    continue;
-                }
-                let (k, column) = (j / count, &mut out[j * size..][..size]);
+            for k in 0..points {
+                let moved = &room.moved[k * count..][..count];
                 for &(i, l) in room.rows.iter().filter(|(_, l)| *l != k) {
                     let (d, t) = (self.operators.first(l, k), self.operators.second(l, k));
-                    column[i] +=
-                        t * product(&room.second[i], moved) + d * product(&room.first[i], moved);
+                    let (second, first) = (&room.second[i], &room.first[i]);
+                    let both = std::array::from_fn(|n| t * second[n] + d * first[n]);
+                    for (moved, j) in moved.iter().zip(k * count..) {
+                        out[j * size + i] += product(&both, moved);
+                    }
                 }
             }
         }

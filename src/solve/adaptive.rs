@@ -327,10 +327,11 @@ impl Attempts<'_> {
         };
         amplitudes.truncate(last + 1);
         let decay = Decay::from_amplitudes(amplitudes);
-        let found = (AIM * adaptation.error_tolerance / decay.tail).ln() / decay.ratio.ln();
-        let wanted = 2.0 * (last as f64 + found) + 1.0;
-        let is_known = decay.kind == DecayKind::Fast && wanted.is_finite();
-        if !is_known || wanted <= self.grid.points() as f64 {
+        let (first, tolerance) = (self.grid.harmonics() as f64, adaptation.error_tolerance);
+        let on_first = decay.tail * decay.ratio.powf(first - last as f64);
+        let further = (AIM * tolerance / decay.tail).ln() / decay.ratio.ln();
+        let wanted = 2.0 * (last as f64 + further) + 1.0;
+        if decay.kind != DecayKind::Fast || !wanted.is_finite() || on_first <= tolerance {
             return Ok(None);
         }
         let most = GROWTH[1] * self.grid.points() as f64;

@@ -29,6 +29,8 @@ const ROUNDING: f64 = 1e-10;
 /// too large.
 const ACCURATE: f64 = 1e-10;
 const INACCURATE: f64 = 1e-9;
+/// Freedoms up to which forces between them are found without the matrix of all motions: with more, that takes longer.
+const FEW: usize = 3;
 /// Multiply-adds that the direct solver's bookkeeping of a node is worth.
 const BOOKKEEPING: f64 = 2e4;
 
@@ -197,7 +199,11 @@ impl FreedomSolver {
             }
         }
         let unknowns = layout.freedoms * layout.points;
-        let forces = match MotionTangent::new(equations) {
+        let tangent = match layout.freedoms <= FEW {
+            true => MotionTangent::new(equations),
+            false => None,
+        };
+        let forces = match tangent {
             Some(tangent) => Forces::Tangents(Box::new(tangent)),
             None => Forces::Assembled(Assembled::new(&layout, &elements, pattern())),
         };
