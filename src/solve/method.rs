@@ -132,7 +132,7 @@ impl Linear {
                     let work = FreedomSolver::work(equations);
                     work.is_some_and(|work| work < AFFORDABLE_FREEDOMS)
                 };
-                if cost.bytes < LARGE && cheap || few_freedoms() {
+                if cost.bytes < LARGE && cheap || falls_back && few_freedoms() {
                     direct()
                 } else if falls_back {
                     let iterative = Iterative::new(equations, None).or_directly(cost.work);

@@ -10,7 +10,8 @@ use crate::solve::dense::{largest, subtract_product};
 /// The forces that motions cause, `K`.
 #[derive(Debug)]
 pub(super) enum Forces {
-    /// Of one grid point, with internal states or with many freedoms: in the values of the Jacobian, assembled.
+    /// Of one grid point, with internal states or with many freedoms: in the values of the
+    /// Jacobian, assembled.
     Assembled(Assembled),
     /// Not formed.
     Tangents(Box<MotionTangent>),

@@ -29,7 +29,8 @@ const ROUNDING: f64 = 1e-10;
 /// too large.
 const ACCURATE: f64 = 1e-10;
 const INACCURATE: f64 = 1e-9;
-/// Freedoms up to which forces between them are found without the matrix of all motions: with more, that takes longer.
+/// Freedoms up to which forces between them are found without the matrix of all motions: with more,
+/// that takes longer.
 const FEW: usize = 3;
 /// Multiply-adds that the direct solver's bookkeeping of a node is worth.
 const BOOKKEEPING: f64 = 2e4;
