@@ -151,7 +151,10 @@ impl Adaptation {
         let wanted = if wanted.is_finite() { wanted } else { f64::MAX };
         let (least, mut most) = (least * points as f64, most * points as f64);
         let mut wanted = wanted;
-        if let Some(harmonic) = found.resounding {
+        // Far from resolved, what resounds is not known.
+        if let Some(harmonic) = found.resounding
+            && found.error <= self.error_tolerance
+        {
             wanted = wanted.max((2 * harmonic + 1) as f64);
         }
         // What loads need is known.
