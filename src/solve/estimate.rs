@@ -156,7 +156,7 @@ impl Attempts<'_> {
             let aliased = self.newton.response(&mut aliased)?;
             let mut waves = Waves::new(&self.newton.equations, state)?;
             let left_out = match aliased {
-                Some(aliased) => waves.left_out(&defect, aliased)?,
+                Some(aliased) => waves.left_out(&defect, aliased, self.accepted)?,
                 None => None,
             };
             if let (Some(mut aliased), Some(mut left_out)) = (aliased, left_out) {

@@ -241,6 +241,8 @@ pub(super) struct Attempts<'a> {
     last: Option<(TimeGrid, GridState, NewtonReport)>,
     pub(super) grids: Vec<GridTried>,
     pub(super) loads: Loads,
+    /// The largest estimated error that ends an adaptive solve; zero on a grid that is given.
+    pub(super) accepted: f64,
     /// Of the last solution that was assessed, on this grid.
     pub(super) assessed: Option<(TimeGrid, Assessment)>,
     coarse_start: Option<GridTried>,
@@ -351,6 +353,10 @@ pub fn solve_periodic(
         grids: Vec::new(),
         loads,
         assessed: None,
+        accepted: match &options.grid_points {
+            GridPoints::Fixed(_) => 0.0,
+            GridPoints::Adaptive(adaptation) => adaptation.error_tolerance,
+        },
         coarse_start: None,
     };
     let given = match &options.guess {

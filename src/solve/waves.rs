@@ -90,10 +90,16 @@ impl<'a> Waves<'a> {
     }
 
     /// Motions by what is left out of the equations, as a wave next above the harmonics of the
-    /// grid, at the worst points; and what harmonics further up add, as one of them may resound.
+    /// grid, at the worst points; and, where the error would otherwise be accepted, what harmonics
+    /// further up add, as one of them may resound.
     ///
     /// `aliased` is the error by what the grid has taken for its own harmonics.
-    pub fn left_out(&mut self, defect: &Defect, aliased: f64) -> Result<Option<LeftOut>> {
+    pub fn left_out(
+        &mut self,
+        defect: &Defect,
+        aliased: f64,
+        accepted: f64,
+    ) -> Result<Option<LeftOut>> {
         let points = self.state.points();
         let first = points / 2 + 1;
         let [force, own] = defect.worst(&self.newton.equations);
@@ -108,6 +114,9 @@ impl<'a> Waves<'a> {
             error: most,
             resounding: None,
         };
+        if aliased + most > accepted {
+            return Ok(Some(left));
+        }
         let amplitudes = defect.high_harmonics(&self.newton.equations);
         let largest = amplitudes.iter().fold(0.0f64, |largest, x| largest.max(*x));
         let counts = SLIGHT * (aliased + most);
