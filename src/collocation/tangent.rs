@@ -18,7 +18,7 @@ use super::state::GridState;
 use crate::elements::{StrainTangent, StressLaw};
 use crate::error::Result;
 use crate::fourier::Differentiation;
-use crate::motion::DualVector;
+use crate::motion::{DualVector, product};
 use crate::system::{System, Workspace};
 use crate::workers::{Workers, parts};
 use nalgebra::{Matrix6, Vector6};
@@ -544,9 +544,9 @@ impl PairTangent {
     /// `K Δu + C Δv + M Δv̇`.
     #[inline]
     pub(super) fn force(&self, moving: bool, u: &[f64], rates: &[Vector6<f64>; 2]) -> Vector6<f64> {
-        let mut sum = self.stiffness * Vector6::from_column_slice(u);
+        let mut sum = product(&self.stiffness, &Vector6::from_column_slice(u));
         if moving {
-            sum += self.damping * rates[0] + self.mass * rates[1];
+            sum += product(&self.damping, &rates[0]) + product(&self.mass, &rates[1]);
         }
         sum
     }
@@ -575,9 +575,9 @@ impl Station {
                 }
             }
             let (stiffness, damping): (&Matrix6<f64>, &Matrix6<f64>) = (stiffness, damping);
-            *wrench += stiffness * strain.to_twist();
+            *wrench += product(stiffness, &strain.to_twist());
             if self.damped {
-                *wrench += damping * strain_rate.to_twist();
+                *wrench += product(damping, &strain_rate.to_twist());
             }
         };
         let law = &self.law;

@@ -10,7 +10,7 @@ use super::section::{Section, SectionLine};
 use super::shape::{gauss_legendre, lobatto_points, shape_functions};
 use super::{Contribution, Element, Instant, NodeState, StrainTangent, StressLaw};
 use crate::error::{Error, ErrorKind, Result, require_finite};
-use crate::motion::{DualMatrix, DualPolar, DualVector, Motion, rotation_from_vector};
+use crate::motion::{DualMatrix, DualPolar, DualVector, Motion, product, rotation_from_vector};
 use nalgebra::{DMatrix, Matrix3, Matrix6, Vector3, Vector6};
 use serde::{Deserialize, Serialize};
 
@@ -854,11 +854,11 @@ impl Beam {
             room.terms.clear();
             let at = room.add_terms(station, states)?;
             let section = &station.section;
-            let mut stress = section.stiffness * station.strain(&at.e);
+            let mut stress = product(&section.stiffness, &station.strain(&at.e));
             let mut rate = DualVector::zeros();
             if self.damped {
                 rate = strain_rate(&room.terms, states);
-                stress += section.damping * (rate.to_twist() / station.stretch);
+                stress += product(&section.damping, &(rate.to_twist() / station.stretch));
             }
             let stress = stress * station.weight;
             add_forces(&room.terms, &stress, out);

@@ -3,7 +3,7 @@
 
 use super::{Contribution, Element, Instant};
 use crate::error::{Error, Result, require_finite};
-use crate::motion::{Motion, skew};
+use crate::motion::{Motion, product, skew, transposed_product};
 use nalgebra::{DMatrix, DVector, Matrix3, Matrix6, Matrix6x3, Vector3, Vector6};
 use serde::{Deserialize, Serialize};
 
@@ -170,29 +170,38 @@ impl Element for Inertia {
 
     fn evaluate(&self, instant: &Instant, out: &mut Contribution) -> Result<()> {
         let factor = instant.inertia_factor;
-        let block = |a: usize, b: usize| self.mass.fixed_view::<6, 6>(6 * a, 6 * b);
+        let (rows, masses) = (self.mass.nrows(), self.mass.as_slice());
+        let block = |a: usize, b: usize| {
+            let column = |j: usize| &masses[(6 * b + j) * rows + 6 * a..][..6];
+            let mut block = Matrix6::zeros();
+            for (j, to) in block.data.0.iter_mut().enumerate() {
+                to.copy_from_slice(column(j));
+            }
+            block
+        };
         for (a, node) in instant.nodes.iter().enumerate() {
             let mut force = Vector6::zeros();
             let mut momentum = Vector6::zeros();
             for (b, other) in instant.nodes.iter().enumerate() {
-                force += block(a, b) * other.twist_rate;
-                momentum += block(a, b) * other.twist;
+                let m = block(a, b);
+                force += product(&m, &other.twist_rate);
+                momentum += product(&m, &other.twist);
             }
             force = (force + gyroscopic(&node.twist, &momentum)) * factor;
-            let gravity = node.motion.rotation.tr_mul(&instant.gravity);
-            force -= self.shares[a] * gravity;
+            let gravity = transposed_product(&node.motion.rotation, &instant.gravity);
+            force -= product(&self.shares[a], &gravity);
             out.add_force(a, &force);
             if !out.with_tangents {
                 continue;
             }
             let mut stiffness = out.stiffness.fixed_view_mut::<6, 3>(6 * a, 6 * a + 3);
-            stiffness -= self.shares[a] * skew(&gravity);
+            stiffness -= product(&self.shares[a], &skew(&gravity));
             let twist_skew = twist_skew_transposed(&node.twist);
             for b in 0..instant.nodes.len() {
-                let m: Matrix6<f64> = block(a, b).into_owned();
+                let m = block(a, b);
                 let mut mass = out.mass.fixed_view_mut::<6, 6>(6 * a, 6 * b);
                 mass += m * factor;
-                out.add_damping(a, b, &(twist_skew * m * -factor));
+                out.add_damping(a, b, &(product(&twist_skew, &m) * -factor));
             }
             out.add_damping(a, a, &(momentum_matrix(&momentum) * -factor));
         }

@@ -4,7 +4,7 @@
 use super::relative::{Coordinate, JointKind, RelativeMotion, ScalarFunction};
 use super::{Contribution, Element, Instant, NodeState, Unknown};
 use crate::error::Result;
-use crate::motion::{DualVector, Motion};
+use crate::motion::{DualVector, Motion, product, transposed_product};
 use nalgebra::{Matrix6, Vector6};
 use serde::{Deserialize, Serialize};
 
@@ -132,23 +132,24 @@ impl RelativeState {
         out: &mut Contribution,
     ) {
         for (a, jacobian) in self.local_jacobians() {
-            out.add_force(a, &jacobian.tr_mul(wrench));
+            out.add_force(a, &transposed_product(jacobian, wrench));
         }
         let is_none = wrench.iter().chain(variation).all(|x| *x == 0.0) && damping.is_none();
         if !out.with_tangents || is_none {
             return;
         }
         for (a, left) in self.local_jacobians() {
-            let mut rows = left.tr_mul(variation);
+            let left = left.transpose();
+            let mut rows = product(&left, variation);
             if let (0, Some(carry)) = (a, &self.first_carry) {
                 // The first frame's lever arm turns with Z: −Δ(Z w) = Z w̃ Δz.
                 let turn = self.z.to_dual() * DualVector::from_wrench(wrench).skew();
-                rows += carry.tr_mul(&turn.to_stiffness_matrix());
+                rows += transposed_product(carry, &turn.to_stiffness_matrix());
             }
             for (b, right) in self.local_jacobians() {
-                out.add_stiffness(a, b, &(rows * right));
+                out.add_stiffness(a, b, &product(&rows, right));
                 if let Some(damping) = damping {
-                    out.add_damping(a, b, &(left.tr_mul(damping) * right));
+                    out.add_damping(a, b, &product(&product(&left, damping), right));
                 }
             }
         }
@@ -159,7 +160,7 @@ impl RelativeState {
     pub fn add_gradient(&self, row: usize, gradient: &Vector6<f64>, out: &mut Contribution) {
         for (a, jacobian) in self.local_jacobians() {
             let mut columns = out.gradient.fixed_view_mut::<1, 6>(row, 6 * a);
-            columns += jacobian.tr_mul(gradient).transpose();
+            columns += transposed_product(jacobian, gradient).transpose();
         }
     }
 

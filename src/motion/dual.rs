@@ -2,6 +2,7 @@
 //!
 //! A formula for rotations, evaluated in dual algebra, is the formula for motions.
 
+use super::product::{of_entries, outer_product, product, sum_of_products, transpose};
 use super::rotation::{axial, skew};
 use nalgebra::{Matrix3, Matrix6, Vector3, Vector6};
 use std::ops::{Add, AddAssign, Mul, Neg, Sub};
@@ -34,14 +35,14 @@ pub struct DualMatrix {
 }
 
 macro_rules! linear_operations {
-    ($type:ident) => {
+    ($type:ident, $of_entries:ident) => {
         impl Add for $type {
             type Output = $type;
             #[inline]
             fn add(self, b: $type) -> $type {
                 $type {
-                    primal: self.primal + b.primal,
-                    dual: self.dual + b.dual,
+                    primal: $of_entries(&self.primal, &b.primal, |a, b| a + b),
+                    dual: $of_entries(&self.dual, &b.dual, |a, b| a + b),
                 }
             }
         }
@@ -56,8 +57,8 @@ macro_rules! linear_operations {
             #[inline]
             fn sub(self, b: $type) -> $type {
                 $type {
-                    primal: self.primal - b.primal,
-                    dual: self.dual - b.dual,
+                    primal: $of_entries(&self.primal, &b.primal, |a, b| a - b),
+                    dual: $of_entries(&self.dual, &b.dual, |a, b| a - b),
                 }
             }
         }
@@ -66,8 +67,8 @@ macro_rules! linear_operations {
             #[inline]
             fn neg(self) -> $type {
                 $type {
-                    primal: -self.primal,
-                    dual: -self.dual,
+                    primal: $of_entries(&self.primal, &self.primal, |a, _| -a),
+                    dual: $of_entries(&self.dual, &self.dual, |a, _| -a),
                 }
             }
         }
@@ -76,35 +77,56 @@ macro_rules! linear_operations {
             #[inline]
             fn mul(self, b: f64) -> $type {
                 $type {
-                    primal: self.primal * b,
-                    dual: self.dual * b,
+                    primal: $of_entries(&self.primal, &self.primal, |a, _| a * b),
+                    dual: $of_entries(&self.dual, &self.dual, |a, _| a * b),
                 }
             }
         }
     };
 }
-linear_operations!(Dual);
-linear_operations!(DualVector);
-linear_operations!(DualMatrix);
+linear_operations!(Dual, of_numbers);
+linear_operations!(DualVector, of_entries);
+linear_operations!(DualMatrix, of_entries);
 
-macro_rules! product {
-    ($a:ident, $b:ident, $c:ident) => {
-        impl Mul<$b> for $a {
-            type Output = $c;
+#[inline(always)]
+fn of_numbers(a: &f64, b: &f64, f: impl Fn(f64, f64) -> f64) -> f64 {
+    f(*a, *b)
+}
+
+macro_rules! product_with_matrix {
+    ($type:ident) => {
+        impl Mul<$type> for DualMatrix {
+            type Output = $type;
             #[inline]
-            fn mul(self, b: $b) -> $c {
-                $c {
-                    primal: self.primal * b.primal,
-                    dual: self.primal * b.dual + self.dual * b.primal,
+            fn mul(self, b: $type) -> $type {
+                $type {
+                    primal: product(&self.primal, &b.primal),
+                    dual: sum_of_products((&self.primal, &b.dual), (&self.dual, &b.primal)),
                 }
             }
         }
     };
 }
-product!(DualMatrix, DualMatrix, DualMatrix);
-product!(DualMatrix, DualVector, DualVector);
-product!(DualVector, Dual, DualVector);
-product!(DualMatrix, Dual, DualMatrix);
+product_with_matrix!(DualVector);
+product_with_matrix!(DualMatrix);
+
+macro_rules! product_with_dual {
+    ($type:ident) => {
+        impl Mul<Dual> for $type {
+            type Output = $type;
+            #[inline]
+            fn mul(self, b: Dual) -> $type {
+                let (primal, dual) = (&self.primal, &self.dual);
+                $type {
+                    primal: of_entries(primal, primal, |a, _| a * b.primal),
+                    dual: of_entries(primal, dual, |a, d| a * b.dual + d * b.primal),
+                }
+            }
+        }
+    };
+}
+product_with_dual!(DualVector);
+product_with_dual!(DualMatrix);
 
 impl DualVector {
     /// The zero vector.
@@ -171,8 +193,8 @@ impl DualVector {
     #[inline]
     pub fn outer(&self, b: &DualVector) -> DualMatrix {
         DualMatrix {
-            primal: self.primal * b.primal.transpose(),
-            dual: self.primal * b.dual.transpose() + self.dual * b.primal.transpose(),
+            primal: outer_product(&self.primal, &b.primal),
+            dual: outer_product(&self.primal, &b.dual) + outer_product(&self.dual, &b.primal),
         }
     }
 }
@@ -191,8 +213,8 @@ impl DualMatrix {
     #[inline]
     pub fn transpose(&self) -> Self {
         DualMatrix {
-            primal: self.primal.transpose(),
-            dual: self.dual.transpose(),
+            primal: transpose(&self.primal),
+            dual: transpose(&self.dual),
         }
     }
 
@@ -200,8 +222,11 @@ impl DualMatrix {
     #[inline]
     pub fn tr_mul(&self, b: &DualMatrix) -> Self {
         DualMatrix {
-            primal: self.primal.tr_mul(&b.primal),
-            dual: self.primal.tr_mul(&b.dual) + self.dual.tr_mul(&b.primal),
+            primal: product(&transpose(&self.primal), &b.primal),
+            dual: sum_of_products(
+                (&transpose(&self.primal), &b.dual),
+                (&transpose(&self.dual), &b.primal),
+            ),
         }
     }
 

@@ -5,6 +5,7 @@
 
 use super::dual::{DualMatrix, DualVector};
 use super::polar::{polar_rotation, spread_matrix, symmetric_factor_is_admissible};
+use super::product::{product, transposed_product};
 use super::rigid::Motion;
 use super::rotation::{axial, skew};
 
@@ -24,19 +25,19 @@ impl DualPolar {
     /// apart for this motion.
     pub fn new(g: &DualMatrix) -> Option<Self> {
         let r = polar_rotation(&g.primal);
-        let s = r.tr_mul(&g.primal);
+        let s = transposed_product(&r, &g.primal);
         if !symmetric_factor_is_admissible(&s) {
             return None;
         }
         let a_inverse = spread_matrix(&s).try_inverse()?;
         // A z = 2 axial(Rᵀ G°),  R° = R z̃,  S° = Rᵀ G° − z̃ S
-        let rt_g = r.tr_mul(&g.dual);
-        let z = a_inverse * (2.0 * axial(&rt_g));
-        let s_dual = rt_g - skew(&z) * s;
+        let rt_g = transposed_product(&r, &g.dual);
+        let z = product(&a_inverse, &(2.0 * axial(&rt_g)));
+        let s_dual = rt_g - product(&skew(&z), &s);
         Some(DualPolar {
             rotation: DualMatrix {
                 primal: r,
-                dual: r * skew(&z),
+                dual: product(&r, &skew(&z)),
             },
             factor: DualMatrix {
                 primal: s,
@@ -44,7 +45,7 @@ impl DualPolar {
             },
             spread_inverse: DualMatrix {
                 primal: a_inverse,
-                dual: -(a_inverse * spread_matrix(&s_dual) * a_inverse),
+                dual: -product(&product(&a_inverse, &spread_matrix(&s_dual)), &a_inverse),
             },
         })
     }

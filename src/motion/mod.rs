@@ -7,6 +7,7 @@ mod dual;
 mod interpolation;
 mod logarithm;
 mod polar;
+mod product;
 mod rigid;
 mod rotation;
 
@@ -14,6 +15,7 @@ pub use dual::{Dual, DualMatrix, DualVector};
 pub use interpolation::DualPolar;
 pub use logarithm::inverse_tangent;
 pub use polar::{polar_rotation, spread_matrix, symmetric_factor_is_admissible};
+pub use product::{product, transposed_product};
 pub use rigid::Motion;
 pub use rotation::{
     axial, frame_from_axis, is_rotation, quaternion_from_rotation, rotation_from_quaternion,

@@ -2,6 +2,7 @@
 //! See docs/theory.md, section 1.2.
 
 use super::dual::{DualMatrix, DualVector};
+use super::product::{product, transposed_product};
 use super::rotation::{rotation_from_vector, skew};
 use nalgebra::{Matrix3, Matrix6, Vector3, Vector6};
 use serde::{Deserialize, Serialize};
@@ -35,8 +36,8 @@ impl Motion {
     #[inline]
     pub fn compose(&self, other: &Motion) -> Motion {
         Motion {
-            rotation: self.rotation * other.rotation,
-            position: self.position + self.rotation * other.position,
+            rotation: product(&self.rotation, &other.rotation),
+            position: self.position + product(&self.rotation, &other.position),
         }
     }
 
@@ -45,7 +46,7 @@ impl Motion {
     pub fn inverse(&self) -> Motion {
         Motion {
             rotation: self.rotation.transpose(),
-            position: -self.rotation.tr_mul(&self.position),
+            position: -transposed_product(&self.rotation, &self.position),
         }
     }
 
@@ -53,8 +54,8 @@ impl Motion {
     #[inline]
     pub fn relative(&self, other: &Motion) -> Motion {
         Motion {
-            rotation: self.rotation.tr_mul(&other.rotation),
-            position: self.rotation.tr_mul(&(other.position - self.position)),
+            rotation: transposed_product(&self.rotation, &other.rotation),
+            position: transposed_product(&self.rotation, &(other.position - self.position)),
         }
     }
 
@@ -63,7 +64,7 @@ impl Motion {
     pub fn to_dual(&self) -> DualMatrix {
         DualMatrix {
             primal: self.rotation,
-            dual: skew(&self.position) * self.rotation,
+            dual: product(&skew(&self.position), &self.rotation),
         }
     }
 
@@ -92,8 +93,8 @@ impl Motion {
         let turn = angular.cross(&linear);
         let translation = linear + turn * b + angular.cross(&turn) * c;
         Motion {
-            rotation: self.rotation * rotation_from_vector(&angular),
-            position: self.position + self.rotation * translation,
+            rotation: product(&self.rotation, &rotation_from_vector(&angular)),
+            position: self.position + product(&self.rotation, &translation),
         }
     }
 
@@ -103,7 +104,10 @@ impl Motion {
     pub fn renormalised(&self) -> Motion {
         let r = self.rotation;
         Motion {
-            rotation: r * (Matrix3::from_diagonal_element(1.5) - 0.5 * r.tr_mul(&r)),
+            rotation: product(
+                &r,
+                &(Matrix3::from_diagonal_element(1.5) - 0.5 * transposed_product(&r, &r)),
+            ),
             position: self.position,
         }
     }

@@ -1,5 +1,6 @@
 //! Rotations, skew matrices and quaternions.
 
+use super::product::product;
 use nalgebra::{Matrix3, Rotation3, UnitQuaternion, Vector3};
 
 /// Skew matrix `ã`, with `ã b = a × b`.
@@ -31,7 +32,7 @@ pub fn rotation_from_vector(v: &Vector3<f64>) -> Matrix3<f64> {
         (angle.sin() / angle, 0.5 * half * half)
     };
     let s = skew(v);
-    Matrix3::identity() + s * a + s * s * b
+    Matrix3::identity() + s * a + product(&s, &s) * b
 }
 
 /// Unit quaternion `(w, x, y, z)` of a rotation, with `w ≥ 0`.

@@ -7,7 +7,7 @@ use super::direct::elimination_work;
 use super::freedoms::FreedomSolver;
 use super::iterative::{Iterative, IterativeRecord, Preconditioner};
 use super::linear::LinearSolver;
-use super::newton::{Timings, timed};
+use super::newton::{ESTIMATE, Timings, timed};
 use super::ordering::plan;
 use crate::collocation::{Collocation, GridState};
 use crate::error::{Error, ErrorKind, Result};
@@ -236,8 +236,9 @@ impl LinearSolver for Linear {
         accuracy: f64,
         timings: &mut Timings,
     ) -> Result<bool> {
-        // Short steps take many solutions: factors are made once.
-        if self.falls_back && self.products > self.most_products {
+        // Short steps take many solutions: factors are made once. An estimate is the last.
+        let is_last = accuracy >= ESTIMATE;
+        if self.falls_back && !is_last && self.products > self.most_products {
             self.falls_back = self.fall_back(equations, timings)?;
         }
         let done = match &mut self.active {
