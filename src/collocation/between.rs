@@ -6,7 +6,7 @@
 //! as can be, for all `p`. See docs/theory.md, section 10.2.
 
 use super::problem::Collocation;
-use super::resampled::{ResampledNodes, dual, primal};
+use super::resampled::ResampledNodes;
 use super::state::GridState;
 use crate::elements::{Measure, NodeState, Unknown};
 use crate::error::{Error, ErrorKind, Result};
@@ -45,7 +45,7 @@ impl NodeInterpolation {
         let mut resampling = Resampling::new(grid, 0.0, grid.points());
         let mut samples = vec![0.0; grid.points()];
         for entry in 0..9 {
-            for part in [primal, dual] {
+            for part in [DualMatrix::primal_mut, DualMatrix::dual_mut] {
                 let motions = &mut interpolation.motions;
                 resampling.read(motions.iter_mut().map(|m| part(m)[entry]));
                 resampling.filter(filter);

@@ -3,9 +3,8 @@
 
 use super::division::Share;
 use super::pattern::Pattern;
-use super::problem::{Collocation, Derivatives};
+use super::problem::Collocation;
 use super::state::GridState;
-use super::step::GivenRates;
 use crate::elements::Contribution;
 use crate::error::Result;
 use crate::motion::DualMatrix;
@@ -29,7 +28,7 @@ pub struct TangentBlocks {
 struct Room {
     workspace: Workspace,
     /// `Γ_v` and `Γ_a` of a node.
-    gammas: Vec<(DualMatrix, DualMatrix)>,
+    gammas: Vec<[DualMatrix; 2]>,
     /// Numbers of the pairs of nodes of one element, where they are of the share.
     numbers: Vec<Option<usize>>,
 }
@@ -170,18 +169,16 @@ impl Collocation {
         for list in [&mut part.stiffness, &mut part.damping, &mut part.mass] {
             list.fill(Matrix6::zeros());
         }
-        // Where rates are given inertia is all that matters of masses.
-        let rates_are_given = matches!(self.derivatives, Derivatives::Given(_));
         for (i, &index) in share.elements.iter().enumerate() {
             self.division.workers.pulse()?;
             let placed = &self.system().elements()[index];
             let nodes = placed.element.nodes();
             let count = placed.element.multipliers();
             let has_mass = placed.element.has_mass();
-            let mass_alone = has_mass && rates_are_given;
-            let has_damping = placed.element.has_damping() && !mass_alone;
+            let is_elastic = self.rule.is_elastic(has_mass);
+            let has_damping = placed.element.has_damping() && is_elastic;
             // Rates of internal states depend neither on accelerations nor exert forces.
-            let alone = placed.has_states && rates_are_given;
+            let alone = placed.has_states && self.rule.holds_states();
             room.numbers.clear();
             for row in nodes {
                 for column in nodes {
@@ -199,7 +196,7 @@ impl Collocation {
                     };
                     let at = number * points + k;
                     let (i, j) = (6 * (place / nodes.len()), 6 * (place % nodes.len()));
-                    if !mass_alone {
+                    if is_elastic {
                         part.stiffness[at] += contribution.stiffness.fixed_view::<6, 6>(i, j);
                     }
                     if has_damping {
@@ -278,7 +275,7 @@ impl Collocation {
         let first_value = pattern.own_values(index).start;
         let count = placed.element.multipliers();
         let (rows, columns) = self.own_scales(placed, k);
-        let alone = placed.has_states && matches!(self.derivatives, Derivatives::Given(_));
+        let alone = placed.has_states && self.rule.holds_states();
         let coupled = if alone {
             0
         } else {
@@ -298,13 +295,7 @@ impl Collocation {
             // Row ℓ is that of this grid point: ∂/∂λ_k + δ_ℓk, and D_ℓk times ∂/∂λ̇_ℓ.
             for (column, own_scale) in columns.iter().enumerate() {
                 for other in 0..points {
-                    let d = match &self.derivatives {
-                        Derivatives::Backward(rule, _) => rule.first[0],
-                        Derivatives::Grid => self.operators.first(k, other),
-                        Derivatives::Step(step) => step.state_weight(),
-                        Derivatives::Given(given) => given.weight,
-                        Derivatives::Steady(_) => 0.0,
-                    };
+                    let d = self.rule.rate_weight(0, k, other);
                     let first =
                         pattern.own_value(index, other, column, count) - first_value + count * k;
                     for row in 0..count {
@@ -325,21 +316,17 @@ impl Collocation {
         column: usize,
         pattern: &Pattern,
         part: &mut Part,
-        gammas: &mut Vec<(DualMatrix, DualMatrix)>,
+        gammas: &mut Vec<[DualMatrix; 2]>,
     ) {
         let points = self.grid().points();
         // Those of all nodes are the same.
         let scale = Matrix6::from_fn(|i, j| self.row_scale[i] * self.column_scale[j]);
-        let given = match &self.derivatives {
-            Derivatives::Given(given) => Some(given),
-            _ => None,
-        };
         let any_dense = pattern.pairs(column).any(|(_, pair)| pair.dense);
         if any_dense {
             gammas.clear();
             for k in 0..points {
                 for l in 0..points {
-                    gammas.push(self.kinematic_tangent(column, l, k));
+                    gammas.push(self.rule.tangent(column, 0, l, k));
                 }
             }
         }
@@ -348,20 +335,12 @@ impl Collocation {
                 let at = (number - part.first_pair) * points;
                 if pair.dense {
                     for l in 0..points {
-                        let (gamma_v, gamma_a) = &gammas[k * points + l];
+                        let [gamma_v, gamma_a] = &gammas[k * points + l];
                         let mut block = Matrix6::zeros();
                         gamma_a.add_product_to(&part.mass[at + l], &mut block);
                         gamma_v.add_product_to(&part.damping[at + l], &mut block);
-                        if l == k && given.is_none_or(|given| given.elastic) {
+                        if l == k {
                             block += part.stiffness[at + l];
-                        }
-                        if let Some(given) = given {
-                            if given.elastic {
-                                block += part.damping[at + l] * given.weight.sqrt();
-                            }
-                            if pair.row == column {
-                                block += self.added_inertia(given);
-                            }
                         }
                         block.component_mul_assign(&scale);
                         for component in 0..6 {
@@ -373,14 +352,7 @@ impl Collocation {
                         }
                     }
                 } else {
-                    let mut block = match given {
-                        Some(given) if pair.row == column => self.added_inertia(given),
-                        _ => Matrix6::zeros(),
-                    };
-                    if given.is_none_or(|given| given.elastic) {
-                        block += part.stiffness[at + k];
-                    }
-                    block.component_mul_assign(&scale);
+                    let block = part.stiffness[at + k].component_mul(&scale);
                     for component in 0..6 {
                         let first =
                             pattern.pair_value(column, pair, k, component) - part.first_value;
@@ -430,18 +402,5 @@ impl Collocation {
         for (value, scale) in out.iter_mut().zip(&self.row_scale) {
             *value *= scale;
         }
-    }
-
-    /// Inertia that is added to each node, with its factor.
-    fn added_inertia(&self, given: &GivenRates) -> Matrix6<f64> {
-        let (length, mass) = (
-            self.system().scales().length,
-            given.added_mass * given.weight,
-        );
-        Matrix6::from_fn(|i, j| match (i == j, i < 3) {
-            (true, true) => mass,
-            (true, false) => mass * length * length,
-            _ => 0.0,
-        })
     }
 }

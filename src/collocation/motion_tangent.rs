@@ -2,8 +2,8 @@
 //! involved: as an operator, and between motions that are given at each grid point by itself,
 //! without the matrix of all motions.
 
-use super::kinematics::{NodeKinematics, VariationScratch};
 use super::problem::Collocation;
+use super::rule::{NodeKinematics, VariationScratch};
 use super::state::GridState;
 use super::tangent::Tangent;
 use crate::error::Result;
@@ -89,7 +89,7 @@ impl MotionTangent {
         }
         Some(MotionTangent {
             points,
-            operators: equations.operators.clone(),
+            operators: equations.rule.over_grid()?.1.clone(),
             kinematics: Vec::new(),
             columns,
             forces: Vector6::from_column_slice(&equations.row_scale[..6]),
@@ -105,9 +105,11 @@ impl MotionTangent {
     /// Linearises at `state`.
     pub fn evaluate(&mut self, equations: &mut Collocation, state: &GridState) -> Result<()> {
         self.tangent.evaluate(equations, state)?;
-        self.kinematics.clone_from(&equations.kinematics);
-        // The period may be another.
-        self.operators.clone_from(&equations.operators);
+        if let Some((kinematics, operators)) = equations.rule.over_grid() {
+            kinematics.clone_into(&mut self.kinematics);
+            // The period may be another.
+            self.operators.clone_from(operators);
+        }
         Ok(())
     }
 
@@ -148,12 +150,11 @@ impl MotionTangent {
                 }
             }
             if pairs.iter().any(|(pair, _)| couplings[*pair].moving) {
-                let rates = &mut self.rates;
                 self.kinematics[node].variation(
                     &mut self.operators,
                     &self.unscaled,
                     &mut self.scratch,
-                    |l, velocity, acceleration| rates[l] = [*velocity, *acceleration],
+                    &mut self.rates,
                 );
             }
             for &(pair, row) in pairs {
@@ -212,7 +213,7 @@ impl MotionTangent {
                 let gammas = moving.then(|| kinematics.tangent(weights, k, k));
                 for j in 0..count {
                     let z = along(k, node, j, &self.motions);
-                    let rates = gammas.map(|(gamma_v, gamma_a)| {
+                    let rates = gammas.map(|[gamma_v, gamma_a]| {
                         let z = DualVector::from_twist(&z);
                         [(gamma_v * z).to_twist(), (gamma_a * z).to_twist()]
                     });

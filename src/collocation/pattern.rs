@@ -344,6 +344,14 @@ impl Pattern {
         group.first_value + (6 * k + component) * group.length + pair.offset
     }
 
+    /// Position of the value on the diagonal of an unknown motion.
+    pub fn diagonal(&self, motion: usize) -> usize {
+        let (node, within) = (motion / (6 * self.points), motion % (6 * self.points));
+        let pair = self.pair(node, node);
+        let row = if pair.dense { within } else { within % 6 };
+        self.pair_value(node, pair, within / 6, within % 6) + row
+    }
+
     /// Position of an element's first constraint row in column `component` of its local node at
     /// `k`.
     pub fn constraint_value(

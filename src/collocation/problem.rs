@@ -1,16 +1,14 @@
 //! Residual of the governing equations at all grid points (docs/theory.md, section 5.2).
 
-use super::aliasing::Aliasing;
 use super::division::Division;
 use super::instants::Instants;
-use super::kinematics::{BackwardRule, NodeKinematics, VariationScratch};
 use super::oversampled::Oversampled;
+use super::rule::{RuleWorkspace, Spectral, TimeRule};
 use super::state::GridState;
-use super::step::{AlphaStep, GivenRates};
 use crate::elements::{Measure, NodeState, Unknown};
 use crate::error::Result;
-use crate::fourier::{Differentiation, Resampling, TimeGrid};
-use crate::motion::{DualMatrix, DualVector, Motion};
+use crate::fourier::{Resampling, TimeGrid};
+use crate::motion::Motion;
 use crate::system::{System, Workspace};
 use crate::workers::{Workers, parts};
 use nalgebra::Vector6;
@@ -21,9 +19,6 @@ use std::sync::Arc;
 /// it.
 const REGULARISATION: f64 = 1e-7;
 
-/// Multiply-adds of the velocity and acceleration of a node at a grid point, about.
-const KINEMATICS: usize = 300;
-
 /// The equations of a system on a grid, scaled so that they do not depend on units.
 ///
 /// Rows of forces are divided by the characteristic force (moments also by the length), those of
@@ -33,12 +28,8 @@ const KINEMATICS: usize = 300;
 pub struct Collocation {
     system: Arc<System>,
     grid: TimeGrid,
-    pub(super) operators: Differentiation,
-    /// The same for each thread.
-    operator_rooms: Vec<Differentiation>,
     pub(super) instants: Instants,
-    pub(super) derivatives: Derivatives,
-    pub(super) kinematics: Vec<NodeKinematics>,
+    pub(super) rule: Box<dyn TimeRule>,
     /// Scratch for each thread; one at least.
     forces_only: Vec<Workspace>,
     pub(super) with_tangents: Workspace,
@@ -52,22 +43,6 @@ pub struct Collocation {
     pub(super) division: Division,
     /// Where the residual is taken from instead, if not from the grid's own points.
     oversampled: Option<Box<Oversampled>>,
-}
-
-/// What velocities, accelerations and rates of internal states follow from.
-#[derive(Debug, Clone)]
-pub(super) enum Derivatives {
-    /// The motion over the grid.
-    Grid,
-    /// On a grid of one point: backward differences, with past states, latest first.
-    Backward(BackwardRule, Vec<GridState>),
-    /// On a grid of one point: a step of the generalised-α method.
-    Step(AlphaStep),
-    /// On a grid of one point: nothing, they are given.
-    Given(GivenRates),
-    /// On a grid of one point: each node turns steadily, with this twist about the origin, resolved
-    /// in space.
-    Steady(Vec<Vector6<f64>>),
 }
 
 impl Collocation {
@@ -108,8 +83,6 @@ impl Collocation {
             }
         }
         let mut collocation = Collocation {
-            operators: Differentiation::new(grid),
-            operator_rooms: Vec::new(),
             instants: Instants {
                 system: system.clone(),
                 points,
@@ -125,8 +98,7 @@ impl Collocation {
             } else {
                 REGULARISATION
             },
-            derivatives: Derivatives::Grid,
-            kinematics: vec![NodeKinematics::default(); system.nodes()],
+            rule: Box::new(Spectral::new(grid, system.nodes())),
             forces_only: vec![system.workspace(false)],
             with_tangents: system.workspace(true),
             row_scale,
@@ -165,14 +137,13 @@ impl Collocation {
         self.grid
     }
 
-    /// Gives the same number of points another period.
+    /// Gives the same number of points another period, over which motions are differentiated.
     ///
     /// # Errors
     /// If it is none.
     pub fn set_period(&mut self, period: f64) -> Result<()> {
         self.grid = TimeGrid::new(self.grid.points(), period)?;
-        self.operators = Differentiation::new(self.grid);
-        self.operator_rooms.clear();
+        self.rule = Box::new(Spectral::new(self.grid, self.system.nodes()));
         Ok(())
     }
 
@@ -274,26 +245,17 @@ impl Collocation {
 
     /// Increments of the nodes, and of their velocities, that an unscaled increment of all unknowns
     /// is; kinematics are those of the last evaluation.
-    fn increments_with_rates(&mut self, increment: &[f64]) -> Vec<[Vector6<f64>; 2]> {
+    fn increments_with_rates(&self, increment: &[f64]) -> Vec<[Vector6<f64>; 2]> {
         let points = self.grid.points();
         let mut changes = vec![[Vector6::zeros(); 2]; points * self.system.nodes()];
-        let mut scratch = VariationScratch::default();
+        let mut rates = vec![[Vector6::zeros(); 2]; points];
+        let mut workspace = RuleWorkspace::default();
         let of_nodes = increment.chunks_exact(6 * points);
         for (node, (changes, increments)) in changes.chunks_mut(points).zip(of_nodes).enumerate() {
-            for (change, u) in changes.iter_mut().zip(increments.chunks_exact(6)) {
-                change[0] = Vector6::from_column_slice(u);
-            }
-            match &self.derivatives {
-                Derivatives::Grid => self.kinematics[node].variation(
-                    &mut self.operators,
-                    increments,
-                    &mut scratch,
-                    |l, velocity, _| changes[l][1] = *velocity,
-                ),
-                _ => {
-                    let by_increment = self.kinematic_tangent(node, 0, 0).0;
-                    changes[0][1] = by_increment.to_twist_matrix() * changes[0][0];
-                }
+            self.rule.vary(node, increments, &mut workspace, &mut rates);
+            let increments = increments.chunks_exact(6).zip(&rates);
+            for (change, (u, [velocity, _])) in changes.iter_mut().zip(increments) {
+                *change = [Vector6::from_column_slice(u), *velocity];
             }
         }
         changes
@@ -348,57 +310,15 @@ impl Collocation {
         self.instants.resultants.clear();
     }
 
-    /// Makes a grid of one point a step of marching in time: derivatives are backward differences.
-    pub fn set_past(&mut self, rule: BackwardRule, past: Vec<GridState>) {
-        debug_assert_eq!(self.grid.points(), 1);
-        self.derivatives = Derivatives::Backward(rule, past);
+    /// Lets velocities, accelerations and rates of internal states follow by another rule for this
+    /// grid, and gives the former one.
+    pub fn set_rule(&mut self, rule: Box<dyn TimeRule>) -> Box<dyn TimeRule> {
+        std::mem::replace(&mut self.rule, rule)
     }
 
-    /// Makes a grid of one point the end of a step of the generalised-α method.
-    pub fn set_step(&mut self, step: AlphaStep) {
-        debug_assert_eq!(self.grid.points(), 1);
-        self.derivatives = Derivatives::Step(step);
-    }
-
-    /// The step, if [`Collocation::set_step`] was called last.
-    pub fn step(&self) -> Option<&AlphaStep> {
-        match &self.derivatives {
-            Derivatives::Step(step) => Some(step),
-            _ => None,
-        }
-    }
-
-    /// Makes the state of a grid of one point, with the node states of the last evaluation, the
-    /// start of the next step.
-    pub fn advance(&mut self, state: &GridState) {
-        if let Derivatives::Step(step) = &mut self.derivatives {
-            let system = &self.system;
-            step.advance(state, &self.instants.states, |place| {
-                matches!(system.unknown(place), Unknown::State { .. })
-            });
-        }
-    }
-
-    /// Takes the step out; derivatives are those of the grid again.
-    pub fn take_step(&mut self) -> Option<AlphaStep> {
-        match std::mem::replace(&mut self.derivatives, Derivatives::Grid) {
-            Derivatives::Step(step) => Some(step),
-            _ => None,
-        }
-    }
-
-    /// Gives a grid of one point its velocities and accelerations. The unknowns are then
-    /// accelerations.
-    pub fn set_given_rates(&mut self, given: GivenRates) {
-        debug_assert_eq!(self.grid.points(), 1);
-        self.derivatives = Derivatives::Given(given);
-    }
-
-    /// Makes everything on a grid of one point turn steadily: `V = Ad(M⁻¹) W` with the twist `W` of
-    /// each node about the origin, resolved in space, and `V̇ = 0`. Internal states are at rest.
-    pub fn set_steady(&mut self, twists: Vec<Vector6<f64>>) {
-        debug_assert_eq!(self.grid.points(), 1);
-        self.derivatives = Derivatives::Steady(twists);
+    /// The rule that they follow by.
+    pub fn rule(&self) -> &dyn TimeRule {
+        &*self.rule
     }
 
     /// Values of all signals, grid point by grid point.
@@ -480,41 +400,6 @@ impl Collocation {
         largest
     }
 
-    /// Leaves marching: derivatives are those of the grid again.
-    pub fn clear_past(&mut self) {
-        self.derivatives = Derivatives::Grid;
-    }
-
-    /// Blocks `(ℓ, k)` of `Γ_v` and `Γ_a` of a node.
-    pub(super) fn kinematic_tangent(
-        &self,
-        node: usize,
-        l: usize,
-        k: usize,
-    ) -> (DualMatrix, DualMatrix) {
-        let kinematics = &self.kinematics[node];
-        match &self.derivatives {
-            Derivatives::Grid => {
-                let weights = (self.operators.first(l, k), self.operators.second(l, k));
-                kinematics.tangent(weights, l, k)
-            }
-            Derivatives::Backward(rule, _) => {
-                kinematics.tangent((rule.first[0], rule.second[0]), l, k)
-            }
-            Derivatives::Step(step) => step.tangent(node),
-            Derivatives::Given(given) => {
-                let mut identity = DualMatrix::zeros();
-                identity.primal.fill_with_identity();
-                (DualMatrix::zeros(), identity * given.weight)
-            }
-            // Δ(Ad(M⁻¹) W) = Ṽ Δu.
-            Derivatives::Steady(_) => {
-                let twist = &self.instants.states[node].twist;
-                (DualVector::from_twist(twist).skew(), DualMatrix::zeros())
-            }
-        }
-    }
-
     /// Evaluates velocities, accelerations and rates of internal states at the grid points.
     pub fn update_kinematics(&mut self, state: &GridState) {
         self.update_rates(state);
@@ -523,87 +408,21 @@ impl Collocation {
         self.instants
             .states
             .resize(points * self.system.nodes(), at_rest);
-        let states = self.instants.states.chunks_mut(points);
-        let mut nodes: Vec<_> = self.kinematics.iter_mut().zip(states).collect();
-        match &mut self.derivatives {
-            Derivatives::Grid => {
-                let size = KINEMATICS * points * self.system.nodes();
-                let operators = &self.operators;
-                self.workers.for_work(size).for_each(
-                    &mut nodes,
-                    &mut self.operator_rooms,
-                    || operators.clone(),
-                    |operators, node, (kinematics, states)| {
-                        kinematics.evaluate(operators, state.node(node));
-                        kinematics.write_states(state.node(node), states);
-                    },
-                );
-            }
-            Derivatives::Backward(rule, past) => {
-                for (node, (kinematics, states)) in nodes.iter_mut().enumerate() {
-                    let motions = state.node(node);
-                    let past = past.iter().map(|state| &state.motions[node]);
-                    kinematics.evaluate_backward(rule, &motions[0], past);
-                    kinematics.write_states(motions, states);
-                }
-            }
-            Derivatives::Step(step) => {
-                for (node, (_, states)) in nodes.iter_mut().enumerate() {
-                    states[0] = step.evaluate(node, &state.node(node)[0]);
-                }
-            }
-            Derivatives::Given(given) => {
-                for (node, (_, states)) in nodes.iter_mut().enumerate() {
-                    states[0] = NodeState {
-                        motion: state.node(node)[0],
-                        twist: given.twist[node],
-                        twist_rate: given.twist_rate[node],
-                    };
-                }
-            }
-            Derivatives::Steady(twists) => {
-                for (node, (_, states)) in nodes.iter_mut().enumerate() {
-                    let motion = state.node(node)[0];
-                    states[0] = NodeState {
-                        twist: motion.inverse().adjoint() * twists[node],
-                        ..NodeState::at_rest(motion)
-                    };
-                }
-            }
-        }
+        self.rule
+            .evaluate(state, &self.workers, &mut self.instants.states);
     }
 
     fn update_rates(&mut self, state: &GridState) {
         let points = self.grid.points();
-        let (mut samples, mut rates) = (vec![0.0; points], vec![0.0; points]);
-        let mut unused = vec![0.0; points];
+        let (mut values, mut rates) = (vec![0.0; points], vec![0.0; points]);
         for placed in self.system.elements().iter().filter(|p| p.has_states) {
             for row in 0..placed.element.multipliers() {
-                let value = |state: &GridState, k: usize| state.multipliers_of(placed, k)[row];
-                match &self.derivatives {
-                    Derivatives::Backward(rule, past) => {
-                        rates[0] = rule.first[0] * value(state, 0);
-                        for (weight, past) in rule.first[1..].iter().zip(past) {
-                            rates[0] += weight * value(past, 0);
-                        }
-                    }
-                    Derivatives::Grid => {
-                        let gain = state.gain(&self.system, placed, row);
-                        for (k, sample) in samples.iter_mut().enumerate() {
-                            *sample = value(state, k) - gain * k as f64 / points as f64;
-                        }
-                        self.operators.apply(&samples, &mut rates, &mut unused);
-                        let steady = gain / self.grid.period();
-                        rates.iter_mut().for_each(|rate| *rate += steady);
-                    }
-                    Derivatives::Step(step) => {
-                        rates[0] = step.rate(placed.first_multiplier + row, value(state, 0));
-                    }
-                    Derivatives::Given(given) => {
-                        rates[0] = given.rates[placed.first_multiplier + row];
-                    }
-                    Derivatives::Steady(_) => rates[0] = 0.0,
+                for (k, value) in values.iter_mut().enumerate() {
+                    *value = state.multipliers_of(placed, k)[row];
                 }
+                let gain = state.gain(&self.system, placed, row);
+                let place = placed.first_multiplier + row;
+                self.rule.rates(place, &values, gain, &mut rates);
                 for (k, rate) in rates.iter().enumerate() {
                     self.instants.rates[state.first_multiplier(placed, k) + row] = *rate;
                 }
@@ -633,11 +452,6 @@ impl Collocation {
             )?;
         }
         Ok(())
-    }
-
-    /// What the grid makes of the highest harmonics of a node's increments, see [`Aliasing`].
-    pub fn aliasing(&self, node: usize) -> Vec<Aliasing> {
-        self.kinematics[node].aliasing(self.grid())
     }
 
     /// Node states over the grid, node by node, as of the last evaluation of anything.

@@ -8,7 +8,7 @@ use crate::fourier::{Resampling, TimeGrid};
 use crate::motion::{DualMatrix, DualPolar, Motion};
 use crate::system::System;
 use crate::workers::Workers;
-use nalgebra::{Matrix3, Vector3};
+use nalgebra::Vector3;
 
 /// Motions, velocities and accelerations of all nodes, interpolated over the period
 /// (docs/theory.md, section 3) at equispaced times.
@@ -59,7 +59,7 @@ impl NodeResampling {
             *dual = Motion::new(m.rotation, m.position - mean).to_dual();
         }
         for entry in 0..9 {
-            for part in [primal, dual] {
+            for part in [DualMatrix::primal_mut, DualMatrix::dual_mut] {
                 let values = self.duals.iter_mut().map(|m| part(m)[entry]);
                 self.resampling.read(values);
                 for order in 0..3 {
@@ -193,12 +193,4 @@ impl GridState {
         }
         own
     }
-}
-
-pub(super) fn primal(m: &mut DualMatrix) -> &mut Matrix3<f64> {
-    &mut m.primal
-}
-
-pub(super) fn dual(m: &mut DualMatrix) -> &mut Matrix3<f64> {
-    &mut m.dual
 }

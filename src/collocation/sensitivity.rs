@@ -4,7 +4,7 @@
 use super::jacobian::TangentBlocks;
 use super::pattern::Pattern;
 use super::problem::Collocation;
-use super::step::{AlphaStep, MotionState};
+use super::rule::{AlphaStep, MotionState};
 use crate::elements::{Measure, Unknown};
 use crate::motion::inverse_tangent;
 use nalgebra::{Matrix6, Vector6};

@@ -12,12 +12,11 @@
 
 use super::division::Share;
 use super::instants::Instants;
-use super::kinematics::VariationScratch;
 use super::problem::Collocation;
+use super::rule::RuleWorkspace;
 use super::state::GridState;
 use crate::elements::{StrainTangent, StressLaw};
 use crate::error::Result;
-use crate::fourier::Differentiation;
 use crate::motion::DualVector;
 use crate::system::{System, Workspace};
 use crate::workers::{Workers, parts};
@@ -214,14 +213,7 @@ pub struct Tangent {
     x: Vec<f64>,
     /// Changes of velocity and acceleration of node `a` at grid point `k`, at `a N + k`.
     rates: Vec<[Vector6<f64>; 2]>,
-    rooms: Vec<VariationRoom>,
-}
-
-/// Room of one thread.
-#[derive(Debug)]
-struct VariationRoom {
-    operators: Differentiation,
-    scratch: VariationScratch,
+    workspaces: Vec<RuleWorkspace>,
 }
 
 impl Tangent {
@@ -237,7 +229,7 @@ impl Tangent {
             points,
             x: Vec::new(),
             rates: vec![[Vector6::zeros(); 2]; points * system.nodes()],
-            rooms: Vec::new(),
+            workspaces: Vec::new(),
             layout,
         }
     }
@@ -387,21 +379,13 @@ impl Tangent {
         let mut nodes: Vec<_> = rates.zip(motions.chunks_mut(6 * points)).collect();
         workers.for_each(
             &mut nodes,
-            &mut self.rooms,
-            || VariationRoom {
-                operators: equations.operators.clone(),
-                scratch: VariationScratch::default(),
-            },
-            |room, node, (rates, motions)| {
+            &mut self.workspaces,
+            RuleWorkspace::default,
+            |workspace, node, (rates, motions)| {
                 let part = 6 * points * node..6 * points * (node + 1);
                 let scaled = x_motions[part.clone()].iter().zip(&motion_scale[part]);
                 motions.iter_mut().zip(scaled).for_each(unscale);
-                equations.kinematics[node].variation(
-                    &mut room.operators,
-                    motions,
-                    &mut room.scratch,
-                    |l, velocity, acceleration| rates[l] = [*velocity, *acceleration],
-                );
+                equations.rule.vary(node, motions, workspace, rates);
             },
         );
 
@@ -515,19 +499,18 @@ impl Tangent {
         let points = self.points;
         let system = equations.system();
         let own = &self.x[6 * points * system.nodes()..];
-        let mut operators = None;
+        let mut workspace = RuleWorkspace::default();
         for (placed, tangents) in system.elements().iter().zip(&self.own) {
             if !placed.has_states {
                 continue;
             }
-            let operators = operators.get_or_insert_with(|| equations.operators.clone());
             let count = placed.element.multipliers();
-            let mut series = [(); 3].map(|()| vec![0.0; points]);
-            let [samples, d_samples, t_samples] = &mut series;
+            let [mut samples, mut d_samples] = [(); 2].map(|()| vec![0.0; points]);
             for column in 0..count {
                 let at = |k: usize| placed.first_multiplier * points + count * k;
                 (0..points).for_each(|k| samples[k] = own[at(k) + column]);
-                operators.apply(samples, d_samples, t_samples);
+                let rule = &equations.rule;
+                rule.vary_rates(&samples, &mut workspace, &mut d_samples);
                 for k in 0..points {
                     let blocks = &tangents.own[2 * count * count * k..][..2 * count * count];
                     for row in 0..count {

@@ -3,7 +3,7 @@
 
 use super::branch::Branch;
 use super::newton::{Iteration, Newton, NewtonOptions, Outcome};
-use crate::collocation::{Collocation, GivenRates, GridState};
+use crate::collocation::{Collocation, GivenRates, GridState, Steady};
 use crate::error::{ErrorKind, Result};
 use crate::fourier::TimeGrid;
 use crate::system::{Driven, System};
@@ -86,7 +86,7 @@ impl<'a> Tracker<'a> {
         let equations = &mut self.newton.equations;
         equations.set_conditions(time, load_factor)?;
         if let Some(driven) = &self.driven {
-            equations.set_steady(driven.twists(load_factor));
+            equations.set_rule(Box::new(Steady::new(driven.twists(load_factor))));
         }
         Ok(())
     }
@@ -280,7 +280,8 @@ pub(super) fn inertial_displacement(
         let k = (part * count as f64) as usize;
         newton.equations.set_conditions(grid.time(k), 1.0)?;
         if let Some(driven) = driven {
-            newton.equations.set_steady(driven.twists(1.0));
+            let rule = Steady::new(driven.twists(1.0));
+            newton.equations.set_rule(Box::new(rule));
         }
         at.copy_point(system, 0, state, k);
         let (next, last) = ((k + 1) % count, (k + count - 1) % count);
@@ -299,10 +300,9 @@ pub(super) fn inertial_displacement(
             twist_rate,
             rates: vec![0.0; system.multipliers()],
             weight: 0.0,
-            added_mass: 0.0,
             elastic: true,
         };
-        most = most.max(newton.displacement_at(&at, given)?.unwrap_or(0.0));
+        most = most.max(newton.displacement_at(&at, Box::new(given))?.unwrap_or(0.0));
     }
     Ok(most)
 }

@@ -6,7 +6,7 @@ use super::assembly::describe_turned_over;
 use super::dense::largest;
 use super::diagnosis::{Singularity, describe_inconsistency, describe_open_joint};
 use super::linear::LinearSolver;
-use crate::collocation::{Collocation, GivenRates, GridState};
+use crate::collocation::{Collocation, GridState, TimeRule};
 use crate::error::{ErrorKind, Result};
 use serde::{Deserialize, Serialize};
 use std::time::{Duration, Instant};
@@ -253,16 +253,20 @@ impl Newton {
         Ok(regular.then(|| self.linear.determinant()))
     }
 
-    /// Largest increment of a motion that the equations at these rates ask for, with the Jacobian
-    /// at rest; none if that is singular.
-    pub fn displacement_at(&mut self, state: &GridState, given: GivenRates) -> Result<Option<f64>> {
+    /// Largest increment of a motion that the equations with the rates of another rule ask for,
+    /// with the Jacobian of the present one; none if that is singular.
+    pub fn displacement_at(
+        &mut self,
+        state: &GridState,
+        rates: Box<dyn TimeRule>,
+    ) -> Result<Option<f64>> {
         let regular = self
             .linear
             .linearise(&mut self.equations, state, &mut self.timings)?;
         let mut increment = vec![0.0; self.equations.size()];
-        self.equations.set_given_rates(given);
+        let rule = self.equations.set_rule(rates);
         let residual = self.equations.residual(state, &mut increment);
-        self.equations.clear_past();
+        self.equations.set_rule(rule);
         residual?;
         let solved = regular && self.solve_linear(&mut increment, COARSE)?;
         Ok(solved.then(|| self.motion_norm(&increment)))

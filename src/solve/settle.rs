@@ -3,7 +3,7 @@
 
 use super::guess::Tracker;
 use super::newton::{NewtonOptions, Outcome};
-use crate::collocation::BackwardRule;
+use crate::collocation::{Backward, BackwardWeights, Spectral};
 use crate::error::Result;
 use crate::system::System;
 
@@ -53,11 +53,12 @@ impl Tracker<'_> {
         let mut settled = false;
         for _ in 0..MOST_STEPS {
             let weight = 1.0 / (step * step);
-            let rule = BackwardRule {
+            let weights = BackwardWeights {
                 first: [0.0; 4],
                 second: [weight, -weight, 0.0, 0.0],
             };
-            self.newton.equations.set_past(rule, vec![state.clone()]);
+            let rule = Backward::new(weights, vec![state.clone()]);
+            self.newton.equations.set_rule(Box::new(rule));
             let mut next = state.clone();
             match self.newton.solve(&mut next, &NEWTON, self.observe) {
                 Ok(report) if report.outcome == Outcome::Converged => {
@@ -79,7 +80,8 @@ impl Tracker<'_> {
                 _ => break,
             }
         }
-        self.newton.equations.clear_past();
+        let equations = &mut self.newton.equations;
+        equations.set_rule(Box::new(Spectral::new(equations.grid(), system.nodes())));
         if settled {
             self.state = state;
         }

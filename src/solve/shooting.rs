@@ -178,7 +178,7 @@ impl Shooting {
             let time = self.period * (k + 1) as f64 / self.steps as f64;
             newton.equations.set_conditions(time, 1.0)?;
             let step = AlphaStep::new(method, length, start.clone());
-            newton.equations.set_step(step.clone());
+            newton.equations.set_rule(Box::new(step.clone()));
             newton.linear.assemble(&mut newton.equations, end)?;
             if !newton.linear.factor_all(&newton.equations)? {
                 return Ok(None);

@@ -16,9 +16,11 @@
 //! Computer Methods in Applied Mechanics and Engineering 190, 2000). See docs/theory.md, section
 //! 12.1.
 
-use super::state::GridState;
+use super::TimeRule;
+use crate::collocation::state::GridState;
 use crate::elements::NodeState;
 use crate::motion::{DualMatrix, Motion, inverse_tangent};
+use crate::workers::Workers;
 use nalgebra::Vector6;
 
 /// Parameters of the method, all from the spectral radius at infinite frequency `ρ∞`.
@@ -174,7 +176,7 @@ impl AlphaStep {
     }
 
     /// `v₁` and `v̇₁` of a node that moves to `motion`.
-    pub(super) fn evaluate(&mut self, node: usize, motion: &Motion) -> NodeState {
+    fn node_state(&mut self, node: usize, motion: &Motion) -> NodeState {
         let start = &self.start;
         let increment = start.state.motions[node].relative(motion).logarithm();
         self.inverse_tangents[node] = inverse_tangent(&increment);
@@ -190,13 +192,6 @@ impl AlphaStep {
         }
     }
 
-    /// `Γ_v` and `Γ_a` at the last evaluation: `Δv₁ = Γ_v Δu`, `Δv̇₁ = Γ_a Δu`.
-    pub(super) fn tangent(&self, node: usize) -> (DualMatrix, DualMatrix) {
-        let (first, second) = self.weights();
-        let tangent = &self.inverse_tangents[node];
-        (*tangent * first, *tangent * second)
-    }
-
     /// The like of `a₁` for the internal state at `place`.
     fn averaged_rate(&self, place: usize, value: f64) -> f64 {
         let gamma = self.method.state_gamma;
@@ -205,7 +200,7 @@ impl AlphaStep {
     }
 
     /// `ẋ₁` of the internal state at `place`, whose value becomes `value`.
-    pub(super) fn rate(&self, place: usize, value: f64) -> f64 {
+    fn rate(&self, place: usize, value: f64) -> f64 {
         let method = &self.method;
         let (a0, a1) = (
             self.start.averaged_rates[place],
@@ -257,21 +252,31 @@ impl AlphaStep {
     }
 }
 
-/// An instant whose velocities and accelerations are given; the unknowns are those of equations
-/// that are linear in accelerations (or in velocities): what the Jacobian holds is the inertia,
-/// constraint gradients and what balances rates of internal states.
-#[derive(Debug, Clone)]
-pub struct GivenRates {
-    /// `v` of each node.
-    pub twist: Vec<Vector6<f64>>,
-    /// `v̇` of each node.
-    pub twist_rate: Vec<Vector6<f64>>,
-    /// Rates of internal states, in the order of the multipliers.
-    pub rates: Vec<f64>,
-    /// Factor of the inertia in the Jacobian: accelerations are it times the unknowns.
-    pub weight: f64,
-    /// Inertia added to each node where some have none, that the Jacobian be regular: a mass.
-    pub added_mass: f64,
-    /// Whether the Jacobian has damping and stiffness beside the inertia, as that of a step has.
-    pub elastic: bool,
+impl TimeRule for AlphaStep {
+    fn evaluate(&mut self, state: &GridState, _: &Workers, nodes: &mut [NodeState]) {
+        for (node, (out, motion)) in nodes.iter_mut().zip(&state.motions).enumerate() {
+            *out = self.node_state(node, motion);
+        }
+    }
+
+    fn rates(&mut self, place: usize, values: &[f64], _: f64, rates: &mut [f64]) {
+        rates[0] = self.rate(place, values[0]);
+    }
+
+    /// `Δv₁ = Γ_v Δu` and `Δv̇₁ = Γ_a Δu`.
+    fn tangent(&self, node: usize, power: usize, _: usize, _: usize) -> [DualMatrix; 2] {
+        let (first, second) = self.weights();
+        let tangent = &self.inverse_tangents[node];
+        match power {
+            0 => [*tangent * first, *tangent * second],
+            _ => [DualMatrix::zeros(); 2],
+        }
+    }
+
+    fn rate_weight(&self, power: usize, _: usize, _: usize) -> f64 {
+        match power {
+            0 => self.state_weight(),
+            _ => 0.0,
+        }
+    }
 }

@@ -1,20 +1,11 @@
 //! Velocities and accelerations of a node at the grid points, and their exact linearisation
 //! (docs/theory.md, section 4.1). Everything is dual algebra.
 
-use super::resampled::{dual, primal};
+use super::BackwardWeights;
 use crate::elements::NodeState;
 use crate::fourier::Differentiation;
 use crate::motion::{DualMatrix, DualVector, Motion};
 use nalgebra::{Vector3, Vector6};
-
-/// Weights of the present and the past motions in first and second derivatives.
-#[derive(Debug, Clone, Copy)]
-pub struct BackwardRule {
-    /// Of the first derivative, per unit of time.
-    pub first: [f64; 4],
-    /// Of the second derivative, per unit of time squared.
-    pub second: [f64; 4],
-}
 
 /// One node over the grid: `A_ℓ`, `B_ℓ`, `v_ℓ` and `v̇_ℓ`.
 #[derive(Debug, Clone, Default)]
@@ -34,7 +25,7 @@ pub struct NodeKinematics {
     t_samples: Vec<f64>,
 }
 
-/// Room for [`NodeKinematics::variation`].
+/// Scratch of [`NodeKinematics::variation`].
 #[derive(Debug, Clone, Default)]
 pub struct VariationScratch {
     skews: Vec<DualMatrix>,
@@ -64,7 +55,7 @@ impl NodeKinematics {
         }
         // D M and T M, entry by entry; kept in a and b until both are complete.
         for entry in 0..9 {
-            for part in [primal, dual] {
+            for part in [DualMatrix::primal_mut, DualMatrix::dual_mut] {
                 for (sample, m) in self.samples.iter_mut().zip(&mut self.motions) {
                     *sample = part(m)[entry];
                 }
@@ -83,21 +74,21 @@ impl NodeKinematics {
     }
 
     /// The same for one point in time, whose derivatives are backward differences with the weights
-    /// `rule` of the present motion and of those at past steps, latest first.
+    /// `weights` of the present motion and of those at past steps, latest first.
     pub fn evaluate_backward<'p>(
         &mut self,
-        rule: &BackwardRule,
+        weights: &BackwardWeights,
         present: &Motion,
         past: impl Iterator<Item = &'p Motion>,
     ) {
         // Relative to the present motion, so that M is the identity and A, B are the sums
         // themselves.
         let identity = Motion::identity().to_dual();
-        let (mut a, mut b) = (identity * rule.first[0], identity * rule.second[0]);
-        for (step, motion) in past.enumerate().take(rule.first.len() - 1) {
+        let (mut a, mut b) = (identity * weights.first[0], identity * weights.second[0]);
+        for (step, motion) in past.enumerate().take(weights.first.len() - 1) {
             let m = present.relative(motion).to_dual();
-            a += m * rule.first[step + 1];
-            b += m * rule.second[step + 1];
+            a += m * weights.first[step + 1];
+            b += m * weights.second[step + 1];
         }
         self.motions = vec![identity];
         self.a = vec![a];
@@ -117,17 +108,17 @@ impl NodeKinematics {
     }
 
     /// Number of grid points.
-    pub(super) fn points(&self) -> usize {
+    pub fn points(&self) -> usize {
         self.motions.len()
     }
 
     /// `M_ℓ`, with the mean position taken out.
-    pub(super) fn motion(&self, l: usize) -> DualMatrix {
+    pub fn motion(&self, l: usize) -> DualMatrix {
         self.motions[l]
     }
 
     /// `A_ℓ`.
-    pub(super) fn first(&self, l: usize) -> DualMatrix {
+    pub fn first(&self, l: usize) -> DualMatrix {
         self.a[l]
     }
 
@@ -161,7 +152,7 @@ impl NodeKinematics {
         operators: &mut Differentiation,
         increments: &[f64],
         scratch: &mut VariationScratch,
-        mut out: impl FnMut(usize, &Vector6<f64>, &Vector6<f64>),
+        rates: &mut [[Vector6<f64>; 2]],
     ) {
         let n = self.motions.len();
         let zero = DualMatrix::zeros();
@@ -179,7 +170,7 @@ impl NodeKinematics {
         }
         let [samples, d_samples, t_samples] = &mut scratch.samples;
         for entry in 0..9 {
-            for part in [primal, dual] {
+            for part in [DualMatrix::primal_mut, DualMatrix::dual_mut] {
                 for (sample, m) in samples.iter_mut().zip(&mut scratch.moved) {
                     *sample = part(m)[entry];
                 }
@@ -197,7 +188,7 @@ impl NodeKinematics {
             let delta_b = self.motions[l].tr_mul(&scratch.b[l]) - *skew * self.b[l];
             let delta_v = delta_a.axial();
             let delta_rate = (delta_b - (delta_v.skew() * *a + v.skew() * delta_a) * 2.0).axial();
-            out(l, &delta_v.to_twist(), &delta_rate.to_twist());
+            rates[l] = [delta_v.to_twist(), delta_rate.to_twist()];
         }
     }
 
@@ -205,23 +196,27 @@ impl NodeKinematics {
     /// `Δv̇_ℓ = Σ_k Γ_a Δu_k`.
     ///
     /// `weights` are `D_ℓk` and `T_ℓk`.
-    pub fn tangent(&self, weights: (f64, f64), l: usize, k: usize) -> (DualMatrix, DualMatrix) {
-        let (d, t) = weights;
-        let s = self.motions[l].tr_mul(&self.motions[k]);
-        let (a, b, v) = (&self.a[l], &self.b[l], &self.velocity[l]);
-
-        // ½ D_ℓk (tr(S) I − Sᵀ), and with W = T_ℓk S − 2 D_ℓk ṽ S the same for the acceleration.
-        let mut gamma_v = s.trace_minus_transpose() * (0.5 * d);
-        let w = s * t - v.skew() * s * (2.0 * d);
-        let mut gamma_a = w.trace_minus_transpose() * 0.5;
-        let a_spread = a.trace_minus();
+    pub fn tangent(&self, weights: (f64, f64), l: usize, k: usize) -> [DualMatrix; 2] {
+        let [mut gamma_v, mut gamma_a] = self.carried(weights, l, k);
         if l == k {
+            let (a, b, v) = (&self.a[l], &self.b[l], &self.velocity[l]);
+            let a_spread = a.trace_minus();
             gamma_v = gamma_v - a_spread * 0.5;
             gamma_a = gamma_a - b.trace_minus() * 0.5 + (a.transpose() * *v).skew()
-                - a.axial().outer(v) * 2.0;
+                - a.axial().outer(v) * 2.0
+                + a_spread * a_spread * 0.5;
         }
-        gamma_a = gamma_a - a_spread * gamma_v;
-        (gamma_v, gamma_a)
+        [gamma_v, gamma_a]
+    }
+
+    /// The part of these blocks that is in proportion to the weights.
+    pub fn carried(&self, (d, t): (f64, f64), l: usize, k: usize) -> [DualMatrix; 2] {
+        let s = self.motions[l].tr_mul(&self.motions[k]);
+        // ½ D_ℓk (tr(S) I − Sᵀ), and with W = T_ℓk S − 2 D_ℓk ṽ S the same for the acceleration.
+        let gamma_v = s.trace_minus_transpose() * (0.5 * d);
+        let w = s * t - self.velocity[l].skew() * s * (2.0 * d);
+        let gamma_a = w.trace_minus_transpose() * 0.5 - self.a[l].trace_minus() * gamma_v;
+        [gamma_v, gamma_a]
     }
 }
 
@@ -298,7 +293,7 @@ mod tests {
                             ((f(&a) - f(&b)) * 8.0 - (f(&c) - f(&d))) / (12.0 * h)
                         };
                         let weights = (operators.first(l, k), operators.second(l, k));
-                        let (gamma_v, gamma_a) = node.tangent(weights, l, k);
+                        let [gamma_v, gamma_a] = node.tangent(weights, l, k);
                         let dv = slope(&|n| n.velocity(l).to_twist());
                         let da = slope(&|n| n.acceleration(l).to_twist());
                         let exact_v = gamma_v.to_twist_matrix().column(component).into_owned();
