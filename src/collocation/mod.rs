@@ -5,11 +5,10 @@
 
 mod amplitude;
 mod between;
+mod coupling;
 mod decay;
 mod division;
 mod instants;
-mod jacobian;
-mod linearisation;
 mod mesh;
 mod motion_tangent;
 mod oversampled;
@@ -24,8 +23,6 @@ mod tangent;
 
 pub use between::{Defect, NodeInterpolation, ResidualBetween, too_coarse};
 pub use decay::{Decay, DecayKind};
-pub use jacobian::TangentBlocks;
-pub use linearisation::Linearisation;
 pub use motion_tangent::MotionTangent;
 pub use oversampled::{Oversampled, OversampledTangent};
 pub use pattern::{Panel, Pattern};
@@ -37,4 +34,4 @@ pub use rule::{
 };
 pub use sensitivity::{StepVariation, Variation, VariationScales};
 pub use state::GridState;
-pub use tangent::{Coupling, PairTangent, Station, Tangent, TangentLayout};
+pub use tangent::{Coupling, Increment, Linearisation, PairTangent, Station, Tangent};

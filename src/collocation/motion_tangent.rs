@@ -132,9 +132,9 @@ impl MotionTangent {
             let tangent = self.tangent.pair(pair, k);
             let size = |matrix: &nalgebra::Matrix6<f64>| matrix.component_mul(&scales).amax();
             largest
-                .max(size(&tangent.stiffness))
-                .max(first * size(&tangent.damping))
-                .max(second * size(&tangent.mass))
+                .max(size(tangent.stiffness))
+                .max(first * size(tangent.damping))
+                .max(second * size(tangent.mass))
         })
     }
 

@@ -260,7 +260,7 @@ impl OversampledTangent {
         let (_, finer) = equations.points();
         let (system, size) = (equations.fine.system(), equations.fine.size());
         OversampledTangent {
-            tangent: Tangent::new(system, finer),
+            tangent: Tangent::with_resultants_apart(system, finer),
             turns: Vec::with_capacity(system.nodes() * finer),
             sums: Vec::with_capacity(system.nodes() * finer),
             x: vec![0.0; size],
@@ -359,7 +359,7 @@ impl OversampledTangent {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::solve::test_models::moving_models;
+    use crate::model::test_models::moving_models;
 
     #[test]
     fn products_are_the_changes_of_the_residual() {

@@ -1,10 +1,9 @@
 //! How the end of a step varies with its start: exact linearisation of the generalised-α method.
 //! See docs/theory.md, section 12.3.
 
-use super::jacobian::TangentBlocks;
-use super::pattern::Pattern;
 use super::problem::Collocation;
 use super::rule::{AlphaStep, MotionState};
+use super::tangent::{Increment, Tangent};
 use crate::elements::{Measure, Unknown};
 use crate::motion::inverse_tangent;
 use nalgebra::{Matrix6, Vector6};
@@ -162,9 +161,8 @@ impl MotionState {
 pub struct StepVariation {
     /// `T⁻¹(Ψ)` and `T⁻¹(Ψ) Ad(exp(−Ψ))` of each node.
     tangents: Vec<[Matrix6<f64>; 2]>,
-    /// Of the parts that follow from the start alone: `δv₁`, `δv̇₁`.
-    free: Vec<[Vector6<f64>; 2]>,
-    rates: Vec<f64>,
+    /// What follows from the start alone: `δv₁`, `δv̇₁`, and rates of internal states.
+    free: Increment,
     rhs: Vec<f64>,
 }
 
@@ -184,8 +182,11 @@ impl StepVariation {
             });
         StepVariation {
             tangents: tangents.collect(),
-            free: vec![[Vector6::zeros(); 2]; end.len()],
-            rates: Vec::new(),
+            free: Increment {
+                x: vec![0.0; size],
+                rates: vec![[Vector6::zeros(); 2]; end.len()],
+                own_rates: Vec::new(),
+            },
             rhs: vec![0.0; size],
         }
     }
@@ -209,13 +210,12 @@ impl StepVariation {
     }
 
     /// Makes the variation of the start that of the end. `solve` solves with the factored Jacobian
-    /// of the end, whose tangents are `blocks`.
+    /// of the end, whose tangents are given.
     pub fn propagate(
         &mut self,
         equations: &Collocation,
         step: &AlphaStep,
-        pattern: &Pattern,
-        blocks: &TangentBlocks,
+        tangent: &Tangent,
         variation: &mut Variation,
         solve: impl FnOnce(&mut [f64]) -> bool,
     ) -> bool {
@@ -227,7 +227,7 @@ impl StepVariation {
             .nodes
             .iter_mut()
             .zip(&self.tangents)
-            .zip(&mut self.free)
+            .zip(&mut self.free.rates)
         {
             let [u, v, rate, a] = *node;
             let psi = -(turned * u);
@@ -245,9 +245,10 @@ impl StepVariation {
                 ((1.0 - state_alpha_m) * a1 + state_alpha_m * a - alpha_f * rate) / (1.0 - alpha_f);
             *state = [0.0, rate1, a1];
         }
-        self.rates.clear();
-        self.rates.extend(variation.states.iter().map(|s| s[1]));
-        equations.rate_forces(pattern, blocks, &self.free, &self.rates, &mut self.rhs);
+        self.free.own_rates.clear();
+        let rates = variation.states.iter().map(|s| s[1]);
+        self.free.own_rates.extend(rates);
+        tangent.forces(equations, &self.free, &mut self.rhs);
         self.rhs.iter_mut().for_each(|x| *x = -*x);
         if !solve(&mut self.rhs) {
             return false;

@@ -189,8 +189,7 @@ impl Shooting {
                 let propagated = linear.propagate(
                     &newton.equations,
                     &step,
-                    newton.linear.pattern(&newton.equations),
-                    &newton.linear.blocks,
+                    &newton.linear.tangent,
                     column,
                     |rhs| newton.linear.substitute(rhs),
                 );

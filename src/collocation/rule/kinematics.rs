@@ -35,6 +35,35 @@ pub struct VariationScratch {
     samples: [Vec<f64>; 3],
 }
 
+impl VariationScratch {
+    fn resize(&mut self, points: usize) {
+        for values in [&mut self.skews, &mut self.moved, &mut self.a, &mut self.b] {
+            values.resize(points, DualMatrix::zeros());
+        }
+        for samples in &mut self.samples {
+            samples.resize(points, 0.0);
+        }
+    }
+
+    /// Writes the derivatives of `moved`.
+    fn differentiate(&mut self, operators: &mut Differentiation) {
+        let [samples, d_samples, t_samples] = &mut self.samples;
+        for entry in 0..9 {
+            for part in [DualMatrix::primal_mut, DualMatrix::dual_mut] {
+                for (sample, m) in samples.iter_mut().zip(&mut self.moved) {
+                    *sample = part(m)[entry];
+                }
+                operators.apply(samples, d_samples, t_samples);
+                let derivatives = self.a.iter_mut().zip(&mut self.b);
+                let samples = d_samples.iter().zip(&*t_samples);
+                for ((a, b), (d, t)) in derivatives.zip(samples) {
+                    (part(a)[entry], part(b)[entry]) = (*d, *t);
+                }
+            }
+        }
+    }
+}
+
 impl NodeKinematics {
     /// Evaluates everything for a node's `motions`, one at each grid point.
     pub fn evaluate(&mut self, operators: &mut Differentiation, motions: &[Motion]) {
@@ -155,32 +184,13 @@ impl NodeKinematics {
         rates: &mut [[Vector6<f64>; 2]],
     ) {
         let n = self.motions.len();
-        let zero = DualMatrix::zeros();
-        scratch.skews.resize(n, zero);
-        for values in [&mut scratch.moved, &mut scratch.a, &mut scratch.b] {
-            values.resize(n, zero);
-        }
-        for samples in &mut scratch.samples {
-            samples.resize(n, 0.0);
-        }
+        scratch.resize(n);
         for (k, u) in increments.chunks_exact(6).enumerate() {
             let u = Vector6::from_column_slice(u);
             scratch.skews[k] = DualVector::from_twist(&u).skew();
             scratch.moved[k] = self.motions[k] * scratch.skews[k];
         }
-        let [samples, d_samples, t_samples] = &mut scratch.samples;
-        for entry in 0..9 {
-            for part in [DualMatrix::primal_mut, DualMatrix::dual_mut] {
-                for (sample, m) in samples.iter_mut().zip(&mut scratch.moved) {
-                    *sample = part(m)[entry];
-                }
-                operators.apply(samples, d_samples, t_samples);
-                for k in 0..n {
-                    part(&mut scratch.a[k])[entry] = d_samples[k];
-                    part(&mut scratch.b[k])[entry] = t_samples[k];
-                }
-            }
-        }
+        scratch.differentiate(operators);
         for l in 0..n {
             let skew = &scratch.skews[l];
             let (a, v) = (&self.a[l], &self.velocity[l]);
@@ -189,6 +199,45 @@ impl NodeKinematics {
             let delta_v = delta_a.axial();
             let delta_rate = (delta_b - (delta_v.skew() * *a + v.skew() * delta_a) * 2.0).axial();
             rates[l] = [delta_v.to_twist(), delta_rate.to_twist()];
+        }
+    }
+
+    /// Adds the transposes of `Γ_v` and `Γ_a` times the wrenches `by_rates` that velocity and
+    /// acceleration are multiplied by, by the operators themselves.
+    ///
+    /// As `w · axial(X)` is half the product of all entries of `w̃` and `X`, these make of `ΔA` and
+    /// `ΔB` half the products with `P = p̃ + 2 ṽ q̃` and `q̃`, where `q` multiplies `Δv̇` and `p` is
+    /// what multiplies `Δv` less `(tr(A) I − Aᵀ) q`; `Dᵀ = −D` and `Tᵀ = T`.
+    pub fn add_transposed_variation(
+        &self,
+        operators: &mut Differentiation,
+        by_rates: &[[Vector6<f64>; 2]],
+        scratch: &mut VariationScratch,
+        out: &mut [f64],
+    ) {
+        let n = self.motions.len();
+        scratch.resize(n);
+        let [mut by_a, mut by_b] = [(); 2].map(|()| vec![DualMatrix::zeros(); n]);
+        for (l, [by_velocity, by_acceleration]) in by_rates.iter().enumerate() {
+            let q = DualVector::from_wrench(by_acceleration);
+            let p = DualVector::from_wrench(by_velocity) - self.a[l].trace_minus_transpose() * q;
+            by_b[l] = q.skew();
+            by_a[l] = p.skew() + self.velocity[l].skew() * by_b[l] * 2.0;
+            scratch.moved[l] = self.motions[l] * by_a[l];
+        }
+        scratch.differentiate(operators);
+        let mut sums: Vec<DualMatrix> = scratch.a.iter().map(|a| -*a).collect();
+        for (l, by_b) in by_b.iter().enumerate() {
+            scratch.moved[l] = self.motions[l] * *by_b;
+        }
+        scratch.differentiate(operators);
+        for (k, out) in out.chunks_exact_mut(6).enumerate() {
+            sums[k] += scratch.b[k];
+            let sum = self.motions[k].tr_mul(&sums[k])
+                - by_a[k] * self.a[k].transpose()
+                - by_b[k] * self.b[k].transpose();
+            let wrench = sum.axial().to_wrench();
+            out.iter_mut().zip(&wrench).for_each(|(out, x)| *out += x);
         }
     }
 

@@ -84,6 +84,34 @@ pub trait TimeRule: CloneRule + Debug + Send + Sync {
         }
     }
 
+    /// Adds the transposes of `Γ_v` and `Γ_a` times what a node's velocity and acceleration are
+    /// multiplied by.
+    fn vary_transposed(
+        &self,
+        node: usize,
+        by_rates: &[[Vector6<f64>; 2]],
+        _: &mut RuleWorkspace,
+        out: &mut [f64],
+    ) {
+        for (k, out) in out.chunks_exact_mut(6).enumerate() {
+            for (l, by_rates) in by_rates.iter().enumerate() {
+                for (by_rate, gamma) in by_rates.iter().zip(self.tangent(node, 0, l, k)) {
+                    let by_rate = DualVector::from_wrench(by_rate);
+                    let sum = (gamma.transpose() * by_rate).to_wrench();
+                    out.iter_mut().zip(&sum).for_each(|(out, x)| *out += x);
+                }
+            }
+        }
+    }
+
+    /// The transpose of [`TimeRule::vary_rates`].
+    fn vary_rates_transposed(&self, by_rates: &[f64], _: &mut RuleWorkspace, out: &mut [f64]) {
+        for (k, out) in out.iter_mut().enumerate() {
+            let terms = by_rates.iter().enumerate();
+            *out = terms.map(|(l, x)| self.rate_weight(0, l, k) * x).sum();
+        }
+    }
+
     /// What the grid makes of the highest harmonics of a node's increments, see [`Aliasing`].
     fn aliasing(&self, node: usize) -> Vec<Aliasing> {
         let _ = node;

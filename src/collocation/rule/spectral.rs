@@ -126,6 +126,36 @@ impl TimeRule for Spectral {
         workspace.samples = unused;
     }
 
+    fn vary_transposed(
+        &self,
+        node: usize,
+        by_rates: &[[Vector6<f64>; 2]],
+        workspace: &mut RuleWorkspace,
+        out: &mut [f64],
+    ) {
+        workspace.operators(&self.operators);
+        let RuleWorkspace {
+            operators: Some(operators),
+            variation,
+            ..
+        } = workspace
+        else {
+            return;
+        };
+        self.nodes[node].add_transposed_variation(operators, by_rates, variation, out);
+    }
+
+    /// `Dᵀ = −D`.
+    fn vary_rates_transposed(
+        &self,
+        by_rates: &[f64],
+        workspace: &mut RuleWorkspace,
+        out: &mut [f64],
+    ) {
+        self.vary_rates(by_rates, workspace, out);
+        out.iter_mut().for_each(|x| *x = -*x);
+    }
+
     fn aliasing(&self, node: usize) -> Vec<Aliasing> {
         self.nodes[node].aliasing(self.operators.grid())
     }
