@@ -11,27 +11,23 @@ mod division;
 mod instants;
 mod mesh;
 mod motion_tangent;
-mod oversampled;
 mod pattern;
 mod problem;
 mod resampled;
 mod rule;
-mod sensitivity;
 mod state;
 mod stretching;
 mod tangent;
 
-pub use between::{Defect, NodeInterpolation, ResidualBetween, too_coarse};
+pub use between::{Defect, NodeInterpolation, ResidualBetween};
 pub use decay::{Decay, DecayKind};
 pub use motion_tangent::MotionTangent;
-pub use oversampled::{Oversampled, OversampledTangent};
 pub use pattern::{Panel, Pattern};
-pub use problem::Collocation;
-pub use resampled::ResampledNodes;
+pub use problem::{Collocation, Oversampled, OversampledTangent};
+pub use resampled::{ResampledNodes, too_coarse};
 pub use rule::{
     Aliasing, AlphaStep, Backward, BackwardWeights, GeneralizedAlpha, GivenRates, MotionState,
-    NodeKinematics, Spectral, Steady, TimeRule,
+    NodeKinematics, Spectral, Steady, StepVariation, TimeRule, Variation, VariationScales,
 };
-pub use sensitivity::{StepVariation, Variation, VariationScales};
 pub use state::GridState;
 pub use tangent::{Coupling, Increment, Linearisation, PairTangent, Station, Tangent};

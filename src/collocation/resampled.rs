@@ -1,9 +1,8 @@
 //! The unknowns at the points of another grid of the same period.
 
-use super::between::too_coarse;
 use super::state::GridState;
 use crate::elements::NodeState;
-use crate::error::Result;
+use crate::error::{Error, ErrorKind, Result};
 use crate::fourier::{Resampling, TimeGrid};
 use crate::motion::{DualMatrix, DualPolar, Motion};
 use crate::system::System;
@@ -193,4 +192,15 @@ impl GridState {
         }
         own
     }
+}
+
+/// The error of a grid too coarse for the motion of `node` at `time`.
+pub fn too_coarse(node: usize, time: f64, points: usize) -> Error {
+    Error::new(
+        ErrorKind::GridTooCoarse,
+        format!(
+            "the grid of {points} points is too coarse to interpolate the motion of node {node} at \
+             t = {time}; use more grid points"
+        ),
+    )
 }

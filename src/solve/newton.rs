@@ -197,7 +197,7 @@ impl Leap {
     /// Goes back to where the steps began, and to the exact tangent.
     fn undo(self, equations: &mut Collocation, state: &mut GridState, residual: &mut Vec<f64>) {
         (*state, *residual) = (self.start, self.residual);
-        equations.clear_resultants();
+        equations.set_resultants(Vec::new());
     }
 }
 
@@ -391,7 +391,7 @@ impl<L: LinearSolver> Newton<L> {
             explanation: String::new(),
         };
         let end = self.iterate(state, options, with_multipliers, &mut report, observe);
-        self.equations.clear_resultants();
+        self.equations.set_resultants(Vec::new());
         match end {
             Err(_) if self.equations.workers().is_stopped() => report.outcome = Outcome::Cancelled,
             end => end?,
@@ -585,7 +585,9 @@ impl<L: LinearSolver> Newton<L> {
             if leaping {
                 let equations = &mut self.equations;
                 timed(&mut self.timings.assembly, || {
-                    equations.extrapolate_resultants(state, &unscaled)
+                    let resultants = equations.extrapolated_resultants(state, &unscaled)?;
+                    equations.set_resultants(resultants);
+                    Ok(())
                 })?;
                 leap = Some(match leap.take() {
                     Some(before) => Leap {
@@ -599,7 +601,7 @@ impl<L: LinearSolver> Newton<L> {
                     },
                 });
             } else {
-                self.equations.clear_resultants();
+                self.equations.set_resultants(Vec::new());
                 leap = None;
             }
             iteration.step = if accepted.is_some() { step } else { 0.0 };

@@ -1,20 +1,11 @@
 //! Backward differences on a grid of one point (docs/theory.md, section 4.4).
 
 use super::TimeRule;
-use super::kinematics::NodeKinematics;
+use super::kinematics::{BackwardWeights, NodeKinematics};
 use crate::collocation::state::GridState;
 use crate::elements::NodeState;
 use crate::motion::DualMatrix;
 use crate::workers::Workers;
-
-/// Weights of the present and the past motions in first and second derivatives.
-#[derive(Debug, Clone, Copy)]
-pub struct BackwardWeights {
-    /// Of the first derivative, per unit of time.
-    pub first: [f64; 4],
-    /// Of the second derivative, per unit of time squared.
-    pub second: [f64; 4],
-}
 
 /// Backward differences with past states.
 #[derive(Debug, Clone)]

@@ -1,11 +1,19 @@
 //! Velocities and accelerations of a node at the grid points, and their exact linearisation
 //! (docs/theory.md, section 4.1). Everything is dual algebra.
 
-use super::BackwardWeights;
 use crate::elements::NodeState;
 use crate::fourier::Differentiation;
 use crate::motion::{DualMatrix, DualVector, Motion};
 use nalgebra::{Vector3, Vector6};
+
+/// Weights of the present and the past motions in first and second derivatives.
+#[derive(Debug, Clone, Copy)]
+pub struct BackwardWeights {
+    /// Of the first derivative, per unit of time.
+    pub first: [f64; 4],
+    /// Of the second derivative, per unit of time squared.
+    pub second: [f64; 4],
+}
 
 /// One node over the grid: `A_ℓ`, `B_ℓ`, `v_ℓ` and `v̇_ℓ`.
 #[derive(Debug, Clone, Default)]
@@ -20,9 +28,7 @@ pub struct NodeKinematics {
     velocity: Vec<DualVector>,
     /// `v̇_ℓ = axial(B_ℓ − 2 ṽ_ℓ A_ℓ)`.
     acceleration: Vec<DualVector>,
-    samples: Vec<f64>,
-    d_samples: Vec<f64>,
-    t_samples: Vec<f64>,
+    samples: [Vec<f64>; 3],
 }
 
 /// Scratch of [`NodeKinematics::variation`].
@@ -32,35 +38,48 @@ pub struct VariationScratch {
     moved: Vec<DualMatrix>,
     a: Vec<DualMatrix>,
     b: Vec<DualMatrix>,
+    by_a: Vec<DualMatrix>,
+    sums: Vec<DualMatrix>,
     samples: [Vec<f64>; 3],
+}
+
+/// Writes the first and second derivatives of a motion, entry by entry.
+fn differentiate(
+    operators: &mut Differentiation,
+    motions: &mut [DualMatrix],
+    [first, second]: [&mut Vec<DualMatrix>; 2],
+    samples: &mut [Vec<f64>; 3],
+) {
+    let n = motions.len();
+    first.resize(n, DualMatrix::zeros());
+    second.resize(n, DualMatrix::zeros());
+    samples.iter_mut().for_each(|values| values.resize(n, 0.0));
+    let [samples, d_samples, t_samples] = samples;
+    for entry in 0..9 {
+        for part in [DualMatrix::primal_mut, DualMatrix::dual_mut] {
+            for (sample, m) in samples.iter_mut().zip(&mut *motions) {
+                *sample = part(m)[entry];
+            }
+            operators.apply(samples, d_samples, t_samples);
+            for k in 0..n {
+                part(&mut first[k])[entry] = d_samples[k];
+                part(&mut second[k])[entry] = t_samples[k];
+            }
+        }
+    }
 }
 
 impl VariationScratch {
     fn resize(&mut self, points: usize) {
-        for values in [&mut self.skews, &mut self.moved, &mut self.a, &mut self.b] {
-            values.resize(points, DualMatrix::zeros());
-        }
-        for samples in &mut self.samples {
-            samples.resize(points, 0.0);
+        for list in [&mut self.skews, &mut self.moved, &mut self.by_a] {
+            list.resize(points, DualMatrix::zeros());
         }
     }
 
     /// Writes the derivatives of `moved`.
     fn differentiate(&mut self, operators: &mut Differentiation) {
-        let [samples, d_samples, t_samples] = &mut self.samples;
-        for entry in 0..9 {
-            for part in [DualMatrix::primal_mut, DualMatrix::dual_mut] {
-                for (sample, m) in samples.iter_mut().zip(&mut self.moved) {
-                    *sample = part(m)[entry];
-                }
-                operators.apply(samples, d_samples, t_samples);
-                let derivatives = self.a.iter_mut().zip(&mut self.b);
-                let samples = d_samples.iter().zip(&*t_samples);
-                for ((a, b), (d, t)) in derivatives.zip(samples) {
-                    (part(a)[entry], part(b)[entry]) = (*d, *t);
-                }
-            }
-        }
+        let sums = [&mut self.a, &mut self.b];
+        differentiate(operators, &mut self.moved, sums, &mut self.samples);
     }
 }
 
@@ -68,33 +87,16 @@ impl NodeKinematics {
     /// Evaluates everything for a node's `motions`, one at each grid point.
     pub fn evaluate(&mut self, operators: &mut Differentiation, motions: &[Motion]) {
         let n = motions.len();
-        let zero = DualMatrix::zeros();
-        for values in [&mut self.motions, &mut self.a, &mut self.b] {
-            values.resize(n, zero);
-        }
+        self.motions.resize(n, DualMatrix::zeros());
         self.velocity.resize(n, DualVector::zeros());
         self.acceleration.resize(n, DualVector::zeros());
-        for samples in [&mut self.samples, &mut self.d_samples, &mut self.t_samples] {
-            samples.resize(n, 0.0);
-        }
-
         let mean = motions.iter().map(|m| m.position).sum::<Vector3<f64>>() / n as f64;
         for (dual, motion) in self.motions.iter_mut().zip(motions) {
             *dual = Motion::new(motion.rotation, motion.position - mean).to_dual();
         }
-        // D M and T M, entry by entry; kept in a and b until both are complete.
-        for entry in 0..9 {
-            for part in [DualMatrix::primal_mut, DualMatrix::dual_mut] {
-                for (sample, m) in self.samples.iter_mut().zip(&mut self.motions) {
-                    *sample = part(m)[entry];
-                }
-                operators.apply(&self.samples, &mut self.d_samples, &mut self.t_samples);
-                for k in 0..n {
-                    part(&mut self.a[k])[entry] = self.d_samples[k];
-                    part(&mut self.b[k])[entry] = self.t_samples[k];
-                }
-            }
-        }
+        // D M and T M, kept in a and b until both are complete.
+        let (motions, sums) = (&mut self.motions, [&mut self.a, &mut self.b]);
+        differentiate(operators, motions, sums, &mut self.samples);
         for l in 0..n {
             self.a[l] = self.motions[l].tr_mul(&self.a[l]);
             self.b[l] = self.motions[l].tr_mul(&self.b[l]);
@@ -205,9 +207,9 @@ impl NodeKinematics {
     /// Adds the transposes of `Γ_v` and `Γ_a` times the wrenches `by_rates` that velocity and
     /// acceleration are multiplied by, by the operators themselves.
     ///
-    /// As `w · axial(X)` is half the product of all entries of `w̃` and `X`, these make of `ΔA` and
-    /// `ΔB` half the products with `P = p̃ + 2 ṽ q̃` and `q̃`, where `q` multiplies `Δv̇` and `p` is
-    /// what multiplies `Δv` less `(tr(A) I − Aᵀ) q`; `Dᵀ = −D` and `Tᵀ = T`.
+    /// As `w · axial(X)` is half the product of all entries of `w̃` and `X`, what they multiply is
+    /// half the products of `ΔA` with `P = p̃ + 2 ṽ q̃` and of `ΔB` with `q̃`, where `q` multiplies
+    /// `Δv̇` and `p` is what multiplies `Δv` less `(tr(A) I − Aᵀ) q`; `Dᵀ = −D` and `Tᵀ = T`.
     pub fn add_transposed_variation(
         &self,
         operators: &mut Differentiation,
@@ -215,27 +217,28 @@ impl NodeKinematics {
         scratch: &mut VariationScratch,
         out: &mut [f64],
     ) {
-        let n = self.motions.len();
-        scratch.resize(n);
-        let [mut by_a, mut by_b] = [(); 2].map(|()| vec![DualMatrix::zeros(); n]);
+        scratch.resize(self.motions.len());
         for (l, [by_velocity, by_acceleration]) in by_rates.iter().enumerate() {
             let q = DualVector::from_wrench(by_acceleration);
             let p = DualVector::from_wrench(by_velocity) - self.a[l].trace_minus_transpose() * q;
-            by_b[l] = q.skew();
-            by_a[l] = p.skew() + self.velocity[l].skew() * by_b[l] * 2.0;
-            scratch.moved[l] = self.motions[l] * by_a[l];
+            scratch.skews[l] = q.skew();
+            scratch.by_a[l] = p.skew() + self.velocity[l].skew() * scratch.skews[l] * 2.0;
+            scratch.moved[l] = self.motions[l] * scratch.by_a[l];
         }
         scratch.differentiate(operators);
-        let mut sums: Vec<DualMatrix> = scratch.a.iter().map(|a| -*a).collect();
-        for (l, by_b) in by_b.iter().enumerate() {
-            scratch.moved[l] = self.motions[l] * *by_b;
+        std::mem::swap(&mut scratch.sums, &mut scratch.a);
+        for (moved, (motion, by_b)) in scratch
+            .moved
+            .iter_mut()
+            .zip(self.motions.iter().zip(&scratch.skews))
+        {
+            *moved = *motion * *by_b;
         }
         scratch.differentiate(operators);
         for (k, out) in out.chunks_exact_mut(6).enumerate() {
-            sums[k] += scratch.b[k];
-            let sum = self.motions[k].tr_mul(&sums[k])
-                - by_a[k] * self.a[k].transpose()
-                - by_b[k] * self.b[k].transpose();
+            let sum = self.motions[k].tr_mul(&(scratch.b[k] - scratch.sums[k]))
+                - scratch.by_a[k] * self.a[k].transpose()
+                - scratch.skews[k] * self.b[k].transpose();
             let wrench = sum.axial().to_wrench();
             out.iter_mut().zip(&wrench).for_each(|(out, x)| *out += x);
         }

@@ -10,10 +10,12 @@ mod spectral;
 mod steady;
 
 pub use aliasing::Aliasing;
-pub use alpha::{AlphaStep, GeneralizedAlpha, MotionState};
-pub use backward::{Backward, BackwardWeights};
+pub use alpha::{
+    AlphaStep, GeneralizedAlpha, MotionState, StepVariation, Variation, VariationScales,
+};
+pub use backward::Backward;
 pub use given::GivenRates;
-pub use kinematics::{NodeKinematics, VariationScratch};
+pub use kinematics::{BackwardWeights, NodeKinematics, VariationScratch};
 pub use spectral::Spectral;
 pub use steady::Steady;
 

@@ -1,9 +1,9 @@
 //! How the end of a step varies with its start: exact linearisation of the generalised-α method.
 //! See docs/theory.md, section 12.3.
 
-use super::problem::Collocation;
-use super::rule::{AlphaStep, MotionState};
-use super::tangent::{Increment, Tangent};
+use super::{AlphaStep, MotionState};
+use crate::collocation::problem::Collocation;
+use crate::collocation::tangent::{Increment, Tangent};
 use crate::elements::{Measure, Unknown};
 use crate::motion::inverse_tangent;
 use nalgebra::{Matrix6, Vector6};
@@ -219,30 +219,17 @@ impl StepVariation {
         variation: &mut Variation,
         solve: impl FnOnce(&mut [f64]) -> bool,
     ) -> bool {
-        let (method, h) = (&step.method, step.length);
-        let (alpha_m, alpha_f, beta, gamma) =
-            (method.alpha_m, method.alpha_f, method.beta, method.gamma);
         // As if the end did not move; then what its moving adds.
-        for ((node, [_, turned]), free) in variation
-            .nodes
-            .iter_mut()
-            .zip(&self.tangents)
-            .zip(&mut self.free.rates)
-        {
-            let [u, v, rate, a] = *node;
-            let psi = -(turned * u);
-            let a1 = (psi / h - v - a * ((0.5 - beta) * h)) / (beta * h);
-            let v1 = v + (a * (1.0 - gamma) + a1 * gamma) * h;
-            let rate1 = (a1 * (1.0 - alpha_m) + a * alpha_m - rate * alpha_f) / (1.0 - alpha_f);
+        let of_nodes = variation.nodes.iter_mut().zip(&self.tangents);
+        for ((node, [_, turned]), free) in of_nodes.zip(&mut self.free.rates) {
+            let [u, v, rate, a] = &*node;
+            let [v1, rate1, a1] = step.end(&-(turned * u), [v, rate, a]);
             *free = [v1, rate1];
             *node = [Vector6::zeros(), v1, rate1, a1];
         }
-        let (state_alpha_m, state_gamma) = (method.state_alpha_m, method.state_gamma);
         for state in &mut variation.states {
             let [x, rate, a] = *state;
-            let a1 = (-x / h - (1.0 - state_gamma) * a) / state_gamma;
-            let rate1 =
-                ((1.0 - state_alpha_m) * a1 + state_alpha_m * a - alpha_f * rate) / (1.0 - alpha_f);
+            let [rate1, a1] = step.end_of_state(-x, [rate, a]);
             *state = [0.0, rate1, a1];
         }
         self.free.own_rates.clear();
@@ -263,7 +250,7 @@ impl StepVariation {
             node[0] = u;
             node[1] += psi * first;
             node[2] += psi * second;
-            node[3] += psi / (beta * h * h);
+            node[3] += psi / (step.method.beta * step.length * step.length);
         }
         let weight = step.state_weight();
         let system = equations.system();
@@ -273,7 +260,7 @@ impl StepVariation {
                 let x = self.rhs[at] * scales[at];
                 state[0] = x;
                 state[1] += weight * x;
-                state[2] += x / (state_gamma * h);
+                state[2] += x / (step.method.state_gamma * step.length);
             }
         }
         true

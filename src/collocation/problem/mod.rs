@@ -1,17 +1,20 @@
 //! Residual of the governing equations at all grid points (docs/theory.md, section 5.2).
 
+mod oversampled;
+mod resultants;
+
+pub use oversampled::{Oversampled, OversampledTangent};
+
 use super::division::Division;
 use super::instants::Instants;
-use super::oversampled::Oversampled;
-use super::rule::{RuleWorkspace, Spectral, TimeRule};
+use super::rule::{Spectral, TimeRule};
 use super::state::GridState;
 use crate::elements::{Measure, NodeState, Unknown};
 use crate::error::Result;
-use crate::fourier::{Resampling, TimeGrid};
+use crate::fourier::TimeGrid;
 use crate::motion::Motion;
 use crate::system::{System, Workspace};
 use crate::workers::{Workers, parts};
-use nalgebra::Vector6;
 use std::sync::Arc;
 
 /// Scaled compliance of dependent constraints in the Jacobian. Newton's method loses this factor,
@@ -202,112 +205,6 @@ impl Collocation {
     /// Where the residual is taken from, if not from the grid's own points.
     pub fn oversampled(&self) -> Option<&Oversampled> {
         self.oversampled.as_deref()
-    }
-
-    /// From now on takes geometric stiffness at the stress resultants that follow from those at
-    /// `state` in proportion to the unscaled `increment` of the unknowns.
-    ///
-    /// After an increment that turns beams much, those of the strains have little to do with
-    /// equilibrium: second-order stretching, times axial stiffness. These are in equilibrium, as
-    /// the linear equations were.
-    ///
-    /// # Errors
-    /// If an element is too distorted.
-    pub fn extrapolate_resultants(&mut self, state: &GridState, increment: &[f64]) -> Result<()> {
-        self.update_kinematics(state);
-        let (points, stations) = (self.grid.points(), self.system.stations());
-        let mut all = vec![Vector6::zeros(); points * stations];
-        let changes = self.increments_with_rates(increment);
-        let mut instants: Vec<&mut [Vector6<f64>]> = all.chunks_exact_mut(stations).collect();
-        let (system, states) = (&self.system, &self.instants.states);
-        self.workers.try_for_each(
-            &mut instants,
-            &mut Vec::new(),
-            || (Vec::new(), Vec::new()),
-            |(nodes, increments), k, out| {
-                for placed in system.elements() {
-                    let places = placed.element.nodes().iter().map(|node| node * points + k);
-                    nodes.clear();
-                    nodes.extend(places.clone().map(|at| states[at]));
-                    increments.clear();
-                    increments.extend(places.map(|at| changes[at]));
-                    let out = &mut out[placed.stations.clone()];
-                    placed
-                        .element
-                        .extrapolate_resultants(nodes, increments, out)?;
-                }
-                Ok(())
-            },
-        )?;
-        self.instants.resultants = all;
-        Ok(())
-    }
-
-    /// Increments of the nodes, and of their velocities, that an unscaled increment of all unknowns
-    /// is; kinematics are those of the last evaluation.
-    fn increments_with_rates(&self, increment: &[f64]) -> Vec<[Vector6<f64>; 2]> {
-        let points = self.grid.points();
-        let mut changes = vec![[Vector6::zeros(); 2]; points * self.system.nodes()];
-        let mut rates = vec![[Vector6::zeros(); 2]; points];
-        let mut workspace = RuleWorkspace::default();
-        let of_nodes = increment.chunks_exact(6 * points);
-        for (node, (changes, increments)) in changes.chunks_mut(points).zip(of_nodes).enumerate() {
-            self.rule.vary(node, increments, &mut workspace, &mut rates);
-            let increments = increments.chunks_exact(6).zip(&rates);
-            for (change, (u, [velocity, _])) in changes.iter_mut().zip(increments) {
-                *change = [Vector6::from_column_slice(u), *velocity];
-            }
-        }
-        changes
-    }
-
-    /// Stress resultants of all stations at `state`, at the points of another grid of the same
-    /// period that begins `start` periods later; none where tangents have no use for them.
-    ///
-    /// # Errors
-    /// If an element is too distorted.
-    pub fn resampled_resultants(
-        &mut self,
-        state: &GridState,
-        start: f64,
-        other: TimeGrid,
-    ) -> Result<Vec<Vector6<f64>>> {
-        let stations = self.system.stations();
-        if stations == 0 || self.oversampled.is_some() {
-            return Ok(Vec::new());
-        }
-        self.extrapolate_resultants(state, &vec![0.0; self.size()])?;
-        let resultants = std::mem::take(&mut self.instants.resultants);
-        let mut all = vec![Vector6::zeros(); other.points() * stations];
-        let mut resampling = Resampling::new(self.grid, start, other.points());
-        let mut values = vec![0.0; other.points()];
-        for station in 0..stations {
-            for row in 0..6 {
-                let own = resultants.iter().skip(station).step_by(stations);
-                resampling.read(own.map(|resultants| resultants[row]));
-                resampling.write(0, 0, &mut values);
-                for (k, value) in values.iter().enumerate() {
-                    all[k * stations + station][row] = *value;
-                }
-            }
-        }
-        Ok(all)
-    }
-
-    /// From now on takes geometric stiffness at these stress resultants.
-    pub fn set_resultants(&mut self, resultants: Vec<Vector6<f64>>) {
-        self.instants.resultants = resultants;
-    }
-
-    /// Whether geometric stiffness is taken at stress resultants other than those of the strains.
-    pub fn has_resultants(&self) -> bool {
-        !self.instants.resultants.is_empty()
-    }
-
-    /// From now on takes geometric stiffness at the stress resultants of the strains: the tangent
-    /// is exact.
-    pub fn clear_resultants(&mut self) {
-        self.instants.resultants.clear();
     }
 
     /// Lets velocities, accelerations and rates of internal states follow by another rule for this

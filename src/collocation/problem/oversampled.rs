@@ -12,10 +12,10 @@
 //! (Harmonics of components in turning frames would not do: the highest of a multiplier in another
 //! frame is beyond them, and would have no effect.) See docs/theory.md, section 10.6.
 
-use super::between::too_coarse;
-use super::problem::Collocation;
-use super::state::GridState;
-use super::tangent::Tangent;
+use super::Collocation;
+use crate::collocation::resampled::too_coarse;
+use crate::collocation::state::GridState;
+use crate::collocation::tangent::Tangent;
 use crate::error::Result;
 use crate::fourier::{Resampling, TimeGrid};
 use crate::motion::{DualMatrix, DualPolar, DualVector, Motion};
