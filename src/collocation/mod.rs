@@ -23,7 +23,7 @@ pub use between::{Defect, NodeInterpolation, ResidualBetween};
 pub use decay::{Decay, DecayKind};
 pub use motion_tangent::MotionTangent;
 pub use pattern::{Panel, Pattern};
-pub use problem::{Collocation, Oversampled, OversampledTangent};
+pub use problem::{Collocation, Conditions, Oversampled, OversampledTangent};
 pub use resampled::{ResampledNodes, too_coarse};
 pub use rule::{
     Aliasing, AlphaStep, Backward, BackwardWeights, GeneralizedAlpha, GivenRates, MotionState,

@@ -9,7 +9,7 @@ use super::assembly::describe_turned_over;
 use super::diagnosis::{Singularity, describe_open_joint};
 use super::linear::LinearSolver;
 use super::newton::{Newton, Outcome, SINGULAR_GROWTH};
-use crate::collocation::{GeneralizedAlpha, GivenRates, MotionState};
+use crate::collocation::{Conditions, GeneralizedAlpha, GivenRates, MotionState};
 use crate::elements::{Measure, Unknown};
 use crate::error::Result;
 use nalgebra::Vector6;
@@ -411,7 +411,9 @@ impl<'a> Initial<'a> {
         method: &GeneralizedAlpha,
     ) -> Result<std::result::Result<(f64, f64), Refusal>> {
         let system = self.newton.equations.system().clone();
-        self.newton.equations.set_conditions(at.time, 1.0)?;
+        self.newton
+            .equations
+            .set_conditions(Conditions::at(at.time))?;
         let signals = system.signal_derivatives(at.time, self.step)?;
         let moved = match self.close(at)? {
             Ok(moved) => moved,
@@ -468,10 +470,14 @@ impl<'a> Initial<'a> {
             *value += short * rate;
         }
         later.state.track(&system);
-        self.newton.equations.set_conditions(later.time, 1.0)?;
+        self.newton
+            .equations
+            .set_conditions(Conditions::at(later.time))?;
         let signals = system.signal_derivatives(later.time, self.step)?;
         let refusal = self.accelerate(&mut later, &signals)?;
-        self.newton.equations.set_conditions(at.time, 1.0)?;
+        self.newton
+            .equations
+            .set_conditions(Conditions::at(at.time))?;
         at.averaged.clone_from(&at.twist_rate);
         at.averaged_rates.clone_from(&at.rates);
         if refusal.is_some() {

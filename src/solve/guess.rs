@@ -3,7 +3,7 @@
 
 use super::branch::Branch;
 use super::newton::{Iteration, Newton, NewtonOptions, Outcome};
-use crate::collocation::{Collocation, GivenRates, GridState, Steady};
+use crate::collocation::{Collocation, Conditions, GivenRates, GridState, Steady};
 use crate::error::{ErrorKind, Result};
 use crate::fourier::TimeGrid;
 use crate::system::{Driven, System};
@@ -84,7 +84,10 @@ impl<'a> Tracker<'a> {
     /// Sets time and load factor, which steady rotation follows.
     fn set_conditions(&mut self, time: f64, load_factor: f64) -> Result<()> {
         let equations = &mut self.newton.equations;
-        equations.set_conditions(time, load_factor)?;
+        equations.set_conditions(Conditions {
+            load_factor,
+            ..Conditions::at(time)
+        })?;
         if let Some(driven) = &self.driven {
             equations.set_rule(Box::new(Steady::new(driven.twists(load_factor))));
         }
@@ -278,7 +281,9 @@ pub(super) fn inertial_displacement(
     let mut most = 0.0f64;
     for part in LOOKED_AT {
         let k = (part * count as f64) as usize;
-        newton.equations.set_conditions(grid.time(k), 1.0)?;
+        newton
+            .equations
+            .set_conditions(Conditions::at(grid.time(k)))?;
         if let Some(driven) = driven {
             let rule = Steady::new(driven.twists(1.0));
             newton.equations.set_rule(Box::new(rule));

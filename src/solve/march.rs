@@ -3,7 +3,7 @@
 //! See docs/theory.md, section 9.6.
 
 use super::newton::{Iteration, Newton, NewtonOptions, Outcome};
-use crate::collocation::{Backward, BackwardWeights, Collocation, GridState};
+use crate::collocation::{Backward, BackwardWeights, Collocation, Conditions, GridState};
 use crate::error::{ErrorKind, Result};
 use crate::fourier::TimeGrid;
 use crate::system::System;
@@ -141,7 +141,7 @@ impl DissipativeMarch {
         for k in 0..grid.points() {
             for part in 0..parts {
                 let equations = &mut self.newton.equations;
-                equations.set_conditions(grid.time(k) + step * part as f64, 1.0)?;
+                equations.set_conditions(Conditions::at(grid.time(k) + step * part as f64))?;
                 let past = self.past.iter().cloned().collect();
                 equations.set_rule(Box::new(Backward::new(weights, past)));
                 let mut next = self.past[0].extrapolated(&self.system, &self.past[1], 1.0);

@@ -3,7 +3,7 @@
 
 use super::guess::Tracker;
 use super::newton::{NewtonOptions, Outcome};
-use crate::collocation::{Backward, BackwardWeights, Spectral};
+use crate::collocation::{Backward, BackwardWeights, Conditions, Spectral};
 use crate::error::Result;
 use crate::system::System;
 
@@ -27,7 +27,10 @@ const NEWTON: NewtonOptions = NewtonOptions {
 impl Tracker<'_> {
     /// Whether something holds the reference configuration when no loads act.
     pub(super) fn is_held(&mut self) -> Result<bool> {
-        self.newton.equations.set_conditions(0.0, 0.0)?;
+        self.newton.equations.set_conditions(Conditions {
+            load_factor: 0.0,
+            ..Conditions::at(0.0)
+        })?;
         let mut state = self.state.clone();
         let report = self.newton.solve(&mut state, &NEWTON, self.observe)?;
         if report.outcome == Outcome::Cancelled {
@@ -46,7 +49,7 @@ impl Tracker<'_> {
         if scales.mass <= 0.0 || self.was_cancelled() {
             return Ok(false);
         }
-        self.newton.equations.set_conditions(0.0, 1.0)?;
+        self.newton.equations.set_conditions(Conditions::at(0.0))?;
         let first_step = (scales.mass * scales.length / scales.force).sqrt();
         let mut step = first_step;
         let mut state = self.state.clone();

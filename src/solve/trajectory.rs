@@ -5,7 +5,9 @@ use super::consistent::{Initial, Refusal};
 use super::newton::{Iteration, Newton, NewtonOptions, NewtonReport, Outcome};
 use super::periodic::{PeriodicSolve, Stage};
 use super::watch::Watch;
-use crate::collocation::{AlphaStep, Collocation, GeneralizedAlpha, GridState, MotionState};
+use crate::collocation::{
+    AlphaStep, Collocation, Conditions, GeneralizedAlpha, GridState, MotionState,
+};
 use crate::elements::{NodeState, Unknown};
 use crate::error::{Error, ErrorKind, Result, require_finite};
 use crate::fourier::TimeGrid;
@@ -413,7 +415,7 @@ impl Marcher {
     ) -> Result<std::result::Result<f64, Option<Refusal>>> {
         let time = self.step.start.time + self.step.length;
         let system = self.newton.equations.system().clone();
-        self.newton.equations.set_conditions(time, 1.0)?;
+        self.newton.equations.set_conditions(Conditions::at(time))?;
         self.step.predict(&mut self.next);
         self.next
             .coordinates

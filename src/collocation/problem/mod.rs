@@ -48,6 +48,28 @@ pub struct Collocation {
     oversampled: Option<Box<Oversampled>>,
 }
 
+/// What the equations are evaluated under.
+#[derive(Debug, Clone, Copy)]
+pub struct Conditions {
+    /// Time of the grid's first point.
+    pub start: f64,
+    /// Fraction of all loads and prescribed motions.
+    pub load_factor: f64,
+    /// Fraction of the inertial forces.
+    pub inertia_factor: f64,
+}
+
+impl Conditions {
+    /// All loads and inertial forces, with the grid's first point at this time.
+    pub fn at(start: f64) -> Self {
+        Conditions {
+            start,
+            load_factor: 1.0,
+            inertia_factor: 1.0,
+        }
+    }
+}
+
 impl Collocation {
     /// Equations of `system` on `grid`, whose first point is at time zero.
     pub fn new(system: Arc<System>, grid: TimeGrid) -> Result<Self> {
@@ -112,7 +134,7 @@ impl Collocation {
             grid,
             workers: Workers::default(),
         };
-        collocation.set_conditions(0.0, 1.0)?;
+        collocation.set_conditions(Conditions::at(0.0))?;
         Ok(collocation)
     }
 
@@ -165,27 +187,23 @@ impl Collocation {
         &self.column_scale
     }
 
-    /// Moves the grid's first point to time `start`, with the fraction `load_factor` of all loads
-    /// and prescribed motions.
-    pub fn set_conditions(&mut self, start: f64, load_factor: f64) -> Result<()> {
+    /// Sets what the equations are evaluated under.
+    ///
+    /// # Errors
+    /// Those of signals.
+    pub fn set_conditions(&mut self, conditions: Conditions) -> Result<()> {
         let count = self.system.signals();
+        self.instants.inertia_factor = conditions.inertia_factor;
         for k in 0..self.grid.points() {
             let values = &mut self.instants.signals[k * count..][..count];
-            let time = start + self.grid.time(k);
+            let time = conditions.start + self.grid.time(k);
             self.instants.times[k] = time;
-            self.system.signal_values(time, load_factor, values)?;
+            self.system
+                .signal_values(time, conditions.load_factor, values)?;
         }
-        if let Some(oversampled) = &mut self.oversampled {
-            oversampled.fine_mut().set_conditions(start, load_factor)?;
-        }
-        Ok(())
-    }
-
-    /// Takes only this fraction of the inertial forces.
-    pub fn set_inertia_factor(&mut self, factor: f64) {
-        self.instants.inertia_factor = factor;
-        if let Some(oversampled) = &mut self.oversampled {
-            oversampled.fine_mut().set_inertia_factor(factor);
+        match &mut self.oversampled {
+            Some(oversampled) => oversampled.fine_mut().set_conditions(conditions),
+            None => Ok(()),
         }
     }
 

@@ -227,11 +227,8 @@ impl NodeKinematics {
         }
         scratch.differentiate(operators);
         std::mem::swap(&mut scratch.sums, &mut scratch.a);
-        for (moved, (motion, by_b)) in scratch
-            .moved
-            .iter_mut()
-            .zip(self.motions.iter().zip(&scratch.skews))
-        {
+        let factors = self.motions.iter().zip(&scratch.skews);
+        for (moved, (motion, by_b)) in scratch.moved.iter_mut().zip(factors) {
             *moved = *motion * *by_b;
         }
         scratch.differentiate(operators);
@@ -263,7 +260,11 @@ impl NodeKinematics {
 
     /// The part of these blocks that is in proportion to the weights.
     pub fn carried(&self, (d, t): (f64, f64), l: usize, k: usize) -> [DualMatrix; 2] {
-        let s = self.motions[l].tr_mul(&self.motions[k]);
+        // The zeros of the identity are wanted where a motion at rest has nothing else.
+        let s = match l == k {
+            true => DualMatrix::identity(),
+            false => self.motions[l].tr_mul(&self.motions[k]),
+        };
         // ½ D_ℓk (tr(S) I − Sᵀ), and with W = T_ℓk S − 2 D_ℓk ṽ S the same for the acceleration.
         let gamma_v = s.trace_minus_transpose() * (0.5 * d);
         let w = s * t - self.velocity[l].skew() * s * (2.0 * d);

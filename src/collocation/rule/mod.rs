@@ -8,6 +8,8 @@ mod given;
 mod kinematics;
 mod spectral;
 mod steady;
+#[cfg(test)]
+mod tangent_test;
 
 pub use aliasing::Aliasing;
 pub use alpha::{

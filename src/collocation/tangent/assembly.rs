@@ -1,5 +1,6 @@
-//! The Jacobian, assembled (docs/theory.md, section 5.3), and the polynomial in `μ` that it is for
-//! increments `exp(μt) Δu` (section 11.3).
+//! The Jacobian, assembled, and the polynomial in `μ` that it is for increments `exp(μt) Δu`, which
+//! is that of small motions where nothing moves.
+//! See docs/theory.md, section 5.3.
 
 use super::Tangent;
 use crate::collocation::pattern::Pattern;
