@@ -167,7 +167,7 @@ pub unsafe extern "C" fn pdn_motion_grid_kinematics(
             for k in 0..points {
                 for l in 0..points {
                     let weights = (operators.first(l, k), operators.second(l, k));
-                    let (gamma_v, gamma_a) = node.tangent(weights, l, k);
+                    let [gamma_v, gamma_a] = node.tangent(weights, l, k);
                     for (target, gamma) in [(2, gamma_v), (3, gamma_a)] {
                         let block = gamma.to_twist_matrix();
                         for c in 0..6 {

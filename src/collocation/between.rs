@@ -6,10 +6,10 @@
 //! as can be, for all `p`. See docs/theory.md, section 10.2.
 
 use super::problem::Collocation;
-use super::resampled::{ResampledNodes, dual, primal};
+use super::resampled::ResampledNodes;
 use super::state::GridState;
 use crate::elements::{Measure, NodeState, Unknown};
-use crate::error::{Error, ErrorKind, Result};
+use crate::error::Result;
 use crate::fourier::{CardinalWeights, Resampling, SpectralFilter, TimeGrid};
 use crate::motion::{DualMatrix, DualPolar, Motion};
 use crate::system::{Conditions, OwnValues, System, Workspace};
@@ -45,7 +45,7 @@ impl NodeInterpolation {
         let mut resampling = Resampling::new(grid, 0.0, grid.points());
         let mut samples = vec![0.0; grid.points()];
         for entry in 0..9 {
-            for part in [primal, dual] {
+            for part in [DualMatrix::primal_mut, DualMatrix::dual_mut] {
                 let motions = &mut interpolation.motions;
                 resampling.read(motions.iter_mut().map(|m| part(m)[entry]));
                 resampling.filter(filter);
@@ -78,17 +78,6 @@ impl NodeInterpolation {
             twist_rate: acceleration.to_twist(),
         })
     }
-}
-
-/// The error of a grid too coarse for the motion of `node` at `time`.
-pub fn too_coarse(node: usize, time: f64, points: usize) -> Error {
-    Error::new(
-        ErrorKind::GridTooCoarse,
-        format!(
-            "the grid of {points} points is too coarse to interpolate the motion of node {node} at \
-             t = {time}; use more grid points"
-        ),
-    )
 }
 
 /// Where between two grid points the equations are looked at: the golden section of the interval.
@@ -248,7 +237,8 @@ impl Defect {
     /// Of a state on a grid.
     ///
     /// # Errors
-    /// [`ErrorKind::GridTooCoarse`] if a motion cannot be interpolated, or a failing callback.
+    /// [`crate::error::ErrorKind::GridTooCoarse`] if a motion cannot be interpolated, or a failing
+    /// callback.
     pub fn of(
         system: &System,
         grid: TimeGrid,

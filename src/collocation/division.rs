@@ -129,9 +129,9 @@ impl Division {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::collocation::{Collocation, GridState, Pattern, Tangent, TangentBlocks};
+    use crate::collocation::{Collocation, GridState, Pattern, Tangent};
     use crate::fourier::TimeGrid;
-    use crate::solve::test_models::{moving_models, rotor};
+    use crate::model::test_models::{moving_models, rotor};
     use std::sync::Arc;
 
     #[test]
@@ -185,11 +185,11 @@ mod tests {
                 let mut residual = vec![0.0; equations.size()];
                 equations.residual(&state, &mut residual).unwrap();
                 let mut values = vec![0.0; pattern.entries()];
-                let blocks = &mut TangentBlocks::default();
-                equations
-                    .jacobian(&state, &pattern, blocks, &mut values)
-                    .unwrap();
                 let mut tangent = Tangent::new(&system, points);
+                equations
+                    .jacobian(&state, &pattern, &mut tangent, &mut values)
+                    .unwrap();
+                let mut tangent = Tangent::with_resultants_apart(&system, points);
                 // Twice, as what is there from before is to be overwritten.
                 for _ in 0..2 {
                     tangent.evaluate(&mut equations, &state).unwrap();

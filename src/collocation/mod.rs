@@ -3,39 +3,31 @@
 //! With a grid of one point, velocities and accelerations vanish and the same equations are those
 //! of static equilibrium at the grid's start time.
 
-mod aliasing;
 mod amplitude;
 mod between;
+mod coupling;
 mod decay;
 mod division;
 mod instants;
-mod jacobian;
-mod kinematics;
-mod linearisation;
 mod mesh;
 mod motion_tangent;
-mod oversampled;
 mod pattern;
 mod problem;
 mod resampled;
-mod sensitivity;
+mod rule;
 mod state;
-mod step;
 mod stretching;
 mod tangent;
 
-pub use aliasing::Aliasing;
-pub use between::{Defect, NodeInterpolation, ResidualBetween, too_coarse};
+pub use between::{Defect, NodeInterpolation, ResidualBetween};
 pub use decay::{Decay, DecayKind};
-pub use jacobian::TangentBlocks;
-pub use kinematics::{BackwardRule, NodeKinematics};
-pub use linearisation::Linearisation;
 pub use motion_tangent::MotionTangent;
-pub use oversampled::{Oversampled, OversampledTangent};
 pub use pattern::{Panel, Pattern};
-pub use problem::Collocation;
-pub use resampled::ResampledNodes;
-pub use sensitivity::{StepVariation, Variation, VariationScales};
+pub use problem::{Collocation, Conditions, Oversampled, OversampledTangent};
+pub use resampled::{ResampledNodes, too_coarse};
+pub use rule::{
+    Aliasing, AlphaStep, Backward, BackwardWeights, GeneralizedAlpha, GivenRates, MotionState,
+    NodeKinematics, Spectral, Steady, StepVariation, TimeRule, Variation, VariationScales,
+};
 pub use state::GridState;
-pub use step::{AlphaStep, GeneralizedAlpha, GivenRates, MotionState};
-pub use tangent::{Coupling, PairTangent, Station, Tangent, TangentLayout};
+pub use tangent::{Coupling, Increment, Linearisation, PairTangent, Station, Tangent};

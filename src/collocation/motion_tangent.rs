@@ -2,8 +2,8 @@
 //! involved: as an operator, and between motions that are given at each grid point by itself,
 //! without the matrix of all motions.
 
-use super::kinematics::{NodeKinematics, VariationScratch};
 use super::problem::Collocation;
+use super::rule::{NodeKinematics, VariationScratch};
 use super::state::GridState;
 use super::tangent::Tangent;
 use crate::error::Result;
@@ -31,12 +31,26 @@ pub struct MotionTangent {
     scratch: VariationScratch,
     unscaled: Vec<f64>,
     rates: Vec<[Vector6<f64>; 2]>,
-    room: Room,
+    workspace: Workspace,
+}
+
+/// Motions that are given at each grid point.
+struct Basis<B> {
+    count: usize,
+    basis: B,
+}
+
+impl<'z, B: Fn(usize) -> &'z [f64]> Basis<B> {
+    /// Motion `i` of a node at grid point `k`, times the scales of motions or of forces.
+    fn along(&self, k: usize, node: usize, i: usize, scale: &Vector6<f64>) -> Vector6<f64> {
+        let rows = &(self.basis)(k)[6 * node * self.count..];
+        Vector6::from_fn(|component, _| scale[component] * rows[component * self.count + i])
+    }
 }
 
 /// Scratch for one node.
 #[derive(Debug, Default)]
-struct Room {
+struct Workspace {
     /// What forces along the given motions change by with its motion, velocity and acceleration.
     along: Vec<[Vector6<f64>; 3]>,
     /// Factors of the second and first derivatives in time.
@@ -89,7 +103,7 @@ impl MotionTangent {
         }
         Some(MotionTangent {
             points,
-            operators: equations.operators.clone(),
+            operators: equations.rule.over_grid()?.1.clone(),
             kinematics: Vec::new(),
             columns,
             forces: Vector6::from_column_slice(&equations.row_scale[..6]),
@@ -97,7 +111,7 @@ impl MotionTangent {
             scratch: VariationScratch::default(),
             unscaled: vec![0.0; 6 * points],
             rates: vec![[Vector6::zeros(); 2]; points],
-            room: Room::default(),
+            workspace: Workspace::default(),
             tangent,
         })
     }
@@ -105,9 +119,11 @@ impl MotionTangent {
     /// Linearises at `state`.
     pub fn evaluate(&mut self, equations: &mut Collocation, state: &GridState) -> Result<()> {
         self.tangent.evaluate(equations, state)?;
-        self.kinematics.clone_from(&equations.kinematics);
-        // The period may be another.
-        self.operators.clone_from(&equations.operators);
+        if let Some((kinematics, operators)) = equations.rule.over_grid() {
+            kinematics.clone_into(&mut self.kinematics);
+            // The period may be another.
+            self.operators.clone_from(operators);
+        }
         Ok(())
     }
 
@@ -130,9 +146,9 @@ impl MotionTangent {
             let tangent = self.tangent.pair(pair, k);
             let size = |matrix: &nalgebra::Matrix6<f64>| matrix.component_mul(&scales).amax();
             largest
-                .max(size(&tangent.stiffness))
-                .max(first * size(&tangent.damping))
-                .max(second * size(&tangent.mass))
+                .max(size(tangent.stiffness))
+                .max(first * size(tangent.damping))
+                .max(second * size(tangent.mass))
         })
     }
 
@@ -148,12 +164,11 @@ impl MotionTangent {
                 }
             }
             if pairs.iter().any(|(pair, _)| couplings[*pair].moving) {
-                let rates = &mut self.rates;
                 self.kinematics[node].variation(
                     &mut self.operators,
                     &self.unscaled,
                     &mut self.scratch,
-                    |l, velocity, acceleration| rates[l] = [*velocity, *acceleration],
+                    &mut self.rates,
                 );
             }
             for &(pair, row) in pairs {
@@ -177,94 +192,147 @@ impl MotionTangent {
         basis: impl Fn(usize) -> &'z [f64],
         out: &mut [f64],
     ) {
-        let (points, size) = (self.points, count * self.points);
         out.fill(0.0);
-        let along = |k: usize, node: usize, i: usize, scale: &Vector6<f64>| {
-            let rows = &basis(k)[6 * node * count..];
-            Vector6::from_fn(|component, _| scale[component] * rows[component * count + i])
-        };
+        let basis = Basis { count, basis };
+        let mut workspace = std::mem::take(&mut self.workspace);
+        for node in 0..self.columns.len() {
+            self.find_along(node, &basis, &mut workspace);
+            self.add_at_points(node, &basis, &workspace, out);
+            if self.is_moving(node) {
+                self.find_factors(node, &basis, &mut workspace);
+                self.add_between_points(count, &workspace, out);
+            }
+        }
+        self.workspace = workspace;
+    }
+
+    /// Whether anything depends on a node's velocity or acceleration.
+    fn is_moving(&self, node: usize) -> bool {
         let couplings = self.tangent.couplings();
-        let room = &mut self.room;
-        for (node, pairs) in self.columns.iter().enumerate() {
-            let kinematics = &self.kinematics[node];
-            room.along.clear();
-            for k in 0..points {
-                for i in 0..count {
-                    let mut sums = [Vector6::zeros(); 3];
-                    for &(pair, row) in pairs {
-                        let z = along(k, row, i, &self.forces);
-                        if z.iter().all(|x| *x == 0.0) {
-                            continue;
-                        }
-                        let tangent = self.tangent.pair(pair, k);
-                        sums[0] += tangent.stiffness.tr_mul(&z);
-                        if couplings[pair].moving {
-                            sums[1] += tangent.damping.tr_mul(&z);
-                            sums[2] += tangent.mass.tr_mul(&z);
-                        }
+        self.columns[node]
+            .iter()
+            .any(|(pair, _)| couplings[*pair].moving)
+    }
+
+    /// Finds what forces along the given motions change by with the motion of a node.
+    fn find_along<'z>(
+        &self,
+        node: usize,
+        basis: &Basis<impl Fn(usize) -> &'z [f64]>,
+        workspace: &mut Workspace,
+    ) {
+        let couplings = self.tangent.couplings();
+        workspace.along.clear();
+        for k in 0..self.points {
+            for i in 0..basis.count {
+                let mut sums = [Vector6::zeros(); 3];
+                for &(pair, row) in &self.columns[node] {
+                    let z = basis.along(k, row, i, &self.forces);
+                    if z.iter().all(|x| *x == 0.0) {
+                        continue;
                     }
-                    room.along.push(sums);
-                }
-            }
-            let moving = pairs.iter().any(|(pair, _)| couplings[*pair].moving);
-            for k in 0..points {
-                let weights = (self.operators.first(k, k), self.operators.second(k, k));
-                let gammas = moving.then(|| kinematics.tangent(weights, k, k));
-                for j in 0..count {
-                    let z = along(k, node, j, &self.motions);
-                    let rates = gammas.map(|(gamma_v, gamma_a)| {
-                        let z = DualVector::from_twist(&z);
-                        [(gamma_v * z).to_twist(), (gamma_a * z).to_twist()]
-                    });
-                    let column = &mut out[(k * count + j) * size + k * count..][..count];
-                    for (entry, along) in column.iter_mut().zip(&room.along[k * count..]) {
-                        *entry += along[0].dot(&z);
-                        if let Some([velocity, acceleration]) = &rates {
-                            *entry += along[1].dot(velocity) + along[2].dot(acceleration);
-                        }
+                    let tangent = self.tangent.pair(pair, k);
+                    sums[0] += tangent.stiffness.tr_mul(&z);
+                    if couplings[pair].moving {
+                        sums[1] += tangent.damping.tr_mul(&z);
+                        sums[2] += tangent.mass.tr_mul(&z);
                     }
                 }
+                workspace.along.push(sums);
             }
-            if !moving {
-                continue;
-            }
-            // `ΔM = M z̃`, `Δv_ℓ = D_ℓk axial(R)` and `Δv̇_ℓ = T_ℓk axial(R) − D_ℓk ((tr(A) I − A)
-            // axial(R) + 2 axial(ṽ R))`, with `R = M_ℓᵀ ΔM_k`; `w · axial(R)` is half the product
-            // of all entries of `M_ℓ w̃` and `ΔM_k`.
-            for list in [&mut room.second, &mut room.first, &mut room.moved] {
-                list.clear();
-            }
-            for k in 0..points {
-                let (m, v) = (kinematics.motion(k), kinematics.velocity(k));
-                let spread = kinematics.first(k).trace_minus().transpose();
-                for i in 0..count {
-                    let [_, by_velocity, by_acceleration] = &room.along[k * count + i];
-                    let by_acceleration = DualVector::from_wrench(by_acceleration);
-                    let by_velocity = DualVector::from_wrench(by_velocity);
-                    let skew = by_acceleration.skew();
-                    let first =
-                        (by_velocity - spread * by_acceleration).skew() + v.skew() * skew * 2.0;
-                    room.second.push(numbers(&(m * skew * 0.5), true));
-                    room.first.push(numbers(&(m * first * 0.5), true));
-                    let z = DualVector::from_twist(&along(k, node, i, &self.motions));
-                    room.moved.push(numbers(&(m * z.skew()), false));
+        }
+    }
+
+    /// Adds the forces at each grid point by a node's motion there.
+    fn add_at_points<'z>(
+        &self,
+        node: usize,
+        basis: &Basis<impl Fn(usize) -> &'z [f64]>,
+        workspace: &Workspace,
+        out: &mut [f64],
+    ) {
+        let (count, size) = (basis.count, basis.count * self.points);
+        let moving = self.is_moving(node);
+        for k in 0..self.points {
+            let weights = (self.operators.first(k, k), self.operators.second(k, k));
+            let gammas = moving.then(|| self.kinematics[node].tangent(weights, k, k));
+            for j in 0..count {
+                let z = basis.along(k, node, j, &self.motions);
+                let rates = gammas.map(|gammas| {
+                    let z = DualVector::from_twist(&z);
+                    gammas.map(|gamma| (gamma * z).to_twist())
+                });
+                let column = &mut out[(k * count + j) * size + k * count..][..count];
+                for (entry, along) in column.iter_mut().zip(&workspace.along[k * count..]) {
+                    *entry += along[0].dot(&z);
+                    if let Some([velocity, acceleration]) = &rates {
+                        *entry += along[1].dot(velocity) + along[2].dot(acceleration);
+                    }
                 }
             }
-            let is_zero = |numbers: &[f64; BILINEAR]| numbers.iter().all(|x| *x == 0.0);
-            room.rows.clear();
-            let rows = (0..size).map(|i| (i, i / count));
-            room.rows.extend(
-                rows.filter(|&(i, _)| !is_zero(&room.second[i]) || !is_zero(&room.first[i])),
-            );
-            for k in 0..points {
-                let moved = &room.moved[k * count..][..count];
-                for &(i, l) in room.rows.iter().filter(|(_, l)| *l != k) {
-                    let (d, t) = (self.operators.first(l, k), self.operators.second(l, k));
-                    let (second, first) = (&room.second[i], &room.first[i]);
-                    let both = std::array::from_fn(|n| t * second[n] + d * first[n]);
-                    for (moved, j) in moved.iter().zip(k * count..) {
-                        out[j * size + i] += product(&both, moved);
-                    }
+        }
+    }
+
+    /// Finds the factors of the forces at each grid point by a node's motion at others.
+    ///
+    /// `ΔM = M z̃`, `Δv_ℓ = D_ℓk axial(R)` and `Δv̇_ℓ = T_ℓk axial(R) − D_ℓk ((tr(A) I − A)
+    /// axial(R) + 2 axial(ṽ R))`, with `R = M_ℓᵀ ΔM_k`; `w · axial(R)` is half the product of all
+    /// entries of `M_ℓ w̃` and `ΔM_k`.
+    fn find_factors<'z>(
+        &self,
+        node: usize,
+        basis: &Basis<impl Fn(usize) -> &'z [f64]>,
+        workspace: &mut Workspace,
+    ) {
+        let kinematics = &self.kinematics[node];
+        let Workspace {
+            along,
+            second,
+            first,
+            moved,
+            rows,
+        } = workspace;
+        for list in [&mut *second, &mut *first, &mut *moved] {
+            list.clear();
+        }
+        rows.clear();
+        for k in 0..self.points {
+            let (m, v) = (kinematics.motion(k), kinematics.velocity(k));
+            let spread = kinematics.first(k).trace_minus().transpose();
+            for i in 0..basis.count {
+                let at = k * basis.count + i;
+                let [_, by_velocity, by_acceleration] = &along[at];
+                let by_acceleration = DualVector::from_wrench(by_acceleration);
+                let by_velocity = DualVector::from_wrench(by_velocity);
+                let skew = by_acceleration.skew();
+                let by_first = (by_velocity - spread * by_acceleration).skew();
+                let by_first = by_first + v.skew() * skew * 2.0;
+                second.push(numbers(&(m * skew * 0.5), true));
+                first.push(numbers(&(m * by_first * 0.5), true));
+                let z = DualVector::from_twist(&basis.along(k, node, i, &self.motions));
+                moved.push(numbers(&(m * z.skew()), false));
+                if [&second[at], &first[at]]
+                    .into_iter()
+                    .flatten()
+                    .any(|x| *x != 0.0)
+                {
+                    rows.push((at, k));
+                }
+            }
+        }
+    }
+
+    /// Adds the forces at each grid point by a node's motion at others.
+    fn add_between_points(&self, count: usize, workspace: &Workspace, out: &mut [f64]) {
+        let size = count * self.points;
+        for k in 0..self.points {
+            let moved = &workspace.moved[k * count..][..count];
+            for &(i, l) in workspace.rows.iter().filter(|(_, l)| *l != k) {
+                let (d, t) = (self.operators.first(l, k), self.operators.second(l, k));
+                let (second, first) = (&workspace.second[i], &workspace.first[i]);
+                let both = std::array::from_fn(|n| t * second[n] + d * first[n]);
+                for (moved, j) in moved.iter().zip(k * count..) {
+                    out[j * size + i] += product(&both, moved);
                 }
             }
         }

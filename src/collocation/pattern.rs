@@ -1,22 +1,11 @@
 //! Sparsity of the Jacobian: dense in time within and between nodes coupled by inertia or damping,
 //! and within internal states; diagonal in time everywhere else.
 
+use super::coupling::Couplings;
 use crate::elements::Element;
 use crate::system::System;
-use std::collections::BTreeMap;
 use std::ops::Range;
 use std::sync::OnceLock;
-
-/// Coupling of one node's rows with another node's columns.
-#[derive(Debug, Clone)]
-pub struct NodePair {
-    /// Node of the rows.
-    pub row: usize,
-    /// Whether all grid points couple (otherwise each only with itself).
-    pub dense: bool,
-    /// Place of the first row within a column.
-    pub offset: usize,
-}
 
 /// A dense part of one block of the matrix.
 #[derive(Debug, Clone)]
@@ -51,10 +40,11 @@ struct ColumnGroup {
 pub struct Pattern {
     points: usize,
     nodes: Vec<ColumnGroup>,
-    /// Coupled nodes of each column node, in ascending order, numbered consecutively over all
-    /// nodes.
-    pairs: Vec<Vec<NodePair>>,
-    first_pair: Vec<usize>,
+    couplings: Couplings,
+    /// Place, within a column, of the first row of each coupling.
+    offsets: Vec<usize>,
+    /// Elements with own unknowns of each node, and its number among their nodes.
+    constrained: Vec<Vec<(usize, usize)>>,
     multipliers: Vec<ColumnGroup>,
     /// Place, within a column of `(element, local node)`, of the element's constraint rows.
     constraint_offsets: Vec<Vec<usize>>,
@@ -71,30 +61,21 @@ pub struct Pattern {
 impl Pattern {
     /// Structure for `points` grid points.
     pub fn new(system: &System, points: usize) -> Self {
-        let node_count = system.nodes();
-        let mut coupled: Vec<BTreeMap<usize, bool>> = vec![BTreeMap::new(); node_count];
-        let mut constrained: Vec<Vec<(usize, usize)>> = vec![Vec::new(); node_count];
-        for (node, neighbours) in coupled.iter_mut().enumerate() {
-            neighbours.insert(node, false);
-        }
+        let couplings = Couplings::new(system);
+        let mut constrained: Vec<Vec<(usize, usize)>> = vec![Vec::new(); system.nodes()];
         for (index, placed) in system.elements().iter().enumerate() {
-            let element = &placed.element;
-            let dense = element.has_mass() || element.has_damping();
-            for (local, &b) in element.nodes().iter().enumerate() {
-                for &a in element.nodes() {
-                    *coupled[b].entry(a).or_insert(false) |= dense;
-                }
-                if element.multipliers() > 0 {
-                    constrained[b].push((index, local));
+            if placed.element.multipliers() > 0 {
+                for (local, &node) in placed.element.nodes().iter().enumerate() {
+                    constrained[node].push((index, local));
                 }
             }
         }
-
         let mut pattern = Pattern {
             points,
             nodes: Vec::new(),
-            pairs: Vec::new(),
-            first_pair: Vec::new(),
+            offsets: vec![0; couplings.all().len()],
+            couplings,
+            constrained,
             multipliers: Vec::new(),
             constraint_offsets: system
                 .elements()
@@ -107,27 +88,19 @@ impl Pattern {
             column_pointers: vec![0],
             row_indices: OnceLock::new(),
         };
-        let mut pair_count = 0;
-        for b in 0..node_count {
-            let mut pairs = Vec::new();
+        for node in 0..system.nodes() {
             let mut length = 0;
-            for (&row, &dense) in &coupled[b] {
-                pairs.push(NodePair {
-                    row,
-                    dense,
-                    offset: length,
-                });
-                length += if dense { 6 * points } else { 6 };
+            for pair in pattern.pairs(node) {
+                pattern.offsets[pair] = length;
+                let moving = pattern.couplings.all()[pair].moving;
+                length += if moving { 6 * points } else { 6 };
             }
-            for &(index, local) in &constrained[b] {
+            for &(index, local) in &pattern.constrained[node] {
                 pattern.constraint_offsets[index][local] = length;
                 length += system.elements()[index].element.multipliers();
             }
             let group = pattern.next_group(length, 6 * points);
             pattern.nodes.push(group);
-            pattern.first_pair.push(pair_count);
-            pair_count += pairs.len();
-            pattern.pairs.push(pairs);
         }
         for placed in system.elements() {
             pattern.add_multiplier_columns(placed.element.as_ref(), placed.has_states);
@@ -170,22 +143,21 @@ impl Pattern {
     pub fn panels(&self) -> Vec<Panel> {
         let points = self.points;
         let mut panels = Vec::new();
-        for (node, (group, pairs)) in self.nodes.iter().zip(&self.pairs).enumerate() {
-            for pair in pairs {
-                // One of all grid points, or one for each.
-                let (parts, size) = match pair.dense {
-                    true => (1, 6 * points),
-                    false => (points, 6),
-                };
-                panels.extend((0..parts).map(|k| Panel {
-                    row: (pair.row, 6 * k),
-                    column: (node, 6 * k),
-                    rows: size,
-                    columns: size,
-                    value: group.first_value + 6 * k * group.length + pair.offset,
-                    stride: group.length,
-                }));
-            }
+        for (coupling, offset) in self.couplings.all().iter().zip(&self.offsets) {
+            let group = &self.nodes[coupling.column];
+            // One of all grid points, or one for each.
+            let (parts, size) = match coupling.moving {
+                true => (1, 6 * points),
+                false => (points, 6),
+            };
+            panels.extend((0..parts).map(|k| Panel {
+                row: (coupling.row, 6 * k),
+                column: (coupling.column, 6 * k),
+                rows: size,
+                columns: size,
+                value: group.first_value + 6 * k * group.length + offset,
+                stride: group.length,
+            }));
         }
         let mut own_group = self.nodes.len();
         for (index, (group, (nodes, has_states))) in
@@ -257,36 +229,22 @@ impl Pattern {
         self.column_pointers.last().map_or(0, |end| *end)
     }
 
-    /// Positions of the values in the columns of some nodes.
-    pub fn node_values(&self, nodes: Range<usize>) -> Range<usize> {
-        let end = |node: usize| match self.nodes.get(node) {
-            Some(group) => group.first_value,
-            None => self.own_values_from(),
-        };
-        end(nodes.start)..end(nodes.end)
+    /// Positions of the values in the columns of a node.
+    pub fn node_values(&self, node: usize) -> Range<usize> {
+        let group = &self.nodes[node];
+        group.first_value..group.first_value + group.length * group.columns.len()
     }
 
     /// Position of the first value behind those in columns of nodes.
     pub fn own_values_from(&self) -> usize {
-        let group = self.nodes.last();
-        group.map_or(0, |group| {
-            group.first_value + group.length * group.columns.len()
-        })
+        let last = self.nodes.len().checked_sub(1);
+        last.map_or(0, |node| self.node_values(node).end)
     }
 
     /// Positions of the values in the columns of an element's own unknowns.
     pub fn own_values(&self, element: usize) -> Range<usize> {
         let group = &self.multipliers[element];
         group.first_value..group.first_value + group.length * group.columns.len()
-    }
-
-    /// Numbers of the pairs in the columns of some nodes.
-    pub fn pair_numbers(&self, columns: Range<usize>) -> Range<usize> {
-        let first = |node: usize| match self.first_pair.get(node) {
-            Some(first) => *first,
-            None => self.pair_count(),
-        };
-        first(columns.start)..first(columns.end)
     }
 
     /// Column pointers, one more than columns.
@@ -311,37 +269,33 @@ impl Pattern {
         })
     }
 
-    /// Number of coupled pairs of nodes.
-    pub fn pair_count(&self) -> usize {
-        self.first_pair
-            .last()
-            .map_or(0, |f| f + self.pairs.last().map_or(0, Vec::len))
+    /// Numbers of the couplings in the columns of a node.
+    pub fn pairs(&self, node: usize) -> Range<usize> {
+        self.couplings.of_column(node)
     }
 
-    /// Pairs in the columns of node `column`, with their numbers.
-    pub fn pairs(&self, column: usize) -> impl Iterator<Item = (usize, &NodePair)> {
-        self.pairs[column]
-            .iter()
-            .enumerate()
-            .map(move |(i, p)| (self.first_pair[column] + i, p))
+    /// Elements with own unknowns that a node is one of, and its number among their nodes.
+    pub fn constrained(&self, node: usize) -> &[(usize, usize)] {
+        &self.constrained[node]
     }
 
-    /// Number of the pair of nodes `(row, column)`, which must be coupled.
-    pub fn pair_number(&self, row: usize, column: usize) -> usize {
-        let place = self.pairs[column].partition_point(|p| p.row < row);
-        self.first_pair[column] + place
+    /// Position of the first value of a coupling at grid point `k` among those of its column's
+    /// node, and values from one column to the next.
+    pub fn pair_place(&self, pair: usize, k: usize) -> (usize, usize) {
+        let length = self.nodes[self.couplings.all()[pair].column].length;
+        (6 * k * length + self.offsets[pair], length)
     }
 
-    /// The pair of nodes `(row, column)`, which must be coupled.
-    pub fn pair(&self, row: usize, column: usize) -> &NodePair {
-        let place = self.pairs[column].partition_point(|p| p.row < row);
-        &self.pairs[column][place]
-    }
-
-    /// Position of the first value of `pair` in column `component` of node `column` at point `k`.
-    pub fn pair_value(&self, column: usize, pair: &NodePair, k: usize, component: usize) -> usize {
-        let group = &self.nodes[column];
-        group.first_value + (6 * k + component) * group.length + pair.offset
+    /// Position of the value on the diagonal of an unknown motion.
+    pub fn diagonal(&self, motion: usize) -> usize {
+        let (node, within) = (motion / (6 * self.points), motion % (6 * self.points));
+        let pair = self.couplings.number(node, node);
+        let row = match self.couplings.all()[pair].moving {
+            true => within,
+            false => within % 6,
+        };
+        let (first, stride) = self.pair_place(pair, within / 6);
+        self.node_values(node).start + first + (within % 6) * stride + row
     }
 
     /// Position of an element's first constraint row in column `component` of its local node at

@@ -1,14 +1,13 @@
 //! The unknowns at the points of another grid of the same period.
 
-use super::between::too_coarse;
 use super::state::GridState;
 use crate::elements::NodeState;
-use crate::error::Result;
+use crate::error::{Error, ErrorKind, Result};
 use crate::fourier::{Resampling, TimeGrid};
 use crate::motion::{DualMatrix, DualPolar, Motion};
 use crate::system::System;
 use crate::workers::Workers;
-use nalgebra::{Matrix3, Vector3};
+use nalgebra::Vector3;
 
 /// Motions, velocities and accelerations of all nodes, interpolated over the period
 /// (docs/theory.md, section 3) at equispaced times.
@@ -59,7 +58,7 @@ impl NodeResampling {
             *dual = Motion::new(m.rotation, m.position - mean).to_dual();
         }
         for entry in 0..9 {
-            for part in [primal, dual] {
+            for part in [DualMatrix::primal_mut, DualMatrix::dual_mut] {
                 let values = self.duals.iter_mut().map(|m| part(m)[entry]);
                 self.resampling.read(values);
                 for order in 0..3 {
@@ -195,10 +194,13 @@ impl GridState {
     }
 }
 
-pub(super) fn primal(m: &mut DualMatrix) -> &mut Matrix3<f64> {
-    &mut m.primal
-}
-
-pub(super) fn dual(m: &mut DualMatrix) -> &mut Matrix3<f64> {
-    &mut m.dual
+/// The error of a grid too coarse for the motion of `node` at `time`.
+pub fn too_coarse(node: usize, time: f64, points: usize) -> Error {
+    Error::new(
+        ErrorKind::GridTooCoarse,
+        format!(
+            "the grid of {points} points is too coarse to interpolate the motion of node {node} at \
+             t = {time}; use more grid points"
+        ),
+    )
 }

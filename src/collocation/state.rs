@@ -217,17 +217,34 @@ impl GridState {
         next
     }
 
-    /// The state that follows `before` and this one by the fraction `ratio` of the step between
-    /// them.
-    pub fn extrapolated(&self, system: &System, before: &Self, ratio: f64) -> Self {
+    /// The state after the time `passed`, where one follows `before` and this one: each with the
+    /// time to the state after it. Linear in the steps; of second degree with one more, `earlier`.
+    pub fn extrapolated(
+        &self,
+        system: &System,
+        (before, last): (&Self, f64),
+        earlier: Option<(&Self, f64)>,
+        passed: f64,
+    ) -> Self {
+        let ratio = passed / last;
+        let curved = |first: f64| (last + passed) / (last + first);
+        let (weight, weight_of_first) = earlier.map_or((ratio, 0.0), |(_, first)| {
+            let more = curved(first);
+            (ratio * (1.0 + more), -passed / first * more)
+        });
+        let first = earlier.map_or(before, |(earlier, _)| earlier);
         let mut next = self.clone();
-        for (motion, earlier) in next.motions.iter_mut().zip(&before.motions) {
-            let step = earlier.relative(motion).logarithm();
-            *motion = motion.increment(&(step * ratio)).renormalised();
+        let past = before.motions.iter().zip(&first.motions);
+        for (motion, (before, first)) in next.motions.iter_mut().zip(past) {
+            let mut step = before.relative(motion).logarithm() * weight;
+            if earlier.is_some() {
+                step += first.relative(before).logarithm() * weight_of_first;
+            }
+            *motion = motion.increment(&step).renormalised();
         }
-        let values = next.multipliers.iter_mut().zip(&before.multipliers);
-        for (value, earlier) in values {
-            *value += ratio * (*value - earlier);
+        let past = before.multipliers.iter().zip(&first.multipliers);
+        for (value, (before, first)) in next.multipliers.iter_mut().zip(past) {
+            *value += weight * (*value - before) + weight_of_first * (before - first);
         }
         next.track(system);
         next

@@ -2,6 +2,8 @@
 //! section 2.2).
 
 use super::grid::TimeGrid;
+use faer::linalg::matmul::matmul;
+use faer::{Accum, Mat, MatMut, MatRef, Par};
 use realfft::num_complex::Complex;
 use realfft::{ComplexToReal, RealFftPlanner, RealToComplex};
 use std::f64::consts::PI;
@@ -11,6 +13,8 @@ use std::sync::Arc;
 /// Above this many grid points the FFT is used: where it was measured to overtake the dense
 /// product.
 const DENSE_LIMIT: usize = 8;
+/// The same of many functions at once, which the dense product takes as a matrix.
+const DENSE_LIMIT_OF_MANY: usize = 96;
 
 /// First and second derivatives in time of grid functions.
 #[derive(Clone)]
@@ -20,11 +24,15 @@ pub struct Differentiation {
     first: Vec<f64>,
     /// First column of `T`.
     second: Vec<f64>,
+    /// `[Dᵀ Tᵀ]`, if there are few grid points.
+    transposed: Option<Arc<Mat<f64>>>,
     forward: Arc<dyn RealToComplex<f64>>,
     backward: Arc<dyn ComplexToReal<f64>>,
     spectrum: Vec<Complex<f64>>,
     product: Vec<Complex<f64>>,
     samples: Vec<f64>,
+    /// A grid function and its derivatives.
+    series: [Vec<f64>; 3],
     scratch: Vec<Complex<f64>>,
 }
 
@@ -55,13 +63,22 @@ impl Differentiation {
         let backward = planner.plan_fft_inverse(n);
         let spectrum = forward.make_output_vec();
         let scratch_length = forward.get_scratch_len().max(backward.get_scratch_len());
+        let transposed = (n <= DENSE_LIMIT_OF_MANY).then(|| {
+            let entry = |column: usize, row: usize| match row < n {
+                true => first[(row + n - column) % n],
+                false => second[(row - column) % n],
+            };
+            Arc::new(Mat::from_fn(n, 2 * n, entry))
+        });
         Differentiation {
             grid,
+            transposed,
             first,
             second,
             product: spectrum.clone(),
             spectrum,
             samples: vec![0.0; n],
+            series: Default::default(),
             scratch: vec![Complex::default(); scratch_length],
             forward,
             backward,
@@ -101,6 +118,41 @@ impl Differentiation {
         } else {
             self.apply_fft(x, d_x, t_x);
         }
+    }
+
+    /// Writes `D X` and then `T X` of grid functions that have `count` values together at each grid
+    /// point, one point after the other.
+    pub fn apply_to_many(&mut self, count: usize, x: &[f64], derivatives: &mut [f64]) {
+        let n = self.grid.points();
+        match self.transposed.clone() {
+            Some(transposed) => matmul(
+                MatMut::from_column_major_slice_mut(derivatives, count, 2 * n),
+                Accum::Replace,
+                MatRef::from_column_major_slice(x, count, n),
+                transposed.as_ref().as_ref(),
+                1.0,
+                Par::Seq,
+            ),
+            None => self.apply_to_each(count, x, derivatives),
+        }
+    }
+
+    fn apply_to_each(&mut self, count: usize, x: &[f64], derivatives: &mut [f64]) {
+        let n = self.grid.points();
+        let mut series = std::mem::take(&mut self.series);
+        series.iter_mut().for_each(|values| values.resize(n, 0.0));
+        let [values, d_x, t_x] = &mut series;
+        let (first, second) = derivatives.split_at_mut(count * n);
+        for function in 0..count {
+            let samples = x[function..].iter().step_by(count);
+            values.iter_mut().zip(samples).for_each(|(to, x)| *to = *x);
+            self.apply(values, d_x, t_x);
+            for (out, values) in [(&mut *first, &*d_x), (&mut *second, &*t_x)] {
+                let out = out[function..].iter_mut().step_by(count);
+                out.zip(values).for_each(|(to, x)| *to = *x);
+            }
+        }
+        self.series = series;
     }
 
     fn apply_dense(&self, x: &[f64], d_x: &mut [f64], t_x: &mut [f64]) {
@@ -172,6 +224,29 @@ mod tests {
                     assert!((d_fft[k] - rate * cos).abs() < tolerance * largest);
                     assert!((t_fft[k] + rate * rate * sin).abs() < tolerance * largest * largest);
                 }
+            }
+        }
+    }
+
+    #[test]
+    fn many_functions_have_the_derivatives_of_each() {
+        let count = 3;
+        for points in [3, 21, 95, 97, 101] {
+            let grid = TimeGrid::new(points, 1.7).unwrap();
+            let mut operators = Differentiation::new(grid);
+            assert_eq!(operators.transposed.is_some(), points < 97);
+            let wave = |i: usize| (0.37 * i as f64).sin() + (0.05 * (i * i) as f64).cos();
+            let x: Vec<f64> = (0..count * points).map(wave).collect();
+            let mut derivatives = [(); 2].map(|()| vec![0.0; 2 * count * points]);
+            let [together, apart] = &mut derivatives;
+            operators.apply_to_many(count, &x, together);
+            operators.apply_to_each(count, &x, apart);
+            let harmonic = grid.harmonics() as f64 * grid.frequency();
+            for (index, (a, b)) in together.iter().zip(apart).enumerate() {
+                let power = 1 + (index / (count * points)) as i32;
+                // As that of the derivatives above.
+                let tolerance = 1e-14 * points as f64 * harmonic.powi(power);
+                assert!((a - *b).abs() < tolerance, "{points} {index}: {a} {b}");
             }
         }
     }

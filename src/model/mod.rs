@@ -11,6 +11,8 @@ mod load;
 mod loaded;
 mod raised;
 mod signal;
+#[cfg(test)]
+pub(crate) mod test_models;
 
 pub use beam::{BeamIds, SectionStation};
 pub use build::SectionInput;

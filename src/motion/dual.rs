@@ -209,6 +209,27 @@ impl DualMatrix {
         }
     }
 
+    /// The identity.
+    #[inline]
+    pub fn identity() -> Self {
+        DualMatrix {
+            primal: Matrix3::identity(),
+            dual: Matrix3::zeros(),
+        }
+    }
+
+    /// The primal part, to be changed.
+    #[inline]
+    pub fn primal_mut(&mut self) -> &mut Matrix3<f64> {
+        &mut self.primal
+    }
+
+    /// The dual part, to be changed.
+    #[inline]
+    pub fn dual_mut(&mut self) -> &mut Matrix3<f64> {
+        &mut self.dual
+    }
+
     /// Transpose; the inverse of a dual rotation.
     #[inline]
     pub fn transpose(&self) -> Self {

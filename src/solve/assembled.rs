@@ -6,7 +6,7 @@ use super::direct::DirectSolver;
 use super::freedoms::FreedomSolver;
 use super::linear::LinearSolver;
 use super::newton::{Timings, timed};
-use crate::collocation::{Collocation, GridState, Pattern, TangentBlocks};
+use crate::collocation::{Collocation, GridState, Pattern, Tangent};
 use crate::error::Result;
 use crate::workers::Workers;
 use std::cell::OnceCell;
@@ -27,7 +27,7 @@ pub(super) struct Assembled {
     /// Scaled compliance of constraints in the values.
     regularisation: f64,
     workers: Workers,
-    pub(super) blocks: TangentBlocks,
+    pub(super) tangent: Tangent,
     pub(super) values: Vec<f64>,
 }
 
@@ -47,7 +47,7 @@ impl Assembled {
             regularisation: 0.0,
             workers: equations.workers().clone(),
             values: Vec::new(),
-            blocks: TangentBlocks::default(),
+            tangent: Tangent::new(equations.system(), equations.grid().points()),
             pattern,
         }
     }
@@ -67,7 +67,7 @@ impl Assembled {
         self.regularisation = equations.regularisation();
         let pattern = pattern_of(&self.pattern, equations);
         self.values.resize(pattern.entries(), 0.0);
-        equations.jacobian(state, pattern, &mut self.blocks, &mut self.values)
+        equations.jacobian(state, pattern, &mut self.tangent, &mut self.values)
     }
 
     /// Assembles the Jacobian that was not formed, if it was not.

@@ -9,7 +9,7 @@ use super::assembly::describe_turned_over;
 use super::diagnosis::{Singularity, describe_open_joint};
 use super::linear::LinearSolver;
 use super::newton::{Newton, Outcome, SINGULAR_GROWTH};
-use crate::collocation::{GeneralizedAlpha, GivenRates, MotionState};
+use crate::collocation::{Conditions, GeneralizedAlpha, GivenRates, MotionState};
 use crate::elements::{Measure, Unknown};
 use crate::error::Result;
 use nalgebra::Vector6;
@@ -77,14 +77,13 @@ impl<'a> Initial<'a> {
     }
 
     fn give(&mut self, at: &MotionState) {
-        self.newton.equations.set_given_rates(GivenRates {
+        self.newton.equations.set_rule(Box::new(GivenRates {
             twist: at.twist.clone(),
             twist_rate: at.twist_rate.clone(),
             rates: at.rates.clone(),
             weight: self.weight(),
-            added_mass: self.added_mass,
             elastic: self.elastic,
-        });
+        }));
     }
 
     /// Accelerations in units of it are of the order of displacements.
@@ -98,6 +97,8 @@ impl<'a> Initial<'a> {
             self.give(at);
             let newton = &mut *self.newton;
             newton.linear.assemble(&mut newton.equations, &at.state)?;
+            self.lend_mass();
+            let newton = &mut *self.newton;
             let regular =
                 newton.linear.factor_all(&newton.equations)? && newton.growth() < SINGULAR_GROWTH;
             if regular {
@@ -118,6 +119,26 @@ impl<'a> Initial<'a> {
                     return Ok(Some((Outcome::Singular, why)));
                 }
             }
+        }
+    }
+
+    /// Adds inertia to each node where some have none, that the matrix be regular.
+    fn lend_mass(&mut self) {
+        let (mass, motions) = (self.added_mass * self.weight(), self.motions());
+        if mass == 0.0 {
+            return;
+        }
+        let newton = &mut *self.newton;
+        let length = newton.equations.system().scales().length;
+        let scales = (newton.equations.row_scale().iter()).zip(newton.equations.column_scale());
+        let inertia = scales.enumerate().map(|(i, (row, column))| match i % 6 {
+            0..3 => mass * row * column,
+            _ => mass * length * length * row * column,
+        });
+        let pattern = newton.linear.pattern(&newton.equations);
+        let places: Vec<usize> = (0..motions).map(|i| pattern.diagonal(i)).collect();
+        for (place, inertia) in places.into_iter().zip(inertia) {
+            newton.linear.values[place] += inertia;
         }
     }
 
@@ -390,7 +411,9 @@ impl<'a> Initial<'a> {
         method: &GeneralizedAlpha,
     ) -> Result<std::result::Result<(f64, f64), Refusal>> {
         let system = self.newton.equations.system().clone();
-        self.newton.equations.set_conditions(at.time, 1.0)?;
+        self.newton
+            .equations
+            .set_conditions(Conditions::at(at.time))?;
         let signals = system.signal_derivatives(at.time, self.step)?;
         let moved = match self.close(at)? {
             Ok(moved) => moved,
@@ -447,10 +470,14 @@ impl<'a> Initial<'a> {
             *value += short * rate;
         }
         later.state.track(&system);
-        self.newton.equations.set_conditions(later.time, 1.0)?;
+        self.newton
+            .equations
+            .set_conditions(Conditions::at(later.time))?;
         let signals = system.signal_derivatives(later.time, self.step)?;
         let refusal = self.accelerate(&mut later, &signals)?;
-        self.newton.equations.set_conditions(at.time, 1.0)?;
+        self.newton
+            .equations
+            .set_conditions(Conditions::at(at.time))?;
         at.averaged.clone_from(&at.twist_rate);
         at.averaged_rates.clone_from(&at.rates);
         if refusal.is_some() {

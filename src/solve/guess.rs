@@ -3,7 +3,7 @@
 
 use super::branch::Branch;
 use super::newton::{Iteration, Newton, NewtonOptions, Outcome};
-use crate::collocation::{Collocation, GivenRates, GridState};
+use crate::collocation::{Collocation, Conditions, GivenRates, GridState, Steady};
 use crate::error::{ErrorKind, Result};
 use crate::fourier::TimeGrid;
 use crate::system::{Driven, System};
@@ -51,8 +51,8 @@ pub(super) struct Tracker<'a> {
     pub reached: f64,
     /// The branch that is followed.
     branch: Branch,
-    /// State before the present one, and time since.
-    before: Option<(GridState, f64)>,
+    /// States before the present one, latest first, and from each the time to the next.
+    before: Vec<(GridState, f64)>,
     tolerance: f64,
     /// What turns steadily.
     driven: Option<Driven>,
@@ -75,7 +75,7 @@ impl<'a> Tracker<'a> {
             failure: None,
             reached: 0.0,
             branch: Branch::default(),
-            before: None,
+            before: Vec::new(),
             tolerance: TOLERANCE.min((SPURIOUS / system.slenderness()).sqrt()),
             driven: None,
         })
@@ -84,18 +84,22 @@ impl<'a> Tracker<'a> {
     /// Sets time and load factor, which steady rotation follows.
     fn set_conditions(&mut self, time: f64, load_factor: f64) -> Result<()> {
         let equations = &mut self.newton.equations;
-        equations.set_conditions(time, load_factor)?;
+        equations.set_conditions(Conditions {
+            load_factor,
+            ..Conditions::at(time)
+        })?;
         if let Some(driven) = &self.driven {
-            equations.set_steady(driven.twists(load_factor));
+            equations.set_rule(Box::new(Steady::new(driven.twists(load_factor))));
         }
         Ok(())
     }
 
     /// Where the present state is expected after this time.
     fn expected(&self, system: &System, passed: f64) -> GridState {
-        match (&self.before, &self.driven) {
-            (Some((before, since)), _) if passed > 0.0 => {
-                self.state.extrapolated(system, before, passed / since)
+        let mut past = self.before.iter().map(|(state, since)| (state, *since));
+        match (past.next(), &self.driven) {
+            (Some(before), _) if passed > 0.0 => {
+                self.state.extrapolated(system, before, past.next(), passed)
             }
             (None, Some(driven)) if passed > 0.0 => {
                 let mut state = self.state.clone();
@@ -133,7 +137,7 @@ impl<'a> Tracker<'a> {
         self.failure = None;
         self.state = start;
         self.branch = Branch::default();
-        self.before = None;
+        self.before.clear();
         self.advance(largest_step, &conditions, false)
     }
 
@@ -193,7 +197,12 @@ impl<'a> Tracker<'a> {
             match outcome {
                 Outcome::Converged => {
                     let before = std::mem::replace(&mut self.state, trial);
-                    self.before = (keeps_branch && passed > 0.0).then_some((before, passed));
+                    if keeps_branch && passed > 0.0 {
+                        self.before.insert(0, (before, passed));
+                        self.before.truncate(2);
+                    } else {
+                        self.before.clear();
+                    }
                     reached = next;
                     if taken <= EASY_ITERATIONS {
                         step = (2.0 * step).min(largest_step);
@@ -278,9 +287,12 @@ pub(super) fn inertial_displacement(
     let mut most = 0.0f64;
     for part in LOOKED_AT {
         let k = (part * count as f64) as usize;
-        newton.equations.set_conditions(grid.time(k), 1.0)?;
+        newton
+            .equations
+            .set_conditions(Conditions::at(grid.time(k)))?;
         if let Some(driven) = driven {
-            newton.equations.set_steady(driven.twists(1.0));
+            let rule = Steady::new(driven.twists(1.0));
+            newton.equations.set_rule(Box::new(rule));
         }
         at.copy_point(system, 0, state, k);
         let (next, last) = ((k + 1) % count, (k + count - 1) % count);
@@ -299,10 +311,9 @@ pub(super) fn inertial_displacement(
             twist_rate,
             rates: vec![0.0; system.multipliers()],
             weight: 0.0,
-            added_mass: 0.0,
             elastic: true,
         };
-        most = most.max(newton.displacement_at(&at, given)?.unwrap_or(0.0));
+        most = most.max(newton.displacement_at(&at, Box::new(given))?.unwrap_or(0.0));
     }
     Ok(most)
 }

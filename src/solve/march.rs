@@ -3,7 +3,7 @@
 //! See docs/theory.md, section 9.6.
 
 use super::newton::{Iteration, Newton, NewtonOptions, Outcome};
-use crate::collocation::{BackwardRule, Collocation, GridState};
+use crate::collocation::{Backward, BackwardWeights, Collocation, Conditions, GridState};
 use crate::error::{ErrorKind, Result};
 use crate::fourier::TimeGrid;
 use crate::system::System;
@@ -24,9 +24,9 @@ const NEWTON: NewtonOptions = NewtonOptions {
 };
 
 /// Houbolt's weights for steps of `h`: cubic through four motions.
-fn houbolt(h: f64) -> BackwardRule {
+fn houbolt(h: f64) -> BackwardWeights {
     let scaled = |weights: [f64; 4], by: f64| weights.map(|w| w / by);
-    BackwardRule {
+    BackwardWeights {
         first: scaled([11.0 / 6.0, -3.0, 1.5, -1.0 / 3.0], h),
         second: scaled([2.0, -5.0, 4.0, -1.0], h * h),
     }
@@ -136,14 +136,18 @@ impl DissipativeMarch {
     fn period(&mut self, observe: &mut dyn FnMut(&Iteration) -> bool) -> Result<March> {
         let (grid, parts) = (self.grid, self.parts);
         let step = grid.period() / (grid.points() * parts) as f64;
-        let rule = houbolt(step);
+        let weights = houbolt(step);
         let mut state = GridState::reference(&self.system, grid);
         for k in 0..grid.points() {
             for part in 0..parts {
                 let equations = &mut self.newton.equations;
-                equations.set_conditions(grid.time(k) + step * part as f64, 1.0)?;
-                equations.set_past(rule, self.past.iter().cloned().collect());
-                let mut next = self.past[0].extrapolated(&self.system, &self.past[1], 1.0);
+                equations.set_conditions(Conditions::at(grid.time(k) + step * part as f64))?;
+                let past = self.past.iter().cloned().collect();
+                equations.set_rule(Box::new(Backward::new(weights, past)));
+                let mut next = {
+                    let before = (&self.past[1], 1.0);
+                    self.past[0].extrapolated(&self.system, before, None, 1.0)
+                };
                 let report = match self.newton.solve(&mut next, &NEWTON, observe) {
                     Ok(report) => report,
                     Err(error) if error.kind() == ErrorKind::Callback => return Err(error),

@@ -6,7 +6,7 @@ use super::assembly::describe_turned_over;
 use super::dense::largest;
 use super::diagnosis::{Singularity, describe_inconsistency, describe_open_joint};
 use super::linear::LinearSolver;
-use crate::collocation::{Collocation, GivenRates, GridState};
+use crate::collocation::{Collocation, GridState, TimeRule};
 use crate::error::{ErrorKind, Result};
 use serde::{Deserialize, Serialize};
 use std::time::{Duration, Instant};
@@ -167,7 +167,7 @@ const FAITHFUL: f64 = 0.05;
 /// increments.
 const COARSE: f64 = 1e-4;
 /// Of those that estimate errors.
-pub(super) const ESTIMATE: f64 = 1e-2;
+pub(super) const ESTIMATE: f64 = 0.1;
 /// The finest that is asked for.
 const FINEST: f64 = 1e-8;
 /// Accuracy relative to the last increment, so that convergence stays quadratic.
@@ -197,7 +197,7 @@ impl Leap {
     /// Goes back to where the steps began, and to the exact tangent.
     fn undo(self, equations: &mut Collocation, state: &mut GridState, residual: &mut Vec<f64>) {
         (*state, *residual) = (self.start, self.residual);
-        equations.clear_resultants();
+        equations.set_resultants(Vec::new());
     }
 }
 
@@ -253,16 +253,20 @@ impl Newton {
         Ok(regular.then(|| self.linear.determinant()))
     }
 
-    /// Largest increment of a motion that the equations at these rates ask for, with the Jacobian
-    /// at rest; none if that is singular.
-    pub fn displacement_at(&mut self, state: &GridState, given: GivenRates) -> Result<Option<f64>> {
+    /// Largest increment of a motion that the equations with the rates of another rule ask for,
+    /// with the Jacobian of the present one; none if that is singular.
+    pub fn displacement_at(
+        &mut self,
+        state: &GridState,
+        rates: Box<dyn TimeRule>,
+    ) -> Result<Option<f64>> {
         let regular = self
             .linear
             .linearise(&mut self.equations, state, &mut self.timings)?;
         let mut increment = vec![0.0; self.equations.size()];
-        self.equations.set_given_rates(given);
+        let rule = self.equations.set_rule(rates);
         let residual = self.equations.residual(state, &mut increment);
-        self.equations.clear_past();
+        self.equations.set_rule(rule);
         residual?;
         let solved = regular && self.solve_linear(&mut increment, COARSE)?;
         Ok(solved.then(|| self.motion_norm(&increment)))
@@ -387,7 +391,7 @@ impl<L: LinearSolver> Newton<L> {
             explanation: String::new(),
         };
         let end = self.iterate(state, options, with_multipliers, &mut report, observe);
-        self.equations.clear_resultants();
+        self.equations.set_resultants(Vec::new());
         match end {
             Err(_) if self.equations.workers().is_stopped() => report.outcome = Outcome::Cancelled,
             end => end?,
@@ -581,7 +585,9 @@ impl<L: LinearSolver> Newton<L> {
             if leaping {
                 let equations = &mut self.equations;
                 timed(&mut self.timings.assembly, || {
-                    equations.extrapolate_resultants(state, &unscaled)
+                    let resultants = equations.extrapolated_resultants(state, &unscaled)?;
+                    equations.set_resultants(resultants);
+                    Ok(())
                 })?;
                 leap = Some(match leap.take() {
                     Some(before) => Leap {
@@ -595,7 +601,7 @@ impl<L: LinearSolver> Newton<L> {
                     },
                 });
             } else {
-                self.equations.clear_resultants();
+                self.equations.set_resultants(Vec::new());
                 leap = None;
             }
             iteration.step = if accepted.is_some() { step } else { 0.0 };

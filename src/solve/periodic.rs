@@ -205,7 +205,7 @@ const NEARER: f64 = 0.1;
 const ENOUGH: f64 = 1e-3;
 /// Inertial displacement, in scaled unknowns, of a quasi-static motion from which Newton's method
 /// takes more than a few iterations.
-const FAR: f64 = 0.01;
+const FAR: f64 = 0.001;
 /// Fewest points of a grid with half the harmonics that may serve as a start.
 const LEAST_COARSE: usize = 7;
 /// Most iterations on it: more would take longer than those it is to spare.

@@ -3,7 +3,7 @@
 
 use super::guess::Tracker;
 use super::newton::{NewtonOptions, Outcome};
-use crate::collocation::BackwardRule;
+use crate::collocation::{Backward, BackwardWeights, Conditions, Spectral};
 use crate::error::Result;
 use crate::system::System;
 
@@ -27,7 +27,10 @@ const NEWTON: NewtonOptions = NewtonOptions {
 impl Tracker<'_> {
     /// Whether something holds the reference configuration when no loads act.
     pub(super) fn is_held(&mut self) -> Result<bool> {
-        self.newton.equations.set_conditions(0.0, 0.0)?;
+        self.newton.equations.set_conditions(Conditions {
+            load_factor: 0.0,
+            ..Conditions::at(0.0)
+        })?;
         let mut state = self.state.clone();
         let report = self.newton.solve(&mut state, &NEWTON, self.observe)?;
         if report.outcome == Outcome::Cancelled {
@@ -46,18 +49,19 @@ impl Tracker<'_> {
         if scales.mass <= 0.0 || self.was_cancelled() {
             return Ok(false);
         }
-        self.newton.equations.set_conditions(0.0, 1.0)?;
+        self.newton.equations.set_conditions(Conditions::at(0.0))?;
         let first_step = (scales.mass * scales.length / scales.force).sqrt();
         let mut step = first_step;
         let mut state = self.state.clone();
         let mut settled = false;
         for _ in 0..MOST_STEPS {
             let weight = 1.0 / (step * step);
-            let rule = BackwardRule {
+            let weights = BackwardWeights {
                 first: [0.0; 4],
                 second: [weight, -weight, 0.0, 0.0],
             };
-            self.newton.equations.set_past(rule, vec![state.clone()]);
+            let rule = Backward::new(weights, vec![state.clone()]);
+            self.newton.equations.set_rule(Box::new(rule));
             let mut next = state.clone();
             match self.newton.solve(&mut next, &NEWTON, self.observe) {
                 Ok(report) if report.outcome == Outcome::Converged => {
@@ -79,7 +83,8 @@ impl Tracker<'_> {
                 _ => break,
             }
         }
-        self.newton.equations.clear_past();
+        let equations = &mut self.newton.equations;
+        equations.set_rule(Box::new(Spectral::new(equations.grid(), system.nodes())));
         if settled {
             self.state = state;
         }

@@ -14,7 +14,7 @@ use super::trajectory::{
 };
 use super::watch::Watch;
 use crate::collocation::{
-    AlphaStep, GridState, MotionState, StepVariation, Variation, VariationScales,
+    AlphaStep, Conditions, GridState, MotionState, StepVariation, Variation, VariationScales,
 };
 use crate::elements::{Measure, Unknown};
 use crate::error::{Error, Result};
@@ -176,9 +176,9 @@ impl Shooting {
         let newton = &mut self.marcher.newton;
         for (k, (start, end)) in orbit.starts.iter().zip(&orbit.ends).enumerate() {
             let time = self.period * (k + 1) as f64 / self.steps as f64;
-            newton.equations.set_conditions(time, 1.0)?;
+            newton.equations.set_conditions(Conditions::at(time))?;
             let step = AlphaStep::new(method, length, start.clone());
-            newton.equations.set_step(step.clone());
+            newton.equations.set_rule(Box::new(step.clone()));
             newton.linear.assemble(&mut newton.equations, end)?;
             if !newton.linear.factor_all(&newton.equations)? {
                 return Ok(None);
@@ -189,8 +189,7 @@ impl Shooting {
                 let propagated = linear.propagate(
                     &newton.equations,
                     &step,
-                    newton.linear.pattern(&newton.equations),
-                    &newton.linear.blocks,
+                    &newton.linear.tangent,
                     column,
                     |rhs| newton.linear.substitute(rhs),
                 );

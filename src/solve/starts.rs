@@ -6,7 +6,7 @@ use super::march::DissipativeMarch;
 use super::method::DirectCost;
 use super::newton::{NewtonReport, Outcome};
 use super::periodic::{Attempts, is_final};
-use crate::collocation::GridState;
+use crate::collocation::{Conditions, GridState};
 use crate::error::Result;
 use crate::fourier::TimeGrid;
 use crate::system::Driven;
@@ -339,7 +339,10 @@ impl Attempts<'_> {
         let mut found = None;
         while reached < 1.0 {
             let next = (reached + step).min(1.0);
-            self.newton.equations.set_inertia_factor(next);
+            self.newton.equations.set_conditions(Conditions {
+                inertia_factor: next,
+                ..Conditions::at(0.0)
+            })?;
             let (trial, report) = self.newton(state.clone())?;
             match report.outcome {
                 Outcome::Converged => {
@@ -366,7 +369,7 @@ impl Attempts<'_> {
                 break;
             }
         }
-        self.newton.equations.set_inertia_factor(1.0);
+        self.newton.equations.set_conditions(Conditions::at(0.0))?;
         Ok(found)
     }
 

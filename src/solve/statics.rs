@@ -6,6 +6,7 @@ use super::guess::Tracker;
 use super::newton::{Iteration, NewtonOptions, NewtonReport, Outcome, Timings};
 use super::periodic::{InitialGuess, PeriodicSolve, Stage};
 use super::watch::{Watch, Watching};
+use crate::collocation::Conditions;
 use crate::error::{Error, ErrorKind, Result, require_finite};
 use crate::fourier::TimeGrid;
 use crate::model::Model;
@@ -217,7 +218,7 @@ pub(super) fn find_equilibrium(
         march: None,
     };
     if solve.report.outcome == Outcome::Singular && indifferent == Indifferent::Accepted {
-        newton.equations.set_conditions(0.0, 1.0)?;
+        newton.equations.set_conditions(Conditions::at(0.0))?;
         let mut residual = vec![0.0; newton.equations.size()];
         newton.equations.residual(&solve.state, &mut residual)?;
         // Written so that NaN fails too.

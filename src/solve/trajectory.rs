@@ -5,8 +5,10 @@ use super::consistent::{Initial, Refusal};
 use super::newton::{Iteration, Newton, NewtonOptions, NewtonReport, Outcome};
 use super::periodic::{PeriodicSolve, Stage};
 use super::watch::Watch;
-use crate::collocation::{AlphaStep, Collocation, GeneralizedAlpha, GridState, MotionState};
-use crate::elements::NodeState;
+use crate::collocation::{
+    AlphaStep, Collocation, Conditions, GeneralizedAlpha, GridState, MotionState,
+};
+use crate::elements::{NodeState, Unknown};
 use crate::error::{Error, ErrorKind, Result, require_finite};
 use crate::fourier::TimeGrid;
 use crate::model::Model;
@@ -413,7 +415,7 @@ impl Marcher {
     ) -> Result<std::result::Result<f64, Option<Refusal>>> {
         let time = self.step.start.time + self.step.length;
         let system = self.newton.equations.system().clone();
-        self.newton.equations.set_conditions(time, 1.0)?;
+        self.newton.equations.set_conditions(Conditions::at(time))?;
         self.step.predict(&mut self.next);
         self.next
             .coordinates
@@ -422,7 +424,7 @@ impl Marcher {
         let length = self.step.length;
         system.foresee(|n| start.node(n), length, &mut self.next.coordinates);
         self.next.track(&system);
-        self.newton.equations.set_step(self.step.clone());
+        self.newton.equations.set_rule(Box::new(self.step.clone()));
         let report = self
             .newton
             .solve(&mut self.next, &self.newton_options, &mut |_| true);
@@ -450,11 +452,10 @@ impl Marcher {
         if !accept(error) {
             return Ok(Err(None));
         }
-        let equations = &mut self.newton.equations;
-        equations.advance(&self.next);
-        if let Some(step) = equations.take_step() {
-            self.step = step;
-        }
+        let node_states = self.newton.equations.node_states();
+        self.step.advance(&self.next, node_states, |place| {
+            matches!(system.unknown(place), Unknown::State { .. })
+        });
         self.step.start.time = time;
         self.record.steps += 1;
         self.record.step_error = self.record.step_error.max(error);

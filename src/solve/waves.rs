@@ -3,7 +3,7 @@
 
 use super::loads::Loads;
 use super::newton::Newton;
-use crate::collocation::{Collocation, Defect, GridState};
+use crate::collocation::{Collocation, Conditions, Defect, GridState};
 use crate::error::Result;
 use crate::fourier::TimeGrid;
 
@@ -72,7 +72,7 @@ impl<'a> Waves<'a> {
         let period = system.period() / harmonic as f64;
         equations.set_period(period)?;
         // Functions of the user see no times beyond the period.
-        equations.set_conditions(time.min(system.period() - period), 1.0)?;
+        equations.set_conditions(Conditions::at(time.min(system.period() - period)))?;
         let mut signals = vec![0.0; system.signals()];
         system.signal_values(time, 1.0, &mut signals)?;
         equations.set_signals(&signals.repeat(3));

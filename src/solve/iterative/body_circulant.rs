@@ -453,7 +453,7 @@ fn collect(transform: &mut Transform, lanes: &[Vec<ComplexLanes>], unknown: usiz
 fn scaled_aliasing(equations: &Collocation, node: usize) -> Vec<Aliasing> {
     let scale = &equations.column_scale()[6 * equations.grid().points() * node..][..6];
     let scaled = |m: Matrix6<Complex<f64>>| m.map_with_location(|i, j, x| x * scale[j] / scale[i]);
-    let all = equations.aliasing(node).into_iter();
+    let all = equations.rule().aliasing(node).into_iter();
     all.map(|aliasing| Aliasing {
         velocity: scaled(aliasing.velocity),
         acceleration: scaled(aliasing.acceleration),

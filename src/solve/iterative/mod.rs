@@ -202,7 +202,7 @@ impl Iterative {
     /// For `equations`, with this preconditioner or, if none is named, with what suits them.
     pub fn new(equations: &Collocation, wanted: Option<Preconditioner>) -> Self {
         Iterative {
-            tangent: Tangent::new(equations.system(), equations.grid().points()),
+            tangent: Tangent::with_resultants_apart(equations.system(), equations.grid().points()),
             wanted,
             direct_work: None,
             candidates: Vec::new(),

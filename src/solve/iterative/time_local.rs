@@ -119,7 +119,7 @@ fn fill(
         entry.set(lane, entry.get(lane) + value);
     };
     for (pair, coupling) in tangent.couplings().iter().enumerate() {
-        let stiffness = tangent.stiffness(pair, k);
+        let [stiffness, _] = tangent.whole_pair(pair, k);
         let row_scale = &equations.row_scale()[6 * points * coupling.row..];
         let column_scale = &equations.column_scale()[6 * points * coupling.column..];
         let at = (

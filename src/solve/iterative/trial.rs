@@ -1,7 +1,7 @@
 //! What one iterative solve takes, measured at a solution.
 
 use super::{Iterative, Preconditioner};
-use crate::collocation::{Collocation, GridState};
+use crate::collocation::{Collocation, Conditions, GridState};
 use crate::error::Result;
 use crate::solve::linear::LinearSolver;
 use crate::solve::newton::Timings;
@@ -99,9 +99,12 @@ pub(in crate::solve) fn missing_inertia(
     state: &GridState,
 ) -> Result<Vec<f64>> {
     let mut residual = vec![0.0; equations.size()];
-    equations.set_inertia_factor(1.0 - PART);
+    equations.set_conditions(Conditions {
+        inertia_factor: 1.0 - PART,
+        ..Conditions::at(0.0)
+    })?;
     equations.residual(state, &mut residual)?;
-    equations.set_inertia_factor(1.0);
+    equations.set_conditions(Conditions::at(0.0))?;
     Ok(residual)
 }
 

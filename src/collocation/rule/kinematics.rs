@@ -1,7 +1,6 @@
 //! Velocities and accelerations of a node at the grid points, and their exact linearisation
 //! (docs/theory.md, section 4.1). Everything is dual algebra.
 
-use super::resampled::{dual, primal};
 use crate::elements::NodeState;
 use crate::fourier::Differentiation;
 use crate::motion::{DualMatrix, DualVector, Motion};
@@ -9,7 +8,7 @@ use nalgebra::{Vector3, Vector6};
 
 /// Weights of the present and the past motions in first and second derivatives.
 #[derive(Debug, Clone, Copy)]
-pub struct BackwardRule {
+pub struct BackwardWeights {
     /// Of the first derivative, per unit of time.
     pub first: [f64; 4],
     /// Of the second derivative, per unit of time squared.
@@ -29,52 +28,79 @@ pub struct NodeKinematics {
     velocity: Vec<DualVector>,
     /// `v̇_ℓ = axial(B_ℓ − 2 ṽ_ℓ A_ℓ)`.
     acceleration: Vec<DualVector>,
-    samples: Vec<f64>,
-    d_samples: Vec<f64>,
-    t_samples: Vec<f64>,
+    samples: [Vec<f64>; 2],
 }
 
-/// Room for [`NodeKinematics::variation`].
+/// Scratch of [`NodeKinematics::variation`].
 #[derive(Debug, Clone, Default)]
 pub struct VariationScratch {
     skews: Vec<DualMatrix>,
     moved: Vec<DualMatrix>,
     a: Vec<DualMatrix>,
     b: Vec<DualMatrix>,
-    samples: [Vec<f64>; 3],
+    by_a: Vec<DualMatrix>,
+    sums: Vec<DualMatrix>,
+    samples: [Vec<f64>; 2],
+}
+
+/// Numbers of a dual matrix.
+const ENTRIES: usize = 18;
+
+/// Writes the first and second derivatives of a motion, entry by entry.
+fn differentiate(
+    operators: &mut Differentiation,
+    motions: &[DualMatrix],
+    [first, second]: [&mut Vec<DualMatrix>; 2],
+    samples: &mut [Vec<f64>; 2],
+) {
+    let n = motions.len();
+    first.resize(n, DualMatrix::zeros());
+    second.resize(n, DualMatrix::zeros());
+    let [samples, derivatives] = samples;
+    samples.resize(ENTRIES * n, 0.0);
+    derivatives.resize(2 * ENTRIES * n, 0.0);
+    for (m, entries) in motions.iter().zip(samples.chunks_exact_mut(ENTRIES)) {
+        let (primal, dual) = entries.split_at_mut(9);
+        primal.copy_from_slice(m.primal.as_slice());
+        dual.copy_from_slice(m.dual.as_slice());
+    }
+    operators.apply_to_many(ENTRIES, samples, derivatives);
+    let derivatives = derivatives.chunks_exact(ENTRIES);
+    for (m, entries) in first.iter_mut().chain(second).zip(derivatives) {
+        let (primal, dual) = entries.split_at(9);
+        m.primal.copy_from_slice(primal);
+        m.dual.copy_from_slice(dual);
+    }
+}
+
+impl VariationScratch {
+    fn resize(&mut self, points: usize) {
+        for list in [&mut self.skews, &mut self.moved, &mut self.by_a] {
+            list.resize(points, DualMatrix::zeros());
+        }
+    }
+
+    /// Writes the derivatives of `moved`.
+    fn differentiate(&mut self, operators: &mut Differentiation) {
+        let sums = [&mut self.a, &mut self.b];
+        differentiate(operators, &self.moved, sums, &mut self.samples);
+    }
 }
 
 impl NodeKinematics {
     /// Evaluates everything for a node's `motions`, one at each grid point.
     pub fn evaluate(&mut self, operators: &mut Differentiation, motions: &[Motion]) {
         let n = motions.len();
-        let zero = DualMatrix::zeros();
-        for values in [&mut self.motions, &mut self.a, &mut self.b] {
-            values.resize(n, zero);
-        }
+        self.motions.resize(n, DualMatrix::zeros());
         self.velocity.resize(n, DualVector::zeros());
         self.acceleration.resize(n, DualVector::zeros());
-        for samples in [&mut self.samples, &mut self.d_samples, &mut self.t_samples] {
-            samples.resize(n, 0.0);
-        }
-
         let mean = motions.iter().map(|m| m.position).sum::<Vector3<f64>>() / n as f64;
         for (dual, motion) in self.motions.iter_mut().zip(motions) {
             *dual = Motion::new(motion.rotation, motion.position - mean).to_dual();
         }
-        // D M and T M, entry by entry; kept in a and b until both are complete.
-        for entry in 0..9 {
-            for part in [primal, dual] {
-                for (sample, m) in self.samples.iter_mut().zip(&mut self.motions) {
-                    *sample = part(m)[entry];
-                }
-                operators.apply(&self.samples, &mut self.d_samples, &mut self.t_samples);
-                for k in 0..n {
-                    part(&mut self.a[k])[entry] = self.d_samples[k];
-                    part(&mut self.b[k])[entry] = self.t_samples[k];
-                }
-            }
-        }
+        // D M and T M, kept in a and b until both are complete.
+        let (motions, sums) = (&self.motions, [&mut self.a, &mut self.b]);
+        differentiate(operators, motions, sums, &mut self.samples);
         for l in 0..n {
             self.a[l] = self.motions[l].tr_mul(&self.a[l]);
             self.b[l] = self.motions[l].tr_mul(&self.b[l]);
@@ -83,21 +109,21 @@ impl NodeKinematics {
     }
 
     /// The same for one point in time, whose derivatives are backward differences with the weights
-    /// `rule` of the present motion and of those at past steps, latest first.
+    /// `weights` of the present motion and of those at past steps, latest first.
     pub fn evaluate_backward<'p>(
         &mut self,
-        rule: &BackwardRule,
+        weights: &BackwardWeights,
         present: &Motion,
         past: impl Iterator<Item = &'p Motion>,
     ) {
         // Relative to the present motion, so that M is the identity and A, B are the sums
         // themselves.
         let identity = Motion::identity().to_dual();
-        let (mut a, mut b) = (identity * rule.first[0], identity * rule.second[0]);
-        for (step, motion) in past.enumerate().take(rule.first.len() - 1) {
+        let (mut a, mut b) = (identity * weights.first[0], identity * weights.second[0]);
+        for (step, motion) in past.enumerate().take(weights.first.len() - 1) {
             let m = present.relative(motion).to_dual();
-            a += m * rule.first[step + 1];
-            b += m * rule.second[step + 1];
+            a += m * weights.first[step + 1];
+            b += m * weights.second[step + 1];
         }
         self.motions = vec![identity];
         self.a = vec![a];
@@ -117,17 +143,17 @@ impl NodeKinematics {
     }
 
     /// Number of grid points.
-    pub(super) fn points(&self) -> usize {
+    pub fn points(&self) -> usize {
         self.motions.len()
     }
 
     /// `M_ℓ`, with the mean position taken out.
-    pub(super) fn motion(&self, l: usize) -> DualMatrix {
+    pub fn motion(&self, l: usize) -> DualMatrix {
         self.motions[l]
     }
 
     /// `A_ℓ`.
-    pub(super) fn first(&self, l: usize) -> DualMatrix {
+    pub fn first(&self, l: usize) -> DualMatrix {
         self.a[l]
     }
 
@@ -161,35 +187,16 @@ impl NodeKinematics {
         operators: &mut Differentiation,
         increments: &[f64],
         scratch: &mut VariationScratch,
-        mut out: impl FnMut(usize, &Vector6<f64>, &Vector6<f64>),
+        rates: &mut [[Vector6<f64>; 2]],
     ) {
         let n = self.motions.len();
-        let zero = DualMatrix::zeros();
-        scratch.skews.resize(n, zero);
-        for values in [&mut scratch.moved, &mut scratch.a, &mut scratch.b] {
-            values.resize(n, zero);
-        }
-        for samples in &mut scratch.samples {
-            samples.resize(n, 0.0);
-        }
+        scratch.resize(n);
         for (k, u) in increments.chunks_exact(6).enumerate() {
             let u = Vector6::from_column_slice(u);
             scratch.skews[k] = DualVector::from_twist(&u).skew();
             scratch.moved[k] = self.motions[k] * scratch.skews[k];
         }
-        let [samples, d_samples, t_samples] = &mut scratch.samples;
-        for entry in 0..9 {
-            for part in [primal, dual] {
-                for (sample, m) in samples.iter_mut().zip(&mut scratch.moved) {
-                    *sample = part(m)[entry];
-                }
-                operators.apply(samples, d_samples, t_samples);
-                for k in 0..n {
-                    part(&mut scratch.a[k])[entry] = d_samples[k];
-                    part(&mut scratch.b[k])[entry] = t_samples[k];
-                }
-            }
-        }
+        scratch.differentiate(operators);
         for l in 0..n {
             let skew = &scratch.skews[l];
             let (a, v) = (&self.a[l], &self.velocity[l]);
@@ -197,7 +204,44 @@ impl NodeKinematics {
             let delta_b = self.motions[l].tr_mul(&scratch.b[l]) - *skew * self.b[l];
             let delta_v = delta_a.axial();
             let delta_rate = (delta_b - (delta_v.skew() * *a + v.skew() * delta_a) * 2.0).axial();
-            out(l, &delta_v.to_twist(), &delta_rate.to_twist());
+            rates[l] = [delta_v.to_twist(), delta_rate.to_twist()];
+        }
+    }
+
+    /// Adds the transposes of `Γ_v` and `Γ_a` times the wrenches `by_rates` that velocity and
+    /// acceleration are multiplied by, by the operators themselves.
+    ///
+    /// As `w · axial(X)` is half the product of all entries of `w̃` and `X`, what they multiply is
+    /// half the products of `ΔA` with `P = p̃ + 2 ṽ q̃` and of `ΔB` with `q̃`, where `q` multiplies
+    /// `Δv̇` and `p` is what multiplies `Δv` less `(tr(A) I − Aᵀ) q`; `Dᵀ = −D` and `Tᵀ = T`.
+    pub fn add_transposed_variation(
+        &self,
+        operators: &mut Differentiation,
+        by_rates: &[[Vector6<f64>; 2]],
+        scratch: &mut VariationScratch,
+        out: &mut [f64],
+    ) {
+        scratch.resize(self.motions.len());
+        for (l, [by_velocity, by_acceleration]) in by_rates.iter().enumerate() {
+            let q = DualVector::from_wrench(by_acceleration);
+            let p = DualVector::from_wrench(by_velocity) - self.a[l].trace_minus_transpose() * q;
+            scratch.skews[l] = q.skew();
+            scratch.by_a[l] = p.skew() + self.velocity[l].skew() * scratch.skews[l] * 2.0;
+            scratch.moved[l] = self.motions[l] * scratch.by_a[l];
+        }
+        scratch.differentiate(operators);
+        std::mem::swap(&mut scratch.sums, &mut scratch.a);
+        let factors = self.motions.iter().zip(&scratch.skews);
+        for (moved, (motion, by_b)) in scratch.moved.iter_mut().zip(factors) {
+            *moved = *motion * *by_b;
+        }
+        scratch.differentiate(operators);
+        for (k, out) in out.chunks_exact_mut(6).enumerate() {
+            let sum = self.motions[k].tr_mul(&(scratch.b[k] - scratch.sums[k]))
+                - scratch.by_a[k] * self.a[k].transpose()
+                - scratch.skews[k] * self.b[k].transpose();
+            let wrench = sum.axial().to_wrench();
+            out.iter_mut().zip(&wrench).for_each(|(out, x)| *out += x);
         }
     }
 
@@ -205,23 +249,31 @@ impl NodeKinematics {
     /// `Δv̇_ℓ = Σ_k Γ_a Δu_k`.
     ///
     /// `weights` are `D_ℓk` and `T_ℓk`.
-    pub fn tangent(&self, weights: (f64, f64), l: usize, k: usize) -> (DualMatrix, DualMatrix) {
-        let (d, t) = weights;
-        let s = self.motions[l].tr_mul(&self.motions[k]);
-        let (a, b, v) = (&self.a[l], &self.b[l], &self.velocity[l]);
-
-        // ½ D_ℓk (tr(S) I − Sᵀ), and with W = T_ℓk S − 2 D_ℓk ṽ S the same for the acceleration.
-        let mut gamma_v = s.trace_minus_transpose() * (0.5 * d);
-        let w = s * t - v.skew() * s * (2.0 * d);
-        let mut gamma_a = w.trace_minus_transpose() * 0.5;
-        let a_spread = a.trace_minus();
+    pub fn tangent(&self, weights: (f64, f64), l: usize, k: usize) -> [DualMatrix; 2] {
+        let [mut gamma_v, mut gamma_a] = self.carried(weights, l, k);
         if l == k {
+            let (a, b, v) = (&self.a[l], &self.b[l], &self.velocity[l]);
+            let a_spread = a.trace_minus();
             gamma_v = gamma_v - a_spread * 0.5;
             gamma_a = gamma_a - b.trace_minus() * 0.5 + (a.transpose() * *v).skew()
-                - a.axial().outer(v) * 2.0;
+                - a.axial().outer(v) * 2.0
+                + a_spread * a_spread * 0.5;
         }
-        gamma_a = gamma_a - a_spread * gamma_v;
-        (gamma_v, gamma_a)
+        [gamma_v, gamma_a]
+    }
+
+    /// The part of these blocks that is in proportion to the weights.
+    pub fn carried(&self, (d, t): (f64, f64), l: usize, k: usize) -> [DualMatrix; 2] {
+        // The zeros of the identity are wanted where a motion at rest has nothing else.
+        let s = match l == k {
+            true => DualMatrix::identity(),
+            false => self.motions[l].tr_mul(&self.motions[k]),
+        };
+        // ½ D_ℓk (tr(S) I − Sᵀ), and with W = T_ℓk S − 2 D_ℓk ṽ S the same for the acceleration.
+        let gamma_v = s.trace_minus_transpose() * (0.5 * d);
+        let w = s * t - self.velocity[l].skew() * s * (2.0 * d);
+        let gamma_a = w.trace_minus_transpose() * 0.5 - self.a[l].trace_minus() * gamma_v;
+        [gamma_v, gamma_a]
     }
 }
 
@@ -298,7 +350,7 @@ mod tests {
                             ((f(&a) - f(&b)) * 8.0 - (f(&c) - f(&d))) / (12.0 * h)
                         };
                         let weights = (operators.first(l, k), operators.second(l, k));
-                        let (gamma_v, gamma_a) = node.tangent(weights, l, k);
+                        let [gamma_v, gamma_a] = node.tangent(weights, l, k);
                         let dv = slope(&|n| n.velocity(l).to_twist());
                         let da = slope(&|n| n.acceleration(l).to_twist());
                         let exact_v = gamma_v.to_twist_matrix().column(component).into_owned();

@@ -16,9 +16,15 @@
 //! Computer Methods in Applied Mechanics and Engineering 190, 2000). See docs/theory.md, section
 //! 12.1.
 
-use super::state::GridState;
+mod variation;
+
+pub use variation::{StepVariation, Variation, VariationScales};
+
+use super::TimeRule;
+use crate::collocation::state::GridState;
 use crate::elements::NodeState;
 use crate::motion::{DualMatrix, Motion, inverse_tangent};
+use crate::workers::Workers;
 use nalgebra::Vector6;
 
 /// Parameters of the method, all from the spectral radius at infinite frequency `ρ∞`.
@@ -166,54 +172,43 @@ impl AlphaStep {
         (1.0 - method.state_alpha_m) / ((1.0 - method.alpha_f) * method.state_gamma * self.length)
     }
 
-    /// `a₁` of a node with the increment `Ψ`.
-    fn averaged(&self, node: usize, increment: &Vector6<f64>) -> Vector6<f64> {
-        let (h, beta) = (self.length, self.method.beta);
-        let (v, a) = (&self.start.twist[node], &self.start.averaged[node]);
-        (increment / h - v - a * ((0.5 - beta) * h)) / (beta * h)
-    }
-
-    /// `v₁` and `v̇₁` of a node that moves to `motion`.
-    pub(super) fn evaluate(&mut self, node: usize, motion: &Motion) -> NodeState {
-        let start = &self.start;
-        let increment = start.state.motions[node].relative(motion).logarithm();
-        self.inverse_tangents[node] = inverse_tangent(&increment);
+    /// `v₁`, `v̇₁` and `a₁` with the increment `Ψ`, from `v₀`, `v̇₀` and `a₀`.
+    fn end(&self, psi: &Vector6<f64>, [v, rate, a]: [&Vector6<f64>; 3]) -> [Vector6<f64>; 3] {
         let (method, h) = (&self.method, self.length);
-        let (v, a0) = (&start.twist[node], &start.averaged[node]);
-        let a1 = self.averaged(node, &increment);
-        NodeState {
-            motion: *motion,
-            twist: v + (a0 * (1.0 - method.gamma) + a1 * method.gamma) * h,
-            twist_rate: (a1 * (1.0 - method.alpha_m) + a0 * method.alpha_m
-                - start.twist_rate[node] * method.alpha_f)
-                / (1.0 - method.alpha_f),
-        }
+        let a1 = (psi / h - v - a * ((0.5 - method.beta) * h)) / (method.beta * h);
+        let v1 = v + (a * (1.0 - method.gamma) + a1 * method.gamma) * h;
+        let rate1 = (a1 * (1.0 - method.alpha_m) + a * method.alpha_m - rate * method.alpha_f)
+            / (1.0 - method.alpha_f);
+        [v1, rate1, a1]
     }
 
-    /// `Γ_v` and `Γ_a` at the last evaluation: `Δv₁ = Γ_v Δu`, `Δv̇₁ = Γ_a Δu`.
-    pub(super) fn tangent(&self, node: usize) -> (DualMatrix, DualMatrix) {
-        let (first, second) = self.weights();
-        let tangent = &self.inverse_tangents[node];
-        (*tangent * first, *tangent * second)
+    /// The same for a node that moves to `motion`, and `Ψ`.
+    fn end_of_node(&self, node: usize, motion: &Motion) -> (Vector6<f64>, [Vector6<f64>; 3]) {
+        let start = &self.start;
+        let psi = start.state.motions[node].relative(motion).logarithm();
+        let at = [&start.twist, &start.twist_rate, &start.averaged].map(|all| &all[node]);
+        (psi, self.end(&psi, at))
     }
 
-    /// The like of `a₁` for the internal state at `place`.
-    fn averaged_rate(&self, place: usize, value: f64) -> f64 {
-        let gamma = self.method.state_gamma;
-        let change = (value - self.start.state.multipliers[place]) / self.length;
-        (change - (1.0 - gamma) * self.start.averaged_rates[place]) / gamma
+    /// `ẋ₁` of an internal state that changes by `change`, and the like of `a₁`, from those at the
+    /// start.
+    fn end_of_state(&self, change: f64, [rate, a]: [f64; 2]) -> [f64; 2] {
+        let GeneralizedAlpha {
+            alpha_f,
+            state_alpha_m: alpha_m,
+            state_gamma: gamma,
+            ..
+        } = self.method;
+        let a1 = (change / self.length - (1.0 - gamma) * a) / gamma;
+        let rate1 = ((1.0 - alpha_m) * a1 + alpha_m * a - alpha_f * rate) / (1.0 - alpha_f);
+        [rate1, a1]
     }
 
-    /// `ẋ₁` of the internal state at `place`, whose value becomes `value`.
-    pub(super) fn rate(&self, place: usize, value: f64) -> f64 {
-        let method = &self.method;
-        let (a0, a1) = (
-            self.start.averaged_rates[place],
-            self.averaged_rate(place, value),
-        );
-        ((1.0 - method.state_alpha_m) * a1 + method.state_alpha_m * a0
-            - method.alpha_f * self.start.rates[place])
-            / (1.0 - method.alpha_f)
+    /// The same of that at `place`, whose value becomes `value`.
+    fn end_of(&self, place: usize, value: f64) -> [f64; 2] {
+        let start = &self.start;
+        let at = [start.rates[place], start.averaged_rates[place]];
+        self.end_of_state(value - start.state.multipliers[place], at)
     }
 
     /// Where a first guess of the end is: at unchanged accelerations.
@@ -239,17 +234,16 @@ impl AlphaStep {
         is_state: impl Fn(usize) -> bool,
     ) {
         for (node, at) in node_states.iter().enumerate() {
-            let increment = self.start.state.motions[node].relative(&at.motion);
-            let averaged = self.averaged(node, &increment.logarithm());
+            let (_, [.., averaged]) = self.end_of_node(node, &at.motion);
             self.start.averaged[node] = averaged;
             self.start.twist[node] = at.twist;
             self.start.twist_rate[node] = at.twist_rate;
         }
         for (place, &value) in end.multipliers.iter().enumerate() {
             if is_state(place) {
-                let rate = self.rate(place, value);
-                self.start.averaged_rates[place] = self.averaged_rate(place, value);
+                let [rate, averaged] = self.end_of(place, value);
                 self.start.rates[place] = rate;
+                self.start.averaged_rates[place] = averaged;
             }
         }
         self.start.state.clone_from(end);
@@ -257,21 +251,37 @@ impl AlphaStep {
     }
 }
 
-/// An instant whose velocities and accelerations are given; the unknowns are those of equations
-/// that are linear in accelerations (or in velocities): what the Jacobian holds is the inertia,
-/// constraint gradients and what balances rates of internal states.
-#[derive(Debug, Clone)]
-pub struct GivenRates {
-    /// `v` of each node.
-    pub twist: Vec<Vector6<f64>>,
-    /// `v̇` of each node.
-    pub twist_rate: Vec<Vector6<f64>>,
-    /// Rates of internal states, in the order of the multipliers.
-    pub rates: Vec<f64>,
-    /// Factor of the inertia in the Jacobian: accelerations are it times the unknowns.
-    pub weight: f64,
-    /// Inertia added to each node where some have none, that the Jacobian be regular: a mass.
-    pub added_mass: f64,
-    /// Whether the Jacobian has damping and stiffness beside the inertia, as that of a step has.
-    pub elastic: bool,
+impl TimeRule for AlphaStep {
+    fn evaluate(&mut self, state: &GridState, _: &Workers, nodes: &mut [NodeState]) {
+        for (node, (out, motion)) in nodes.iter_mut().zip(&state.motions).enumerate() {
+            let (psi, [twist, twist_rate, _]) = self.end_of_node(node, motion);
+            self.inverse_tangents[node] = inverse_tangent(&psi);
+            *out = NodeState {
+                motion: *motion,
+                twist,
+                twist_rate,
+            };
+        }
+    }
+
+    fn rates(&mut self, place: usize, values: &[f64], _: f64, rates: &mut [f64]) {
+        [rates[0], _] = self.end_of(place, values[0]);
+    }
+
+    /// `Δv₁ = Γ_v Δu` and `Δv̇₁ = Γ_a Δu`.
+    fn tangent(&self, node: usize, power: usize, _: usize, _: usize) -> [DualMatrix; 2] {
+        let (first, second) = self.weights();
+        let tangent = &self.inverse_tangents[node];
+        match power {
+            0 => [*tangent * first, *tangent * second],
+            _ => [DualMatrix::zeros(); 2],
+        }
+    }
+
+    fn rate_weight(&self, power: usize, _: usize, _: usize) -> f64 {
+        match power {
+            0 => self.state_weight(),
+            _ => 0.0,
+        }
+    }
 }

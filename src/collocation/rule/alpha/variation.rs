@@ -1,10 +1,9 @@
 //! How the end of a step varies with its start: exact linearisation of the generalised-α method.
 //! See docs/theory.md, section 12.3.
 
-use super::jacobian::TangentBlocks;
-use super::pattern::Pattern;
-use super::problem::Collocation;
-use super::step::{AlphaStep, MotionState};
+use super::{AlphaStep, MotionState};
+use crate::collocation::problem::Collocation;
+use crate::collocation::tangent::{Increment, Tangent};
 use crate::elements::{Measure, Unknown};
 use crate::motion::inverse_tangent;
 use nalgebra::{Matrix6, Vector6};
@@ -162,9 +161,8 @@ impl MotionState {
 pub struct StepVariation {
     /// `T⁻¹(Ψ)` and `T⁻¹(Ψ) Ad(exp(−Ψ))` of each node.
     tangents: Vec<[Matrix6<f64>; 2]>,
-    /// Of the parts that follow from the start alone: `δv₁`, `δv̇₁`.
-    free: Vec<[Vector6<f64>; 2]>,
-    rates: Vec<f64>,
+    /// What follows from the start alone: `δv₁`, `δv̇₁`, and rates of internal states.
+    free: Increment,
     rhs: Vec<f64>,
 }
 
@@ -184,8 +182,11 @@ impl StepVariation {
             });
         StepVariation {
             tangents: tangents.collect(),
-            free: vec![[Vector6::zeros(); 2]; end.len()],
-            rates: Vec::new(),
+            free: Increment {
+                x: vec![0.0; size],
+                rates: vec![[Vector6::zeros(); 2]; end.len()],
+                own_rates: Vec::new(),
+            },
             rhs: vec![0.0; size],
         }
     }
@@ -209,45 +210,32 @@ impl StepVariation {
     }
 
     /// Makes the variation of the start that of the end. `solve` solves with the factored Jacobian
-    /// of the end, whose tangents are `blocks`.
+    /// of the end, whose tangents are given.
     pub fn propagate(
         &mut self,
         equations: &Collocation,
         step: &AlphaStep,
-        pattern: &Pattern,
-        blocks: &TangentBlocks,
+        tangent: &Tangent,
         variation: &mut Variation,
         solve: impl FnOnce(&mut [f64]) -> bool,
     ) -> bool {
-        let (method, h) = (&step.method, step.length);
-        let (alpha_m, alpha_f, beta, gamma) =
-            (method.alpha_m, method.alpha_f, method.beta, method.gamma);
         // As if the end did not move; then what its moving adds.
-        for ((node, [_, turned]), free) in variation
-            .nodes
-            .iter_mut()
-            .zip(&self.tangents)
-            .zip(&mut self.free)
-        {
-            let [u, v, rate, a] = *node;
-            let psi = -(turned * u);
-            let a1 = (psi / h - v - a * ((0.5 - beta) * h)) / (beta * h);
-            let v1 = v + (a * (1.0 - gamma) + a1 * gamma) * h;
-            let rate1 = (a1 * (1.0 - alpha_m) + a * alpha_m - rate * alpha_f) / (1.0 - alpha_f);
+        let of_nodes = variation.nodes.iter_mut().zip(&self.tangents);
+        for ((node, [_, turned]), free) in of_nodes.zip(&mut self.free.rates) {
+            let [u, v, rate, a] = &*node;
+            let [v1, rate1, a1] = step.end(&-(turned * u), [v, rate, a]);
             *free = [v1, rate1];
             *node = [Vector6::zeros(), v1, rate1, a1];
         }
-        let (state_alpha_m, state_gamma) = (method.state_alpha_m, method.state_gamma);
         for state in &mut variation.states {
             let [x, rate, a] = *state;
-            let a1 = (-x / h - (1.0 - state_gamma) * a) / state_gamma;
-            let rate1 =
-                ((1.0 - state_alpha_m) * a1 + state_alpha_m * a - alpha_f * rate) / (1.0 - alpha_f);
+            let [rate1, a1] = step.end_of_state(-x, [rate, a]);
             *state = [0.0, rate1, a1];
         }
-        self.rates.clear();
-        self.rates.extend(variation.states.iter().map(|s| s[1]));
-        equations.rate_forces(pattern, blocks, &self.free, &self.rates, &mut self.rhs);
+        self.free.own_rates.clear();
+        let rates = variation.states.iter().map(|s| s[1]);
+        self.free.own_rates.extend(rates);
+        tangent.forces(equations, &self.free, &mut self.rhs);
         self.rhs.iter_mut().for_each(|x| *x = -*x);
         if !solve(&mut self.rhs) {
             return false;
@@ -262,7 +250,7 @@ impl StepVariation {
             node[0] = u;
             node[1] += psi * first;
             node[2] += psi * second;
-            node[3] += psi / (beta * h * h);
+            node[3] += psi / (step.method.beta * step.length * step.length);
         }
         let weight = step.state_weight();
         let system = equations.system();
@@ -272,7 +260,7 @@ impl StepVariation {
                 let x = self.rhs[at] * scales[at];
                 state[0] = x;
                 state[1] += weight * x;
-                state[2] += x / (state_gamma * h);
+                state[2] += x / (step.method.state_gamma * step.length);
             }
         }
         true

@@ -12,11 +12,10 @@
 //! (Harmonics of components in turning frames would not do: the highest of a multiplier in another
 //! frame is beyond them, and would have no effect.) See docs/theory.md, section 10.6.
 
-use super::between::too_coarse;
-use super::problem::Collocation;
-use super::resampled::{dual, primal};
-use super::state::GridState;
-use super::tangent::Tangent;
+use super::Collocation;
+use crate::collocation::resampled::too_coarse;
+use crate::collocation::state::GridState;
+use crate::collocation::tangent::Tangent;
 use crate::error::Result;
 use crate::fourier::{Resampling, TimeGrid};
 use crate::motion::{DualMatrix, DualPolar, DualVector, Motion};
@@ -164,7 +163,7 @@ impl Oversampled {
             ..
         } = &mut self.scratch;
         for entry in 0..9 {
-            for part in [primal, dual] {
+            for part in [DualMatrix::primal_mut, DualMatrix::dual_mut] {
                 self.interpolation
                     .read(coarse.iter_mut().map(|m| part(m)[entry]));
                 self.interpolation.write(0, 0, fine_samples);
@@ -184,7 +183,7 @@ impl Oversampled {
             ..
         } = &mut self.scratch;
         for entry in 0..9 {
-            for part in [primal, dual] {
+            for part in [DualMatrix::primal_mut, DualMatrix::dual_mut] {
                 self.projection
                     .read(fine.iter_mut().map(|m| part(m)[entry]));
                 self.projection.truncate(self.grid.harmonics());
@@ -261,7 +260,7 @@ impl OversampledTangent {
         let (_, finer) = equations.points();
         let (system, size) = (equations.fine.system(), equations.fine.size());
         OversampledTangent {
-            tangent: Tangent::new(system, finer),
+            tangent: Tangent::with_resultants_apart(system, finer),
             turns: Vec::with_capacity(system.nodes() * finer),
             sums: Vec::with_capacity(system.nodes() * finer),
             x: vec![0.0; size],
@@ -360,7 +359,7 @@ impl OversampledTangent {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::solve::test_models::moving_models;
+    use crate::model::test_models::moving_models;
 
     #[test]
     fn products_are_the_changes_of_the_residual() {

@@ -115,7 +115,7 @@ impl NodeKinematics {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::collocation::kinematics::VariationScratch;
+    use crate::collocation::rule::VariationScratch;
     use crate::fourier::Differentiation;
     use crate::motion::{Motion, rotation_from_vector};
     use nalgebra::{Vector3, Vector6};
@@ -155,12 +155,14 @@ mod tests {
                             increments[6 * k + component] = [cosine, sine][part];
                         }
                         let scratch = &mut VariationScratch::default();
-                        node.variation(&mut operators, &increments, scratch, |l, dv, da| {
+                        let mut rates = [[Vector6::zeros(); 2]; 15];
+                        node.variation(&mut operators, &increments, scratch, &mut rates);
+                        for (l, [dv, da]) in rates.iter().enumerate() {
                             let back =
                                 Complex::from_polar(1.0 / 15.0, -omega * h as f64 * grid.time(l));
                             response[0] += dv.map(|x| back * factor * x);
                             response[1] += da.map(|x| back * factor * x);
-                        });
+                        }
                     }
                     // ΔV = Δu̇ + Ṽ Δu and ΔV̇ = Δü + Ṽ Δu̇
                     let mut unit = Vector6::zeros();

@@ -1,0 +1,408 @@
+//! Residual of the governing equations at all grid points (docs/theory.md, section 5.2).
+
+mod oversampled;
+mod resultants;
+
+pub use oversampled::{Oversampled, OversampledTangent};
+
+use super::division::Division;
+use super::instants::Instants;
+use super::rule::{Spectral, TimeRule};
+use super::state::GridState;
+use crate::elements::{Measure, NodeState, Unknown};
+use crate::error::Result;
+use crate::fourier::TimeGrid;
+use crate::motion::Motion;
+use crate::system::{System, Workspace};
+use crate::workers::{Workers, parts};
+use std::sync::Arc;
+
+/// Scaled compliance of dependent constraints in the Jacobian. Newton's method loses this factor,
+/// over the compliance of the mechanism, of its quadratic convergence; rounding must be well below
+/// it.
+const REGULARISATION: f64 = 1e-7;
+
+/// The equations of a system on a grid, scaled so that they do not depend on units.
+///
+/// Rows of forces are divided by the characteristic force (moments also by the length), those of
+/// constrained lengths by the length. Unknown displacements are in units of the length, multipliers
+/// in units of the force, or the force times the length.
+#[derive(Debug, Clone)]
+pub struct Collocation {
+    system: Arc<System>,
+    grid: TimeGrid,
+    pub(super) instants: Instants,
+    pub(super) rule: Box<dyn TimeRule>,
+    /// Scratch for each thread; one at least.
+    forces_only: Vec<Workspace>,
+    pub(super) with_tangents: Workspace,
+    /// Scale of each row: residuals are multiplied by it.
+    pub(super) row_scale: Vec<f64>,
+    /// Scale of each column: scaled unknowns times it are the unknowns.
+    pub(super) column_scale: Vec<f64>,
+    /// Scaled compliance of all constraints in the Jacobian, for redundant ones.
+    pub(super) regularisation: f64,
+    workers: Workers,
+    pub(super) division: Division,
+    /// Where the residual is taken from instead, if not from the grid's own points.
+    oversampled: Option<Box<Oversampled>>,
+}
+
+/// What the equations are evaluated under.
+#[derive(Debug, Clone, Copy)]
+pub struct Conditions {
+    /// Time of the grid's first point.
+    pub start: f64,
+    /// Fraction of all loads and prescribed motions.
+    pub load_factor: f64,
+    /// Fraction of the inertial forces.
+    pub inertia_factor: f64,
+}
+
+impl Conditions {
+    /// All loads and inertial forces, with the grid's first point at this time.
+    pub fn at(start: f64) -> Self {
+        Conditions {
+            start,
+            load_factor: 1.0,
+            inertia_factor: 1.0,
+        }
+    }
+}
+
+impl Collocation {
+    /// Equations of `system` on `grid`, whose first point is at time zero.
+    pub fn new(system: Arc<System>, grid: TimeGrid) -> Result<Self> {
+        let points = grid.points();
+        let scales = *system.scales();
+        let (length, force) = (scales.length, scales.force);
+        let mut row_scale = Vec::new();
+        let mut column_scale = Vec::new();
+        for _ in 0..system.nodes() * points {
+            row_scale.extend([1.0 / force; 3]);
+            row_scale.extend([1.0 / (force * length); 3]);
+            column_scale.extend([length; 3]);
+            column_scale.extend([1.0; 3]);
+        }
+        for placed in system.elements() {
+            let count = placed.element.multipliers();
+            for _ in 0..points {
+                for row in 0..count {
+                    let scale = |measure: Measure| match measure {
+                        Measure::Length => (length, force),
+                        Measure::Angle => (1.0, force * length),
+                    };
+                    match system.unknown(placed.first_multiplier + row) {
+                        Unknown::Multiplier(measure) => {
+                            let (motion, effort) = scale(measure);
+                            row_scale.push(1.0 / motion);
+                            column_scale.push(effort);
+                        }
+                        Unknown::State { measure, .. } => {
+                            let (motion, effort) = scale(measure);
+                            row_scale.push(1.0 / effort);
+                            column_scale.push(motion);
+                        }
+                    }
+                }
+            }
+        }
+        let mut collocation = Collocation {
+            instants: Instants {
+                system: system.clone(),
+                points,
+                times: vec![0.0; points],
+                signals: vec![0.0; system.signals() * points],
+                inertia_factor: 1.0,
+                states: Vec::new(),
+                rates: vec![0.0; system.multipliers() * points],
+                resultants: Vec::new(),
+            },
+            regularisation: if system.dependencies().is_empty() {
+                0.0
+            } else {
+                REGULARISATION
+            },
+            rule: Box::new(Spectral::new(grid, system.nodes())),
+            forces_only: vec![system.workspace(false)],
+            with_tangents: system.workspace(true),
+            row_scale,
+            column_scale,
+            oversampled: None,
+            division: Division::new(&system, points, &Workers::default()),
+            system,
+            grid,
+            workers: Workers::default(),
+        };
+        collocation.set_conditions(Conditions::at(0.0))?;
+        Ok(collocation)
+    }
+
+    /// The system.
+    pub fn system(&self) -> &Arc<System> {
+        &self.system
+    }
+
+    /// Shares work among these threads.
+    pub fn set_workers(&mut self, workers: Workers) {
+        if let Some(oversampled) = &mut self.oversampled {
+            oversampled.fine_mut().set_workers(workers.clone());
+        }
+        self.division = Division::new(&self.system, self.grid.points(), &workers);
+        self.workers = workers;
+    }
+
+    /// The threads that share work.
+    pub fn workers(&self) -> &Workers {
+        &self.workers
+    }
+
+    /// The grid.
+    pub fn grid(&self) -> TimeGrid {
+        self.grid
+    }
+
+    /// Gives the same number of points another period, over which motions are differentiated.
+    ///
+    /// # Errors
+    /// If it is none.
+    pub fn set_period(&mut self, period: f64) -> Result<()> {
+        self.grid = TimeGrid::new(self.grid.points(), period)?;
+        self.rule = Box::new(Spectral::new(self.grid, self.system.nodes()));
+        Ok(())
+    }
+
+    /// Number of unknowns.
+    pub fn size(&self) -> usize {
+        self.row_scale.len()
+    }
+
+    /// Scale of each equation: equations times it are the scaled ones.
+    pub fn row_scale(&self) -> &[f64] {
+        &self.row_scale
+    }
+
+    /// Scale of each unknown: scaled unknowns times it are the unknowns.
+    pub fn column_scale(&self) -> &[f64] {
+        &self.column_scale
+    }
+
+    /// Sets what the equations are evaluated under.
+    ///
+    /// # Errors
+    /// Those of signals.
+    pub fn set_conditions(&mut self, conditions: Conditions) -> Result<()> {
+        let count = self.system.signals();
+        self.instants.inertia_factor = conditions.inertia_factor;
+        for k in 0..self.grid.points() {
+            let values = &mut self.instants.signals[k * count..][..count];
+            let time = conditions.start + self.grid.time(k);
+            self.instants.times[k] = time;
+            self.system
+                .signal_values(time, conditions.load_factor, values)?;
+        }
+        match &mut self.oversampled {
+            Some(oversampled) => oversampled.fine_mut().set_conditions(conditions),
+            None => Ok(()),
+        }
+    }
+
+    /// From now on takes the residual from `factor` times as many points, projected on the
+    /// harmonics of this grid. The Jacobian that is assembled remains that of the grid's own
+    /// points.
+    ///
+    /// # Errors
+    /// Those of signals.
+    pub fn oversample(&mut self, factor: usize) -> Result<()> {
+        let mut oversampled = Oversampled::new(&self.system, self.grid, factor)?;
+        oversampled.fine_mut().set_workers(self.workers.clone());
+        self.oversampled = Some(Box::new(oversampled));
+        Ok(())
+    }
+
+    /// Where the residual is taken from, if not from the grid's own points.
+    pub fn oversampled(&self) -> Option<&Oversampled> {
+        self.oversampled.as_deref()
+    }
+
+    /// Lets velocities, accelerations and rates of internal states follow by another rule for this
+    /// grid, and gives the former one.
+    pub fn set_rule(&mut self, rule: Box<dyn TimeRule>) -> Box<dyn TimeRule> {
+        std::mem::replace(&mut self.rule, rule)
+    }
+
+    /// The rule that they follow by.
+    pub fn rule(&self) -> &dyn TimeRule {
+        &*self.rule
+    }
+
+    /// Values of all signals, grid point by grid point.
+    pub fn signals(&self) -> &[f64] {
+        &self.instants.signals
+    }
+
+    /// Sets the values of all signals, grid point by grid point.
+    pub fn set_signals(&mut self, values: &[f64]) {
+        self.instants.signals.copy_from_slice(values);
+    }
+
+    /// Scaled compliance of all constraints in the Jacobian: zero unless some depend on each other.
+    pub fn regularisation(&self) -> f64 {
+        self.regularisation
+    }
+
+    /// Writes the scaled violations of the constraints alone, at their rows of a residual.
+    pub fn constraints(&mut self, state: &GridState, out: &mut [f64]) -> Result<()> {
+        let points = self.grid.points();
+        let first_constraint = 6 * points * self.system.nodes();
+        self.update_kinematics(state);
+        for placed in self.system.elements() {
+            let count = placed.element.multipliers();
+            if count == 0 || placed.has_states {
+                continue;
+            }
+            for k in 0..points {
+                let workspace = &mut self.forces_only[0];
+                let contribution = self.instants.evaluate(placed, k, state, workspace)?;
+                let first = first_constraint + placed.first_multiplier * points + count * k;
+                for (row, violation) in contribution.constraint.iter().enumerate() {
+                    out[first + row] = violation * self.row_scale[first + row];
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// Whether constraints may depend on each other: all have then a small compliance in the
+    /// Jacobian, not in the residual, so that increments of the multipliers are those of least
+    /// norm.
+    pub fn is_regularised(&self) -> bool {
+        self.regularisation != 0.0
+    }
+
+    /// Makes it so, as for a system that has such constraints from the start.
+    pub fn regularise(&mut self) {
+        self.regularisation = REGULARISATION;
+        if let Some(oversampled) = &mut self.oversampled {
+            oversampled.fine_mut().regularise();
+        }
+    }
+
+    /// What a scaled increment of multipliers, by their compliance in the Jacobian, leaves of the
+    /// constraints.
+    pub fn compliance_of(&self, increment: &[f64], rest: &mut [f64]) {
+        rest.fill(0.0);
+        let points = self.grid.points();
+        let first = 6 * points * self.system.nodes();
+        for placed in self.system.elements().iter().filter(|p| !p.has_states) {
+            let start = first + placed.first_multiplier * points;
+            for i in start..start + placed.element.multipliers() * points {
+                rest[i] = -self.regularisation * increment[i];
+            }
+        }
+    }
+
+    /// Largest violation of the constraints in a scaled residual.
+    pub fn violation(&self, residual: &[f64]) -> f64 {
+        let points = self.grid.points();
+        let constraints = &residual[6 * points * self.system.nodes()..];
+        let mut largest = 0.0f64;
+        for placed in self.system.elements().iter().filter(|p| !p.has_states) {
+            let count = placed.element.multipliers() * points;
+            let part = &constraints[placed.first_multiplier * points..][..count];
+            largest = part.iter().fold(largest, |m, x| m.max(x.abs()));
+        }
+        largest
+    }
+
+    /// Evaluates velocities, accelerations and rates of internal states at the grid points.
+    pub fn update_kinematics(&mut self, state: &GridState) {
+        self.update_rates(state);
+        let points = self.grid.points();
+        let at_rest = NodeState::at_rest(Motion::identity());
+        self.instants
+            .states
+            .resize(points * self.system.nodes(), at_rest);
+        self.rule
+            .evaluate(state, &self.workers, &mut self.instants.states);
+    }
+
+    fn update_rates(&mut self, state: &GridState) {
+        let points = self.grid.points();
+        let (mut values, mut rates) = (vec![0.0; points], vec![0.0; points]);
+        for placed in self.system.elements().iter().filter(|p| p.has_states) {
+            for row in 0..placed.element.multipliers() {
+                for (k, value) in values.iter_mut().enumerate() {
+                    *value = state.multipliers_of(placed, k)[row];
+                }
+                let gain = state.gain(&self.system, placed, row);
+                let place = placed.first_multiplier + row;
+                self.rule.rates(place, &values, gain, &mut rates);
+                for (k, rate) in rates.iter().enumerate() {
+                    self.instants.rates[state.first_multiplier(placed, k) + row] = *rate;
+                }
+            }
+        }
+    }
+
+    /// Takes from the multipliers the part that has no effect, where constraints depend on each
+    /// other; kinematics must be those of `state`.
+    pub fn reduce_to_least_norm(&mut self, state: &mut GridState) -> Result<()> {
+        if !self.is_regularised() {
+            return Ok(());
+        }
+        let points = self.grid.points();
+        for k in 0..points {
+            let places: Vec<usize> = self
+                .system
+                .elements()
+                .iter()
+                .map(|placed| state.first_multiplier(placed, k))
+                .collect();
+            self.system.reduce_to_least_norm(
+                |node| self.instants.states[node * points + k],
+                |index| places[index],
+                &mut state.multipliers,
+                &mut self.with_tangents,
+            )?;
+        }
+        Ok(())
+    }
+
+    /// Node states over the grid, node by node, as of the last evaluation of anything.
+    pub fn node_states(&self) -> &[NodeState] {
+        &self.instants.states
+    }
+
+    /// Writes the scaled residual.
+    pub fn residual(&mut self, state: &GridState, out: &mut [f64]) -> Result<()> {
+        if let Some(oversampled) = &mut self.oversampled {
+            return oversampled.residual(state, out);
+        }
+        self.update_kinematics(state);
+        let points = self.grid.points();
+        let system = &self.system;
+        let (forces, constraints) = out.split_at_mut(6 * points * system.nodes());
+        let counts = system
+            .elements()
+            .iter()
+            .map(|p| points * p.element.multipliers());
+        let own = self.division.deal(parts(constraints, counts));
+        let forces = self.division.split(forces, 6 * points);
+        let mut all: Vec<_> = forces.into_iter().zip(own).collect();
+        let (instants, division) = (&self.instants, &self.division);
+        division.workers.try_for_each(
+            &mut all,
+            &mut self.forces_only,
+            || system.workspace(false),
+            |workspace, i, (forces, own)| {
+                let (share, workers) = (&division.shares[i], &division.workers);
+                instants.forces(share, state, workspace, (forces, own), workers)
+            },
+        )?;
+        for (value, scale) in out.iter_mut().zip(&self.row_scale) {
+            *value *= scale;
+        }
+        Ok(())
+    }
+}

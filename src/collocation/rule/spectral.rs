@@ -1,0 +1,166 @@
+//! The motion over the grid, differentiated as a Fourier series (docs/theory.md, section 4.1).
+
+use super::aliasing::Aliasing;
+use super::kinematics::NodeKinematics;
+use super::{RuleWorkspace, TimeRule};
+use crate::collocation::state::GridState;
+use crate::elements::NodeState;
+use crate::fourier::{Differentiation, TimeGrid};
+use crate::motion::DualMatrix;
+use crate::workers::Workers;
+use nalgebra::Vector6;
+
+/// Multiply-adds of the velocity and acceleration of a node at a grid point, about.
+const WORK: usize = 300;
+
+/// Spectral differentiation on a grid.
+#[derive(Debug, Clone)]
+pub struct Spectral {
+    operators: Differentiation,
+    nodes: Vec<NodeKinematics>,
+    /// Operators for each thread.
+    of_threads: Vec<Differentiation>,
+    unused: Vec<f64>,
+}
+
+impl Spectral {
+    /// On `grid`, for so many nodes.
+    pub fn new(grid: TimeGrid, nodes: usize) -> Self {
+        Spectral {
+            operators: Differentiation::new(grid),
+            nodes: vec![NodeKinematics::default(); nodes],
+            of_threads: Vec::new(),
+            unused: vec![0.0; grid.points()],
+        }
+    }
+}
+
+impl RuleWorkspace {
+    /// Own operators of a thread.
+    fn operators(&mut self, like: &Differentiation) -> &mut Differentiation {
+        if self
+            .operators
+            .as_ref()
+            .is_some_and(|own| own.grid() != like.grid())
+        {
+            self.operators = None;
+        }
+        self.operators.get_or_insert_with(|| like.clone())
+    }
+}
+
+impl TimeRule for Spectral {
+    fn evaluate(&mut self, state: &GridState, workers: &Workers, nodes: &mut [NodeState]) {
+        let points = state.points();
+        let operators = &self.operators;
+        let mut all: Vec<_> = self
+            .nodes
+            .iter_mut()
+            .zip(nodes.chunks_mut(points))
+            .collect();
+        workers.for_work(WORK * points * all.len()).for_each(
+            &mut all,
+            &mut self.of_threads,
+            || operators.clone(),
+            |operators, node, (kinematics, states)| {
+                kinematics.evaluate(operators, state.node(node));
+                kinematics.write_states(state.node(node), states);
+            },
+        );
+    }
+
+    fn rates(&mut self, _: usize, values: &[f64], gain: f64, rates: &mut [f64]) {
+        let grid = self.operators.grid();
+        let steady = |(k, value)| value - gain * k as f64 / grid.points() as f64;
+        let samples: Vec<f64> = values.iter().enumerate().map(steady).collect();
+        self.operators.apply(&samples, rates, &mut self.unused);
+        let steady = gain / grid.period();
+        rates.iter_mut().for_each(|rate| *rate += steady);
+    }
+
+    fn tangent(&self, node: usize, power: usize, l: usize, k: usize) -> [DualMatrix; 2] {
+        let (kinematics, operators) = (&self.nodes[node], &self.operators);
+        let (d, t) = (operators.first(l, k), operators.second(l, k));
+        let one = f64::from(l == k);
+        // D + μ, and T + 2 μ D + μ².
+        match power {
+            0 => kinematics.tangent((d, t), l, k),
+            1 => kinematics.carried((one, 2.0 * d), l, k),
+            _ => kinematics.carried((0.0, one), l, k),
+        }
+    }
+
+    fn rate_weight(&self, power: usize, l: usize, k: usize) -> f64 {
+        match power {
+            0 => self.operators.first(l, k),
+            1 => f64::from(l == k),
+            _ => 0.0,
+        }
+    }
+
+    fn vary(
+        &self,
+        node: usize,
+        increments: &[f64],
+        workspace: &mut RuleWorkspace,
+        rates: &mut [[Vector6<f64>; 2]],
+    ) {
+        workspace.operators(&self.operators);
+        let RuleWorkspace {
+            operators: Some(operators),
+            variation,
+            ..
+        } = workspace
+        else {
+            return;
+        };
+        self.nodes[node].variation(operators, increments, variation, rates);
+    }
+
+    fn vary_rates(&self, values: &[f64], workspace: &mut RuleWorkspace, rates: &mut [f64]) {
+        let mut unused = std::mem::take(&mut workspace.samples);
+        unused.resize(values.len(), 0.0);
+        workspace
+            .operators(&self.operators)
+            .apply(values, rates, &mut unused);
+        workspace.samples = unused;
+    }
+
+    fn vary_transposed(
+        &self,
+        node: usize,
+        by_rates: &[[Vector6<f64>; 2]],
+        workspace: &mut RuleWorkspace,
+        out: &mut [f64],
+    ) {
+        workspace.operators(&self.operators);
+        let RuleWorkspace {
+            operators: Some(operators),
+            variation,
+            ..
+        } = workspace
+        else {
+            return;
+        };
+        self.nodes[node].add_transposed_variation(operators, by_rates, variation, out);
+    }
+
+    /// `Dᵀ = −D`.
+    fn vary_rates_transposed(
+        &self,
+        by_rates: &[f64],
+        workspace: &mut RuleWorkspace,
+        out: &mut [f64],
+    ) {
+        self.vary_rates(by_rates, workspace, out);
+        out.iter_mut().for_each(|x| *x = -*x);
+    }
+
+    fn aliasing(&self, node: usize) -> Vec<Aliasing> {
+        self.nodes[node].aliasing(self.operators.grid())
+    }
+
+    fn over_grid(&self) -> Option<(&[NodeKinematics], &Differentiation)> {
+        Some((&self.nodes, &self.operators))
+    }
+}

@@ -1,0 +1,311 @@
+//! The Jacobian, assembled, and the polynomial in `μ` that it is for increments `exp(μt) Δu`, which
+//! is that of small motions where nothing moves.
+//! See docs/theory.md, section 5.3.
+
+use super::Tangent;
+use crate::collocation::pattern::Pattern;
+use crate::collocation::problem::Collocation;
+use crate::collocation::state::GridState;
+use crate::error::Result;
+use crate::motion::DualMatrix;
+use crate::system::Placed;
+use crate::workers::parts;
+use nalgebra::Matrix6;
+
+/// Scratch of one thread.
+#[derive(Debug, Default)]
+pub(super) struct Scratch {
+    /// `Γ_v` and `Γ_a` of a node, blocks `(ℓ, k)` at `k N + ℓ`.
+    gammas: Vec<[DualMatrix; 2]>,
+    /// `K` and `C` of a coupling, stress resultants included.
+    whole: [Vec<Matrix6<f64>>; 2],
+}
+
+/// `J(μ) = K + μ C + μ² M` for increments `exp(μt) Δu`, scaled as the Jacobian is: values in the
+/// order of one pattern.
+///
+/// At rest on a grid of one point these are stiffness, damping and mass for small motions:
+/// constraints are a part of `K`, rates of internal states of `C`.
+#[derive(Debug, Clone)]
+pub struct Linearisation {
+    /// `K`.
+    pub stiffness: Vec<f64>,
+    /// `C`.
+    pub damping: Vec<f64>,
+    /// `M`.
+    pub mass: Vec<f64>,
+    /// Where constraints depend on each other, a small compliance of all of them that makes factors
+    /// of `K` exist; no part of the equations.
+    pub compliance: Option<Vec<f64>>,
+}
+
+impl Collocation {
+    /// Writes the values of the scaled Jacobian at `state`, in the order of `pattern`.
+    pub fn jacobian(
+        &mut self,
+        state: &GridState,
+        pattern: &Pattern,
+        tangent: &mut Tangent,
+        values: &mut [f64],
+    ) -> Result<()> {
+        tangent.evaluate(self, state)?;
+        tangent.assemble(self, pattern, 0, values)?;
+        self.add_compliance(pattern, values);
+        Ok(())
+    }
+
+    /// Linearises about `state`, for increments `exp(μt) Δu`.
+    pub fn linearise(&mut self, state: &GridState, pattern: &Pattern) -> Result<Linearisation> {
+        let mut tangent = Tangent::new(self.system(), self.grid().points());
+        tangent.evaluate(self, state)?;
+        let mut power = |power: usize| {
+            let mut values = vec![0.0; pattern.entries()];
+            tangent.assemble(self, pattern, power, &mut values)?;
+            Ok(values)
+        };
+        let (stiffness, damping, mass) = (power(0)?, power(1)?, power(2)?);
+        Ok(Linearisation {
+            compliance: self.is_regularised().then(|| {
+                let mut compliance = vec![0.0; pattern.entries()];
+                self.add_compliance(pattern, &mut compliance);
+                compliance
+            }),
+            stiffness,
+            damping,
+            mass,
+        })
+    }
+
+    /// Writes the compliance of constraints that may depend on each other into a scaled matrix.
+    pub(super) fn add_compliance(&self, pattern: &Pattern, values: &mut [f64]) {
+        if !self.is_regularised() {
+            return;
+        }
+        for (index, placed) in self.system().elements().iter().enumerate() {
+            let count = placed.element.multipliers();
+            if placed.has_states {
+                continue;
+            }
+            for k in 0..self.grid().points() {
+                for row in 0..count {
+                    values[pattern.own_value(index, k, row, count)] = -self.regularisation();
+                }
+            }
+        }
+    }
+
+    /// Scales of the rows and columns of an element's own unknowns at grid point `k`.
+    fn own_scales(&self, placed: &Placed, k: usize) -> [&[f64]; 2] {
+        let points = self.grid().points();
+        let count = placed.element.multipliers();
+        let first =
+            6 * points * self.system().nodes() + placed.first_multiplier * points + count * k;
+        [self.row_scale(), self.column_scale()].map(|scale| &scale[first..first + count])
+    }
+}
+
+/// What a matrix is assembled from.
+struct Assembly<'a> {
+    tangent: &'a Tangent,
+    equations: &'a Collocation,
+    pattern: &'a Pattern,
+    power: usize,
+    /// Of what does not depend on `μ`: 1 or 0.
+    constant: f64,
+    /// Scales of forces by motions: those of all nodes are the same.
+    scale: Matrix6<f64>,
+}
+
+impl Tangent {
+    /// Writes what multiplies `μ^power` in the scaled Jacobian for increments `exp(μt) Δu`, in the
+    /// order of `pattern`, without the compliance of constraints. With power 0 that is the Jacobian
+    /// itself.
+    ///
+    /// # Errors
+    /// If work is to end.
+    pub fn assemble(
+        &mut self,
+        equations: &Collocation,
+        pattern: &Pattern,
+        power: usize,
+        values: &mut [f64],
+    ) -> Result<()> {
+        let mut scratch = std::mem::take(&mut self.assembly);
+        let assembly = Assembly {
+            tangent: self,
+            equations,
+            pattern,
+            power,
+            constant: f64::from(power == 0),
+            scale: Matrix6::from_fn(|i, j| equations.row_scale[i] * equations.column_scale[j]),
+        };
+        let system = equations.system();
+        let workers = &equations.division.workers;
+        let (of_nodes, of_own) = values.split_at_mut(pattern.own_values_from());
+        let counts = (0..system.nodes()).map(|node| pattern.node_values(node).len());
+        let mut columns: Vec<&mut [f64]> = parts(of_nodes, counts).collect();
+        let done = workers.try_for_each(
+            &mut columns,
+            &mut scratch,
+            Scratch::default,
+            |scratch, node, values| {
+                assembly.write_node(node, scratch, values);
+                Ok(())
+            },
+        );
+        let counts = (0..system.elements().len()).map(|index| pattern.own_values(index).len());
+        for (index, values) in parts(of_own, counts).enumerate() {
+            assembly.write_own(index, values);
+        }
+        self.assembly = scratch;
+        done
+    }
+}
+
+impl Assembly<'_> {
+    /// Writes the columns of a node.
+    fn write_node(&self, node: usize, scratch: &mut Scratch, values: &mut [f64]) {
+        let (pattern, points) = (self.pattern, self.tangent.points);
+        let rule = &self.equations.rule;
+        let couplings = self.tangent.couplings();
+        scratch.gammas.clear();
+        if pattern.pairs(node).any(|pair| couplings[pair].moving) {
+            let blocks = (0..points).flat_map(|k| (0..points).map(move |l| (l, k)));
+            let gammas = blocks.map(|(l, k)| rule.tangent(node, self.power, l, k));
+            scratch.gammas.extend(gammas);
+        }
+        for pair in pattern.pairs(node) {
+            match couplings[pair].moving {
+                true => self.write_moving(pair, scratch, values),
+                false => self.write_still(pair, values),
+            }
+        }
+        for &(index, local) in pattern.constrained(node) {
+            self.write_constraint(node, (index, local), values);
+        }
+    }
+
+    /// Writes the rows of a coupling that depend on velocities and accelerations: `M Γ_a + C Γ_v`,
+    /// and `K` on the diagonal in time.
+    fn write_moving(&self, pair: usize, scratch: &mut Scratch, values: &mut [f64]) {
+        let (tangent, points) = (self.tangent, self.tangent.points);
+        let at = pair * points..(pair + 1) * points;
+        let Scratch { gammas, whole } = scratch;
+        let (mut stiffness, mut damping) =
+            (&tangent.stiffness[at.clone()], &tangent.damping[at.clone()]);
+        if !tangent.layout.within[pair].is_empty() {
+            whole.iter_mut().for_each(Vec::clear);
+            for k in 0..points {
+                let blocks = tangent.whole_pair(pair, k);
+                let lists = whole.iter_mut().zip(blocks);
+                lists.for_each(|(list, block)| list.push(block));
+            }
+            (stiffness, damping) = (&whole[0], &whole[1]);
+        }
+        let mass = &tangent.mass[at];
+        for k in 0..points {
+            let (first, stride) = self.pattern.pair_place(pair, k);
+            for (l, [gamma_v, gamma_a]) in gammas[k * points..][..points].iter().enumerate() {
+                let mut block = Matrix6::zeros();
+                gamma_a.add_product_to(&mass[l], &mut block);
+                gamma_v.add_product_to(&damping[l], &mut block);
+                if l == k && self.power == 0 {
+                    block += stiffness[l];
+                }
+                block.component_mul_assign(&self.scale);
+                write_block(&block, &mut values[first + 6 * l..], stride);
+            }
+        }
+    }
+
+    /// Writes the rows of a coupling that depend on motions alone: `K`.
+    fn write_still(&self, pair: usize, values: &mut [f64]) {
+        let scale = self.scale * self.constant;
+        for k in 0..self.tangent.points {
+            let block = self.tangent.pair(pair, k).stiffness.component_mul(&scale);
+            let (first, stride) = self.pattern.pair_place(pair, k);
+            write_block(&block, &mut values[first..], stride);
+        }
+    }
+
+    /// Writes an element's own rows in the columns of its local node.
+    fn write_constraint(&self, node: usize, (index, local): (usize, usize), values: &mut [f64]) {
+        let (equations, first) = (self.equations, self.pattern.node_values(node).start);
+        let placed = &equations.system().elements()[index];
+        let count = placed.element.multipliers();
+        for k in 0..self.tangent.points {
+            let gradient = self.tangent.gradient(equations.system(), index, k);
+            let [rows, _] = equations.own_scales(placed, k);
+            let columns = gradient[6 * local * count..].chunks_exact(count);
+            for (component, column) in columns.take(6).enumerate() {
+                let at = self
+                    .pattern
+                    .constraint_value(index, local, node, k, component)
+                    - first;
+                let scale = self.constant * equations.column_scale()[component];
+                let values = values[at..].iter_mut();
+                for ((value, entry), row) in values.zip(column).zip(rows) {
+                    *value = entry * row * scale;
+                }
+            }
+        }
+    }
+
+    /// Writes the columns of an element's own unknowns.
+    fn write_own(&self, index: usize, values: &mut [f64]) {
+        let (equations, pattern) = (self.equations, self.pattern);
+        let placed = &equations.system().elements()[index];
+        let count = placed.element.multipliers();
+        let first = pattern.own_values(index).start;
+        for k in 0..self.tangent.points {
+            let [_, columns] = equations.own_scales(placed, k);
+            let gradient = self.tangent.gradient(equations.system(), index, k);
+            for local in 0..placed.element.nodes().len() {
+                for (row, own_scale) in columns.iter().enumerate() {
+                    let at = pattern.force_value(index, local, k, row, count) - first;
+                    for component in 0..6 {
+                        values[at + component] = gradient[(6 * local + component) * count + row]
+                            * equations.row_scale()[component]
+                            * (self.constant * own_scale);
+                    }
+                }
+            }
+            match placed.has_states {
+                true => self.write_states(index, k, values),
+                false => (0..count)
+                    .for_each(|row| values[pattern.own_value(index, k, row, count) - first] = 0.0),
+            }
+        }
+    }
+
+    /// Writes the rows of an element's internal states at grid point `l`: `∂/∂λ_ℓ`, and `D_ℓk`
+    /// times `∂/∂λ̇_ℓ`.
+    fn write_states(&self, index: usize, l: usize, values: &mut [f64]) {
+        let (equations, pattern) = (self.equations, self.pattern);
+        let placed = &equations.system().elements()[index];
+        let count = placed.element.multipliers();
+        let first = pattern.own_values(index).start;
+        let (own, own_rate) = self.tangent.own(equations.system(), index, l);
+        let [rows, columns] = equations.own_scales(placed, l);
+        for k in 0..self.tangent.points {
+            let d = equations.rule.rate_weight(self.power, l, k);
+            let constant = self.constant * f64::from(l == k);
+            for (column, own_scale) in columns.iter().enumerate() {
+                let at = pattern.own_value(index, k, column, count) - first + count * l;
+                for (row, scale) in rows.iter().enumerate() {
+                    let place = column * count + row;
+                    let entry = d * own_rate[place] + constant * own[place];
+                    values[at + row] = entry * scale * own_scale;
+                }
+            }
+        }
+    }
+}
+
+/// Writes a block whose columns are `stride` apart.
+#[inline]
+fn write_block(block: &Matrix6<f64>, values: &mut [f64], stride: usize) {
+    for component in 0..6 {
+        values[component * stride..][..6].copy_from_slice(block.column(component).as_slice());
+    }
+}

@@ -1,0 +1,367 @@
+//! The equations linearised at one state (docs/theory.md, section 5.3): tangents of the elements at
+//! each grid point, filled by one loop. From them come the assembled Jacobian, for any rule in time
+//! and for modulated increments, its products and those of its transpose, and means over time.
+//!
+//! Stress resultants `f` of beams may be kept apart: with their increments as unknowns of their
+//! own, the Jacobian is the Schur complement of
+//!
+//! ```text
+//! [A Bᵀ; L −1]
+//! ```
+//!
+//! where `Bᵀ` takes resultants to forces and `L` motions to resultants.
+
+mod assembly;
+mod layout;
+mod product;
+#[cfg(test)]
+mod tangent_test;
+mod transposed;
+
+pub use super::coupling::Coupling;
+pub use assembly::Linearisation;
+pub use layout::Station;
+pub use product::Increment;
+
+use super::division::Share;
+use super::instants::Instants;
+use super::problem::Collocation;
+use super::rule::{RuleWorkspace, TimeRule};
+use super::state::GridState;
+use crate::elements::{Contribution, StrainTangent, StressLaw};
+use crate::error::Result;
+use crate::motion::{self, DualVector};
+use crate::system::{System, Workspace};
+use crate::workers::{Workers, parts};
+use layout::TangentLayout;
+use nalgebra::{DMatrix, Matrix6, Vector6};
+
+/// `∂force/∂u`, `∂force/∂V` and `∂force/∂V̇` of one coupling at one grid point, without the part of
+/// stress resultants that are kept apart.
+#[derive(Debug, Clone, Copy)]
+pub struct PairTangent<'a> {
+    /// `K`.
+    pub stiffness: &'a Matrix6<f64>,
+    /// `C`.
+    pub damping: &'a Matrix6<f64>,
+    /// `M`.
+    pub mass: &'a Matrix6<f64>,
+}
+
+impl PairTangent<'_> {
+    /// `K Δu + C Δv + M Δv̇`.
+    #[inline]
+    pub(super) fn force(&self, moving: bool, u: &[f64], rates: &[Vector6<f64>; 2]) -> Vector6<f64> {
+        let mut sum = motion::product(&self.stiffness, &Vector6::from_column_slice(u));
+        if moving {
+            sum +=
+                motion::product(&self.damping, &rates[0]) + motion::product(&self.mass, &rates[1]);
+        }
+        sum
+    }
+}
+
+/// Tangents of an element's own unknowns, at one grid point after the other.
+#[derive(Debug, Clone, Default)]
+struct OwnTangent {
+    /// `∂constraint/∂u`, column by column.
+    gradients: Vec<f64>,
+    /// `∂constraint/∂λ` and then `∂constraint/∂λ̇`, of internal states only.
+    own: Vec<f64>,
+}
+
+impl OwnTangent {
+    /// Appends those at the next grid point; if internal states are held, of their rates alone.
+    fn push(&mut self, out: &Contribution, has_states: bool, held: bool) {
+        let append = |list: &mut Vec<f64>, values: &[f64]| match held {
+            true => list.resize(list.len() + values.len(), 0.0),
+            false => list.extend_from_slice(values),
+        };
+        append(&mut self.gradients, out.gradient.as_slice());
+        if has_states {
+            append(&mut self.own, out.own.as_slice());
+            self.own.extend_from_slice(out.own_rate.as_slice());
+        }
+    }
+}
+
+/// The equations linearised at one state.
+#[derive(Debug)]
+pub struct Tangent {
+    layout: TangentLayout,
+    points: usize,
+    /// Tangents of coupling `c` at grid point `k`, at `c N + k`.
+    stiffness: Vec<Matrix6<f64>>,
+    damping: Vec<Matrix6<f64>>,
+    mass: Vec<Matrix6<f64>>,
+    /// Of each element.
+    own: Vec<OwnTangent>,
+    /// Strain tangent `s` at grid point `k`, at `s N + k`.
+    strains: Vec<StrainTangent>,
+    /// Stress resultants of station `s` at grid point `k`, at `s N + k`, that act on the nodes in a
+    /// product.
+    stresses: Vec<DualVector>,
+    /// Size of the resultants' unknowns.
+    resultant_scale: f64,
+    increment: Increment,
+    evaluation: Vec<Workspace>,
+    variation: Vec<RuleWorkspace>,
+    assembly: Vec<assembly::Scratch>,
+}
+
+/// What belongs to the columns of a share's nodes.
+struct Part<'a> {
+    stiffness: &'a mut [Matrix6<f64>],
+    damping: &'a mut [Matrix6<f64>],
+    mass: &'a mut [Matrix6<f64>],
+    /// Of each element that has its own here: strain tangents, and tangents of its own unknowns.
+    own: Vec<Option<(&'a mut [StrainTangent], &'a mut OwnTangent)>>,
+}
+
+/// What elements are linearised at.
+struct Evaluation<'a> {
+    instants: &'a Instants,
+    rule: &'a dyn TimeRule,
+    workers: &'a Workers,
+    state: &'a GridState,
+}
+
+impl Tangent {
+    /// For a system on a grid of so many points.
+    pub fn new(system: &System, points: usize) -> Self {
+        Self::with(TangentLayout::new(system, false), points)
+    }
+
+    /// The same with stress resultants apart.
+    pub fn with_resultants_apart(system: &System, points: usize) -> Self {
+        Self::with(TangentLayout::new(system, true), points)
+    }
+
+    fn with(layout: TangentLayout, points: usize) -> Self {
+        Tangent {
+            points,
+            stiffness: Vec::new(),
+            damping: Vec::new(),
+            mass: Vec::new(),
+            own: vec![OwnTangent::default(); layout.places.len()],
+            strains: vec![StrainTangent::default(); points * layout.strains],
+            stresses: vec![DualVector::zeros(); points * layout.stations.len()],
+            resultant_scale: 1.0,
+            increment: Increment::default(),
+            evaluation: Vec::new(),
+            variation: Vec::new(),
+            assembly: Vec::new(),
+            layout,
+        }
+    }
+
+    /// The pairs of coupled nodes.
+    pub fn couplings(&self) -> &[Coupling] {
+        self.layout.couplings.all()
+    }
+
+    /// Tangents of the coupling `pair` at grid point `k`, not scaled.
+    pub fn pair(&self, pair: usize, k: usize) -> PairTangent<'_> {
+        let at = pair * self.points + k;
+        PairTangent {
+            stiffness: &self.stiffness[at],
+            damping: &self.damping[at],
+            mass: &self.mass[at],
+        }
+    }
+
+    /// `∂force/∂u` and `∂force/∂V` of the coupling `pair` at grid point `k`, stress resultants
+    /// included, not scaled.
+    pub fn whole_pair(&self, pair: usize, k: usize) -> [Matrix6<f64>; 2] {
+        let held = self.pair(pair, k);
+        let mut sums = [*held.stiffness, *held.damping];
+        for &(station, row, column) in &self.layout.within[pair] {
+            let station = &self.layout.stations[station];
+            let mut stresses = [Matrix6::zeros(); 2];
+            let mut add = |place: usize, stiffness: &Matrix6<f64>, damping: &Matrix6<f64>| {
+                let column = self.strain(place, k);
+                let strain = column.strain.to_twist_matrix();
+                stresses[0] += stiffness * strain;
+                if station.damped {
+                    stresses[0] += damping * column.rate.to_twist_matrix();
+                    stresses[1] += damping * strain;
+                }
+            };
+            let StressLaw {
+                stiffness,
+                damping,
+                others,
+            } = &station.law;
+            add(column, stiffness, damping);
+            for other in others {
+                let place = station.first_of(other.offset) + column - station.first;
+                add(place, &other.stiffness, &other.damping);
+            }
+            let strain = self.strain(row, k).strain.to_twist_matrix();
+            for (sum, stress) in sums.iter_mut().zip(&stresses) {
+                *sum += strain.tr_mul(stress);
+            }
+        }
+        sums
+    }
+
+    /// Stations whose stress resultants are apart, six each.
+    pub fn stations(&self) -> &[Station] {
+        &self.layout.stations
+    }
+
+    /// Strain tangent `index` of those of all stations at grid point `k`.
+    pub fn strain(&self, index: usize, k: usize) -> &StrainTangent {
+        &self.strains[index * self.points + k]
+    }
+
+    /// Number of stress resultants over the grid: unknowns in the order of stations, then of grid
+    /// points.
+    pub fn resultants(&self) -> usize {
+        6 * self.points * self.layout.stations.len()
+    }
+
+    /// Forces and moments that count as 1 in the unknowns of stress resultants, the moments' for
+    /// arms of the characteristic length.
+    pub fn resultant_scales(&self, system: &System) -> Vector6<f64> {
+        let (force, moment) = (
+            self.resultant_scale,
+            self.resultant_scale * system.scales().length,
+        );
+        Vector6::new(force, force, force, moment, moment, moment)
+    }
+
+    /// Sets the size of the resultants' unknowns.
+    pub fn set_resultant_scale(&mut self, scale: f64) {
+        self.resultant_scale = scale;
+    }
+
+    /// `∂constraint/∂u` of element `index` at grid point `k`, column by column, not scaled.
+    pub fn gradient(&self, system: &System, index: usize, k: usize) -> &[f64] {
+        let element = &system.elements()[index].element;
+        let length = 6 * element.nodes().len() * element.multipliers();
+        &self.own[index].gradients[length * k..][..length]
+    }
+
+    /// `∂constraint/∂λ` and `∂constraint/∂λ̇` of element `index`, which has internal states, at
+    /// grid point `k`, column by column, not scaled.
+    pub fn own(&self, system: &System, index: usize, k: usize) -> (&[f64], &[f64]) {
+        let count = system.elements()[index].element.multipliers();
+        self.own[index].own[2 * count * count * k..][..2 * count * count].split_at(count * count)
+    }
+
+    /// Bytes that the tangents take.
+    pub fn bytes(&self) -> usize {
+        let own = self
+            .own
+            .iter()
+            .map(|own| own.gradients.len() + own.own.len());
+        3 * size_of_val(&self.stiffness[..])
+            + size_of_val(&self.strains[..])
+            + size_of_val(&self.stresses[..])
+            + own.sum::<usize>() * size_of::<f64>()
+            + self.increment.bytes()
+    }
+
+    /// Evaluates the elements at `state`; `equations` keep their velocities and accelerations at
+    /// this state until the last use of these tangents.
+    pub fn evaluate(&mut self, equations: &mut Collocation, state: &GridState) -> Result<()> {
+        equations.update_kinematics(state);
+        let (system, division) = (equations.system(), &equations.division);
+        let (layout, points) = (&self.layout, self.points);
+        let counts = layout.places.iter().map(|p| points * p.strains.len());
+        let own = division.deal(parts(&mut self.strains, counts).zip(&mut self.own));
+        let lists = [&mut self.stiffness, &mut self.damping, &mut self.mass];
+        let [stiffness, damping, mass] = lists.map(|list| {
+            list.resize(points * layout.couplings.all().len(), Matrix6::zeros());
+            let columns = |share: &Share| layout.couplings.of_columns(share.nodes.clone());
+            division
+                .split_by(list, |share| points * columns(share).len())
+                .into_iter()
+        });
+        let lists = stiffness.zip(damping).zip(mass).zip(own);
+        let mut all: Vec<_> = lists
+            .map(|(((stiffness, damping), mass), own)| Part {
+                stiffness,
+                damping,
+                mass,
+                own,
+            })
+            .collect();
+        let at = Evaluation {
+            instants: &equations.instants,
+            rule: &*equations.rule,
+            workers: &division.workers,
+            state,
+        };
+        division.workers.try_for_each(
+            &mut all,
+            &mut self.evaluation,
+            || match layout.stations.is_empty() {
+                true => system.workspace(true),
+                false => system.workspace_with_resultants_apart(),
+            },
+            |workspace, i, part| layout.evaluate(&at, &division.shares[i], workspace, part),
+        )
+    }
+}
+
+impl TangentLayout {
+    /// Sums the tangents of the couplings of a share's columns; writes those of strains and of own
+    /// unknowns of the elements that have these there.
+    fn evaluate(
+        &self,
+        at: &Evaluation,
+        share: &Share,
+        workspace: &mut Workspace,
+        part: &mut Part,
+    ) -> Result<()> {
+        let first = self.couplings.of_columns(share.nodes.clone()).start;
+        let points = at.state.points();
+        for (&index, own) in share.elements.iter().zip(&mut part.own) {
+            at.workers.pulse()?;
+            let placed = &at.instants.system().elements()[index];
+            let element = &placed.element;
+            let nodes = element.nodes();
+            let has_mass = element.has_mass();
+            let is_elastic = at.rule.is_elastic(has_mass);
+            let has_damping = element.has_damping() && is_elastic;
+            let held = placed.has_states && at.rule.holds_states();
+            if let Some((_, own)) = own {
+                own.gradients.clear();
+                own.own.clear();
+            }
+            for k in 0..points {
+                let out = at.instants.evaluate(placed, k, at.state, workspace)?;
+                for (place, &(coupling, begins)) in self.places[index].couplings.iter().enumerate()
+                {
+                    let (a, b) = (place / nodes.len(), place % nodes.len());
+                    if !share.nodes.contains(&nodes[b]) {
+                        continue;
+                    }
+                    let add = |sum: &mut Matrix6<f64>, all: &DMatrix<f64>, counts: bool| {
+                        let block = all.fixed_view::<6, 6>(6 * a, 6 * b);
+                        match (begins, counts) {
+                            (true, true) => sum.copy_from(&block),
+                            (true, false) => sum.fill(0.0),
+                            (false, true) => *sum += block,
+                            (false, false) => {}
+                        }
+                    };
+                    let to = (coupling - first) * points + k;
+                    add(&mut part.stiffness[to], &out.stiffness, is_elastic);
+                    add(&mut part.damping[to], &out.damping, has_damping);
+                    add(&mut part.mass[to], &out.mass, has_mass);
+                }
+                let Some((strains, own)) = own else {
+                    continue;
+                };
+                for (s, strain) in out.strains.iter().enumerate() {
+                    strains[s * points + k] = *strain;
+                }
+                own.push(out, placed.has_states, held);
+            }
+        }
+        Ok(())
+    }
+}

@@ -1,0 +1,291 @@
+//! Products of the Jacobian without forming it: `Γ_v` and `Γ_a` by FFT (docs/theory.md, section
+//! 4.3). `O(n N log N)` time, `O(n N)` memory.
+
+use super::{Station, Tangent};
+use crate::collocation::problem::Collocation;
+use crate::collocation::rule::RuleWorkspace;
+use crate::elements::StrainTangent;
+use crate::motion::{DualVector, product};
+use nalgebra::{Matrix6, Vector6};
+
+/// An increment of all unknowns, not scaled, and what it changes of their rates.
+#[derive(Debug, Clone, Default)]
+pub struct Increment {
+    /// Of the unknowns.
+    pub x: Vec<f64>,
+    /// Changes of velocity and acceleration of node `a` at grid point `k`, at `a N + k`.
+    pub rates: Vec<[Vector6<f64>; 2]>,
+    /// Changes of the rates of own unknowns, in their order; zero for multipliers.
+    pub own_rates: Vec<f64>,
+}
+
+impl Increment {
+    pub(super) fn bytes(&self) -> usize {
+        size_of_val(&self.x[..]) + size_of_val(&self.rates[..]) + size_of_val(&self.own_rates[..])
+    }
+
+    fn resize(&mut self, equations: &Collocation) {
+        let (system, points) = (equations.system(), equations.grid().points());
+        self.x.resize(equations.size(), 0.0);
+        self.rates
+            .resize(points * system.nodes(), [Vector6::zeros(); 2]);
+        self.own_rates.resize(points * system.multipliers(), 0.0);
+    }
+}
+
+impl Tangent {
+    /// Writes the product of the scaled Jacobian and `x`. Where `x` goes on with increments of
+    /// stress resultants, so does `y` with what the equations of these ask for.
+    pub fn apply(&mut self, equations: &Collocation, x: &[f64], y: &mut [f64]) {
+        let (x, resultants) = x.split_at(equations.size());
+        let (y, unbalance) = y.split_at_mut(equations.size());
+        let mut increment = std::mem::take(&mut self.increment);
+        let mut stresses = std::mem::take(&mut self.stresses);
+        self.vary(equations, x, &mut increment);
+        self.stress(
+            equations,
+            &increment,
+            (resultants, unbalance),
+            &mut stresses,
+        );
+        self.write_forces(equations, &increment, &stresses, y);
+        if equations.is_regularised() {
+            equations.compliance_of(x, &mut increment.x);
+            y.iter_mut().zip(&increment.x).for_each(|(y, c)| *y += c);
+        }
+        (self.increment, self.stresses) = (increment, stresses);
+    }
+
+    /// Writes the scaled change of the residual with an increment and rates that need not be its
+    /// own, where no stress resultants are apart.
+    pub fn forces(&self, equations: &Collocation, increment: &Increment, y: &mut [f64]) {
+        self.write_forces(equations, increment, &[], y);
+    }
+
+    /// What a scaled increment changes.
+    fn vary(&mut self, equations: &Collocation, x: &[f64], increment: &mut Increment) {
+        increment.resize(equations);
+        let (system, points) = (equations.system(), self.points);
+        let Increment {
+            x: unscaled,
+            rates,
+            own_rates,
+        } = increment;
+        let (motions, own) = unscaled.split_at_mut(6 * points * system.nodes());
+        let unscale = |(to, (x, scale)): (&mut f64, (&f64, &f64))| *to = x * scale;
+        let (x_motions, x_own) = x.split_at(motions.len());
+        let (motion_scale, own_scale) = equations.column_scale().split_at(motions.len());
+        let scaled = x_own.iter().zip(own_scale);
+        own.iter_mut().zip(scaled).for_each(unscale);
+        let rates = rates.chunks_mut(points);
+        let mut nodes: Vec<_> = rates.zip(motions.chunks_mut(6 * points)).collect();
+        equations.workers().for_each(
+            &mut nodes,
+            &mut self.variation,
+            RuleWorkspace::default,
+            |workspace, node, (rates, motions)| {
+                let part = 6 * points * node..6 * points * (node + 1);
+                let scaled = x_motions[part.clone()].iter().zip(&motion_scale[part]);
+                motions.iter_mut().zip(scaled).for_each(unscale);
+                equations.rule.vary(node, motions, workspace, rates);
+            },
+        );
+        let mut workspace = RuleWorkspace::default();
+        let mut series = [(); 2].map(|()| vec![0.0; points]);
+        let [values, rates] = &mut series;
+        for placed in system.elements().iter().filter(|p| p.has_states) {
+            let count = placed.element.multipliers();
+            for row in 0..count {
+                let at = |k: usize| placed.first_multiplier * points + count * k + row;
+                (0..points).for_each(|k| values[k] = own[at(k)]);
+                equations.rule.vary_rates(values, &mut workspace, rates);
+                (0..points).for_each(|k| own_rates[at(k)] = rates[k]);
+            }
+        }
+    }
+
+    /// Writes stress resultants that are apart: those that follow, or those given, of which what
+    /// follows is then more is left over.
+    fn stress(
+        &self,
+        equations: &Collocation,
+        increment: &Increment,
+        (resultants, unbalance): (&[f64], &mut [f64]),
+        stresses: &mut [DualVector],
+    ) {
+        let points = self.points;
+        let scales = self.resultant_scales(equations.system());
+        let mut unbalances = unbalance.chunks_mut(6 * points);
+        let mut stations: Vec<_> = stresses
+            .chunks_mut(points)
+            .map(|stresses| (stresses, unbalances.next()))
+            .collect();
+        equations.workers().for_each(
+            &mut stations,
+            &mut Vec::new(),
+            || (),
+            |(), index, (stresses, unbalance)| {
+                let station = &self.layout.stations[index];
+                station.stresses(points, &self.strains, increment, stresses);
+                let Some(unbalance) = unbalance else {
+                    return;
+                };
+                let given = resultants[6 * points * index..].chunks_exact(6);
+                let unbalance = unbalance.chunks_exact_mut(6);
+                for ((stress, given), unbalance) in stresses.iter_mut().zip(given).zip(unbalance) {
+                    let given = Vector6::from_column_slice(given);
+                    let difference = stress.to_wrench().component_div(&scales) - given;
+                    unbalance.copy_from_slice(difference.as_slice());
+                    *stress = DualVector::from_wrench(&given.component_mul(&scales));
+                }
+            },
+        );
+    }
+
+    /// Writes the scaled equations' change.
+    fn write_forces(
+        &self,
+        equations: &Collocation,
+        increment: &Increment,
+        stresses: &[DualVector],
+        y: &mut [f64],
+    ) {
+        let (points, layout) = (self.points, &self.layout);
+        let size = 6 * points * equations.system().nodes();
+        let mut rows: Vec<_> = y[..size].chunks_mut(6 * points).collect();
+        equations.workers().for_each(
+            &mut rows,
+            &mut Vec::new(),
+            || (),
+            |(), node, forces| {
+                forces.fill(0.0);
+                for &pair in layout.couplings.of_row(node) {
+                    self.add_coupling(pair, increment, forces);
+                }
+                for &(station, strain) in &layout.acting[node] {
+                    let stresses = &stresses[station * points..][..points];
+                    let strains = &self.strains[strain * points..][..points];
+                    let rows = forces.chunks_exact_mut(6);
+                    for ((force, strain), stress) in rows.zip(strains).zip(stresses) {
+                        let sum = (strain.strain.transpose() * *stress).to_wrench();
+                        force.iter_mut().zip(&sum).for_each(|(y, f)| *y += f);
+                    }
+                }
+            },
+        );
+        y[size..].fill(0.0);
+        self.add_gradients(equations, &increment.x, y);
+        self.add_states(equations, increment, &mut y[size..]);
+        let scales = equations.row_scale().iter();
+        y.iter_mut().zip(scales).for_each(|(y, scale)| *y *= scale);
+    }
+
+    /// Adds the forces of one coupling to those of its row.
+    fn add_coupling(&self, pair: usize, increment: &Increment, forces: &mut [f64]) {
+        let points = self.points;
+        let coupling = &self.layout.couplings.all()[pair];
+        let rates = &increment.rates[coupling.column * points..][..points];
+        let motions = increment.x[6 * points * coupling.column..].chunks_exact(6);
+        let rows = forces.chunks_exact_mut(6).zip(motions).zip(rates);
+        for (k, ((force, u), rates)) in rows.enumerate() {
+            let sum = self.pair(pair, k).force(coupling.moving, u, rates);
+            force.iter_mut().zip(&sum).for_each(|(y, f)| *y += f);
+        }
+    }
+
+    /// Adds `Gᵀ λ` to the forces, and `G u` to the elements' own equations: for `x` and `y` with
+    /// motions or forces first and own unknowns or equations behind.
+    pub(super) fn add_gradients(&self, equations: &Collocation, x: &[f64], y: &mut [f64]) {
+        let (system, points) = (equations.system(), self.points);
+        let size = 6 * points * system.nodes();
+        let (motions, own) = x.split_at(size);
+        let (forces, constraints) = y.split_at_mut(size);
+        for (placed, tangents) in system.elements().iter().zip(&self.own) {
+            let count = placed.element.multipliers();
+            let nodes = placed.element.nodes();
+            if count == 0 {
+                continue;
+            }
+            let gradients = tangents.gradients.chunks_exact(6 * nodes.len() * count);
+            for (k, gradient) in gradients.enumerate() {
+                let first = placed.first_multiplier * points + count * k;
+                let lambda = &own[first..first + count];
+                let violation = &mut constraints[first..first + count];
+                let mut columns = gradient.chunks_exact(count);
+                for &node in nodes {
+                    let at = 6 * (node * points + k);
+                    for (component, column) in columns.by_ref().take(6).enumerate() {
+                        for ((row, g), l) in violation.iter_mut().zip(column).zip(lambda) {
+                            *row += g * motions[at + component];
+                            forces[at + component] += g * l;
+                        }
+                    }
+                }
+            }
+        }
+    }
+
+    /// Adds what internal states and their rates change in their own equations.
+    fn add_states(&self, equations: &Collocation, increment: &Increment, constraints: &mut [f64]) {
+        let (system, points) = (equations.system(), self.points);
+        let states = &increment.x[6 * points * system.nodes()..];
+        for (index, placed) in system.elements().iter().enumerate() {
+            if !placed.has_states {
+                continue;
+            }
+            let count = placed.element.multipliers();
+            for k in 0..points {
+                let (own, own_rate) = self.own(system, index, k);
+                let first = placed.first_multiplier * points + count * k;
+                for column in 0..count {
+                    let (x, rate) = (states[first + column], increment.own_rates[first + column]);
+                    for row in 0..count {
+                        let place = column * count + row;
+                        constraints[first + row] += own[place] * x + own_rate[place] * rate;
+                    }
+                }
+            }
+        }
+    }
+}
+
+impl Station {
+    /// Stress resultants by the motions and rates of the nodes, at all grid points.
+    fn stresses(
+        &self,
+        points: usize,
+        strains: &[StrainTangent],
+        increment: &Increment,
+        stresses: &mut [DualVector],
+    ) {
+        let add = |first: usize, k: usize, stiffness, damping, wrench: &mut Vector6<f64>| {
+            let (mut strain, mut strain_rate) = (DualVector::zeros(), DualVector::zeros());
+            for (a, &node) in self.nodes.iter().enumerate() {
+                let tangent = &strains[(first + a) * points + k];
+                let at = node * points + k;
+                let u = Vector6::from_column_slice(&increment.x[6 * at..6 * at + 6]);
+                let u = DualVector::from_twist(&u);
+                strain += tangent.strain * u;
+                if self.damped {
+                    let v = DualVector::from_twist(&increment.rates[at][0]);
+                    strain_rate += tangent.strain * v + tangent.rate * u;
+                }
+            }
+            let (stiffness, damping): (&Matrix6<f64>, &Matrix6<f64>) = (stiffness, damping);
+            *wrench += product(stiffness, &strain.to_twist());
+            if self.damped {
+                *wrench += product(damping, &strain_rate.to_twist());
+            }
+        };
+        let law = &self.law;
+        for (k, stress) in stresses.iter_mut().enumerate() {
+            let mut wrench = Vector6::zeros();
+            add(self.first, k, &law.stiffness, &law.damping, &mut wrench);
+            for other in &law.others {
+                let first = self.first_of(other.offset);
+                add(first, k, &other.stiffness, &other.damping, &mut wrench);
+            }
+            *stress = DualVector::from_wrench(&wrench);
+        }
+    }
+}

@@ -1,0 +1,165 @@
+//! Products of the transposed Jacobian without forming it (docs/theory.md, section 5.3).
+
+use super::Tangent;
+use crate::collocation::problem::Collocation;
+use crate::collocation::rule::RuleWorkspace;
+use crate::motion::DualVector;
+use nalgebra::Vector6;
+
+/// Scratch of one thread.
+#[derive(Default)]
+struct Scratch {
+    /// What a node's velocity and acceleration are multiplied by, at the grid points.
+    by_rates: Vec<[Vector6<f64>; 2]>,
+    rule: RuleWorkspace,
+}
+
+impl Tangent {
+    /// Writes the product of the transposed scaled Jacobian and `x`, which has no stress resultants
+    /// behind. With `x` that is 1 for one equation and 0 for all others it is the row of that one.
+    pub fn apply_transposed(&self, equations: &Collocation, x: &[f64], y: &mut [f64]) {
+        let points = self.points;
+        let size = 6 * points * equations.system().nodes();
+        let scaled = x.iter().zip(equations.row_scale());
+        let forces: Vec<f64> = scaled.map(|(x, scale)| x * scale).collect();
+        let stretched = self.stretch(&forces);
+        let mut columns: Vec<&mut [f64]> = y[..size].chunks_mut(6 * points).collect();
+        equations.workers().for_each(
+            &mut columns,
+            &mut Vec::new(),
+            Scratch::default,
+            |scratch, node, y| {
+                self.write_column(equations, node, (&forces, &stretched), scratch, y)
+            },
+        );
+        y[size..].fill(0.0);
+        self.add_gradients(equations, &forces, y);
+        self.add_transposed_states(equations, &forces[size..], &mut y[size..]);
+        let scales = equations.column_scale().iter();
+        y.iter_mut().zip(scales).for_each(|(y, scale)| *y *= scale);
+        if equations.is_regularised() {
+            let mut compliance = forces;
+            equations.compliance_of(x, &mut compliance);
+            y.iter_mut().zip(&compliance).for_each(|(y, c)| *y += c);
+        }
+    }
+
+    /// What strains and strain rates of station `s` at grid point `k` are multiplied by, at
+    /// `s N + k`: the laws' transposes of what resultants are.
+    fn stretch(&self, forces: &[f64]) -> Vec<[DualVector; 2]> {
+        let points = self.points;
+        let mut all = vec![[DualVector::zeros(); 2]; points * self.layout.stations.len()];
+        for (s, station) in self.layout.stations.iter().enumerate() {
+            for k in 0..points {
+                let mut by_resultants = DualVector::zeros();
+                for (a, node) in station.nodes.iter().enumerate() {
+                    let at = 6 * (node * points + k);
+                    let force = Vector6::from_column_slice(&forces[at..at + 6]);
+                    let strain = &self.strain(station.first + a, k).strain;
+                    by_resultants += *strain * DualVector::from_twist(&force);
+                }
+                let by_resultants = by_resultants.to_twist();
+                let law = &station.law;
+                let others = law.others.iter();
+                let others = others.map(|other| (other.offset, &other.stiffness, &other.damping));
+                let own = [(0, &law.stiffness, &law.damping)];
+                for (offset, stiffness, damping) in own.into_iter().chain(others) {
+                    let sums = &mut all[s.saturating_add_signed(offset) * points + k];
+                    let wrench = |law: &nalgebra::Matrix6<f64>| {
+                        DualVector::from_wrench(&law.tr_mul(&by_resultants))
+                    };
+                    sums[0] += wrench(stiffness);
+                    if station.damped {
+                        sums[1] += wrench(damping);
+                    }
+                }
+            }
+        }
+        all
+    }
+
+    /// Writes the rows of a node's motions.
+    fn write_column(
+        &self,
+        equations: &Collocation,
+        node: usize,
+        (forces, stretched): (&[f64], &[[DualVector; 2]]),
+        scratch: &mut Scratch,
+        y: &mut [f64],
+    ) {
+        let points = self.points;
+        y.fill(0.0);
+        let add = |y: &mut [f64], sum: &Vector6<f64>| {
+            y.iter_mut().zip(sum).for_each(|(y, f)| *y += f);
+        };
+        let Scratch { by_rates, rule } = scratch;
+        by_rates.clear();
+        by_rates.resize(points, [Vector6::zeros(); 2]);
+        let mut moving = false;
+        for pair in self.layout.couplings.of_column(node) {
+            let coupling = &self.layout.couplings.all()[pair];
+            moving |= coupling.moving;
+            let forces = forces[6 * points * coupling.row..].chunks_exact(6);
+            let rows = forces.zip(y.chunks_exact_mut(6)).zip(&mut *by_rates);
+            for (k, ((force, y), by_rates)) in rows.enumerate() {
+                let (force, tangent) = (Vector6::from_column_slice(force), self.pair(pair, k));
+                add(y, &tangent.stiffness.tr_mul(&force));
+                if coupling.moving {
+                    by_rates[0] += tangent.damping.tr_mul(&force);
+                    by_rates[1] += tangent.mass.tr_mul(&force);
+                }
+            }
+        }
+        for &(station, strain) in &self.layout.acting[node] {
+            let damped = self.layout.stations[station].damped;
+            moving |= damped;
+            let stretched = &stretched[station * points..][..points];
+            let rows = y.chunks_exact_mut(6).zip(stretched).zip(&mut *by_rates);
+            for (k, ((y, [by_strain, by_rate]), by_rates)) in rows.enumerate() {
+                let tangent = self.strain(strain, k);
+                let spread = tangent.strain.transpose();
+                let mut sum = spread * *by_strain;
+                if damped {
+                    sum += tangent.rate.transpose() * *by_rate;
+                    by_rates[0] += (spread * *by_rate).to_wrench();
+                }
+                add(y, &sum.to_wrench());
+            }
+        }
+        if moving {
+            equations.rule.vary_transposed(node, by_rates, rule, y);
+        }
+    }
+
+    /// Adds what internal states and their rates change in their own equations.
+    fn add_transposed_states(&self, equations: &Collocation, x: &[f64], y: &mut [f64]) {
+        let (system, points) = (equations.system(), self.points);
+        let mut workspace = RuleWorkspace::default();
+        let mut by_rates = vec![0.0; points];
+        for (index, placed) in system.elements().iter().enumerate() {
+            if !placed.has_states {
+                continue;
+            }
+            let count = placed.element.multipliers();
+            let first = |k: usize| placed.first_multiplier * points + count * k;
+            for column in 0..count {
+                for (k, by_rate) in by_rates.iter_mut().enumerate() {
+                    let (own, own_rate) = self.own(system, index, k);
+                    let entries = column * count..(column + 1) * count;
+                    let x = &x[first(k)..first(k) + count];
+                    let sum = |column: &[f64]| -> f64 {
+                        column.iter().zip(x).map(|(entry, x)| entry * x).sum()
+                    };
+                    y[first(k) + column] += sum(&own[entries.clone()]);
+                    *by_rate = sum(&own_rate[entries]);
+                }
+                let mut values = vec![0.0; points];
+                let rule = &equations.rule;
+                rule.vary_rates_transposed(&by_rates, &mut workspace, &mut values);
+                for (k, value) in values.iter().enumerate() {
+                    y[first(k) + column] += value;
+                }
+            }
+        }
+    }
+}
