@@ -234,7 +234,7 @@ pub unsafe extern "C" fn pdn_model_mass(
         let model = call.shared(model, "model")?;
         let mass_out = call.out(mass, "mass")?;
         let centre_out = call.out_optional(centre.cast::<[f64; 3]>(), "centre")?;
-        let (mass, moment) = model.mass_and_moment();
+        let (mass, moment) = model.mass_and_moment()?;
         if let Some(centre_out) = centre_out {
             if mass <= 0.0 {
                 let message = "centre: expected a model that has mass, got one without";

@@ -9,10 +9,9 @@ use super::inertia::Inertia;
 use super::section::{Section, SectionLine};
 use super::shape::{gauss_legendre, lobatto_points, shape_functions};
 use super::{Contribution, Element, Instant, NodeState, StrainTangent, StressLaw};
-use crate::error::{Error, ErrorKind, Result, require_finite};
+use crate::error::{Error, ErrorKind, Result};
 use crate::motion::{DualMatrix, DualPolar, DualVector, Motion, rotation_from_vector};
 use nalgebra::{DMatrix, Matrix3, Matrix6, Vector3, Vector6};
-use serde::{Deserialize, Serialize};
 
 /// One quadrature point, or any other station, of a beam element.
 #[derive(Debug, Clone)]
@@ -60,8 +59,7 @@ pub(super) struct NodeTerms {
 }
 
 /// Elastic and damping forces of one beam element with nodes at the Gauss–Lobatto points.
-#[derive(Debug, Clone, Serialize, Deserialize)]
-#[serde(try_from = "BeamRecord", into = "BeamRecord")]
+#[derive(Debug, Clone)]
 pub struct Beam {
     nodes: Vec<usize>,
     points: Vec<f64>,
@@ -85,9 +83,6 @@ pub(super) struct Scratch {
     rates: Vec<Vector6<f64>>,
 }
 
-/// No beam has more nodes: where a file says so, it is wrong.
-const MOST_NODES: usize = 100;
-
 /// Lengths that are equal to this, relatively, are: rounding.
 const EVEN: f64 = 1e-13;
 
@@ -97,45 +92,6 @@ const ACROSS: f64 = 1e-9;
 /// Quadrature points of a section's flexibility in a piece, more than nodes: it is a rational
 /// function of the length.
 const FLEXIBILITY_POINTS: usize = 3;
-
-/// What a beam is made from.
-#[derive(Serialize, Deserialize)]
-struct BeamRecord {
-    nodes: Vec<usize>,
-    reference: Vec<Motion>,
-    sections: SectionLine,
-    /// Twist at the places of the sections; none at all if empty.
-    #[serde(default)]
-    twists: Vec<f64>,
-}
-
-impl From<Beam> for BeamRecord {
-    fn from(beam: Beam) -> Self {
-        BeamRecord {
-            nodes: beam.nodes,
-            reference: beam.reference,
-            twists: beam.sections.twists().to_vec(),
-            sections: beam.sections,
-        }
-    }
-}
-
-impl TryFrom<BeamRecord> for Beam {
-    type Error = Error;
-
-    fn try_from(record: BeamRecord) -> Result<Self> {
-        if record.nodes.len() > MOST_NODES {
-            let expected = format!("at most {MOST_NODES}");
-            return Err(Error::size("beam nodes", expected, record.nodes.len()));
-        }
-        for motion in &record.reference {
-            require_finite("beam", motion.position.as_slice())?;
-            require_finite("beam", motion.rotation.as_slice())?;
-        }
-        let sections = record.sections.twisted(record.twists)?;
-        Beam::new(record.nodes, record.reference, sections)
-    }
-}
 
 impl Beam {
     /// A beam over `nodes` (two or more, at the Gauss–Lobatto points along the beam), whose
@@ -308,6 +264,11 @@ impl Beam {
     /// The section half-way along the element.
     pub fn middle_section(&self) -> Section {
         self.sections.at(0.0)
+    }
+
+    /// Whether its sections have mass.
+    pub fn has_mass(&self) -> bool {
+        self.sections.has(|s| &s.mass)
     }
 
     /// The element's inertia, integrated by one quadrature point for each node from station to

@@ -4,7 +4,6 @@
 //! an entry in the test that every element passes (`tangent_test`).
 //! See docs/theory.md, section 5.1.
 
-mod absent;
 mod beam;
 mod beam_law;
 mod coordinate_force;
@@ -22,7 +21,6 @@ mod tangent_test;
 mod user_force;
 mod viscoelastic;
 
-pub(crate) use absent::{call_absent, serialize as serialize_absent, with_zero_for_absent};
 pub use beam::Beam;
 pub use coordinate_force::{
     ActedCoordinate, CoordinateForce, CoordinateFunction, CoordinateLaw, CoordinateState, Effort,

@@ -5,21 +5,25 @@
 //! little-endian. The body is the [`Content`] in MessagePack, with the names of all fields.
 //!
 //! A field that is added later gets a default, so that older files can be read; one that changes
-//! its meaning, or goes, takes a new version.
+//! its meaning, or goes, takes a new version:
+//!
+//! 1. Beams with the motions of their nodes, and the inertia of each written out; functions of the
+//!    user with what belongs to them. It can still be read.
+//! 2. Definitions alone.
 
 use super::diagnostics::Diagnostics;
 use super::force::ForceRecord;
 use super::solution::Solution;
 use super::write::{refused, write_file};
 use crate::collocation::GridState;
-use crate::elements::{NodeState, with_zero_for_absent};
+use crate::elements::NodeState;
 use crate::error::{Error, ErrorKind, Result, require_finite};
 use crate::fourier::{SpectralFilter, TimeGrid};
 use crate::model::Model;
 use crate::solve::{
     Attempt, GridTried, IterativeRecord, MarchRecord, NewtonReport, PeriodicSolve, Timings,
 };
-use crate::system::{Standstill, System, Transient};
+use crate::system::{Regime, Standstill, System, Transient};
 use serde::{Deserialize, Serialize};
 use std::borrow::Cow;
 use std::fs::File;
@@ -31,7 +35,7 @@ use std::time::Duration;
 /// A byte beyond ASCII and line ends, so that a transfer as text is noticed.
 const SIGNATURE: [u8; 8] = *b"\x93PDN\r\n\x1a\n";
 /// The version that is written, and the latest that can be read.
-const VERSION: u32 = 1;
+const VERSION: u32 = 2;
 const HEADER: usize = 24;
 
 /// All that a solution is made of.
@@ -79,11 +83,12 @@ impl Solution {
     /// # Errors
     /// [`ErrorKind::Io`]; a file that was there stays as it was.
     pub fn save(&self, path: &Path) -> Result<()> {
+        let regime = *self.solve.system.regime();
         let content = Content {
             model: Cow::Borrowed(&self.model),
             period: self.solve.grid.period(),
             grid_points: self.solve.grid.points(),
-            standstill: self.solve.system.standstill().copied(),
+            standstill: regime.standstill().copied(),
             state: Cow::Borrowed(&self.solve.state),
             node_states: Cow::Borrowed(&self.solve.node_states),
             report: Cow::Borrowed(&self.solve.report),
@@ -101,7 +106,10 @@ impl Solution {
             filter: self.filter,
             iterative: self.solve.iterative.as_ref().map(Cow::Borrowed),
             march: self.solve.march.as_ref().map(Cow::Borrowed),
-            transient: self.solve.system.transient().copied(),
+            transient: match regime {
+                Regime::March(transient) => Some(transient),
+                _ => None,
+            },
         };
         let body = rmp_serde::to_vec_named(&content)
             .map_err(|e| refused("write", path, &io::Error::other(e)))?;
@@ -189,7 +197,7 @@ fn read_header(header: &[u8]) -> std::result::Result<(u32, u64), String> {
         return Err("is cut off: it ends in its header".into());
     };
     match u32::from_le_bytes(version) {
-        VERSION => Ok((u32::from_le_bytes(checksum), u64::from_le_bytes(length))),
+        1..=VERSION => Ok((u32::from_le_bytes(checksum), u64::from_le_bytes(length))),
         newer if newer > VERSION => Err(format!(
             "is of version {newer} of the format; this library reads up to {VERSION}: use a newer \
              one"
@@ -217,21 +225,20 @@ impl Content<'_> {
     fn into_solution(self) -> Result<Solution> {
         let model = self.model.into_owned().checked()?;
         let grid = TimeGrid::new(self.grid_points, self.period)?;
-        let system = Arc::new(with_zero_for_absent(|| {
-            match (&self.standstill, &self.transient) {
-                (None, None) => System::new(&model, self.period),
-                (_, Some(transient)) => {
-                    transient.validate()?;
-                    System::in_transient(&model, transient)
-                }
-                (Some(standstill), None) => {
-                    require_finite("time", &[standstill.time])?;
-                    require_finite("angular velocity", standstill.angular_velocity.as_slice())?;
-                    require_finite("axis", standstill.axis_point.as_slice())?;
-                    System::at_standstill(&model, standstill)
-                }
+        let regime = match (self.standstill, self.transient) {
+            (None, None) => Regime::Periodic(self.period),
+            (_, Some(transient)) => {
+                transient.validate()?;
+                Regime::March(transient)
             }
-        })?);
+            (Some(standstill), None) => {
+                require_finite("time", &[standstill.time])?;
+                require_finite("angular velocity", standstill.angular_velocity.as_slice())?;
+                require_finite("axis", standstill.axis_point.as_slice())?;
+                Regime::Standstill(standstill)
+            }
+        };
+        let system = Arc::new(System::of_known_solution(&model, regime)?);
         let march = self.march.map(Cow::into_owned);
         require(march.is_some() == self.transient.is_some(), "steps")?;
         let points = match &march {

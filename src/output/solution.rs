@@ -134,7 +134,7 @@ impl Solution {
     /// Checks that `model` has the nodes and joints that this solution has.
     pub fn require_same_shape(&self, model: &Model) -> Result<()> {
         let shape = |m: &Model| {
-            let kinds: Vec<_> = m.joints.iter().map(|j| j.kind()).collect();
+            let kinds: Vec<_> = m.joints.iter().map(|j| j.kind).collect();
             (m.nodes.len(), kinds, m.prescribed.len(), m.forces.len())
         };
         if shape(&self.model) == shape(model) {

@@ -92,11 +92,8 @@ pub(super) fn mesh_error<L: LinearSolver>(
     }
     let system = newton.equations.system().clone();
     newton.equations.update_kinematics(state);
-    let left = model.raised().and_then(|(fine, between)| {
-        let fine = match system.standstill() {
-            Some(standstill) => System::at_standstill(&fine, standstill)?,
-            None => System::new(&fine, newton.equations.grid().period())?,
-        };
+    let left = model.raised(system.beams()).and_then(|(fine, between)| {
+        let fine = System::in_regime(&fine, *system.regime())?;
         newton
             .equations
             .left_by_mesh(state, Arc::new(fine), &between)

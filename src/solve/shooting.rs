@@ -19,7 +19,7 @@ use crate::collocation::{
 use crate::elements::{Measure, Unknown};
 use crate::error::{Error, Result};
 use crate::model::Model;
-use crate::system::{System, Transient, require_periodic_forces};
+use crate::system::{Regime, System, Transient, require_periodic_forces};
 use crate::workers::Workers;
 use faer::Mat;
 use faer::linalg::solvers::{PartialPivLu, Solve};
@@ -257,13 +257,13 @@ pub fn solve_shooting(
     let periodic = System::new(model, period)?;
     require_periodic_forces(model, periodic.scales().length, period)?;
     let length = period / options.steps as f64;
-    let system = Arc::new(System::in_transient(
+    let system = Arc::new(System::in_regime(
         model,
-        &Transient {
+        Regime::March(Transient {
             period: Some(period),
             duration: period,
             step: length,
-        },
+        }),
     )?);
     let watching = options.watch.begin(Stage::InitialGuess, 1);
     let workers = Workers::default().telling(watching.pulse());

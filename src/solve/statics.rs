@@ -9,7 +9,7 @@ use super::watch::{Watch, Watching};
 use crate::error::{Error, ErrorKind, Result, require_finite};
 use crate::fourier::TimeGrid;
 use crate::model::Model;
-use crate::system::{Standstill, System, require_reproducible_forces};
+use crate::system::{Regime, Standstill, System, require_reproducible_forces};
 use crate::workers::Workers;
 use std::sync::Arc;
 use std::time::Instant;
@@ -137,7 +137,10 @@ pub(super) fn find_equilibrium(
 ) -> Result<PeriodicSolve> {
     options.validate()?;
     let start = Instant::now();
-    let system = Arc::new(System::at_standstill(model, &options.standstill)?);
+    let system = Arc::new(System::in_regime(
+        model,
+        Regime::Standstill(options.standstill),
+    )?);
     let (length, period) = (system.scales().length, options.standstill.period());
     require_reproducible_forces(model, length, period, options.standstill.time)?;
     let grid = TimeGrid::new(1, period)?;

@@ -11,7 +11,7 @@ use crate::error::{Error, ErrorKind, Result, require_finite};
 use crate::fourier::TimeGrid;
 use crate::model::Model;
 use crate::motion::Motion;
-use crate::system::{Scales, System, Transient, require_reproducible_forces};
+use crate::system::{Regime, Scales, System, Transient, require_reproducible_forces};
 use crate::workers::Workers;
 use nalgebra::Vector6;
 use serde::{Deserialize, Serialize};
@@ -659,13 +659,13 @@ pub fn march(
         None => fitting_step(options.span(), options.step),
     };
     let began = Instant::now();
-    let system = Arc::new(System::in_transient(
+    let system = Arc::new(System::in_regime(
         model,
-        &Transient {
+        Regime::March(Transient {
             period: options.period,
             duration: options.span(),
             step: length,
-        },
+        }),
     )?);
     let scale = system.scales().length;
     require_reproducible_forces(model, scale, options.span(), options.start_time)?;

@@ -161,10 +161,11 @@ pub fn check_tangents(model: &Model, force: usize, period: f64) -> Result<Tangen
     let times = (0..STATES).map(|s| period * (s as f64 + 0.37) / STATES as f64);
     match definition {
         ForceDefinition::CoordinateLaw { at, law } => {
+            let law = law.get()?;
             if !law.gives_derivatives {
                 return Err(unavailable(differenced));
             }
-            let reference = model.reference_coordinate(at.joint, at.coordinate);
+            let reference = model.reference_coordinate(at);
             let scales = coordinate_scales(at.coordinate, length, frequency);
             for time in times {
                 let state = CoordinateState {
@@ -193,6 +194,7 @@ pub fn check_tangents(model: &Model, force: usize, period: f64) -> Result<Tangen
             }
         }
         ForceDefinition::NodeForces { nodes, law } => {
+            let law = law.get()?;
             if !law.gives_tangents {
                 return Err(unavailable(differenced));
             }

@@ -3,8 +3,8 @@
 use super::constraints::name_all;
 use super::partition::{Partition, parts};
 use super::{ElementRole, Placed, System};
-use crate::elements::{Element, Joint, NodeState, rigid_body_inertia};
-use crate::model::{ForceDefinition, Model};
+use crate::elements::{Element, NodeState, rigid_body_inertia};
+use crate::model::{ForceDefinition, JointDefinition, Model};
 use crate::motion::Motion;
 use nalgebra::{Matrix3, Matrix6, Vector3};
 use std::collections::HashMap;
@@ -38,9 +38,9 @@ pub(super) fn warnings(
     warn_of_loose_parts(model, system, unconnected, &mut warnings);
     warn_of_missing_joints(model, system, members, &mut warnings);
     warn_of_bare_nodes(system, &mut warnings);
-    warn_of_beams(model, &mut warnings);
-    warn_of_bodies(model, system.scales().length, &mut warnings);
-    warn_of_open_joints(model, system.scales().length, &mut warnings);
+    warn_of_beams(system, &mut warnings);
+    warn_of_bodies(system, &mut warnings);
+    warn_of_open_joints(system, &mut warnings);
     warn_of_far_joints(model, system.scales().length, &mut warnings);
     warnings
 }
@@ -63,7 +63,7 @@ fn holds(model: &Model, placed: &Placed) -> bool {
     match placed.role {
         ElementRole::Inertia | ElementRole::Load => false,
         ElementRole::Beam(_) | ElementRole::Prescribed(_) => true,
-        ElementRole::Joint(index) => model.joints[index].kind().constraints() > 0,
+        ElementRole::Joint(index) => model.joints[index].kind.constraints() > 0,
         ElementRole::Force(index) => match &model.forces[index] {
             ForceDefinition::SpringDamper { stiffness, .. } => stiffness.iter().any(|&k| k != 0.0),
             ForceDefinition::Viscoelastic { stiffness, .. } => *stiffness != 0.0,
@@ -106,7 +106,7 @@ fn warn_of_missing_joints(
 ) {
     let mut on_beam = vec![false; system.nodes()];
     for beam in &model.beams {
-        beam.nodes().iter().for_each(|&node| on_beam[node] = true);
+        beam.nodes.iter().for_each(|&node| on_beam[node] = true);
     }
     let unit = SAME_PLACE * system.scales().length;
     let mut places: HashMap<[i64; 3], Vec<usize>> = HashMap::new();
@@ -171,14 +171,14 @@ fn warn_of_bare_nodes(system: &System, warnings: &mut Vec<String>) {
     }
 }
 
-fn warn_of_beams(model: &Model, warnings: &mut Vec<String>) {
+fn warn_of_beams(system: &System, warnings: &mut Vec<String>) {
     let mut massless = Vec::new();
     let (mut slender, mut thick, mut odd_shear) = (Vec::new(), Vec::new(), Vec::new());
     let (mut odd_mass, mut radii) = (Vec::new(), (0.0, 0.0));
     // Stiffness against stretching and bending, as forces for a displacement of the element's
     // length.
     let (mut stiffest, mut softest) = ((0.0, 0), (f64::INFINITY, 0));
-    for (index, beam) in model.beams.iter().enumerate() {
+    for (index, beam) in system.beams.iter().enumerate() {
         let section = beam.middle_section();
         let length = beam.length();
         let (axial, shear) = (
@@ -255,9 +255,10 @@ fn warn_of_beams(model: &Model, warnings: &mut Vec<String>) {
     }
 }
 
-fn warn_of_bodies(model: &Model, size: f64, warnings: &mut Vec<String>) {
+fn warn_of_bodies(system: &System, warnings: &mut Vec<String>) {
+    let size = system.scales.length;
     let (mut impossible, mut odd) = (Vec::new(), Vec::new());
-    for inertia in &model.inertias {
+    for inertia in &system.inertias {
         let &[node] = inertia.nodes() else { continue };
         let m = inertia.mass();
         let mass = m[(0, 0)];
@@ -295,12 +296,13 @@ fn warn_of_bodies(model: &Model, size: f64, warnings: &mut Vec<String>) {
     }
 }
 
-fn warn_of_open_joints(model: &Model, length: f64, warnings: &mut Vec<String>) {
-    for (index, joint) in model.joints.iter().enumerate() {
+fn warn_of_open_joints(system: &System, warnings: &mut Vec<String>) {
+    let length = system.scales.length;
+    for (index, joint) in system.joints.iter().enumerate() {
         let states: Vec<NodeState> = joint
             .nodes()
             .iter()
-            .map(|&n| NodeState::at_rest(model.nodes[n]))
+            .map(|&n| NodeState::at_rest(system.reference[n]))
             .collect();
         let z: Motion = joint.relative_motion(&states);
         let kind = joint.kind();
@@ -327,9 +329,8 @@ fn warn_of_far_joints(model: &Model, size: f64, warnings: &mut Vec<String>) {
     if model.nodes.len() < 2 {
         return; // there is nothing that one body's joints could be compared with
     }
-    let distance = |joint: &Joint| {
-        let (first, second) = joint.attachments();
-        [first, second]
+    let distance = |joint: &JointDefinition| {
+        [joint.first, joint.second]
             .iter()
             .filter(|end| end.node.is_some())
             .map(|end| end.offset.position.norm())
