@@ -97,7 +97,7 @@ fn mechanism(elements: usize, with_functions: bool) -> FourBarModel {
 fn everything(solution: &Solution) -> Vec<u64> {
     let model = solution.model();
     let period = solution.grid().period();
-    let times: Vec<f64> = match &solution.details().march {
+    let times: Vec<f64> = match solution.details().march() {
         None => [-0.7, 0.0, 0.31, 0.5, 1.9].map(|t| t * period).into(),
         Some(record) => {
             let end = |time: Option<&f64>| time.copied().unwrap_or(0.0);

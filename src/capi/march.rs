@@ -368,7 +368,7 @@ pub unsafe extern "C" fn pdn_solution_march(
     guard(|call| {
         let solution = call.shared(solution, "solution")?;
         let out = call.out_struct(out, "out")?;
-        let Some(record) = &solution.details().march else {
+        let Some(record) = solution.details().march() else {
             return Err(no_trajectory());
         };
         out.set(pdn_march_diagnostics {

@@ -4,7 +4,7 @@ use super::solution::{Samples, Solution};
 use crate::elements::{LoadFrame, NodeState};
 use crate::error::{Error, ErrorKind, Result};
 use crate::fourier::PeriodicSeries;
-use crate::solve::PeriodicSolve;
+use crate::solve::Solved;
 use crate::system::{Conditions, ElementRole, OwnValues, Placed};
 use nalgebra::{Vector3, Vector6};
 use serde::{Deserialize, Serialize};
@@ -60,7 +60,7 @@ impl ForceRecord {
 }
 
 /// States of an element's nodes at grid point `k`.
-fn states_of(solve: &PeriodicSolve, placed: &Placed, k: usize) -> Vec<NodeState> {
+fn states_of(solve: &Solved, placed: &Placed, k: usize) -> Vec<NodeState> {
     let nodes = placed.element.nodes().iter();
     nodes
         .map(|&n| solve.node_states[n * solve.state.points() + k])
@@ -68,8 +68,8 @@ fn states_of(solve: &PeriodicSolve, placed: &Placed, k: usize) -> Vec<NodeState>
 }
 
 /// What the internal states of an element gain in a period.
-fn gain_of(solve: &PeriodicSolve, placed: &Placed) -> f64 {
-    if placed.has_states && solve.march.is_none() {
+fn gain_of(solve: &Solved, placed: &Placed) -> f64 {
+    if placed.has_states && solve.march().is_none() {
         solve.state.gain(&solve.system, placed, 0)
     } else {
         0.0
@@ -77,7 +77,7 @@ fn gain_of(solve: &PeriodicSolve, placed: &Placed) -> f64 {
 }
 
 /// Values of all signals at each grid point.
-fn signals_of(solve: &PeriodicSolve) -> Result<Vec<Vec<f64>>> {
+fn signals_of(solve: &Solved) -> Result<Vec<Vec<f64>>> {
     let times = solve.times().into_iter();
     times
         .map(|time| {
@@ -89,7 +89,7 @@ fn signals_of(solve: &PeriodicSolve) -> Result<Vec<Vec<f64>>> {
 }
 
 /// All forces of a solve; those that cannot be evaluated where it ended tell why.
-pub(super) fn record_forces(solve: &PeriodicSolve) -> Result<Vec<Result<ForceRecord>>> {
+pub(super) fn record_forces(solve: &Solved) -> Result<Vec<Result<ForceRecord>>> {
     let signals = signals_of(solve)?;
     let record = |placed: &Placed| -> Result<ForceRecord> {
         let mut record = ForceRecord {

@@ -10,6 +10,7 @@ mod modes;
 mod node;
 mod poly_data;
 mod report;
+mod saved;
 mod solution;
 mod table;
 mod trajectory;

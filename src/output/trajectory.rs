@@ -101,7 +101,7 @@ impl Solution {
 
     /// Whether this is a trajectory, which knows a stretch of time only and has no harmonics.
     pub fn is_trajectory(&self) -> bool {
-        self.solve.march.is_some()
+        self.solve.march().is_some()
     }
 
     /// The times of its states: grid points or steps.

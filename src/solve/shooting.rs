@@ -8,7 +8,8 @@
 
 use super::eigenvalues::eigenvalues;
 use super::newton::{Iteration, NewtonOptions, NewtonReport, Outcome};
-use super::periodic::{PeriodicSolve, Stage};
+use super::periodic::Stage;
+use super::result::{Kind, Solved};
 use super::trajectory::{
     Kept, MarchEnd, MarchOptions, MarchRecord, MarchStart, Marcher, difference, finish,
 };
@@ -250,7 +251,7 @@ pub fn solve_shooting(
     period: f64,
     options: &ShootingOptions,
     observe: &mut dyn FnMut(Stage, &Iteration) -> bool,
-) -> Result<PeriodicSolve> {
+) -> Result<Solved> {
     options.validate()?;
     let began = Instant::now();
     // Checks that everything repeats itself.
@@ -278,11 +279,8 @@ pub fn solve_shooting(
         Ok(marcher) => marcher,
         Err((refusal, at)) => {
             let kept = vec![Kept::of(&at)];
-            let record = MarchRecord {
-                shooting: true,
-                ..MarchRecord::default()
-            };
-            return finish(&system, record, kept, Some(refusal));
+            let solve = finish(&system, MarchRecord::default(), kept, Some(refusal))?;
+            return Ok(solve.shot(Vec::new()));
         }
     };
     let mut shooting = Shooting {
@@ -360,9 +358,7 @@ pub fn solve_shooting(
         }
         None => vec![Kept::of(shooting.marcher.now())],
     };
-    record.shooting = true;
-    record.floquet = floquet;
-    let mut solve = finish(&system, record, kept, None)?;
+    let mut solve = finish(&system, record, kept, None)?.shot(floquet);
     solve.report = report;
     solve.guess_time = guess_time;
     solve.guess_iterations = options.guess_periods;
@@ -370,6 +366,16 @@ pub fn solve_shooting(
     solve.total_time = began.elapsed();
     solve.report.outcome = watching.outcome(solve.report.outcome);
     Ok(solve)
+}
+
+impl Solved {
+    /// The last march of a shooting solve as its result.
+    fn shot(mut self, floquet: Vec<[f64; 2]>) -> Self {
+        if let Kind::March(march) = self.kind {
+            self.kind = Kind::Shooting { march, floquet };
+        }
+        self
+    }
 }
 
 /// Newton's method from an orbit that is not closed yet. Returns the Floquet multipliers.

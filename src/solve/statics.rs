@@ -4,7 +4,8 @@
 use super::estimate::mesh_error;
 use super::guess::Tracker;
 use super::newton::{Iteration, NewtonOptions, NewtonReport, Outcome, Timings};
-use super::periodic::{InitialGuess, PeriodicSolve, Stage};
+use super::periodic::{InitialGuess, Stage};
+use super::result::{Kind, Solved};
 use super::watch::{Watch, Watching};
 use crate::error::{Error, ErrorKind, Result, require_finite};
 use crate::fourier::TimeGrid;
@@ -105,7 +106,7 @@ pub fn solve_static(
     model: &Model,
     options: &StaticOptions,
     observe: &mut dyn FnMut(Stage, &Iteration) -> bool,
-) -> Result<PeriodicSolve> {
+) -> Result<Solved> {
     let watching = options.watch.begin(Stage::InitialGuess, 1);
     find_equilibrium(model, options, Indifferent::Singular, &watching, observe)
 }
@@ -134,7 +135,7 @@ pub(super) fn find_equilibrium(
     indifferent: Indifferent,
     watching: &Watching,
     observe: &mut dyn FnMut(Stage, &Iteration) -> bool,
-) -> Result<PeriodicSolve> {
+) -> Result<Solved> {
     options.validate()?;
     let start = Instant::now();
     let system = Arc::new(System::in_regime(
@@ -198,7 +199,7 @@ pub(super) fn find_equilibrium(
         }
     };
     let iterations = report.iterations.len();
-    let mut solve = PeriodicSolve {
+    let mut solve = Solved {
         node_states: Vec::new(),
         system,
         grid,
@@ -210,14 +211,9 @@ pub(super) fn find_equilibrium(
         timings: newton.timings,
         total_time: start.elapsed(),
         total_iterations: iterations,
-        grids: Vec::new(),
-        coarse_start: None,
-        attempts: Vec::new(),
-        iterative: None,
-        threads: 1,
-        assessment: None,
-        mesh_error: f64::INFINITY,
-        march: None,
+        kind: Kind::Equilibrium {
+            mesh_error: f64::INFINITY,
+        },
     };
     if solve.report.outcome == Outcome::Singular && indifferent == Indifferent::Accepted {
         newton.equations.set_conditions(0.0, 1.0)?;
@@ -232,10 +228,11 @@ pub(super) fn find_equilibrium(
         if solve.report.iterations.is_empty() {
             newton.linearise(&solve.state)?;
         }
-        solve.mesh_error = match mesh_error(model, &mut newton, &solve.state) {
+        let mesh_error = match mesh_error(model, &mut newton, &solve.state) {
             Err(error) if watching.cancels(&error) => f64::INFINITY,
             found => found?,
         };
+        solve.kind = Kind::Equilibrium { mesh_error };
     }
     newton.equations.update_kinematics(&solve.state);
     solve.node_states = newton.equations.node_states().to_vec();

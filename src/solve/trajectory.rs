@@ -3,7 +3,8 @@
 
 use super::consistent::{Initial, Refusal};
 use super::newton::{Iteration, Newton, NewtonOptions, NewtonReport, Outcome};
-use super::periodic::{PeriodicSolve, Stage};
+use super::periodic::Stage;
+use super::result::{Kind, Solved};
 use super::watch::Watch;
 use crate::collocation::{AlphaStep, Collocation, GeneralizedAlpha, GridState, MotionState};
 use crate::elements::NodeState;
@@ -242,12 +243,6 @@ pub struct MarchRecord {
     pub start_moved: f64,
     /// Likewise of velocities, in the unit of time.
     pub start_corrected: f64,
-    /// Whether this is the orbit of a shooting solve.
-    #[serde(default)]
-    pub shooting: bool,
-    /// Of a shooting solve: real and imaginary parts of the Floquet multipliers, the largest first.
-    #[serde(default)]
-    pub floquet: Vec<[f64; 2]>,
 }
 
 /// One time's states.
@@ -652,7 +647,7 @@ pub fn march(
     model: &Model,
     options: &MarchOptions,
     observe: &mut dyn FnMut(Stage, &Iteration) -> bool,
-) -> Result<PeriodicSolve> {
+) -> Result<Solved> {
     options.validate()?;
     let length = match options.error_tolerance {
         Some(_) => options.step.min(options.span()),
@@ -720,7 +715,7 @@ pub(super) fn finish(
     mut record: MarchRecord,
     kept: Vec<Kept>,
     refusal: Option<Refusal>,
-) -> Result<PeriodicSolve> {
+) -> Result<Solved> {
     let points = kept.len();
     let mut state = GridState::at_points(system, points);
     let mut node_states = vec![NodeState::at_rest(Motion::identity()); points * system.nodes()];
@@ -733,7 +728,7 @@ pub(super) fn finish(
     record.times = kept.iter().map(|kept| kept.time).collect();
     let (outcome, explanation) = refusal.unwrap_or((Outcome::Converged, String::new()));
     let iterations = record.iterations;
-    Ok(PeriodicSolve {
+    Ok(Solved {
         system: system.clone(),
         grid: TimeGrid::new(1, system.period())?,
         state,
@@ -748,14 +743,7 @@ pub(super) fn finish(
         timings: super::Timings::default(),
         total_time: Duration::ZERO,
         total_iterations: iterations,
-        grids: Vec::new(),
-        coarse_start: None,
-        attempts: Vec::new(),
-        iterative: None,
-        threads: 1,
-        assessment: None,
-        mesh_error: f64::INFINITY,
-        march: Some(record),
+        kind: Kind::March(record),
     })
 }
 
