@@ -1,10 +1,10 @@
 //! Periodic motions by shooting.
 
 use super::call::Call;
-use super::guard::guard;
+use super::guard::{guard, init};
 use super::march::no_trajectory;
 use super::model::pdn_model;
-use super::options::{self, Options};
+use super::options::Options;
 use super::periodic::{PROGRESS_INTERVAL, pdn_progress_fn, watch};
 use super::solution::pdn_solution;
 use super::status::pdn_status;
@@ -76,7 +76,7 @@ pub unsafe extern "C" fn pdn_shooting_options_init(
     options: *mut pdn_shooting_options,
     struct_size: usize,
 ) {
-    options::init(options, struct_size);
+    init(options, struct_size, "options");
 }
 
 /// Finds the periodic response of a model by shooting: Newton's method on the period map of

@@ -1,8 +1,7 @@
 //! Solutions: how they came out, and their quantities at any time.
 
 use super::call::Call;
-use super::guard::{guard, guard_or};
-use super::handle;
+use super::guard::{free, guard, guard_or, init};
 use super::joint::coordinate;
 use super::last_error::copy_message;
 use super::load::{PDN_FRAME_MATERIAL, PDN_FRAME_SPACE};
@@ -10,7 +9,6 @@ use super::options::Options;
 use super::periodic::{
     PDN_LINEAR_BODY_CIRCULANT, PDN_LINEAR_CIRCULANT, PDN_LINEAR_DIRECT, PDN_LINEAR_TIME_LOCAL,
 };
-use super::section::init_struct;
 use super::status::pdn_status;
 use crate::collocation::DecayKind;
 use crate::error::{Error, ErrorKind, Result};
@@ -109,7 +107,7 @@ pub const PDN_BEAM_FORCE_JUMP: i32 = 3;
 /// @since 0.1
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn pdn_solution_free(solution: *mut pdn_solution) {
-    handle::free(solution);
+    free(solution);
 }
 
 fn linear_solver_code(record: Option<&IterativeRecord>) -> i32 {
@@ -320,7 +318,7 @@ pub unsafe extern "C" fn pdn_diagnostics_init(
     diagnostics: *mut pdn_diagnostics,
     struct_size: usize,
 ) {
-    init_struct(diagnostics, struct_size, "diagnostics");
+    init(diagnostics, struct_size, "diagnostics");
 }
 
 /// Figures of a solve: iterations, error estimates, residuals between grid points, time spent.

@@ -5,7 +5,6 @@
 //! See docs/theory.md, section 5.1.
 
 mod beam;
-mod beam_law;
 mod coordinate_force;
 mod damper;
 mod distributed_load;

@@ -5,6 +5,7 @@ mod beam;
 mod diagnostics;
 mod file;
 mod force;
+mod force_record;
 mod joint;
 mod modes;
 mod node;

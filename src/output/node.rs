@@ -146,7 +146,7 @@ impl Solution {
                 .collect()
         } else {
             let mut last = None;
-            let states = &self.solve.node_states[node * points..][..points];
+            let states = self.solve.states_of(node);
             let row = |state: &NodeState| {
                 let mut row = Vec::new();
                 let state = self.solve.system.inertial_state(state);

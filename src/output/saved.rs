@@ -1,7 +1,7 @@
 //! What a file holds of a solution, and whether it fits together.
 
 use super::diagnostics::Diagnostics;
-use super::force::ForceRecord;
+use super::force_record::ForceRecord;
 use super::solution::Solution;
 use crate::collocation::GridState;
 use crate::elements::NodeState;

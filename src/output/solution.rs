@@ -1,7 +1,7 @@
 //! A periodic solution: the state at the grid points and what is needed to evaluate it anywhere.
 
 use super::diagnostics::Diagnostics;
-use super::force::{ForceRecord, record_forces};
+use super::force_record::{ForceRecord, record_forces};
 use crate::collocation::GridState;
 use crate::elements::{Element, NodeState};
 use crate::error::{Error, ErrorKind, Result};
@@ -219,12 +219,8 @@ impl Solution {
 
     /// States of an element's nodes at grid point `k`.
     pub(super) fn states_of(&self, element: &dyn Element, k: usize) -> Vec<NodeState> {
-        let points = self.solve.state.points();
-        element
-            .nodes()
-            .iter()
-            .map(|&n| self.solve.node_states[n * points + k])
-            .collect()
+        let nodes = element.nodes().iter();
+        nodes.map(|&n| self.solve.states_of(n)[k]).collect()
     }
 
     /// Passes on values that are numbers: absurd models may converge, yet strain beyond any.

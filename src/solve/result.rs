@@ -94,6 +94,12 @@ impl Solved {
         }
     }
 
+    /// Motion of a node with its velocity and acceleration, at all times.
+    pub fn states_of(&self, node: usize) -> &[NodeState] {
+        let points = self.state.points();
+        &self.node_states[node * points..][..points]
+    }
+
     /// What only a periodic solve has.
     pub fn periodic(&self) -> Option<&PeriodicRecord> {
         match &self.kind {
