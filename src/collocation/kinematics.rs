@@ -1,7 +1,6 @@
 //! Velocities and accelerations of a node at the grid points, and their exact linearisation
 //! (docs/theory.md, section 4.1). Everything is dual algebra.
 
-use super::resampled::{dual, primal};
 use crate::elements::NodeState;
 use crate::fourier::Differentiation;
 use crate::motion::{DualMatrix, DualVector, Motion};
@@ -64,7 +63,7 @@ impl NodeKinematics {
         }
         // D M and T M, entry by entry; kept in a and b until both are complete.
         for entry in 0..9 {
-            for part in [primal, dual] {
+            for part in [DualMatrix::primal_mut, DualMatrix::dual_mut] {
                 for (sample, m) in self.samples.iter_mut().zip(&mut self.motions) {
                     *sample = part(m)[entry];
                 }
@@ -179,7 +178,7 @@ impl NodeKinematics {
         }
         let [samples, d_samples, t_samples] = &mut scratch.samples;
         for entry in 0..9 {
-            for part in [primal, dual] {
+            for part in [DualMatrix::primal_mut, DualMatrix::dual_mut] {
                 for (sample, m) in samples.iter_mut().zip(&mut scratch.moved) {
                     *sample = part(m)[entry];
                 }

@@ -25,7 +25,7 @@ mod stretching;
 mod tangent;
 
 pub use aliasing::Aliasing;
-pub use between::{Defect, NodeInterpolation, ResidualBetween, too_coarse};
+pub use between::{Defect, ResidualBetween, too_coarse};
 pub use decay::{Decay, DecayKind};
 pub use jacobian::TangentBlocks;
 pub use kinematics::{BackwardRule, NodeKinematics};

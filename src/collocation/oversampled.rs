@@ -14,7 +14,6 @@
 
 use super::between::too_coarse;
 use super::problem::Collocation;
-use super::resampled::{dual, primal};
 use super::state::GridState;
 use super::tangent::Tangent;
 use crate::error::Result;
@@ -164,7 +163,7 @@ impl Oversampled {
             ..
         } = &mut self.scratch;
         for entry in 0..9 {
-            for part in [primal, dual] {
+            for part in [DualMatrix::primal_mut, DualMatrix::dual_mut] {
                 self.interpolation
                     .read(coarse.iter_mut().map(|m| part(m)[entry]));
                 self.interpolation.write(0, 0, fine_samples);
@@ -184,7 +183,7 @@ impl Oversampled {
             ..
         } = &mut self.scratch;
         for entry in 0..9 {
-            for part in [primal, dual] {
+            for part in [DualMatrix::primal_mut, DualMatrix::dual_mut] {
                 self.projection
                     .read(fine.iter_mut().map(|m| part(m)[entry]));
                 self.projection.truncate(self.grid.harmonics());

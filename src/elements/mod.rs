@@ -42,31 +42,10 @@ pub use user_force::{
 pub use viscoelastic::{MaxwellBranch, Viscoelastic};
 
 use crate::error::Result;
-use crate::motion::{DualMatrix, Motion};
+pub use crate::motion::NodeState;
+
+use crate::motion::DualMatrix;
 use nalgebra::{DMatrix, DVector, Matrix6, Vector3, Vector6};
-use serde::{Deserialize, Serialize};
-
-/// State of one node at one instant.
-#[derive(Debug, Clone, Copy, Serialize, Deserialize)]
-pub struct NodeState {
-    /// Motion from the inertial frame.
-    pub motion: Motion,
-    /// Material velocity `[linear; angular]`.
-    pub twist: Vector6<f64>,
-    /// Time derivative of the material velocity.
-    pub twist_rate: Vector6<f64>,
-}
-
-impl NodeState {
-    /// A node at rest.
-    pub fn at_rest(motion: Motion) -> Self {
-        NodeState {
-            motion,
-            twist: Vector6::zeros(),
-            twist_rate: Vector6::zeros(),
-        }
-    }
-}
 
 /// What an element sees of the system at one instant.
 #[derive(Debug, Clone, Copy)]

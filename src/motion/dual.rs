@@ -187,6 +187,18 @@ impl DualMatrix {
         }
     }
 
+    /// The primal part, to be changed.
+    #[inline]
+    pub fn primal_mut(&mut self) -> &mut Matrix3<f64> {
+        &mut self.primal
+    }
+
+    /// The dual part, to be changed.
+    #[inline]
+    pub fn dual_mut(&mut self) -> &mut Matrix3<f64> {
+        &mut self.dual
+    }
+
     /// Transpose; the inverse of a dual rotation.
     #[inline]
     pub fn transpose(&self) -> Self {
