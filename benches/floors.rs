@@ -10,7 +10,7 @@ use common::{
 };
 use periodyn::model::Model;
 use periodyn::solve::{
-    LinearMethod, Outcome, PeriodicOptions, PeriodicSolve, solve_periodic, try_direct_solve,
+    LinearMethod, Outcome, PeriodicOptions, Solved, solve_periodic, try_direct_solve,
 };
 use std::f64::consts::TAU;
 use std::time::{Duration, Instant};
@@ -105,7 +105,7 @@ fn main() {
             linear: case.linear,
             ..PeriodicOptions::with_grid_points(case.points)
         };
-        let runs: Vec<(Duration, PeriodicSolve)> = (0..REPETITIONS)
+        let runs: Vec<(Duration, Solved)> = (0..REPETITIONS)
             .map(|_| {
                 let start = Instant::now();
                 let solve =
@@ -114,13 +114,13 @@ fn main() {
                 (start.elapsed(), solve)
             })
             .collect();
-        let seconds = |part: &dyn Fn(&PeriodicSolve) -> Duration| {
+        let seconds = |part: &dyn Fn(&Solved) -> Duration| {
             median(runs.iter().map(|r| part(&r.1))).as_secs_f64()
         };
         let total = median(runs.iter().map(|r| r.0)).as_secs_f64();
         let solve = &runs[0].1;
         let dense = seconds(&|s| s.timings.factorisation) + seconds(&|s| s.timings.substitution);
-        let is_direct = solve.iterative.is_none();
+        let is_direct = solve.periodic().unwrap().iterative.is_none();
         // The substitutions that refine a solution read memory; the rate is that of the factors.
         let trials: Vec<_> = (0..REPETITIONS)
             .filter(|_| is_direct)

@@ -56,7 +56,7 @@ fn main() {
             solve(&model, period, &options).1
         });
         let (solution, adaptive) = solve(&model, period, &PeriodicOptions::default());
-        let grids = &solution.details().grids;
+        let grids = &solution.details().periodic().unwrap().grids;
         let points: Vec<String> = grids.iter().map(|grid| grid.points.to_string()).collect();
         println!(
             "| {name} | {:.1} ms | {:.1} ms | {adaptive:.1} ms | {} | {:.1e} |",

@@ -44,7 +44,8 @@ fn largest_memory() -> Option<f64> {
 }
 
 fn method(solution: &Solution) -> &'static str {
-    let record = solution.details().iterative.as_ref();
+    let record = solution.details().periodic();
+    let record = record.and_then(|record| record.iterative.as_ref());
     match record.and_then(|record| record.preconditioner) {
         None => "direct",
         Some(Preconditioner::BodyCirculant) => "body-circulant",
@@ -82,8 +83,8 @@ fn run(model: &str, elements: usize, points: usize, threads: usize) {
         solution.report()
     );
     let products = details
-        .iterative
-        .as_ref()
+        .periodic()
+        .and_then(|record| record.iterative.as_ref())
         .map_or(0, |r| r.products.iter().sum());
     // Axial force in the middle of the crank, at the two narrow peaks.
     let peaks = match model {

@@ -443,7 +443,7 @@ fn the_support_of_a_curved_beam_carries_its_weight() {
         let solution = equilibrium(&model);
         let held = reaction(&solution, joint);
         let tip = motion(&solution, beam.last_node);
-        (model.mass_and_moment(), held, tip)
+        (model.mass_and_moment().unwrap(), held, tip)
     };
     let ((total, moment), held, tip) = built(true);
     let turn: f64 = 0.75 * TAU;

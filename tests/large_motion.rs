@@ -80,7 +80,7 @@ fn far_larger_ones_are_found_as_fast() {
 #[test]
 fn far_solutions_are_found_on_a_coarse_grid_first() {
     let (solution, iterations) = solve(12.0, InitialGuess::Default);
-    let coarse = solution.details().coarse_start.unwrap();
+    let coarse = solution.details().periodic().unwrap().coarse_start.unwrap();
     let fine = &solution.details().report.iterations;
     assert_eq!(coarse.points, 9);
     assert_eq!(coarse.iterations + fine.len(), iterations.len());
@@ -98,7 +98,7 @@ fn far_solutions_are_found_on_a_coarse_grid_first() {
     let model = models::spatial_four_bar(2, 1);
     let near = Solution::solve(&model, models::PERIOD, &options, &mut |_, _| true).unwrap();
     assert_eq!(near.outcome(), Outcome::Converged);
-    assert!(near.details().coarse_start.is_none());
+    assert!(near.details().periodic().unwrap().coarse_start.is_none());
 }
 
 #[test]

@@ -232,7 +232,7 @@ fn a_flexible_four_bar_keeps_to_its_periodic_motion_to_the_second_order() {
                 assert!(largest_difference(&tip, &next) < 1e-10, "joint {joint}");
             }
         }
-        assert!(solution.details().march.as_ref().unwrap().start_moved < 1e-9);
+        assert!(solution.details().march().unwrap().start_moved < 1e-9);
         let found = four_bar.curves(&solution, &[duration]);
         for (errors, (found, exact)) in errors.iter_mut().zip(found.iter().zip(&exact)) {
             errors.push((duration / steps as f64, (found[0] - exact[0]).abs()));
@@ -396,7 +396,7 @@ fn controlled_steps_keep_to_the_tolerance() {
         options.period = Some(TAU / omega);
         options.error_tolerance = Some(tolerance);
         let solution = march(&model, &options);
-        let record = solution.details().march.as_ref().unwrap();
+        let record = solution.details().march().unwrap();
         let times = solution.times();
         let exact: Vec<f64> = times.iter().map(|t| oscillator_exact(omega, *t)).collect();
         let found = solution.joint(joint, SLIDE, &times).unwrap();
@@ -446,7 +446,7 @@ fn marching_until_periodic_takes_as_long_as_the_damping_says() {
         "{}",
         solution.report()
     );
-    let record = solution.details().march.as_ref().unwrap();
+    let record = solution.details().march().unwrap();
     assert_eq!(seen, record.steps);
     assert_eq!(record.steps, 400 * record.periods);
     assert_eq!(record.times.len(), 401, "the last period and its start");
@@ -572,7 +572,7 @@ fn what_is_prescribed_starts_at_its_rate_and_velocities_are_projected() {
     assert!((at(RATE, 0.0) - w * (0.4 - 0.2)).abs() < 1e-10);
     let acceleration = at(JointQuantity::Acceleration(Coordinate::Rotation1), 0.0);
     assert!((acceleration + w * w * 0.2).abs() < 1e-9);
-    let moved = solution.details().march.as_ref().unwrap().start_moved;
+    let moved = solution.details().march().unwrap().start_moved;
     assert!(moved > 0.1 && moved < 1.0, "{moved}");
     // Velocities that pull a hinge apart: what is left is that of the least change of kinetic
     // energy.
@@ -599,7 +599,7 @@ fn what_is_prescribed_starts_at_its_rate_and_velocities_are_projected() {
         &(given.cross(&centre) + Vector3::new(0.0, 0.0, 5.0)),
     );
     assert!((momentum(&angular, &linear) - before).amax() < 1e-9);
-    assert!(solution.details().march.as_ref().unwrap().start_corrected > 1.0);
+    assert!(solution.details().march().unwrap().start_corrected > 1.0);
 }
 
 #[test]

@@ -106,7 +106,14 @@ fn each_grid_and_start_is_told() {
     let told = told.lock().unwrap();
     let mut grids: Vec<usize> = told.iter().map(|p| p.points).collect();
     grids.dedup();
-    let tried: Vec<usize> = solution.details().grids.iter().map(|g| g.points).collect();
+    let tried: Vec<usize> = solution
+        .details()
+        .periodic()
+        .unwrap()
+        .grids
+        .iter()
+        .map(|g| g.points)
+        .collect();
     assert_eq!(&grids[grids.len() - tried.len()..], tried);
     let marched = told.iter().filter(|p| p.start == Some(Start::March));
     assert!(marched.count() > told.len() / 2);
@@ -185,7 +192,13 @@ fn times_of_the_parts_add_up_to_that_of_the_whole() {
         // What is left are copies and sums of vectors, and line searches without their residuals.
         let share = parts.as_secs_f64() / solve.total_time.as_secs_f64();
         assert!(share > 0.8, "{share}: {}", solution.report());
-        let of_grids: usize = solve.grids.iter().map(|grid| grid.iterations).sum();
+        let of_grids: usize = solve
+            .periodic()
+            .unwrap()
+            .grids
+            .iter()
+            .map(|grid| grid.iterations)
+            .sum();
         assert!(solve.total_iterations >= of_grids);
         let t = solve.timings;
         match linear {

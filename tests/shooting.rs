@@ -30,7 +30,7 @@ fn shoot_from(start: MarchStart, model: &Model, period: f64, steps: usize) -> So
         solution.report()
     );
     // It repeats itself: what Newton's method leaves is the square of its last increment.
-    let record = solution.details().march.as_ref().unwrap();
+    let record = solution.details().march().unwrap();
     assert!(record.repetition < 1e-9, "{:e}", record.repetition);
     assert_eq!(record.times.len(), steps + 1);
     let iterations = &solution.details().report.iterations;
@@ -44,12 +44,10 @@ fn shoot_from(start: MarchStart, model: &Model, period: f64, steps: usize) -> So
 }
 
 fn floquet(solution: &Solution) -> Vec<Complex<f64>> {
-    let record = solution.details().march.as_ref().unwrap();
-    record
-        .floquet
-        .iter()
-        .map(|z| Complex::new(z[0], z[1]))
-        .collect()
+    let Kind::Shooting { floquet, .. } = &solution.details().kind else {
+        panic!("{}", solution.report());
+    };
+    floquet.iter().map(|z| Complex::new(z[0], z[1])).collect()
 }
 
 /// Errors of a quantity against a reference fall with the square of the step: `errors` at steps and

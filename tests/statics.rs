@@ -13,7 +13,7 @@ use periodyn::output::{
     BeamQuantity, ForceQuantity, JointQuantity, NodeQuantity, ResolvedIn, Solution,
 };
 use periodyn::solve::*;
-use periodyn::system::{Standstill, System};
+use periodyn::system::{Regime, Standstill, System};
 use std::f64::consts::{PI, TAU};
 use std::sync::Arc;
 
@@ -599,7 +599,7 @@ fn forces_of_the_user_see_the_velocities_of_a_steady_rotation() {
             // From load 0 to 1 at once, in full steps; the square of an increment is left, or what
             // differences leave.
             let start = InitialGuess::State(GridState::at_points(
-                &System::at_standstill(&model, &options.standstill).unwrap(),
+                &System::in_regime(&model, Regime::Standstill(options.standstill)).unwrap(),
                 1,
             ));
             let cold = statics(

@@ -1,11 +1,12 @@
 //! Beams: their elements and nodes.
 
-use super::call::{Call, check_pointer};
-use super::guard::guard;
+use super::call::Call;
+use super::guard::{guard, init};
 use super::line::{self, Line, pdn_line};
 use super::model::{next_id, node, pdn_model, vector};
 use super::options::Options;
-use super::section::{self, init_struct, pdn_section, read_struct};
+use super::pointer::check_pointer;
+use super::section::{self, pdn_section, read_struct};
 use super::status::pdn_status;
 use crate::error::{Error, Result};
 use crate::model::{BeamIds, Model, SectionStation};
@@ -79,7 +80,7 @@ unsafe impl Options for pdn_stations {
 /// @since 0.1
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn pdn_stations_init(stations: *mut pdn_stations, struct_size: usize) {
-    init_struct(stations, struct_size, "stations");
+    init(stations, struct_size, "stations");
 }
 
 /// The stations that an argument gives; what they must be is for the core to check.

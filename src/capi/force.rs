@@ -5,7 +5,8 @@
 
 use super::call::Call;
 use super::guard::guard;
-use super::model::{body, joint_coordinate, motion, next_id, pdn_frame, pdn_model};
+use super::joint::joint_coordinate;
+use super::model::{body, motion, next_id, pdn_frame, pdn_model};
 use super::signal::{self, pdn_signal};
 use super::status::pdn_status;
 use crate::elements::MaxwellBranch;

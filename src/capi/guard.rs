@@ -1,7 +1,9 @@
 //! The wall between Rust and C: no panic passes it, and every failure leaves its message.
 
 use super::call::Call;
+use super::handle::{self, Handle};
 use super::last_error::fail;
+use super::options::{self, Options};
 use super::status::{PDN_OK, pdn_status};
 use crate::error::{Error, ErrorKind, Result};
 use std::any::Any;
@@ -27,6 +29,20 @@ pub(super) fn guard_or<T>(fallback: T, body: impl FnOnce(&Call) -> Result<T>) ->
         fail(&error);
         fallback
     })
+}
+
+/// Body of a destructor.
+pub(super) fn free<H: Handle>(handle: *mut H) {
+    // A destructor may panic too.
+    guard(|_| {
+        handle::destroy(handle);
+        Ok(())
+    });
+}
+
+/// Body of an initialiser of the struct that is argument `name`.
+pub(super) fn init<T: Options>(pointer: *mut T, struct_size: usize, name: &str) {
+    guard(|_| options::write_defaults(pointer, struct_size, name));
 }
 
 fn run<T>(body: impl FnOnce(&Call) -> Result<T>) -> Result<T> {

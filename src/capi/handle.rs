@@ -22,7 +22,7 @@
 //! }
 //!
 //! pub unsafe extern "C" fn pdn_model_free(model: *mut pdn_model) {
-//!     handle::free(model);
+//!     free(model);
 //! }
 //! ```
 //!
@@ -31,7 +31,7 @@
 //! The `Arc` makes lifetimes simple: a child (a solution) keeps the `Arc` of its parent (the
 //! model) as it was; changing the parent later copies it first if a child still looks at it.
 
-use super::guard::guard;
+use super::pointer::null;
 use crate::error::{Error, ErrorKind, Result};
 use std::cell::UnsafeCell;
 use std::marker::PhantomData;
@@ -55,7 +55,7 @@ struct Shell<C> {
     core: UnsafeCell<Arc<C>>,
 }
 
-/// A new handle, owned by C until it calls [`free`].
+/// A new handle, owned by C until it calls [`super::guard::free`].
 pub(super) fn create<H: Handle>(core: H::Core) -> *mut H {
     let shell = Shell {
         state: AtomicU8::new(FREE),
@@ -65,15 +65,11 @@ pub(super) fn create<H: Handle>(core: H::Core) -> *mut H {
 }
 
 /// Frees a handle; NULL does nothing. Objects made from it stay valid.
-pub(super) fn free<H: Handle>(handle: *mut H) {
-    // `guard`, since a destructor may panic too.
-    guard(|_| {
-        if !handle.is_null() {
-            // SAFETY: a pointer that is not NULL came from `create` and is freed once.
-            drop(unsafe { Box::from_raw(handle.cast::<Shell<H::Core>>()) });
-        }
-        Ok(())
-    });
+pub(super) fn destroy<H: Handle>(handle: *mut H) {
+    if !handle.is_null() {
+        // SAFETY: a pointer that is not NULL came from `create` and is freed once.
+        drop(unsafe { Box::from_raw(handle.cast::<Shell<H::Core>>()) });
+    }
 }
 
 /// The object of a handle, for a `const` function or for a child to keep.
@@ -107,7 +103,7 @@ where
 
 fn shell<'call, H: Handle>(handle: *const H, name: &str) -> Result<&'call Shell<H::Core>> {
     // SAFETY: a pointer that is not NULL came from `create` and is not freed during the call.
-    unsafe { handle.cast::<Shell<H::Core>>().as_ref() }.ok_or_else(|| super::call::null(name))
+    unsafe { handle.cast::<Shell<H::Core>>().as_ref() }.ok_or_else(|| null(name))
 }
 
 fn unusable(state: u8, name: &str) -> Error {

@@ -4,10 +4,11 @@ use super::call::Call;
 use super::guard::guard;
 use super::handle::Exclusive;
 use super::model::{body, choose, motion, next_id, pdn_frame, pdn_model, vector};
+use super::signal::{self, pdn_signal};
 use super::status::pdn_status;
 use crate::elements::{Coordinate, JointKind};
 use crate::error::Result;
-use crate::model::Model;
+use crate::model::{JointCoordinate, Model};
 use crate::motion::Motion;
 use nalgebra::Matrix3;
 
@@ -102,6 +103,46 @@ fn axis_frame(call: &Call, point: *const f64, axis: *const f64, name: &str) -> R
     let point = vector(call, point, "point")?;
     let axis = vector(call, axis, name)?;
     Model::frame_at(name, &point, &axis)
+}
+
+/// The joint coordinate that two arguments give.
+pub(super) fn joint_coordinate(
+    model: &Model,
+    joint: i32,
+    coordinate: i32,
+) -> Result<JointCoordinate> {
+    Ok(JointCoordinate {
+        joint: super::model::joint(model, joint, "joint")?,
+        coordinate: self::coordinate(coordinate, "coordinate")?,
+    })
+}
+
+/// Makes a joint coordinate follow a signal. Each coordinate can be prescribed once.
+///
+/// The signal of an angle may grow by whole turns in a period, save that of a screw.
+///
+/// @param model  the model; not NULL
+/// @param joint  id of the joint
+/// @param coordinate  PDN_DISPLACEMENT ... PDN_ROTATION_3; one that the joint has
+/// @param signal  the coordinate in time [length, or radian], copied; not NULL
+/// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_SIZE, PDN_ERR_ID, PDN_ERR_VALUE,
+///     PDN_ERR_STRUCT_SIZE, PDN_ERR_NOT_AVAILABLE
+///
+/// Threads: exclusive use of `model`.
+/// @since 0.1
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn pdn_model_prescribe(
+    model: *mut pdn_model,
+    joint: i32,
+    coordinate: i32,
+    signal: *const pdn_signal,
+) -> pdn_status {
+    guard(|call| {
+        let mut model = call.exclusive(model, "model")?;
+        let at = joint_coordinate(&model, joint, coordinate)?;
+        let signal = signal::read(call, signal, "signal")?;
+        model.prescribe(at, &signal)
+    })
 }
 
 /// Fixes two bodies to each other.

@@ -1,10 +1,11 @@
 //! Reference lines of beams, by value.
 
-use super::call::{Call, null};
+use super::call::Call;
 use super::callback::Callback;
-use super::guard::guard;
+use super::guard::{guard, init};
 use super::options::Options;
-use super::section::{init_struct, read_struct, update_struct};
+use super::pointer::null;
+use super::section::{read_struct, update_struct};
 use super::status::pdn_status;
 use crate::error::{Error, Result};
 use crate::model::{circular_arc, smooth_curve, straight_line};
@@ -152,7 +153,7 @@ fn replace(line: &mut pdn_line, new: pdn_line) {
 /// @since 0.1
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn pdn_line_init(line: *mut pdn_line, struct_size: usize) {
-    init_struct(line, struct_size, "line");
+    init(line, struct_size, "line");
 }
 
 /// Makes a line straight. Its axes are the same all along.

@@ -1,11 +1,11 @@
 //! Marching in time.
 
-use super::call::{Call, null};
-use super::guard::guard;
+use super::call::Call;
+use super::guard::{guard, init};
 use super::model::pdn_model;
-use super::options::{self, Options};
+use super::options::Options;
 use super::periodic::{PROGRESS_INTERVAL, pdn_progress_fn, read_motion, watch};
-use super::section::init_struct;
+use super::pointer::null;
 use super::solution::pdn_solution;
 use super::status::pdn_status;
 use crate::error::{Error, ErrorKind, Result};
@@ -118,7 +118,7 @@ pub unsafe extern "C" fn pdn_march_options_init(
     options: *mut pdn_march_options,
     struct_size: usize,
 ) {
-    options::init(options, struct_size);
+    init(options, struct_size, "options");
 }
 
 /// Marches a model in time, for a given duration or until its motion repeats itself.
@@ -341,7 +341,7 @@ pub unsafe extern "C" fn pdn_march_diagnostics_init(
     diagnostics: *mut pdn_march_diagnostics,
     struct_size: usize,
 ) {
-    init_struct(diagnostics, struct_size, "diagnostics");
+    init(diagnostics, struct_size, "diagnostics");
 }
 
 /// The solution is none of a march.
@@ -368,7 +368,7 @@ pub unsafe extern "C" fn pdn_solution_march(
     guard(|call| {
         let solution = call.shared(solution, "solution")?;
         let out = call.out_struct(out, "out")?;
-        let Some(record) = &solution.details().march else {
+        let Some(record) = solution.details().march() else {
             return Err(no_trajectory());
         };
         out.set(pdn_march_diagnostics {

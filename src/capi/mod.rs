@@ -55,7 +55,7 @@
 //!   freeing does not matter.
 //! * Options: a `#[repr(C)]` struct implementing [`options::Options`].
 //! * Callbacks: [`callback::Callback`] keeps function, `user_data` and destructor together.
-//! * A function that returns no status uses [`guard::guard_or`]; a destructor [`handle::free`].
+//! * A function that returns no status uses [`guard::guard_or`]; a destructor [`guard::free`].
 //! * Integers are `i32` or `usize`, reals `f64`; never `bool` or a Rust enum, which C could give a
 //!   value that Rust takes for impossible.
 
@@ -100,5 +100,6 @@ pub mod version;
 mod call;
 mod handle;
 mod options;
+mod pointer;
 #[cfg(test)]
 mod tests;

@@ -1,13 +1,11 @@
 //! Models: the mechanism in its reference configuration, in global coordinates.
 
 use super::call::Call;
-use super::guard::guard;
-use super::handle::{self, Handle};
-use super::joint;
-use super::signal::{self, pdn_signal};
+use super::guard::{free, guard};
+use super::handle::Handle;
 use super::status::pdn_status;
 use crate::error::{Error, ErrorKind, Result, require_finite};
-use crate::model::{JointCoordinate, Model};
+use crate::model::Model;
 use crate::motion::Motion;
 use nalgebra::{Matrix3, Matrix6, Vector3};
 
@@ -149,7 +147,7 @@ pub unsafe extern "C" fn pdn_model_new(model: *mut *mut pdn_model) -> pdn_status
 /// @since 0.1
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn pdn_model_free(model: *mut pdn_model) {
-    handle::free(model);
+    free(model);
 }
 
 /// Body of a function that gives a count.
@@ -234,7 +232,7 @@ pub unsafe extern "C" fn pdn_model_mass(
         let model = call.shared(model, "model")?;
         let mass_out = call.out(mass, "mass")?;
         let centre_out = call.out_optional(centre.cast::<[f64; 3]>(), "centre")?;
-        let (mass, moment) = model.mass_and_moment();
+        let (mass, moment) = model.mass_and_moment()?;
         if let Some(centre_out) = centre_out {
             if mass <= 0.0 {
                 let message = "centre: expected a model that has mass, got one without";
@@ -405,45 +403,5 @@ pub unsafe extern "C" fn pdn_model_add_inertia(
         };
         let matrix = Matrix6::from_column_slice(&call.array::<36>(matrix, "matrix")?);
         model.add_inertia(node, frame.as_ref(), &matrix)
-    })
-}
-
-/// The joint coordinate that two arguments give.
-pub(super) fn joint_coordinate(
-    model: &Model,
-    joint: i32,
-    coordinate: i32,
-) -> Result<JointCoordinate> {
-    Ok(JointCoordinate {
-        joint: self::joint(model, joint, "joint")?,
-        coordinate: joint::coordinate(coordinate, "coordinate")?,
-    })
-}
-
-/// Makes a joint coordinate follow a signal. Each coordinate can be prescribed once.
-///
-/// The signal of an angle may grow by whole turns in a period, save that of a screw.
-///
-/// @param model  the model; not NULL
-/// @param joint  id of the joint
-/// @param coordinate  PDN_DISPLACEMENT ... PDN_ROTATION_3; one that the joint has
-/// @param signal  the coordinate in time [length, or radian], copied; not NULL
-/// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_SIZE, PDN_ERR_ID, PDN_ERR_VALUE,
-///     PDN_ERR_STRUCT_SIZE, PDN_ERR_NOT_AVAILABLE
-///
-/// Threads: exclusive use of `model`.
-/// @since 0.1
-#[unsafe(no_mangle)]
-pub unsafe extern "C" fn pdn_model_prescribe(
-    model: *mut pdn_model,
-    joint: i32,
-    coordinate: i32,
-    signal: *const pdn_signal,
-) -> pdn_status {
-    guard(|call| {
-        let mut model = call.exclusive(model, "model")?;
-        let at = joint_coordinate(&model, joint, coordinate)?;
-        let signal = signal::read(call, signal, "signal")?;
-        model.prescribe(at, &signal)
     })
 }

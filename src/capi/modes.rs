@@ -1,11 +1,10 @@
 //! Natural modes and damped eigenvalues.
 
-use super::guard::{guard, guard_or};
-use super::handle::{self, Handle};
+use super::guard::{free, guard, guard_or, init};
+use super::handle::Handle;
 use super::last_error::copy_message;
 use super::model::{index, pdn_model};
-use super::options::{self, Options};
-use super::section::init_struct;
+use super::options::Options;
 use super::solution::{outcome_code, pdn_solution};
 use super::statics::{pdn_static_options, read_static_options};
 use super::status::pdn_status;
@@ -65,7 +64,7 @@ pub unsafe extern "C" fn pdn_modes_options_init(
     options: *mut pdn_modes_options,
     struct_size: usize,
 ) {
-    options::init(options, struct_size);
+    init(options, struct_size, "options");
 }
 
 /// Finds an equilibrium and the modes of small motions `Re(x exp(s t))` about it.
@@ -117,7 +116,7 @@ pub unsafe extern "C" fn pdn_solve_modes(
 /// @since 0.1
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn pdn_modes_free(modes: *mut pdn_modes) {
-    handle::free(modes);
+    free(modes);
 }
 
 /// How the search for the equilibrium ended.
@@ -238,7 +237,7 @@ unsafe impl Options for pdn_mode {
 /// @since 0.1
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn pdn_mode_init(mode: *mut pdn_mode, struct_size: usize) {
-    init_struct(mode, struct_size, "mode");
+    init(mode, struct_size, "mode");
 }
 
 /// Eigenvalue, frequency and damping of a mode.

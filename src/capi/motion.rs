@@ -5,10 +5,10 @@ use super::call::Call;
 use super::guard::guard;
 use super::periodic::read_motion;
 use super::status::pdn_status;
-use crate::collocation::{NodeInterpolation, NodeKinematics};
+use crate::collocation::NodeKinematics;
 use crate::error::{Error, ErrorKind, Result};
 use crate::fourier::{CardinalWeights, Differentiation, TimeGrid};
-use crate::motion::Motion;
+use crate::motion::{Motion, PeriodicMotion};
 
 fn read_motions(
     call: &Call,
@@ -85,7 +85,7 @@ pub unsafe extern "C" fn pdn_motion_interpolate(
             out(acceleration, 6, "acceleration")?,
         ];
 
-        let interpolation = NodeInterpolation::new(&motions);
+        let interpolation = PeriodicMotion::new(&motions);
         let mut weights = CardinalWeights::new(grid);
         let mut values: [Vec<f64>; 4] = Default::default();
         for &time in times {

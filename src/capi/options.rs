@@ -28,12 +28,11 @@
 //!     options: *mut pdn_solve_options,
 //!     struct_size: usize,
 //! ) {
-//!     options::init(options, struct_size);
+//!     init(options, struct_size, "options");
 //! }
 //! ```
 
-use super::call::check_pointer;
-use super::guard::guard;
+use super::pointer::check_pointer;
 use crate::error::{Error, ErrorKind, Result};
 
 /// A `#[repr(C)]` struct of options, see the module.
@@ -97,25 +96,23 @@ pub(super) fn read<T: Options>(options: *const T, name: &str) -> Result<T> {
     Ok(result)
 }
 
-/// Body of an initialiser: writes the defaults, as much as fits, and zero to fields unknown here.
-pub(super) fn init<T: Options>(options: *mut T, struct_size: usize) {
-    guard(|_| {
-        check_pointer(options, 1, "options")?;
-        if !(size_of::<usize>()..=LARGEST).contains(&struct_size) {
-            let expected = format!("between {} and {LARGEST}", size_of::<usize>());
-            return Err(Error::size("struct_size", expected, struct_size));
-        }
-        let defaults = T::defaults();
-        let known = struct_size.min(size_of::<T>());
-        let bytes = options.cast::<u8>();
-        // SAFETY: the caller vouches for `struct_size` writable bytes.
-        unsafe {
-            std::ptr::copy_nonoverlapping((&raw const defaults).cast(), bytes, known);
-            bytes.add(known).write_bytes(0, struct_size - known);
-            options.cast::<usize>().write(struct_size);
-        }
-        Ok(())
-    });
+/// Writes the defaults, as much as fits, and zero to fields unknown here.
+pub(super) fn write_defaults<T: Options>(options: *mut T, size: usize, name: &str) -> Result<()> {
+    check_pointer(options, 1, name)?;
+    if !(size_of::<usize>()..=LARGEST).contains(&size) {
+        let expected = format!("between {} and {LARGEST}", size_of::<usize>());
+        return Err(Error::size("struct_size", expected, size));
+    }
+    let defaults = T::defaults();
+    let known = size.min(size_of::<T>());
+    let bytes = options.cast::<u8>();
+    // SAFETY: the caller vouches for `size` writable bytes.
+    unsafe {
+        std::ptr::copy_nonoverlapping((&raw const defaults).cast(), bytes, known);
+        bytes.add(known).write_bytes(0, size - known);
+        options.cast::<usize>().write(size);
+    }
+    Ok(())
 }
 
 /// Where a struct of results goes: the caller told by its `struct_size` how much of it there is.

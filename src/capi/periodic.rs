@@ -1,10 +1,11 @@
 //! The periodic solve.
 
-use super::call::{Call, null};
-use super::guard::guard;
+use super::call::Call;
+use super::guard::{guard, init};
 use super::handle::Handle;
 use super::model::pdn_model;
-use super::options::{self, Options};
+use super::options::Options;
+use super::pointer::null;
 use super::solution::pdn_solution;
 use super::solution::unknown;
 use super::status::pdn_status;
@@ -218,7 +219,7 @@ pub unsafe extern "C" fn pdn_periodic_options_init(
     options: *mut pdn_periodic_options,
     struct_size: usize,
 ) {
-    options::init(options, struct_size);
+    init(options, struct_size, "options");
 }
 
 /// Finds the periodic response of a model directly, by Fourier spectral collocation.

@@ -1,8 +1,9 @@
 //! Cross-sections of beams, by value.
 
-use super::call::{Call, check_pointer, null};
-use super::guard::guard;
-use super::options::{self, Options};
+use super::call::Call;
+use super::guard::{guard, init};
+use super::options::Options;
+use super::pointer::null;
 use super::status::pdn_status;
 use crate::error::{Error, ErrorKind, Result};
 use crate::model::SectionInput;
@@ -127,14 +128,6 @@ pub(super) fn update_struct<T: Options>(
     Ok(())
 }
 
-/// Body of an initialiser whose argument has a name of its own.
-pub(super) fn init_struct<T: Options>(pointer: *mut T, struct_size: usize, name: &str) {
-    let checked = guard(|_| check_pointer(pointer, 1, name));
-    if checked == super::status::PDN_OK {
-        options::init(pointer, struct_size);
-    }
-}
-
 /// Makes a section with no stiffness, mass or damping. Use it as `PDN_INIT(pdn_section, &section)`.
 ///
 /// @param section  the section; not NULL
@@ -144,7 +137,7 @@ pub(super) fn init_struct<T: Options>(pointer: *mut T, struct_size: usize, name:
 /// @since 0.1
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn pdn_section_init(section: *mut pdn_section, struct_size: usize) {
-    init_struct(section, struct_size, "section");
+    init(section, struct_size, "section");
 }
 
 /// Describes a section without couplings: centroid, shear centre and centre of mass lie on the

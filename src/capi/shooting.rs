@@ -1,17 +1,17 @@
 //! Periodic motions by shooting.
 
 use super::call::Call;
-use super::guard::guard;
+use super::guard::{guard, init};
 use super::march::no_trajectory;
 use super::model::pdn_model;
-use super::options::{self, Options};
+use super::options::Options;
 use super::periodic::{PROGRESS_INTERVAL, pdn_progress_fn, watch};
 use super::solution::pdn_solution;
 use super::status::pdn_status;
 use crate::error::{Error, Result};
 use crate::model::Model;
 use crate::output::Solution;
-use crate::solve::{MarchStart, NewtonOptions, ShootingOptions};
+use crate::solve::{Kind, MarchStart, NewtonOptions, ShootingOptions};
 use libc::c_void;
 
 /// Options of ::pdn_solve_shooting. Set the defaults by `PDN_INIT(pdn_shooting_options, &options)`.
@@ -76,7 +76,7 @@ pub unsafe extern "C" fn pdn_shooting_options_init(
     options: *mut pdn_shooting_options,
     struct_size: usize,
 ) {
-    options::init(options, struct_size);
+    init(options, struct_size, "options");
 }
 
 /// Finds the periodic response of a model by shooting: Newton's method on the period map of
@@ -155,6 +155,15 @@ fn read_shooting_options(
     })
 }
 
+/// Floquet multipliers of a trajectory; a march has none.
+fn floquet(solution: &Solution) -> Result<&[[f64; 2]]> {
+    match &solution.details().kind {
+        Kind::Shooting { floquet, .. } => Ok(floquet),
+        Kind::March(_) => Ok(&[]),
+        Kind::Periodic(_) | Kind::Equilibrium { .. } | Kind::SmallMotion => Err(no_trajectory()),
+    }
+}
+
 /// Number of Floquet multipliers of a solution: as many as the system has states, if
 /// ::pdn_solve_shooting found them.
 ///
@@ -172,8 +181,7 @@ pub unsafe extern "C" fn pdn_solution_floquet_count(
     guard(|call| {
         let solution = call.shared(solution, "solution")?;
         let out = call.out(out, "out")?;
-        let record = solution.details().march.as_ref();
-        out.set(record.ok_or_else(no_trajectory)?.floquet.len());
+        out.set(floquet(&solution)?.len());
         Ok(())
     })
 }
@@ -202,8 +210,7 @@ pub unsafe extern "C" fn pdn_solution_floquet(
 ) -> pdn_status {
     guard(|call| {
         let solution = call.shared(solution, "solution")?;
-        let record = solution.details().march.as_ref();
-        let multipliers = &record.ok_or_else(no_trajectory)?.floquet;
+        let multipliers = floquet(&solution)?;
         if count != multipliers.len() {
             return Err(Error::size("count", multipliers.len(), count));
         }

@@ -1,10 +1,11 @@
 //! Signals, by value: scalar functions of time that drive loads and prescribed coordinates.
 
-use super::call::{Call, null};
+use super::call::Call;
 use super::callback::Callback;
-use super::guard::guard;
+use super::guard::{guard, init};
 use super::options::Options;
-use super::section::{init_struct, read_struct, read_structs, update_struct};
+use super::pointer::null;
+use super::section::{read_struct, read_structs, update_struct};
 use super::status::pdn_status;
 use crate::error::{Error, Result};
 use crate::model::Signal;
@@ -175,7 +176,7 @@ impl pdn_signal {
 /// @since 0.1
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn pdn_signal_init(signal: *mut pdn_signal, struct_size: usize) {
-    init_struct(signal, struct_size, "signal");
+    init(signal, struct_size, "signal");
 }
 
 /// Makes a signal constant.

@@ -1,8 +1,7 @@
 //! Solutions: how they came out, and their quantities at any time.
 
 use super::call::Call;
-use super::guard::{guard, guard_or};
-use super::handle;
+use super::guard::{free, guard, guard_or, init};
 use super::joint::coordinate;
 use super::last_error::copy_message;
 use super::load::{PDN_FRAME_MATERIAL, PDN_FRAME_SPACE};
@@ -10,7 +9,6 @@ use super::options::Options;
 use super::periodic::{
     PDN_LINEAR_BODY_CIRCULANT, PDN_LINEAR_CIRCULANT, PDN_LINEAR_DIRECT, PDN_LINEAR_TIME_LOCAL,
 };
-use super::section::init_struct;
 use super::status::pdn_status;
 use crate::collocation::DecayKind;
 use crate::error::{Error, ErrorKind, Result};
@@ -109,7 +107,7 @@ pub const PDN_BEAM_FORCE_JUMP: i32 = 3;
 /// @since 0.1
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn pdn_solution_free(solution: *mut pdn_solution) {
-    handle::free(solution);
+    free(solution);
 }
 
 fn linear_solver_code(record: Option<&IterativeRecord>) -> i32 {
@@ -320,7 +318,7 @@ pub unsafe extern "C" fn pdn_diagnostics_init(
     diagnostics: *mut pdn_diagnostics,
     struct_size: usize,
 ) {
-    init_struct(diagnostics, struct_size, "diagnostics");
+    init(diagnostics, struct_size, "diagnostics");
 }
 
 /// Figures of a solve: iterations, error estimates, residuals between grid points, time spent.
@@ -344,10 +342,9 @@ pub unsafe extern "C" fn pdn_solution_diagnostics(
         let iterations = &details.report.iterations;
         let count = |n: usize| i32::try_from(n).unwrap_or(i32::MAX);
         let between = solution.diagnostics().between;
-        let products = details
-            .iterative
-            .as_ref()
-            .map_or(&[][..], |record| &record.products);
+        let periodic = details.periodic();
+        let iterative = periodic.and_then(|record| record.iterative.as_ref());
+        let products = iterative.map_or(&[][..], |record| &record.products);
         out.set(pdn_diagnostics {
             outcome: outcome_code(solution.outcome()),
             iterations: count(iterations.len()),
@@ -369,7 +366,7 @@ pub unsafe extern "C" fn pdn_solution_diagnostics(
             estimate_seconds: timings.estimates.as_secs_f64(),
             total_seconds: details.total_time.as_secs_f64(),
             total_iterations: count(details.total_iterations),
-            attempts: count(details.attempts.len()),
+            attempts: count(periodic.map_or(0, |record| record.attempts.len())),
             substitution_seconds: timings.substitution.as_secs_f64(),
             decay: match solution.diagnostics().decay {
                 DecayKind::Unknown => PDN_DECAY_UNKNOWN,
@@ -377,12 +374,12 @@ pub unsafe extern "C" fn pdn_solution_diagnostics(
                 DecayKind::Slow => PDN_DECAY_SLOW,
                 DecayKind::Rounding => PDN_DECAY_ROUNDING,
             },
-            grids: count(details.grids.len()),
-            linear_solver: linear_solver_code(details.iterative.as_ref()),
+            grids: count(periodic.map_or(0, |record| record.grids.len())),
+            linear_solver: linear_solver_code(iterative),
             linear_iterations: count(products.iter().sum()),
             linear_solves: count(products.len()),
             most_linear_iterations: count(products.iter().copied().max().unwrap_or(0)),
-            linear_bytes: details.iterative.as_ref().map_or(0, |record| record.bytes),
+            linear_bytes: iterative.map_or(0, |record| record.bytes),
             decay_order: solution.diagnostics().decay_order,
             least_resolved_time: solution.diagnostics().least_resolved_time,
             ..pdn_diagnostics::defaults()

@@ -1,9 +1,9 @@
 //! Static equilibrium and steady rotation.
 
 use super::call::Call;
-use super::guard::guard;
+use super::guard::{guard, init};
 use super::model::pdn_model;
-use super::options::{self, Options};
+use super::options::Options;
 use super::periodic::{PROGRESS_INTERVAL, pdn_progress_fn, watch};
 use super::solution::pdn_solution;
 use super::status::pdn_status;
@@ -84,7 +84,7 @@ pub unsafe extern "C" fn pdn_static_options_init(
     options: *mut pdn_static_options,
     struct_size: usize,
 ) {
-    options::init(options, struct_size);
+    init(options, struct_size, "options");
 }
 
 /// Finds an equilibrium at one time: of forces at rest, or in steady rotation.

@@ -1,10 +1,9 @@
 //! What a model consists of, how it can move, and what looks like a mistake.
 
-use super::guard::{guard, guard_or};
+use super::guard::{guard, guard_or, init};
 use super::last_error::copy_message;
 use super::model::pdn_model;
 use super::options::Options;
-use super::section::init_struct;
 use super::status::pdn_status;
 use crate::system::Summary;
 use libc::c_char;
@@ -81,7 +80,7 @@ unsafe impl Options for pdn_summary {
 /// @since 0.1
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn pdn_summary_init(summary: *mut pdn_summary, struct_size: usize) {
-    init_struct(summary, struct_size, "summary");
+    init(summary, struct_size, "summary");
 }
 
 /// Counts, mass, degrees of freedom and mobility of a model in its reference configuration.

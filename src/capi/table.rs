@@ -2,8 +2,8 @@
 
 use super::call::Call;
 use super::force_solution::force_quantity;
-use super::guard::guard;
-use super::handle::{self, Exclusive, Handle};
+use super::guard::{free, guard};
+use super::handle::{Exclusive, Handle};
 use super::solution::{beam_quantity, index, joint_quantity, node_quantity, pdn_solution};
 use super::status::pdn_status;
 use crate::error::Result;
@@ -54,7 +54,7 @@ pub unsafe extern "C" fn pdn_table_new(
 /// @since 0.1
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn pdn_table_free(table: *mut pdn_table) {
-    handle::free(table);
+    free(table);
 }
 
 /// Adds the columns of a quantity of a solution.

@@ -2,8 +2,8 @@
 
 use super::call::Call;
 use super::callback::{Callback, pdn_last_callback_code, pdn_set_callback_error};
-use super::guard::{guard, pdn_set_panic_printing};
-use super::handle::{self, Handle};
+use super::guard::{free, guard, init, pdn_set_panic_printing};
+use super::handle::Handle;
 use super::last_error::pdn_last_error;
 use super::options::{self, Options};
 use super::status::*;
@@ -66,8 +66,8 @@ fn a_handle_lives_from_new_to_free() {
     assert_eq!(push(toy, 2.0), PDN_OK);
     assert_eq!(length(toy, &raw mut n), PDN_OK);
     assert_eq!(n, 1);
-    handle::free(toy);
-    handle::free::<toy>(null_mut());
+    free(toy);
+    free::<toy>(null_mut());
 }
 
 #[test]
@@ -85,7 +85,7 @@ fn failures_name_the_argument_and_write_nothing() {
     assert_eq!(length(toy, &raw mut n), PDN_OK);
     assert_eq!(n, 0);
     assert_eq!(last_error(), "x: expected a finite number, got NaN");
-    handle::free(toy);
+    free(toy);
 }
 
 #[test]
@@ -99,7 +99,7 @@ fn a_child_keeps_the_parent_as_it_was() {
     });
     push(toy, 2.0);
     assert_eq!(*child, [1.0]);
-    handle::free(toy);
+    free(toy);
     assert_eq!(*child, [1.0]);
 }
 
@@ -119,8 +119,8 @@ fn a_panic_becomes_a_status_and_poisons_what_it_changed() {
     assert_eq!(push(changed, 1.0), PDN_ERR_POISONED);
     assert_eq!(length(changed, &raw mut n), PDN_ERR_POISONED);
     assert_eq!(length(read, &raw mut n), PDN_OK);
-    handle::free(changed);
-    handle::free(read);
+    free(changed);
+    free(read);
     pdn_set_panic_printing(1);
 }
 
@@ -135,7 +135,7 @@ fn a_handle_being_changed_is_refused_to_others() {
     });
     assert_eq!(status, PDN_OK);
     assert_eq!(push(toy, 1.0), PDN_OK);
-    handle::free(toy);
+    free(toy);
 }
 
 #[test]
@@ -237,7 +237,7 @@ unsafe impl Options for toy_options {
 /// The memory of an options struct of `size` bytes, initialised, followed by a canary.
 fn initialised(size: usize) -> [u64; 8] {
     let mut memory = [u64::MAX; 8];
-    options::init(memory.as_mut_ptr().cast::<toy_options>(), size);
+    init(memory.as_mut_ptr().cast::<toy_options>(), size, "options");
     memory
 }
 
@@ -279,7 +279,7 @@ fn options_that_were_not_initialised_are_refused() {
         toy_options::defaults()
     );
     // Nothing sensible can be written here, and nothing is.
-    options::init::<toy_options>(null_mut(), 24);
+    init::<toy_options>(null_mut(), 24, "options");
     assert_eq!(initialised(7), [u64::MAX; 8]);
     assert_eq!(initialised(5000), [u64::MAX; 8]);
 }

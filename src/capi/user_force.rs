@@ -1,13 +1,14 @@
 //! Forces that functions of the caller compute, and the check of their tangents.
 
-use super::call::{Call, check_pointer};
+use super::call::Call;
 use super::callback::Callback;
 use super::force::add_force;
-use super::guard::guard;
+use super::guard::{guard, init};
+use super::joint::joint_coordinate;
 use super::load::load_frame;
-use super::model::{index, joint_coordinate, node, pdn_model};
+use super::model::{index, node, pdn_model};
 use super::options::Options;
-use super::section::init_struct;
+use super::pointer::check_pointer;
 use super::status::pdn_status;
 use crate::elements::{
     CoordinateLaw, Effort, NodeForceInput, NodeForceLaw, NodeForceOutput, Tangent,
@@ -397,7 +398,7 @@ unsafe impl Options for pdn_tangent_check {
 /// @since 0.1
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn pdn_tangent_check_init(check: *mut pdn_tangent_check, struct_size: usize) {
-    init_struct(check, struct_size, "check");
+    init(check, struct_size, "check");
 }
 
 /// Compares the tangents that a user's function gives with differences of its forces.

@@ -10,75 +10,11 @@ use super::resampled::ResampledNodes;
 use super::state::GridState;
 use crate::elements::{Measure, NodeState, Unknown};
 use crate::error::Result;
-use crate::fourier::{CardinalWeights, Resampling, SpectralFilter, TimeGrid};
-use crate::motion::{DualMatrix, DualPolar, Motion};
+use crate::fourier::{Analysis, TimeGrid};
 use crate::system::{Conditions, OwnValues, System, Workspace};
 use crate::workers::Workers;
-use nalgebra::{Vector3, Vector6};
-use realfft::RealFftPlanner;
+use nalgebra::Vector6;
 use serde::{Deserialize, Serialize};
-
-/// A node's motions over the grid, ready to be interpolated (docs/theory.md, section 3).
-#[derive(Debug, Clone)]
-pub struct NodeInterpolation {
-    /// `M_k`, with the mean position taken out.
-    motions: Vec<DualMatrix>,
-    mean: Vector3<f64>,
-}
-
-impl NodeInterpolation {
-    /// Interpolation of `motions` at the grid points.
-    pub fn new(motions: &[Motion]) -> Self {
-        let mean = motions.iter().map(|m| m.position).sum::<Vector3<f64>>() / motions.len() as f64;
-        NodeInterpolation {
-            motions: motions
-                .iter()
-                .map(|m| Motion::new(m.rotation, m.position - mean).to_dual())
-                .collect(),
-            mean,
-        }
-    }
-
-    /// The same with harmonics weakened by a filter; motions remain motions of rigid bodies.
-    pub fn filtered(motions: &[Motion], grid: TimeGrid, filter: &SpectralFilter) -> Self {
-        let mut interpolation = Self::new(motions);
-        let mut resampling = Resampling::new(grid, 0.0, grid.points());
-        let mut samples = vec![0.0; grid.points()];
-        for entry in 0..9 {
-            for part in [DualMatrix::primal_mut, DualMatrix::dual_mut] {
-                let motions = &mut interpolation.motions;
-                resampling.read(motions.iter_mut().map(|m| part(m)[entry]));
-                resampling.filter(filter);
-                resampling.write(0, 0, &mut samples);
-                for (m, sample) in motions.iter_mut().zip(&samples) {
-                    part(m)[entry] = *sample;
-                }
-            }
-        }
-        interpolation
-    }
-
-    /// Motion, velocity and acceleration at the time of `weights`; `None` if the grid is too
-    /// coarse.
-    pub fn at(&self, weights: &CardinalWeights) -> Option<NodeState> {
-        let mut sums = [DualMatrix::zeros(); 3];
-        for (k, m) in self.motions.iter().enumerate() {
-            sums[0] += *m * weights.value[k];
-            sums[1] += *m * weights.first[k];
-            sums[2] += *m * weights.second[k];
-        }
-        let polar = DualPolar::new(&sums[0])?;
-        let velocity = polar.velocity(&sums[1]);
-        let acceleration = polar.acceleration(&velocity, &sums[1], &sums[2]);
-        let mut motion = polar.motion();
-        motion.position += self.mean;
-        Some(NodeState {
-            motion,
-            twist: velocity.to_twist(),
-            twist_rate: acceleration.to_twist(),
-        })
-    }
-}
 
 /// Where between two grid points the equations are looked at: the golden section of the interval.
 pub(super) const PART: f64 = 0.381_966_011_250_105_1;
@@ -332,21 +268,12 @@ impl Defect {
     /// part of all intervals, but for a factor that all rows share.
     pub fn high_harmonics(&self, equations: &Collocation) -> Vec<f64> {
         let points = self.rows.len() / self.count;
-        let transform = RealFftPlanner::new().plan_fft_forward(points);
-        let mut scratch = transform.make_scratch_vec();
-        let mut samples = transform.make_input_vec();
-        let mut spectrum = transform.make_output_vec();
+        let mut analysis = Analysis::new(points);
         let mut largest = vec![0.0f64; points / 2];
         for (row, places) in places(equations.system(), 3) {
-            let values = self.rows[row..].iter().step_by(self.count);
-            samples
-                .iter_mut()
-                .zip(values)
-                .for_each(|(x, value)| *x = *value);
-            // The lengths are those that the transform asked for, so it cannot fail.
-            let _ = transform.process_with_scratch(&mut samples, &mut spectrum, &mut scratch);
+            analysis.read(self.rows[row..].iter().step_by(self.count).copied());
             let scale = 2.0 * equations.row_scale()[places(0)] / (points as f64 * Self::SHOWN);
-            for (largest, c) in largest.iter_mut().zip(spectrum[1..].iter().rev()) {
+            for (largest, c) in largest.iter_mut().zip(analysis.spectrum[1..].iter().rev()) {
                 *largest = largest.max(scale * c.norm());
             }
         }

@@ -19,7 +19,7 @@ mod state;
 mod stretching;
 mod tangent;
 
-pub use between::{Defect, NodeInterpolation, ResidualBetween};
+pub use between::{Defect, ResidualBetween};
 pub use decay::{Decay, DecayKind};
 pub use motion_tangent::MotionTangent;
 pub use pattern::{Panel, Pattern};

@@ -4,10 +4,9 @@ use super::state::GridState;
 use crate::elements::NodeState;
 use crate::error::{Error, ErrorKind, Result};
 use crate::fourier::{Resampling, TimeGrid};
-use crate::motion::{DualMatrix, DualPolar, Motion};
+use crate::motion::{DualMatrix, Motion, PeriodicMotion};
 use crate::system::System;
 use crate::workers::Workers;
-use nalgebra::Vector3;
 
 /// Motions, velocities and accelerations of all nodes, interpolated over the period
 /// (docs/theory.md, section 3) at equispaced times.
@@ -32,8 +31,7 @@ struct NodeResampling {
     column: Vec<f64>,
     /// Of the motions and their first and second derivatives, at each time.
     sums: Vec<[DualMatrix; 3]>,
-    /// The motions at the grid points.
-    duals: Vec<DualMatrix>,
+    motion: PeriodicMotion,
 }
 
 impl NodeResampling {
@@ -44,46 +42,21 @@ impl NodeResampling {
             start,
             column: vec![0.0; points],
             sums: vec![[DualMatrix::zeros(); 3]; points],
-            duals: vec![DualMatrix::zeros(); grid.points()],
+            motion: PeriodicMotion::default(),
         }
     }
 
     /// Writes the states of one node.
     fn resample(&mut self, state: &GridState, node: usize, out: &mut [NodeState]) -> Result<()> {
         let points = out.len();
-        let motions = state.node(node);
-        let total = motions.iter().map(|m| m.position).sum::<Vector3<f64>>();
-        let mean = total / self.grid.points() as f64;
-        for (dual, m) in self.duals.iter_mut().zip(motions) {
-            *dual = Motion::new(m.rotation, m.position - mean).to_dual();
-        }
-        for entry in 0..9 {
-            for part in [DualMatrix::primal_mut, DualMatrix::dual_mut] {
-                let values = self.duals.iter_mut().map(|m| part(m)[entry]);
-                self.resampling.read(values);
-                for order in 0..3 {
-                    self.resampling.write(order as u32, 0, &mut self.column);
-                    for (sum, value) in self.sums.iter_mut().zip(&self.column) {
-                        part(&mut sum[order])[entry] = *value;
-                    }
-                }
-            }
-        }
-        let sums = self.sums.iter().enumerate();
-        for (out, (k, [value, first, second])) in out.iter_mut().zip(sums) {
-            let polar = DualPolar::new(value).ok_or_else(|| {
+        self.motion.set(state.node(node));
+        self.motion
+            .resample(&mut self.resampling, &mut self.column, &mut self.sums);
+        for (k, (out, sums)) in out.iter_mut().zip(&self.sums).enumerate() {
+            *out = self.motion.state(sums).ok_or_else(|| {
                 let time = self.grid.period() * (self.start + k as f64 / points as f64);
                 too_coarse(node, time, self.grid.points())
             })?;
-            let velocity = polar.velocity(first);
-            let acceleration = polar.acceleration(&velocity, first, second);
-            let mut motion = polar.motion();
-            motion.position += mean;
-            *out = NodeState {
-                motion,
-                twist: velocity.to_twist(),
-                twist_rate: acceleration.to_twist(),
-            };
         }
         Ok(())
     }

@@ -1,12 +1,10 @@
 //! Springs, dampers, actuators and laws of the user on a joint coordinate.
 //! See docs/theory.md, section 6.10.
 
-use super::absent;
 use super::joint::{FramePair, Joint, RelativeState};
 use super::relative::{Coordinate, JointKind, ScalarFunction};
 use super::{Contribution, Element, Instant, Unknown};
 use crate::error::{Error, ErrorKind, Result};
-use serde::{Deserialize, Serialize};
 use std::fmt;
 use std::sync::Arc;
 
@@ -121,13 +119,9 @@ pub struct CoordinateState {
 pub type CoordinateFunction = Arc<dyn Fn(&CoordinateState) -> Result<Effort> + Send + Sync>;
 
 /// A user's law, and how its derivatives are had.
-#[derive(Clone, Serialize, Deserialize)]
+#[derive(Clone)]
 pub struct CoordinateLaw {
     /// The function.
-    #[serde(
-        serialize_with = "absent::serialize",
-        deserialize_with = "absent::coordinate_function"
-    )]
     pub function: CoordinateFunction,
     /// Whether it gives derivatives; otherwise they are differenced.
     pub gives_derivatives: bool,

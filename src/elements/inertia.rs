@@ -2,17 +2,15 @@
 //! (docs/theory.md, section 6.1).
 
 use super::{Contribution, Element, Instant};
-use crate::error::{Error, Result, require_finite};
+use crate::error::Result;
 use crate::motion::{Motion, product, skew, transposed_product};
 use nalgebra::{DMatrix, DVector, Matrix3, Matrix6, Matrix6x3, Vector3, Vector6};
-use serde::{Deserialize, Serialize};
 
 /// Inertial forces `M V̇ − Ṽᵀ M V` with `M` constant, and the weight.
 ///
 /// Each node bears its share of the mass, carried with its own frame. So the weight has a potential
 /// and its sum is exact, however much a beam bends.
-#[derive(Debug, Clone, Serialize, Deserialize)]
-#[serde(try_from = "InertiaRecord", into = "InertiaRecord")]
+#[derive(Debug, Clone)]
 pub struct Inertia {
     nodes: Vec<usize>,
     mass: DMatrix<f64>,
@@ -36,50 +34,6 @@ pub fn rigid_body_inertia(
     m.fixed_view_mut::<3, 3>(3, 3)
         .copy_from(&(inertia - mass * c * c));
     m
-}
-
-/// The fields of an inertia.
-#[derive(Serialize, Deserialize)]
-struct InertiaRecord {
-    nodes: Vec<usize>,
-    mass: Vec<f64>,
-    shares: Vec<Matrix6x3<f64>>,
-}
-
-impl From<Inertia> for InertiaRecord {
-    fn from(inertia: Inertia) -> Self {
-        InertiaRecord {
-            nodes: inertia.nodes,
-            mass: inertia.mass.as_slice().to_vec(),
-            shares: inertia.shares,
-        }
-    }
-}
-
-impl TryFrom<InertiaRecord> for Inertia {
-    type Error = Error;
-
-    fn try_from(record: InertiaRecord) -> Result<Self> {
-        let InertiaRecord {
-            nodes,
-            mass,
-            shares,
-        } = record;
-        let size = nodes.len().saturating_mul(6);
-        if mass.len() != size.saturating_mul(size) || shares.len() != nodes.len() {
-            let expected = format!("a matrix for {} nodes", nodes.len());
-            return Err(Error::size("inertia", expected, mass.len()));
-        }
-        require_finite("inertia", &mass)?;
-        for share in &shares {
-            require_finite("inertia", share.as_slice())?;
-        }
-        Ok(Inertia {
-            nodes,
-            mass: DMatrix::from_vec(size, size, mass),
-            shares,
-        })
-    }
 }
 
 impl Inertia {

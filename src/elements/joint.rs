@@ -188,36 +188,10 @@ impl RelativeState {
 }
 
 /// A joint: its kind and two frames.
-#[derive(Debug, Clone, Serialize, Deserialize)]
-#[serde(from = "JointRecord", into = "JointRecord")]
+#[derive(Debug, Clone)]
 pub struct Joint {
     pub(super) pair: FramePair,
     kind: JointKind,
-}
-
-/// What a joint is made from.
-#[derive(Serialize, Deserialize)]
-struct JointRecord {
-    kind: JointKind,
-    first: Attachment,
-    second: Attachment,
-}
-
-impl From<Joint> for JointRecord {
-    fn from(joint: Joint) -> Self {
-        let (first, second) = joint.attachments();
-        JointRecord {
-            kind: joint.kind,
-            first,
-            second,
-        }
-    }
-}
-
-impl From<JointRecord> for Joint {
-    fn from(record: JointRecord) -> Self {
-        Joint::new(record.kind, record.first, record.second)
-    }
 }
 
 impl Joint {

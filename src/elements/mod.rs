@@ -4,9 +4,7 @@
 //! an entry in the test that every element passes (`tangent_test`).
 //! See docs/theory.md, section 5.1.
 
-mod absent;
 mod beam;
-mod beam_law;
 mod coordinate_force;
 mod damper;
 mod distributed_load;
@@ -22,7 +20,6 @@ mod tangent_test;
 mod user_force;
 mod viscoelastic;
 
-pub(crate) use absent::{call_absent, serialize as serialize_absent, with_zero_for_absent};
 pub use beam::Beam;
 pub use coordinate_force::{
     ActedCoordinate, CoordinateForce, CoordinateFunction, CoordinateLaw, CoordinateState, Effort,
@@ -45,31 +42,10 @@ pub use user_force::{
 pub use viscoelastic::{MaxwellBranch, Viscoelastic};
 
 use crate::error::Result;
-use crate::motion::{DualMatrix, Motion};
+pub use crate::motion::NodeState;
+
+use crate::motion::DualMatrix;
 use nalgebra::{DMatrix, DVector, Matrix6, Vector3, Vector6};
-use serde::{Deserialize, Serialize};
-
-/// State of one node at one instant.
-#[derive(Debug, Clone, Copy, Serialize, Deserialize)]
-pub struct NodeState {
-    /// Motion from the inertial frame.
-    pub motion: Motion,
-    /// Material velocity `[linear; angular]`.
-    pub twist: Vector6<f64>,
-    /// Time derivative of the material velocity.
-    pub twist_rate: Vector6<f64>,
-}
-
-impl NodeState {
-    /// A node at rest.
-    pub fn at_rest(motion: Motion) -> Self {
-        NodeState {
-            motion,
-            twist: Vector6::zeros(),
-            twist_rate: Vector6::zeros(),
-        }
-    }
-}
 
 /// What an element sees of the system at one instant.
 #[derive(Debug, Clone, Copy)]

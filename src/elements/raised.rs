@@ -27,32 +27,24 @@ pub struct Raised {
 }
 
 impl Beam {
-    /// Number of nodes of the finer element.
-    pub(crate) fn raised_size(&self) -> usize {
-        self.nodes().len() + MORE
-    }
-
-    /// An element of a higher degree over `nodes`, which has the same reference shape and sections,
-    /// and how they hang together.
+    /// How an element of a higher degree, with the same reference shape and sections, and this one
+    /// hang together.
     ///
     /// # Errors
     /// If its shape is too distorted.
-    pub(crate) fn raised(&self, nodes: Vec<usize>) -> Result<(Beam, Raised)> {
+    pub(crate) fn raised(&self) -> Result<Raised> {
         let count = self.nodes().len();
-        let (coarse, fine) = (lobatto_points(count), lobatto_points(nodes.len()));
+        let (coarse, fine) = (lobatto_points(count), lobatto_points(count + MORE));
         let stations = fine.iter().map(|&xi| self.station(xi, 0.0));
         let bubbles = fine.iter().map(|&xi| {
             let first: f64 = coarse.iter().map(|x| xi - x).product();
             std::array::from_fn(|power| first * xi.powi(power as i32))
         });
-        let raised = Raised {
+        Ok(Raised {
             stations: stations.collect::<Result<_>>()?,
             bubbles: bubbles.collect(),
             nodes: count,
-        };
-        let reference = raised.motions(self.reference())?;
-        let beam = Beam::new(nodes, reference, self.sections().clone())?;
-        Ok((beam, raised))
+        })
     }
 }
 

@@ -48,10 +48,11 @@ impl Section {
 /// The cross-section along an element: given at places in `[−1, 1]`, linear between neighbours, and
 /// constant beyond the first and the last. So is its twist.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-#[serde(try_from = "Vec<(f64, Section)>", into = "Vec<(f64, Section)>")]
 pub struct SectionLine {
+    #[serde(rename = "sections")]
     places: Vec<(f64, Section)>,
     /// Angle about axis 1 at each place, as part of the reference motions; none at all if empty.
+    #[serde(default)]
     twists: Vec<f64>,
 }
 
@@ -61,34 +62,6 @@ impl From<Section> for SectionLine {
             places: vec![(0.0, section)],
             twists: Vec::new(),
         }
-    }
-}
-
-impl From<SectionLine> for Vec<(f64, Section)> {
-    fn from(line: SectionLine) -> Self {
-        line.places
-    }
-}
-
-impl TryFrom<Vec<(f64, Section)>> for SectionLine {
-    type Error = Error;
-
-    /// From what a file says, which may be anything.
-    fn try_from(places: Vec<(f64, Section)>) -> Result<Self> {
-        if places.is_empty() || !places.is_sorted_by(|a, b| a.0 <= b.0) {
-            let message = "sections: not at one or more ascending places";
-            return Err(Error::new(ErrorKind::Value, message));
-        }
-        for (place, section) in &places {
-            require_finite("section", &[*place])?;
-            require_finite("section stiffness", section.stiffness.as_slice())?;
-            require_finite("section mass", section.mass.as_slice())?;
-            require_finite("section damping", section.damping.as_slice())?;
-        }
-        Ok(SectionLine {
-            places,
-            twists: Vec::new(),
-        })
     }
 }
 
@@ -113,22 +86,32 @@ impl SectionLine {
     }
 
     /// The same with these twists, one for each place, that are part of the reference motions of
-    /// the nodes; or with none.
-    ///
-    /// # Errors
-    /// If they are not finite, or of another number.
-    pub fn twisted(self, twists: Vec<f64>) -> Result<Self> {
-        require_finite("twists", &twists)?;
-        if !twists.is_empty() && twists.len() != self.places.len() {
-            let expected = format!("none, or {}", self.places.len());
-            return Err(Error::size("twists", expected, twists.len()));
-        }
-        Ok(SectionLine { twists, ..self })
+    /// the nodes.
+    pub fn twisted(self, twists: Vec<f64>) -> Self {
+        SectionLine { twists, ..self }
     }
 
-    /// Twists at the places; none at all if empty.
-    pub(super) fn twists(&self) -> &[f64] {
-        &self.twists
+    /// Checks what a file says, which may be anything.
+    ///
+    /// # Errors
+    /// If places are not in order, twists are of another number, or anything is not finite.
+    pub fn validate(&self) -> Result<()> {
+        if self.places.is_empty() || !self.places.is_sorted_by(|a, b| a.0 <= b.0) {
+            let message = "sections: not at one or more ascending places";
+            return Err(Error::new(ErrorKind::Value, message));
+        }
+        for (place, section) in &self.places {
+            require_finite("section", &[*place])?;
+            require_finite("section stiffness", section.stiffness.as_slice())?;
+            require_finite("section mass", section.mass.as_slice())?;
+            require_finite("section damping", section.damping.as_slice())?;
+        }
+        require_finite("twists", &self.twists)?;
+        if !self.twists.is_empty() && self.twists.len() != self.places.len() {
+            let expected = format!("none, or {}", self.places.len());
+            return Err(Error::size("twists", expected, self.twists.len()));
+        }
+        Ok(())
     }
 
     /// Whether there is any twist.

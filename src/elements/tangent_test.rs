@@ -1,7 +1,7 @@
 //! The one test that every element passes: its tangents are the derivatives of its forces.
 
 use super::*;
-use crate::motion::{rotation_from_vector, skew};
+use crate::motion::{Motion, rotation_from_vector, skew};
 use nalgebra::{Matrix3, Vector3};
 
 /// Reproducible numbers in `[−1, 1]`.

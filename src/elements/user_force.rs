@@ -1,14 +1,12 @@
 //! Forces on nodes that a function of the user computes.
 //! See docs/theory.md, section 6.12.
 
-use super::absent;
 use super::coordinate_force::difference_step;
 use super::load::LoadFrame;
 use super::{Contribution, Element, Instant, NodeState};
 use crate::error::{Error, ErrorKind, Result};
 use crate::motion::{Motion, rotation_from_vector, skew};
 use nalgebra::{DMatrix, Matrix3, Matrix6, Vector3, Vector6};
-use serde::{Deserialize, Serialize};
 use std::fmt;
 use std::sync::Arc;
 
@@ -43,13 +41,9 @@ pub type NodeForceFunction =
     Arc<dyn Fn(&NodeForceInput, &mut NodeForceOutput) -> Result<()> + Send + Sync>;
 
 /// A user's forces on nodes, as the model keeps them.
-#[derive(Clone, Serialize, Deserialize)]
+#[derive(Clone)]
 pub struct NodeForceLaw {
     /// The function.
-    #[serde(
-        serialize_with = "absent::serialize",
-        deserialize_with = "absent::node_force_function"
-    )]
     pub function: NodeForceFunction,
     /// Whether it gives tangents; otherwise they are differenced.
     pub gives_tangents: bool,

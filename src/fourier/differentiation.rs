@@ -2,12 +2,10 @@
 //! section 2.2).
 
 use super::grid::TimeGrid;
+use super::transform::{Analysis, Complex, Synthesis};
 use faer::linalg::matmul::matmul;
 use faer::{Accum, Mat, MatMut, MatRef, Par};
-use realfft::num_complex::Complex;
-use realfft::{ComplexToReal, RealFftPlanner, RealToComplex};
 use std::f64::consts::PI;
-use std::fmt;
 use std::sync::Arc;
 
 /// Above this many grid points the FFT is used: where it was measured to overtake the dense
@@ -17,7 +15,7 @@ const DENSE_LIMIT: usize = 8;
 const DENSE_LIMIT_OF_MANY: usize = 96;
 
 /// First and second derivatives in time of grid functions.
-#[derive(Clone)]
+#[derive(Debug, Clone)]
 pub struct Differentiation {
     grid: TimeGrid,
     /// First column of `D`: `D_ℓk = first[(ℓ − k) mod N]`.
@@ -26,22 +24,10 @@ pub struct Differentiation {
     second: Vec<f64>,
     /// `[Dᵀ Tᵀ]`, if there are few grid points.
     transposed: Option<Arc<Mat<f64>>>,
-    forward: Arc<dyn RealToComplex<f64>>,
-    backward: Arc<dyn ComplexToReal<f64>>,
-    spectrum: Vec<Complex<f64>>,
-    product: Vec<Complex<f64>>,
-    samples: Vec<f64>,
     /// A grid function and its derivatives.
     series: [Vec<f64>; 3],
-    scratch: Vec<Complex<f64>>,
-}
-
-impl fmt::Debug for Differentiation {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.debug_struct("Differentiation")
-            .field("grid", &self.grid)
-            .finish_non_exhaustive()
-    }
+    analysis: Analysis,
+    synthesis: Synthesis,
 }
 
 impl Differentiation {
@@ -58,11 +44,6 @@ impl Differentiation {
             first[m] = omega * sign / (2.0 * sin);
             second[m] = -omega * omega * sign * cos / (2.0 * sin * sin);
         }
-        let mut planner = RealFftPlanner::new();
-        let forward = planner.plan_fft_forward(n);
-        let backward = planner.plan_fft_inverse(n);
-        let spectrum = forward.make_output_vec();
-        let scratch_length = forward.get_scratch_len().max(backward.get_scratch_len());
         let transposed = (n <= DENSE_LIMIT_OF_MANY).then(|| {
             let entry = |column: usize, row: usize| match row < n {
                 true => first[(row + n - column) % n],
@@ -73,15 +54,11 @@ impl Differentiation {
         Differentiation {
             grid,
             transposed,
+            series: Default::default(),
             first,
             second,
-            product: spectrum.clone(),
-            spectrum,
-            samples: vec![0.0; n],
-            series: Default::default(),
-            scratch: vec![Complex::default(); scratch_length],
-            forward,
-            backward,
+            analysis: Analysis::new(n),
+            synthesis: Synthesis::new(n),
         }
     }
 
@@ -174,26 +151,24 @@ impl Differentiation {
     }
 
     fn apply_fft(&mut self, x: &[f64], d_x: &mut [f64], t_x: &mut [f64]) {
-        self.samples.copy_from_slice(x);
-        // The lengths are this object's own, so the transforms cannot fail.
-        let _ = self.forward.process_with_scratch(
-            &mut self.samples,
-            &mut self.spectrum,
-            &mut self.scratch,
-        );
+        self.analysis.read(x.iter().copied());
         let omega = self.grid.frequency();
         let scale = 1.0 / x.len() as f64;
         for (order, out) in [(1, d_x), (2, t_x)] {
-            for (j, (target, source)) in self.product.iter_mut().zip(&self.spectrum).enumerate() {
+            for (j, (target, source)) in self
+                .synthesis
+                .spectrum
+                .iter_mut()
+                .zip(&self.analysis.spectrum)
+                .enumerate()
+            {
                 let rate = j as f64 * omega;
                 *target = match order {
                     1 => Complex::new(-source.im, source.re) * (rate * scale),
                     _ => -source * (rate * rate * scale),
                 };
             }
-            let _ = self
-                .backward
-                .process_with_scratch(&mut self.product, out, &mut self.scratch);
+            self.synthesis.write(out);
         }
     }
 }

@@ -7,6 +7,7 @@ mod filter;
 mod grid;
 mod resampling;
 mod series;
+mod transform;
 
 pub use cardinal::CardinalWeights;
 pub use differentiation::Differentiation;
@@ -14,3 +15,4 @@ pub use filter::{FilterKind, SpectralFilter};
 pub use grid::TimeGrid;
 pub use resampling::Resampling;
 pub use series::PeriodicSeries;
+pub use transform::{Analysis, Complex, Synthesis};

@@ -3,84 +3,54 @@
 
 use super::filter::SpectralFilter;
 use super::grid::TimeGrid;
-use realfft::num_complex::Complex;
-use realfft::{ComplexToReal, RealFftPlanner, RealToComplex};
+use super::transform::{Analysis, Complex, Synthesis};
 use std::f64::consts::TAU;
-use std::fmt;
-use std::sync::Arc;
 
 /// The trigonometric polynomial through values on a grid, and its derivatives, at the points of
 /// another grid, which may begin later.
-#[derive(Clone)]
+#[derive(Debug, Clone)]
 pub struct Resampling {
     grid: TimeGrid,
     /// `exp(i j Ω start) / N`.
     shift: Vec<Complex<f64>>,
-    forward: Arc<dyn RealToComplex<f64>>,
-    backward: Arc<dyn ComplexToReal<f64>>,
-    samples: Vec<f64>,
-    spectrum: Vec<Complex<f64>>,
-    folded: Vec<Complex<f64>>,
-    scratch: Vec<Complex<f64>>,
-}
-
-impl fmt::Debug for Resampling {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.debug_struct("Resampling")
-            .field("grid", &self.grid)
-            .finish_non_exhaustive()
-    }
+    analysis: Analysis,
+    synthesis: Synthesis,
 }
 
 impl Resampling {
     /// From `grid` to `points` (odd) equispaced times of a period, the first of them `start`
     /// periods later.
     pub fn new(grid: TimeGrid, start: f64, points: usize) -> Self {
-        let mut planner = RealFftPlanner::new();
-        let forward = planner.plan_fft_forward(grid.points());
-        let backward = planner.plan_fft_inverse(points);
         let phase = start - start.floor();
         let scale = 1.0 / grid.points() as f64;
         let shift = (0..=grid.harmonics())
             .map(|j| Complex::from_polar(scale, TAU * ((j as f64 * phase) % 1.0)))
             .collect();
-        let scratch = forward.get_scratch_len().max(backward.get_scratch_len());
         Resampling {
             grid,
             shift,
-            samples: vec![0.0; grid.points()],
-            spectrum: forward.make_output_vec(),
-            folded: backward.make_input_vec(),
-            scratch: vec![Complex::default(); scratch],
-            forward,
-            backward,
+            analysis: Analysis::new(grid.points()),
+            synthesis: Synthesis::new(points),
         }
     }
 
     /// Takes the values at the points of the grid.
     pub fn read(&mut self, samples: impl Iterator<Item = f64>) {
-        for (place, sample) in self.samples.iter_mut().zip(samples) {
-            *place = sample;
-        }
-        // The lengths are this object's own, so the transform cannot fail.
-        let _ = self.forward.process_with_scratch(
-            &mut self.samples,
-            &mut self.spectrum,
-            &mut self.scratch,
-        );
+        self.analysis.read(samples);
     }
 
     /// Weakens the harmonics of the values read.
     pub fn filter(&mut self, filter: &SpectralFilter) {
         let last = self.grid.harmonics();
-        for (j, c) in self.spectrum.iter_mut().enumerate() {
+        for (j, c) in self.analysis.spectrum.iter_mut().enumerate() {
             *c *= filter.factor(j, last);
         }
     }
 
     /// Keeps the harmonics of the values read up to `last` only.
     pub fn truncate(&mut self, last: usize) {
-        self.spectrum
+        self.analysis
+            .spectrum
             .iter_mut()
             .skip(last + 1)
             .for_each(|c| *c = Complex::default());
@@ -92,7 +62,7 @@ impl Resampling {
         let both = move |(j, c): (usize, &Complex<f64>)| {
             (if j == 0 { scale } else { 2.0 * scale }) * c.norm()
         };
-        self.spectrum.iter().enumerate().map(both)
+        self.analysis.spectrum.iter().enumerate().map(both)
     }
 
     /// Writes the derivative of the given order (0 for the values), of the harmonics from `first`
@@ -100,9 +70,11 @@ impl Resampling {
     pub fn write(&mut self, order: u32, first: usize, out: &mut [f64]) {
         let points = out.len();
         let half = points / 2;
-        self.folded.fill(Complex::default());
+        let folded = &mut self.synthesis.spectrum;
+        folded.fill(Complex::default());
         // Harmonics beyond those of the other grid are there what they alias onto.
         for (j, (c, shift)) in self
+            .analysis
             .spectrum
             .iter()
             .zip(&self.shift)
@@ -119,17 +91,14 @@ impl Resampling {
                 };
             let place = j % points;
             if place <= half {
-                self.folded[place] += c;
+                folded[place] += c;
             }
             let mirrored = (points - place) % points;
             if j > 0 && mirrored <= half {
-                self.folded[mirrored] += c.conj();
+                folded[mirrored] += c.conj();
             }
         }
-        self.folded[0].im = 0.0;
-        let _ = self
-            .backward
-            .process_with_scratch(&mut self.folded, out, &mut self.scratch);
+        self.synthesis.write(out);
     }
 }
 

@@ -2,8 +2,7 @@
 
 use super::filter::SpectralFilter;
 use super::grid::TimeGrid;
-use realfft::RealFftPlanner;
-use realfft::num_complex::Complex;
+use super::transform::Analysis;
 use std::f64::consts::TAU;
 
 /// A scalar function `rate·t + mean + Σ_j (c_j cos jΩt + s_j sin jΩt)`.
@@ -48,7 +47,9 @@ impl PeriodicSeries {
     /// For an even number of samples the highest harmonic is a cosine.
     pub fn from_samples(period: f64, samples: &[f64], rate: f64) -> Self {
         let n = samples.len();
-        let spectrum = spectrum(samples);
+        let mut analysis = Analysis::new(n.max(1));
+        analysis.read(samples.iter().copied());
+        let spectrum = &analysis.spectrum;
         // Each harmonic stands for itself and its mirror image, but for the highest of an even
         // number.
         let scale = |j: usize| if 2 * j == n { 1.0 } else { 2.0 } / n as f64;
@@ -57,7 +58,7 @@ impl PeriodicSeries {
         let sines = harmonics()
             .map(|(j, c)| if 2 * j == n { 0.0 } else { -scale(j) * c.im })
             .collect();
-        let mean = spectrum.first().map_or(0.0, |c| c.re) / n.max(1) as f64;
+        let mean = spectrum[0].re / n.max(1) as f64;
         PeriodicSeries::new(period, mean, rate, cosines, sines)
     }
 
@@ -124,19 +125,6 @@ impl PeriodicSeries {
         }
         sum
     }
-}
-
-/// `Σ_k x_k exp(−2πi jk/n)` for `j = 0 … n/2`.
-fn spectrum(samples: &[f64]) -> Vec<Complex<f64>> {
-    let n = samples.len();
-    if n == 0 {
-        return Vec::new();
-    }
-    let plan = RealFftPlanner::new().plan_fft_forward(n);
-    let mut spectrum = plan.make_output_vec();
-    // The lengths are the plan's own, so the transform cannot fail.
-    let _ = plan.process(&mut samples.to_vec(), &mut spectrum);
-    spectrum
 }
 
 #[cfg(test)]

@@ -1,10 +1,25 @@
 //! Beams: elements over nodes, and meshes along a reference line.
 
-use super::{Model, SectionInput, straight_line};
-use crate::elements::{Beam, Element, Section, SectionLine, lobatto_points};
+use super::{InertiaDefinition, Model, SectionInput, straight_line};
+use crate::elements::{Beam, Section, SectionLine, lobatto_points};
 use crate::error::{Error, Result, require_finite};
 use crate::motion::{Motion, rotation_from_vector};
 use nalgebra::Vector3;
+use serde::{Deserialize, Serialize};
+use std::sync::Arc;
+
+/// Highest polynomial degree of a beam element.
+const HIGHEST_DEGREE: usize = 24;
+
+/// A beam element over nodes, whose reference motions tell its shape.
+#[derive(Debug, Clone, Serialize, Deserialize)]
+pub struct BeamDefinition {
+    /// The nodes, in order along the beam, at its Gauss–Lobatto points.
+    pub nodes: Vec<usize>,
+    /// Cross-sections along the element.
+    #[serde(flatten)]
+    pub sections: SectionLine,
+}
 
 /// What a meshed beam consists of: its nodes and elements, in order and numbered consecutively.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -123,11 +138,10 @@ impl Stations {
     }
 
     /// The sections of an element from `start` to `end`, between which there is no jump.
-    fn over(&self, start: f64, end: f64) -> Result<SectionLine> {
+    fn over(&self, start: f64, end: f64) -> SectionLine {
         let first = self.before(start);
         if let [(_, section, twist)] = &self.0[..] {
-            let line = SectionLine::from(*section);
-            return line.twisted(vec![*twist]);
+            return SectionLine::from(*section).twisted(vec![*twist]);
         }
         // The last station before the end is on its near side, if there is a jump.
         let last = self.0.partition_point(|s| s.0 < end).saturating_sub(1);
@@ -209,6 +223,28 @@ impl Stations {
 }
 
 impl Model {
+    /// Checks the number of nodes of a beam element.
+    pub(crate) fn require_element_size(name: &str, nodes: usize) -> Result<()> {
+        if (2..=HIGHEST_DEGREE + 1).contains(&nodes) {
+            return Ok(());
+        }
+        let expected = format!("2 to {} nodes", HIGHEST_DEGREE + 1);
+        Err(Error::size(name, expected, nodes))
+    }
+
+    /// Checks the numbers that a beam is meshed by.
+    pub(crate) fn require_mesh(elements: usize, degree: usize) -> Result<()> {
+        const MOST: usize = 1_000_000;
+        if !(1..=MOST).contains(&elements) {
+            return Err(Error::size("elements", format!("1 to {MOST}"), elements));
+        }
+        if !(1..=HIGHEST_DEGREE).contains(&degree) {
+            let expected = format!("1 to {HIGHEST_DEGREE}");
+            return Err(Error::size("degree", expected, degree));
+        }
+        Ok(())
+    }
+
     /// Adds one beam element over existing nodes, given in order along the beam and placed at its
     /// Gauss–Lobatto points; axis 1 of each node's frame is along the beam. Returns its id.
     ///
@@ -219,16 +255,7 @@ impl Model {
     /// makes the two overlap; if the section is not valid.
     pub fn add_beam_element(&mut self, nodes: &[usize], section: &SectionInput) -> Result<usize> {
         Self::require_element_size("nodes", nodes.len())?;
-        for (i, &node) in nodes.iter().enumerate() {
-            self.require_node("nodes", node)?;
-            if nodes[..i].contains(&node) {
-                return Err(Error::value(
-                    "nodes",
-                    "distinct nodes",
-                    format!("node {node} twice"),
-                ));
-            }
-        }
+        self.require_distinct_nodes(nodes)?;
         let section = section.validated()?;
         self.require_not_shared(nodes)?;
         self.place_beam_element(nodes, section.into())
@@ -236,14 +263,37 @@ impl Model {
 
     fn place_beam_element(&mut self, nodes: &[usize], sections: SectionLine) -> Result<usize> {
         self.require_axis_along(nodes)?;
-        let reference = nodes.iter().map(|&n| self.nodes[n]).collect();
-        let has_mass = sections.has(|s| &s.mass);
-        let beam = Beam::new(nodes.to_vec(), reference, sections)?;
-        if has_mass {
-            self.inertias.push(beam.inertia()?);
+        let nodes = nodes.to_vec();
+        let definition = BeamDefinition { nodes, sections };
+        let beam = self.element_of(&definition)?;
+        if beam.has_mass() {
+            beam.inertia()?;
+            self.inertias.push(InertiaDefinition::Beam);
         }
-        self.beams.push(beam);
+        self.beams.push(definition);
         Ok(self.beams.len() - 1)
+    }
+
+    /// The element of a beam.
+    pub(super) fn element_of(&self, beam: &BeamDefinition) -> Result<Beam> {
+        let reference = beam.nodes.iter().map(|&n| self.nodes[n]).collect();
+        Beam::new(beam.nodes.clone(), reference, beam.sections.clone())
+    }
+
+    /// The beam element of this number.
+    pub(super) fn beam_element(&self, element: usize) -> Result<Beam> {
+        self.element_of(&self.beams[element])
+    }
+
+    /// All beam elements.
+    ///
+    /// # Errors
+    /// If a beam is too distorted.
+    pub(crate) fn beam_elements(&self) -> Result<Vec<Arc<Beam>>> {
+        let elements = self.beams.iter();
+        elements
+            .map(|beam| Ok(Arc::new(self.element_of(beam)?)))
+            .collect()
     }
 
     /// Checks that axis 1 of each node points along the beam, roughly, as the beam may be curved: a
@@ -280,7 +330,7 @@ impl Model {
             Err(Error::value("nodes", expected, got))
         };
         for (element, beam) in self.beams.iter().enumerate() {
-            let there = beam.nodes();
+            let there = &beam.nodes;
             let end_of_there = ends(there);
             let inner = |nodes: &[usize], node: usize| nodes[1..nodes.len() - 1].contains(&node);
             for &node in nodes {
@@ -387,7 +437,7 @@ impl Model {
                     nodes.push(node_at(model, start + 0.5 * (x + 1.0) * (end - start))?);
                 }
                 nodes.push(node_at(model, end)?);
-                model.place_beam_element(&nodes, stations.over(start, end)?)?;
+                model.place_beam_element(&nodes, stations.over(start, end))?;
                 previous += degree;
             }
             Ok(BeamIds {
@@ -507,7 +557,7 @@ mod tests {
         let lower = half(std::f64::consts::PI, Some(upper[8]), Some(upper[0]));
         assert_eq!(model.add_beam_element(&upper, &section(1.0)), Ok(0));
         assert_eq!(model.add_beam_element(&lower, &section(1.0)), Ok(1));
-        let mass = model.mass_and_moment().0;
+        let mass = model.mass_and_moment().unwrap().0;
         assert!((mass - std::f64::consts::TAU).abs() < 1e-9, "{mass}");
     }
 
@@ -568,8 +618,8 @@ mod tests {
             &[0.0, 0.2, 0.4, 0.6, 0.8, 1.0],
         );
         let scale = |line: &SectionLine, xi: f64| line.at(xi).stiffness[(3, 3)];
-        let first = stations.over(0.0, 0.4).unwrap();
-        let second = stations.over(0.4, 1.0).unwrap();
+        let first = stations.over(0.0, 0.4);
+        let second = stations.over(0.4, 1.0);
         for (line, xi, exact) in [
             (&first, -1.0, 1.0),
             (&first, -0.5, 2.0),
@@ -578,10 +628,10 @@ mod tests {
             (&second, -1.0, 5.0),
             (&second, 0.5, 7.25),
             (&second, 1.0, 8.0),
-            (&stations.over(0.1, 0.3).unwrap(), -1.0, 2.0),
-            (&stations.over(0.1, 0.3).unwrap(), 0.0, 3.0),
-            (&stations.over(0.1, 0.3).unwrap(), 1.0, 2.5),
-            (&stations.over(0.5, 0.6).unwrap(), 0.0, 5.75),
+            (&stations.over(0.1, 0.3), -1.0, 2.0),
+            (&stations.over(0.1, 0.3), 0.0, 3.0),
+            (&stations.over(0.1, 0.3), 1.0, 2.5),
+            (&stations.over(0.5, 0.6), 0.0, 5.75),
         ] {
             assert!((scale(line, xi) - exact).abs() < 1e-14, "{xi} {exact}");
         }
@@ -601,7 +651,7 @@ mod tests {
             station(1.0, 0.0001, 0.0),
         ];
         model.add_beam_along(&line, &stations, 4, 2).unwrap();
-        let (mass, moment) = model.mass_and_moment();
+        let (mass, moment) = model.mass_and_moment().unwrap();
         assert!(
             (mass - 3.0 * (0.5 * 3.0 + 0.25 * 1.0001)).abs() < 1e-13,
             "{mass}"
@@ -656,7 +706,7 @@ mod tests {
         assert_eq!((ids.first_node, ids.last_node, ids.elements), (0, 6, 3));
         let places: Vec<f64> = [0, 2, 4, 6].map(|n| model.nodes[n].position.x).into();
         assert_eq!(places, [0.0, 3.0 * 0.1, 3.0 * 0.3, 3.0]);
-        let (mass, _) = model.mass_and_moment();
+        let (mass, _) = model.mass_and_moment().unwrap();
         let exact = 3.0 * (0.3 * 3.0 + 0.7 * 0.75);
         assert!((mass - exact).abs() < 1e-14 * exact, "{mass} {exact}");
     }

@@ -1,7 +1,7 @@
 //! Forces that attach to joint coordinates and nodes; each has an id, in the order they are added.
 
-use super::build::{require_motion, require_positive};
-use super::{JointCoordinate, Model, Signal};
+use super::validation::{require_motion, require_positive, require_two_bodies};
+use super::{JointCoordinate, Model, Signal, UserFunction};
 use crate::elements::{Attachment, CoordinateLaw, JointKind, MaxwellBranch, NodeForceLaw};
 use crate::error::{Error, ErrorKind, Result, require_finite};
 use crate::motion::Motion;
@@ -49,7 +49,7 @@ pub enum ForceDefinition {
         /// Where it acts.
         at: JointCoordinate,
         /// The law.
-        law: CoordinateLaw,
+        law: UserFunction<CoordinateLaw>,
     },
     /// Generalised Maxwell model on a joint coordinate, see [`crate::elements::Viscoelastic`].
     Viscoelastic {
@@ -76,7 +76,7 @@ pub enum ForceDefinition {
         /// The nodes.
         nodes: Vec<usize>,
         /// The law.
-        law: NodeForceLaw,
+        law: UserFunction<NodeForceLaw>,
     },
 }
 
@@ -115,9 +115,45 @@ impl Model {
         })
     }
 
-    pub(super) fn add_force(&mut self, force: ForceDefinition) -> usize {
+    /// Adds a force, if it is valid; returns its id.
+    pub(super) fn add_force(&mut self, force: ForceDefinition) -> Result<usize> {
+        if let Some(at) = force.at() {
+            self.require_coordinate(&at)?;
+        }
+        match &force {
+            ForceDefinition::SpringDamper {
+                stiffness,
+                damping,
+                rest,
+                ..
+            } => {
+                require_finite("stiffness", stiffness)?;
+                require_finite("damping", damping)?;
+                require_finite("rest", &[*rest])?;
+            }
+            ForceDefinition::Actuator { .. } | ForceDefinition::CoordinateLaw { .. } => {}
+            ForceDefinition::Viscoelastic {
+                stiffness,
+                rest,
+                branches,
+                ..
+            } => {
+                require_finite("stiffness", &[*stiffness])?;
+                require_finite("rest", &[*rest])?;
+                branches.iter().enumerate().try_for_each(require_branch)?;
+            }
+            ForceDefinition::ViscousDamper {
+                first,
+                second,
+                matrix,
+            } => {
+                require_two_bodies(first.node, second.node)?;
+                require_finite("matrix", matrix.as_slice())?;
+            }
+            ForceDefinition::NodeForces { nodes, .. } => self.require_distinct_nodes(nodes)?,
+        }
         self.forces.push(force);
-        self.forces.len() - 1
+        Ok(self.forces.len() - 1)
     }
 
     /// Adds a strut: the line between a point of each of two bodies (`None` is the ground), given
@@ -160,31 +196,26 @@ impl Model {
         damping: &[f64],
         rest: f64,
     ) -> Result<usize> {
-        self.require_coordinate(&at)?;
-        require_finite("stiffness", stiffness)?;
-        require_finite("damping", damping)?;
-        require_finite("rest", &[rest])?;
-        Ok(self.add_force(ForceDefinition::SpringDamper {
+        self.add_force(ForceDefinition::SpringDamper {
             at,
             stiffness: stiffness.to_vec(),
             damping: damping.to_vec(),
             rest,
-        }))
+        })
     }
 
     /// Adds a force or torque on a joint coordinate that follows a signal and is positive towards
     /// growth; returns the force's id.
     pub fn add_actuator(&mut self, at: JointCoordinate, signal: &Signal) -> Result<usize> {
-        self.require_coordinate(&at)?;
         let signal = signal.clone();
-        Ok(self.add_force(ForceDefinition::Actuator { at, signal }))
+        self.add_force(ForceDefinition::Actuator { at, signal })
     }
 
     /// Adds a user's law for the effort on a joint coordinate, against growth; returns the force's
     /// id.
     pub fn add_coordinate_law(&mut self, at: JointCoordinate, law: CoordinateLaw) -> Result<usize> {
-        self.require_coordinate(&at)?;
-        Ok(self.add_force(ForceDefinition::CoordinateLaw { at, law }))
+        let law = UserFunction::new(law);
+        self.add_force(ForceDefinition::CoordinateLaw { at, law })
     }
 
     /// Adds a generalised Maxwell model on a joint coordinate `q`, against growth: effort
@@ -197,28 +228,12 @@ impl Model {
         rest: f64,
         branches: &[MaxwellBranch],
     ) -> Result<usize> {
-        self.require_coordinate(&at)?;
-        require_finite("stiffness", &[stiffness])?;
-        require_finite("rest", &[rest])?;
-        for (b, branch) in branches.iter().enumerate() {
-            for (name, value) in [
-                ("branch_stiffness", branch.stiffness),
-                ("relaxation_times", branch.relaxation_time),
-            ] {
-                let name = format!("{name}[{b}]");
-                require_finite(&name, &[value])?;
-                if value <= 0.0 {
-                    return Err(Error::value(&name, "a positive number", value));
-                }
-            }
-        }
-        let branches = branches.to_vec();
-        Ok(self.add_force(ForceDefinition::Viscoelastic {
+        self.add_force(ForceDefinition::Viscoelastic {
             at,
             stiffness,
             rest,
-            branches,
-        }))
+            branches: branches.to_vec(),
+        })
     }
 
     /// Adds a viscous damper between two bodies (`None` is the ground): the wrench on the second is
@@ -238,7 +253,7 @@ impl Model {
                 self.require_node(name, node)?;
             }
         }
-        super::build::require_two_bodies(first, second)?;
+        require_two_bodies(first, second)?;
         let place = |node: Option<usize>| node.map_or(Motion::identity(), |n| self.nodes[n]);
         let frame = match frame {
             None => place(second),
@@ -250,32 +265,30 @@ impl Model {
         };
         let (first, second) = (attach(first), attach(second));
         let matrix = require_positive("matrix", matrix, false)?;
-        Ok(self.add_force(ForceDefinition::ViscousDamper {
+        self.add_force(ForceDefinition::ViscousDamper {
             first,
             second,
             matrix: Box::new(matrix),
-        }))
-    }
-
-    /// Checks the nodes of a user's force: at least one, and all different.
-    pub(crate) fn require_distinct_nodes(&self, nodes: &[usize]) -> Result<()> {
-        if nodes.is_empty() {
-            return Err(Error::size("nodes", "at least one node", 0));
-        }
-        for (i, &node) in nodes.iter().enumerate() {
-            self.require_node("nodes", node)?;
-            if nodes[..i].contains(&node) {
-                let got = format!("node {node} twice");
-                return Err(Error::value("nodes", "distinct nodes", got));
-            }
-        }
-        Ok(())
+        })
     }
 
     /// Adds forces on nodes that a user's function computes; returns the force's id.
     pub fn add_node_forces(&mut self, nodes: &[usize], law: NodeForceLaw) -> Result<usize> {
-        self.require_distinct_nodes(nodes)?;
-        let nodes = nodes.to_vec();
-        Ok(self.add_force(ForceDefinition::NodeForces { nodes, law }))
+        let (nodes, law) = (nodes.to_vec(), UserFunction::new(law));
+        self.add_force(ForceDefinition::NodeForces { nodes, law })
     }
+}
+
+fn require_branch((b, branch): (usize, &MaxwellBranch)) -> Result<()> {
+    for (name, value) in [
+        ("branch_stiffness", branch.stiffness),
+        ("relaxation_times", branch.relaxation_time),
+    ] {
+        let name = format!("{name}[{b}]");
+        require_finite(&name, &[value])?;
+        if value <= 0.0 {
+            return Err(Error::value(&name, "a positive number", value));
+        }
+    }
+    Ok(())
 }

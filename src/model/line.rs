@@ -1,7 +1,7 @@
 //! Reference lines of beams: a frame for each fraction of the span, from 0 at the start to 1 at the
 //! end, with axis 1 along the line.
 
-use super::build::direction;
+use super::validation::direction;
 use crate::elements::{lobatto_points, shape_functions};
 use crate::error::{Error, ErrorKind, Result, require_finite};
 use crate::motion::{Motion, rotation_from_vector};

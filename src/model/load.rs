@@ -1,12 +1,24 @@
-//! Loads along beams.
+//! Loads on nodes and along beams.
 
 use super::{Model, Signal};
-use crate::elements::{Beam, BeamLoadFrame, DistributedLoad};
+use crate::elements::{Beam, BeamLoadFrame, DistributedLoad, LoadFrame};
 use crate::error::{Error, ErrorKind, Result, require_finite};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 use std::collections::btree_map::Entry;
 use std::ops::Range;
+use std::sync::Arc;
+
+/// Force and moment on a node.
+#[derive(Debug, Clone, Serialize, Deserialize)]
+pub struct LoadDefinition {
+    /// Node.
+    pub node: usize,
+    /// How the components are directed.
+    pub frame: LoadFrame,
+    /// Components `[force; moment]`.
+    pub components: [Option<Signal>; 6],
+}
 
 /// Force and moment per unit of reference length, along consecutive beam elements.
 #[derive(Debug, Clone, Serialize, Deserialize)]
@@ -43,7 +55,7 @@ impl DistributedLoadDefinition {
     pub(crate) fn add_to(
         &self,
         loads: &mut BTreeMap<usize, DistributedLoad>,
-        beams: &[Beam],
+        beams: &[Arc<Beam>],
         signals: [Option<usize>; 6],
     ) -> Result<()> {
         let lengths = beams[self.range()]
@@ -105,6 +117,22 @@ fn factors_at(i: usize, fraction: impl Fn(usize) -> f64, last: usize) -> Vec<(f6
 }
 
 impl Model {
+    /// Adds a force and moment on a node.
+    pub fn add_load(
+        &mut self,
+        node: usize,
+        frame: LoadFrame,
+        components: [Option<Signal>; 6],
+    ) -> Result<()> {
+        self.require_node("node", node)?;
+        self.loads.push(LoadDefinition {
+            node,
+            frame,
+            components,
+        });
+        Ok(())
+    }
+
     /// Adds a load that is given at `places`, from 0 to 1 and ascending, all its components at
     /// once, and linear in between; two at the same fraction make a jump. See
     /// [`Model::add_distributed_load`].
@@ -191,9 +219,10 @@ impl Model {
             return Err(Error::value(&name, expected, fraction));
         }
         if let BeamLoadFrame::Untwisted(direction) = load.frame {
-            super::build::direction("axis_2", &direction)?;
-            for beam in &self.beams[load.range()] {
-                DistributedLoad::new(beam)?.axes(beam, load.frame)?;
+            super::validation::direction("axis_2", &direction)?;
+            for element in load.range() {
+                let beam = self.beam_element(element)?;
+                DistributedLoad::new(&beam)?.axes(&beam, load.frame)?;
             }
         }
         Ok(())

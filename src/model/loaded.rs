@@ -1,9 +1,7 @@
 //! Models that come from a file: nothing in them is trusted.
 
-use super::Model;
-use super::build::require_two_bodies;
-use super::force::ForceDefinition;
-use crate::elements::{Attachment, Element, JointKind};
+use super::{ForceDefinition, InertiaDefinition, Model};
+use crate::elements::Attachment;
 use crate::error::{Error, ErrorKind, Result, require_finite};
 use crate::motion::{Motion, is_rotation};
 
@@ -33,25 +31,28 @@ impl Model {
             require_motion(&format!("node {id}"), node)?;
         }
         for beam in self.beams {
-            model.require_distinct_nodes(beam.nodes())?;
+            Self::require_element_size("nodes", beam.nodes.len())?;
+            model.require_distinct_nodes(&beam.nodes)?;
+            beam.sections.validate()?;
+            model.element_of(&beam)?;
             model.beams.push(beam);
         }
         for inertia in self.inertias {
-            model.require_distinct_nodes(inertia.nodes())?;
+            if let InertiaDefinition::Body { node, matrix } = &inertia {
+                model.require_node("inertia", *node)?;
+                require_finite("inertia", matrix.as_slice())?;
+            }
             model.inertias.push(inertia);
         }
         for joint in self.joints {
-            let (first, second) = joint.attachments();
-            model.require_attachments(&first, &second)?;
-            if let JointKind::Screw { pitch } = joint.kind()
-                && (!pitch.is_finite() || pitch == 0.0)
-            {
-                return Err(Error::value("pitch", "a number other than zero", pitch));
-            }
-            model.joints.push(joint);
+            model.require_attachments([&joint.first, &joint.second])?;
+            model.place_joint(joint)?;
         }
         for force in self.forces {
-            model.add_checked_force(force)?;
+            if let ForceDefinition::ViscousDamper { first, second, .. } = &force {
+                model.require_attachments([first, second])?;
+            }
+            model.add_force(force)?;
         }
         for (at, signal) in self.prescribed {
             model.prescribe(at, &signal)?;
@@ -65,47 +66,13 @@ impl Model {
         Ok(model)
     }
 
-    fn require_attachments(&self, first: &Attachment, second: &Attachment) -> Result<()> {
-        require_two_bodies(first.node, second.node)?;
-        for attachment in [first, second] {
+    fn require_attachments(&self, attachments: [&Attachment; 2]) -> Result<()> {
+        for attachment in attachments {
             if let Some(node) = attachment.node {
                 self.require_node("joint", node)?;
             }
             require_motion("frame", &attachment.offset)?;
         }
         Ok(())
-    }
-
-    fn add_checked_force(&mut self, force: ForceDefinition) -> Result<usize> {
-        match force {
-            ForceDefinition::SpringDamper {
-                at,
-                stiffness,
-                damping,
-                rest,
-            } => self.add_polynomial_spring_damper(at, &stiffness, &damping, rest),
-            ForceDefinition::Actuator { at, signal } => self.add_actuator(at, &signal),
-            ForceDefinition::CoordinateLaw { at, law } => self.add_coordinate_law(at, law),
-            ForceDefinition::Viscoelastic {
-                at,
-                stiffness,
-                rest,
-                branches,
-            } => self.add_viscoelastic(at, stiffness, rest, &branches),
-            ForceDefinition::NodeForces { nodes, law } => self.add_node_forces(&nodes, law),
-            ForceDefinition::ViscousDamper {
-                first,
-                second,
-                matrix,
-            } => {
-                self.require_attachments(&first, &second)?;
-                require_finite("matrix", matrix.as_slice())?;
-                Ok(self.add_force(ForceDefinition::ViscousDamper {
-                    first,
-                    second,
-                    matrix,
-                }))
-            }
-        }
     }
 }

@@ -4,54 +4,45 @@
 //! validates its arguments and leaves the model as it was if they are refused.
 
 mod beam;
-mod build;
 mod force;
+mod inertia;
+mod joint;
 mod line;
 mod load;
 mod loaded;
 mod raised;
+mod section;
 mod signal;
 #[cfg(test)]
 pub(crate) mod test_models;
+mod user_function;
+mod validation;
 
-pub use beam::{BeamIds, SectionStation};
-pub use build::SectionInput;
+pub use beam::{BeamDefinition, BeamIds, SectionStation};
 pub use force::{ForceDefinition, SpringDefinition};
+pub use inertia::InertiaDefinition;
+pub use joint::{JointCoordinate, JointDefinition};
 pub use line::{circular_arc, smooth_curve, straight_line};
-pub use load::{DistributedLoadDefinition, LoadPlace};
+pub use load::{DistributedLoadDefinition, LoadDefinition, LoadPlace};
+pub use section::SectionInput;
 pub use signal::{BoundSignal, Signal};
+pub use user_function::UserFunction;
+pub(crate) use user_function::absent;
 
-use crate::elements::{Beam, Coordinate, Inertia, Joint, LoadFrame};
+use crate::error::{Result, require_finite};
 use crate::motion::Motion;
 use serde::{Deserialize, Serialize};
-
-/// A joint coordinate of a model.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
-pub struct JointCoordinate {
-    /// Index of the joint.
-    pub joint: usize,
-    /// Which of its coordinates.
-    pub coordinate: Coordinate,
-}
-
-/// Force and moment on a node.
-#[derive(Debug, Clone, Serialize, Deserialize)]
-pub struct LoadDefinition {
-    /// Node.
-    pub node: usize,
-    /// How the components are directed.
-    pub frame: LoadFrame,
-    /// Components `[force; moment]`.
-    pub components: [Option<Signal>; 6],
-}
+use validation::require_rotation;
 
 /// A mechanism in its reference configuration.
 #[derive(Debug, Clone, Default, Serialize, Deserialize)]
 pub struct Model {
     pub(crate) nodes: Vec<Motion>,
-    pub(crate) beams: Vec<Beam>,
-    pub(crate) inertias: Vec<Inertia>,
-    pub(crate) joints: Vec<Joint>,
+    pub(crate) beams: Vec<BeamDefinition>,
+    /// In the order in which they were described.
+    #[serde(deserialize_with = "inertia::saved")]
+    pub(crate) inertias: Vec<InertiaDefinition>,
+    pub(crate) joints: Vec<JointDefinition>,
     pub(crate) forces: Vec<ForceDefinition>,
     pub(crate) prescribed: Vec<(JointCoordinate, Signal)>,
     pub(crate) loads: Vec<LoadDefinition>,
@@ -63,6 +54,19 @@ impl Model {
     /// An empty model.
     pub fn new() -> Self {
         Self::default()
+    }
+
+    /// Adds a node at a reference motion; returns its id.
+    pub fn add_node(&mut self, reference: &Motion) -> Result<usize> {
+        require_finite("position", reference.position.as_slice())?;
+        let rotation = require_rotation("rotation", &reference.rotation)?;
+        self.nodes.push(Motion::new(rotation, reference.position));
+        Ok(self.nodes.len() - 1)
+    }
+
+    /// Sets the acceleration of gravity, in the inertial frame.
+    pub fn set_gravity(&mut self, acceleration: [Signal; 3]) {
+        self.gravity = Some(acceleration);
     }
 
     /// Number of nodes.

@@ -1,9 +1,9 @@
 //! Signals: scalar functions of time that drive loads and prescribed motions.
 
-use crate::elements::{call_absent, serialize_absent};
+use super::UserFunction;
 use crate::error::{Error, ErrorKind, Result, require_finite};
 use crate::fourier::PeriodicSeries;
-use serde::{Deserialize, Deserializer, Serialize};
+use serde::{Deserialize, Serialize};
 use std::fmt;
 use std::sync::Arc;
 
@@ -12,26 +12,9 @@ pub type SignalFunction = Arc<dyn Fn(f64) -> Result<f64> + Send + Sync>;
 
 #[derive(Clone, Serialize, Deserialize)]
 enum Shape {
-    Harmonics {
-        cosines: Vec<f64>,
-        sines: Vec<f64>,
-    },
+    Harmonics { cosines: Vec<f64>, sines: Vec<f64> },
     Samples(Vec<f64>),
-    Function(
-        #[serde(
-            serialize_with = "serialize_absent",
-            deserialize_with = "absent_function"
-        )]
-        SignalFunction,
-    ),
-}
-
-/// Puts a function that fails in the place of one that was not saved.
-fn absent_function<'de, D: Deserializer<'de>>(
-    deserializer: D,
-) -> std::result::Result<SignalFunction, D::Error> {
-    <()>::deserialize(deserializer)?;
-    Ok(Arc::new(|_| call_absent().map(|()| 0.0)))
+    Function(UserFunction<SignalFunction>),
 }
 
 /// A scalar function of time: mean, secular rate, and harmonics of the period, samples over the
@@ -136,7 +119,7 @@ impl Signal {
         Signal {
             mean: 0.0,
             rate: 0.0,
-            shape: Shape::Function(function),
+            shape: Shape::Function(UserFunction::new(function)),
         }
     }
 
@@ -162,6 +145,11 @@ impl Signal {
             },
         }
     }
+
+    /// Whether it was a function of the user in a model that was loaded from a file.
+    pub(crate) fn is_absent(&self) -> bool {
+        matches!(&self.shape, Shape::Function(function) if function.is_absent())
+    }
 }
 
 /// A signal over a given period.
@@ -172,7 +160,7 @@ pub enum BoundSignal {
     /// A user's function.
     Function {
         /// The function.
-        function: SignalFunction,
+        function: UserFunction<SignalFunction>,
         /// The period.
         period: f64,
     },
@@ -210,7 +198,7 @@ impl BoundSignal {
         match self {
             BoundSignal::Series(series) => Ok(series.value(time)),
             BoundSignal::Function { function, .. } => {
-                let value = function(time)?;
+                let value = function.get()?(time)?;
                 if value.is_finite() {
                     Ok(value)
                 } else {

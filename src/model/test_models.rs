@@ -2,6 +2,7 @@
 
 use super::*;
 use crate::elements::{BeamLoadFrame, JointKind, MaxwellBranch, NodeForceLaw};
+use crate::elements::{Coordinate, LoadFrame};
 use crate::motion::rotation_from_vector;
 use nalgebra::{Matrix3, Matrix6, Vector3};
 use std::f64::consts::TAU;

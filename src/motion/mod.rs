@@ -6,6 +6,7 @@
 mod dual;
 mod interpolation;
 mod logarithm;
+mod periodic;
 mod polar;
 mod product;
 mod rigid;
@@ -14,9 +15,10 @@ mod rotation;
 pub use dual::{Dual, DualMatrix, DualVector};
 pub use interpolation::DualPolar;
 pub use logarithm::inverse_tangent;
+pub use periodic::PeriodicMotion;
 pub use polar::{polar_rotation, spread_matrix, symmetric_factor_is_admissible};
 pub use product::{product, transposed_product};
-pub use rigid::Motion;
+pub use rigid::{Motion, NodeState};
 pub use rotation::{
     axial, frame_from_axis, is_rotation, quaternion_from_rotation, rotation_from_quaternion,
     rotation_from_vector, skew,

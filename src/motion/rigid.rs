@@ -113,6 +113,28 @@ impl Motion {
     }
 }
 
+/// State of one node at one instant.
+#[derive(Debug, Clone, Copy, Serialize, Deserialize)]
+pub struct NodeState {
+    /// Motion from the inertial frame.
+    pub motion: Motion,
+    /// Material velocity `[linear; angular]`.
+    pub twist: Vector6<f64>,
+    /// Time derivative of the material velocity.
+    pub twist_rate: Vector6<f64>,
+}
+
+impl NodeState {
+    /// A node at rest.
+    pub fn at_rest(motion: Motion) -> Self {
+        NodeState {
+            motion,
+            twist: Vector6::zeros(),
+            twist_rate: Vector6::zeros(),
+        }
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

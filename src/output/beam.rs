@@ -34,7 +34,8 @@ pub(super) struct Neighbours {
 
 impl Neighbours {
     pub fn of(solution: &Solution) -> Self {
-        let (beams, system) = (&solution.model.beams, &solution.solve.system);
+        let system = &solution.solve.system;
+        let beams = system.beams();
         // Elements that start at, and that end at a node; or that and more.
         let mut ends = vec![[End::Free; 2]; system.nodes()];
         for (element, beam) in beams.iter().enumerate() {
@@ -100,12 +101,14 @@ impl Solution {
         if !(-1.0..=1.0).contains(&station) {
             return Err(Error::value("station", "a number from −1 to 1", station));
         }
-        self.model.beams.get(element).ok_or_else(|| {
-            let count = self.model.beams.len();
+        let beams = self.solve.system.beams();
+        let beam = beams.get(element).ok_or_else(|| {
+            let count = beams.len();
             let message =
                 format!("element: expected a beam element id below {count}, got {element}");
             Error::new(ErrorKind::Identifier, message)
-        })
+        })?;
+        Ok(beam)
     }
 
     /// A quantity at `station` in `[−1, 1]` of a beam element, at `times`; six components of each
@@ -171,7 +174,7 @@ impl Solution {
             beam.strain_and_stress(station, &motions, &twists)
         };
         let beyond = neighbours.as_ref().and_then(|n| n.beyond(element, station));
-        let other = beyond.map(|(other, after)| (&self.model.beams[other], after));
+        let other = beyond.map(|(other, after)| (&self.solve.system.beams()[other], after));
         self.samples_of(6, |k| {
             let (strain, force) = at(beam, station, k)?;
             let other = match other {

@@ -2,7 +2,7 @@
 
 use crate::collocation::{DecayKind, ResidualBetween};
 use crate::error::Result;
-use crate::solve::{Outcome, PeriodicSolve};
+use crate::solve::{Outcome, Solved};
 use serde::{Deserialize, Serialize};
 
 /// Error estimates of a solution. Those that cannot be had are infinite; of a march none can.
@@ -41,7 +41,7 @@ fn unknown() -> f64 {
 
 impl Diagnostics {
     /// Diagnostics of a solve.
-    pub(super) fn of(solve: &PeriodicSolve) -> Result<Self> {
+    pub(super) fn of(solve: &Solved) -> Result<Self> {
         let none = |harmonics: usize| Diagnostics {
             harmonics: vec![0.0; harmonics],
             error_estimate: f64::INFINITY,
@@ -51,7 +51,7 @@ impl Diagnostics {
             decay_order: 0.0,
             least_resolved_time: 0.0,
         };
-        if solve.march.is_some() {
+        if solve.march().is_some() {
             return Ok(none(0));
         }
         if solve.report.outcome == Outcome::NoInitialGuess {
@@ -62,7 +62,7 @@ impl Diagnostics {
         Ok(Diagnostics {
             harmonics: found.decay.amplitudes,
             error_estimate: found.error,
-            mesh_error: solve.mesh_error,
+            mesh_error: solve.mesh_error(),
             between: found.between,
             decay: if known {
                 found.decay.kind

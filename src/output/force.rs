@@ -1,13 +1,12 @@
 //! What forces do: efforts, and what they exert on nodes.
 
+use super::force_record::{ForceRecord, exerted, gain_of, signals_of};
 use super::solution::{Samples, Solution};
-use crate::elements::{LoadFrame, NodeState};
+use crate::elements::LoadFrame;
 use crate::error::{Error, ErrorKind, Result};
 use crate::fourier::PeriodicSeries;
-use crate::solve::PeriodicSolve;
-use crate::system::{Conditions, ElementRole, OwnValues, Placed};
+use crate::system::ElementRole;
 use nalgebra::{Vector3, Vector6};
-use serde::{Deserialize, Serialize};
 
 /// What can be asked of a force.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -31,100 +30,6 @@ impl ForceQuantity {
             _ => 1,
         }
     }
-}
-
-/// A force at the grid points.
-#[derive(Debug, Clone, Serialize, Deserialize)]
-pub(super) struct ForceRecord {
-    nodes: Vec<usize>,
-    /// Forces on the nodes, in their own axes.
-    on_nodes: Vec<Vec<f64>>,
-    /// The element's outputs.
-    outputs: Vec<Vec<f64>>,
-    /// What its internal states gain in a period.
-    gain: f64,
-}
-
-impl ForceRecord {
-    /// Whether its values are as many as a grid of `points` needs.
-    pub(super) fn fits(&self, points: usize) -> bool {
-        let outputs = self.outputs.first().map_or(0, Vec::len);
-        self.on_nodes.len() == points
-            && self.outputs.len() == points
-            && self
-                .on_nodes
-                .iter()
-                .all(|x| x.len() / 6 == self.nodes.len())
-            && self.outputs.iter().all(|x| x.len() == outputs)
-    }
-}
-
-/// States of an element's nodes at grid point `k`.
-fn states_of(solve: &PeriodicSolve, placed: &Placed, k: usize) -> Vec<NodeState> {
-    let nodes = placed.element.nodes().iter();
-    nodes
-        .map(|&n| solve.node_states[n * solve.state.points() + k])
-        .collect()
-}
-
-/// What the internal states of an element gain in a period.
-fn gain_of(solve: &PeriodicSolve, placed: &Placed) -> f64 {
-    if placed.has_states && solve.march.is_none() {
-        solve.state.gain(&solve.system, placed, 0)
-    } else {
-        0.0
-    }
-}
-
-/// Values of all signals at each grid point.
-fn signals_of(solve: &PeriodicSolve) -> Result<Vec<Vec<f64>>> {
-    let times = solve.times().into_iter();
-    times
-        .map(|time| {
-            let mut values = vec![0.0; solve.system.signals()];
-            solve.system.signal_values(time, 1.0, &mut values)?;
-            Ok(values)
-        })
-        .collect()
-}
-
-/// All forces of a solve; those that cannot be evaluated where it ended tell why.
-pub(super) fn record_forces(solve: &PeriodicSolve) -> Result<Vec<Result<ForceRecord>>> {
-    let signals = signals_of(solve)?;
-    let record = |placed: &Placed| -> Result<ForceRecord> {
-        let mut record = ForceRecord {
-            nodes: placed.element.nodes().to_vec(),
-            on_nodes: Vec::new(),
-            outputs: Vec::new(),
-            gain: gain_of(solve, placed),
-        };
-        for (k, time) in solve.times().into_iter().enumerate() {
-            let conditions = Conditions {
-                time,
-                signals: &signals[k],
-                coordinates: solve.state.tracked(&solve.system, k),
-                inertia_factor: 1.0,
-            };
-            let values = solve.state.multipliers_of(placed, k);
-            // What is read does not depend on rates.
-            let rates = vec![0.0; values.len()];
-            let own = OwnValues {
-                values,
-                rates: &rates,
-                resultants: &[],
-            };
-            let states = states_of(solve, placed, k);
-            let (on_nodes, outputs) = solve.system.outputs(placed, &states, &conditions, own)?;
-            record.on_nodes.push(on_nodes.as_slice().to_vec());
-            record.outputs.push(outputs);
-        }
-        Ok(record)
-    };
-    let elements = solve.system.elements().iter();
-    Ok(elements
-        .filter(|placed| matches!(placed.role, ElementRole::Force(_)))
-        .map(record)
-        .collect())
 }
 
 impl Solution {
@@ -181,13 +86,11 @@ impl Solution {
                     let message = format!("force {force} does not act on node {node}");
                     Error::new(ErrorKind::NotAvailable, message)
                 })?;
-                let points = self.solve.state.points();
+                let states = self.solve.states_of(node);
                 self.samples_of(6, |k| {
                     let own = Vector6::from_column_slice(&record.on_nodes[k][6 * local..][..6]);
                     let turn = match frame {
-                        LoadFrame::Space => {
-                            self.solve.node_states[node * points + k].motion.rotation
-                        }
+                        LoadFrame::Space => states[k].motion.rotation,
                         LoadFrame::Follower => nalgebra::Matrix3::identity(),
                     };
                     let force: Vector3<f64> = turn * own.fixed_rows::<3>(0);
@@ -215,7 +118,6 @@ impl Solution {
             return Ok(());
         }
         let system = &self.solve.system;
-        let mut signals = None;
         for placed in system.elements() {
             let ElementRole::Force(index) = placed.role else {
                 continue;
@@ -227,40 +129,24 @@ impl Solution {
             if series.rate == 0.0 {
                 continue;
             }
-            if signals.is_none() {
-                signals = Some(signals_of(&self.solve)?);
-            }
+            let signals = signals_of(&self.solve)?;
             let gain = series.rate * series.period();
+            let state_gain = gain_of(&self.solve, placed);
             let (mut change, mut size) = (0.0f64, 0.0f64);
             for (k, time) in self.solve.times().into_iter().enumerate() {
-                let states = states_of(&self.solve, placed, k);
                 let own = self.solve.state.multipliers_of(placed, k);
                 let here = self.solve.state.tracked(system, k);
                 let later: Vec<f64> = here.iter().map(|q| q + gain).collect();
-                let mut signals_later = signals.as_ref().map_or(Vec::new(), |s| s[k].clone());
+                let mut signals_later = signals[k].clone();
                 if let Some(prescribed) = self.model.prescribed_index(&at) {
                     signals_later[prescribed] += gain;
                 }
-                let state_gain = gain_of(&self.solve, placed);
                 let own_later: Vec<f64> = own.iter().map(|x| x + state_gain).collect();
-                let rates = vec![0.0; own.len()];
-                let outputs = |coordinates: &[f64], signals: &[f64], values: &[f64]| {
-                    let own = OwnValues {
-                        values,
-                        rates: &rates,
-                        resultants: &[],
-                    };
-                    let conditions = Conditions {
-                        time,
-                        signals,
-                        coordinates,
-                        inertia_factor: 1.0,
-                    };
-                    system.outputs(placed, &states, &conditions, own)
+                let exerted = |coordinates: &[f64], signals: &[f64], values: &[f64]| {
+                    exerted(&self.solve, placed, (k, time), coordinates, signals, values)
                 };
-                let signals = signals.as_ref().map_or(&[][..], |s| &s[k]);
-                let now = outputs(here, signals, own)?.0;
-                let then = outputs(&later, &signals_later, &own_later)?.0;
+                let now = exerted(here, &signals[k], own)?.0;
+                let then = exerted(&later, &signals_later, &own_later)?.0;
                 size = size.max(now.amax());
                 change = change.max((then - now).amax());
             }

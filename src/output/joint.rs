@@ -84,10 +84,9 @@ impl Solution {
     }
 
     fn require_coordinate(&self, joint: usize, coordinate: Coordinate) -> Result<&Joint> {
-        let definition = self.model.require_joint("joint", joint)?;
         self.model
             .require_coordinate(&JointCoordinate { joint, coordinate })?;
-        Ok(definition)
+        Ok(&self.solve.system.joints()[joint])
     }
 
     /// What tells the whole turns of a coordinate at the first grid point or step: the signal that
@@ -142,7 +141,8 @@ impl Solution {
 
     /// Reactions at the grid points or steps.
     fn reactions(&self, joint: usize, axes: ResolvedIn) -> Result<Samples> {
-        let definition = self.model.require_joint("joint", joint)?;
+        self.model.require_joint("joint", joint)?;
+        let definition = &self.solve.system.joints()[joint];
         let placed = self.placed(ElementRole::Joint(joint))?;
         self.samples_of(6, |k| {
             let states = self.states_of(definition, k);

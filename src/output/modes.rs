@@ -6,8 +6,8 @@ use crate::error::{Error, ErrorKind, Result, require_finite};
 use crate::fourier::TimeGrid;
 use crate::model::Model;
 use crate::solve::{
-    Iteration, Mode, ModesOptions, ModesSolve, NewtonReport, Outcome, PeriodicSolve, Stage,
-    Timings, solve_modes,
+    Iteration, Kind, Mode, ModesOptions, ModesSolve, NewtonReport, Outcome, Solved, Stage, Timings,
+    solve_modes,
 };
 use nalgebra::{Complex, Vector6};
 use std::f64::consts::TAU;
@@ -88,7 +88,7 @@ impl Modes {
         let number = mode;
         let mode = self.mode(number)?;
         require_finite("amplitude", &[amplitude])?;
-        let PeriodicSolve {
+        let Solved {
             system,
             grid: instant,
             state: still,
@@ -123,7 +123,7 @@ impl Modes {
         state.track(system);
         let mut equations = Collocation::new(system.clone(), grid)?;
         equations.update_kinematics(&state);
-        let solve = PeriodicSolve {
+        let solve = Solved {
             system: system.clone(),
             grid,
             node_states: equations.node_states().to_vec(),
@@ -141,14 +141,7 @@ impl Modes {
             timings: Timings::default(),
             total_time: Duration::ZERO,
             total_iterations: 0,
-            grids: Vec::new(),
-            coarse_start: None,
-            attempts: Vec::new(),
-            iterative: None,
-            threads: 1,
-            assessment: None,
-            mesh_error: f64::INFINITY,
-            march: None,
+            kind: Kind::SmallMotion,
         };
         Solution::of(&self.model, solve)
     }

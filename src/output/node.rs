@@ -1,11 +1,11 @@
 //! Motions, velocities and accelerations of nodes.
 
 use super::solution::Solution;
-use crate::collocation::{NodeInterpolation, too_coarse};
+use crate::collocation::too_coarse;
 use crate::elements::NodeState;
 use crate::error::{Error, ErrorKind, Result};
 use crate::fourier::{CardinalWeights, PeriodicSeries};
-use crate::motion::quaternion_from_rotation;
+use crate::motion::{PeriodicMotion, quaternion_from_rotation};
 use nalgebra::Vector3;
 
 /// What can be asked of a node.
@@ -79,14 +79,14 @@ impl Solution {
         times: &[f64],
         visit: impl FnMut(&NodeState),
     ) -> Result<()> {
-        let interpolation = NodeInterpolation::new(self.solve.state.node(node));
+        let interpolation = PeriodicMotion::new(self.solve.state.node(node));
         self.each_state_of(node, &interpolation, times, visit)
     }
 
     fn each_state_of(
         &self,
         node: usize,
-        interpolation: &NodeInterpolation,
+        interpolation: &PeriodicMotion,
         times: &[f64],
         mut visit: impl FnMut(&NodeState),
     ) -> Result<()> {
@@ -116,11 +116,10 @@ impl Solution {
         self.model.require_node("node", node)?;
         let mut out = Vec::with_capacity(times.len() * quantity.components());
         let mut last = None;
-        let motions = self.solve.state.node(node);
-        let interpolation = match &self.filter {
-            Some(filter) => NodeInterpolation::filtered(motions, self.grid(), filter),
-            None => NodeInterpolation::new(motions),
-        };
+        let mut interpolation = PeriodicMotion::new(self.solve.state.node(node));
+        if let Some(filter) = &self.filter {
+            interpolation = interpolation.filtered(self.grid(), filter);
+        }
         self.each_state_of(node, &interpolation, times, |state| {
             let state = self.solve.system.inertial_state(state);
             quantity.push(&state, &mut last, &mut out)
@@ -146,7 +145,7 @@ impl Solution {
                 .collect()
         } else {
             let mut last = None;
-            let states = &self.solve.node_states[node * points..][..points];
+            let states = self.solve.states_of(node);
             let row = |state: &NodeState| {
                 let mut row = Vec::new();
                 let state = self.solve.system.inertial_state(state);

@@ -2,8 +2,10 @@
 
 use super::solution::Solution;
 use crate::collocation::DecayKind;
-use crate::solve::{Attempt, Outcome, Start, describe_dependencies};
-use std::fmt::Write;
+use crate::solve::{
+    Attempt, Kind, MarchRecord, Outcome, PeriodicRecord, Start, describe_dependencies,
+};
+use std::fmt::{Result, Write};
 
 impl Outcome {
     /// One line for people.
@@ -31,42 +33,84 @@ const UNRESOLVED: f64 = 0.1;
 impl Solution {
     /// Outcome and why, iterations, error estimates and time spent, in readable lines.
     pub fn report(&self) -> String {
-        let solve = self.details();
         let mut text = String::new();
         // Writing to a string cannot fail.
-        let mut line = |arguments: std::fmt::Arguments| {
-            let _ = writeln!(text, "{arguments}");
-        };
-        let standstill = solve.system.standstill();
-        let outcome = self.outcome().describe();
-        match (standstill, &solve.march) {
-            (None, Some(march)) if march.shooting => line(format_args!("Shooting: {outcome}")),
-            (None, Some(_)) => line(format_args!("March: {outcome}")),
-            (None, None) => line(format_args!("Periodic solve: {outcome}")),
-            (Some(_), _) if solve.grid.points() == 1 => {
-                line(format_args!("Static solve: {outcome}"));
+        let _ = self.write_report(&mut text);
+        text
+    }
+
+    fn write_report(&self, text: &mut String) -> Result {
+        let solve = self.details();
+        self.write_outcome(text)?;
+        self.write_sizes(text)?;
+        match &solve.kind {
+            Kind::Periodic(record) => write_starts(record, text)?,
+            Kind::Equilibrium { .. } | Kind::SmallMotion => {}
+            Kind::March(march) => write_march(march, solve.grid.period(), text)?,
+            Kind::Shooting { march, floquet } => {
+                write_shooting(march, floquet, solve.grid.period(), text)?;
             }
-            (Some(_), _) => line(format_args!("Small motion")),
         }
-        let resolves = || self.diagnostics().error_estimate <= UNRESOLVED;
-        if solve.march.is_none() && self.outcome().is_solution() && !resolves() {
-            line(format_args!(
+        let iterations = &solve.report.iterations;
+        if !iterations.is_empty() {
+            writeln!(text, "  iteration   residual  increment   step")?;
+        }
+        for i in iterations {
+            writeln!(
+                text,
+                "  {:9} {:10.2e} {:10.2e} {:6.3}",
+                i.number, i.residual, i.increment, i.step
+            )?;
+        }
+        if solve.march().is_none() {
+            self.write_estimates(text)?;
+        }
+        if let Some(record) = solve.periodic() {
+            write_linear(record, text)?;
+        }
+        self.write_times(text)
+    }
+
+    /// What was solved, how it ended, and why.
+    fn write_outcome(&self, text: &mut String) -> Result {
+        let solve = self.details();
+        let what = match &solve.kind {
+            Kind::Periodic(_) => "Periodic solve",
+            Kind::Equilibrium { .. } => "Static solve",
+            Kind::SmallMotion => "Small motion",
+            Kind::March(_) => "March",
+            Kind::Shooting { .. } => "Shooting",
+        };
+        match &solve.kind {
+            Kind::SmallMotion => writeln!(text, "{what}")?,
+            _ => writeln!(text, "{what}: {}", self.outcome().describe())?,
+        }
+        let resolves = self.diagnostics().error_estimate <= UNRESOLVED;
+        if solve.march().is_none() && self.outcome().is_solution() && !resolves {
+            writeln!(
+                text,
                 "  but {} grid points resolve nothing, as the estimated error says: more are \
-                 needed, or an error tolerance \
-                 instead of their number",
+                 needed, or an error tolerance instead of their number",
                 solve.grid.points()
-            ));
+            )?;
         }
-        if let Some(standstill) = standstill {
+        if let Some(standstill) = solve.system.standstill() {
             let w = standstill.angular_velocity;
-            line(format_args!(
+            writeln!(
+                text,
                 "  at time {}, in a frame with the angular velocity ({}, {}, {})",
                 standstill.time, w.x, w.y, w.z
-            ));
+            )?;
         }
         if !solve.report.explanation.is_empty() {
-            line(format_args!("  {}", solve.report.explanation));
+            writeln!(text, "  {}", solve.report.explanation)?;
         }
+        Ok(())
+    }
+
+    /// The problem's size, and constraints that depend on others.
+    fn write_sizes(&self, text: &mut String) -> Result {
+        let solve = self.details();
         let points = match solve.grid.points() {
             1 => String::new(),
             points => format!(
@@ -74,131 +118,66 @@ impl Solution {
                 solve.grid.period()
             ),
         };
-        line(format_args!(
+        writeln!(
+            text,
             "  {points}{} nodes, {} unknowns",
             solve.system.nodes(),
             self.unknowns()
-        ));
+        )?;
         let dependent = describe_dependencies(&solve.system);
         if !dependent.is_empty() && self.outcome().is_solution() {
-            line(format_args!(
+            writeln!(
+                text,
                 "  {dependent}: the multipliers of least norm are given"
-            ));
+            )?;
         }
-        if let Some(shooting) = solve.march.as_ref().filter(|march| march.shooting) {
-            line(format_args!(
-                "  {} steps over the period {}, {} in all marches; the end differs from the start \
-                 by {:.1e}",
-                shooting.times.len() - 1,
-                solve.grid.period(),
-                shooting.steps,
-                shooting.repetition
-            ));
-            if let Some([re, im]) = shooting.floquet.first() {
-                let size = re.hypot(*im);
-                line(format_args!(
-                    "  largest Floquet multiplier {size:.6} in size"
-                ));
-            }
-        } else if let Some(march) = &solve.march {
-            let (first, last) = (march.times[0], march.times[march.times.len() - 1]);
-            line(format_args!(
-                "  {} steps to t = {last} ({} given up, {} iterations), kept from t = {first}; \
-                 largest error of a step {:.1e}",
-                march.steps, march.rejected, march.iterations, march.step_error
-            ));
-            line(format_args!(
-                "  start: motions moved by {:.1e}, velocities by {:.1e} to satisfy the constraints",
-                march.start_moved, march.start_corrected
-            ));
-            if march.periods > 0 {
-                line(format_args!(
-                    "  {} periods of {}; the last differs from the one before by {:.1e}",
-                    march.periods,
-                    solve.grid.period(),
-                    march.repetition
-                ));
-            }
-        } else if !solve.grids.is_empty() {
-            line(format_args!("  grid points  iterations  estimated error"));
-            for grid in &solve.grids {
-                line(format_args!(
-                    "  {:11} {:11} {:16.1e}",
-                    grid.points, grid.iterations, grid.error_estimate
-                ));
-            }
+        Ok(())
+    }
+
+    fn write_estimates(&self, text: &mut String) -> Result {
+        let diagnostics = self.diagnostics();
+        writeln!(
+            text,
+            "  estimated error of the motions {:.1e}; between grid points: residual force {:.1e}, \
+             constraints {:.1e}",
+            diagnostics.error_estimate, diagnostics.between.force, diagnostics.between.constraint
+        )?;
+        if diagnostics.mesh_error.is_finite() && diagnostics.mesh_error > 0.0 {
+            writeln!(
+                text,
+                "  estimated error by the mesh of beams {:.1e}",
+                diagnostics.mesh_error
+            )?;
         }
-        let is_plain = |attempt: &Attempt| attempt.start == Start::QuasiStatic;
-        if solve.attempts.len() > 1 || !solve.attempts.iter().all(is_plain) {
-            for attempt in &solve.attempts {
-                line(format_args!("  start: {attempt}"));
-            }
+        if diagnostics.mesh_error.is_infinite() && diagnostics.error_estimate.is_finite() {
+            writeln!(
+                text,
+                "  these are estimates of time alone; the error by the mesh of beams is estimated \
+                 if asked for (estimate_mesh)"
+            )?;
         }
-        if let Some(coarse) = &solve.coarse_start {
-            line(format_args!(
-                "  start: a solution on {} grid points, after {} iterations, with an estimated \
-                 error of {:.1e}",
-                coarse.points, coarse.iterations, coarse.error_estimate
-            ));
+        if diagnostics.decay == DecayKind::Slow {
+            writeln!(
+                text,
+                "  harmonics fall slowly, as j^-{:.1}: a kink, or a peak too narrow for the grid, \
+                 near t = {:.6}; forces may oscillate about their values",
+                diagnostics.decay_order, diagnostics.least_resolved_time
+            )?;
         }
-        if !solve.report.iterations.is_empty() {
-            line(format_args!("  iteration   residual  increment   step"));
-        }
-        for i in &solve.report.iterations {
-            line(format_args!(
-                "  {:9} {:10.2e} {:10.2e} {:6.3}",
-                i.number, i.residual, i.increment, i.step
-            ));
-        }
-        if solve.march.is_none() {
-            let diagnostics = self.diagnostics();
-            line(format_args!(
-                "  estimated error of the motions {:.1e}; between grid points: residual force \
-                 {:.1e}, constraints {:.1e}",
-                diagnostics.error_estimate,
-                diagnostics.between.force,
-                diagnostics.between.constraint
-            ));
-            if diagnostics.mesh_error.is_finite() && diagnostics.mesh_error > 0.0 {
-                line(format_args!(
-                    "  estimated error by the mesh of beams {:.1e}",
-                    diagnostics.mesh_error
-                ));
-            }
-            if diagnostics.mesh_error.is_infinite() && diagnostics.error_estimate.is_finite() {
-                line(format_args!(
-                    "  these are estimates of time alone; the error by the mesh of beams is \
-                     estimated if asked for (estimate_mesh)"
-                ));
-            }
-            if diagnostics.decay == DecayKind::Slow {
-                line(format_args!(
-                    "  harmonics fall slowly, as j^-{:.1}: a kink, or a peak too narrow for the \
-                     grid, near t = {:.6}; forces may oscillate about their values",
-                    diagnostics.decay_order, diagnostics.least_resolved_time
-                ));
-            }
-        }
-        if let Some(record) = &solve.iterative {
-            let by = match record.preconditioner {
-                Some(preconditioner) => preconditioner.name(),
-                None => "given up for factors",
-            };
-            line(format_args!(
-                "  linear equations by iteration: {by}, {} products in {} solves, {:.1} MB",
-                record.products.iter().sum::<usize>(),
-                record.products.len(),
-                1e-6 * record.bytes as f64
-            ));
-        }
+        Ok(())
+    }
+
+    fn write_times(&self, text: &mut String) -> Result {
+        let solve = self.details();
         let t = solve.timings;
-        line(format_args!(
+        writeln!(
+            text,
             "  time: {:.4} s for {} iterations on all grids and in all attempts, and {} of the \
              initial guess",
             solve.total_time.as_secs_f64(),
             solve.total_iterations,
             solve.guess_iterations
-        ));
+        )?;
         let parts = [
             ("initial guess", solve.guess_time),
             ("assembly", t.assembly),
@@ -213,8 +192,7 @@ impl Solution {
         let parts: Vec<String> = parts
             .map(|(what, time)| format!("{what} {:.4} s", time.as_secs_f64()))
             .collect();
-        line(format_args!("    of it {}", parts.join(", ")));
-        text
+        writeln!(text, "    of it {}", parts.join(", "))
     }
 
     /// Number of unknowns of the periodic problem.
@@ -222,4 +200,94 @@ impl Solution {
         let system = &self.solve.system;
         (6 * system.nodes() + system.multipliers()) * self.grid().points()
     }
+}
+
+/// The grids that were tried, and where they began.
+fn write_starts(record: &PeriodicRecord, text: &mut String) -> Result {
+    if !record.grids.is_empty() {
+        writeln!(text, "  grid points  iterations  estimated error")?;
+    }
+    for grid in &record.grids {
+        writeln!(
+            text,
+            "  {:11} {:11} {:16.1e}",
+            grid.points, grid.iterations, grid.error_estimate
+        )?;
+    }
+    let is_plain = |attempt: &Attempt| attempt.start == Start::QuasiStatic;
+    if record.attempts.len() > 1 || !record.attempts.iter().all(is_plain) {
+        for attempt in &record.attempts {
+            writeln!(text, "  start: {attempt}")?;
+        }
+    }
+    if let Some(coarse) = &record.coarse_start {
+        writeln!(
+            text,
+            "  start: a solution on {} grid points, after {} iterations, with an estimated error \
+             of {:.1e}",
+            coarse.points, coarse.iterations, coarse.error_estimate
+        )?;
+    }
+    Ok(())
+}
+
+fn write_march(march: &MarchRecord, period: f64, text: &mut String) -> Result {
+    let (first, last) = (march.times[0], march.times[march.times.len() - 1]);
+    writeln!(
+        text,
+        "  {} steps to t = {last} ({} given up, {} iterations), kept from t = {first}; largest \
+         error of a step {:.1e}",
+        march.steps, march.rejected, march.iterations, march.step_error
+    )?;
+    writeln!(
+        text,
+        "  start: motions moved by {:.1e}, velocities by {:.1e} to satisfy the constraints",
+        march.start_moved, march.start_corrected
+    )?;
+    if march.periods > 0 {
+        writeln!(
+            text,
+            "  {} periods of {period}; the last differs from the one before by {:.1e}",
+            march.periods, march.repetition
+        )?;
+    }
+    Ok(())
+}
+
+fn write_shooting(
+    march: &MarchRecord,
+    floquet: &[[f64; 2]],
+    period: f64,
+    text: &mut String,
+) -> Result {
+    writeln!(
+        text,
+        "  {} steps over the period {period}, {} in all marches; the end differs from the start \
+         by {:.1e}",
+        march.times.len() - 1,
+        march.steps,
+        march.repetition
+    )?;
+    if let Some([re, im]) = floquet.first() {
+        let size = re.hypot(*im);
+        writeln!(text, "  largest Floquet multiplier {size:.6} in size")?;
+    }
+    Ok(())
+}
+
+fn write_linear(record: &PeriodicRecord, text: &mut String) -> Result {
+    let Some(record) = &record.iterative else {
+        return Ok(());
+    };
+    let by = match record.preconditioner {
+        Some(preconditioner) => preconditioner.name(),
+        None => "given up for factors",
+    };
+    writeln!(
+        text,
+        "  linear equations by iteration: {by}, {} products in {} solves, {:.1} MB",
+        record.products.iter().sum::<usize>(),
+        record.products.len(),
+        1e-6 * record.bytes as f64
+    )
 }

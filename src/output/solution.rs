@@ -1,17 +1,17 @@
 //! A periodic solution: the state at the grid points and what is needed to evaluate it anywhere.
 
 use super::diagnostics::Diagnostics;
-use super::force::{ForceRecord, record_forces};
+use super::force_record::{ForceRecord, record_forces};
 use crate::collocation::GridState;
 use crate::elements::{Element, NodeState};
 use crate::error::{Error, ErrorKind, Result};
 use crate::fourier::{PeriodicSeries, SpectralFilter, TimeGrid};
 use crate::model::Model;
 use crate::solve::{
-    Iteration, Outcome, PeriodicOptions, PeriodicSolve, Stage, StaticOptions, solve_periodic,
+    Iteration, Kind, Outcome, PeriodicOptions, Solved, Stage, StaticOptions, solve_periodic,
     solve_static,
 };
-use crate::system::{Driven, System};
+use crate::system::{Driven, Regime, System};
 use crate::workers::Workers;
 
 /// Result of a periodic or static solve or of a march, converged or not; otherwise it holds the
@@ -25,7 +25,7 @@ use crate::workers::Workers;
 #[derive(Debug, Clone)]
 pub struct Solution {
     pub(super) model: Model,
-    pub(super) solve: PeriodicSolve,
+    pub(super) solve: Solved,
     /// Value of each prescribed coordinate at time zero: a signal's function is not called any
     /// more.
     pub(super) prescribed_start: Vec<f64>,
@@ -66,12 +66,12 @@ impl Solution {
         Self::of(model, solve_static(model, options, observe)?)
     }
 
-    pub(super) fn of(model: &Model, solve: PeriodicSolve) -> Result<Self> {
+    pub(super) fn of(model: &Model, solve: Solved) -> Result<Self> {
         let diagnostics = Diagnostics::of(&solve)?;
-        let start = match (solve.system.standstill(), &solve.march) {
-            (Some(standstill), _) => standstill.time,
-            (None, Some(_)) => solve.times()[0],
-            (None, None) => 0.0,
+        let start = match solve.system.regime() {
+            Regime::Periodic(_) => 0.0,
+            Regime::Standstill(standstill) => standstill.time,
+            Regime::March(_) => solve.times()[0],
         };
         let starts = model
             .prescribed
@@ -93,7 +93,7 @@ impl Solution {
     }
 
     /// The solve: history, explanation, timings.
-    pub fn details(&self) -> &PeriodicSolve {
+    pub fn details(&self) -> &Solved {
         &self.solve
     }
 
@@ -134,7 +134,7 @@ impl Solution {
     /// Checks that `model` has the nodes and joints that this solution has.
     pub fn require_same_shape(&self, model: &Model) -> Result<()> {
         let shape = |m: &Model| {
-            let kinds: Vec<_> = m.joints.iter().map(|j| j.kind()).collect();
+            let kinds: Vec<_> = m.joints.iter().map(|j| j.kind).collect();
             (m.nodes.len(), kinds, m.prescribed.len(), m.forces.len())
         };
         if shape(&self.model) == shape(model) {
@@ -161,15 +161,16 @@ impl Solution {
     /// # Errors
     /// [`ErrorKind::GridTooCoarse`] if a motion cannot be interpolated.
     pub fn prolonged(&self, grid: TimeGrid) -> Result<GridState> {
-        if self.is_trajectory() {
-            return self.last_period(grid);
-        }
-        let state = self.prolonged_from(0.0, grid)?;
-        match self.solve.system.standstill() {
-            Some(standstill) if grid.points() > 1 && self.solve.grid.points() == 1 => {
-                self.carried_with_drives(standstill.time, state, grid)
+        match &self.solve.kind {
+            Kind::March(_) | Kind::Shooting { .. } => self.last_period(grid),
+            Kind::Periodic(_) | Kind::SmallMotion => self.prolonged_from(0.0, grid),
+            Kind::Equilibrium { .. } => {
+                let state = self.prolonged_from(0.0, grid)?;
+                match (grid.points(), self.solve.system.standstill()) {
+                    (1, _) | (_, None) => Ok(state),
+                    (_, Some(at)) => self.carried_with_drives(at.time, state, grid),
+                }
             }
-            _ => Ok(state),
         }
     }
 
@@ -218,12 +219,8 @@ impl Solution {
 
     /// States of an element's nodes at grid point `k`.
     pub(super) fn states_of(&self, element: &dyn Element, k: usize) -> Vec<NodeState> {
-        let points = self.solve.state.points();
-        element
-            .nodes()
-            .iter()
-            .map(|&n| self.solve.node_states[n * points + k])
-            .collect()
+        let nodes = element.nodes().iter();
+        nodes.map(|&n| self.solve.states_of(n)[k]).collect()
     }
 
     /// Passes on values that are numbers: absurd models may converge, yet strain beyond any.

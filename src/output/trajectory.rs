@@ -101,7 +101,7 @@ impl Solution {
 
     /// Whether this is a trajectory, which knows a stretch of time only and has no harmonics.
     pub fn is_trajectory(&self) -> bool {
-        self.solve.march.is_some()
+        self.solve.march().is_some()
     }
 
     /// The times of its states: grid points or steps.
@@ -160,8 +160,7 @@ impl Solution {
 
     /// State of `node` at a place between steps.
     pub(super) fn state_between(&self, node: usize, place: &Between) -> NodeState {
-        let points = self.solve.state.points();
-        let states = &self.solve.node_states[node * points..][..points];
+        let states = self.solve.states_of(node);
         interpolate(place, &states[place.before], &states[place.after])
     }
 

@@ -9,6 +9,7 @@ use super::write::{directory_of, plain, refused, write_file};
 use super::{BeamQuantity, JointQuantity, NodeQuantity, ResolvedIn, Solution};
 use crate::elements::{Element, NodeState};
 use crate::error::{Error, Result, require_finite};
+use crate::model::InertiaDefinition;
 use crate::motion::Motion;
 use nalgebra::{Matrix3, Vector3};
 use std::fs;
@@ -205,11 +206,11 @@ impl Solution {
     fn bodies_drawn(&self, times: &[f64]) -> Result<Vec<PolyData>> {
         let model = self.model();
         let mut shown = vec![true; model.nodes.len()];
-        for &node in model.beams.iter().flat_map(|beam| beam.nodes()) {
+        for &node in model.beams.iter().flat_map(|beam| &beam.nodes) {
             shown[node] = false;
         }
         for inertia in &model.inertias {
-            if let [node] = inertia.nodes() {
+            if let InertiaDefinition::Body { node, .. } = inertia {
                 shown[*node] = true;
             }
         }
@@ -233,7 +234,7 @@ impl Solution {
     }
 
     fn joints_drawn(&self, times: &[f64]) -> Result<Vec<PolyData>> {
-        let joints = self.model().joints.iter().enumerate();
+        let joints = self.solve.system.joints().iter().enumerate();
         let drawn = joints
             .map(|(id, joint)| {
                 let nodes = joint.nodes().iter();

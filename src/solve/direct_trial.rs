@@ -5,7 +5,7 @@ use super::iterative::missing_inertia;
 use super::linear::LinearSolver;
 use super::method::DirectCost;
 use super::newton::{Timings, timed};
-use super::periodic::PeriodicSolve;
+use super::result::Solved;
 use crate::collocation::Collocation;
 use crate::error::Result;
 
@@ -22,7 +22,7 @@ pub struct DirectTrial {
 ///
 /// # Errors
 /// If the equations cannot be evaluated, or memory does not last.
-pub fn try_direct_solve(solve: &PeriodicSolve) -> Result<DirectTrial> {
+pub fn try_direct_solve(solve: &Solved) -> Result<DirectTrial> {
     let mut equations = Collocation::new(solve.system.clone(), solve.grid)?;
     let mut timings = Timings::default();
     let mut direct = timed(&mut timings.analysis, || Assembled::new(&equations));

@@ -4,7 +4,8 @@
 use super::linear::LinearSolver;
 use super::loads::Unheld;
 use super::newton::{Iteration, Newton, NewtonReport, Outcome};
-use super::periodic::{Attempts, PeriodicSolve};
+use super::periodic::Attempts;
+use super::result::Solved;
 use super::waves::Waves;
 use crate::collocation::{Decay, DecayKind, Defect, GridState, ResidualBetween};
 use crate::error::{ErrorKind, Result};
@@ -92,11 +93,8 @@ pub(super) fn mesh_error<L: LinearSolver>(
     }
     let system = newton.equations.system().clone();
     newton.equations.update_kinematics(state);
-    let left = model.raised().and_then(|(fine, between)| {
-        let fine = match system.standstill() {
-            Some(standstill) => System::at_standstill(&fine, standstill)?,
-            None => System::new(&fine, newton.equations.grid().period())?,
-        };
+    let left = model.raised(system.beams()).and_then(|(fine, between)| {
+        let fine = System::in_regime(&fine, *system.regime())?;
         newton
             .equations
             .left_by_mesh(state, Arc::new(fine), &between)
@@ -238,21 +236,24 @@ impl Attempts<'_> {
     }
 }
 
-impl PeriodicSolve {
+impl Solved {
     /// Assesses the state where the solve ended: of the best estimate that there is.
     ///
     /// # Errors
     /// That of a callback.
     pub fn assess(&self) -> Result<Assessment> {
-        let mut assessment = match &self.assessment {
+        let record = self.periodic();
+        let mut assessment = match record.and_then(|record| record.assessment.as_ref()) {
             Some(assessment) => assessment.clone(),
             None => {
+                let threads = record.map_or(1, |record| record.threads);
                 // Without more threads than one it takes longer: no reason to lose the solution.
-                let workers = Workers::new(self.threads).unwrap_or_default();
+                let workers = Workers::new(threads).unwrap_or_default();
                 assess(&self.system, self.grid, &self.state, &workers)?.0
             }
         };
-        assessment.error = match (self.report.outcome, self.grids.last()) {
+        let last = record.and_then(|record| record.grids.last());
+        assessment.error = match (self.report.outcome, last) {
             (Outcome::Converged | Outcome::ToleranceNotMet, Some(tried)) => tried.error_estimate,
             (Outcome::Converged, None) => assessment.error,
             _ => f64::INFINITY,

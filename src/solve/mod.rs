@@ -29,6 +29,7 @@ mod ordering;
 mod partial_lu;
 mod pencil;
 mod periodic;
+mod result;
 mod settle;
 mod shooting;
 mod starts;
@@ -49,9 +50,8 @@ pub use loads::Unheld;
 pub use method::{DirectCost, LinearMethod};
 pub use modes::{Mode, ModesOptions, ModesSolve, solve_modes};
 pub use newton::{Iteration, NewtonOptions, NewtonReport, Outcome, Timings};
-pub use periodic::{
-    GridPoints, InitialGuess, PeriodicOptions, PeriodicSolve, Stage, solve_periodic,
-};
+pub use periodic::{GridPoints, InitialGuess, PeriodicOptions, Stage, solve_periodic};
+pub use result::{Kind, PeriodicRecord, Solved};
 pub use shooting::{ShootingOptions, solve_shooting};
 pub use starts::{Attempt, Start};
 pub use statics::{StaticOptions, solve_static};

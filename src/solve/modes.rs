@@ -5,7 +5,8 @@ use super::eigen::{EigenPair, Search, Target};
 use super::free_motions::without_free_motions;
 use super::newton::{Iteration, Outcome};
 use super::pencil::{C64, Pencil};
-use super::periodic::{PeriodicSolve, Stage};
+use super::periodic::Stage;
+use super::result::Solved;
 use super::statics::{Indifferent, StaticOptions, find_equilibrium};
 use super::watch::Watching;
 use crate::collocation::{Collocation, Pattern};
@@ -71,7 +72,7 @@ impl Mode {
 #[derive(Debug, Clone)]
 pub struct ModesSolve {
     /// The equilibrium, converged or not.
-    pub equilibrium: PeriodicSolve,
+    pub equilibrium: Solved,
     /// The modes, the smallest eigenvalue or that nearest to the wanted frequency first; none if
     /// there is no equilibrium.
     pub modes: Vec<Mode>,
@@ -152,7 +153,7 @@ pub fn solve_modes(
 
 /// Finds modes about an equilibrium.
 fn find_modes(solve: &mut ModesSolve, options: &ModesOptions, watching: &Watching) -> Result<()> {
-    let PeriodicSolve {
+    let Solved {
         system,
         grid,
         state,

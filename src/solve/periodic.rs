@@ -4,15 +4,14 @@
 use super::adaptive::{Adaptation, GridTried};
 use super::estimate::{Assessment, assess, mesh_error};
 use super::guess::Guess;
-use super::iterative::{IterativeRecord, Projected};
+use super::iterative::Projected;
 use super::loads::Loads;
 use super::method::{Linear, LinearMethod};
 use super::newton::{Iteration, Newton, NewtonOptions, NewtonReport, Outcome, Timings};
+use super::result::{Kind, PeriodicRecord, Solved};
 use super::starts::{Attempt, Start};
-use super::trajectory::MarchRecord;
 use super::watch::{Watch, Watching};
 use crate::collocation::{Collocation, GridState};
-use crate::elements::NodeState;
 use crate::error::{Error, ErrorKind, Result};
 use crate::fourier::TimeGrid;
 use crate::model::Model;
@@ -140,60 +139,6 @@ impl NewtonOptions {
     }
 }
 
-/// Result of a periodic or static solve, or of a march: the last state, converged or not, and how
-/// it was reached.
-#[derive(Debug, Clone)]
-pub struct PeriodicSolve {
-    /// The system.
-    pub system: Arc<System>,
-    /// The grid; of one point for an equilibrium or a march.
-    pub grid: TimeGrid,
-    /// States at the grid points or, of a march, at its times.
-    pub state: GridState,
-    /// Motions with their velocities and accelerations at these, node by node.
-    pub node_states: Vec<NodeState>,
-    /// Outcome and history of the last Newton solve of the periodic problem.
-    pub report: NewtonReport,
-    /// Newton iterations spent on the initial guess, each at a single instant.
-    pub guess_iterations: usize,
-    /// Time spent on the initial guess.
-    pub guess_time: Duration,
-    /// Time spent on the periodic problem, by kind of work, on all grids and in all attempts.
-    pub timings: Timings,
-    /// Time of the whole solve: that of the guess, that by kind of work, and the little that is
-    /// neither.
-    pub total_time: Duration,
-    /// Newton iterations on all grids and in all attempts.
-    pub total_iterations: usize,
-    /// The grids that an adaptive solve has tried, coarsest first.
-    pub grids: Vec<GridTried>,
-    /// The coarser grid whose solution Newton's method began at, if the library chose to.
-    pub coarse_start: Option<GridTried>,
-    /// Where the library began, in the order in which it tried; empty where a start was given.
-    pub attempts: Vec<Attempt>,
-    /// What iterative solution of linear equations took on the last grid, where it was used.
-    pub iterative: Option<IterativeRecord>,
-    /// Threads that shared the work, 0 for as many as there are processors.
-    pub threads: usize,
-    /// Of a periodic solution: what it tells of its error.
-    pub assessment: Option<Assessment>,
-    /// Estimated error of the motions by the mesh of beams: positions relative to the
-    /// characteristic length, and angles. Infinite where none can be had.
-    pub mesh_error: f64,
-    /// Of a march: its times, and how it went.
-    pub march: Option<MarchRecord>,
-}
-
-impl PeriodicSolve {
-    /// The times of the states.
-    pub fn times(&self) -> Vec<f64> {
-        match &self.march {
-            Some(record) => record.times.clone(),
-            None => self.grid.times().collect(),
-        }
-    }
-}
-
 /// Grids of more than this many times the points that a first guess takes start from a solution on
 /// fewer.
 const COARSER: usize = 2;
@@ -266,7 +211,7 @@ pub fn solve_periodic(
     period: f64,
     options: &PeriodicOptions,
     observe: &mut dyn FnMut(Stage, &Iteration) -> bool,
-) -> Result<PeriodicSolve> {
+) -> Result<Solved> {
     let began = Instant::now();
     options.newton.validate()?;
     if !(1..=MOST_OVERSAMPLING).contains(&options.oversampling) {
@@ -393,7 +338,7 @@ pub fn solve_periodic(
         attempts.newton.equations.reduce_to_least_norm(&mut state)?;
     }
     attempts.timings.assembly += finishing.elapsed();
-    Ok(PeriodicSolve {
+    Ok(Solved {
         system,
         grid: attempts.grid,
         node_states: attempts.newton.equations.node_states().to_vec(),
@@ -404,14 +349,15 @@ pub fn solve_periodic(
         timings: attempts.timings + attempts.newton.timings,
         total_time: began.elapsed(),
         total_iterations: attempts.iterations + attempts.newton.iterations,
-        iterative: attempts.newton.linear.sampled().record().cloned(),
-        grids: attempts.grids,
-        coarse_start: attempts.coarse_start,
-        attempts: attempts.tried,
-        threads: options.threads,
-        assessment: assessment.map(|(_, assessment)| assessment),
-        mesh_error,
-        march: None,
+        kind: Kind::Periodic(PeriodicRecord {
+            iterative: attempts.newton.linear.sampled().record().cloned(),
+            grids: attempts.grids,
+            coarse_start: attempts.coarse_start,
+            attempts: attempts.tried,
+            threads: options.threads,
+            assessment: assessment.map(|(_, assessment)| assessment),
+            mesh_error,
+        }),
     })
 }
 

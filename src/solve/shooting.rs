@@ -8,7 +8,8 @@
 
 use super::eigenvalues::eigenvalues;
 use super::newton::{Iteration, NewtonOptions, NewtonReport, Outcome};
-use super::periodic::{PeriodicSolve, Stage};
+use super::periodic::Stage;
+use super::result::{Kind, Solved};
 use super::trajectory::{
     Kept, MarchEnd, MarchOptions, MarchRecord, MarchStart, Marcher, difference, finish,
 };
@@ -19,7 +20,7 @@ use crate::collocation::{
 use crate::elements::{Measure, Unknown};
 use crate::error::{Error, Result};
 use crate::model::Model;
-use crate::system::{System, Transient, require_periodic_forces};
+use crate::system::{Regime, System, Transient, require_periodic_forces};
 use crate::workers::Workers;
 use faer::Mat;
 use faer::linalg::solvers::{PartialPivLu, Solve};
@@ -249,20 +250,20 @@ pub fn solve_shooting(
     period: f64,
     options: &ShootingOptions,
     observe: &mut dyn FnMut(Stage, &Iteration) -> bool,
-) -> Result<PeriodicSolve> {
+) -> Result<Solved> {
     options.validate()?;
     let began = Instant::now();
     // Checks that everything repeats itself.
     let periodic = System::new(model, period)?;
     require_periodic_forces(model, periodic.scales().length, period)?;
     let length = period / options.steps as f64;
-    let system = Arc::new(System::in_transient(
+    let system = Arc::new(System::in_regime(
         model,
-        &Transient {
+        Regime::March(Transient {
             period: Some(period),
             duration: period,
             step: length,
-        },
+        }),
     )?);
     let watching = options.watch.begin(Stage::InitialGuess, 1);
     let workers = Workers::default().telling(watching.pulse());
@@ -277,11 +278,8 @@ pub fn solve_shooting(
         Ok(marcher) => marcher,
         Err((refusal, at)) => {
             let kept = vec![Kept::of(&at)];
-            let record = MarchRecord {
-                shooting: true,
-                ..MarchRecord::default()
-            };
-            return finish(&system, record, kept, Some(refusal));
+            let solve = finish(&system, MarchRecord::default(), kept, Some(refusal))?;
+            return Ok(solve.shot(Vec::new()));
         }
     };
     let mut shooting = Shooting {
@@ -359,9 +357,7 @@ pub fn solve_shooting(
         }
         None => vec![Kept::of(shooting.marcher.now())],
     };
-    record.shooting = true;
-    record.floquet = floquet;
-    let mut solve = finish(&system, record, kept, None)?;
+    let mut solve = finish(&system, record, kept, None)?.shot(floquet);
     solve.report = report;
     solve.guess_time = guess_time;
     solve.guess_iterations = options.guess_periods;
@@ -369,6 +365,16 @@ pub fn solve_shooting(
     solve.total_time = began.elapsed();
     solve.report.outcome = watching.outcome(solve.report.outcome);
     Ok(solve)
+}
+
+impl Solved {
+    /// The last march of a shooting solve as its result.
+    fn shot(mut self, floquet: Vec<[f64; 2]>) -> Self {
+        if let Kind::March(march) = self.kind {
+            self.kind = Kind::Shooting { march, floquet };
+        }
+        self
+    }
 }
 
 /// Newton's method from an orbit that is not closed yet. Returns the Floquet multipliers.

@@ -4,13 +4,14 @@
 use super::estimate::mesh_error;
 use super::guess::Tracker;
 use super::newton::{Iteration, NewtonOptions, NewtonReport, Outcome, Timings};
-use super::periodic::{InitialGuess, PeriodicSolve, Stage};
+use super::periodic::{InitialGuess, Stage};
+use super::result::{Kind, Solved};
 use super::watch::{Watch, Watching};
 use crate::collocation::Conditions;
 use crate::error::{Error, ErrorKind, Result, require_finite};
 use crate::fourier::TimeGrid;
 use crate::model::Model;
-use crate::system::{Standstill, System, require_reproducible_forces};
+use crate::system::{Regime, Standstill, System, require_reproducible_forces};
 use crate::workers::Workers;
 use std::sync::Arc;
 use std::time::Instant;
@@ -106,7 +107,7 @@ pub fn solve_static(
     model: &Model,
     options: &StaticOptions,
     observe: &mut dyn FnMut(Stage, &Iteration) -> bool,
-) -> Result<PeriodicSolve> {
+) -> Result<Solved> {
     let watching = options.watch.begin(Stage::InitialGuess, 1);
     find_equilibrium(model, options, Indifferent::Singular, &watching, observe)
 }
@@ -135,10 +136,13 @@ pub(super) fn find_equilibrium(
     indifferent: Indifferent,
     watching: &Watching,
     observe: &mut dyn FnMut(Stage, &Iteration) -> bool,
-) -> Result<PeriodicSolve> {
+) -> Result<Solved> {
     options.validate()?;
     let start = Instant::now();
-    let system = Arc::new(System::at_standstill(model, &options.standstill)?);
+    let system = Arc::new(System::in_regime(
+        model,
+        Regime::Standstill(options.standstill),
+    )?);
     let (length, period) = (system.scales().length, options.standstill.period());
     require_reproducible_forces(model, length, period, options.standstill.time)?;
     let grid = TimeGrid::new(1, period)?;
@@ -196,7 +200,7 @@ pub(super) fn find_equilibrium(
         }
     };
     let iterations = report.iterations.len();
-    let mut solve = PeriodicSolve {
+    let mut solve = Solved {
         node_states: Vec::new(),
         system,
         grid,
@@ -208,14 +212,9 @@ pub(super) fn find_equilibrium(
         timings: newton.timings,
         total_time: start.elapsed(),
         total_iterations: iterations,
-        grids: Vec::new(),
-        coarse_start: None,
-        attempts: Vec::new(),
-        iterative: None,
-        threads: 1,
-        assessment: None,
-        mesh_error: f64::INFINITY,
-        march: None,
+        kind: Kind::Equilibrium {
+            mesh_error: f64::INFINITY,
+        },
     };
     if solve.report.outcome == Outcome::Singular && indifferent == Indifferent::Accepted {
         newton.equations.set_conditions(Conditions::at(0.0))?;
@@ -230,10 +229,11 @@ pub(super) fn find_equilibrium(
         if solve.report.iterations.is_empty() {
             newton.linearise(&solve.state)?;
         }
-        solve.mesh_error = match mesh_error(model, &mut newton, &solve.state) {
+        let mesh_error = match mesh_error(model, &mut newton, &solve.state) {
             Err(error) if watching.cancels(&error) => f64::INFINITY,
             found => found?,
         };
+        solve.kind = Kind::Equilibrium { mesh_error };
     }
     newton.equations.update_kinematics(&solve.state);
     solve.node_states = newton.equations.node_states().to_vec();

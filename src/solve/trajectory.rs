@@ -3,7 +3,8 @@
 
 use super::consistent::{Initial, Refusal};
 use super::newton::{Iteration, Newton, NewtonOptions, NewtonReport, Outcome};
-use super::periodic::{PeriodicSolve, Stage};
+use super::periodic::Stage;
+use super::result::{Kind, Solved};
 use super::watch::Watch;
 use crate::collocation::{
     AlphaStep, Collocation, Conditions, GeneralizedAlpha, GridState, MotionState,
@@ -13,7 +14,7 @@ use crate::error::{Error, ErrorKind, Result, require_finite};
 use crate::fourier::TimeGrid;
 use crate::model::Model;
 use crate::motion::Motion;
-use crate::system::{Scales, System, Transient, require_reproducible_forces};
+use crate::system::{Regime, Scales, System, Transient, require_reproducible_forces};
 use crate::workers::Workers;
 use nalgebra::Vector6;
 use serde::{Deserialize, Serialize};
@@ -244,12 +245,6 @@ pub struct MarchRecord {
     pub start_moved: f64,
     /// Likewise of velocities, in the unit of time.
     pub start_corrected: f64,
-    /// Whether this is the orbit of a shooting solve.
-    #[serde(default)]
-    pub shooting: bool,
-    /// Of a shooting solve: real and imaginary parts of the Floquet multipliers, the largest first.
-    #[serde(default)]
-    pub floquet: Vec<[f64; 2]>,
 }
 
 /// One time's states.
@@ -653,20 +648,20 @@ pub fn march(
     model: &Model,
     options: &MarchOptions,
     observe: &mut dyn FnMut(Stage, &Iteration) -> bool,
-) -> Result<PeriodicSolve> {
+) -> Result<Solved> {
     options.validate()?;
     let length = match options.error_tolerance {
         Some(_) => options.step.min(options.span()),
         None => fitting_step(options.span(), options.step),
     };
     let began = Instant::now();
-    let system = Arc::new(System::in_transient(
+    let system = Arc::new(System::in_regime(
         model,
-        &Transient {
+        Regime::March(Transient {
             period: options.period,
             duration: options.span(),
             step: length,
-        },
+        }),
     )?);
     let scale = system.scales().length;
     require_reproducible_forces(model, scale, options.span(), options.start_time)?;
@@ -721,7 +716,7 @@ pub(super) fn finish(
     mut record: MarchRecord,
     kept: Vec<Kept>,
     refusal: Option<Refusal>,
-) -> Result<PeriodicSolve> {
+) -> Result<Solved> {
     let points = kept.len();
     let mut state = GridState::at_points(system, points);
     let mut node_states = vec![NodeState::at_rest(Motion::identity()); points * system.nodes()];
@@ -734,7 +729,7 @@ pub(super) fn finish(
     record.times = kept.iter().map(|kept| kept.time).collect();
     let (outcome, explanation) = refusal.unwrap_or((Outcome::Converged, String::new()));
     let iterations = record.iterations;
-    Ok(PeriodicSolve {
+    Ok(Solved {
         system: system.clone(),
         grid: TimeGrid::new(1, system.period())?,
         state,
@@ -749,14 +744,7 @@ pub(super) fn finish(
         timings: super::Timings::default(),
         total_time: Duration::ZERO,
         total_iterations: iterations,
-        grids: Vec::new(),
-        coarse_start: None,
-        attempts: Vec::new(),
-        iterative: None,
-        threads: 1,
-        assessment: None,
-        mesh_error: f64::INFINITY,
-        march: Some(record),
+        kind: Kind::March(record),
     })
 }
 

@@ -1,14 +1,18 @@
 //! Compares the tangents that a user's function gives with differences of its forces.
 
 use super::{System, coordinate_scales};
-use crate::elements::{CoordinateLaw, CoordinateState, NodeState, Tangent, UserForce};
+use crate::elements::{
+    CoordinateLaw, CoordinateState, NodeForceLaw, NodeState, Tangent, UserForce,
+};
 use crate::error::{Error, ErrorKind, Result};
-use crate::model::{ForceDefinition, Model};
+use crate::model::{ForceDefinition, JointCoordinate, Model};
 use nalgebra::{DMatrix, Vector6};
 use std::f64::consts::TAU;
 
 /// States that tangents are compared at.
 const STATES: usize = 4;
+/// Why a function that gives no tangents is not checked.
+const DIFFERENCED: &str = "its tangents are found by differences: there is nothing to compare";
 
 /// Where the tangents of a user's function differ most from differences of its forces.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -80,21 +84,136 @@ impl Probe {
     }
 }
 
-/// One tangent's derivatives, side by side, with what makes them comparable.
+/// One tangent's derivatives, side by side.
 struct Entries<'a> {
     tangent: Tangent,
     given: &'a DMatrix<f64>,
     differenced: &'a DMatrix<f64>,
 }
 
-/// The worst entry so far.
-struct Worst {
-    check: TangentCheck,
+/// A check on its way.
+struct Check<'a> {
+    model: &'a Model,
+    length: f64,
+    period: f64,
+    probe: Probe,
+    /// The worst entry so far.
+    worst: Option<TangentCheck>,
+    /// Its difference, and the largest tangent.
     difference: f64,
     largest: f64,
 }
 
-impl Worst {
+/// Compares the tangents of force `force`, at a few states near the reference configuration with
+/// random velocities, as they are in motions of period `period`.
+///
+/// # Errors
+/// [`ErrorKind::NotAvailable`] if the force is no function of the user that gives tangents, and
+/// what [`System::new`] refuses.
+pub fn check_tangents(model: &Model, force: usize, period: f64) -> Result<TangentCheck> {
+    let definition = model.require_force("force", force)?;
+    let length = System::new(model, period)?.scales().length;
+    let mut check = Check {
+        model,
+        length,
+        period,
+        probe: Probe::new(length, TAU / period),
+        worst: None,
+        difference: 0.0,
+        largest: 0.0,
+    };
+    let checked = match definition {
+        ForceDefinition::CoordinateLaw { at, law } => {
+            law.get().and_then(|law| check.coordinate_law(at, law))
+        }
+        ForceDefinition::NodeForces { nodes, law } => {
+            law.get().and_then(|law| check.node_forces(nodes, law))
+        }
+        _ => Err(unavailable("it is not a function of the user")),
+    };
+    checked.map_err(|e| e.within(format!("force {force}")))?;
+    let mut worst = check.worst.unwrap_or(TangentCheck {
+        error: 0.0,
+        time: 0.0,
+        tangent: Tangent::Stiffness,
+        row: None,
+        column: None,
+        given: 0.0,
+        differenced: 0.0,
+    });
+    if check.largest > 0.0 {
+        worst.error = check.difference / check.largest;
+    }
+    Ok(worst)
+}
+
+fn unavailable(why: &str) -> Error {
+    Error::new(ErrorKind::NotAvailable, why)
+}
+
+impl Check<'_> {
+    fn times(&self) -> impl Iterator<Item = f64> + use<> {
+        let period = self.period;
+        (0..STATES).map(move |s| period * (s as f64 + 0.37) / STATES as f64)
+    }
+
+    fn coordinate_law(&mut self, at: &JointCoordinate, law: &CoordinateLaw) -> Result<()> {
+        if !law.gives_derivatives {
+            return Err(unavailable(DIFFERENCED));
+        }
+        let reference = self.model.reference_coordinate(at);
+        let scales = coordinate_scales(at.coordinate, self.length, TAU / self.period);
+        for time in self.times() {
+            let state = CoordinateState {
+                time,
+                ..self.probe.coordinate(reference, scales)
+            };
+            let effort = law.call(&state)?;
+            let found = law.differenced(&state, CoordinateLaw::steps(&state, scales))?;
+            let pairs = [
+                (Tangent::Stiffness, effort.by_coordinate, found[0]),
+                (Tangent::Damping, effort.by_rate, found[1]),
+            ];
+            for ((tangent, given, found), scale) in pairs.into_iter().zip(scales) {
+                let entries = Entries {
+                    tangent,
+                    given: &DMatrix::from_element(1, 1, given),
+                    differenced: &DMatrix::from_element(1, 1, found),
+                };
+                self.compare(time, &entries, |_, _| scale, |_| None);
+            }
+        }
+        Ok(())
+    }
+
+    fn node_forces(&mut self, nodes: &[usize], law: &NodeForceLaw) -> Result<()> {
+        if !law.gives_tangents {
+            return Err(unavailable(DIFFERENCED));
+        }
+        let (length, frequency) = (self.length, TAU / self.period);
+        let element = UserForce::new(nodes.to_vec(), law.clone(), length, frequency);
+        let sizes = |component: usize| if component < 3 { length } else { 1.0 };
+        for time in self.times() {
+            let states = self.probe.nodes(self.model, nodes);
+            let pairs = element.tangent_pairs(time, &states)?;
+            let tangents = [(Tangent::Stiffness, 1.0), (Tangent::Damping, frequency)];
+            for (i, (tangent, rate)) in tangents.into_iter().enumerate() {
+                let entries = Entries {
+                    tangent,
+                    given: &pairs.given[i],
+                    differenced: &pairs.differenced[i],
+                };
+                let weight = |row: usize, column: usize| {
+                    let force = if row % 6 < 3 { 1.0 } else { 1.0 / length };
+                    force * sizes(column % 6) * rate
+                };
+                let place = |at: usize| Some((nodes[at / 6], at % 6));
+                self.compare(time, &entries, weight, place);
+            }
+        }
+        Ok(())
+    }
+
     /// Compares derivatives; `weights` of rows and columns make them comparable.
     fn compare(
         &mut self,
@@ -115,7 +234,7 @@ impl Worst {
                 .max(given.abs().max(differenced.abs()) * weight);
             if difference >= self.difference {
                 self.difference = difference;
-                self.check = TangentCheck {
+                self.worst = Some(TangentCheck {
                     error: 0.0,
                     time,
                     tangent: entries.tangent,
@@ -123,110 +242,8 @@ impl Worst {
                     column: place(column),
                     given,
                     differenced,
-                };
+                });
             }
         }
     }
-}
-
-/// Compares the tangents of force `force`, at a few states near the reference configuration with
-/// random velocities, as they are in motions of period `period`.
-///
-/// # Errors
-/// [`ErrorKind::NotAvailable`] if the force is no function of the user that gives tangents, and
-/// what [`System::new`] refuses.
-pub fn check_tangents(model: &Model, force: usize, period: f64) -> Result<TangentCheck> {
-    let definition = model.require_force("force", force)?;
-    let unavailable = |why: &str| {
-        let message = format!("force {force}: {why}");
-        Error::new(ErrorKind::NotAvailable, message)
-    };
-    let length = System::new(model, period)?.scales().length;
-    let frequency = TAU / period;
-    let mut probe = Probe::new(length, frequency);
-    let mut worst = Worst {
-        check: TangentCheck {
-            error: 0.0,
-            time: 0.0,
-            tangent: Tangent::Stiffness,
-            row: None,
-            column: None,
-            given: 0.0,
-            differenced: 0.0,
-        },
-        difference: 0.0,
-        largest: 0.0,
-    };
-    let differenced = "its tangents are found by differences: there is nothing to compare";
-    let times = (0..STATES).map(|s| period * (s as f64 + 0.37) / STATES as f64);
-    match definition {
-        ForceDefinition::CoordinateLaw { at, law } => {
-            if !law.gives_derivatives {
-                return Err(unavailable(differenced));
-            }
-            let reference = model.reference_coordinate(at.joint, at.coordinate);
-            let scales = coordinate_scales(at.coordinate, length, frequency);
-            for time in times {
-                let state = CoordinateState {
-                    time,
-                    ..probe.coordinate(reference, scales)
-                };
-                let effort = law
-                    .call(&state)
-                    .map_err(|e| e.within(format!("force {force}")))?;
-                let steps = CoordinateLaw::steps(&state, scales);
-                let found = law
-                    .differenced(&state, steps)
-                    .map_err(|e| e.within(format!("force {force}")))?;
-                let pairs = [
-                    (Tangent::Stiffness, effort.by_coordinate, found[0]),
-                    (Tangent::Damping, effort.by_rate, found[1]),
-                ];
-                for ((tangent, given, found), scale) in pairs.into_iter().zip(scales) {
-                    let entries = Entries {
-                        tangent,
-                        given: &DMatrix::from_element(1, 1, given),
-                        differenced: &DMatrix::from_element(1, 1, found),
-                    };
-                    worst.compare(time, &entries, |_, _| scale, |_| None);
-                }
-            }
-        }
-        ForceDefinition::NodeForces { nodes, law } => {
-            if !law.gives_tangents {
-                return Err(unavailable(differenced));
-            }
-            let element = UserForce::new(nodes.clone(), law.clone(), length, frequency);
-            let sizes = |component: usize| if component < 3 { length } else { 1.0 };
-            for time in times {
-                let states = probe.nodes(model, nodes);
-                let pairs = element
-                    .tangent_pairs(time, &states)
-                    .map_err(|e| e.within(format!("force {force}")))?;
-                for (i, tangent) in [Tangent::Stiffness, Tangent::Damping]
-                    .into_iter()
-                    .enumerate()
-                {
-                    let entries = Entries {
-                        tangent,
-                        given: &pairs.given[i],
-                        differenced: &pairs.differenced[i],
-                    };
-                    let rate = if i == 0 { 1.0 } else { frequency };
-                    let weight = |row: usize, column: usize| {
-                        let force = if row % 6 < 3 { 1.0 } else { 1.0 / length };
-                        force * sizes(column % 6) * rate
-                    };
-                    let place = |at: usize| Some((nodes[at / 6], at % 6));
-                    worst.compare(time, &entries, weight, place);
-                }
-            }
-        }
-        _ => return Err(unavailable("it is not a function of the user")),
-    }
-    let mut check = worst.check;
-    if worst.largest > 0.0 {
-        check.error = worst.difference / worst.largest;
-    }
-    Ok(check)
 }

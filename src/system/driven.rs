@@ -131,7 +131,7 @@ impl System {
         let [(_, start), (_, middle), (_, end)] = values;
         self.driven_with(|drive| {
             let s = drive.signal;
-            let is_known = self.transient.is_none_or(|t| t.period.is_some());
+            let is_known = self.regime.knows_period();
             let turns = match self.signals[s].signal {
                 // Whether it goes on and on is not known.
                 BoundSignal::Function { .. } if !is_known => {
@@ -189,7 +189,7 @@ impl System {
     /// What a signal gains in a unit of time, in the mean.
     fn mean_rate(&self, signal: usize) -> Result<f64> {
         let signal = &self.signals[signal].signal;
-        let is_known = self.transient.is_none_or(|t| t.period.is_some());
+        let is_known = self.regime.knows_period();
         Ok(match signal {
             BoundSignal::Series(series) => series.rate,
             BoundSignal::Function { period, .. } if is_known => signal.growth()? / period,

@@ -1,7 +1,7 @@
 //! Mass, centre and inertia of bodies and beams.
 
+use super::System;
 use crate::elements::Element;
-use crate::model::Model;
 use crate::motion::skew;
 use nalgebra::{Matrix3, Matrix6, Vector3};
 use std::collections::BTreeMap;
@@ -23,18 +23,18 @@ pub struct MassProperties {
 }
 
 impl MassProperties {
-    /// Of all members of a model that have mass: `members` gives, for each node, the node that
+    /// Of all members of a system that have mass: `members` gives, for each node, the node that
     /// stands for its member.
-    pub(super) fn of_members(model: &Model, members: &[usize]) -> Vec<Self> {
+    pub(super) fn of_members(system: &System, members: &[usize]) -> Vec<Self> {
         let mut about_origin: BTreeMap<usize, Matrix6<f64>> = BTreeMap::new();
-        for inertia in &model.inertias {
+        for inertia in &system.inertias {
             let nodes = inertia.nodes();
-            let motions: Vec<_> = nodes.iter().map(|&n| model.nodes[n]).collect();
+            let motions: Vec<_> = nodes.iter().map(|&n| system.reference[n]).collect();
             *about_origin.entry(members[nodes[0]]).or_default() += inertia.about_origin(&motions);
         }
         let of = |(member, inertia): (usize, Matrix6<f64>)| {
             let nodes = (0..members.len()).filter(|&n| members[n] == member);
-            let beams = model.beams.iter();
+            let beams = system.beams.iter();
             Self::about_centre(
                 nodes.collect(),
                 beams

@@ -49,8 +49,9 @@ fn require_repeating_forces(
         let mut probe = Probe::new(length, frequency);
         match force {
             ForceDefinition::CoordinateLaw { at, law } => {
+                let law = law.get()?;
                 let scales = coordinate_scales(at.coordinate, length, frequency);
-                let reference = model.reference_coordinate(at.joint, at.coordinate);
+                let reference = model.reference_coordinate(at);
                 let state = probe.coordinate(reference, scales);
                 let effort = |time: f64| {
                     let state = CoordinateState { time, ..state };
@@ -60,6 +61,7 @@ fn require_repeating_forces(
                     .map_err(|e| e.within(format!("force {index} on joint {}", at.joint)))?;
             }
             ForceDefinition::NodeForces { nodes, law } => {
+                let law = law.get()?;
                 let states = probe.nodes(model, nodes);
                 let element = UserForce::new(nodes.clone(), law.clone(), length, frequency);
                 let forces = |time: f64| {

@@ -41,7 +41,7 @@ impl Scales {
     /// Scales of `system`.
     pub(super) fn of(system: &System) -> Result<Self> {
         let mut signals = vec![0.0; system.signals()];
-        if system.standstill.is_some() {
+        if system.standstill().is_some() {
             system.signal_values(0.0, 1.0, &mut signals)?;
         }
         let coordinates = vec![0.0; system.tracked()];
@@ -90,10 +90,10 @@ impl Scales {
             length = 1.0;
         }
         // At a standstill no time is characteristic, but the loads are known.
-        let other = if system.standstill.is_some() {
+        let other = if system.standstill().is_some() {
             load_force.max(load_moment / length)
         } else {
-            let rate = system.characteristic_frequency();
+            let rate = system.regime.characteristic_frequency();
             mass * length * rate * rate
         };
         let mut force = (linear * length).max(angular / length).max(other);

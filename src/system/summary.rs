@@ -4,7 +4,7 @@ use super::constraints::Dependency;
 use super::mass_properties::{MassProperties, readable, readable_all};
 use super::partition::{Partition, parts};
 use super::warnings::warnings;
-use super::{ElementRole, Standstill, System};
+use super::{ElementRole, Regime, Standstill, System};
 use crate::error::Result;
 use crate::model::Model;
 use nalgebra::Vector3;
@@ -56,7 +56,7 @@ impl Summary {
     /// # Errors
     /// If the model has no nodes, or a signal's function fails.
     pub fn of(model: &Model) -> Result<Self> {
-        let system = System::at_standstill(model, &Standstill::default())?;
+        let system = System::in_regime(model, Regime::Standstill(Standstill::default()))?;
         let bodies = rigid_members(&system);
         let members = (0..bodies.len()).filter(|&n| bodies[n] == n).count();
         let constraints = system.constraint_count();
@@ -64,7 +64,7 @@ impl Summary {
         let rigid = system.dependencies_if_rigid(&bodies)?;
         let redundant_if_rigid: usize = rigid.iter().map(|d| d.count).sum();
         let parts = parts(&system, |_| true);
-        let (mass, moment) = model.mass_and_moment();
+        let (mass, moment) = model.mass_and_moment()?;
         let warnings = warnings(model, &system, &bodies, &parts);
         Ok(Summary {
             nodes: system.nodes(),
@@ -84,11 +84,11 @@ impl Summary {
             } else {
                 Vector3::zeros()
             },
-            mass_properties: MassProperties::of_members(model, &bodies),
+            mass_properties: MassProperties::of_members(&system, &bodies),
             inner_stations: model
                 .beams
                 .iter()
-                .map(|beam| beam.sections().inner_places())
+                .map(|beam| beam.sections.inner_places())
                 .sum(),
             warnings,
             dependencies: system.dependencies().to_vec(),

@@ -56,7 +56,7 @@ impl System {
     /// # Errors
     /// If gravity is not along the axis, so that nothing could stand still.
     pub(super) fn add_turning(&mut self) -> Result<()> {
-        let velocity = match &self.standstill {
+        let velocity = match self.standstill() {
             Some(standstill) if standstill.angular_velocity != Vector3::zeros() => {
                 standstill.angular_velocity
             }
@@ -94,7 +94,7 @@ impl System {
 
     /// Twist of a frame at the origin that turns with `angular` about the axis.
     fn twist_about_axis(&self, angular: &Vector3<f64>) -> Vector6<f64> {
-        let point = self.standstill.map_or(Vector3::zeros(), |s| s.axis_point);
+        let point = self.standstill().map_or(Vector3::zeros(), |s| s.axis_point);
         let twist = DualVector {
             primal: *angular,
             dual: point.cross(angular),
@@ -102,15 +102,10 @@ impl System {
         twist.to_twist()
     }
 
-    /// Where all signals are constant: the time and the frame.
-    pub fn standstill(&self) -> Option<&super::Standstill> {
-        self.standstill.as_ref()
-    }
-
     /// State in the inertial frame, from one in the frame that motions are described in; resolved
     /// along the same axes.
     pub fn inertial_state(&self, state: &NodeState) -> NodeState {
-        match &self.standstill {
+        match self.standstill() {
             Some(standstill) if self.turning.is_some() => {
                 inertial(state, &self.twist_about_axis(&standstill.angular_velocity))
             }

@@ -3,11 +3,12 @@
 use super::constraints::name_all;
 use super::partition::{Partition, parts};
 use super::{ElementRole, Placed, System};
-use crate::elements::{Element, Joint, NodeState, rigid_body_inertia};
-use crate::model::{ForceDefinition, Model};
+use crate::elements::{Beam, Element, NodeState, Section, rigid_body_inertia};
+use crate::model::{ForceDefinition, JointDefinition, Model};
 use crate::motion::Motion;
 use nalgebra::{Matrix3, Matrix6, Vector3};
 use std::collections::HashMap;
+use std::sync::Arc;
 
 /// Range of the ratio of a section's radius of gyration to the element's length beyond which units
 /// look mixed up: millimetres for metres are a factor of 1000.
@@ -38,9 +39,9 @@ pub(super) fn warnings(
     warn_of_loose_parts(model, system, unconnected, &mut warnings);
     warn_of_missing_joints(model, system, members, &mut warnings);
     warn_of_bare_nodes(system, &mut warnings);
-    warn_of_beams(model, &mut warnings);
-    warn_of_bodies(model, system.scales().length, &mut warnings);
-    warn_of_open_joints(model, system.scales().length, &mut warnings);
+    warn_of_beams(system, &mut warnings);
+    warn_of_bodies(system, &mut warnings);
+    warn_of_open_joints(system, &mut warnings);
     warn_of_far_joints(model, system.scales().length, &mut warnings);
     warnings
 }
@@ -63,7 +64,7 @@ fn holds(model: &Model, placed: &Placed) -> bool {
     match placed.role {
         ElementRole::Inertia | ElementRole::Load => false,
         ElementRole::Beam(_) | ElementRole::Prescribed(_) => true,
-        ElementRole::Joint(index) => model.joints[index].kind().constraints() > 0,
+        ElementRole::Joint(index) => model.joints[index].kind.constraints() > 0,
         ElementRole::Force(index) => match &model.forces[index] {
             ForceDefinition::SpringDamper { stiffness, .. } => stiffness.iter().any(|&k| k != 0.0),
             ForceDefinition::Viscoelastic { stiffness, .. } => *stiffness != 0.0,
@@ -106,7 +107,7 @@ fn warn_of_missing_joints(
 ) {
     let mut on_beam = vec![false; system.nodes()];
     for beam in &model.beams {
-        beam.nodes().iter().for_each(|&node| on_beam[node] = true);
+        beam.nodes.iter().for_each(|&node| on_beam[node] = true);
     }
     let unit = SAME_PLACE * system.scales().length;
     let mut places: HashMap<[i64; 3], Vec<usize>> = HashMap::new();
@@ -171,83 +172,96 @@ fn warn_of_bare_nodes(system: &System, warnings: &mut Vec<String>) {
     }
 }
 
-fn warn_of_beams(model: &Model, warnings: &mut Vec<String>) {
-    let mut massless = Vec::new();
-    let (mut slender, mut thick, mut odd_shear) = (Vec::new(), Vec::new(), Vec::new());
-    let (mut odd_mass, mut radii) = (Vec::new(), (0.0, 0.0));
-    // Stiffness against stretching and bending, as forces for a displacement of the element's
-    // length.
-    let (mut stiffest, mut softest) = ((0.0, 0), (f64::INFINITY, 0));
-    for (index, beam) in model.beams.iter().enumerate() {
-        let section = beam.middle_section();
-        let length = beam.length();
-        let (axial, shear) = (
-            section.stiffness[(0, 0)],
-            section.stiffness[(1, 1)].min(section.stiffness[(2, 2)]),
+/// What tells whether the section of a beam element may be meant.
+struct Sizes {
+    length: f64,
+    axial: f64,
+    shear: f64,
+    /// The less stiff way.
+    bending: f64,
+    massless: bool,
+    /// Squares of the radii of gyration by mass and by stiffness.
+    radii2: [f64; 2],
+}
+
+impl Sizes {
+    fn of(beam: &Arc<Beam>) -> Self {
+        let Section {
+            stiffness: k,
+            mass: m,
+            ..
+        } = beam.middle_section();
+        let axial = k[(0, 0)];
+        Sizes {
+            length: beam.length(),
+            axial,
+            shear: k[(1, 1)].min(k[(2, 2)]),
+            bending: k[(4, 4)].min(k[(5, 5)]),
+            massless: m == Matrix6::zeros(),
+            radii2: [
+                m[(4, 4)].max(m[(5, 5)]) / m[(0, 0)],
+                k[(4, 4)].max(k[(5, 5)]) / axial,
+            ],
+        }
+    }
+
+    fn slenderness(&self) -> f64 {
+        (self.bending / self.axial).sqrt() / self.length
+    }
+
+    fn has_odd_mass(&self) -> bool {
+        let [of_mass, of_stiffness] = self.radii2;
+        of_mass > 0.0 && !(1.0 / UNLIKE..=UNLIKE).contains(&(of_mass / of_stiffness))
+    }
+
+    /// Stiffness against bending, as a force for a displacement of the element's length.
+    fn softness(&self) -> f64 {
+        self.bending / (self.length * self.length)
+    }
+}
+
+fn warn_of_beams(system: &System, warnings: &mut Vec<String>) {
+    let beams: Vec<Sizes> = system.beams.iter().map(Sizes::of).collect();
+    let mut warn = |is_odd: &dyn Fn(&Sizes) -> bool, what: &str| {
+        let odd: Vec<usize> = (0..beams.len()).filter(|&i| is_odd(&beams[i])).collect();
+        if !odd.is_empty() {
+            warnings.push(format!("{}: {what}", name_all("beam element", &odd)));
+        }
+    };
+    warn(&|beam| beam.massless, "no mass");
+    warn(
+        &|beam| beam.slenderness() < *SLENDER.start(),
+        "very soft in bending against its axial stiffness, as if units were mixed up",
+    );
+    warn(
+        &|beam| beam.slenderness() > *SLENDER.end(),
+        "very stiff in bending for its length and axial stiffness, as if units were mixed up",
+    );
+    if let Some(odd) = beams.iter().rfind(|beam| beam.has_odd_mass()) {
+        let [by_mass, by_stiffness] = odd.radii2.map(f64::sqrt);
+        let what = format!(
+            "a radius of gyration of {by_mass:.1e} by mass, but {by_stiffness:.1e} by stiffness, \
+             as if units were mixed up"
         );
-        let bending = section.stiffness[(4, 4)].min(section.stiffness[(5, 5)]);
-        if section.mass == Matrix6::zeros() {
-            massless.push(index);
-        }
-        let slenderness = (bending / axial).sqrt() / length;
-        if slenderness < *SLENDER.start() {
-            slender.push(index);
-        } else if slenderness > *SLENDER.end() {
-            thick.push(index);
-        }
-        let of_mass = section.mass[(4, 4)].max(section.mass[(5, 5)]) / section.mass[(0, 0)];
-        let of_stiffness = section.stiffness[(4, 4)].max(section.stiffness[(5, 5)]) / axial;
-        if of_mass > 0.0 && !(1.0 / UNLIKE..=UNLIKE).contains(&(of_mass / of_stiffness)) {
-            odd_mass.push(index);
-            radii = (of_mass.sqrt(), of_stiffness.sqrt());
-        }
-        if !(1e-4..=1e2).contains(&(shear / axial)) {
-            odd_shear.push(index);
-        }
-        let soft = bending / (length * length);
-        if axial > stiffest.0 {
-            stiffest = (axial, index);
-        }
-        if soft < softest.0 {
-            softest = (soft, index);
-        }
+        warn(&Sizes::has_odd_mass, &what);
     }
-    if !massless.is_empty() {
-        warnings.push(format!("{}: no mass", name_all("beam element", &massless)));
-    }
-    if !slender.is_empty() {
-        warnings.push(format!(
-            "{}: very soft in bending against its axial stiffness, as if units were mixed up",
-            name_all("beam element", &slender)
-        ));
-    }
-    if !thick.is_empty() {
-        warnings.push(format!(
-            "{}: very stiff in bending for its length and axial stiffness, as if units were mixed \
-             up",
-            name_all("beam element", &thick)
-        ));
-    }
-    if !odd_mass.is_empty() {
-        warnings.push(format!(
-            "{}: a radius of gyration of {:.1e} by mass, but {:.1e} by stiffness, as if units \
-             were mixed up",
-            name_all("beam element", &odd_mass),
-            radii.0,
-            radii.1
-        ));
-    }
-    if !odd_shear.is_empty() {
-        warnings.push(format!(
-            "{}: shear stiffness of another order than the axial one",
-            name_all("beam element", &odd_shear)
-        ));
+    warn(
+        &|beam| !(1e-4..=1e2).contains(&(beam.shear / beam.axial)),
+        "shear stiffness of another order than the axial one",
+    );
+    let (mut stiffest, mut softest) = ((0.0, 0), (f64::INFINITY, 0));
+    for (index, beam) in beams.iter().enumerate() {
+        if beam.axial > stiffest.0 {
+            stiffest = (beam.axial, index);
+        }
+        if beam.softness() < softest.0 {
+            softest = (beam.softness(), index);
+        }
     }
     if stiffest.0 > SPREAD * softest.0 {
         warnings.push(format!(
             "beam element {} is {:.0e} times as stiff in tension as beam element {} is in \
-             bending: results lose as \
-             many digits",
+             bending: results lose as many digits",
             stiffest.1,
             stiffest.0 / softest.0,
             softest.1
@@ -255,9 +269,10 @@ fn warn_of_beams(model: &Model, warnings: &mut Vec<String>) {
     }
 }
 
-fn warn_of_bodies(model: &Model, size: f64, warnings: &mut Vec<String>) {
+fn warn_of_bodies(system: &System, warnings: &mut Vec<String>) {
+    let size = system.scales.length;
     let (mut impossible, mut odd) = (Vec::new(), Vec::new());
-    for inertia in &model.inertias {
+    for inertia in &system.inertias {
         let &[node] = inertia.nodes() else { continue };
         let m = inertia.mass();
         let mass = m[(0, 0)];
@@ -295,12 +310,13 @@ fn warn_of_bodies(model: &Model, size: f64, warnings: &mut Vec<String>) {
     }
 }
 
-fn warn_of_open_joints(model: &Model, length: f64, warnings: &mut Vec<String>) {
-    for (index, joint) in model.joints.iter().enumerate() {
+fn warn_of_open_joints(system: &System, warnings: &mut Vec<String>) {
+    let length = system.scales.length;
+    for (index, joint) in system.joints.iter().enumerate() {
         let states: Vec<NodeState> = joint
             .nodes()
             .iter()
-            .map(|&n| NodeState::at_rest(model.nodes[n]))
+            .map(|&n| NodeState::at_rest(system.reference[n]))
             .collect();
         let z: Motion = joint.relative_motion(&states);
         let kind = joint.kind();
@@ -327,9 +343,8 @@ fn warn_of_far_joints(model: &Model, size: f64, warnings: &mut Vec<String>) {
     if model.nodes.len() < 2 {
         return; // there is nothing that one body's joints could be compared with
     }
-    let distance = |joint: &Joint| {
-        let (first, second) = joint.attachments();
-        [first, second]
+    let distance = |joint: &JointDefinition| {
+        [joint.first, joint.second]
             .iter()
             .filter(|end| end.node.is_some())
             .map(|end| end.offset.position.norm())

@@ -98,7 +98,7 @@ fn motions_that_are_prescribed_take_one_grid_which_the_start_tells() {
         let options = PeriodicOptions::with_error_tolerance(tolerance);
         let found = Solution::solve(&model, 1.0, &options, &mut |_, _| true).unwrap();
         assert_eq!(found.outcome(), Outcome::Converged);
-        let grids = &found.details().grids;
+        let grids = &found.details().periodic().unwrap().grids;
         let exact = solve(&model, 1.0, 121);
         let error = true_error(&found, &exact);
         println!("{tolerance:e}: {error:e} {grids:?}");
@@ -121,7 +121,7 @@ fn the_tolerance_is_met_and_the_estimate_honest_on_all_smooth_examples() {
         let exact = solve(&example.model, example.period, REFERENCE);
         let found = adaptive(&example, tolerance, 255);
         assert_eq!(found.outcome(), Outcome::Converged, "{}", found.report());
-        let grids = &found.details().grids;
+        let grids = &found.details().periodic().unwrap().grids;
         // Each grid alone, and as one of the sequence.
         for tried in grids {
             let alone = solve(&example.model, example.period, tried.points);
@@ -336,7 +336,14 @@ fn oversampled_equations_meet_the_tolerance_too() {
             Solution::solve(&example.model, example.period, &options, &mut |_, _| true).unwrap();
         let estimate = solution.diagnostics().error_estimate;
         let error = true_error(&solution, &exact);
-        let grids: Vec<usize> = solution.details().grids.iter().map(|g| g.points).collect();
+        let grids: Vec<usize> = solution
+            .details()
+            .periodic()
+            .unwrap()
+            .grids
+            .iter()
+            .map(|g| g.points)
+            .collect();
         println!(
             "{}: {grids:?}, error {error:.1e}, estimate {estimate:.1e}",
             example.name

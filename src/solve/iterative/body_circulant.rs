@@ -21,57 +21,33 @@ use super::mean::{Averages, MeanStrain};
 use super::resultants::Resultants;
 use crate::collocation::{Aliasing, Collocation, Tangent};
 use crate::error::Result;
+use crate::fourier::{Analysis, Synthesis};
 use crate::workers::{Workers, parts};
 use nalgebra::{Complex, Matrix6};
-use realfft::{ComplexToReal, RealFftPlanner, RealToComplex};
-use std::sync::Arc;
 use std::time::{Duration, Instant};
 
 /// Most unknowns of a dense system of one harmonic.
 const LARGEST_BLOCK: usize = 240;
 
-/// Real Fourier transforms over the grid.
+/// Both ways over the grid.
 #[derive(Clone)]
 struct Transform {
-    forward: Arc<dyn RealToComplex<f64>>,
-    backward: Arc<dyn ComplexToReal<f64>>,
-    samples: Vec<f64>,
-    spectrum: Vec<Complex<f64>>,
-    scratch: Vec<Complex<f64>>,
+    analysis: Analysis,
+    synthesis: Synthesis,
 }
 
 impl Transform {
     fn new(points: usize) -> Self {
-        let mut planner = RealFftPlanner::new();
-        let forward = planner.plan_fft_forward(points);
-        let backward = planner.plan_fft_inverse(points);
-        let scratch = forward.get_scratch_len().max(backward.get_scratch_len());
         Transform {
-            samples: vec![0.0; points],
-            spectrum: forward.make_output_vec(),
-            scratch: vec![Complex::default(); scratch],
-            forward,
-            backward,
+            analysis: Analysis::new(points),
+            synthesis: Synthesis::new(points),
         }
     }
 
-    /// Transforms `samples` to `spectrum`. The lengths are this object's own, so it cannot fail.
-    fn forward(&mut self) {
-        let _ = self.forward.process_with_scratch(
-            &mut self.samples,
-            &mut self.spectrum,
-            &mut self.scratch,
-        );
-    }
-
-    /// Transforms `spectrum` to `samples`, times the number of points.
-    fn backward(&mut self) {
-        self.spectrum[0].im = 0.0;
-        let _ = self.backward.process_with_scratch(
-            &mut self.spectrum,
-            &mut self.samples,
-            &mut self.scratch,
-        );
+    /// Back to samples, times their number.
+    fn backward(&mut self) -> &[f64] {
+        self.synthesis.write(&mut self.analysis.samples);
+        &self.analysis.samples
     }
 }
 
@@ -303,20 +279,20 @@ impl BodyCirculant {
                     lanes[j / LANES][first + component].get(j % LANES) * scale
                 };
                 for component in 0..6 {
-                    for (j, value) in transform.spectrum.iter_mut().enumerate() {
+                    let spectrum = &mut transform.synthesis.spectrum;
+                    for (j, value) in spectrum.iter_mut().enumerate() {
                         let rate = Complex::new(0.0, frequency * j as f64);
                         *value = harmonic(j, component) * rate;
                     }
                     for (below, added) in aliasing[node].iter().enumerate() {
                         let j = points / 2 - below;
-                        transform.spectrum[j] += (0..6)
+                        spectrum[j] += (0..6)
                             .map(|other| added.velocity[(component, other)] * harmonic(j, other))
                             .sum::<Complex<f64>>();
                     }
-                    transform.backward();
                     let series = rates[component..].iter_mut().step_by(6);
                     series
-                        .zip(&transform.samples)
+                        .zip(transform.backward())
                         .for_each(|(rate, sample)| *rate = *sample);
                 }
             },
@@ -327,7 +303,7 @@ impl BodyCirculant {
     fn close_joints(&mut self, interface: &mut Interface, x: &mut [f64]) {
         let [mut forces, mut motions, mut products] = std::mem::take(&mut self.series);
         for (&unknown, series) in self.kept.iter().zip(&mut forces) {
-            gather(&mut self.transform, &self.lanes, unknown, series);
+            series.copy_from_slice(collect(&mut self.transform, &self.lanes, unknown));
         }
         interface.determined(x, &mut motions);
         self.multiply_kept(&motions, &mut products);
@@ -346,8 +322,8 @@ impl BodyCirculant {
     /// Forces by `motions` of what is kept; the motions' harmonics stay where they are kept.
     fn multiply_kept(&mut self, motions: &[Vec<f64>], forces: &mut [Vec<f64>]) {
         for (&unknown, series) in self.kept.iter().zip(motions) {
-            self.transform.samples.copy_from_slice(series);
-            spread(&mut self.transform, &mut self.lanes, unknown);
+            self.transform.analysis.read(series.iter().copied());
+            spread(&self.transform.analysis, &mut self.lanes, unknown);
         }
         let all = self.factors.iter().zip(&self.lanes).zip(&mut self.products);
         for ((factors, lanes), products) in all {
@@ -357,7 +333,7 @@ impl BodyCirculant {
             factors.add_kept_product(&self.layout.structure, lanes, products);
         }
         for (&unknown, series) in self.kept.iter().zip(forces) {
-            gather(&mut self.transform, &self.products, unknown, series);
+            series.copy_from_slice(collect(&mut self.transform, &self.products, unknown));
         }
     }
 
@@ -375,10 +351,8 @@ impl BodyCirculant {
                 let (region, count) = (regions[i].of(x), regions[i].unknowns.len());
                 for (component, spectrum) in spectra.chunks_exact_mut(harmonics).enumerate() {
                     let series = region[component..].iter().step_by(count);
-                    let samples = transform.samples.iter_mut();
-                    samples.zip(series).for_each(|(sample, x)| *sample = *x);
-                    transform.forward();
-                    spectrum.copy_from_slice(&transform.spectrum);
+                    transform.analysis.read(series.copied());
+                    spectrum.copy_from_slice(&transform.analysis.spectrum);
                 }
             });
     }
@@ -392,10 +366,9 @@ impl BodyCirculant {
             .for_each(&mut parts, &mut self.rooms, new, |transform, i, x| {
                 let count = regions[i].unknowns.len();
                 for (component, unknown) in regions[i].unknowns.clone().enumerate() {
-                    collect(transform, lanes, unknown);
                     let series = x[component..].iter_mut().step_by(count);
                     series
-                        .zip(&transform.samples)
+                        .zip(collect(transform, lanes, unknown))
                         .for_each(|(x, sample)| *x = *sample);
                 }
             });
@@ -412,14 +385,18 @@ impl BodyCirculant {
             for i in 0..structure.size(row) {
                 for j in 0..structure.size(column) {
                     let place = structure.entry((row, column), (i, j));
-                    for (h, value) in self.transform.spectrum.iter_mut().enumerate() {
+                    let spectrum = &mut self.transform.synthesis.spectrum;
+                    for (h, value) in spectrum.iter_mut().enumerate() {
                         *value = self.factors[h / LANES].get(place).get(h % LANES);
                     }
-                    self.transform.backward();
                     let scale = 1.0 / self.points as f64;
                     let (a, b) = (structure.first(row) + i, structure.first(column) + j);
-                    stiffness[number(a)][number(b)] =
-                        self.transform.samples.iter().map(|x| x * scale).collect();
+                    stiffness[number(a)][number(b)] = self
+                        .transform
+                        .backward()
+                        .iter()
+                        .map(|x| x * scale)
+                        .collect();
                 }
             }
         }
@@ -427,25 +404,28 @@ impl BodyCirculant {
     }
 }
 
-/// Transforms the samples and writes their harmonics to the lanes of an unknown.
-fn spread(transform: &mut Transform, lanes: &mut [Vec<ComplexLanes>], unknown: usize) {
-    let harmonics = transform.samples.len() / 2;
-    transform.forward();
+/// Writes harmonics to the lanes of an unknown.
+fn spread(analysis: &Analysis, lanes: &mut [Vec<ComplexLanes>], unknown: usize) {
+    let harmonics = analysis.samples.len() / 2;
     for (chunk, lanes) in lanes.iter_mut().enumerate() {
         for lane in 0..LANES {
             let j = (LANES * chunk + lane).min(harmonics);
-            lanes[unknown].set(lane, transform.spectrum[j]);
+            lanes[unknown].set(lane, analysis.spectrum[j]);
         }
     }
 }
 
-/// Transforms the harmonics of an unknown back, to the samples.
-fn collect(transform: &mut Transform, lanes: &[Vec<ComplexLanes>], unknown: usize) {
-    let scale = 1.0 / transform.samples.len() as f64;
-    for (j, value) in transform.spectrum.iter_mut().enumerate() {
+/// Transforms the harmonics of an unknown back, to samples.
+fn collect<'t>(
+    transform: &'t mut Transform,
+    lanes: &[Vec<ComplexLanes>],
+    unknown: usize,
+) -> &'t [f64] {
+    let scale = 1.0 / transform.analysis.samples.len() as f64;
+    for (j, value) in transform.synthesis.spectrum.iter_mut().enumerate() {
         *value = lanes[j / LANES][unknown].get(j % LANES) * scale;
     }
-    transform.backward();
+    transform.backward()
 }
 
 /// What the grid makes of a node's highest harmonics, for scaled increments and their scaled
@@ -459,15 +439,4 @@ fn scaled_aliasing(equations: &Collocation, node: usize) -> Vec<Aliasing> {
         acceleration: scaled(aliasing.acceleration),
     })
     .collect()
-}
-
-/// The same as [`collect`], to a series.
-fn gather(
-    transform: &mut Transform,
-    lanes: &[Vec<ComplexLanes>],
-    unknown: usize,
-    series: &mut [f64],
-) {
-    collect(transform, lanes, unknown);
-    series.copy_from_slice(&transform.samples);
 }

@@ -412,9 +412,9 @@ mod tests {
     use super::*;
     use crate::model::Model;
     use crate::solve::test_models::{four_bar, hingeless, rotor};
-    use crate::solve::{LinearMethod, Outcome, PeriodicOptions, PeriodicSolve, solve_periodic};
+    use crate::solve::{LinearMethod, Outcome, PeriodicOptions, Solved, solve_periodic};
 
-    fn solve(model: &Model, period: f64, points: usize, linear: LinearMethod) -> PeriodicSolve {
+    fn solve(model: &Model, period: f64, points: usize, linear: LinearMethod) -> Solved {
         let options = PeriodicOptions {
             linear,
             ..PeriodicOptions::with_grid_points(points)
@@ -426,7 +426,7 @@ mod tests {
 
     /// Products that a solution to 1e-8 takes at the periodic motion; none if it cannot be had. The
     /// error is measured.
-    fn products(solve: &PeriodicSolve, preconditioner: Preconditioner) -> Option<usize> {
+    fn products(solve: &Solved, preconditioner: Preconditioner) -> Option<usize> {
         let trial = try_linear_solve(solve, preconditioner, 1e-8).unwrap();
         // The estimate may miss by the part of the error that the small system does not show.
         assert!(

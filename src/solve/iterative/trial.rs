@@ -5,7 +5,7 @@ use crate::collocation::{Collocation, Conditions, GridState};
 use crate::error::Result;
 use crate::solve::linear::LinearSolver;
 use crate::solve::newton::Timings;
-use crate::solve::periodic::PeriodicSolve;
+use crate::solve::result::Solved;
 use std::time::{Duration, Instant};
 
 /// Products that are timed.
@@ -45,7 +45,7 @@ pub struct LinearTrial {
 /// # Errors
 /// If the equations cannot be evaluated.
 pub fn try_linear_solve(
-    solve: &PeriodicSolve,
+    solve: &Solved,
     preconditioner: Preconditioner,
     tolerance: f64,
 ) -> Result<LinearTrial> {

@@ -17,9 +17,9 @@
 //! accurate than the first, and at least half as stiff. Damping is that of `𝒟` under the strains of
 //! each. A uniform section gives each point its own law again. See docs/theory.md, section 6.6.
 
-use super::section::Section;
-use super::shape::shape_functions;
-use super::{OtherStation, StressLaw};
+use crate::elements::section::Section;
+use crate::elements::shape::shape_functions;
+use crate::elements::{OtherStation, StressLaw};
 use crate::error::{Error, ErrorKind, Result};
 use nalgebra::{DMatrix, Matrix6, Vector6};
 

@@ -1,0 +1,285 @@
+//! Forces and tangents of a beam element, summed over its Gauss points.
+
+use super::Beam;
+use super::law::CoupledLaw;
+use super::station::{NodeTerms, Station, StationMotion, strain_rate};
+use super::variations::{adjoint_variations, geometric_stiffness, rate_variations};
+use crate::elements::{Contribution, Element, Instant, NodeState, StrainTangent, StressLaw};
+use crate::error::Result;
+use crate::motion::{DualVector, product};
+use nalgebra::{Matrix6, Vector6};
+
+/// Room for what the element finds at its stations.
+#[derive(Debug, Clone, Default)]
+pub(in crate::elements) struct Scratch {
+    pub(super) terms: Vec<NodeTerms>,
+    motions: Vec<StationMotion>,
+    pub(super) strains: Vec<Vector6<f64>>,
+    pub(super) rates: Vec<Vector6<f64>>,
+}
+
+impl Scratch {
+    /// Appends the terms of a station.
+    pub(super) fn add_terms(
+        &mut self,
+        station: &Station,
+        states: &[NodeState],
+    ) -> Result<StationMotion> {
+        let relative = |a: usize| states[0].motion.relative(&states[a].motion);
+        let at = station.motion(relative)?;
+        self.terms.extend(station.node_terms(&at, relative));
+        Ok(at)
+    }
+}
+
+impl Element for Beam {
+    fn nodes(&self) -> &[usize] {
+        &self.nodes
+    }
+
+    fn has_damping(&self) -> bool {
+        self.damped
+    }
+
+    fn stress_laws(&self) -> Vec<StressLaw> {
+        if let Some(law) = &self.law {
+            return law.stress_laws();
+        }
+        let own = |station: &Station| {
+            let (stiffness, damping) = station.own_law();
+            StressLaw {
+                stiffness,
+                damping,
+                others: Vec::new(),
+            }
+        };
+        self.stations.iter().map(own).collect()
+    }
+
+    fn extrapolate_resultants(
+        &self,
+        nodes: &[NodeState],
+        increments: &[[Vector6<f64>; 2]],
+        out: &mut [Vector6<f64>],
+    ) -> Result<()> {
+        let (mut strains, mut rates) = (Vec::new(), Vec::new());
+        let mut terms = Vec::new();
+        for station in &self.stations {
+            let relative = |a: usize| nodes[0].motion.relative(&nodes[a].motion);
+            let twist = |a: usize| DualVector::from_twist(&nodes[a].twist);
+            let at = station.motion(relative)?;
+            terms.clear();
+            terms.extend(station.node_terms(&at, relative));
+            let (mut e, mut rate) = (at.e, DualVector::zeros());
+            for (a, (node, [motion, velocity])) in terms.iter().zip(increments).enumerate() {
+                e += node.strain * DualVector::from_twist(motion);
+                rate += node.strain * (twist(a) + DualVector::from_twist(velocity));
+            }
+            if self.damped {
+                let present = strain_rate(&terms, nodes);
+                rate_variations(&at, &present, twist, &mut terms);
+                for (node, [motion, _]) in terms.iter().zip(increments) {
+                    rate += node.rate * DualVector::from_twist(motion);
+                }
+            }
+            strains.push(e.to_twist() - station.reference);
+            rates.push(rate.to_twist());
+        }
+        for (i, resultants) in out.iter_mut().enumerate() {
+            *resultants = self.resultants(i, &strains, &rates);
+        }
+        Ok(())
+    }
+
+    fn add_forces_of_resultants(
+        &self,
+        nodes: &[NodeState],
+        resultants: &[Vector6<f64>],
+        out: &mut Contribution,
+    ) -> Result<()> {
+        let mut room = std::mem::take(&mut out.beam);
+        for (station, resultants) in self.stations.iter().zip(resultants) {
+            room.terms.clear();
+            room.add_terms(station, nodes)?;
+            add_forces(&room.terms, &(resultants * station.weight), out);
+        }
+        out.beam = room;
+        Ok(())
+    }
+
+    fn evaluate(&self, instant: &Instant, out: &mut Contribution) -> Result<()> {
+        // Taken out while `out` is written to.
+        let mut room = std::mem::take(&mut out.beam);
+        let result = match &self.law {
+            Some(law) => self.add_coupled(law, instant, &mut room, out),
+            None => self.add_stations(instant, &mut room, out),
+        };
+        out.beam = room;
+        result
+    }
+}
+
+/// Whether strain rates matter, and whether they vary with the motion.
+#[derive(Debug, Clone, Copy)]
+struct Damping {
+    damped: bool,
+    rates_vary: bool,
+}
+
+impl Beam {
+    fn damping(&self, states: &[NodeState]) -> Damping {
+        let moves = states.iter().any(|state| state.twist != Vector6::zeros());
+        Damping {
+            damped: self.damped,
+            rates_vary: self.damped && moves,
+        }
+    }
+
+    /// Forces and tangents where each station has its own law.
+    fn add_stations(
+        &self,
+        instant: &Instant,
+        room: &mut Scratch,
+        out: &mut Contribution,
+    ) -> Result<()> {
+        let states = instant.nodes;
+        let damping = self.damping(states);
+        for (place, station) in self.stations.iter().enumerate() {
+            room.terms.clear();
+            let at = room.add_terms(station, states)?;
+            let section = &station.section;
+            let mut stress = product(&section.stiffness, &station.strain(&at.e));
+            let mut rate = DualVector::zeros();
+            if self.damped {
+                rate = strain_rate(&room.terms, states);
+                stress += product(&section.damping, &(rate.to_twist() / station.stretch));
+            }
+            let stress = stress * station.weight;
+            add_forces(&room.terms, &stress, out);
+            if !out.with_tangents {
+                continue;
+            }
+            let held = instant.resultants.get(place);
+            let held = held.map_or(stress, |resultants| resultants * station.weight);
+            add_geometric_stiffness(&at, &held, &mut room.terms, out);
+            if damping.rates_vary {
+                let twist = |a: usize| DualVector::from_twist(&states[a].twist);
+                rate_variations(&at, &rate, twist, &mut room.terms);
+            }
+            add_material_stiffness(&room.terms, &[station.own_law()], &room.terms, damping, out);
+        }
+        Ok(())
+    }
+
+    /// Forces and tangents where resultants depend on the strains of all stations.
+    fn add_coupled(
+        &self,
+        law: &CoupledLaw,
+        instant: &Instant,
+        room: &mut Scratch,
+        out: &mut Contribution,
+    ) -> Result<()> {
+        let (states, count) = (instant.nodes, self.nodes.len());
+        let damping = self.damping(states);
+        room.terms.clear();
+        room.motions.clear();
+        room.strains.clear();
+        room.rates.clear();
+        for (place, station) in self.stations.iter().enumerate() {
+            let at = room.add_terms(station, states)?;
+            let rate = strain_rate(&room.terms[place * count..], states);
+            room.strains.push(at.e.to_twist() - station.reference);
+            room.rates.push(rate.to_twist());
+            room.motions.push(at);
+        }
+        for (place, station) in self.stations.iter().enumerate() {
+            let stress = law.resultants(place, &room.strains, &room.rates);
+            let terms = &mut room.terms[place * count..][..count];
+            add_forces(terms, &stress, out);
+            if !out.with_tangents {
+                continue;
+            }
+            let held = instant.resultants.get(place);
+            let held = held.map_or(stress, |resultants| resultants * station.weight);
+            let at = &room.motions[place];
+            add_geometric_stiffness(at, &held, terms, out);
+            if damping.rates_vary {
+                let rate = DualVector::from_twist(&room.rates[place]);
+                let twist = |a: usize| DualVector::from_twist(&states[a].twist);
+                rate_variations(at, &rate, twist, terms);
+            }
+        }
+        if out.with_tangents {
+            for (place, rows) in room.terms.chunks_exact(count).enumerate() {
+                add_material_stiffness(rows, law.row(place), &room.terms, damping, out);
+            }
+        }
+        Ok(())
+    }
+}
+
+/// Adds the forces of integrated resultants.
+fn add_forces(terms: &[NodeTerms], stress: &Vector6<f64>, out: &mut Contribution) {
+    let stress = DualVector::from_wrench(stress);
+    for (a, node) in terms.iter().enumerate() {
+        out.add_force(a, &(node.strain.transpose() * stress).to_wrench());
+    }
+}
+
+/// Adds the geometric stiffness of integrated resultants.
+fn add_geometric_stiffness(
+    at: &StationMotion,
+    stress: &Vector6<f64>,
+    terms: &mut [NodeTerms],
+    out: &mut Contribution,
+) {
+    let (mu, nu) = adjoint_variations(at, &DualVector::from_wrench(stress), terms);
+    geometric_stiffness(at, (&mu, &nu), terms, |a, b, block| {
+        out.add_stiffness(a, b, block);
+    });
+}
+
+/// Adds `K_ab = B_aᵀ Σ (S B_b + D R_b)` and `C_ab = B_aᵀ Σ D B_b`, sums over the stations that the
+/// `laws` of this one are of, whose `columns` follow each other; or puts `B` and `R` aside, if they
+/// are wanted apart.
+fn add_material_stiffness(
+    rows: &[NodeTerms],
+    laws: &[(Matrix6<f64>, Matrix6<f64>)],
+    columns: &[NodeTerms],
+    Damping { damped, rates_vary }: Damping,
+    out: &mut Contribution,
+) {
+    if out.with_resultants_apart {
+        out.strains.extend(rows.iter().map(|node| StrainTangent {
+            strain: node.strain,
+            rate: node.rate,
+        }));
+        return;
+    }
+    let count = rows.len();
+    // All transposed.
+    for b in 0..count {
+        let (mut by_motion, mut by_velocity) = (Matrix6::zeros(), Matrix6::zeros());
+        for ((stiffness, damping), columns) in laws.iter().zip(columns.chunks_exact(count)) {
+            let column = &columns[b];
+            column.strain.add_product_to(stiffness, &mut by_motion);
+            if rates_vary {
+                column.rate.add_product_to(damping, &mut by_motion);
+            }
+            if damped {
+                column.strain.add_product_to(damping, &mut by_velocity);
+            }
+        }
+        let (by_motion, by_velocity) = (by_motion.transpose(), by_velocity.transpose());
+        for (a, row) in rows.iter().enumerate() {
+            let mut k = Matrix6::zeros();
+            row.strain.add_product_to(&by_motion, &mut k);
+            out.add_stiffness(a, b, &k.transpose());
+            if damped {
+                let mut c = Matrix6::zeros();
+                row.strain.add_product_to(&by_velocity, &mut c);
+                out.add_damping(a, b, &c.transpose());
+            }
+        }
+    }
+}

@@ -1,0 +1,190 @@
+//! Geometrically exact beam of any order (docs/theory.md, section 6.2).
+//!
+//! Along the beam motions are interpolated exactly as in time: `G(ξ) = Σ N_a M_a`, polar
+//! decomposition `G = R S`, and the strain is the "velocity in ξ": `A e = 2 axial(Rᵀ Σ N'_a M_a)`.
+//! All of it is dual algebra; twists and wrenches enter as dual vectors.
+
+mod forces;
+mod law;
+mod reference;
+mod station;
+mod variations;
+
+pub(super) use forces::Scratch;
+pub(super) use station::{Station, about_axis};
+pub(super) use variations::{spread_variation, turned};
+
+use super::NodeState;
+use super::section::{Section, SectionLine};
+use super::shape::{gauss_legendre, lobatto_points, shape_functions};
+use crate::error::{Error, Result};
+use crate::motion::Motion;
+use law::{CoupledLaw, LawIntegrals};
+use nalgebra::Vector6;
+use station::{strain_rate, turned_about_axis};
+
+/// Elastic and damping forces of one beam element with nodes at the Gauss–Lobatto points.
+#[derive(Debug, Clone)]
+pub struct Beam {
+    nodes: Vec<usize>,
+    points: Vec<f64>,
+    reference: Vec<Motion>,
+    sections: SectionLine,
+    damped: bool,
+    /// The Gauss points.
+    stations: Vec<Station>,
+    /// Reference length for each unit of ξ, if it is the same all along.
+    even: Option<f64>,
+    /// Of all Gauss points, where the section changes; else each has that of its own section.
+    law: Option<CoupledLaw>,
+}
+
+/// Lengths that are equal to this, relatively, are: rounding.
+const EVEN: f64 = 1e-13;
+
+/// Quadrature points of a section's flexibility in a piece, more than nodes: it is a rational
+/// function of the length.
+const FLEXIBILITY_POINTS: usize = 3;
+
+impl Beam {
+    /// A beam over `nodes` (two or more, at the Gauss–Lobatto points along the beam), whose
+    /// reference shape interpolates the `reference` motions of its nodes, with a [`Section`] that
+    /// is the same all along, or changes.
+    ///
+    /// # Errors
+    /// If neighbouring nodes coincide, or the reference shape is too distorted to interpolate.
+    pub fn new(
+        nodes: Vec<usize>,
+        reference: Vec<Motion>,
+        sections: impl Into<SectionLine>,
+    ) -> Result<Self> {
+        let sections = sections.into();
+        let count = nodes.len();
+        if count < 2 || reference.len() != count {
+            return Err(Error::size("nodes", "at least 2 nodes for a beam", count));
+        }
+        let mut beam = Beam {
+            nodes,
+            points: lobatto_points(count),
+            reference,
+            damped: sections.has(|s| &s.damping),
+            sections,
+            stations: Vec::new(),
+            even: None,
+            law: None,
+        };
+        // One point fewer than nodes: no shear locking, no spurious mode.
+        beam.stations = gauss_legendre(count - 1)
+            .into_iter()
+            .map(|(xi, weight)| beam.station(xi, weight))
+            .collect::<Result<_>>()?;
+        let stretch = beam.stations[0].stretch;
+        let mut places = beam.points.iter().map(|&xi| beam.stretch_at(xi));
+        if places.all(|here| here.is_ok_and(|x| (x - stretch).abs() <= EVEN * stretch)) {
+            beam.even = Some(stretch);
+        }
+        if beam.sections.changes() {
+            beam.law = Some(beam.coupled_law()?);
+        }
+        Ok(beam)
+    }
+
+    /// The law where the section changes: integrated from station to station of the section table.
+    fn coupled_law(&self) -> Result<CoupledLaw> {
+        let count = self.nodes.len();
+        let mut integrals = LawIntegrals::new(gauss_legendre(count - 1));
+        for (xi, weight) in self.pieces(count + FLEXIBILITY_POINTS) {
+            let station = self.station(xi, weight)?;
+            integrals.add(xi, &station.section, station.stretch, weight)?;
+        }
+        integrals.law()
+    }
+
+    /// Sections along the element.
+    pub fn sections(&self) -> &SectionLine {
+        &self.sections
+    }
+
+    /// The section half-way along the element.
+    pub fn middle_section(&self) -> Section {
+        self.sections.at(0.0)
+    }
+
+    /// Whether its sections have mass.
+    pub fn has_mass(&self) -> bool {
+        self.sections.has(|s| &s.mass)
+    }
+
+    /// Reference motions of the nodes.
+    pub fn reference(&self) -> &[Motion] {
+        &self.reference
+    }
+
+    /// Frame of the section at `xi` in `[−1, 1]`, for the element's nodes at `motions`.
+    pub fn section_motion(&self, xi: f64, motions: &[Motion]) -> Result<Motion> {
+        let station = self.station(xi, 0.0)?;
+        let kinematics = station.motion(|a| motions[0].relative(&motions[a]))?;
+        let motion = motions[0].compose(&kinematics.polar.motion());
+        let turn = about_axis(station.turn);
+        Ok(Motion::new(motion.rotation * turn, motion.position))
+    }
+
+    /// Strains `[γ; κ]` per unit of reference length, and stress resultants `[force; moment]`, in
+    /// the section's frame at `xi` in `[−1, 1]`, for the element's nodes at `motions` with
+    /// `twists`.
+    ///
+    /// Both are the polynomials through those at the Gauss points, where they are most accurate.
+    pub fn strain_and_stress(
+        &self,
+        xi: f64,
+        motions: &[Motion],
+        twists: &[Vector6<f64>],
+    ) -> Result<(Vector6<f64>, Vector6<f64>)> {
+        let mut room = Scratch::default();
+        let states: Vec<NodeState> = motions
+            .iter()
+            .zip(twists)
+            .map(|(motion, twist)| NodeState {
+                twist: *twist,
+                ..NodeState::at_rest(*motion)
+            })
+            .collect();
+        for station in &self.stations {
+            room.terms.clear();
+            let at = room.add_terms(station, &states)?;
+            room.strains.push(at.e.to_twist() - station.reference);
+            room.rates
+                .push(strain_rate(&room.terms, &states).to_twist());
+        }
+        let points: Vec<f64> = gauss_legendre(self.stations.len())
+            .iter()
+            .map(|p| p.0)
+            .collect();
+        let (mut strain, mut stress) = (Vector6::zeros(), Vector6::zeros());
+        for (i, shape) in shape_functions(&points, xi).iter().enumerate() {
+            strain += room.strains[i] * (shape.0 / self.stations[i].stretch);
+            stress += self.resultants(i, &room.strains, &room.rates) * shape.0;
+        }
+        let turn = self.station(xi, 0.0)?.turn;
+        let own = |v: &Vector6<f64>| turned_about_axis(v, -turn);
+        Ok((own(&strain), own(&stress)))
+    }
+
+    /// Stress resultants at Gauss point `i`, for all "velocities in ξ" less those of the reference,
+    /// and their rates.
+    fn resultants(
+        &self,
+        i: usize,
+        strains: &[Vector6<f64>],
+        rates: &[Vector6<f64>],
+    ) -> Vector6<f64> {
+        let station = &self.stations[i];
+        match &self.law {
+            Some(law) => law.resultants(i, strains, rates) / station.weight,
+            None => {
+                let section = &station.section;
+                (section.stiffness * strains[i] + section.damping * rates[i]) / station.stretch
+            }
+        }
+    }
+}

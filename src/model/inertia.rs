@@ -1,0 +1,162 @@
+//! Rigid bodies and masses.
+
+use super::Model;
+use super::validation::{require_motion, require_positive};
+use crate::elements::{Beam, Element, Inertia};
+use crate::error::{Error, Result, require_finite};
+use crate::motion::Motion;
+use nalgebra::{Matrix3, Matrix6, Vector3};
+use serde::de::Error as _;
+use serde::{Deserialize, Deserializer, Serialize};
+use std::sync::Arc;
+
+/// What has mass.
+#[derive(Debug, Clone, Serialize, Deserialize)]
+pub enum InertiaDefinition {
+    /// The next beam element whose sections have mass.
+    Beam,
+    /// A rigid body on a node.
+    Body {
+        /// The node.
+        node: usize,
+        /// 6×6 inertia about the node, along its axes.
+        matrix: Matrix6<f64>,
+    },
+}
+
+/// As a file has it. In the first version of the format that of beams was written out, too.
+#[derive(Deserialize)]
+#[serde(untagged)]
+enum SavedInertia {
+    Definition(InertiaDefinition),
+    Version1 { nodes: Vec<usize>, mass: Vec<f64> },
+}
+
+/// Reads inertias as any version of the format has them.
+pub(super) fn saved<'de, D: Deserializer<'de>>(
+    deserializer: D,
+) -> std::result::Result<Vec<InertiaDefinition>, D::Error> {
+    let saved = Vec::<SavedInertia>::deserialize(deserializer)?;
+    let definition = |saved| match saved {
+        SavedInertia::Definition(definition) => Ok(definition),
+        SavedInertia::Version1 { nodes, mass } => match (&nodes[..], mass.len()) {
+            (&[node], 36) => Ok(InertiaDefinition::Body {
+                node,
+                matrix: Matrix6::from_column_slice(&mass),
+            }),
+            (&[_, _, ..], _) => Ok(InertiaDefinition::Beam),
+            _ => Err(D::Error::custom(
+                "an inertia of another size than its nodes",
+            )),
+        },
+    };
+    saved.into_iter().map(definition).collect()
+}
+
+/// Inertia of a rigid body about its centre, in the axes of the arguments.
+fn central_inertia(mass: f64, inertia: &Matrix3<f64>) -> Result<Matrix6<f64>> {
+    require_finite("mass", &[mass])?;
+    require_finite("inertia", inertia.as_slice())?;
+    if mass < 0.0 {
+        return Err(Error::value("mass", "zero or more", mass));
+    }
+    let mut matrix = Matrix6::zeros();
+    let mut block = matrix.fixed_view_mut::<3, 3>(3, 3);
+    block.copy_from(inertia);
+    matrix = require_positive("inertia", &matrix, false)?;
+    matrix.fixed_view_mut::<3, 3>(0, 0).fill_diagonal(mass);
+    Ok(matrix)
+}
+
+impl Model {
+    /// Adds a rigid body: a node at its centre of mass, with axes parallel to the inertial ones.
+    /// `inertia` is about the centre, in the inertial frame. Returns the node's id.
+    pub fn add_rigid_body(
+        &mut self,
+        mass: f64,
+        centre: &Vector3<f64>,
+        inertia: &Matrix3<f64>,
+    ) -> Result<usize> {
+        let matrix = central_inertia(mass, inertia)?;
+        if mass == 0.0 {
+            return Err(Error::value("mass", "a positive number", mass));
+        }
+        require_finite("centre", centre.as_slice())?;
+        let node = self.add_node(&Motion::new(Matrix3::identity(), *centre))?;
+        self.inertias.push(InertiaDefinition::Body { node, matrix });
+        Ok(node)
+    }
+
+    /// Fixes a mass to `node`; `centre`, and `inertia` about it, are in the inertial frame.
+    pub fn add_mass(
+        &mut self,
+        node: usize,
+        mass: f64,
+        centre: &Vector3<f64>,
+        inertia: &Matrix3<f64>,
+    ) -> Result<()> {
+        let matrix = central_inertia(mass, inertia)?;
+        require_finite("centre", centre.as_slice())?;
+        let frame = Motion::new(Matrix3::identity(), *centre);
+        self.add_inertia(node, Some(&frame), &matrix)
+    }
+
+    /// Gives `node` the 6×6 inertia `matrix`, about and resolved in `frame`, which is given in the
+    /// inertial frame (`None`: the node's own).
+    pub fn add_inertia(
+        &mut self,
+        node: usize,
+        frame: Option<&Motion>,
+        matrix: &Matrix6<f64>,
+    ) -> Result<()> {
+        self.require_node("node", node)?;
+        let offset = match frame {
+            None => Motion::identity(),
+            Some(frame) => self.nodes[node].relative(&require_motion("frame", frame)?),
+        };
+        let matrix = require_positive("matrix", matrix, false)?;
+        let carry = offset.inverse().adjoint();
+        let matrix = carry.transpose() * matrix * carry;
+        require_finite("inertia about the node", matrix.as_slice())?;
+        self.inertias.push(InertiaDefinition::Body { node, matrix });
+        Ok(())
+    }
+
+    /// The inertias of bodies and of beam elements, with the elements of these.
+    ///
+    /// # Errors
+    /// If a beam is too distorted, or there is one with mass too few.
+    pub(crate) fn inertia_elements(&self, beams: &[Arc<Beam>]) -> Result<Vec<Inertia>> {
+        let mut massive = beams.iter().filter(|beam| beam.has_mass());
+        let element = |inertia: &InertiaDefinition| match inertia {
+            InertiaDefinition::Beam => match massive.next() {
+                Some(beam) => beam.inertia(),
+                None => Err(Error::size(
+                    "inertias",
+                    "as many as beams with mass",
+                    "more",
+                )),
+            },
+            InertiaDefinition::Body { node, matrix } => {
+                Ok(Inertia::rigid_body(*node, &Motion::identity(), matrix))
+            }
+        };
+        self.inertias.iter().map(element).collect()
+    }
+
+    /// Total mass and its first moment `Σ m r`, in the inertial frame.
+    ///
+    /// # Errors
+    /// If a beam is too distorted.
+    pub fn mass_and_moment(&self) -> Result<(f64, Vector3<f64>)> {
+        let inertias = self.inertia_elements(&self.beam_elements()?)?;
+        let mut total = (0.0, Vector3::zeros());
+        for inertia in inertias {
+            let motions: Vec<Motion> = inertia.nodes().iter().map(|&n| self.nodes[n]).collect();
+            let (mass, moment) = inertia.mass_and_moment(&motions);
+            total.0 += mass;
+            total.1 += moment;
+        }
+        Ok(total)
+    }
+}

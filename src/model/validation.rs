@@ -1,0 +1,122 @@
+//! Checks of what the user, or a file, says.
+
+use super::Model;
+use crate::error::{Error, ErrorKind, Result, require_finite};
+use crate::motion::{Motion, is_rotation};
+use nalgebra::{Matrix3, Matrix6, Vector3};
+
+/// How far `RᵀR` may be from the identity: input written with 9 digits passes, and is then cleaned.
+const ROTATION_TOLERANCE: f64 = 1e-8;
+
+fn require_symmetric(name: &str, m: &Matrix6<f64>) -> Result<()> {
+    require_finite(name, m.as_slice())?;
+    let asymmetry = (m - m.transpose()).amax();
+    if asymmetry > 1e-9 * m.amax() {
+        return Err(Error::value(
+            name,
+            "a symmetric matrix",
+            format!("entries that differ from their mirror by up to {asymmetry:.3e}"),
+        ));
+    }
+    Ok(())
+}
+
+/// Smallest eigenvalue after scaling to a unit diagonal, so that it does not depend on units.
+pub(super) fn smallest_scaled_eigenvalue(m: &Matrix6<f64>) -> f64 {
+    let scale = m
+        .diagonal()
+        .map(|d| if d == 0.0 { 1.0 } else { 1.0 / d.abs().sqrt() });
+    let scale = Matrix6::from_diagonal(&scale);
+    (scale * m * scale).symmetric_eigenvalues().min()
+}
+
+pub(super) fn require_positive(
+    name: &str,
+    m: &Matrix6<f64>,
+    definite: bool,
+) -> Result<Matrix6<f64>> {
+    require_symmetric(name, m)?;
+    let smallest = smallest_scaled_eigenvalue(m);
+    let (wrong, expected) = if definite {
+        (smallest <= 1e-14, "a positive-definite matrix")
+    } else {
+        (smallest < -1e-9, "a positive semi-definite matrix")
+    };
+    if wrong {
+        let got = format!("one with the scaled eigenvalue {smallest:.3e}");
+        return Err(Error::value(name, expected, got));
+    }
+    Ok(0.5 * m + 0.5 * m.transpose()) // the sum of large entries would overflow
+}
+
+/// Checks a rotation matrix and removes the rounding of its input.
+pub(super) fn require_rotation(name: &str, r: &Matrix3<f64>) -> Result<Matrix3<f64>> {
+    require_finite(name, r.as_slice())?;
+    if !is_rotation(r, ROTATION_TOLERANCE) {
+        let got = format!(
+            "RᵀR off the identity by {:.3e}, determinant {:.6}",
+            (r.transpose() * r - Matrix3::identity()).amax(),
+            r.determinant()
+        );
+        return Err(Error::value(name, "a rotation matrix", got));
+    }
+    Ok(crate::motion::polar_rotation(r))
+}
+
+/// A vector of the direction of `v`, of moderate length whatever that of `v`.
+pub(super) fn direction(name: &str, v: &Vector3<f64>) -> Result<Vector3<f64>> {
+    require_finite(name, v.as_slice())?;
+    let size = v.amax();
+    if size == 0.0 {
+        return Err(Error::value(
+            name,
+            "a vector that is not zero",
+            "the zero vector",
+        ));
+    }
+    Ok(v / size)
+}
+
+/// Checks a motion and removes the rounding of its rotation.
+pub(super) fn require_motion(name: &str, motion: &Motion) -> Result<Motion> {
+    require_finite(&format!("{name} position"), motion.position.as_slice())?;
+    let rotation = require_rotation(&format!("{name} rotation"), &motion.rotation)?;
+    Ok(Motion::new(rotation, motion.position))
+}
+
+/// Checks that something connects two bodies.
+pub(super) fn require_two_bodies(first: Option<usize>, second: Option<usize>) -> Result<()> {
+    if first != second {
+        return Ok(());
+    }
+    let got = first.map_or("the ground twice".into(), |n| format!("node {n} twice"));
+    Err(Error::value("first, second", "two different bodies", got))
+}
+
+impl Model {
+    pub(crate) fn require_node(&self, name: &str, node: usize) -> Result<()> {
+        if node < self.nodes.len() {
+            return Ok(());
+        }
+        let message = format!(
+            "{name}: expected a node id below {}, got {node}",
+            self.nodes.len()
+        );
+        Err(Error::new(ErrorKind::Identifier, message))
+    }
+
+    /// Checks the nodes of an element: at least one, and all different.
+    pub(crate) fn require_distinct_nodes(&self, nodes: &[usize]) -> Result<()> {
+        if nodes.is_empty() {
+            return Err(Error::size("nodes", "at least one node", 0));
+        }
+        for (i, &node) in nodes.iter().enumerate() {
+            self.require_node("nodes", node)?;
+            if nodes[..i].contains(&node) {
+                let got = format!("node {node} twice");
+                return Err(Error::value("nodes", "distinct nodes", got));
+            }
+        }
+        Ok(())
+    }
+}

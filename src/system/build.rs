@@ -1,0 +1,372 @@
+//! A system made from a model: elements, signals and unknowns, each in its place.
+
+use super::driven::Drive;
+use super::{ElementRole, Placed, Regime, Scales, System};
+use crate::elements::{
+    ActedCoordinate, Coordinate, CoordinateForce, CoordinateLaw, Effort, Element, JointKind, Law,
+    LoadFrame, Measure, NodalLoad, NodeForceLaw, Prescribed, UserForce, Viscoelastic,
+    ViscousDamper,
+};
+use crate::error::{Error, ErrorKind, Result};
+use crate::model::{
+    BoundSignal, ForceDefinition, JointCoordinate, JointDefinition, Model, Signal, UserFunction,
+};
+use crate::workers::no_threads_unasked;
+use std::collections::BTreeMap;
+use std::f64::consts::TAU;
+use std::sync::Arc;
+
+impl System {
+    /// Makes `model` ready for `period`.
+    ///
+    /// # Errors
+    /// If the model has no nodes, or a prescribed motion or load does not repeat after one period.
+    pub fn new(model: &Model, period: f64) -> Result<Self> {
+        Self::in_regime(model, Regime::Periodic(period))
+    }
+
+    /// Makes `model` ready for a period, for one time or for a march.
+    ///
+    /// # Errors
+    /// If the model has no nodes, or lacks functions of the user; if a prescribed motion or load
+    /// does not repeat after one period; at one time and in a march, if the period is needed and
+    /// not given; if gravity is across the axis of a turning frame.
+    pub fn in_regime(model: &Model, regime: Regime) -> Result<Self> {
+        Builder::new(model, regime, false)?.build()
+    }
+
+    /// The system of a solution that is known. Functions of the user may be absent; then nothing
+    /// can be evaluated.
+    ///
+    /// # Errors
+    /// As [`System::in_regime`].
+    pub(crate) fn of_known_solution(model: &Model, regime: Regime) -> Result<Self> {
+        Builder::new(model, regime, true)?.build()
+    }
+}
+
+/// A system on its way.
+struct Builder<'a> {
+    model: &'a Model,
+    /// Whether functions that are absent count as zero.
+    known: bool,
+    /// Whether any did.
+    lacks_functions: bool,
+    system: System,
+}
+
+impl<'a> Builder<'a> {
+    fn new(model: &'a Model, regime: Regime, known: bool) -> Result<Self> {
+        no_threads_unasked();
+        if model.nodes.is_empty() {
+            let message = "model: expected at least one node, got none";
+            return Err(Error::new(ErrorKind::Model, message));
+        }
+        let period = regime.period();
+        if !(period.is_finite() && period > 0.0) {
+            return Err(Error::value("period", "a positive, finite number", period));
+        }
+        let beams = model.beam_elements()?;
+        let inertias = model.inertia_elements(&beams)?;
+        let system = System {
+            regime,
+            reference: model.nodes.clone(),
+            elements: Vec::new(),
+            shapes: Vec::new(),
+            own_unknowns: Vec::new(),
+            signals: Vec::new(),
+            gravity: None,
+            inertias: inertias.into_iter().map(Arc::new).collect(),
+            beams,
+            joints: model.joints.iter().map(JointDefinition::element).collect(),
+            counted_turns: Vec::new(),
+            turning: None,
+            drives: Vec::new(),
+            tracked: Vec::new(),
+            acted_on: 0,
+            loops: Vec::new(),
+            dependencies: Vec::new(),
+            calls_functions: model.forces.iter().any(ForceDefinition::calls_function),
+            lacks_functions: false,
+            scales: Scales::default(),
+        };
+        Ok(Builder {
+            model,
+            known,
+            lacks_functions: false,
+            system,
+        })
+    }
+
+    fn build(mut self) -> Result<System> {
+        self.place_bodies_and_joints();
+        self.place_prescribed()?;
+        // Of inertias, beams and joints, which give it; forces only need its order.
+        let length = Scales::of(&self.system)?.length;
+        for (index, force) in self.model.forces.iter().enumerate() {
+            let element = self.force(index, force, length)?;
+            self.system.place(element, ElementRole::Force(index));
+        }
+        self.system.acted_on = self.system.tracked.len();
+        self.track_other_angles();
+        self.place_loads()?;
+        self.add_gravity()?;
+        let (mut system, lacks_functions) = (self.system, self.lacks_functions);
+        system.add_turning()?;
+        system.scales = Scales::of(&system)?;
+        let Scales { length, force, .. } = system.scales;
+        if !(length.is_finite() && force.is_finite() && force * length < f64::MAX) {
+            return Err(Error::new(
+                ErrorKind::Model,
+                "model: its sizes, stiffnesses and masses are too far apart to compute with",
+            ));
+        }
+        system.find_dependencies()?;
+        system.lacks_functions = lacks_functions;
+        Ok(system)
+    }
+
+    fn place_bodies_and_joints(&mut self) {
+        let system = &mut self.system;
+        for inertia in system.inertias.clone() {
+            system.place(inertia, ElementRole::Inertia);
+        }
+        for (index, beam) in system.beams.clone().into_iter().enumerate() {
+            system.place(beam, ElementRole::Beam(index));
+        }
+        for (index, joint) in system.joints.clone().into_iter().enumerate() {
+            system.place(Arc::new(joint), ElementRole::Joint(index));
+        }
+    }
+
+    fn place_prescribed(&mut self) -> Result<()> {
+        let is_screw = |joint: &JointDefinition| matches!(joint.kind, JointKind::Screw { .. });
+        let has_screw = self.model.joints.iter().any(is_screw);
+        for (index, (at, signal)) in self.model.prescribed.iter().enumerate() {
+            let place = format!("prescribed {} of joint {}", at.coordinate, at.joint);
+            let start = self.model.reference_coordinate(at);
+            let bound = self.bind(signal);
+            let system = &mut self.system;
+            // An angle may gain whole turns.
+            let turns = system.joints[at.joint]
+                .kind()
+                .leaves_turns_open(at.coordinate);
+            let unit = if turns { TAU } else { 0.0 };
+            let signal = system.add_signal(bound, start, unit, place)?;
+            if turns && has_screw {
+                system.counted_turns.push(signal);
+            }
+            if turns {
+                system.drives.push(Drive {
+                    joint: at.joint,
+                    coordinate: at.coordinate,
+                    signal,
+                });
+            }
+            let element = Prescribed::new(&system.joints[at.joint], at.coordinate, signal);
+            system.place(Arc::new(element), ElementRole::Prescribed(index));
+        }
+        Ok(())
+    }
+
+    fn place_loads(&mut self) -> Result<()> {
+        for load in &self.model.loads {
+            let place = format!("load on node {}", load.node);
+            let numbers = self.add_components(&load.components, &place)?;
+            let element = NodalLoad::new(load.node, load.frame, numbers);
+            self.system.place(Arc::new(element), ElementRole::Load);
+        }
+        // All those of a beam element together.
+        let mut along = BTreeMap::new();
+        for load in &self.model.distributed_loads {
+            let place = format!("load along beam elements {:?}", load.range());
+            let numbers = self.add_components(&load.components, &place)?;
+            load.add_to(&mut along, &self.system.beams, numbers)?;
+        }
+        for element in along.into_values().filter(|load| !load.is_empty()) {
+            self.system.place(Arc::new(element), ElementRole::Load);
+        }
+        Ok(())
+    }
+
+    fn add_gravity(&mut self) -> Result<()> {
+        let Some(gravity) = &self.model.gravity else {
+            return Ok(());
+        };
+        let mut numbers = [0; 3];
+        for (number, signal) in numbers.iter_mut().zip(gravity) {
+            let bound = self.bind(signal);
+            *number = (self.system).add_signal(bound, 0.0, 0.0, "gravity".into())?;
+        }
+        self.system.gravity = Some(numbers);
+        Ok(())
+    }
+
+    /// A signal over the period.
+    fn bind(&mut self, signal: &Signal) -> BoundSignal {
+        if self.known && signal.is_absent() {
+            self.lacks_functions = true;
+            return BoundSignal::constant(0.0);
+        }
+        signal.bind(self.system.period())
+    }
+
+    /// A function of the user, or what stands for it where it does not matter.
+    fn function<F: Clone>(&mut self, function: &UserFunction<F>, zero: F) -> Result<F> {
+        if self.known && function.is_absent() {
+            self.lacks_functions = true;
+            return Ok(zero);
+        }
+        function.get().cloned()
+    }
+
+    /// Adds the signals of a load's components.
+    fn add_components(
+        &mut self,
+        components: &[Option<Signal>; 6],
+        place: &str,
+    ) -> Result<[Option<usize>; 6]> {
+        let mut numbers = [None; 6];
+        for (number, component) in numbers.iter_mut().zip(components) {
+            if let Some(signal) = component {
+                let bound = self.bind(signal);
+                *number = Some(self.system.add_signal(bound, 0.0, 0.0, place.into())?);
+            }
+        }
+        Ok(numbers)
+    }
+
+    /// The element of a force. Motions are of the order of `length`.
+    fn force(
+        &mut self,
+        index: usize,
+        force: &ForceDefinition,
+        length: f64,
+    ) -> Result<Arc<dyn Element>> {
+        let frequency = TAU / self.system.period();
+        let within = |e: Error| e.within(format!("force {index}"));
+        Ok(match force {
+            ForceDefinition::SpringDamper {
+                at,
+                stiffness,
+                damping,
+                rest,
+            } => {
+                let law = Law::Polynomial {
+                    stiffness: stiffness.clone(),
+                    damping: damping.clone(),
+                    rest: *rest,
+                };
+                Arc::new(CoordinateForce::new(self.acted_on(at), law))
+            }
+            ForceDefinition::Actuator { at, signal } => {
+                let (bound, place) = (self.bind(signal), format!("force {index}"));
+                let signal = self.system.add_signal(bound, 0.0, 0.0, place)?;
+                let law = Law::Actuator { signal };
+                Arc::new(CoordinateForce::new(self.acted_on(at), law))
+            }
+            ForceDefinition::CoordinateLaw { at, law } => {
+                let zero = CoordinateLaw {
+                    function: Arc::new(|_| Ok(Effort::default())),
+                    gives_derivatives: true,
+                };
+                let law = Law::Function {
+                    law: self.function(law, zero).map_err(within)?,
+                    scales: coordinate_scales(at.coordinate, length, frequency),
+                };
+                Arc::new(CoordinateForce::new(self.acted_on(at), law))
+            }
+            ForceDefinition::Viscoelastic {
+                at,
+                stiffness,
+                rest,
+                branches,
+            } => {
+                let acted = self.acted_on(at);
+                Arc::new(Viscoelastic::new(
+                    acted,
+                    *stiffness,
+                    *rest,
+                    branches.clone(),
+                ))
+            }
+            ForceDefinition::ViscousDamper {
+                first,
+                second,
+                matrix,
+            } => Arc::new(ViscousDamper::new(*first, *second, **matrix)),
+            ForceDefinition::NodeForces { nodes, law } => {
+                let zero = NodeForceLaw {
+                    function: Arc::new(|_, _| Ok(())),
+                    gives_tangents: true,
+                    frame: LoadFrame::Space,
+                };
+                let law = self.function(law, zero).map_err(within)?;
+                Arc::new(UserForce::new(nodes.clone(), law, length, frequency))
+            }
+        })
+    }
+
+    /// A joint coordinate that a force acts on, whose whole turns are followed.
+    fn acted_on(&mut self, at: &JointCoordinate) -> ActedCoordinate {
+        let joint = &self.system.joints[at.joint];
+        // Signals of prescribed coordinates are the first, in their order.
+        let prescribed = self.model.prescribed_index(at);
+        let tracked = self.system.tracked.len();
+        self.system.tracked.push(*at);
+        ActedCoordinate::new(joint, at.coordinate, tracked, prescribed)
+    }
+
+    /// Follows the angles that no force acts on; those of prescribed ones are told by their
+    /// signals.
+    fn track_other_angles(&mut self) {
+        for (joint, definition) in self.model.joints.iter().enumerate() {
+            let kind = definition.kind;
+            for &coordinate in kind.coordinates() {
+                let at = JointCoordinate { joint, coordinate };
+                if kind.leaves_turns_open(coordinate)
+                    && self.model.prescribed_index(&at).is_none()
+                    && self.system.tracked_place(&at).is_none()
+                {
+                    self.system.tracked.push(at);
+                }
+            }
+        }
+    }
+}
+
+impl System {
+    fn place(&mut self, element: Arc<dyn Element>, role: ElementRole) {
+        let size = (element.nodes().len(), element.multipliers());
+        let first_multiplier = self.own_unknowns.len();
+        self.own_unknowns
+            .extend((0..size.1).map(|i| element.unknown(i)));
+        let shape = self
+            .shapes
+            .iter()
+            .position(|s| *s == size)
+            .unwrap_or_else(|| {
+                self.shapes.push(size);
+                self.shapes.len() - 1
+            });
+        let first_station = self.stations();
+        self.elements.push(Placed {
+            has_states: element.has_states(),
+            stations: first_station..first_station + element.stress_laws().len(),
+            element,
+            role,
+            first_multiplier,
+            shape,
+        });
+    }
+}
+
+/// What a joint coordinate and its rate are of the order of, in a mechanism of this length and
+/// circular frequency.
+pub(super) fn coordinate_scales(coordinate: Coordinate, length: f64, frequency: f64) -> [f64; 2] {
+    let size = match coordinate.measure() {
+        Measure::Angle => 1.0,
+        Measure::Length => length,
+    };
+    [size, size * frequency]
+}

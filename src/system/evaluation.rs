@@ -1,0 +1,172 @@
+//! What elements exert at one instant.
+
+use super::{ElementRole, Placed, System, turning};
+use crate::elements::{Contribution, Instant, NodeState};
+use crate::error::Result;
+use nalgebra::{DVector, Vector6};
+
+/// An element's own unknowns at one instant.
+#[derive(Debug, Clone, Copy)]
+pub struct OwnValues<'a> {
+    /// Multipliers or internal states.
+    pub values: &'a [f64],
+    /// Rates of internal states; zero for multipliers.
+    pub rates: &'a [f64],
+    /// Stress resultants for the geometric stiffness; those of the strains if empty.
+    pub resultants: &'a [Vector6<f64>],
+}
+
+/// What is the same for all elements at one instant.
+#[derive(Debug, Clone, Copy)]
+pub struct Conditions<'a> {
+    /// Time.
+    pub time: f64,
+    /// Values of all signals.
+    pub signals: &'a [f64],
+    /// Last values of the tracked coordinates.
+    pub coordinates: &'a [f64],
+    /// Factor of the inertial forces.
+    pub inertia_factor: f64,
+}
+
+/// Scratch for evaluating elements: one contribution for each size of element.
+#[derive(Debug, Clone)]
+pub struct Workspace {
+    contributions: Vec<Contribution>,
+    states: Vec<NodeState>,
+}
+
+impl System {
+    /// Scratch for [`System::evaluate`].
+    pub fn workspace(&self, with_tangents: bool) -> Workspace {
+        Workspace {
+            contributions: self
+                .shapes
+                .iter()
+                .map(|&(nodes, multipliers)| Contribution::new(nodes, multipliers, with_tangents))
+                .collect(),
+            states: Vec::new(),
+        }
+    }
+
+    /// The same for tangents with those of stress resultants apart.
+    pub fn workspace_with_resultants_apart(&self) -> Workspace {
+        let mut workspace = self.workspace(true);
+        for contribution in &mut workspace.contributions {
+            contribution.with_resultants_apart = true;
+        }
+        workspace
+    }
+
+    /// What an element sees whose nodes are at `states`.
+    fn instant<'a>(
+        &self,
+        states: &'a [NodeState],
+        conditions: &Conditions<'a>,
+        own: OwnValues<'a>,
+    ) -> Instant<'a> {
+        Instant {
+            time: self.standstill().map_or(conditions.time, |s| s.time),
+            nodes: states,
+            multipliers: own.values,
+            multiplier_rates: own.rates,
+            resultants: own.resultants,
+            signals: conditions.signals,
+            coordinates: conditions.coordinates,
+            gravity: self.gravity(conditions.signals),
+            inertia_factor: conditions.inertia_factor,
+        }
+    }
+
+    /// Twist of the frame that motions are described in, if it turns and the element knows of it.
+    fn frame_seen_by(&self, placed: &Placed, signals: &[f64]) -> Option<Vector6<f64>> {
+        match placed.element.knows_inertial_frame() {
+            true => self.frame_twist(signals),
+            false => None,
+        }
+    }
+
+    /// Evaluates one element for node states given by index, and returns its contribution.
+    pub fn evaluate<'w>(
+        &self,
+        placed: &Placed,
+        state: impl Fn(usize) -> NodeState,
+        conditions: &Conditions,
+        own: OwnValues,
+        workspace: &'w mut Workspace,
+    ) -> Result<&'w Contribution> {
+        let frame = self.frame_seen_by(placed, conditions.signals);
+        workspace.states.clear();
+        workspace
+            .states
+            .extend(placed.element.nodes().iter().map(|&n| match &frame {
+                Some(frame) => turning::inertial(&state(n), frame),
+                None => state(n),
+            }));
+        let out = &mut workspace.contributions[placed.shape];
+        out.clear();
+        let instant = self.instant(&workspace.states, conditions, own);
+        placed
+            .element
+            .evaluate(&instant, out)
+            .map_err(|e| match placed.role {
+                ElementRole::Beam(index) => e.within(format!("beam element {index}")),
+                ElementRole::Force(index) => e.within(format!("force {index}")),
+                _ => e,
+            })?;
+        if let Some(frame) = &frame
+            && out.with_tangents
+        {
+            for (b, &node) in placed.element.nodes().iter().enumerate() {
+                turning::add_variation(&state(node), frame, b, out);
+            }
+        }
+        Ok(out)
+    }
+
+    /// Forces of stress resultants of one element on its nodes, in their own axes.
+    ///
+    /// # Errors
+    /// If the element is too distorted.
+    pub fn forces_of_resultants<'w>(
+        &self,
+        placed: &Placed,
+        state: impl Fn(usize) -> NodeState,
+        resultants: &[Vector6<f64>],
+        workspace: &'w mut Workspace,
+    ) -> Result<&'w Contribution> {
+        workspace.states.clear();
+        let states = placed.element.nodes().iter().map(|&node| state(node));
+        workspace.states.extend(states);
+        let out = &mut workspace.contributions[placed.shape];
+        out.clear();
+        placed
+            .element
+            .add_forces_of_resultants(&workspace.states, resultants, out)?;
+        Ok(out)
+    }
+
+    /// Forces that one element exerts on its nodes, in their own axes, and its outputs.
+    pub fn outputs(
+        &self,
+        placed: &Placed,
+        states: &[NodeState],
+        conditions: &Conditions,
+        own: OwnValues,
+    ) -> Result<(DVector<f64>, Vec<f64>)> {
+        let seen: Vec<NodeState> = match self.frame_seen_by(placed, conditions.signals) {
+            Some(frame) => {
+                let inertial = |state| turning::inertial(state, &frame);
+                states.iter().map(inertial).collect()
+            }
+            None => states.to_vec(),
+        };
+        let instant = self.instant(&seen, conditions, own);
+        let mut contribution = Contribution::new(states.len(), own.values.len(), false);
+        placed.element.evaluate(&instant, &mut contribution)?;
+        let mut outputs = Vec::new();
+        placed.element.outputs(&instant, &mut outputs)?;
+        // Forces count on the left-hand side of the equations.
+        Ok((-contribution.force, outputs))
+    }
+}

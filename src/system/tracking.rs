@@ -1,0 +1,51 @@
+//! Joint coordinates whose whole turns are followed.
+
+use super::System;
+use crate::elements::{Element, NodeState};
+use crate::model::JointCoordinate;
+use crate::motion::Motion;
+
+impl System {
+    /// Place of a joint coordinate among those whose turns are followed.
+    pub fn tracked_place(&self, at: &JointCoordinate) -> Option<usize> {
+        self.tracked.iter().position(|tracked| tracked == at)
+    }
+
+    /// Number of coordinates whose turns are followed.
+    pub fn tracked(&self) -> usize {
+        self.tracked.len()
+    }
+
+    /// Number of those that forces act on: the first.
+    pub fn acted_on(&self) -> usize {
+        self.acted_on
+    }
+
+    /// Follows the tracked coordinates from their last values to those of the given states.
+    pub fn track(&self, state: impl Fn(usize) -> NodeState, coordinates: &mut [f64]) {
+        for (at, last) in self.tracked.iter().zip(coordinates) {
+            let joint = &self.joints[at.joint];
+            let mut states = [NodeState::at_rest(Motion::identity()); 2];
+            for (place, &node) in states.iter_mut().zip(joint.nodes()) {
+                *place = state(node);
+            }
+            let z = joint.relative_motion(&states);
+            let value = joint.kind().coordinate_value(at.coordinate, &z);
+            *last = joint.kind().follow(at.coordinate, value, *last);
+        }
+    }
+
+    /// Moves the tracked coordinates on by what velocities and accelerations at `state` make of
+    /// them in `time`, so that they may then be followed through more than half a turn.
+    pub fn foresee(&self, state: impl Fn(usize) -> NodeState, time: f64, coordinates: &mut [f64]) {
+        for (at, last) in self.tracked.iter().zip(coordinates) {
+            let joint = &self.joints[at.joint];
+            let states: Vec<NodeState> = joint.nodes().iter().map(|&n| state(n)).collect();
+            let [_, rate, acceleration] = joint.coordinate_derivatives(at.coordinate, &states);
+            let change = time * (rate + 0.5 * time * acceleration);
+            if change.is_finite() {
+                *last += change;
+            }
+        }
+    }
+}
