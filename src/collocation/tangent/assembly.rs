@@ -191,8 +191,8 @@ impl Assembly<'_> {
         let (tangent, points) = (self.tangent, self.tangent.points);
         let at = pair * points..(pair + 1) * points;
         let Scratch { gammas, whole } = scratch;
-        let (mut stiffness, mut damping) =
-            (&tangent.stiffness[at.clone()], &tangent.damping[at.clone()]);
+        let [mut stiffness, mut damping, mass] =
+            tangent.pairs.each_ref().map(|list| &list[at.clone()]);
         if !tangent.layout.within[pair].is_empty() {
             whole.iter_mut().for_each(Vec::clear);
             for k in 0..points {
@@ -202,7 +202,6 @@ impl Assembly<'_> {
             }
             (stiffness, damping) = (&whole[0], &whole[1]);
         }
-        let mass = &tangent.mass[at];
         for k in 0..points {
             let (first, stride) = self.pattern.pair_place(pair, k);
             for (l, [gamma_v, gamma_a]) in gammas[k * points..][..points].iter().enumerate() {
