@@ -244,7 +244,8 @@ impl Assembly<'_> {
                 let scale = self.constant * equations.column_scale()[component];
                 let values = values[at..].iter_mut();
                 for ((value, entry), row) in values.zip(column).zip(rows) {
-                    *value = entry * row * scale;
+                    // Scales first: what depends on each other exactly goes on to do so.
+                    *value = entry * (row * scale);
                 }
             }
         }
@@ -263,9 +264,9 @@ impl Assembly<'_> {
                 for (row, own_scale) in columns.iter().enumerate() {
                     let at = pattern.force_value(index, local, k, row, count) - first;
                     for component in 0..6 {
-                        values[at + component] = gradient[(6 * local + component) * count + row]
-                            * equations.row_scale()[component]
-                            * (self.constant * own_scale);
+                        let scale = equations.row_scale()[component] * own_scale * self.constant;
+                        let entry = gradient[(6 * local + component) * count + row];
+                        values[at + component] = entry * scale;
                     }
                 }
             }
@@ -294,7 +295,7 @@ impl Assembly<'_> {
                 for (row, scale) in rows.iter().enumerate() {
                     let place = column * count + row;
                     let entry = d * own_rate[place] + constant * own[place];
-                    values[at + row] = entry * scale * own_scale;
+                    values[at + row] = entry * (scale * own_scale);
                 }
             }
         }
