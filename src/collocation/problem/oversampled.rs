@@ -154,7 +154,7 @@ impl Oversampled {
         Ok(())
     }
 
-    /// From `scratch.coarse` to `scratch.fine`, entry by entry.
+    /// From `scratch.coarse` to `scratch.fine`.
     fn interpolate(&mut self) {
         let Scratch {
             coarse,
@@ -162,19 +162,10 @@ impl Oversampled {
             fine_samples,
             ..
         } = &mut self.scratch;
-        for entry in 0..9 {
-            for part in [DualMatrix::primal_mut, DualMatrix::dual_mut] {
-                self.interpolation
-                    .read(coarse.iter_mut().map(|m| part(m)[entry]));
-                self.interpolation.write(0, 0, fine_samples);
-                for (m, value) in fine.iter_mut().zip(&*fine_samples) {
-                    part(m)[entry] = *value;
-                }
-            }
-        }
+        resample(&mut self.interpolation, coarse, None, fine, fine_samples);
     }
 
-    /// `Π`: from `scratch.fine` to `scratch.coarse`, entry by entry.
+    /// `Π`: from `scratch.fine` to `scratch.coarse`.
     fn project(&mut self) {
         let Scratch {
             coarse,
@@ -182,17 +173,8 @@ impl Oversampled {
             coarse_samples,
             ..
         } = &mut self.scratch;
-        for entry in 0..9 {
-            for part in [DualMatrix::primal_mut, DualMatrix::dual_mut] {
-                self.projection
-                    .read(fine.iter_mut().map(|m| part(m)[entry]));
-                self.projection.truncate(self.grid.harmonics());
-                self.projection.write(0, 0, coarse_samples);
-                for (m, value) in coarse.iter_mut().zip(&*coarse_samples) {
-                    part(m)[entry] = *value;
-                }
-            }
-        }
+        let most = Some(self.grid.harmonics());
+        resample(&mut self.projection, fine, most, coarse, coarse_samples);
     }
 
     /// `Π` of the rows of the elements.
@@ -224,6 +206,28 @@ impl Oversampled {
                 for (j, value) in samples.iter().enumerate() {
                     out[fine + count * j + row] = *value;
                 }
+            }
+        }
+    }
+}
+
+/// Resamples motions entry by entry, with harmonics up to `most`.
+fn resample(
+    resampling: &mut Resampling,
+    from: &mut [DualMatrix],
+    most: Option<usize>,
+    to: &mut [DualMatrix],
+    samples: &mut [f64],
+) {
+    for entry in 0..9 {
+        for part in [DualMatrix::primal_mut, DualMatrix::dual_mut] {
+            resampling.read(from.iter_mut().map(|m| part(m)[entry]));
+            if let Some(most) = most {
+                resampling.truncate(most);
+            }
+            resampling.write(0, 0, samples);
+            for (m, value) in to.iter_mut().zip(&*samples) {
+                part(m)[entry] = *value;
             }
         }
     }

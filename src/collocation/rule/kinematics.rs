@@ -189,22 +189,21 @@ impl NodeKinematics {
         scratch: &mut VariationScratch,
         rates: &mut [[Vector6<f64>; 2]],
     ) {
-        let n = self.motions.len();
-        scratch.resize(n);
+        scratch.resize(self.motions.len());
         for (k, u) in increments.chunks_exact(6).enumerate() {
             let u = Vector6::from_column_slice(u);
             scratch.skews[k] = DualVector::from_twist(&u).skew();
             scratch.moved[k] = self.motions[k] * scratch.skews[k];
         }
         scratch.differentiate(operators);
-        for l in 0..n {
+        for (l, rates) in rates.iter_mut().enumerate() {
             let skew = &scratch.skews[l];
             let (a, v) = (&self.a[l], &self.velocity[l]);
             let delta_a = self.motions[l].tr_mul(&scratch.a[l]) - *skew * *a;
             let delta_b = self.motions[l].tr_mul(&scratch.b[l]) - *skew * self.b[l];
             let delta_v = delta_a.axial();
             let delta_rate = (delta_b - (delta_v.skew() * *a + v.skew() * delta_a) * 2.0).axial();
-            rates[l] = [delta_v.to_twist(), delta_rate.to_twist()];
+            *rates = [delta_v.to_twist(), delta_rate.to_twist()];
         }
     }
 

@@ -1,7 +1,7 @@
 //! The motion over the grid, differentiated as a Fourier series (docs/theory.md, section 4.1).
 
 use super::aliasing::Aliasing;
-use super::kinematics::NodeKinematics;
+use super::kinematics::{NodeKinematics, VariationScratch};
 use super::{RuleWorkspace, TimeRule};
 use crate::collocation::state::GridState;
 use crate::elements::NodeState;
@@ -36,16 +36,15 @@ impl Spectral {
 }
 
 impl RuleWorkspace {
-    /// Own operators of a thread.
-    fn operators(&mut self, like: &Differentiation) -> &mut Differentiation {
-        if self
-            .operators
-            .as_ref()
-            .is_some_and(|own| own.grid() != like.grid())
-        {
-            self.operators = None;
-        }
-        self.operators.get_or_insert_with(|| like.clone())
+    /// Operators of its own, like these, and scratch.
+    fn of(
+        &mut self,
+        like: &Differentiation,
+    ) -> (&mut Differentiation, &mut VariationScratch, &mut Vec<f64>) {
+        let own = self.operators.take();
+        let own = own.filter(|own| own.grid() == like.grid());
+        let operators = self.operators.insert(own.unwrap_or_else(|| like.clone()));
+        (operators, &mut self.variation, &mut self.samples)
     }
 }
 
@@ -105,25 +104,14 @@ impl TimeRule for Spectral {
         workspace: &mut RuleWorkspace,
         rates: &mut [[Vector6<f64>; 2]],
     ) {
-        workspace.operators(&self.operators);
-        let RuleWorkspace {
-            operators: Some(operators),
-            variation,
-            ..
-        } = workspace
-        else {
-            return;
-        };
+        let (operators, variation, _) = workspace.of(&self.operators);
         self.nodes[node].variation(operators, increments, variation, rates);
     }
 
     fn vary_rates(&self, values: &[f64], workspace: &mut RuleWorkspace, rates: &mut [f64]) {
-        let mut unused = std::mem::take(&mut workspace.samples);
+        let (operators, _, unused) = workspace.of(&self.operators);
         unused.resize(values.len(), 0.0);
-        workspace
-            .operators(&self.operators)
-            .apply(values, rates, &mut unused);
-        workspace.samples = unused;
+        operators.apply(values, rates, unused);
     }
 
     fn vary_transposed(
@@ -133,15 +121,7 @@ impl TimeRule for Spectral {
         workspace: &mut RuleWorkspace,
         out: &mut [f64],
     ) {
-        workspace.operators(&self.operators);
-        let RuleWorkspace {
-            operators: Some(operators),
-            variation,
-            ..
-        } = workspace
-        else {
-            return;
-        };
+        let (operators, variation, _) = workspace.of(&self.operators);
         self.nodes[node].add_transposed_variation(operators, by_rates, variation, out);
     }
 

@@ -191,8 +191,8 @@ impl Assembly<'_> {
         let (tangent, points) = (self.tangent, self.tangent.points);
         let at = pair * points..(pair + 1) * points;
         let Scratch { gammas, whole } = scratch;
-        let (mut stiffness, mut damping) =
-            (&tangent.stiffness[at.clone()], &tangent.damping[at.clone()]);
+        let [mut stiffness, mut damping, mass] =
+            tangent.pairs.each_ref().map(|list| &list[at.clone()]);
         if !tangent.layout.within[pair].is_empty() {
             whole.iter_mut().for_each(Vec::clear);
             for k in 0..points {
@@ -202,7 +202,6 @@ impl Assembly<'_> {
             }
             (stiffness, damping) = (&whole[0], &whole[1]);
         }
-        let mass = &tangent.mass[at];
         for k in 0..points {
             let (first, stride) = self.pattern.pair_place(pair, k);
             for (l, [gamma_v, gamma_a]) in gammas[k * points..][..points].iter().enumerate() {
@@ -245,7 +244,8 @@ impl Assembly<'_> {
                 let scale = self.constant * equations.column_scale()[component];
                 let values = values[at..].iter_mut();
                 for ((value, entry), row) in values.zip(column).zip(rows) {
-                    *value = entry * row * scale;
+                    // Scales first: what depends on each other exactly goes on to do so.
+                    *value = entry * (row * scale);
                 }
             }
         }
@@ -264,9 +264,9 @@ impl Assembly<'_> {
                 for (row, own_scale) in columns.iter().enumerate() {
                     let at = pattern.force_value(index, local, k, row, count) - first;
                     for component in 0..6 {
-                        values[at + component] = gradient[(6 * local + component) * count + row]
-                            * equations.row_scale()[component]
-                            * (self.constant * own_scale);
+                        let scale = equations.row_scale()[component] * own_scale * self.constant;
+                        let entry = gradient[(6 * local + component) * count + row];
+                        values[at + component] = entry * scale;
                     }
                 }
             }
@@ -295,7 +295,7 @@ impl Assembly<'_> {
                 for (row, scale) in rows.iter().enumerate() {
                     let place = column * count + row;
                     let entry = d * own_rate[place] + constant * own[place];
-                    values[at + row] = entry * scale * own_scale;
+                    values[at + row] = entry * (scale * own_scale);
                 }
             }
         }

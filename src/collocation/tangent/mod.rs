@@ -34,7 +34,7 @@ use crate::motion::{self, DualVector};
 use crate::system::{System, Workspace};
 use crate::workers::{Workers, parts};
 use layout::TangentLayout;
-use nalgebra::{DMatrix, Matrix6, Vector6};
+use nalgebra::{Matrix6, Vector6};
 
 /// `∂force/∂u`, `∂force/∂V` and `∂force/∂V̇` of one coupling at one grid point, without the part of
 /// stress resultants that are kept apart.
@@ -90,10 +90,8 @@ impl OwnTangent {
 pub struct Tangent {
     layout: TangentLayout,
     points: usize,
-    /// Tangents of coupling `c` at grid point `k`, at `c N + k`.
-    stiffness: Vec<Matrix6<f64>>,
-    damping: Vec<Matrix6<f64>>,
-    mass: Vec<Matrix6<f64>>,
+    /// `K`, `C` and `M` of coupling `c` at grid point `k`, at `c N + k`.
+    pairs: [Vec<Matrix6<f64>>; 3],
     /// Of each element.
     own: Vec<OwnTangent>,
     /// Strain tangent `s` at grid point `k`, at `s N + k`.
@@ -111,9 +109,7 @@ pub struct Tangent {
 
 /// What belongs to the columns of a share's nodes.
 struct Part<'a> {
-    stiffness: &'a mut [Matrix6<f64>],
-    damping: &'a mut [Matrix6<f64>],
-    mass: &'a mut [Matrix6<f64>],
+    pairs: [&'a mut [Matrix6<f64>]; 3],
     /// Of each element that has its own here: strain tangents, and tangents of its own unknowns.
     own: Vec<Option<(&'a mut [StrainTangent], &'a mut OwnTangent)>>,
 }
@@ -140,9 +136,7 @@ impl Tangent {
     fn with(layout: TangentLayout, points: usize) -> Self {
         Tangent {
             points,
-            stiffness: Vec::new(),
-            damping: Vec::new(),
-            mass: Vec::new(),
+            pairs: Default::default(),
             own: vec![OwnTangent::default(); layout.places.len()],
             strains: vec![StrainTangent::default(); points * layout.strains],
             stresses: vec![DualVector::zeros(); points * layout.stations.len()],
@@ -163,10 +157,11 @@ impl Tangent {
     /// Tangents of the coupling `pair` at grid point `k`, not scaled.
     pub fn pair(&self, pair: usize, k: usize) -> PairTangent<'_> {
         let at = pair * self.points + k;
+        let [stiffness, damping, mass] = self.pairs.each_ref().map(|list| &list[at]);
         PairTangent {
-            stiffness: &self.stiffness[at],
-            damping: &self.damping[at],
-            mass: &self.mass[at],
+            stiffness,
+            damping,
+            mass,
         }
     }
 
@@ -256,7 +251,7 @@ impl Tangent {
             .own
             .iter()
             .map(|own| own.gradients.len() + own.own.len());
-        3 * size_of_val(&self.stiffness[..])
+        3 * size_of_val(&self.pairs[0][..])
             + size_of_val(&self.strains[..])
             + size_of_val(&self.stresses[..])
             + own.sum::<usize>() * size_of::<f64>()
@@ -271,8 +266,7 @@ impl Tangent {
         let (layout, points) = (&self.layout, self.points);
         let counts = layout.places.iter().map(|p| points * p.strains.len());
         let own = division.deal(parts(&mut self.strains, counts).zip(&mut self.own));
-        let lists = [&mut self.stiffness, &mut self.damping, &mut self.mass];
-        let [stiffness, damping, mass] = lists.map(|list| {
+        let [stiffness, damping, mass] = self.pairs.each_mut().map(|list| {
             list.resize(points * layout.couplings.all().len(), Matrix6::zeros());
             let columns = |share: &Share| layout.couplings.of_columns(share.nodes.clone());
             division
@@ -282,9 +276,7 @@ impl Tangent {
         let lists = stiffness.zip(damping).zip(mass).zip(own);
         let mut all: Vec<_> = lists
             .map(|(((stiffness, damping), mass), own)| Part {
-                stiffness,
-                damping,
-                mass,
+                pairs: [stiffness, damping, mass],
                 own,
             })
             .collect();
@@ -339,7 +331,13 @@ impl TangentLayout {
                     if !share.nodes.contains(&nodes[b]) {
                         continue;
                     }
-                    let add = |sum: &mut Matrix6<f64>, all: &DMatrix<f64>, counts: bool| {
+                    let blocks = [
+                        (&out.stiffness, is_elastic),
+                        (&out.damping, has_damping),
+                        (&out.mass, has_mass),
+                    ];
+                    for (sums, (all, counts)) in part.pairs.iter_mut().zip(blocks) {
+                        let sum = &mut sums[(coupling - first) * points + k];
                         let block = all.fixed_view::<6, 6>(6 * a, 6 * b);
                         match (begins, counts) {
                             (true, true) => sum.copy_from(&block),
@@ -347,11 +345,7 @@ impl TangentLayout {
                             (false, true) => *sum += block,
                             (false, false) => {}
                         }
-                    };
-                    let to = (coupling - first) * points + k;
-                    add(&mut part.stiffness[to], &out.stiffness, is_elastic);
-                    add(&mut part.damping[to], &out.damping, has_damping);
-                    add(&mut part.mass[to], &out.mass, has_mass);
+                    }
                 }
                 let Some((strains, own)) = own else {
                     continue;

@@ -38,10 +38,10 @@ fn moved(equations: &Collocation) -> GridState {
 fn products(pattern: &Pattern, values: &[f64], x: &[f64]) -> [Vec<f64>; 2] {
     let mut both = [vec![0.0; x.len()], vec![0.0; x.len()]];
     for (column, range) in pattern.column_pointers().windows(2).enumerate() {
-        for at in range[0]..range[1] {
-            let row = pattern.row_indices()[at];
-            both[0][row] += values[at] * x[column];
-            both[1][column] += values[at] * x[row];
+        let rows = &pattern.row_indices()[range[0]..range[1]];
+        for (&row, value) in rows.iter().zip(&values[range[0]..range[1]]) {
+            both[0][row] += value * x[column];
+            both[1][column] += value * x[row];
         }
     }
     both
