@@ -135,7 +135,7 @@ fn main() {
             case.name,
             case.points,
             if is_direct { "direct" } else { "iterative" },
-            (6 * solve.system.nodes() + solve.system.multipliers()) * case.points,
+            (6 * solve.system.nodes() + solve.system.own_unknowns()) * case.points,
             format!("{:.2}", 1e3 * total),
             format!("{:.2}", total / product.as_secs_f64()),
             percent(seconds(&|s| s.guess_time)),

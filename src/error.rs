@@ -202,6 +202,14 @@ impl fmt::Display for Error {
 
 impl std::error::Error for Error {}
 
+/// Checks that a number is positive, and finite.
+pub fn require_positive_number(name: &str, x: f64) -> Result<()> {
+    if x.is_finite() && x > 0.0 {
+        return Ok(());
+    }
+    Err(Error::value(name, "a positive, finite number", x))
+}
+
 /// Checks that `values` are finite; the message names the first that is not.
 pub fn require_finite(name: &str, values: &[f64]) -> Result<()> {
     match values.iter().position(|x| !x.is_finite()) {

@@ -71,7 +71,7 @@ pub fn solve_and_print(
             .collect();
         let total = median(runs.iter().map(|r| r.0));
         let solve = &runs[0].1;
-        let unknowns = (6 * solve.system.nodes() + solve.system.multipliers()) * points;
+        let unknowns = (6 * solve.system.nodes() + solve.system.own_unknowns()) * points;
         print!(
             "{name:32} {points:3} {unknowns:8} {:7.2}",
             1e3 * total.as_secs_f64()

@@ -59,16 +59,6 @@ pub struct pdn_stations {
 unsafe impl Options for pdn_stations {
     // A release that adds a field adds where that field ends.
     const SIZES: &'static [usize] = &[offset_of!(pdn_stations, twists) + size_of::<*const f64>()];
-
-    fn defaults() -> Self {
-        pdn_stations {
-            struct_size: size_of::<Self>(),
-            count: 0,
-            fractions: std::ptr::null(),
-            sections: std::ptr::null(),
-            twists: std::ptr::null(),
-        }
-    }
 }
 
 /// Makes stations that are still to be set. Use it as `PDN_INIT(pdn_stations, &stations)`.

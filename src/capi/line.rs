@@ -77,20 +77,6 @@ pub struct pdn_line {
 unsafe impl Options for pdn_line {
     // A release that adds a field adds where that field ends.
     const SIZES: &'static [usize] = &[offset_of!(pdn_line, user_data) + size_of::<*mut c_void>()];
-
-    fn defaults() -> Self {
-        pdn_line {
-            struct_size: size_of::<Self>(),
-            kind: PDN_LINE_STRAIGHT,
-            reserved: 0,
-            start: [0.0; 3],
-            point: [0.0; 3],
-            end: [0.0; 3],
-            axis_2: [0.0; 3],
-            curve: None,
-            user_data: std::ptr::null_mut(),
-        }
-    }
 }
 
 /// Frames along a line.

@@ -83,25 +83,11 @@ unsafe impl Options for pdn_march_options {
     fn defaults() -> Self {
         let core = MarchOptions::with_step(1.0, MarchEnd::Duration(1.0));
         pdn_march_options {
-            struct_size: size_of::<Self>(),
-            start_time: 0.0,
-            duration: 0.0,
-            period: 0.0,
-            step: 0.0,
-            steps_per_period: 0,
             spectral_radius: core.spectral_radius,
-            error_tolerance: 0.0,
-            periodic_tolerance: 0.0,
             most_periods: 200,
-            stored_periods: 0,
             tolerance: core.newton.tolerance,
             iteration_limit: core.newton.iteration_limit,
-            initial: std::ptr::null(),
-            positions: std::ptr::null(),
-            rotations: std::ptr::null(),
-            velocities: std::ptr::null(),
-            progress: None,
-            progress_data: std::ptr::null_mut(),
+            ..Self::blank()
         }
     }
 }
@@ -311,22 +297,6 @@ pub struct pdn_march_diagnostics {
 // SAFETY: all fields are plain numbers, `struct_size` is the first, no padding.
 unsafe impl Options for pdn_march_diagnostics {
     const SIZES: &'static [usize] = &[88];
-
-    fn defaults() -> Self {
-        pdn_march_diagnostics {
-            struct_size: size_of::<Self>(),
-            steps: 0,
-            rejected_steps: 0,
-            iterations: 0,
-            periods: 0,
-            first_time: 0.0,
-            last_time: 0.0,
-            repetition: 0.0,
-            step_error: 0.0,
-            start_moved: 0.0,
-            start_corrected: 0.0,
-        }
-    }
 }
 
 /// Prepares a struct for ::pdn_solution_march; use `PDN_INIT(pdn_march_diagnostics, &diagnostics)`.

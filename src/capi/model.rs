@@ -115,11 +115,9 @@ pub(super) fn motion(call: &Call, frame: *const pdn_frame, name: &str) -> Result
 
 impl From<&Motion> for pdn_frame {
     fn from(motion: &Motion) -> Self {
-        let mut rotation = [0.0; 9];
-        rotation.copy_from_slice(motion.rotation.as_slice());
         pdn_frame {
             position: motion.position.into(),
-            rotation,
+            rotation: std::array::from_fn(|i| motion.rotation[i]),
         }
     }
 }

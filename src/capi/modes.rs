@@ -44,10 +44,8 @@ unsafe impl Options for pdn_modes_options {
 
     fn defaults() -> Self {
         pdn_modes_options {
-            struct_size: size_of::<Self>(),
-            equilibrium: std::ptr::null(),
             count: ModesOptions::default().count,
-            near_frequency: 0.0,
+            ..Self::blank()
         }
     }
 }
@@ -214,18 +212,6 @@ pub struct pdn_mode {
 // SAFETY: all fields are plain numbers, `struct_size` is the first, no padding.
 unsafe impl Options for pdn_mode {
     const SIZES: &'static [usize] = &[56];
-
-    fn defaults() -> Self {
-        pdn_mode {
-            struct_size: size_of::<Self>(),
-            eigenvalue_real: 0.0,
-            eigenvalue_imaginary: 0.0,
-            frequency: 0.0,
-            damping_ratio: 0.0,
-            modal_mass: 0.0,
-            residual: 0.0,
-        }
-    }
 }
 
 /// Prepares a struct for ::pdn_modes_get; use `PDN_INIT(pdn_mode, &mode)`.

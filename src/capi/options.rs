@@ -45,8 +45,20 @@ pub(crate) unsafe trait Options: Copy {
     /// Size of the struct in each release that changed it, oldest first. Append only.
     const SIZES: &'static [usize];
 
-    /// What NULL means, and what the initialiser writes; `struct_size` is set for it.
-    fn defaults() -> Self;
+    /// All zero, NULL or absent, but for `struct_size`.
+    fn blank() -> Self {
+        // SAFETY: any bits are valid, and `struct_size` is the first field.
+        unsafe {
+            let mut blank: Self = std::mem::zeroed();
+            (&raw mut blank).cast::<usize>().write(size_of::<Self>());
+            blank
+        }
+    }
+
+    /// What NULL means, and what the initialiser writes.
+    fn defaults() -> Self {
+        Self::blank()
+    }
 }
 
 /// No struct of options is larger; what claims to be is not initialised.

@@ -184,25 +184,15 @@ unsafe impl Options for pdn_periodic_options {
         let core = PeriodicOptions::default();
         let adaptation = Adaptation::default();
         pdn_periodic_options {
-            struct_size: size_of::<Self>(),
-            grid_points: 0,
-            harmonics: 0,
             tolerance: core.newton.tolerance,
             iteration_limit: core.newton.iteration_limit,
-            initial: std::ptr::null(),
-            guess_positions: std::ptr::null(),
-            guess_rotations: std::ptr::null(),
-            progress: None,
-            progress_data: std::ptr::null_mut(),
             error_tolerance: adaptation.error_tolerance,
             largest_grid_points: adaptation.largest,
-            linear_solver: PDN_LINEAR_AUTOMATIC,
             threads: 1,
             oversampling: core.oversampling,
             response_tolerance: adaptation.response_tolerance,
-            start: PDN_START_AUTOMATIC,
-            estimate_mesh: 0,
             progress_interval: PROGRESS_INTERVAL,
+            ..Self::blank()
         }
     }
 }

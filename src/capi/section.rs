@@ -38,15 +38,6 @@ pub struct pdn_section {
 unsafe impl Options for pdn_section {
     // A release that adds a field adds where that field ends.
     const SIZES: &'static [usize] = &[offset_of!(pdn_section, damping) + size_of::<[f64; 36]>()];
-
-    fn defaults() -> Self {
-        pdn_section {
-            struct_size: size_of::<Self>(),
-            stiffness: [0.0; 36],
-            mass: [0.0; 36],
-            damping: [0.0; 36],
-        }
-    }
 }
 
 impl pdn_section {

@@ -51,15 +51,12 @@ unsafe impl Options for pdn_shooting_options {
     fn defaults() -> Self {
         let core = ShootingOptions::default();
         pdn_shooting_options {
-            struct_size: size_of::<Self>(),
             steps_per_period: core.steps,
             guess_periods: core.guess_periods,
             spectral_radius: core.spectral_radius,
             tolerance: core.newton.tolerance,
             iteration_limit: core.newton.iteration_limit,
-            initial: std::ptr::null(),
-            progress: None,
-            progress_data: std::ptr::null_mut(),
+            ..Self::blank()
         }
     }
 }

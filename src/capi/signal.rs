@@ -77,23 +77,6 @@ pub struct pdn_signal {
 unsafe impl Options for pdn_signal {
     // A release that adds a field adds where that field ends.
     const SIZES: &'static [usize] = &[offset_of!(pdn_signal, user_data) + size_of::<*mut c_void>()];
-
-    fn defaults() -> Self {
-        pdn_signal {
-            struct_size: size_of::<Self>(),
-            kind: PDN_SIGNAL_HARMONICS,
-            reserved: 0,
-            mean: 0.0,
-            rate: 0.0,
-            cosines: std::ptr::null(),
-            sines: std::ptr::null(),
-            harmonics: 0,
-            samples: std::ptr::null(),
-            sample_count: 0,
-            function: None,
-            user_data: std::ptr::null_mut(),
-        }
-    }
 }
 
 /// The signal that an argument gives, with copies of its arrays.

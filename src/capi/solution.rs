@@ -267,43 +267,6 @@ pub struct pdn_diagnostics {
 // SAFETY: all fields are plain numbers, `struct_size` is the first, no padding.
 unsafe impl Options for pdn_diagnostics {
     const SIZES: &'static [usize] = &[112, 136, 160, 208];
-
-    fn defaults() -> Self {
-        pdn_diagnostics {
-            struct_size: size_of::<Self>(),
-            outcome: 0,
-            iterations: 0,
-            guess_iterations: 0,
-            redundant_constraints: 0,
-            grid_points: 0,
-            unknowns: 0,
-            last_increment: 0.0,
-            error_estimate: 0.0,
-            force_residual_between: 0.0,
-            constraint_residual_between: 0.0,
-            guess_seconds: 0.0,
-            assembly_seconds: 0.0,
-            analysis_seconds: 0.0,
-            factorisation_seconds: 0.0,
-            substitution_seconds: 0.0,
-            decay: 0,
-            grids: 0,
-            decay_order: 0.0,
-            least_resolved_time: 0.0,
-            linear_solver: 0,
-            linear_iterations: 0,
-            linear_solves: 0,
-            most_linear_iterations: 0,
-            linear_bytes: 0,
-            preconditioner_seconds: 0.0,
-            interface_seconds: 0.0,
-            estimate_seconds: 0.0,
-            total_seconds: 0.0,
-            total_iterations: 0,
-            attempts: 0,
-            mesh_error: 0.0,
-        }
-    }
 }
 
 /// Prepares a struct for ::pdn_solution_diagnostics; use `PDN_INIT(pdn_diagnostics, &diagnostics)`.

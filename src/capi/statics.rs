@@ -57,17 +57,10 @@ unsafe impl Options for pdn_static_options {
     fn defaults() -> Self {
         let core = StaticOptions::default();
         pdn_static_options {
-            struct_size: size_of::<Self>(),
-            time: 0.0,
-            period: 0.0,
             load_steps: core.least_load_steps,
             tolerance: core.newton.tolerance,
             iteration_limit: core.newton.iteration_limit,
-            angular_velocity: [0.0; 3],
-            axis_point: [0.0; 3],
-            initial: std::ptr::null(),
-            progress: None,
-            progress_data: std::ptr::null_mut(),
+            ..Self::blank()
         }
     }
 }

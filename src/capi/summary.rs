@@ -49,26 +49,6 @@ pub struct pdn_summary {
 // SAFETY: all fields are plain numbers, `struct_size` is the first, no padding.
 unsafe impl Options for pdn_summary {
     const SIZES: &'static [usize] = &[88];
-
-    fn defaults() -> Self {
-        pdn_summary {
-            struct_size: size_of::<Self>(),
-            nodes: 0,
-            beam_elements: 0,
-            joints: 0,
-            prescribed: 0,
-            constraints: 0,
-            redundant_constraints: 0,
-            degrees_of_freedom: 0,
-            members: 0,
-            mobility: 0,
-            redundant_if_rigid: 0,
-            parts: 0,
-            warnings: 0,
-            mass: 0.0,
-            centre: [0.0; 3],
-        }
-    }
 }
 
 /// Prepares a struct for ::pdn_model_summary; use `PDN_INIT(pdn_summary, &summary)`.

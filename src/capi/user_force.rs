@@ -371,22 +371,6 @@ pub struct pdn_tangent_check {
 // SAFETY: all fields are plain numbers, `struct_size` is the first, no padding.
 unsafe impl Options for pdn_tangent_check {
     const SIZES: &'static [usize] = &[64];
-
-    fn defaults() -> Self {
-        pdn_tangent_check {
-            struct_size: size_of::<Self>(),
-            error: 0.0,
-            time: 0.0,
-            given: 0.0,
-            differenced: 0.0,
-            tangent: 0,
-            row_node: 0,
-            row_component: 0,
-            column_node: 0,
-            column_component: 0,
-            reserved: 0,
-        }
-    }
 }
 
 /// Prepares a struct for ::pdn_model_check_tangents; use `PDN_INIT(pdn_tangent_check, &check)`.

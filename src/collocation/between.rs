@@ -83,8 +83,8 @@ impl Room {
     fn new(system: &System) -> Self {
         Room {
             workspace: system.workspace(false),
-            multipliers: vec![0.0; system.multipliers()],
-            rates: vec![0.0; system.multipliers()],
+            multipliers: vec![0.0; system.own_unknowns()],
+            rates: vec![0.0; system.own_unknowns()],
             sums: vec![Vector6::zeros(); system.nodes()],
         }
     }
@@ -116,7 +116,7 @@ impl Room {
             }
         }
         let mut found = Unbalance {
-            rows: vec![0.0; 6 * system.nodes() + system.multipliers()],
+            rows: vec![0.0; 6 * system.nodes() + system.own_unknowns()],
             ..Unbalance::default()
         };
         self.sums.fill(Vector6::zeros());
@@ -218,7 +218,7 @@ impl Defect {
         Ok(Defect {
             largest: ResidualBetween::of(&found, time),
             rows: found.iter().flat_map(|here| &here.rows).copied().collect(),
-            count: 6 * system.nodes() + system.multipliers(),
+            count: 6 * system.nodes() + system.own_unknowns(),
             nodes,
         })
     }

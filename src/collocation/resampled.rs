@@ -139,8 +139,8 @@ impl GridState {
         points: usize,
     ) -> ResampledOwn {
         let mut own = ResampledOwn {
-            values: vec![0.0; system.multipliers() * points],
-            rates: vec![0.0; system.multipliers() * points],
+            values: vec![0.0; system.own_unknowns() * points],
+            rates: vec![0.0; system.own_unknowns() * points],
         };
         let mut resampling = Resampling::new(grid, start, points);
         for placed in system.elements() {

@@ -43,7 +43,7 @@ impl GridState {
                 .iter()
                 .flat_map(|m| std::iter::repeat_n(*m, points))
                 .collect(),
-            multipliers: vec![0.0; system.multipliers() * points],
+            multipliers: vec![0.0; system.own_unknowns() * points],
             coordinates: vec![0.0; system.tracked() * points],
         };
         state.track(system);

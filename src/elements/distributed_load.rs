@@ -8,7 +8,7 @@ use super::beam::{Beam, Station, about_axis, spread_variation, turned};
 use super::shape::{gauss_legendre, shape_functions};
 use super::{Contribution, Element, Instant, LoadFrame};
 use crate::error::{Error, Result};
-use crate::motion::{DualMatrix, DualPolar, DualVector, skew};
+use crate::motion::{DualMatrix, DualPolar, DualVector, halves, skew};
 use nalgebra::{Matrix3, Vector3, Vector6};
 use serde::{Deserialize, Serialize};
 
@@ -170,13 +170,12 @@ impl DistributedLoad {
         for (component, signal) in signals.into_iter().enumerate() {
             if let Some(signal) = signal {
                 let unit = Vector6::ith(component, 1.0);
-                let (force, moment) = halves(&unit);
                 let loads = axes.iter().zip(&lengths);
                 self.parts.push(LoadPart {
                     in_space: frame == BeamLoadFrame::Space,
                     signal,
                     loads: loads
-                        .map(|(axes, length)| joined(&(axes * force), &(axes * moment)) * *length)
+                        .map(|(axes, length)| crate::motion::turned(axes, &unit) * *length)
                         .collect(),
                 });
             }
@@ -254,18 +253,6 @@ impl Scratch {
             row[a].dual = row[a].dual - spread_variation(&node.x, mu) * node.shape;
         }
     }
-}
-
-/// Force and moment of a wrench.
-fn halves(w: &Vector6<f64>) -> (Vector3<f64>, Vector3<f64>) {
-    (
-        w.fixed_rows::<3>(0).into_owned(),
-        w.fixed_rows::<3>(3).into_owned(),
-    )
-}
-
-fn joined(force: &Vector3<f64>, moment: &Vector3<f64>) -> Vector6<f64> {
-    Vector6::new(force.x, force.y, force.z, moment.x, moment.y, moment.z)
 }
 
 impl Element for DistributedLoad {

@@ -3,7 +3,7 @@
 
 use super::{Contribution, Element, Instant};
 use crate::error::Result;
-use crate::motion::{Motion, product, skew, transposed_product};
+use crate::motion::{Motion, halves, joined, product, skew, transposed_product};
 use nalgebra::{DMatrix, DVector, Matrix3, Matrix6, Matrix6x3, Vector3, Vector6};
 
 /// Inertial forces `M V̇ − Ṽᵀ M V` with `M` constant, and the weight.
@@ -77,16 +77,7 @@ fn gyroscopic(twist: &Vector6<f64>, momentum: &Vector6<f64>) -> Vector6<f64> {
     let (pl, pa) = halves(momentum);
     let linear = w.cross(&pl);
     let angular = v.cross(&pl) + w.cross(&pa);
-    Vector6::new(
-        linear.x, linear.y, linear.z, angular.x, angular.y, angular.z,
-    )
-}
-
-fn halves(v: &Vector6<f64>) -> (Vector3<f64>, Vector3<f64>) {
-    (
-        Vector3::new(v[0], v[1], v[2]),
-        Vector3::new(v[3], v[4], v[5]),
-    )
+    joined(&linear, &angular)
 }
 
 /// `𝒫 = [0 p̃_l; p̃_l p̃_a]`.

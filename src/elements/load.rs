@@ -3,8 +3,8 @@
 
 use super::{Contribution, Element, Instant};
 use crate::error::Result;
-use crate::motion::skew;
-use nalgebra::{Vector3, Vector6};
+use crate::motion::{joined, skew};
+use nalgebra::Vector3;
 use serde::{Deserialize, Serialize};
 
 /// How a load's components are directed.
@@ -52,8 +52,7 @@ impl Element for NodalLoad {
                 (r.tr_mul(&force), r.tr_mul(&moment))
             }
         };
-        let applied = Vector6::new(force.x, force.y, force.z, moment.x, moment.y, moment.z);
-        out.add_force(0, &-applied);
+        out.add_force(0, &-joined(&force, &moment));
         if out.with_tangents && self.frame == LoadFrame::Space {
             let mut rows = out.stiffness.fixed_view_mut::<3, 3>(0, 3);
             rows -= skew(&force);

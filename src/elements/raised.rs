@@ -9,7 +9,7 @@ use super::beam::{Beam, Station, about_axis};
 use super::shape::lobatto_points;
 use super::{Contribution, Element, NodeState};
 use crate::error::Result;
-use crate::motion::{DualVector, Motion};
+use crate::motion::{DualVector, Motion, turned};
 use nalgebra::{DMatrix, DVector, Vector6};
 
 /// Degrees that are added: bending by one more needs a deflection by one more than that, or shear
@@ -97,12 +97,8 @@ impl Raised {
         let mut sums = DVector::zeros(6 * self.nodes);
         for (i, station) in self.stations.iter().enumerate() {
             let turn = about_axis(station.turn);
-            let mut force: Vector6<f64> = forces.fixed_rows::<6>(6 * i).into_owned();
-            for half in [0, 3] {
-                let turned = turn * force.fixed_rows::<3>(half);
-                force.fixed_rows_mut::<3>(half).copy_from(&turned);
-            }
-            let force = DualVector::from_wrench(&force);
+            let force: Vector6<f64> = forces.fixed_rows::<6>(6 * i).into_owned();
+            let force = DualVector::from_wrench(&turned(&turn, &force));
             let at = station.motion(relative)?;
             for (a, node) in station.node_terms(&at, relative).enumerate() {
                 let mut rows = sums.fixed_rows_mut::<6>(6 * a);

@@ -1,7 +1,7 @@
 //! Cross-sections, and how they change along a beam element.
 
 use crate::error::{Error, ErrorKind, Result, require_finite};
-use crate::motion::rotation_from_vector;
+use crate::motion::{rotation_from_vector, turn_of_both};
 use nalgebra::{Matrix6, Vector3};
 use serde::{Deserialize, Serialize};
 
@@ -30,12 +30,7 @@ impl Section {
 
     /// This section in axes from which its own are turned by `angle` about axis 1.
     pub(super) fn turned(&self, angle: f64) -> Section {
-        let turn = rotation_from_vector(&(Vector3::x() * angle));
-        let mut both = Matrix6::zeros();
-        for half in [0, 3] {
-            let mut block = both.fixed_view_mut::<3, 3>(half, half);
-            block.copy_from(&turn);
-        }
+        let both = turn_of_both(&rotation_from_vector(&(Vector3::x() * angle)));
         let turned = |m: &Matrix6<f64>| both * m * both.transpose();
         Section {
             stiffness: turned(&self.stiffness),

@@ -5,7 +5,7 @@ use super::coordinate_force::difference_step;
 use super::load::LoadFrame;
 use super::{Contribution, Element, Instant, NodeState};
 use crate::error::{Error, ErrorKind, Result};
-use crate::motion::{Motion, rotation_from_vector, skew};
+use crate::motion::{Motion, rotation_from_vector, skew, turn_of_both, turned};
 use nalgebra::{DMatrix, Matrix3, Matrix6, Vector3, Vector6};
 use std::fmt;
 use std::sync::Arc;
@@ -145,24 +145,6 @@ impl Scratch {
         self.rotations[node] = moved.rotation;
         self.positions[node] = moved.position;
     }
-}
-
-/// Both halves of a 6-vector, turned.
-fn turned(r: &Matrix3<f64>, v: &Vector6<f64>) -> Vector6<f64> {
-    let mut out = Vector6::zeros();
-    out.fixed_rows_mut::<3>(0)
-        .copy_from(&(r * v.fixed_rows::<3>(0)));
-    out.fixed_rows_mut::<3>(3)
-        .copy_from(&(r * v.fixed_rows::<3>(3)));
-    out
-}
-
-/// `diag(r, r)`.
-fn both(r: &Matrix3<f64>) -> Matrix6<f64> {
-    let mut m = Matrix6::zeros();
-    m.fixed_view_mut::<3, 3>(0, 0).copy_from(r);
-    m.fixed_view_mut::<3, 3>(3, 3).copy_from(r);
-    m
 }
 
 /// `[0 ã; 0 b̃]` of a 6-vector `[a; b]`: what turning the axes by `ψ` does is `−` this times
@@ -366,7 +348,7 @@ impl UserForce {
                 LoadFrame::Follower => (scratch.forces[a], None),
                 LoadFrame::Space => {
                     let back = state.motion.rotation.transpose();
-                    (turned(&back, &scratch.forces[a]), Some(both(&back)))
+                    (turned(&back, &scratch.forces[a]), Some(turn_of_both(&back)))
                 }
             };
             // Applied forces count negative.
@@ -380,7 +362,7 @@ impl UserForce {
                 if let Some(back) = &back {
                     // Increments and velocities in space are R times the material ones, and Δ(R V)
                     // = R ΔV − R Ṽ ψ.
-                    let ahead = both(&other.motion.rotation);
+                    let ahead = turn_of_both(&other.motion.rotation);
                     k = back * k * ahead;
                     c = back * c * ahead;
                     k -= c * skews(&other.twist);

@@ -1,6 +1,6 @@
 //! The grid of collocation points.
 
-use crate::error::{Error, Result};
+use crate::error::{Error, Result, require_positive_number};
 use std::f64::consts::TAU;
 
 /// `N` odd, equispaced times `t_k = k T / N` over one period.
@@ -16,9 +16,7 @@ impl TimeGrid {
         if points.is_multiple_of(2) {
             return Err(Error::size("grid_points", "an odd number", points));
         }
-        if !(period.is_finite() && period > 0.0) {
-            return Err(Error::value("period", "a positive, finite number", period));
-        }
+        require_positive_number("period", period)?;
         Ok(TimeGrid { points, period })
     }
 

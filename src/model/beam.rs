@@ -1,5 +1,6 @@
 //! Beams: elements over nodes, and meshes along a reference line.
 
+use super::validation::require_ascending;
 use super::{InertiaDefinition, Model, SectionInput, straight_line};
 use crate::elements::{Beam, Section, SectionLine, lobatto_points};
 use crate::error::{Error, Result, require_finite};
@@ -61,6 +62,10 @@ struct Stations(Vec<(f64, Section, f64)>);
 
 impl Stations {
     fn new(stations: &[SectionStation]) -> Result<Self> {
+        if stations.len() > 1 {
+            let fractions: Vec<f64> = stations.iter().map(|station| station.fraction).collect();
+            require_ascending("fractions", &fractions, true)?;
+        }
         let mut checked: Vec<(f64, Section, f64)> = Vec::with_capacity(stations.len());
         for (i, station) in stations.iter().enumerate() {
             let SectionStation {
@@ -69,18 +74,6 @@ impl Stations {
             let name = format!("fractions[{i}]");
             require_finite(&name, &[fraction])?;
             require_finite(&format!("twists[{i}]"), &[twist])?;
-            if stations.len() > 1 {
-                let expected = match i {
-                    0 if fraction != 0.0 => Some("0 at the start".into()),
-                    _ if i + 1 == stations.len() && fraction != 1.0 => {
-                        Some("1 at the end".to_owned())
-                    }
-                    _ => None,
-                };
-                if let Some(expected) = expected {
-                    return Err(Error::value(&name, expected, fraction));
-                }
-            }
             let section = match station.section.validated() {
                 Err(error) if stations.len() > 1 => {
                     return Err(error.within(format!("station {i}")));
@@ -88,10 +81,6 @@ impl Stations {
                 checked => checked?,
             };
             if let Some((before, _, twist_before)) = checked.last() {
-                if fraction < *before {
-                    let expected = format!("at least {before}, the one before");
-                    return Err(Error::value(&name, expected, fraction));
-                }
                 if fraction == *before && (fraction == 0.0 || fraction == 1.0) {
                     let got = format!("{fraction} twice");
                     return Err(Error::value(&name, "jumps inside the beam only", got));
@@ -198,19 +187,7 @@ impl Stations {
         if count < 2 {
             return Err(Error::size("boundaries", "at least two", count));
         }
-        for (i, &fraction) in boundaries.iter().enumerate() {
-            let name = format!("boundaries[{i}]");
-            require_finite(&name, &[fraction])?;
-            let expected = match i {
-                0 if fraction != 0.0 => "0 at the start".to_owned(),
-                _ if i + 1 == count && fraction != 1.0 => "1 at the end".to_owned(),
-                _ if i > 0 && fraction <= boundaries[i - 1] => {
-                    format!("more than {}, the one before", boundaries[i - 1])
-                }
-                _ => continue,
-            };
-            return Err(Error::value(&name, expected, fraction));
-        }
+        require_ascending("boundaries", boundaries, false)?;
         let jumps = self.0.windows(2).filter(|pair| pair[0].0 == pair[1].0);
         for (fraction, ..) in jumps.map(|pair| pair[0]) {
             if !boundaries.contains(&fraction) {

@@ -20,7 +20,7 @@ pub enum InertiaDefinition {
         /// The node.
         node: usize,
         /// 6×6 inertia about the node, along its axes.
-        matrix: Matrix6<f64>,
+        matrix: Box<Matrix6<f64>>,
     },
 }
 
@@ -42,7 +42,7 @@ pub(super) fn saved<'de, D: Deserializer<'de>>(
         SavedInertia::Version1 { nodes, mass } => match (&nodes[..], mass.len()) {
             (&[node], 36) => Ok(InertiaDefinition::Body {
                 node,
-                matrix: Matrix6::from_column_slice(&mass),
+                matrix: Box::new(Matrix6::from_column_slice(&mass)),
             }),
             (&[_, _, ..], _) => Ok(InertiaDefinition::Beam),
             _ => Err(D::Error::custom(
@@ -83,6 +83,7 @@ impl Model {
         }
         require_finite("centre", centre.as_slice())?;
         let node = self.add_node(&Motion::new(Matrix3::identity(), *centre))?;
+        let matrix = Box::new(matrix);
         self.inertias.push(InertiaDefinition::Body { node, matrix });
         Ok(node)
     }
@@ -116,7 +117,7 @@ impl Model {
         };
         let matrix = require_positive("matrix", matrix, false)?;
         let carry = offset.inverse().adjoint();
-        let matrix = carry.transpose() * matrix * carry;
+        let matrix = Box::new(carry.transpose() * matrix * carry);
         require_finite("inertia about the node", matrix.as_slice())?;
         self.inertias.push(InertiaDefinition::Body { node, matrix });
         Ok(())

@@ -1,5 +1,6 @@
 //! Loads on nodes and along beams.
 
+use super::validation::require_ascending;
 use super::{Model, Signal};
 use crate::elements::{Beam, BeamLoadFrame, DistributedLoad, LoadFrame};
 use crate::error::{Error, ErrorKind, Result, require_finite};
@@ -200,24 +201,12 @@ impl Model {
             let expected = format!("1 to {most} from element {} on", load.first_element);
             return Err(Error::size("elements", expected, load.elements));
         }
-        let last = load.factors.len().saturating_sub(1);
         if load.factors.len() == 1 {
             return Err(Error::size("factors", "none, or at least 2", 1));
         }
-        for (i, &(fraction, factor)) in load.factors.iter().enumerate() {
-            let name = format!("fractions[{i}]");
-            require_finite(&name, &[fraction])?;
-            require_finite(&format!("factors[{i}]"), &[factor])?;
-            let expected = match i {
-                0 if fraction != 0.0 => "0 at the start".into(),
-                _ if i == last && fraction != 1.0 => "1 at the end".into(),
-                _ if i > 0 && fraction < load.factors[i - 1].0 => {
-                    format!("at least {}, the one before", load.factors[i - 1].0)
-                }
-                _ => continue,
-            };
-            return Err(Error::value(&name, expected, fraction));
-        }
+        let (fractions, factors): (Vec<f64>, Vec<f64>) = load.factors.iter().copied().unzip();
+        require_ascending("fractions", &fractions, true)?;
+        require_finite("factors", &factors)?;
         if let BeamLoadFrame::Untwisted(direction) = load.frame {
             super::validation::direction("axis_2", &direction)?;
             for element in load.range() {

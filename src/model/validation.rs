@@ -84,6 +84,26 @@ pub(super) fn require_motion(name: &str, motion: &Motion) -> Result<Motion> {
     Ok(Motion::new(rotation, motion.position))
 }
 
+/// Checks that places ascend from 0 to 1; strictly, if there may be no `jumps`.
+pub(super) fn require_ascending(name: &str, places: &[f64], jumps: bool) -> Result<()> {
+    for (i, &place) in places.iter().enumerate() {
+        let name = format!("{name}[{i}]");
+        require_finite(&name, &[place])?;
+        let before = i.checked_sub(1).map(|before| places[before]);
+        let expected = match before {
+            None if place != 0.0 => "0 at the start".to_owned(),
+            _ if i + 1 == places.len() && place != 1.0 => "1 at the end".to_owned(),
+            Some(before) if jumps && place < before => format!("at least {before}, the one before"),
+            Some(before) if !jumps && place <= before => {
+                format!("more than {before}, the one before")
+            }
+            _ => continue,
+        };
+        return Err(Error::value(&name, expected, place));
+    }
+    Ok(())
+}
+
 /// Checks that something connects two bodies.
 pub(super) fn require_two_bodies(first: Option<usize>, second: Option<usize>) -> Result<()> {
     if first != second {

@@ -4,6 +4,7 @@
 //! `[force; moment]` for wrenches, all resolved in the material frame unless said otherwise.
 
 mod dual;
+mod halves;
 mod interpolation;
 mod logarithm;
 mod periodic;
@@ -13,6 +14,7 @@ mod rigid;
 mod rotation;
 
 pub use dual::{Dual, DualMatrix, DualVector};
+pub use halves::{halves, joined, turn_of_both, turned};
 pub use interpolation::DualPolar;
 pub use logarithm::inverse_tangent;
 pub use periodic::PeriodicMotion;

@@ -5,8 +5,9 @@ use super::solution::{Samples, Solution};
 use crate::elements::LoadFrame;
 use crate::error::{Error, ErrorKind, Result};
 use crate::fourier::PeriodicSeries;
+use crate::motion::turned;
 use crate::system::ElementRole;
-use nalgebra::{Vector3, Vector6};
+use nalgebra::Vector6;
 
 /// What can be asked of a force.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -93,9 +94,7 @@ impl Solution {
                         LoadFrame::Space => states[k].motion.rotation,
                         LoadFrame::Follower => nalgebra::Matrix3::identity(),
                     };
-                    let force: Vector3<f64> = turn * own.fixed_rows::<3>(0);
-                    let moment: Vector3<f64> = turn * own.fixed_rows::<3>(3);
-                    Ok(force.iter().chain(moment.iter()).copied().collect())
+                    Ok(turned(&turn, &own).as_slice().to_vec())
                 })
             }
         }

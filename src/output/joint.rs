@@ -5,8 +5,8 @@ use crate::elements::{Coordinate, Element, Joint, NodeState, nearest_turn};
 use crate::error::{Error, ErrorKind, Result};
 use crate::fourier::PeriodicSeries;
 use crate::model::JointCoordinate;
+use crate::motion::turned;
 use crate::system::{ElementRole, Placed};
-use nalgebra::Vector3;
 use std::f64::consts::TAU;
 
 /// Axes that a reaction is resolved in.
@@ -153,9 +153,7 @@ impl Solution {
                 ResolvedIn::First => definition.relative_motion(&states).rotation,
                 ResolvedIn::Space => definition.second_frame(&states).rotation,
             };
-            let force: Vector3<f64> = turn * wrench.fixed_rows::<3>(0);
-            let moment: Vector3<f64> = turn * wrench.fixed_rows::<3>(3);
-            Ok(force.iter().chain(moment.iter()).copied().collect())
+            Ok(turned(&turn, &wrench).as_slice().to_vec())
         })
     }
 

@@ -6,13 +6,12 @@ use crate::error::{Error, ErrorKind, Result, require_finite};
 use crate::fourier::TimeGrid;
 use crate::model::Model;
 use crate::solve::{
-    Iteration, Kind, Mode, ModesOptions, ModesSolve, NewtonReport, Outcome, Solved, Stage, Timings,
+    Iteration, Kind, Mode, ModesOptions, ModesSolve, NewtonReport, Outcome, Solved, Stage,
     solve_modes,
 };
 use nalgebra::{Complex, Vector6};
 use std::f64::consts::TAU;
 use std::fmt::Write;
-use std::time::Duration;
 
 /// Points over the period of a motion in a mode: resolves the exponential of turns of a radian to
 /// rounding.
@@ -123,26 +122,16 @@ impl Modes {
         state.track(system);
         let mut equations = Collocation::new(system.clone(), grid)?;
         equations.update_kinematics(&state);
-        let solve = Solved {
-            system: system.clone(),
-            grid,
-            node_states: equations.node_states().to_vec(),
-            state,
-            report: NewtonReport {
-                outcome: Outcome::Converged,
-                iterations: Vec::new(),
-                explanation: format!(
-                    "mode {number} with the amplitude {amplitude}: s = {:.9e} {:+.9e} i",
-                    s.re, s.im
-                ),
-            },
-            guess_iterations: 0,
-            guess_time: Duration::ZERO,
-            timings: Timings::default(),
-            total_time: Duration::ZERO,
-            total_iterations: 0,
-            kind: Kind::SmallMotion,
+        let report = NewtonReport {
+            outcome: Outcome::Converged,
+            iterations: Vec::new(),
+            explanation: format!(
+                "mode {number} with the amplitude {amplitude}: s = {:.9e} {:+.9e} i",
+                s.re, s.im
+            ),
         };
+        let states = (state, equations.node_states().to_vec());
+        let solve = Solved::known(system, grid, states, report, Kind::SmallMotion);
         Solution::of(&self.model, solve)
     }
 

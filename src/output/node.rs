@@ -5,7 +5,7 @@ use crate::collocation::too_coarse;
 use crate::elements::NodeState;
 use crate::error::{Error, ErrorKind, Result};
 use crate::fourier::{CardinalWeights, PeriodicSeries};
-use crate::motion::{PeriodicMotion, quaternion_from_rotation};
+use crate::motion::{PeriodicMotion, halves, quaternion_from_rotation};
 use nalgebra::Vector3;
 
 /// What can be asked of a node.
@@ -41,15 +41,12 @@ impl NodeQuantity {
     /// Appends the components for a node's state. `last` keeps the sign of quaternions continuous.
     fn push(self, state: &NodeState, last: &mut Option<[f64; 4]>, out: &mut Vec<f64>) {
         let r = &state.motion.rotation;
-        let half = |v: &nalgebra::Vector6<f64>, first: usize| -> Vector3<f64> {
-            v.fixed_view::<3, 1>(first, 0).into_owned()
-        };
         let mut both = |linear: Vector3<f64>, angular: Vector3<f64>| {
             out.extend(linear.iter());
             out.extend(angular.iter());
         };
-        let (v, w) = (half(&state.twist, 0), half(&state.twist, 3));
-        let (dv, dw) = (half(&state.twist_rate, 0), half(&state.twist_rate, 3));
+        let (v, w) = halves(&state.twist);
+        let (dv, dw) = halves(&state.twist_rate);
         match self {
             NodeQuantity::Position => out.extend(state.motion.position.iter()),
             NodeQuantity::RotationMatrix => out.extend(r.iter()),

@@ -198,7 +198,7 @@ impl Solution {
     /// Number of unknowns of the periodic problem.
     pub fn unknowns(&self) -> usize {
         let system = &self.solve.system;
-        (6 * system.nodes() + system.multipliers()) * self.grid().points()
+        (6 * system.nodes() + system.own_unknowns()) * self.grid().points()
     }
 }
 

@@ -233,7 +233,7 @@ impl Solution {
         require(fits(state.motions.len(), system.nodes()), "motions")?;
         require(fits(node_states.len(), system.nodes()), "states of nodes")?;
         let multipliers = state.multipliers.len();
-        require(fits(multipliers, system.multipliers()), "multipliers")?;
+        require(fits(multipliers, system.own_unknowns()), "multipliers")?;
         // Older files have those only that forces act on.
         state.complete_tracked(system, system.acted_on());
         let coordinates = state.coordinates.len();

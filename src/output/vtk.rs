@@ -111,12 +111,11 @@ impl Solution {
         let positions = self.node(node, NodeQuantity::Position, times)?;
         let rotations = self.node(node, NodeQuantity::RotationMatrix, times)?;
         let pairs = positions.chunks_exact(3).zip(rotations.chunks_exact(9));
-        Ok(pairs
-            .map(|(r, axes)| {
-                let rotation = Matrix3::from_column_slice(axes);
-                Motion::new(rotation, Vector3::from_column_slice(r))
-            })
-            .collect())
+        let motion = |(r, axes): (&[f64], &[f64])| {
+            let rotation = Matrix3::from_column_slice(axes);
+            Motion::new(rotation, Vector3::from_column_slice(r))
+        };
+        Ok(pairs.map(motion).collect())
     }
 
     /// Section frames of a beam element at `stations` in `[−1, 1]`; those of each time together.

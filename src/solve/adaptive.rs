@@ -6,7 +6,7 @@ use super::loads::Loads;
 use super::newton::{NewtonReport, Outcome};
 use super::periodic::{Attempts, is_final};
 use crate::collocation::{Decay, DecayKind, GridState};
-use crate::error::{Error, Result};
+use crate::error::{Error, Result, require_positive_number};
 use crate::fourier::TimeGrid;
 use crate::system::System;
 use serde::{Deserialize, Serialize};
@@ -74,11 +74,7 @@ const LARGE: usize = 64;
 
 impl Adaptation {
     pub(super) fn validate(&self) -> Result<()> {
-        if !(self.error_tolerance.is_finite() && self.error_tolerance > 0.0) {
-            let expected = "a positive, finite number";
-            let name = "options.error_tolerance";
-            return Err(Error::value(name, expected, self.error_tolerance));
-        }
+        require_positive_number("options.error_tolerance", self.error_tolerance)?;
         if !(self.response_tolerance.is_finite() && self.response_tolerance >= 0.0) {
             let expected = "zero or a positive, finite number";
             let name = "options.response_tolerance";

@@ -309,7 +309,7 @@ pub(super) fn inertial_displacement(
         let given = GivenRates {
             twist,
             twist_rate,
-            rates: vec![0.0; system.multipliers()],
+            rates: vec![0.0; system.own_unknowns()],
             weight: 0.0,
             elastic: true,
         };

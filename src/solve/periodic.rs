@@ -12,7 +12,7 @@ use super::result::{Kind, PeriodicRecord, Solved};
 use super::starts::{Attempt, Start};
 use super::watch::{Watch, Watching};
 use crate::collocation::{Collocation, GridState};
-use crate::error::{Error, ErrorKind, Result};
+use crate::error::{Error, ErrorKind, Result, require_positive_number};
 use crate::fourier::TimeGrid;
 use crate::model::Model;
 use crate::system::{Driven, System, require_periodic_forces};
@@ -128,10 +128,7 @@ impl PeriodicOptions {
 
 impl NewtonOptions {
     pub(super) fn validate(&self) -> Result<()> {
-        if !(self.tolerance.is_finite() && self.tolerance > 0.0) {
-            let expected = "a positive, finite number";
-            return Err(Error::value("options.tolerance", expected, self.tolerance));
-        }
+        require_positive_number("options.tolerance", self.tolerance)?;
         if self.iteration_limit == 0 {
             return Err(Error::value("options.iteration_limit", "at least 1", 0));
         }

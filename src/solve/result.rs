@@ -86,6 +86,29 @@ pub struct PeriodicRecord {
 }
 
 impl Solved {
+    /// A state, where nothing is told of how it was found but the `report`.
+    pub fn known(
+        system: &Arc<System>,
+        grid: TimeGrid,
+        (state, node_states): (GridState, Vec<NodeState>),
+        report: NewtonReport,
+        kind: Kind,
+    ) -> Self {
+        Solved {
+            system: system.clone(),
+            grid,
+            state,
+            node_states,
+            total_iterations: report.iterations.len(),
+            report,
+            guess_iterations: 0,
+            guess_time: Duration::ZERO,
+            timings: Timings::default(),
+            total_time: Duration::ZERO,
+            kind,
+        }
+    }
+
     /// The times of the states.
     pub fn times(&self) -> Vec<f64> {
         match self.march() {

@@ -150,7 +150,7 @@ impl Shooting {
             }
             _ => 0.0,
         };
-        (0..system.multipliers()).map(gain).collect()
+        (0..system.own_unknowns()).map(gain).collect()
     }
 
     /// What the end differs by from the start, scaled.

@@ -8,7 +8,7 @@ use super::periodic::{InitialGuess, Stage};
 use super::result::{Kind, Solved};
 use super::watch::{Watch, Watching};
 use crate::collocation::Conditions;
-use crate::error::{Error, ErrorKind, Result, require_finite};
+use crate::error::{Error, Result, require_finite, require_positive_number};
 use crate::fourier::TimeGrid;
 use crate::model::Model;
 use crate::system::{Regime, Standstill, System, require_reproducible_forces};
@@ -61,24 +61,14 @@ impl StaticOptions {
             axis_point,
         } = &self.standstill;
         require_finite("options.time", &[*time])?;
-        if let Some(period) = period
-            && !(period.is_finite() && *period > 0.0)
-        {
-            let expected = "a positive, finite number";
-            return Err(Error::value("options.period", expected, period));
-        }
+        require_positive_number("options.period", period.unwrap_or(1.0))?;
         require_finite("options.angular_velocity", angular_velocity.as_slice())?;
         require_finite("options.axis_point", axis_point.as_slice())?;
         const MOST: usize = 1_000_000;
         if !(1..=MOST).contains(&self.least_load_steps) {
             let expected = format!("1 to {MOST}");
-            return Err(Error::new(
-                ErrorKind::Value,
-                format!(
-                    "options.load_steps: expected {expected}, got {}",
-                    self.least_load_steps
-                ),
-            ));
+            let name = "options.load_steps";
+            return Err(Error::value(name, expected, self.least_load_steps));
         }
         Ok(())
     }

@@ -10,7 +10,7 @@ use crate::collocation::{
     AlphaStep, Collocation, Conditions, GeneralizedAlpha, GridState, MotionState,
 };
 use crate::elements::{NodeState, Unknown};
-use crate::error::{Error, ErrorKind, Result, require_finite};
+use crate::error::{Error, ErrorKind, Result, require_finite, require_positive_number};
 use crate::fourier::TimeGrid;
 use crate::model::Model;
 use crate::motion::Motion;
@@ -20,7 +20,7 @@ use nalgebra::Vector6;
 use serde::{Deserialize, Serialize};
 use std::f64::consts::TAU;
 use std::sync::Arc;
-use std::time::{Duration, Instant};
+use std::time::Instant;
 
 /// Motions and velocities that a march starts from; what the constraints do not allow is projected
 /// out.
@@ -117,19 +117,13 @@ impl MarchOptions {
 
     pub(super) fn validate(&self) -> Result<()> {
         self.newton.validate()?;
-        let positive = |name: &str, x: f64| {
-            if x.is_finite() && x > 0.0 {
-                return Ok(());
-            }
-            Err(Error::value(name, "a positive, finite number", x))
-        };
         require_finite("options.start_time", &[self.start_time])?;
         if let Some(period) = self.period {
-            positive("options.period", period)?;
+            require_positive_number("options.period", period)?;
         }
-        positive("options.step", self.step)?;
+        require_positive_number("options.step", self.step)?;
         if let Some(tolerance) = self.error_tolerance {
-            positive("options.error_tolerance", tolerance)?;
+            require_positive_number("options.error_tolerance", tolerance)?;
         }
         if !(0.0..=1.0).contains(&self.spectral_radius) {
             let expected = "a number from 0 to 1";
@@ -140,12 +134,12 @@ impl MarchOptions {
             ));
         }
         match self.end {
-            MarchEnd::Duration(duration) => positive("options.duration", duration)?,
+            MarchEnd::Duration(duration) => require_positive_number("options.duration", duration)?,
             MarchEnd::Periodic {
                 tolerance,
                 most_periods,
             } => {
-                positive("options.periodic_tolerance", tolerance)?;
+                require_positive_number("options.periodic_tolerance", tolerance)?;
                 if self.period.is_none() {
                     let expected = "the period that the motion repeats itself with";
                     return Err(Error::value("options.period", expected, "none"));
@@ -728,23 +722,20 @@ pub(super) fn finish(
     }
     record.times = kept.iter().map(|kept| kept.time).collect();
     let (outcome, explanation) = refusal.unwrap_or((Outcome::Converged, String::new()));
-    let iterations = record.iterations;
+    let report = NewtonReport {
+        outcome,
+        iterations: Vec::new(),
+        explanation,
+    };
     Ok(Solved {
-        system: system.clone(),
-        grid: TimeGrid::new(1, system.period())?,
-        state,
-        node_states,
-        report: NewtonReport {
-            outcome,
-            iterations: Vec::new(),
-            explanation,
-        },
-        guess_iterations: 0,
-        guess_time: Duration::ZERO,
-        timings: super::Timings::default(),
-        total_time: Duration::ZERO,
-        total_iterations: iterations,
-        kind: Kind::March(record),
+        total_iterations: record.iterations,
+        ..Solved::known(
+            system,
+            TimeGrid::new(1, system.period())?,
+            (state, node_states),
+            report,
+            Kind::March(record),
+        )
     })
 }
 

@@ -7,7 +7,7 @@ use crate::elements::{
     LoadFrame, Measure, NodalLoad, NodeForceLaw, Prescribed, UserForce, Viscoelastic,
     ViscousDamper,
 };
-use crate::error::{Error, ErrorKind, Result};
+use crate::error::{Error, ErrorKind, Result, require_positive_number};
 use crate::model::{
     BoundSignal, ForceDefinition, JointCoordinate, JointDefinition, Model, Signal, UserFunction,
 };
@@ -62,10 +62,7 @@ impl<'a> Builder<'a> {
             let message = "model: expected at least one node, got none";
             return Err(Error::new(ErrorKind::Model, message));
         }
-        let period = regime.period();
-        if !(period.is_finite() && period > 0.0) {
-            return Err(Error::value("period", "a positive, finite number", period));
-        }
+        require_positive_number("period", regime.period())?;
         let beams = model.beam_elements()?;
         let inertias = model.inertia_elements(&beams)?;
         let system = System {

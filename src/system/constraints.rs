@@ -4,7 +4,7 @@
 //! all around a loop. So the gradient is looked at loop by loop, densely. See docs/theory.md,
 //! section 5.6.
 
-use super::{Conditions, ElementRole, OwnValues, Placed, System, Workspace};
+use super::{ElementRole, Placed, System, Workspace};
 use crate::elements::{Measure, NodeState, Unknown};
 use crate::error::Result;
 use std::collections::{BTreeMap, BTreeSet};
@@ -13,7 +13,7 @@ use std::fmt;
 /// A gradient of which no more than this is left beside those of other constraints, relative to the
 /// largest, depends on them: geometry given with rounding leaves less, and no working joint comes
 /// near.
-const DEPENDENT: f64 = 1e-7;
+const REDUNDANT: f64 = 1e-7;
 
 /// Loops with more constraints than this are not looked at: their dense factorisation would take
 /// longer than the solve.
@@ -195,22 +195,9 @@ impl ConstraintLoop {
         let mut gradient = vec![0.0; self.rows * size];
         // Neither signals nor turns change a gradient.
         let signals = vec![0.0; system.signals()];
-        let coordinates = vec![0.0; system.tracked()];
-        let conditions = Conditions {
-            time: 0.0,
-            signals: &signals,
-            coordinates: &coordinates,
-            inertia_factor: 0.0,
-        };
         for (&e, &first) in self.elements.iter().zip(&self.first_rows) {
             let placed = &system.elements()[e];
-            let zeros = vec![0.0; placed.element.multipliers()];
-            let own = OwnValues {
-                values: &zeros,
-                rates: &zeros,
-                resultants: &[],
-            };
-            let out = system.evaluate(placed, state, &conditions, own, workspace)?;
+            let out = system.evaluate_relaxed(placed, state, &signals, workspace)?;
             for (local, &node) in placed.element.nodes().iter().enumerate() {
                 let member = members[node];
                 let column = 6 * self.nodes.partition_point(|&n| n < member);
@@ -218,7 +205,7 @@ impl ConstraintLoop {
                 if node != member {
                     own = &own * state(node).motion.relative(&state(member).motion).adjoint();
                 }
-                for row in 0..zeros.len() {
+                for row in 0..placed.element.multipliers() {
                     let scale = match system.unknown(placed.first_multiplier + row) {
                         Unknown::Multiplier(Measure::Length) => 1.0 / length,
                         _ => 1.0,
@@ -283,7 +270,7 @@ fn dependent_rows(matrix: &mut [f64], count: usize) -> Vec<Vec<f64>> {
                 },
             );
         largest = largest.max(norm);
-        if norm <= DEPENDENT * largest {
+        if norm <= REDUNDANT * largest {
             break;
         }
         rows.swap(rank, rank + place);

@@ -11,7 +11,7 @@ use std::f64::consts::TAU;
 
 /// Change of a joint's constraints, relative to the size of the mechanism or in radians, that parts
 /// which turn as one rigid body may leave to rounding.
-const CLOSED: f64 = 1e-6;
+const STILL_CLOSED: f64 = 1e-6;
 /// Change of a drive, relative to its value, that is one of rounding.
 const ROUNDING: f64 = 1e-13;
 /// Parts of a turn at which that is looked at: of no common fraction.
@@ -278,7 +278,7 @@ impl System {
                         Measure::Length => self.extent().max(f64::MIN_POSITIVE),
                         Measure::Angle => 1.0,
                     };
-                    (now.1 - start.1).abs() <= CLOSED * size
+                    (now.1 - start.1).abs() <= STILL_CLOSED * size
                 })
             })
         })

@@ -124,6 +124,30 @@ impl System {
         Ok(out)
     }
 
+    /// The same where the element's own unknowns, and tracked coordinates, are zero.
+    pub(super) fn evaluate_relaxed<'w>(
+        &self,
+        placed: &Placed,
+        state: impl Fn(usize) -> NodeState,
+        signals: &[f64],
+        workspace: &'w mut Workspace,
+    ) -> Result<&'w Contribution> {
+        let count = placed.element.multipliers();
+        let zeros = vec![0.0; count.max(self.tracked())];
+        let conditions = Conditions {
+            time: 0.0,
+            signals,
+            coordinates: &zeros[..self.tracked()],
+            inertia_factor: 1.0,
+        };
+        let own = OwnValues {
+            values: &zeros[..count],
+            rates: &zeros[..count],
+            resultants: &[],
+        };
+        self.evaluate(placed, state, &conditions, own, workspace)
+    }
+
     /// Forces of stress resultants of one element on its nodes, in their own axes.
     ///
     /// # Errors

@@ -139,7 +139,7 @@ impl System {
     }
 
     /// Number of own unknowns of all elements at an instant.
-    pub fn multipliers(&self) -> usize {
+    pub fn own_unknowns(&self) -> usize {
         self.own_unknowns.len()
     }
 

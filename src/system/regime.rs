@@ -1,6 +1,6 @@
 //! What a model is made ready for: a period, one time, or a march.
 
-use crate::error::{Error, Result};
+use crate::error::{Result, require_positive_number};
 use nalgebra::Vector3;
 use serde::{Deserialize, Serialize};
 use std::f64::consts::TAU;
@@ -95,16 +95,8 @@ pub struct Transient {
 impl Transient {
     /// Checks that all of it are positive numbers.
     pub(crate) fn validate(&self) -> Result<()> {
-        let period = self.period.unwrap_or(1.0);
-        for (name, x) in [
-            ("period", period),
-            ("duration", self.duration),
-            ("step", self.step),
-        ] {
-            if !(x.is_finite() && x > 0.0) {
-                return Err(Error::value(name, "a positive, finite number", x));
-            }
-        }
-        Ok(())
+        require_positive_number("period", self.period.unwrap_or(1.0))?;
+        require_positive_number("duration", self.duration)?;
+        require_positive_number("step", self.step)
     }
 }

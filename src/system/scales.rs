@@ -1,7 +1,7 @@
 //! Characteristic scales, so that nothing in the solution depends on the user's units.
 //! See docs/theory.md, section 5.4.
 
-use super::{Conditions, OwnValues, System};
+use super::System;
 use crate::elements::{NodeState, StressLaw};
 use crate::error::Result;
 use nalgebra::Vector6;
@@ -44,26 +44,13 @@ impl Scales {
         if system.standstill().is_some() {
             system.signal_values(0.0, 1.0, &mut signals)?;
         }
-        let coordinates = vec![0.0; system.tracked()];
-        let conditions = Conditions {
-            time: 0.0,
-            signals: &signals,
-            coordinates: &coordinates,
-            inertia_factor: 1.0,
-        };
         let at_rest = |node: usize| NodeState::at_rest(system.reference[node]);
         let mut workspace = system.workspace(true);
         let (mut mass, mut gyration2) = (0.0, 0.0f64);
         let (mut linear, mut angular) = (0.0f64, 0.0f64);
         let (mut load_force, mut load_moment) = (0.0f64, 0.0f64);
         for placed in system.elements() {
-            let zeros = vec![0.0; placed.element.multipliers()];
-            let own = OwnValues {
-                values: &zeros,
-                rates: &zeros,
-                resultants: &[],
-            };
-            let out = system.evaluate(placed, at_rest, &conditions, own, &mut workspace)?;
+            let out = system.evaluate_relaxed(placed, at_rest, &signals, &mut workspace)?;
             let nodes = placed.element.nodes().len();
             for a in 0..nodes {
                 for k in 0..3 {

@@ -46,12 +46,15 @@ pub(super) fn warnings(
     warnings
 }
 
-fn warn_of_parts(parts: &[Option<usize>], warnings: &mut Vec<String>) {
+/// The nodes of each part but the first.
+fn nodes_of_parts(parts: &[Option<usize>]) -> impl Iterator<Item = Vec<usize>> + '_ {
     let last = parts.iter().flatten().max().copied().unwrap_or(0);
-    for part in 1..=last {
-        let nodes: Vec<usize> = (0..parts.len())
-            .filter(|&n| parts[n] == Some(part))
-            .collect();
+    let nodes = move |part| (0..parts.len()).filter(move |&n| parts[n] == Some(part));
+    (1..=last).map(move |part| nodes(part).collect())
+}
+
+fn warn_of_parts(parts: &[Option<usize>], warnings: &mut Vec<String>) {
+    for nodes in nodes_of_parts(parts) {
         warnings.push(format!(
             "nothing connects {} to the rest of the model",
             name_all("node", &nodes)
@@ -82,11 +85,7 @@ fn warn_of_loose_parts(
     warnings: &mut Vec<String>,
 ) {
     let loose = parts(system, |placed| holds(model, placed));
-    let last = loose.iter().flatten().max().copied().unwrap_or(0);
-    for part in 1..=last {
-        let nodes: Vec<usize> = (0..loose.len())
-            .filter(|&n| loose[n] == Some(part))
-            .collect();
+    for nodes in nodes_of_parts(&loose) {
         if nodes.iter().any(|&n| unconnected[n].is_none()) {
             warnings.push(format!(
                 "nothing holds {} to the rest of the model: what connects them has neither \

@@ -21,7 +21,7 @@ use crate::error::{Error, Result};
 use crate::motion::Motion;
 use law::{CoupledLaw, LawIntegrals};
 use nalgebra::Vector6;
-use station::{strain_rate, turned_about_axis};
+use station::strain_rate;
 
 /// Elastic and damping forces of one beam element with nodes at the Gauss–Lobatto points.
 #[derive(Debug, Clone)]
@@ -165,9 +165,11 @@ impl Beam {
             strain += room.strains[i] * (shape.0 / self.stations[i].stretch);
             stress += self.resultants(i, &room.strains, &room.rates) * shape.0;
         }
-        let turn = self.station(xi, 0.0)?.turn;
-        let own = |v: &Vector6<f64>| turned_about_axis(v, -turn);
-        Ok((own(&strain), own(&stress)))
+        let back = about_axis(-self.station(xi, 0.0)?.turn);
+        Ok((
+            crate::motion::turned(&back, &strain),
+            crate::motion::turned(&back, &stress),
+        ))
     }
 
     /// Stress resultants at Gauss point `i`, for all "velocities in ξ" less those of the reference,

@@ -171,11 +171,3 @@ pub(super) fn strain_rate(terms: &[NodeTerms], states: &[NodeState]) -> DualVect
 pub(in crate::elements) fn about_axis(angle: f64) -> Matrix3<f64> {
     rotation_from_vector(&(Vector3::x() * angle))
 }
-
-/// A 6-vector of a section in axes that are turned by `angle` about axis 1.
-pub(super) fn turned_about_axis(v: &Vector6<f64>, angle: f64) -> Vector6<f64> {
-    let turn = about_axis(angle);
-    let (first, second) = (v.fixed_rows::<3>(0), v.fixed_rows::<3>(3));
-    let (first, second) = (turn * first, turn * second);
-    Vector6::new(first.x, first.y, first.z, second.x, second.y, second.z)
-}

@@ -36,7 +36,7 @@ impl VariationScales {
     pub fn new(equations: &Collocation, time: f64) -> Self {
         let system = equations.system();
         let length = system.scales().length;
-        let states = (0..system.multipliers())
+        let states = (0..system.own_unknowns())
             .filter_map(|place| match system.unknown(place) {
                 Unknown::State { measure, .. } => Some(match measure {
                     Measure::Length => (place, length),
@@ -50,7 +50,7 @@ impl VariationScales {
             time,
             states,
             nodes: system.nodes(),
-            own: system.multipliers(),
+            own: system.own_unknowns(),
         }
     }
 
