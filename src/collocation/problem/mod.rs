@@ -115,7 +115,7 @@ impl Collocation {
                 signals: vec![0.0; system.signals() * points],
                 inertia_factor: 1.0,
                 states: Vec::new(),
-                rates: vec![0.0; system.multipliers() * points],
+                rates: vec![0.0; system.own_unknowns() * points],
                 resultants: Vec::new(),
             },
             regularisation: if system.dependencies().is_empty() {

@@ -29,7 +29,7 @@ impl Increment {
         self.x.resize(equations.size(), 0.0);
         self.rates
             .resize(points * system.nodes(), [Vector6::zeros(); 2]);
-        self.own_rates.resize(points * system.multipliers(), 0.0);
+        self.own_rates.resize(points * system.own_unknowns(), 0.0);
     }
 }
 
