@@ -233,8 +233,9 @@ impl Collocation {
         self.oversampled.as_deref()
     }
 
-    /// From now on takes geometric stiffness at the stress resultants that follow from those at
-    /// `state` in proportion to the unscaled `increment` of the unknowns.
+    /// Stress resultants that follow from those of the strains at `state` in proportion to the
+    /// unscaled `increment` of the unknowns, at all stations of grid point 0, then of grid point 1
+    /// and so on. Kinematics become those of `state`.
     ///
     /// After an increment that turns beams much, those of the strains have little to do with
     /// equilibrium: second-order stretching, times axial stiffness. These are in equilibrium, as
@@ -242,7 +243,11 @@ impl Collocation {
     ///
     /// # Errors
     /// If an element is too distorted.
-    pub fn extrapolate_resultants(&mut self, state: &GridState, increment: &[f64]) -> Result<()> {
+    pub(super) fn extrapolated_resultants(
+        &mut self,
+        state: &GridState,
+        increment: &[f64],
+    ) -> Result<Vec<Vector6<f64>>> {
         self.update_kinematics(state);
         let (points, stations) = (self.grid.points(), self.system.stations());
         let mut all = vec![Vector6::zeros(); points * stations];
@@ -268,8 +273,7 @@ impl Collocation {
                 Ok(())
             },
         )?;
-        self.instants.resultants = all;
-        Ok(())
+        Ok(all)
     }
 
     /// Increments of the nodes, and of their velocities, that an unscaled increment of all unknowns
@@ -314,8 +318,7 @@ impl Collocation {
         if stations == 0 || self.oversampled.is_some() {
             return Ok(Vec::new());
         }
-        self.extrapolate_resultants(state, &vec![0.0; self.size()])?;
-        let resultants = std::mem::take(&mut self.instants.resultants);
+        let resultants = self.extrapolated_resultants(state, &vec![0.0; self.size()])?;
         let mut all = vec![Vector6::zeros(); other.points() * stations];
         let mut resampling = Resampling::new(self.grid, start, other.points());
         let mut values = vec![0.0; other.points()];
@@ -335,6 +338,11 @@ impl Collocation {
     /// From now on takes geometric stiffness at these stress resultants.
     pub fn set_resultants(&mut self, resultants: Vec<Vector6<f64>>) {
         self.instants.resultants = resultants;
+    }
+
+    /// The stress resultants that geometric stiffness is taken at; none if those of the strains.
+    pub fn resultants(&self) -> &[Vector6<f64>] {
+        &self.instants.resultants
     }
 
     /// Whether geometric stiffness is taken at stress resultants other than those of the strains.

@@ -12,7 +12,7 @@
 
 use super::division::Share;
 use super::instants::Instants;
-use super::kinematics::VariationScratch;
+use super::kinematics::{NodeKinematics, VariationScratch};
 use super::problem::Collocation;
 use super::state::GridState;
 use crate::elements::{StrainTangent, StressLaw};
@@ -214,6 +214,10 @@ pub struct Tangent {
     x: Vec<f64>,
     /// Changes of velocity and acceleration of node `a` at grid point `k`, at `a N + k`.
     rates: Vec<[Vector6<f64>; 2]>,
+    /// Of the nodes at the state: equations are evaluated elsewhere meanwhile.
+    kinematics: Vec<NodeKinematics>,
+    /// What changes of velocity and acceleration owe to the motion on a grid of one point.
+    at_one: Vec<[Matrix6<f64>; 2]>,
     rooms: Vec<VariationRoom>,
 }
 
@@ -237,6 +241,8 @@ impl Tangent {
             points,
             x: Vec::new(),
             rates: vec![[Vector6::zeros(); 2]; points * system.nodes()],
+            kinematics: Vec::new(),
+            at_one: Vec::new(),
             rooms: Vec::new(),
             layout,
         }
@@ -339,10 +345,19 @@ impl Tangent {
             + size_of_val(&self.stresses[..])
     }
 
-    /// Evaluates the elements at `state`; `equations` keep their kinematics at this state until the
-    /// last product.
+    /// Evaluates the elements at `state`.
     pub fn evaluate(&mut self, equations: &mut Collocation, state: &GridState) -> Result<()> {
         equations.update_kinematics(state);
+        self.at_one.clear();
+        if self.points == 1 {
+            let at_one = |node| {
+                let (velocity, acceleration) = equations.kinematic_tangent(node, 0, 0);
+                [velocity, acceleration].map(|matrix| matrix.to_twist_matrix())
+            };
+            self.at_one.extend((0..state.motions.len()).map(at_one));
+        } else {
+            self.kinematics.clone_from(&equations.kinematics);
+        }
         let (instants, division) = (&equations.instants, &equations.division);
         let (system, layout) = (equations.system(), &self.layout);
         let counts = layout.places.iter().map(|place| place.strains.len());
@@ -385,6 +400,7 @@ impl Tangent {
             .for_each(unscale);
         let rates = self.rates.chunks_mut(points);
         let mut nodes: Vec<_> = rates.zip(motions.chunks_mut(6 * points)).collect();
+        let (kinematics, at_one) = (&self.kinematics, &self.at_one);
         workers.for_each(
             &mut nodes,
             &mut self.rooms,
@@ -396,7 +412,12 @@ impl Tangent {
                 let part = 6 * points * node..6 * points * (node + 1);
                 let scaled = x_motions[part.clone()].iter().zip(&motion_scale[part]);
                 motions.iter_mut().zip(scaled).for_each(unscale);
-                equations.kinematics[node].variation(
+                if let Some(matrices) = at_one.get(node) {
+                    let u = Vector6::from_column_slice(motions);
+                    rates[0] = matrices.map(|matrix| matrix * u);
+                    return;
+                }
+                kinematics[node].variation(
                     &mut room.operators,
                     motions,
                     &mut room.scratch,

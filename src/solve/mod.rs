@@ -31,6 +31,7 @@ mod pencil;
 mod periodic;
 mod settle;
 mod shooting;
+mod slender;
 mod starts;
 mod statics;
 #[cfg(test)]
