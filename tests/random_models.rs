@@ -35,6 +35,25 @@ fn share(family: usize) -> impl Iterator<Item = (usize, Machine)> {
 }
 
 #[test]
+fn beams_a_hundred_million_times_as_stiff_in_tension_as_in_bending_are_regular() {
+    // A spatial four-bar and a rotor on flap and lag hinges: growth of their factors is that of
+    // singular ones.
+    for (family, index) in [(2, 4), (5, 9)] {
+        let machine = machine(94990742, family, index);
+        assert!(machine.what.contains("e8"), "{}", machine.what);
+        let solution = judge::solve(&machine).unwrap();
+        let what = format!("{}: {}", machine.what, solution.report());
+        assert_eq!(solution.outcome(), Outcome::Converged, "{what}");
+        let checked = Checked {
+            error: judge::check(&machine, &solution),
+            ..Checked::default()
+        };
+        let estimate = solution.diagnostics().error_estimate;
+        assert_eq!(checked.verdict(estimate), Verdict::Right, "{what}");
+    }
+}
+
+#[test]
 fn random_machines_converge_and_none_falsely() {
     let mut converged = 0;
     for (family, (name, _)) in FAMILIES.iter().enumerate() {

@@ -222,7 +222,8 @@ fn load_steps_roll_a_beam_up() {
         assert!((reaction[5] + moment).abs() < 1e-10 * moment);
         assert!(solution.details().guess_iterations >= least_load_steps);
     }
-    // From the straight beam Newton's method at the full load goes elsewhere, or nowhere.
+    // From the straight beam Newton's method gets there at once, too: its line search does not take
+    // the stretching by large turns for distance.
     let straight = roll_up(elements, 0.0).0;
     let start = statics(&straight, &StaticOptions::default());
     let grid = TimeGrid::new(1, 1.0).unwrap();
@@ -230,9 +231,12 @@ fn load_steps_roll_a_beam_up() {
         guess: InitialGuess::State(start.prolonged(grid).unwrap()),
         ..StaticOptions::default()
     };
-    let direct = try_statics(&model, &options).unwrap();
-    assert_ne!(direct.outcome(), Outcome::Converged);
+    let direct = statics(&model, &options);
     assert_eq!(direct.details().guess_iterations, 0);
+    let rotation = direct
+        .node(ids.last_node, NodeQuantity::RotationMatrix, &[0.0])
+        .unwrap();
+    assert!((rotation[0] - total.cos()).abs() < 1e-11);
     // From a solution close by it takes few iterations, and no steps.
     let near = statics(
         &roll_up(elements, 0.97 * moment).0,

@@ -10,6 +10,7 @@ mod decay;
 mod division;
 mod instants;
 mod mesh;
+mod mixed;
 mod motion_tangent;
 mod pattern;
 mod problem;
@@ -21,6 +22,7 @@ mod tangent;
 
 pub use between::{Defect, ResidualBetween};
 pub use decay::{Decay, DecayKind};
+pub use mixed::ResultantPath;
 pub use motion_tangent::MotionTangent;
 pub use pattern::{Panel, Pattern};
 pub use problem::{Collocation, Conditions, Oversampled, OversampledTangent};

@@ -5,6 +5,7 @@ use super::estimate::Assessment;
 use super::loads::Loads;
 use super::newton::{NewtonReport, Outcome};
 use super::periodic::{Attempts, is_final};
+use super::starts::PATIENCE;
 use crate::collocation::{Decay, DecayKind, GridState};
 use crate::error::{Error, Result, require_positive_number};
 use crate::fourier::TimeGrid;
@@ -63,6 +64,8 @@ const AIM: f64 = 0.2;
 const AIM_OF_LOADS: f64 = 0.3;
 /// Harmonics of a quasi-static motion that may be what its Newton iterations leave.
 const LEFT_BY_GUESS: f64 = 1e-5;
+/// A larger error is that of a grid which is far too coarse.
+const UNRESOLVED: f64 = 0.01;
 /// A measured error this many times its estimate shows that the decay deceives.
 const DECEIVED: f64 = 10.0;
 /// A difference of solutions that is larger is none of rounding.
@@ -271,7 +274,7 @@ impl Attempts<'_> {
             let coarse = self.grid;
             let start = self.carry_to(TimeGrid::new(next, coarse.period())?, &state)?;
             let (fine, fine_report) = match &start {
-                Some(start) => self.newton(start.clone())?,
+                Some(start) => self.find_from_carried(start.clone(), found.error)?,
                 None => self.find()?,
             };
             match fine_report.outcome {
@@ -292,6 +295,27 @@ impl Attempts<'_> {
                 }
             }
         }
+    }
+
+    /// From the solution on a coarser grid, of this error. Where that resolves nothing, there may
+    /// be none near: then from the library's own starts, if that is not long work.
+    fn find_from_carried(
+        &mut self,
+        start: GridState,
+        error: f64,
+    ) -> Result<(GridState, NewtonReport)> {
+        if error <= UNRESOLVED {
+            return self.newton(start);
+        }
+        self.newton.patience = Some(PATIENCE);
+        let found = self.newton(start);
+        self.newton.patience = None;
+        let found = found?;
+        if is_final(found.1.outcome) || !self.affords_more() {
+            return Ok(found);
+        }
+        self.begin_again()?;
+        self.find_at_once()
     }
 
     /// A solution on the first grid; where it is too coarse for that, on that of the initial guess.

@@ -6,13 +6,13 @@ use super::direct::DirectSolver;
 use super::freedoms::FreedomSolver;
 use super::linear::LinearSolver;
 use super::newton::{Timings, timed};
+use super::slender::Slender;
 use crate::collocation::{Collocation, GridState, Pattern, Tangent};
 use crate::error::Result;
 use crate::workers::Workers;
 use std::cell::OnceCell;
 
 /// The Jacobian's values, and their factors.
-#[derive(Debug)]
 pub(super) struct Assembled {
     /// Of the values, found at first use.
     pattern: OnceCell<Pattern>,
@@ -20,6 +20,8 @@ pub(super) struct Assembled {
     solver: Option<DirectSolver>,
     /// For those of mechanisms with few freedoms.
     freedoms: Option<FreedomSolver>,
+    /// For those of very slender beams.
+    slender: Option<Box<Slender>>,
     /// Whether the present factors are those of the freedoms.
     by_freedoms: bool,
     /// Where the equations were linearised last, if their Jacobian was not formed.
@@ -42,6 +44,7 @@ impl Assembled {
         Assembled {
             solver: None,
             freedoms,
+            slender: Slender::new(equations).map(Box::new),
             by_freedoms: false,
             unformed: None,
             regularisation: 0.0,
@@ -117,7 +120,19 @@ impl Assembled {
         }
     }
 
-    fn solve_refined(&mut self, equations: &mut Collocation, rhs: &mut [f64]) -> Result<bool> {
+    fn solve_refined(
+        &mut self,
+        equations: &mut Collocation,
+        rhs: &mut [f64],
+        accuracy: f64,
+    ) -> Result<bool> {
+        if let (Some(slender), Some(solver)) = (&mut self.slender, &self.solver) {
+            let wanted = rhs.to_vec();
+            if slender.solve(equations, rhs, accuracy, |x| solver.solve(x)) {
+                return Ok(true);
+            }
+            rhs.copy_from_slice(&wanted);
+        }
         if let (Some(freedoms), true) = (&mut self.freedoms, self.by_freedoms) {
             let wanted = rhs.to_vec();
             if freedoms.solve(&self.values, rhs) {
@@ -145,6 +160,9 @@ impl LinearSolver for Assembled {
     ) -> Result<bool> {
         timed(&mut timings.assembly, || {
             self.regularisation = equations.regularisation();
+            if let Some(slender) = &mut self.slender {
+                slender.linearise(equations, state)?;
+            }
             let unformed = match &mut self.freedoms {
                 Some(freedoms) => freedoms.evaluate(equations, state)?,
                 None => false,
@@ -162,11 +180,11 @@ impl LinearSolver for Assembled {
         &mut self,
         equations: &mut Collocation,
         rhs: &mut [f64],
-        _: f64,
+        accuracy: f64,
         timings: &mut Timings,
     ) -> Result<bool> {
         timed(&mut timings.substitution, || {
-            self.solve_refined(equations, rhs)
+            self.solve_refined(equations, rhs, accuracy)
         })
     }
 
@@ -189,6 +207,13 @@ impl LinearSolver for Assembled {
             _ => largest(&self.values),
         };
         largest(&probe) * size
+    }
+
+    fn is_resisted(&mut self, equations: &mut Collocation) -> bool {
+        match (&mut self.slender, &self.solver) {
+            (Some(slender), Some(solver)) => slender.is_resisted(equations, |x| solver.solve(x)),
+            _ => false,
+        }
     }
 
     fn explain(&mut self, equations: &mut Collocation, state: &GridState) -> Singularity {

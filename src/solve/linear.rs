@@ -41,6 +41,12 @@ pub(super) trait LinearSolver {
     /// rounding if it is singular.
     fn growth(&mut self, equations: &mut Collocation) -> f64;
 
+    /// Whether the Jacobian, by which equations were solved, is regular though its growth is that of
+    /// a singular one: axial stiffness of slender beams may be all that is so large.
+    fn is_resisted(&mut self, _: &mut Collocation) -> bool {
+        false
+    }
+
     /// Why the Jacobian at `state`, where it was linearised last, is singular.
     fn explain(&mut self, equations: &mut Collocation, state: &GridState) -> Singularity;
 }

@@ -41,11 +41,6 @@ const PRODUCT: f64 = 1e3;
 const AFFORDABLE_FREEDOMS: f64 = 1e10;
 /// So few numbers are not worth the trouble.
 const SMALL: f64 = 1500.0;
-/// Growth of a preconditioner that means a Jacobian which may be singular: factors will tell.
-const SUSPECT: f64 = 1e13;
-/// The same for each time that a beam is stiffer in tension than in bending.
-const SUSPECT_SLENDER: f64 = 1e7;
-
 /// What factors of the whole Jacobian take, as planned.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct DirectCost {
@@ -99,8 +94,6 @@ pub(super) struct Linear {
     falls_back: bool,
     /// Whether iteration may be tried where factors do not fit in memory.
     may_iterate: bool,
-    /// Growth of a preconditioner from which on factors are asked.
-    suspect: f64,
     /// Where the equations were linearised last.
     last: Option<GridState>,
     /// Products since then.
@@ -145,7 +138,6 @@ impl Linear {
         Linear {
             active,
             falls_back,
-            suspect: SUSPECT.max(SUSPECT_SLENDER * system.slenderness()),
             may_iterate: method == LinearMethod::Automatic,
             last: None,
             products: 0,
@@ -187,8 +179,7 @@ impl Linear {
             ..iterative.record.clone()
         });
         let mut direct = timed(&mut timings.analysis, || Assembled::new(equations));
-        timed(&mut timings.assembly, || direct.assemble(equations, state))?;
-        let regular = timed(&mut timings.factorisation, || direct.factor(equations));
+        let regular = direct.linearise(equations, state, timings);
         if matches!(&regular, Err(e) if e.kind() == ErrorKind::OutOfMemory) {
             return Ok(false);
         }
@@ -216,11 +207,14 @@ impl LinearSolver for Linear {
             }
             self.give_up_factors(equations);
         }
-        let done = match &mut self.active {
+        let (done, suspect) = match &mut self.active {
             Active::Direct(direct) => return direct.linearise(equations, state, timings),
-            Active::Iterative(iterative) => iterative.linearise(equations, state, timings)?,
+            Active::Iterative(iterative) => (
+                iterative.linearise(equations, state, timings)?,
+                // Factors will tell whether it is singular.
+                self.falls_back && iterative.growth(equations) > iterative.suspect,
+            ),
         };
-        let suspect = self.falls_back && self.growth(equations) > self.suspect;
         if done && !suspect {
             return Ok(true);
         }
@@ -269,6 +263,13 @@ impl LinearSolver for Linear {
         match &mut self.active {
             Active::Direct(direct) => direct.growth(equations),
             Active::Iterative(iterative) => iterative.growth(equations),
+        }
+    }
+
+    fn is_resisted(&mut self, equations: &mut Collocation) -> bool {
+        match &mut self.active {
+            Active::Direct(direct) => direct.is_resisted(equations),
+            Active::Iterative(iterative) => iterative.is_resisted(equations),
         }
     }
 

@@ -32,6 +32,7 @@ mod periodic;
 mod result;
 mod settle;
 mod shooting;
+mod slender;
 mod starts;
 mod statics;
 #[cfg(test)]

@@ -6,8 +6,9 @@ use super::assembly::describe_turned_over;
 use super::dense::largest;
 use super::diagnosis::{Singularity, describe_inconsistency, describe_open_joint};
 use super::linear::LinearSolver;
-use crate::collocation::{Collocation, GridState, TimeRule};
+use crate::collocation::{Collocation, GridState, ResultantPath, TimeRule};
 use crate::error::{ErrorKind, Result};
+use nalgebra::Vector6;
 use serde::{Deserialize, Serialize};
 use std::time::{Duration, Instant};
 
@@ -147,11 +148,11 @@ const SHORTEST_STEP: f64 = 1.0 / 256.0;
 const SHORT_STEP: f64 = 0.1;
 /// Largest turn of a node in one step; beyond it the linearisation means little.
 const LARGEST_TURN: f64 = 1.0;
-/// Largest contraction, from one increment to the next with extrapolated stress resultants, that is
-/// progress.
-const LEAP_CONTRACTION: f64 = 0.5;
-/// The second of them may be so much longer than the first, which the geometric stiffness of
-/// stretching of second order may have held back.
+/// Full steps in spite of the line search go on while increments are shorter than the first by this
+/// factor for each,
+const LEAP_CONTRACTION: f64 = 0.25;
+/// but for this one: what held the first back may let go, as stress resultants do that were those
+/// of stretching.
 const LEAP_GROWTH: f64 = 8.0;
 /// The same matrix is used again while it is expected to end the iteration within so many steps.
 const CHORD_STEPS: i32 = 3;
@@ -182,22 +183,21 @@ const STALLED_GROWTH: f64 = 1e13;
 /// the user's geometry excuses, where constraints depend on each other.
 const VIOLATION: f64 = 1e-8;
 
-/// Full steps with extrapolated stress resultants, one after the other (docs/theory.md, section
-/// 7.3).
+/// Full steps that the line search refused, one after the other (docs/theory.md, section 7.3).
 struct Leap {
     /// Where they began.
     start: GridState,
-    /// The residual there.
     residual: Vec<f64>,
+    resultants: Vec<Vector6<f64>>,
     /// The next increment is to be shorter than this.
     bound: f64,
 }
 
 impl Leap {
-    /// Goes back to where the steps began, and to the exact tangent.
+    /// Goes back to where the steps began.
     fn undo(self, equations: &mut Collocation, state: &mut GridState, residual: &mut Vec<f64>) {
         (*state, *residual) = (self.start, self.residual);
-        equations.set_resultants(Vec::new());
+        equations.set_resultants(self.resultants);
     }
 }
 
@@ -432,10 +432,22 @@ impl<L: LinearSolver> Newton<L> {
         Ok(true)
     }
 
-    /// Growth of the Jacobian, see [`LinearSolver::growth`].
-    fn growth_of_solution(&mut self) -> f64 {
+    /// Replaces the residual of a trial by the simplified increment, and gives its largest motion;
+    /// infinite if there is none.
+    fn simplified(&mut self, residual: &mut [f64]) -> Result<f64> {
+        let solved = self.solve_linear(residual, COARSE)?;
+        Ok(match self.motion_norm(residual) {
+            norm if solved => norm,
+            _ => f64::INFINITY,
+        })
+    }
+
+    /// Whether the Jacobian, by which equations were solved, is singular after all: if it grows by
+    /// this, see [`LinearSolver::growth`].
+    fn is_singular(&mut self, growth: f64) -> bool {
+        let (linear, equations) = (&mut self.linear, &mut self.equations);
         timed(&mut self.timings.substitution, || {
-            self.linear.growth(&mut self.equations)
+            linear.growth(equations) > growth && !linear.is_resisted(equations)
         })
     }
 
@@ -463,13 +475,11 @@ impl<L: LinearSolver> Newton<L> {
         })?;
         let mut accuracy = COARSE;
         let mut short_steps = 0;
-        let mut may_leap = self.equations.system().stations() > 0;
-        // What stress resultants are given are trusted as after a leap.
-        let mut leap = self.equations.has_resultants().then(|| Leap {
-            start: state.clone(),
-            residual: residual.clone(),
-            bound: f64::INFINITY,
-        });
+        let has_resultants = self.equations.has_stations();
+        let mut may_leap = has_resultants;
+        let mut leap: Option<Leap> = None;
+        // What stretching made of the last simplified increment, over the square of the increment.
+        let mut stretching = 0.0;
         while report.iterations.len() < options.iteration_limit {
             let number = report.iterations.len() + 1;
             self.contraction = None;
@@ -487,7 +497,7 @@ impl<L: LinearSolver> Newton<L> {
                 may_leap = false;
                 continue;
             }
-            if !solved || (number == 1 && self.growth_of_solution() > SINGULAR_GROWTH) {
+            if !solved || (number == 1 && self.is_singular(SINGULAR_GROWTH)) {
                 match self.explain(state) {
                     Singularity::Redundant(_) if !self.equations.is_regularised() => {
                         self.equations.regularise();
@@ -533,16 +543,16 @@ impl<L: LinearSolver> Newton<L> {
 
             // Accept the longest step whose simplified Newton increment (same matrix, new residual)
             // is shorter: natural monotonicity, blind to how the equations are scaled. Beams that
-            // turn much stretch by terms of second order, and that hides the progress of a full
-            // step: it is taken all the same, as long as increments with stress resultants that do
-            // not know of the stretching become shorter.
+            // turn much stretch by terms of second order, and that hides the progress of a step:
+            // what counts then are increments with stress resultants as unknowns of their own.
             let turn = self.largest_turn(&step_vector);
             let mut step = if turn > LARGEST_TURN {
                 LARGEST_TURN / turn
             } else {
                 1.0
             };
-            let mut leaping = may_leap && !converged;
+            let mut path: Option<ResultantPath> = None;
+            let (mut parted, mut leaping) = (false, false);
             let accepted = loop {
                 let trial = state.incremented(&system, &unscaled, step);
                 let evaluated = timed(&mut self.timings.assembly, || {
@@ -558,15 +568,29 @@ impl<L: LinearSolver> Newton<L> {
                     if converged {
                         break Some(trial);
                     }
-                    step_vector.copy_from_slice(&trial_residual);
-                    let solved = self.solve_linear(&mut step_vector, COARSE)?;
                     let bound = ((1.0 - 0.25 * step) * increment).max(options.tolerance);
-                    if solved && self.motion_norm(&step_vector) <= bound {
-                        leaping = false;
-                        break Some(trial);
+                    if !has_resultants || step == 1.0 && stretching * increment < 1.0 {
+                        step_vector.copy_from_slice(&trial_residual);
+                        let found = self.simplified(&mut step_vector)?;
+                        if found <= bound {
+                            break Some(trial);
+                        }
+                        stretching = found / (increment * increment);
                     }
-                    if may_leap && step == 1.0 {
-                        break Some(trial);
+                    if has_resultants {
+                        step_vector.copy_from_slice(&trial_residual);
+                        let (at, equations) = ((&*state, &unscaled[..]), &mut self.equations);
+                        let to = (&trial, step);
+                        let (room, timings) = (&mut step_vector, &mut self.timings.assembly);
+                        let evaluated = timed(timings, || {
+                            equations.part_resultants(&mut path, at, to, room)
+                        });
+                        parted = evaluated.is_ok() && self.simplified(&mut step_vector)? <= bound;
+                        leaping = evaluated.is_ok() && !parted && may_leap && step == 1.0;
+                        parted |= leaping;
+                        if parted {
+                            break Some(trial);
+                        }
                     }
                 }
                 step *= 0.5;
@@ -581,34 +605,31 @@ impl<L: LinearSolver> Newton<L> {
                 may_leap = false;
                 continue;
             }
-            leaping &= accepted.is_some();
-            if leaping {
-                let equations = &mut self.equations;
-                timed(&mut self.timings.assembly, || {
-                    let resultants = equations.extrapolated_resultants(state, &unscaled)?;
-                    equations.set_resultants(resultants);
-                    Ok(())
-                })?;
-                leap = Some(match leap.take() {
-                    Some(before) => Leap {
-                        bound: LEAP_CONTRACTION * increment,
-                        ..before
-                    },
-                    None => Leap {
-                        start: state.clone(),
-                        residual: residual.clone(),
-                        bound: LEAP_GROWTH * increment,
-                    },
-                });
-            } else {
+            if accepted.is_none() && self.equations.has_resultants() {
                 self.equations.set_resultants(Vec::new());
-                leap = None;
+                continue;
+            }
+            leap = leaping.then(|| match leap.take() {
+                Some(before) => Leap {
+                    bound: LEAP_CONTRACTION * before.bound,
+                    ..before
+                },
+                None => Leap {
+                    start: state.clone(),
+                    residual: residual.clone(),
+                    resultants: self.equations.resultants().to_vec(),
+                    bound: LEAP_GROWTH * increment,
+                },
+            });
+            match &path {
+                Some(path) if parted => self.equations.set_resultants(path.at(step)),
+                _ => self.equations.set_resultants(Vec::new()),
             }
             iteration.step = if accepted.is_some() { step } else { 0.0 };
             report.iterations.push(iteration);
             let keep_going = observe(&iteration);
             let Some(trial) = accepted else {
-                if self.growth_of_solution() > STALLED_GROWTH {
+                if self.is_singular(STALLED_GROWTH) {
                     match self.explain(state) {
                         Singularity::Redundant(_) if !self.equations.is_regularised() => {
                             self.equations.regularise();
@@ -651,7 +672,7 @@ impl<L: LinearSolver> Newton<L> {
                 report.explanation = format!("{short_steps} short steps led nowhere near");
                 return Ok(());
             }
-            if step < 1.0 || leaping {
+            if step < 1.0 || parted {
                 continue;
             }
             // After a full step the simplified increment is the next one, up to a part of the order

@@ -83,7 +83,7 @@ impl fmt::Display for Attempt {
 }
 
 /// Short steps after which Newton's method is given up where there are other ways to start.
-const PATIENCE: usize = 4;
+pub(super) const PATIENCE: usize = 4;
 /// Smallest step of the continuation in the inertia factor.
 const SMALLEST_INERTIA_STEP: f64 = 1.0 / 16.0;
 /// Least and largest number of Newton iterations that this continuation may take, and multiply-adds
@@ -328,6 +328,12 @@ impl Attempts<'_> {
         }
         state.track(system);
         Ok(Some(state))
+    }
+
+    /// Whether the fewest iterations of one more way to start on this grid are little work.
+    pub(super) fn affords_more(&self) -> bool {
+        let work = DirectCost::of(&self.system, self.grid.points()).work;
+        RAISING[0] as f64 * work <= RAISING_WORK
     }
 
     /// Raises the inertial forces in steps, from a solution without them.

@@ -106,6 +106,11 @@ impl Collocation {
         self.instants.resultants = resultants;
     }
 
+    /// The stress resultants that geometric stiffness is taken at; none if those of the strains.
+    pub fn resultants(&self) -> &[Vector6<f64>] {
+        &self.instants.resultants
+    }
+
     /// Whether geometric stiffness is taken at stress resultants other than those of the strains.
     pub fn has_resultants(&self) -> bool {
         !self.instants.resultants.is_empty()

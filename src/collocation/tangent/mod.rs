@@ -102,6 +102,10 @@ pub struct Tangent {
     /// Size of the resultants' unknowns.
     resultant_scale: f64,
     increment: Increment,
+    /// Of products: velocities and accelerations at the state, as equations may be evaluated
+    /// elsewhere meanwhile.
+    rule: Option<Box<dyn TimeRule>>,
+    keeps_rule: bool,
     evaluation: Vec<Workspace>,
     variation: Vec<RuleWorkspace>,
     assembly: Vec<assembly::Scratch>,
@@ -130,7 +134,10 @@ impl Tangent {
 
     /// The same with stress resultants apart.
     pub fn with_resultants_apart(system: &System, points: usize) -> Self {
-        Self::with(TangentLayout::new(system, true), points)
+        Tangent {
+            keeps_rule: true,
+            ..Self::with(TangentLayout::new(system, true), points)
+        }
     }
 
     fn with(layout: TangentLayout, points: usize) -> Self {
@@ -142,11 +149,18 @@ impl Tangent {
             stresses: vec![DualVector::zeros(); points * layout.stations.len()],
             resultant_scale: 1.0,
             increment: Increment::default(),
+            rule: None,
+            keeps_rule: false,
             evaluation: Vec::new(),
             variation: Vec::new(),
             assembly: Vec::new(),
             layout,
         }
+    }
+
+    /// The rule that velocities and accelerations of products follow.
+    fn rule<'a>(&'a self, equations: &'a Collocation) -> &'a dyn TimeRule {
+        self.rule.as_deref().unwrap_or(&*equations.rule)
     }
 
     /// The pairs of coupled nodes.
@@ -258,10 +272,11 @@ impl Tangent {
             + self.increment.bytes()
     }
 
-    /// Evaluates the elements at `state`; `equations` keep their velocities and accelerations at
-    /// this state until the last use of these tangents.
+    /// Evaluates the elements at `state`. Where stress resultants are not apart, `equations` keep
+    /// their velocities and accelerations at this state until the last use of these tangents.
     pub fn evaluate(&mut self, equations: &mut Collocation, state: &GridState) -> Result<()> {
         equations.update_kinematics(state);
+        self.rule = self.keeps_rule.then(|| equations.rule.clone());
         let (system, division) = (equations.system(), &equations.division);
         let (layout, points) = (&self.layout, self.points);
         let counts = layout.places.iter().map(|p| points * p.strains.len());

@@ -66,6 +66,7 @@ impl Tangent {
     fn vary(&mut self, equations: &Collocation, x: &[f64], increment: &mut Increment) {
         increment.resize(equations);
         let (system, points) = (equations.system(), self.points);
+        let rule = self.rule.as_deref().unwrap_or(&*equations.rule);
         let Increment {
             x: unscaled,
             rates,
@@ -87,7 +88,7 @@ impl Tangent {
                 let part = 6 * points * node..6 * points * (node + 1);
                 let scaled = x_motions[part.clone()].iter().zip(&motion_scale[part]);
                 motions.iter_mut().zip(scaled).for_each(unscale);
-                equations.rule.vary(node, motions, workspace, rates);
+                rule.vary(node, motions, workspace, rates);
             },
         );
         let mut workspace = RuleWorkspace::default();
@@ -98,7 +99,7 @@ impl Tangent {
             for row in 0..count {
                 let at = |k: usize| placed.first_multiplier * points + count * k + row;
                 (0..points).for_each(|k| values[k] = own[at(k)]);
-                equations.rule.vary_rates(values, &mut workspace, rates);
+                rule.vary_rates(values, &mut workspace, rates);
                 (0..points).for_each(|k| own_rates[at(k)] = rates[k]);
             }
         }

@@ -127,7 +127,8 @@ impl Tangent {
             }
         }
         if moving {
-            equations.rule.vary_transposed(node, by_rates, rule, y);
+            self.rule(equations)
+                .vary_transposed(node, by_rates, rule, y);
         }
     }
 
@@ -154,7 +155,7 @@ impl Tangent {
                     *by_rate = sum(&own_rate[entries]);
                 }
                 let mut values = vec![0.0; points];
-                let rule = &equations.rule;
+                let rule = self.rule(equations);
                 rule.vary_rates_transposed(&by_rates, &mut workspace, &mut values);
                 for (k, value) in values.iter().enumerate() {
                     y[first(k) + column] += value;

@@ -17,7 +17,7 @@ const FINEST: f64 = 1e-10;
 
 /// When to stop.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct GmresOptions {
+pub(in crate::solve) struct GmresOptions {
     /// Estimated error, relative to the smaller part of the solution.
     pub tolerance: f64,
     /// Entries of the first of its two parts, motions: the others, multipliers, may be of quite
@@ -33,7 +33,7 @@ pub(super) struct GmresOptions {
 
 /// How it ended.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct GmresEnd {
+pub(in crate::solve) struct GmresEnd {
     /// Products taken.
     pub iterations: usize,
     /// Estimated error, relative to the smaller part of the solution: the preconditioned residual,
@@ -43,7 +43,7 @@ pub(super) struct GmresEnd {
 
 /// Memory for long vectors, kept from one solve to the next, as taking it takes time.
 #[derive(Default)]
-pub(super) struct GmresRoom {
+pub(in crate::solve) struct GmresRoom {
     /// Orthonormal vectors, one behind the other.
     basis: Vec<f64>,
     /// The right-hand side.
@@ -53,7 +53,7 @@ pub(super) struct GmresRoom {
 }
 
 /// A preconditioned operator: what is asked of it are `P⁻¹ A x` and `P⁻¹ b`, in place.
-pub(super) trait Preconditioned {
+pub(in crate::solve) trait Preconditioned {
     /// `y = A x`.
     fn product(&mut self, x: &[f64], y: &mut [f64]);
     /// `y = P⁻¹ y`.
@@ -62,7 +62,7 @@ pub(super) trait Preconditioned {
 
 /// Solves `A x = b` from `x = 0`: `rhs` is `b` before and `x` after. What `room` holds does not
 /// matter.
-pub(super) fn gmres(
+pub(in crate::solve) fn gmres(
     operator: &mut impl Preconditioned,
     rhs: &mut [f64],
     options: &GmresOptions,

@@ -19,11 +19,12 @@ use super::dense::{largest, probe};
 use super::diagnosis::Singularity;
 use super::linear::LinearSolver;
 use super::newton::{Timings, timed};
+use super::slender::SLENDER;
 use crate::collocation::{Collocation, GridState, Tangent};
 use crate::error::Result;
 use body_circulant::BodyCirculant;
 use constraints::Joints;
-use gmres::{GmresOptions, GmresRoom, Preconditioned, gmres};
+pub(super) use gmres::{GmresOptions, GmresRoom, Preconditioned, gmres};
 pub(super) use projected::Projected;
 use serde::{Deserialize, Serialize};
 use std::time::{Duration, Instant};
@@ -52,6 +53,13 @@ const FEW: usize = 12;
 const FEW_FOR_A_LARGE_INTERFACE: usize = 60;
 /// as large as this.
 const LARGE_INTERFACE: usize = 3_000;
+
+/// Growth of a preconditioner that means a Jacobian which may be singular.
+const SUSPECT: f64 = 1e13;
+/// The same for each time that a beam is stiffer in tension than in bending.
+const SUSPECT_SLENDER: f64 = 1e7;
+/// Accuracy of a closer look at that.
+const ROUGH: f64 = 1e-2;
 
 /// What the Jacobian is approximated by, to be solved with exactly.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
@@ -167,6 +175,8 @@ pub(super) struct Iterative {
     wanted: Option<Preconditioner>,
     /// Multiply-adds that factors of the whole Jacobian would take, if they are to be had.
     direct_work: Option<f64>,
+    /// Growth from which on the Jacobian may be singular.
+    pub suspect: f64,
     /// What is in use, and what is left to be tried, each with the products that a solve may take.
     candidates: Vec<(Preconditioner, usize)>,
     factors: Option<Factors>,
@@ -205,6 +215,7 @@ impl Iterative {
             tangent: Tangent::with_resultants_apart(equations.system(), equations.grid().points()),
             wanted,
             direct_work: None,
+            suspect: SUSPECT.max(SUSPECT_SLENDER * equations.system().slenderness()),
             candidates: Vec::new(),
             factors: None,
             is_old: false,
@@ -390,8 +401,27 @@ impl LinearSolver for Iterative {
         let mut probe = probe(equations.size());
         let mut product = vec![0.0; probe.len()];
         self.tangent.apply(equations, &probe, &mut product);
-        factors.apply(&mut probe, equations.size());
-        largest(&probe) * largest(&product)
+        let product = largest(&product);
+        let mut response = probe.clone();
+        factors.apply(&mut response, equations.size());
+        let growth = largest(&response) * product;
+        if growth <= self.suspect {
+            return growth;
+        }
+        // The preconditioner may be nearly singular where the Jacobian is not.
+        let mut timings = Timings::default();
+        let solved = self.solve(equations, &mut probe, ROUGH, &mut timings);
+        // What this one is like says nothing of others.
+        (self.is_scaled, self.first_products) = (false, None);
+        match solved {
+            Ok(true) => largest(&probe) * product,
+            _ => f64::INFINITY,
+        }
+    }
+
+    fn is_resisted(&mut self, equations: &mut Collocation) -> bool {
+        // What was solved to some accuracy was.
+        equations.system().slenderness() > SLENDER
     }
 
     fn explain(&mut self, _: &mut Collocation, _: &GridState) -> Singularity {

@@ -144,6 +144,10 @@ impl<L: LinearSolver> LinearSolver for Projected<L> {
         self.sampled.growth(equations)
     }
 
+    fn is_resisted(&mut self, equations: &mut Collocation) -> bool {
+        self.sampled.is_resisted(equations)
+    }
+
     fn explain(&mut self, equations: &mut Collocation, state: &GridState) -> Singularity {
         if self.failed {
             return Singularity::Unsolved(
