@@ -52,10 +52,9 @@ impl PairTangent<'_> {
     /// `K Δu + C Δv + M Δv̇`.
     #[inline]
     pub(super) fn force(&self, moving: bool, u: &[f64], rates: &[Vector6<f64>; 2]) -> Vector6<f64> {
-        let mut sum = motion::product(&self.stiffness, &Vector6::from_column_slice(u));
+        let mut sum = motion::product(self.stiffness, &Vector6::from_column_slice(u));
         if moving {
-            sum +=
-                motion::product(&self.damping, &rates[0]) + motion::product(&self.mass, &rates[1]);
+            sum += motion::product(self.damping, &rates[0]) + motion::product(self.mass, &rates[1]);
         }
         sum
     }
