@@ -168,7 +168,7 @@ const FAITHFUL: f64 = 0.05;
 /// increments.
 const COARSE: f64 = 1e-4;
 /// Of those that estimate errors.
-pub(super) const ESTIMATE: f64 = 0.1;
+pub(super) const ESTIMATE: f64 = 1e-2;
 /// The finest that is asked for.
 const FINEST: f64 = 1e-8;
 /// Accuracy relative to the last increment, so that convergence stays quadratic.
