@@ -137,7 +137,10 @@ fn the_tolerance_is_met_and_the_estimate_honest_on_all_smooth_examples() {
             // On grids that leave beams unresolved, stresses of stretching that relieve themselves
             // count as loads: 39 measured.
             let most = if error > 1e-5 { 50.0 } else { 10.0 };
-            if !(0.3..most).contains(&ratio) || !(0.3..most).contains(&ratio_alone) {
+            // The ratio of two roundings, a thousand times those of numbers, tells nothing.
+            let is_rounding = error.max(own).max(tried.error_estimate) < 1e3 * f64::EPSILON;
+            let is_honest = |ratio: f64| is_rounding || (0.3..most).contains(&ratio);
+            if !is_honest(ratio) || !is_honest(ratio_alone) {
                 failures.push(format!("{} N = {}", example.name, tried.points));
             }
         }
