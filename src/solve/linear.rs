@@ -41,8 +41,8 @@ pub(super) trait LinearSolver {
     /// rounding if it is singular.
     fn growth(&mut self, equations: &mut Collocation) -> f64;
 
-    /// Whether the Jacobian, by which equations were solved, is regular though its growth is that of
-    /// a singular one: axial stiffness of slender beams may be all that is so large.
+    /// Whether the Jacobian, by which equations were solved, is regular though its growth is that
+    /// of a singular one: axial stiffness of slender beams may be all that is so large.
     fn is_resisted(&mut self, _: &mut Collocation) -> bool {
         false
     }
