@@ -1,15 +1,13 @@
 //! What a solve gives.
 
-use super::adaptive::GridTried;
-use super::estimate::Assessment;
-use super::iterative::IterativeRecord;
-use super::newton::{NewtonReport, Timings};
-use super::starts::Attempt;
-use super::trajectory::MarchRecord;
-use crate::collocation::GridState;
+use crate::collocation::{Decay, GridState, ResidualBetween};
 use crate::elements::NodeState;
 use crate::fourier::TimeGrid;
+use crate::solve::linear::iterative::IterativeRecord;
+use crate::solve::report::{NewtonReport, Timings};
+use crate::solve::start::Attempt;
 use crate::system::System;
+use serde::{Deserialize, Serialize};
 use std::sync::Arc;
 use std::time::Duration;
 
@@ -65,6 +63,45 @@ pub enum Kind {
     },
 }
 
+/// A grid that an adaptive solve has tried.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct GridTried {
+    /// Number of its points.
+    pub points: usize,
+    /// Newton iterations on it.
+    pub iterations: usize,
+    /// Estimated error of its solution.
+    pub error_estimate: f64,
+}
+
+/// What a solution on one grid tells of its error.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Assessment {
+    /// Fall of the harmonics.
+    pub decay: Decay,
+    /// Residuals between grid points.
+    pub between: ResidualBetween,
+    /// Estimated error of the motions, positions relative to the characteristic length and entries
+    /// of rotation matrices.
+    pub error: f64,
+    /// What harmonics of loads and prescribed motions that the grid cannot hold have to do with it.
+    pub unheld: Option<Unheld>,
+    /// A harmonic above those of the grid that is so near a natural frequency that a finer grid
+    /// alone can tell what it adds.
+    pub resounding: Option<usize>,
+}
+
+/// Harmonics that a grid cannot hold.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Unheld {
+    /// What has them.
+    pub place: String,
+    /// The highest of them that counts.
+    pub harmonic: usize,
+    /// Estimated error that they cause.
+    pub error: f64,
+}
+
 /// What only the solve of a periodic problem has.
 #[derive(Debug, Clone)]
 pub struct PeriodicRecord {
@@ -83,6 +120,31 @@ pub struct PeriodicRecord {
     /// Estimated error of the motions by the mesh of beams: positions relative to the
     /// characteristic length, and angles. Infinite where none can be had.
     pub mesh_error: f64,
+}
+
+/// What is known of a march besides its states.
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
+pub struct MarchRecord {
+    /// The times of the states kept, ascending.
+    pub times: Vec<f64>,
+    /// Steps taken.
+    pub steps: usize,
+    /// Steps that were given up for shorter ones.
+    pub rejected: usize,
+    /// Newton iterations over all steps.
+    pub iterations: usize,
+    /// Whole periods marched.
+    pub periods: usize,
+    /// Largest difference of motions and velocities from those one period before, as in
+    /// [`MarchEnd::Periodic`]; infinite before the end of the first.
+    pub repetition: f64,
+    /// Largest estimated error of a motion in one step.
+    pub step_error: f64,
+    /// Largest move of a motion that made the start satisfy the constraints, relative to the
+    /// characteristic length, or in radians.
+    pub start_moved: f64,
+    /// Likewise of velocities, in the unit of time.
+    pub start_corrected: f64,
 }
 
 impl Solved {

@@ -1,15 +1,30 @@
 //! Who is told how a solve goes on, and may cancel it.
 
-use super::newton::{Iteration, Outcome};
-use super::periodic::Stage;
-use super::starts::Start;
 use crate::error::{Error, ErrorKind, Result};
+use crate::solve::report::{Iteration, Outcome};
+use crate::solve::start::Start;
 use crate::workers::Pulse;
 use std::fmt;
 use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 use std::sync::{Arc, Mutex};
 use std::thread::{self, ThreadId};
 use std::time::{Duration, Instant};
+
+/// What the solver is doing, as told to the progress callback.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Stage {
+    /// Finding the initial guess.
+    InitialGuess,
+    /// Newton iterations of the periodic problem.
+    Newton,
+    /// Marching in time, each step, which ends at this time.
+    March {
+        /// End of the step.
+        time: f64,
+    },
+    /// Looking for modes about an equilibrium.
+    Modes,
+}
 
 /// How far a solve is.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -81,7 +96,7 @@ impl Watch {
     }
 
     /// Begins to watch a solve, on the calling thread.
-    pub(super) fn begin(&self, stage: Stage, points: usize) -> Watching {
+    pub(crate) fn begin(&self, stage: Stage, points: usize) -> Watching {
         Watching(self.0.as_ref().map(|watched| {
             Arc::new(Told {
                 watched: watched.clone(),
@@ -158,7 +173,7 @@ impl Pulse for Told {
 
 /// A solve that may be watched.
 #[derive(Clone)]
-pub(super) struct Watching(Option<Arc<Told>>);
+pub(crate) struct Watching(Option<Arc<Told>>);
 
 impl Watching {
     /// What is to be told of work that goes on.

@@ -1,0 +1,234 @@
+//! Equilibrium at one time, at rest or turning steadily: collocation on a grid of one point.
+//! See docs/theory.md, section 11.1.
+
+mod settle;
+
+use crate::collocation::Conditions;
+use crate::error::{Error, Result, require_finite, require_positive_number};
+use crate::fourier::TimeGrid;
+use crate::model::Model;
+use crate::solve::periodic::estimate::mesh_error;
+use crate::solve::report::{Iteration, NewtonOptions, NewtonReport, Outcome, Timings};
+use crate::solve::result::{Kind, Solved};
+use crate::solve::start::InitialGuess;
+use crate::solve::starts::quasi_static::Tracker;
+use crate::solve::watch::{Stage, Watch, Watching};
+use crate::system::{Regime, Standstill, System, require_reproducible_forces};
+use crate::workers::Workers;
+use std::sync::Arc;
+use std::time::Instant;
+
+/// Largest relative residual of a state that is taken for an equilibrium although it may drift.
+const INDIFFERENT: f64 = 1e-9;
+
+/// Options of a static solve.
+#[derive(Debug, Clone)]
+pub struct StaticOptions {
+    /// When, and in which frame, everything stands still.
+    pub standstill: Standstill,
+    /// Load steps taken at least, from the unloaded reference configuration. Steps that do not
+    /// converge are halved.
+    pub least_load_steps: usize,
+    /// When to stop.
+    pub newton: NewtonOptions,
+    /// Where to start: by default in the reference configuration, with load steps.
+    pub guess: InitialGuess,
+    /// Who is told how the solve goes on, and may cancel it.
+    pub watch: Watch,
+}
+
+impl Default for StaticOptions {
+    fn default() -> Self {
+        StaticOptions {
+            standstill: Standstill::default(),
+            least_load_steps: 1,
+            newton: NewtonOptions {
+                tolerance: 1e-9,
+                iteration_limit: 30,
+            },
+            guess: InitialGuess::Default,
+            watch: Watch::default(),
+        }
+    }
+}
+
+impl StaticOptions {
+    /// Checks the options.
+    pub(crate) fn validate(&self) -> Result<()> {
+        self.newton.validate()?;
+        let Standstill {
+            time,
+            period,
+            angular_velocity,
+            axis_point,
+        } = &self.standstill;
+        require_finite("options.time", &[*time])?;
+        require_positive_number("options.period", period.unwrap_or(1.0))?;
+        require_finite("options.angular_velocity", angular_velocity.as_slice())?;
+        require_finite("options.axis_point", axis_point.as_slice())?;
+        const MOST: usize = 1_000_000;
+        if !(1..=MOST).contains(&self.least_load_steps) {
+            let expected = format!("1 to {MOST}");
+            let name = "options.load_steps";
+            return Err(Error::value(name, expected, self.least_load_steps));
+        }
+        Ok(())
+    }
+}
+
+/// Whether states that a free motion may carry off are accepted.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Indifferent {
+    /// They are: modes tell of the free motion.
+    Accepted,
+    /// They are not: the position is not determined.
+    Singular,
+}
+
+/// Finds an equilibrium of `model` at one time, at rest or in steady rotation.
+///
+/// The state is followed from the unloaded reference configuration by load steps. Where that leads
+/// nowhere, and for mechanisms, which nothing but the loads holds, the masses creep downhill under
+/// the full loads. The solve that is returned has a grid of one point.
+///
+/// `observe` sees each iteration and returns `false` to cancel.
+///
+/// # Errors
+/// If options or model are not valid. Not converging is an outcome, not an error.
+pub fn solve_static(
+    model: &Model,
+    options: &StaticOptions,
+    observe: &mut dyn FnMut(Stage, &Iteration) -> bool,
+) -> Result<Solved> {
+    let watching = options.watch.begin(Stage::InitialGuess, 1);
+    find_equilibrium(model, options, Indifferent::Singular, &watching, observe)
+}
+
+/// Looks for an equilibrium from the reference configuration.
+fn find_start(tracker: &mut Tracker, system: &System, least_load_steps: usize) -> Result<bool> {
+    // Where nothing holds the unloaded mechanism, small loads move it far, and load steps lead
+    // nowhere.
+    let held = tracker.is_held()?;
+    if !held && tracker.settle(system)? {
+        return Ok(true);
+    }
+    if tracker.was_cancelled() {
+        return Ok(false);
+    }
+    let largest_step = 1.0 / least_load_steps as f64;
+    if tracker.follow(largest_step, |fraction| (0.0, fraction))? {
+        return Ok(true);
+    }
+    Ok(held && tracker.settle(system)?)
+}
+
+pub(crate) fn find_equilibrium(
+    model: &Model,
+    options: &StaticOptions,
+    indifferent: Indifferent,
+    watching: &Watching,
+    observe: &mut dyn FnMut(Stage, &Iteration) -> bool,
+) -> Result<Solved> {
+    options.validate()?;
+    let start = Instant::now();
+    let system = Arc::new(System::in_regime(
+        model,
+        Regime::Standstill(options.standstill),
+    )?);
+    let (length, period) = (system.scales().length, options.standstill.period());
+    require_reproducible_forces(model, length, period, options.standstill.time)?;
+    let grid = TimeGrid::new(1, period)?;
+    let workers = Workers::default().telling(watching.pulse());
+    let mut observe = |stage: Stage, iteration: &Iteration| {
+        let goes_on = watching.iteration(stage, iteration);
+        observe(stage, iteration) && goes_on
+    };
+    let mut guess_iterations = 0;
+    let mut observe_steps = |iteration: &Iteration| {
+        guess_iterations += 1;
+        observe(Stage::InitialGuess, iteration)
+    };
+    let mut tracker = Tracker::new(&system, grid, &workers, &mut observe_steps)?;
+    let mut failure = None;
+    match &options.guess {
+        InitialGuess::State(state) => tracker.state = state.clone(),
+        InitialGuess::Default | InitialGuess::By(_) => {
+            match find_start(&mut tracker, &system, options.least_load_steps) {
+                Err(error) if watching.cancels(&error) => {
+                    failure = Some((Outcome::Cancelled, String::new()));
+                }
+                found => {
+                    if !found? {
+                        failure = tracker.failure.take();
+                    }
+                }
+            }
+        }
+    }
+    let Tracker {
+        mut newton,
+        mut state,
+        reached,
+        ..
+    } = tracker;
+    let guess_time = start.elapsed();
+    newton.timings = Timings::default();
+    let report = match failure {
+        Some((outcome, explanation)) => NewtonReport {
+            outcome: match outcome {
+                Outcome::IterationLimit => Outcome::Stalled,
+                other => other,
+            },
+            iterations: Vec::new(),
+            explanation: format!(
+                "load steps ended at the fraction {reached:.4} of loads and prescribed motions: \
+                 {explanation}"
+            ),
+        },
+        None => {
+            let mut observe_newton = |iteration: &Iteration| observe(Stage::Newton, iteration);
+            watching.stage(Stage::Newton);
+            newton.solve(&mut state, &options.newton, &mut observe_newton)?
+        }
+    };
+    let iterations = report.iterations.len();
+    let mut solve = Solved {
+        node_states: Vec::new(),
+        system,
+        grid,
+        state,
+        report,
+        guess_iterations,
+        guess_time,
+        // Those of load steps are the guess.
+        timings: newton.timings,
+        total_time: start.elapsed(),
+        total_iterations: iterations,
+        kind: Kind::Equilibrium {
+            mesh_error: f64::INFINITY,
+        },
+    };
+    if solve.report.outcome == Outcome::Singular && indifferent == Indifferent::Accepted {
+        newton.equations.set_conditions(Conditions::at(0.0))?;
+        let mut residual = vec![0.0; newton.equations.size()];
+        newton.equations.residual(&solve.state, &mut residual)?;
+        // Written so that NaN fails too.
+        if residual.iter().all(|r| r.abs() <= INDIFFERENT) {
+            solve.report.outcome = Outcome::Converged;
+        }
+    }
+    if solve.report.outcome.is_solution() && indifferent == Indifferent::Singular {
+        if solve.report.iterations.is_empty() {
+            newton.linearise(&solve.state)?;
+        }
+        let mesh_error = match mesh_error(model, &mut newton, &solve.state) {
+            Err(error) if watching.cancels(&error) => f64::INFINITY,
+            found => found?,
+        };
+        solve.kind = Kind::Equilibrium { mesh_error };
+    }
+    newton.equations.update_kinematics(&solve.state);
+    solve.node_states = newton.equations.node_states().to_vec();
+    solve.report.outcome = watching.outcome(solve.report.outcome);
+    Ok(solve)
+}

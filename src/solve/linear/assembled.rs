@@ -1,0 +1,229 @@
+//! The Jacobian assembled and factored: for systems and grids that are not too large.
+
+use crate::collocation::{Collocation, GridState, Pattern, Tangent};
+use crate::error::Result;
+use crate::solve::linear::dense::{largest, probe};
+use crate::solve::linear::diagnosis::{Singularity, diagnose};
+use crate::solve::linear::direct::DirectSolver;
+use crate::solve::linear::freedoms::FreedomSolver;
+use crate::solve::linear::slender::Slender;
+use crate::solve::linear::solver::LinearSolver;
+use crate::solve::report::{Timings, timed};
+use crate::workers::Workers;
+use std::cell::OnceCell;
+
+/// The Jacobian's values, and their factors.
+pub(crate) struct Assembled {
+    /// Of the values, found at first use.
+    pattern: OnceCell<Pattern>,
+    /// For all Jacobians, made at first use.
+    solver: Option<DirectSolver>,
+    /// For those of mechanisms with few freedoms.
+    freedoms: Option<FreedomSolver>,
+    /// For those of very slender beams.
+    slender: Option<Box<Slender>>,
+    /// Whether the present factors are those of the freedoms.
+    by_freedoms: bool,
+    /// Where the equations were linearised last, if their Jacobian was not formed.
+    unformed: Option<GridState>,
+    /// Scaled compliance of constraints in the values.
+    regularisation: f64,
+    workers: Workers,
+    pub(crate) tangent: Tangent,
+    pub(crate) values: Vec<f64>,
+}
+
+impl Assembled {
+    /// For the Jacobians of `equations`.
+    pub(crate) fn new(equations: &Collocation) -> Self {
+        let pattern = OnceCell::new();
+        let freedoms = FreedomSolver::new(equations, || pattern_of(&pattern, equations));
+        if freedoms.is_none() {
+            pattern_of(&pattern, equations);
+        }
+        Assembled {
+            solver: None,
+            freedoms,
+            slender: Slender::new(equations).map(Box::new),
+            by_freedoms: false,
+            unformed: None,
+            regularisation: 0.0,
+            workers: equations.workers().clone(),
+            values: Vec::new(),
+            tangent: Tangent::new(equations.system(), equations.grid().points()),
+            pattern,
+        }
+    }
+
+    /// Places of the values.
+    pub(crate) fn pattern(&self, equations: &Collocation) -> &Pattern {
+        pattern_of(&self.pattern, equations)
+    }
+
+    /// Assembles the Jacobian.
+    pub(crate) fn assemble(
+        &mut self,
+        equations: &mut Collocation,
+        state: &GridState,
+    ) -> Result<()> {
+        self.unformed = None;
+        self.regularisation = equations.regularisation();
+        let pattern = pattern_of(&self.pattern, equations);
+        self.values.resize(pattern.entries(), 0.0);
+        equations.jacobian(state, pattern, &mut self.tangent, &mut self.values)
+    }
+
+    /// Assembles the Jacobian that was not formed, if it was not.
+    fn complete(&mut self, equations: &mut Collocation) -> Result<()> {
+        match self.unformed.take() {
+            Some(state) => self.assemble(equations, &state),
+            None => Ok(()),
+        }
+    }
+
+    /// Factors it as is cheapest. `false` if it is singular.
+    pub(crate) fn factor(&mut self, equations: &mut Collocation) -> Result<bool> {
+        if let Some(freedoms) = &mut self.freedoms {
+            self.by_freedoms = freedoms.factor(equations, &self.values, &self.workers)?;
+            if self.by_freedoms {
+                return Ok(true);
+            }
+        }
+        self.complete(equations)?;
+        self.factor_all(equations)
+    }
+
+    /// Factors the whole of it, which was assembled. `false` if it is singular.
+    pub(crate) fn factor_all(&mut self, equations: &Collocation) -> Result<bool> {
+        self.by_freedoms = false;
+        let (pattern, workers) = (pattern_of(&self.pattern, equations), &self.workers);
+        let solver = self.solver.get_or_insert_with(|| {
+            let mut solver = DirectSolver::new(pattern);
+            solver.set_workers(workers.clone());
+            solver
+        });
+        solver.factor(&self.values)
+    }
+
+    /// Solves in place with the factors of the whole. `false` if there are none or the result is
+    /// not finite.
+    pub(crate) fn substitute(&self, rhs: &mut [f64]) -> bool {
+        self.solver.as_ref().is_some_and(|solver| solver.solve(rhs))
+    }
+
+    /// Sign of the determinant of the factored Jacobian, and logarithm of its size.
+    pub(crate) fn determinant(&self) -> (f64, f64) {
+        match (&self.freedoms, &self.solver) {
+            (Some(freedoms), _) if self.by_freedoms => freedoms.determinant(self.regularisation),
+            (_, Some(solver)) => solver.determinant(),
+            _ => (1.0, f64::NEG_INFINITY),
+        }
+    }
+
+    fn solve_refined(
+        &mut self,
+        equations: &mut Collocation,
+        rhs: &mut [f64],
+        accuracy: f64,
+    ) -> Result<bool> {
+        if let (Some(slender), Some(solver)) = (&mut self.slender, &self.solver) {
+            let wanted = rhs.to_vec();
+            if slender.solve(equations, rhs, accuracy, |x| solver.solve(x)) {
+                return Ok(true);
+            }
+            rhs.copy_from_slice(&wanted);
+        }
+        if let (Some(freedoms), true) = (&mut self.freedoms, self.by_freedoms) {
+            let wanted = rhs.to_vec();
+            if freedoms.solve(&self.values, rhs) {
+                return Ok(true);
+            }
+            rhs.copy_from_slice(&wanted);
+            self.complete(equations)?;
+            if !self.factor_all(equations)? {
+                return Ok(false);
+            }
+        }
+        match &mut self.solver {
+            Some(solver) => solver.solve_refined(&self.values, rhs),
+            None => Ok(false),
+        }
+    }
+}
+
+impl LinearSolver for Assembled {
+    fn linearise(
+        &mut self,
+        equations: &mut Collocation,
+        state: &GridState,
+        timings: &mut Timings,
+    ) -> Result<bool> {
+        timed(&mut timings.assembly, || {
+            self.regularisation = equations.regularisation();
+            if let Some(slender) = &mut self.slender {
+                slender.linearise(equations, state)?;
+            }
+            let unformed = match &mut self.freedoms {
+                Some(freedoms) => freedoms.evaluate(equations, state)?,
+                None => false,
+            };
+            if !unformed {
+                return self.assemble(equations, state);
+            }
+            self.unformed = Some(state.clone());
+            Ok(())
+        })?;
+        timed(&mut timings.factorisation, || self.factor(equations))
+    }
+
+    fn solve(
+        &mut self,
+        equations: &mut Collocation,
+        rhs: &mut [f64],
+        accuracy: f64,
+        timings: &mut Timings,
+    ) -> Result<bool> {
+        timed(&mut timings.substitution, || {
+            self.solve_refined(equations, rhs, accuracy)
+        })
+    }
+
+    fn has_compliance(&self) -> bool {
+        !self.by_freedoms
+    }
+
+    fn growth(&mut self, equations: &mut Collocation) -> f64 {
+        let mut probe = probe(equations.size());
+        let solved = match (&mut self.freedoms, &self.solver) {
+            (Some(freedoms), _) if self.by_freedoms => freedoms.respond(&self.values, &mut probe),
+            (_, Some(solver)) => solver.solve(&mut probe),
+            _ => false,
+        };
+        if !solved {
+            return f64::INFINITY;
+        }
+        let size = match (&self.freedoms, &self.unformed) {
+            (Some(freedoms), Some(_)) => freedoms.largest(&self.values).max(1.0),
+            _ => largest(&self.values),
+        };
+        largest(&probe) * size
+    }
+
+    fn is_resisted(&mut self, equations: &mut Collocation) -> bool {
+        match (&mut self.slender, &self.solver) {
+            (Some(slender), Some(solver)) => slender.is_resisted(equations, |x| solver.solve(x)),
+            _ => false,
+        }
+    }
+
+    fn explain(&mut self, equations: &mut Collocation, state: &GridState) -> Singularity {
+        if let Err(error) = self.complete(equations) {
+            return Singularity::Unsolved(error.to_string());
+        }
+        diagnose(equations, self.pattern(equations), &self.values, state)
+    }
+}
+
+fn pattern_of<'p>(pattern: &'p OnceCell<Pattern>, equations: &Collocation) -> &'p Pattern {
+    pattern.get_or_init(|| Pattern::new(equations.system(), equations.grid().points()))
+}

@@ -1,0 +1,117 @@
+//! Products and triangular solves with one vector: bound by memory, so four columns are read at a
+//! time.
+
+/// Columns that are taken together.
+const TOGETHER: usize = 4;
+
+/// Size of the largest entry; NaN counts for nothing.
+pub(crate) fn largest(values: &[f64]) -> f64 {
+    // Several at a time, for the compiler to see that their order does not matter.
+    let mut lanes = [0.0f64; 8];
+    let chunks = values.chunks_exact(lanes.len());
+    let mut most = 0.0;
+    for x in chunks.remainder() {
+        most = f64::max(most, x.abs());
+    }
+    for chunk in chunks {
+        for (lane, x) in lanes.iter_mut().zip(chunk) {
+            let size = x.abs();
+            *lane = if size > *lane { size } else { *lane };
+        }
+    }
+    lanes.into_iter().fold(most, f64::max)
+}
+
+/// A vector without structure, which has a part along any null space.
+pub(crate) fn probe(size: usize) -> Vec<f64> {
+    (0..size)
+        .map(|i| 0.5 + (i as f64 * 0.618_033_988_75).fract())
+        .collect()
+}
+
+/// `y −= A x`, for the matrix with these columns.
+pub(crate) fn subtract_product<'a>(y: &mut [f64], column: impl Fn(usize) -> &'a [f64], x: &[f64]) {
+    let rows = y.len();
+    let mut groups = x.chunks_exact(TOGETHER);
+    let mut first = 0;
+    for group in &mut groups {
+        let [a, b, c, d] = [0, 1, 2, 3].map(|j| &column(first + j)[..rows]);
+        for (i, y) in y.iter_mut().enumerate() {
+            *y -= (a[i] * group[0] + b[i] * group[1]) + (c[i] * group[2] + d[i] * group[3]);
+        }
+        first += TOGETHER;
+    }
+    for (j, x) in groups.remainder().iter().enumerate() {
+        for (y, a) in y.iter_mut().zip(column(first + j)) {
+            *y -= a * x;
+        }
+    }
+}
+
+/// `y ← L⁻¹ y`, for the unit lower triangle below the diagonal of the matrix with these columns.
+pub(crate) fn solve_unit_lower<'a>(column: impl Fn(usize) -> &'a [f64], y: &mut [f64]) {
+    let count = y.len();
+    for start in (0..count).step_by(TOGETHER) {
+        let end = (start + TOGETHER).min(count);
+        for j in start..end {
+            for i in j + 1..end {
+                y[i] -= column(j)[i] * y[j];
+            }
+        }
+        let (found, rest) = y.split_at_mut(end);
+        subtract_product(rest, |j| &column(start + j)[end..count], &found[start..]);
+    }
+}
+
+/// `y ← U⁻¹ y`, for the upper triangle of the matrix with these columns.
+pub(crate) fn solve_upper<'a>(column: impl Fn(usize) -> &'a [f64], y: &mut [f64]) {
+    let mut end = y.len();
+    while end > 0 {
+        let start = end.saturating_sub(TOGETHER);
+        for j in (start..end).rev() {
+            y[j] /= column(j)[j];
+            for i in start..j {
+                y[i] -= column(j)[i] * y[j];
+            }
+        }
+        let (rest, found) = y.split_at_mut(start);
+        subtract_product(rest, |j| &column(start + j)[..start], &found[..end - start]);
+        end = start;
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn triangles_undo_their_products() {
+        for count in [0, 1, 3, 4, 7, 18] {
+            let entry = |i: usize, j: usize| {
+                (1.3 * i as f64 - 0.7 * j as f64).cos() + 3.0 * f64::from(i == j)
+            };
+            let columns: Vec<Vec<f64>> = (0..count)
+                .map(|j| (0..count).map(|i| entry(i, j)).collect())
+                .collect();
+            let exact: Vec<f64> = (0..count).map(|i| (0.3 * i as f64).sin() + 0.5).collect();
+            let lower = |i: usize, j: usize| if i == j { 1.0 } else { entry(i, j) };
+            let mut y: Vec<f64> = (0..count)
+                .map(|i| (0..=i).map(|j| lower(i, j) * exact[j]).sum())
+                .collect();
+            solve_unit_lower(|j| &columns[j], &mut y);
+            let mut z: Vec<f64> = (0..count)
+                .map(|i| (i..count).map(|j| entry(i, j) * exact[j]).sum())
+                .collect();
+            solve_upper(|j| &columns[j], &mut z);
+            for (i, exact) in exact.iter().enumerate() {
+                // Rounding grows with the inverse of the unit triangle.
+                assert!((y[i] - exact).abs() < 1e-9, "{count}: {} {exact}", y[i]);
+                assert!((z[i] - exact).abs() < 1e-12, "{count}: {} {exact}", z[i]);
+            }
+            assert_eq!(
+                largest(&exact),
+                exact.iter().fold(0.0, |m: f64, x| m.max(x.abs()))
+            );
+        }
+    }
+}

@@ -1,0 +1,305 @@
+//! One front of the multifrontal solver: its own unknowns are eliminated by dense kernels, as far
+//! as they have pivots.
+
+use crate::error::{Error, ErrorKind, Result};
+use crate::solve::linear::blocks::{self, Diagonal};
+use crate::solve::linear::dense::largest;
+use crate::solve::linear::direct::elimination_work;
+use crate::solve::linear::partial_lu::factor_partially;
+use crate::workers::Workers;
+use faer::dyn_stack::{MemBuffer, StackReq};
+use faer::linalg::lu::partial_pivoting::factor::lu_in_place_scratch;
+use faer::{Mat, MatRef, Par};
+
+/// Multiply-adds of a front, or several, that are worth sharing among threads.
+pub(crate) const LARGE_FRONT: f64 = 2e7;
+
+/// Smallest pivot, relative to its column, of a front that leaves something to its parent: to leave
+/// more costs little there.
+const SMALLEST_PARTIAL_PIVOT: f64 = 1e-4;
+
+/// What rows in the boundary count of in the size of a column there.
+const BOUNDARY_SHARE: f64 = 1e-2;
+
+/// A front, and then its factors: `P F₁₁ Q = L U`, `U₁₂`, `L₂₁`.
+#[derive(Debug)]
+pub(crate) struct Front {
+    /// Equations and unknowns of the matrix that are to be eliminated here; then those that are, in
+    /// the order of their pivots.
+    pub rows: Vec<usize>,
+    pub columns: Vec<usize>,
+    /// `L`, `U` and, to their right, `U₁₂`; before, `F₁₁` and `F₁₂`.
+    pub upper: Mat<f64>,
+    /// `L₂₁`; before, `F₂₁`.
+    pub lower: Mat<f64>,
+    /// Whether it was found singular on its own: what has no pivot waits for the parent's ever
+    /// after.
+    waits: bool,
+    /// Equations and unknowns without pivots.
+    pub delayed_rows: Vec<usize>,
+    pub delayed_columns: Vec<usize>,
+    /// How large these columns have been: what is left of them may be rounding.
+    pub delayed_sizes: Vec<f64>,
+    /// What is left of their entries, and behind them of those of the boundary, until the parent
+    /// takes it.
+    pub remainder: Mat<f64>,
+    /// Largest entry of the matrix that enters here.
+    pub largest_entry: f64,
+}
+
+/// Makes a matrix of zeros of one that may have been used before.
+pub(crate) fn make_zero(matrix: &mut Mat<f64>, rows: usize, columns: usize) -> Result<()> {
+    if (matrix.nrows(), matrix.ncols()) == (rows, columns) {
+        for column in 0..columns {
+            matrix.col_as_slice_mut(column).fill(0.0);
+        }
+        return Ok(());
+    }
+    *matrix = Mat::new();
+    matrix.try_reserve(rows, columns).map_err(|_| {
+        let message = format!("a dense block of {rows} × {columns} does not fit in memory");
+        Error::new(ErrorKind::OutOfMemory, message)
+    })?;
+    matrix.resize_with(rows, columns, |_, _| 0.0);
+    Ok(())
+}
+
+/// Memory that the factorisation of a front needs.
+pub(crate) struct Room {
+    /// Where each group begins in the front.
+    pub place: Vec<usize>,
+    /// Size of a square matrix that the memory is enough for the factors of.
+    most: usize,
+    memory: MemBuffer,
+    permutation: Vec<usize>,
+    inverse: Vec<usize>,
+    column: Vec<f64>,
+    /// Sizes of columns.
+    pub sizes: Vec<f64>,
+    /// Who tells that work goes on.
+    workers: Workers,
+}
+
+impl Room {
+    pub fn new(groups: usize, workers: &Workers) -> Self {
+        Room {
+            workers: workers.alone(),
+            place: vec![usize::MAX; groups],
+            most: 0,
+            memory: MemBuffer::new(StackReq::EMPTY),
+            permutation: Vec::new(),
+            inverse: Vec::new(),
+            column: Vec::new(),
+            sizes: Vec::new(),
+        }
+    }
+
+    /// Makes it enough for the factors of square matrices up to this size.
+    fn grow(&mut self, size: usize, parallelism: Par) {
+        if self.most < size {
+            let need =
+                lu_in_place_scratch::<usize, f64>(size, size, parallelism, Default::default());
+            self.memory = MemBuffer::new(need);
+            self.most = size;
+        }
+        self.permutation.resize(size.max(self.permutation.len()), 0);
+        self.inverse.resize(size.max(self.inverse.len()), 0);
+    }
+}
+
+impl Front {
+    pub fn empty() -> Self {
+        Front {
+            rows: Vec::new(),
+            columns: Vec::new(),
+            upper: Mat::new(),
+            lower: Mat::new(),
+            waits: false,
+            delayed_rows: Vec::new(),
+            delayed_columns: Vec::new(),
+            delayed_sizes: Vec::new(),
+            remainder: Mat::new(),
+            largest_entry: 0.0,
+        }
+    }
+
+    /// Eliminates the unknowns of the front, which `assemble` sums up; leaves to the parent what
+    /// has no pivot larger than `smallest_pivot`, relative to its column. `room` tells the sizes
+    /// that columns have had before. Without a parent all is eliminated that can be.
+    ///
+    /// `false` if something is left and there is no parent.
+    ///
+    /// # Errors
+    /// If memory runs out.
+    pub fn eliminate(
+        &mut self,
+        assemble: impl Fn(&mut Self, &[usize]) -> Result<()>,
+        smallest_pivot: Option<f64>,
+        room: &mut Room,
+        parallelism: Par,
+    ) -> Result<bool> {
+        self.delayed_rows.clear();
+        self.delayed_columns.clear();
+        self.delayed_sizes.clear();
+        if !self.waits {
+            assemble(self, &room.place)?;
+            if self.eliminate_all(smallest_pivot.unwrap_or(0.0), room, parallelism)? {
+                return Ok(true);
+            }
+        }
+        let Some(smallest_pivot) = smallest_pivot else {
+            return Ok(false);
+        };
+        self.waits = true;
+        assemble(self, &room.place)?;
+        self.eliminate_some(
+            smallest_pivot.max(SMALLEST_PARTIAL_PIVOT),
+            room,
+            parallelism,
+        )?;
+        Ok(true)
+    }
+
+    /// Updates the largest sizes that its columns have had.
+    fn measure_columns(&self, sizes: &mut [f64]) {
+        for (j, size) in sizes.iter_mut().enumerate() {
+            *size = size.max(largest(self.upper.col_as_slice(j)));
+        }
+    }
+
+    fn parallelism(&self, parallelism: Par) -> Par {
+        let (count, rest) = (self.lower.ncols(), self.lower.nrows());
+        match elimination_work(count, rest) < LARGE_FRONT {
+            true => Par::Seq,
+            false => parallelism,
+        }
+    }
+
+    /// Eliminates all unknowns. `false` if their block is singular, or has too small a pivot.
+    fn eliminate_all(
+        &mut self,
+        smallest_pivot: f64,
+        room: &mut Room,
+        parallelism: Par,
+    ) -> Result<bool> {
+        let (count, size) = (self.upper.nrows(), self.upper.ncols());
+        self.measure_columns(&mut room.sizes);
+        let parallelism = self.parallelism(parallelism);
+        room.grow(count, parallelism);
+        blocks::lu(
+            self.upper.as_mut().subcols_mut(0, count),
+            &mut room.permutation[..count],
+            &mut room.inverse[..count],
+            parallelism,
+            &mut room.memory,
+            &room.workers,
+        )?;
+        for (j, size) in room.sizes.iter().enumerate() {
+            let pivot = self.upper[(j, j)].abs();
+            // Written so that NaN fails too.
+            let good = pivot > smallest_pivot * size && pivot.is_finite();
+            if !good {
+                return Ok(false);
+            }
+        }
+        let permutation = &room.permutation[..count];
+        self.rows = permutation.iter().map(|&row| self.rows[row]).collect();
+        for j in count..size {
+            let column = self.upper.col_as_slice_mut(j);
+            room.column.clear();
+            room.column.extend_from_slice(column);
+            for (to, &from) in column.iter_mut().zip(permutation) {
+                *to = room.column[from];
+            }
+        }
+        let (factors, mut beyond) = self.upper.as_mut().split_at_col_mut(count);
+        let factors = factors.as_ref();
+        let workers = &room.workers;
+        blocks::solve_lower(
+            (factors, Diagonal::Ones),
+            beyond.as_mut(),
+            parallelism,
+            workers,
+        )?;
+        // L₂₁ U = F₂₁, transposed: Uᵀ L₂₁ᵀ = F₂₁ᵀ.
+        let transposed = self.lower.as_mut().transpose_mut();
+        blocks::solve_lower(
+            (factors.transpose(), Diagonal::Own),
+            transposed,
+            parallelism,
+            workers,
+        )?;
+        blocks::subtract_matmul(
+            self.remainder.as_mut(),
+            self.lower.as_ref(),
+            beyond.as_ref(),
+            parallelism,
+            workers,
+        )?;
+        Ok(true)
+    }
+
+    /// Eliminates the unknowns that have pivots.
+    fn eliminate_some(
+        &mut self,
+        smallest_pivot: f64,
+        room: &mut Room,
+        parallelism: Par,
+    ) -> Result<()> {
+        let (own, size) = (self.upper.nrows(), self.upper.ncols());
+        self.measure_columns(&mut room.sizes);
+        // A column that is tiny but for its rows in the boundary has its pivot there.
+        for (j, size) in room.sizes.iter_mut().enumerate() {
+            *size = size.max(BOUNDARY_SHARE * largest(self.lower.col_as_slice(j)));
+        }
+        let parallelism = self.parallelism(parallelism);
+        let mut order: Vec<usize> = (0..own).collect();
+        let count = factor_partially(
+            &mut self.upper,
+            &mut self.rows,
+            &mut order,
+            &mut room.sizes,
+            smallest_pivot,
+            (parallelism, &room.workers),
+        )?;
+        self.columns = order.iter().map(|&column| self.columns[column]).collect();
+        self.delayed_rows = self.rows.split_off(count);
+        self.delayed_columns = self.columns.split_off(count);
+        self.delayed_sizes.extend_from_slice(&room.sizes[count..]);
+
+        let delayed = own - count;
+        let (factored, unfactored) = self.upper.as_ref().split_at_row(count);
+        let mut upper = Mat::new();
+        make_zero(&mut upper, count, size)?;
+        upper.copy_from(factored);
+        let mut lower = Mat::new();
+        make_zero(&mut lower, size - count, count)?;
+        let (mut above, mut below) = lower.as_mut().split_at_row_mut(delayed);
+        above.copy_from(unfactored.subcols(0, count));
+        let column = |j: usize| self.lower.col(order[j]);
+        (0..count).for_each(|j| below.as_mut().col_mut(j).copy_from(column(j)));
+        let square = upper.as_ref().subcols(0, count);
+        let transposed = below.as_mut().transpose_mut();
+        blocks::solve_lower(
+            (square.transpose(), Diagonal::Own),
+            transposed,
+            parallelism,
+            &room.workers,
+        )?;
+
+        let mut remainder = Mat::new();
+        make_zero(&mut remainder, size - count, size - count)?;
+        let (mut first_rows, mut rest) = remainder.as_mut().split_at_row_mut(delayed);
+        first_rows.copy_from(unfactored.subcols(count, size - count));
+        for j in 0..delayed {
+            rest.as_mut().col_mut(j).copy_from(column(count + j));
+        }
+        let boundary = rest.as_mut().subcols_mut(delayed, size - own);
+        { boundary }.copy_from(self.remainder.as_ref());
+        let beyond: MatRef<f64> = upper.as_ref().subcols(count, size - count);
+        let workers = &room.workers;
+        blocks::subtract_matmul(rest, below.as_ref(), beyond, parallelism, workers)?;
+        (self.upper, self.lower, self.remainder) = (upper, lower, remainder);
+        Ok(())
+    }
+}

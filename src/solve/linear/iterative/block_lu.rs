@@ -1,0 +1,381 @@
+//! LU factorisations of many small sparse matrices with one structure: those of all harmonics, or
+//! of all grid points. Blocks are those of nodes; pivots are sought within a block.
+
+use super::lanes::{LANES, Lanes};
+use crate::solve::linear::ordering::{NEVER, elimination};
+use nalgebra::ComplexField;
+use std::collections::{BTreeMap, BTreeSet};
+
+/// A pivot smaller than this, relative to its block, is none.
+const SINGULAR: f64 = 1e-14;
+
+/// Where blocks are, and the order of elimination.
+#[derive(Debug, Clone)]
+pub(super) struct BlockStructure {
+    sizes: Vec<usize>,
+    /// First unknown of each block row.
+    first: Vec<usize>,
+    unknowns: usize,
+    steps: Vec<Step>,
+    /// Pairs of rows that are not eliminated, with the places of their blocks.
+    kept: Vec<(usize, usize, usize)>,
+    /// First entry of each block.
+    blocks: BTreeMap<(usize, usize), usize>,
+    entries: usize,
+}
+
+/// Where entries of a part of a block are.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct BlockPlace {
+    first: usize,
+    /// Of the whole block.
+    columns: usize,
+}
+
+impl BlockPlace {
+    /// Place of entry `(i, j)`.
+    pub fn entry(&self, i: usize, j: usize) -> usize {
+        self.first + i * self.columns + j
+    }
+}
+
+/// Elimination of one block row.
+#[derive(Debug, Clone)]
+struct Step {
+    pivot: usize,
+    pivot_block: usize,
+    /// Rows eliminated later, with the places of the blocks in their column and in the pivot's row.
+    later: Vec<(usize, usize, usize)>,
+    /// Places of the blocks that change, for each pair of `later`.
+    changed: Vec<usize>,
+}
+
+impl BlockStructure {
+    /// For block rows with these `sizes` and couplings, of which some are `kept`, not eliminated.
+    pub fn new(sizes: Vec<usize>, coupled: Vec<BTreeSet<usize>>, kept: &[bool]) -> Self {
+        let waiting = kept.iter().map(|kept| if *kept { NEVER } else { 0 });
+        let order = elimination(&sizes, &coupled, waiting.collect());
+        let mut first = Vec::with_capacity(sizes.len());
+        let mut unknowns = 0;
+        for size in &sizes {
+            first.push(unknowns);
+            unknowns += size;
+        }
+        let mut blocks = BTreeMap::new();
+        let mut entries = 0;
+        let mut place = |row: usize, column: usize| {
+            *blocks.entry((row, column)).or_insert_with(|| {
+                entries += sizes[row] * sizes[column];
+                entries - sizes[row] * sizes[column]
+            })
+        };
+        let steps: Vec<Step> = order
+            .iter()
+            .map(|front| {
+                let pivot = front.own[0];
+                Step {
+                    pivot,
+                    pivot_block: place(pivot, pivot),
+                    later: front
+                        .boundary
+                        .iter()
+                        .map(|&other| (other, place(other, pivot), place(pivot, other)))
+                        .collect(),
+                    changed: front
+                        .boundary
+                        .iter()
+                        .flat_map(|&row| front.boundary.iter().map(move |&column| (row, column)))
+                        .map(|(row, column)| place(row, column))
+                        .collect(),
+                }
+            })
+            .collect();
+        for (row, neighbours) in coupled.iter().enumerate() {
+            for &column in neighbours.iter().chain([&row]) {
+                place(row, column);
+            }
+        }
+        let kept = blocks
+            .iter()
+            .filter(|((row, column), _)| kept[*row] && kept[*column])
+            .map(|(&(row, column), &place)| (row, column, place))
+            .collect();
+        BlockStructure {
+            kept,
+            sizes,
+            first,
+            unknowns,
+            steps,
+            blocks,
+            entries,
+        }
+    }
+
+    /// Number of unknowns.
+    pub fn unknowns(&self) -> usize {
+        self.unknowns
+    }
+
+    /// Number of block rows.
+    pub fn rows(&self) -> usize {
+        self.sizes.len()
+    }
+
+    /// Unknowns of a block row.
+    pub fn size(&self, row: usize) -> usize {
+        self.sizes[row]
+    }
+
+    /// First unknown of a block row.
+    pub fn first(&self, row: usize) -> usize {
+        self.first[row]
+    }
+
+    /// First unknown of a block row, and their number.
+    fn part(&self, row: usize) -> (usize, usize) {
+        (self.first[row], self.sizes[row])
+    }
+
+    /// Number of stored entries of one matrix.
+    pub fn entries(&self) -> usize {
+        self.entries
+    }
+
+    /// What begins at an unknown of a block row and at one of a block column, whose block must be
+    /// there.
+    pub fn block_at(
+        &self,
+        (row, first_row): (usize, usize),
+        (column, first_column): (usize, usize),
+    ) -> BlockPlace {
+        BlockPlace {
+            first: self.entry((row, column), (first_row, first_column)),
+            columns: self.sizes[column],
+        }
+    }
+
+    /// Place of entry `(i, j)` of the block `(row, column)`, which must be there.
+    pub fn entry(&self, (row, column): (usize, usize), (i, j): (usize, usize)) -> usize {
+        self.blocks[&(row, column)] + i * self.sizes[column] + j
+    }
+
+    /// Pairs of rows that are not eliminated, with the places of their blocks.
+    pub fn kept(&self) -> &[(usize, usize, usize)] {
+        &self.kept
+    }
+}
+
+/// [`LANES`] matrices, or their factors: `L` and `U` without the diagonal blocks, and these
+/// inverted.
+#[derive(Debug, Clone)]
+pub(super) struct BlockLanes<T> {
+    values: Vec<T>,
+}
+
+impl<T: Lanes> BlockLanes<T> {
+    /// Zero matrices.
+    pub fn new(structure: &BlockStructure) -> Self {
+        BlockLanes {
+            values: vec![T::zero(); structure.entries],
+        }
+    }
+
+    /// The entry at a place.
+    pub fn at(&mut self, place: usize) -> &mut T {
+        &mut self.values[place]
+    }
+
+    /// The same, to be read.
+    pub fn get(&self, place: usize) -> &T {
+        &self.values[place]
+    }
+
+    /// Factors all matrices in place, but for rows that are kept: there remain their Schur
+    /// complements. `false` if one is singular.
+    ///
+    pub fn factor(&mut self, structure: &BlockStructure) -> bool {
+        let mut left = Vec::new();
+        for step in &structure.steps {
+            let size = structure.sizes[step.pivot];
+            let pivot = &mut self.values[step.pivot_block..][..size * size];
+            if !invert(pivot, size) {
+                return false;
+            }
+            for &(row, below, _) in &step.later {
+                let rows = structure.sizes[row];
+                let count = rows * size;
+                left.clear();
+                left.extend_from_slice(&self.values[below..][..count]);
+                let (inverse, target) = two(
+                    &mut self.values,
+                    (step.pivot_block, size * size),
+                    (below, count),
+                );
+                target.fill(T::zero());
+                add_block_product::<T, false>(target, &left, inverse, (rows, size, size));
+            }
+            for (r, &(row, below, _)) in step.later.iter().enumerate() {
+                let rows = structure.sizes[row];
+                left.clear();
+                left.extend_from_slice(&self.values[below..][..rows * size]);
+                for (c, &(column, _, beside)) in step.later.iter().enumerate() {
+                    let columns = structure.sizes[column];
+                    let changed = step.changed[r * step.later.len() + c];
+                    let (right, target) = two(
+                        &mut self.values,
+                        (beside, size * columns),
+                        (changed, rows * columns),
+                    );
+                    add_block_product::<T, true>(target, &left, right, (rows, size, columns));
+                }
+            }
+        }
+        true
+    }
+
+    /// Solves with `L`: what is left at rows that are kept is their reduced right-hand side.
+    pub fn forward(&self, structure: &BlockStructure, x: &mut [T]) {
+        for step in &structure.steps {
+            for &(row, below, _) in &step.later {
+                let (pivot, target) = two(x, structure.part(step.pivot), structure.part(row));
+                let (rows, columns) = (target.len(), pivot.len());
+                let block = &self.values[below..][..rows * columns];
+                add_block_product::<T, true>(target, block, pivot, (rows, columns, 1));
+            }
+        }
+    }
+
+    /// Solves with `U`, where rows that are kept are known.
+    pub fn backward(&self, structure: &BlockStructure, x: &mut [T], scratch: &mut Vec<T>) {
+        for step in structure.steps.iter().rev() {
+            for &(row, _, beside) in &step.later {
+                let (other, target) = two(x, structure.part(row), structure.part(step.pivot));
+                let (rows, columns) = (target.len(), other.len());
+                let block = &self.values[beside..][..rows * columns];
+                add_block_product::<T, true>(target, block, other, (rows, columns, 1));
+            }
+            let (first, size) = structure.part(step.pivot);
+            scratch.clear();
+            scratch.extend_from_slice(&x[first..first + size]);
+            let target = &mut x[first..first + size];
+            target.fill(T::zero());
+            let inverse = &self.values[step.pivot_block..][..size * size];
+            add_block_product::<T, false>(target, inverse, scratch, (size, size, 1));
+        }
+    }
+
+    /// Adds to `y` the product of the Schur complements and `x`, at rows that are kept.
+    pub fn add_kept_product(&self, structure: &BlockStructure, x: &[T], y: &mut [T]) {
+        for &(row, column, place) in &structure.kept {
+            let (first, columns) = structure.part(column);
+            let x = &x[first..first + columns];
+            let (first, rows) = structure.part(row);
+            let block = &self.values[place..][..rows * columns];
+            add_block_product::<T, false>(
+                &mut y[first..first + rows],
+                block,
+                x,
+                (rows, columns, 1),
+            );
+        }
+    }
+}
+
+/// A part that is read and another one that is written, each `(first, length)`.
+fn two<T>(
+    values: &mut [T],
+    (read, read_length): (usize, usize),
+    (write, write_length): (usize, usize),
+) -> (&[T], &mut [T]) {
+    if read < write {
+        let (low, high) = values.split_at_mut(write);
+        (&low[read..read + read_length], &mut high[..write_length])
+    } else {
+        let (low, high) = values.split_at_mut(read);
+        (&high[..read_length], &mut low[write..write + write_length])
+    }
+}
+
+/// `c += a b`, or `c −= a b`, for row-major blocks of `m × k` and `k × n`.
+#[inline(always)]
+fn add_block_product<T: Lanes, const MINUS: bool>(
+    c: &mut [T],
+    a: &[T],
+    b: &[T],
+    (m, k, n): (usize, usize, usize),
+) {
+    for i in 0..m {
+        let row = &a[i * k..][..k];
+        for j in 0..n {
+            let mut sum = c[i * n + j];
+            for (l, a) in row.iter().enumerate() {
+                let b = &b[l * n + j];
+                if MINUS {
+                    sum.subtract_product(a, b);
+                } else {
+                    sum.add_product(a, b);
+                }
+            }
+            c[i * n + j] = sum;
+        }
+    }
+}
+
+/// Inverts the `size × size` blocks of all lanes, by Gauss and Jordan with pivots sought in
+/// columns; `false` if one is singular.
+fn invert<T: Lanes>(block: &mut [T], size: usize) -> bool {
+    let mut a = vec![T::Number::default(); size * size];
+    let mut pivots = vec![0; size];
+    for lane in 0..LANES {
+        let mut largest = 0.0f64;
+        for (number, entry) in a.iter_mut().zip(&*block) {
+            *number = entry.get(lane);
+            largest = largest.max(number.modulus());
+        }
+        for column in 0..size {
+            let (mut pivot, mut found) = (column, 0.0);
+            for row in column..size {
+                let candidate = a[row * size + column].modulus();
+                if candidate > found {
+                    (pivot, found) = (row, candidate);
+                }
+            }
+            // Written so that NaN fails too.
+            let regular = found > SINGULAR * largest && found.is_finite();
+            if !regular {
+                return false;
+            }
+            pivots[column] = pivot;
+            for j in 0..size {
+                a.swap(pivot * size + j, column * size + j);
+            }
+            let inverse = T::Number::from_real(1.0) / a[column * size + column];
+            a[column * size + column] = T::Number::from_real(1.0);
+            for j in 0..size {
+                a[column * size + j] *= inverse;
+            }
+            for row in 0..size {
+                if row == column {
+                    continue;
+                }
+                let factor = a[row * size + column];
+                a[row * size + column] = T::Number::default();
+                for j in 0..size {
+                    let product = factor * a[column * size + j];
+                    a[row * size + j] -= product;
+                }
+            }
+        }
+        for column in (0..size).rev() {
+            if pivots[column] != column {
+                for i in 0..size {
+                    a.swap(i * size + column, i * size + pivots[column]);
+                }
+            }
+        }
+        for (number, entry) in a.iter().zip(&mut *block) {
+            entry.set(lane, *number);
+        }
+    }
+    true
+}

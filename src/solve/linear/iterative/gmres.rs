@@ -1,0 +1,443 @@
+//! GMRES with a preconditioner from the left, so that errors are measured by what they mean for the
+//! unknowns, not by residuals, in which stiff directions drown soft ones. See docs/theory.md,
+//! section 8.3.
+
+use crate::solve::linear::dense::probe;
+use crate::workers::Workers;
+use faer::linalg::matmul::matmul;
+use faer::{Accum, MatMut, MatRef, Par};
+
+/// A cycle that leaves more than this of the residual is the last.
+const STAGNATION: f64 = 0.9;
+
+/// A part that is smaller than this may be nothing but rounding.
+const SMALLEST_SHARE: f64 = 1e-8;
+/// Error relative to the whole solution that is not undercut.
+const FINEST: f64 = 1e-10;
+
+/// When to stop.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct GmresOptions {
+    /// Estimated error, relative to the smaller part of the solution.
+    pub tolerance: f64,
+    /// Entries of the first of its two parts, motions: the others, multipliers, may be of quite
+    /// another size.
+    pub leading: usize,
+    /// Entries of both parts; what comes behind them is not asked for.
+    pub essential: usize,
+    /// Most products.
+    pub iteration_limit: usize,
+    /// Products between restarts, for which vectors are kept.
+    pub restart: usize,
+}
+
+/// How it ended.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct GmresEnd {
+    /// Products taken.
+    pub iterations: usize,
+    /// Estimated error, relative to the smaller part of the solution: the preconditioned residual,
+    /// amplified as much as the preconditioned operator may amplify it.
+    pub error: f64,
+}
+
+/// Memory for long vectors, kept from one solve to the next, as taking it takes time.
+#[derive(Default)]
+pub(crate) struct GmresRoom {
+    /// Orthonormal vectors, one behind the other.
+    basis: Vec<f64>,
+    /// The right-hand side.
+    b: Vec<f64>,
+    /// What is left of it, preconditioned.
+    rest: Vec<f64>,
+}
+
+/// A preconditioned operator: what is asked of it are `P⁻¹ A x` and `P⁻¹ b`, in place.
+pub(crate) trait Preconditioned {
+    /// `y = A x`.
+    fn product(&mut self, x: &[f64], y: &mut [f64]);
+    /// `y = P⁻¹ y`.
+    fn precondition(&mut self, y: &mut [f64]);
+}
+
+/// Solves `A x = b` from `x = 0`: `rhs` is `b` before and `x` after. What `room` holds does not
+/// matter.
+pub(crate) fn gmres(
+    operator: &mut impl Preconditioned,
+    rhs: &mut [f64],
+    options: &GmresOptions,
+    workers: &Workers,
+    room: &mut GmresRoom,
+) -> GmresEnd {
+    let vectors = Vectors { workers };
+    let norm = |x: &mut [f64]| vectors.norm(x);
+    let size = rhs.len();
+    let GmresRoom { basis, b, rest } = room;
+    for copy in [&mut *b, &mut *rest] {
+        copy.clear();
+        copy.extend_from_slice(rhs);
+    }
+    operator.precondition(rest);
+    let start = norm(rest);
+    rhs.fill(0.0);
+    let mut end = GmresEnd {
+        iterations: 0,
+        error: if start == 0.0 { 0.0 } else { 1.0 },
+    };
+    if start == 0.0 || !start.is_finite() {
+        return end;
+    }
+    // What the smaller part is of the solution.
+    let (mut share, mut share_is_known) = (1.0, false);
+    // Memory that is not written to is not taken.
+    let vectors_kept = options.restart.min(options.iteration_limit) + 1;
+    if basis.len() < vectors_kept * size {
+        *basis = vec![0.0; vectors_kept * size];
+    }
+    while end.error > options.tolerance && end.iterations < options.iteration_limit {
+        let (before, found) = (norm(rest), norm(rhs));
+        let cycle = options
+            .restart
+            .min(options.iteration_limit - end.iterations);
+        vectors.sums(&mut basis[..size], 1, |first, v, _| {
+            let rest = &rest[first..][..v.len()];
+            v.iter_mut().zip(rest).for_each(|(v, r)| *v = r / before);
+        });
+        let mut triangle = Triangle::default();
+        let mut rotations: Vec<(f64, f64)> = Vec::new();
+        let mut rotated = vec![before];
+        for j in 0..cycle {
+            let (known, new) = basis.split_at_mut((j + 1) * size);
+            let w = &mut new[..size];
+            operator.product(&known[j * size..], w);
+            operator.precondition(w);
+            end.iterations += 1;
+            if workers.pulse().is_err() {
+                end.error = f64::INFINITY;
+                return end;
+            }
+            let (mut column, length) = vectors.project_out(known, w);
+            if length > 0.0 {
+                vectors.scale(w, 1.0 / length);
+            }
+            for (i, (c, s)) in rotations.iter().enumerate() {
+                let (upper, lower) = (column[i], column[i + 1]);
+                column[i] = c * upper + s * lower;
+                column[i + 1] = c * lower - s * upper;
+            }
+            let diagonal = column[j].hypot(length);
+            if diagonal == 0.0 {
+                // A direction that the operator does not know.
+                break;
+            }
+            let (c, s) = (column[j] / diagonal, length / diagonal);
+            column[j] = diagonal;
+            rotations.push((c, s));
+            triangle.columns.push(column);
+            let last = rotated[j];
+            rotated[j] = c * last;
+            rotated.push(-s * last);
+            let error = rotated[j + 1].abs() * triangle.inverse_size();
+            let y = triangle.solve(&rotated);
+            end.error = error / (share * small_norm(&y).max(found));
+            if end.error <= options.tolerance && !share_is_known {
+                // Only now, as it takes a pass over all vectors.
+                share = vectors
+                    .smaller_share(rhs, basis, &y, options)
+                    .max(FINEST / options.tolerance);
+                share_is_known = true;
+                end.error = error / (share * small_norm(&y).max(found));
+            }
+            if end.error <= options.tolerance || length == 0.0 {
+                break;
+            }
+        }
+        vectors.add(rhs, basis, &triangle.solve(&rotated));
+        // What rounding in the preconditioner leaves, nearly singular as it may be, shows in the
+        // residual only.
+        operator.product(rhs, rest);
+        vectors.sums(rest, 1, |first, r, _| {
+            let b = &b[first..][..r.len()];
+            r.iter_mut().zip(b).for_each(|(r, b)| *r = b - *r);
+        });
+        operator.precondition(rest);
+        // Written so that NaN ends it too.
+        let (left, size) = (norm(rest), norm(rhs));
+        end.error = if size > 0.0 {
+            left * triangle.inverse_size() / (share * size)
+        } else {
+            1.0
+        };
+        let progress = left < STAGNATION * before;
+        if !progress {
+            break;
+        }
+    }
+    end
+}
+
+/// Upper triangle that rotations make of the Hessenberg matrix, column by column.
+#[derive(Default)]
+struct Triangle {
+    columns: Vec<Vec<f64>>,
+}
+
+impl Triangle {
+    /// Solves `R y = x` for the first entries of `x`.
+    fn solve(&self, x: &[f64]) -> Vec<f64> {
+        let mut y = x[..self.columns.len()].to_vec();
+        for i in (0..y.len()).rev() {
+            let (head, tail) = y.split_at_mut(i);
+            tail[0] /= self.columns[i][i];
+            add(head, &self.columns[i][..i], -tail[0]);
+        }
+        y
+    }
+
+    /// Solves `Rᵀ y = x`.
+    fn solve_transposed(&self, x: &[f64]) -> Vec<f64> {
+        let mut y: Vec<f64> = Vec::with_capacity(x.len());
+        for (column, x) in self.columns.iter().zip(x) {
+            let known = dot(&column[..y.len()], &y);
+            y.push((x - known) / column[y.len()]);
+        }
+        y
+    }
+
+    /// Size of `R⁻¹`, by a few steps of the power method.
+    fn inverse_size(&self) -> f64 {
+        let mut x = probe(self.columns.len());
+        let mut size = 0.0;
+        for _ in 0..3 {
+            let length = small_norm(&x);
+            x.iter_mut().for_each(|x| *x /= length);
+            x = self.solve(&self.solve_transposed(&x));
+            size = small_norm(&x).sqrt();
+        }
+        size
+    }
+}
+
+/// Long vectors, worked on by several threads.
+struct Vectors<'a> {
+    workers: &'a Workers,
+}
+
+/// Entries that are worked on in one piece: they stay in the cache meanwhile.
+const PIECE: usize = 1 << 12;
+
+impl Vectors<'_> {
+    /// Works on pieces of a vector, each with where it starts, and sums `count` sums of each,
+    /// whatever the number of threads.
+    fn sums(
+        &self,
+        x: &mut [f64],
+        count: usize,
+        work: impl Fn(usize, &mut [f64], &mut [f64]) + Sync,
+    ) -> Vec<f64> {
+        let mut sums = vec![0.0; x.len().div_ceil(PIECE) * count];
+        let of_pieces = sums.chunks_mut(count.max(1));
+        let mut pieces: Vec<_> = x.chunks_mut(PIECE).zip(of_pieces).collect();
+        let rooms = &mut Vec::new();
+        let item = |piece: usize, x: &mut [f64], sums: &mut [f64]| work(piece * PIECE, x, sums);
+        self.workers.for_each(
+            &mut pieces,
+            rooms,
+            || (),
+            |(), i, (x, sums)| item(i, x, sums),
+        );
+        let mut total = vec![0.0; count];
+        for of_piece in sums.chunks(count.max(1)) {
+            add(&mut total, of_piece, 1.0);
+        }
+        total
+    }
+
+    /// `x += V y`, for as many of the vectors as `y` has entries.
+    fn add(&self, x: &mut [f64], basis: &[f64], y: &[f64]) {
+        let basis = Columns::new(basis, x.len(), y.len());
+        self.sums(x, 1, |first, x, _| basis.add(first, x, y, 1.0));
+    }
+
+    fn scale(&self, x: &mut [f64], factor: f64) {
+        self.sums(x, 1, |_, x, _| x.iter_mut().for_each(|x| *x *= factor));
+    }
+
+    fn norm(&self, x: &mut [f64]) -> f64 {
+        self.sums(x, 1, |_, x, sum| sum[0] = dot(x, x))[0].sqrt()
+    }
+
+    /// Size of the smaller of the two parts of `x + V y`, relative to the whole.
+    fn smaller_share(&self, x: &[f64], basis: &[f64], y: &[f64], options: &GmresOptions) -> f64 {
+        let mut sum = x.to_vec();
+        self.add(&mut sum, basis, y);
+        let whole = self.norm(&mut sum);
+        let (first, second) = sum[..options.essential].split_at_mut(options.leading);
+        let shares = [first, second].map(|part| self.norm(part) / whole);
+        // Of nothing nothing more can be asked than that the rest is right.
+        let counts = shares.into_iter().filter(|share| *share > SMALLEST_SHARE);
+        counts.fold(1.0, f64::min)
+    }
+
+    /// Takes from `w` its parts along orthonormal `basis` vectors, twice so that rounding leaves
+    /// none; returns these parts, and the length of what is left.
+    fn project_out(&self, basis: &[f64], w: &mut [f64]) -> (Vec<f64>, f64) {
+        let count = basis.len() / w.len();
+        let basis = Columns::new(basis, w.len(), count);
+        let mut parts = self.sums(w, count, |first, w, sums| basis.along(first, w, sums));
+        let rest = self.sums(w, count, |first, w, sums| {
+            basis.add(first, w, &parts, -1.0);
+            basis.along(first, w, sums);
+        });
+        let length = self.sums(w, 1, |first, w, sum| {
+            basis.add(first, w, &rest, -1.0);
+            sum[0] = dot(w, w);
+        });
+        add(&mut parts, &rest, 1.0);
+        (parts, length[0].sqrt())
+    }
+}
+
+/// Vectors of one size, one behind the other.
+#[derive(Clone, Copy)]
+struct Columns<'a> {
+    values: &'a [f64],
+    size: usize,
+    count: usize,
+}
+
+impl<'a> Columns<'a> {
+    fn new(values: &'a [f64], size: usize, count: usize) -> Self {
+        Columns {
+            values,
+            size,
+            count,
+        }
+    }
+
+    /// So many rows from `first` on.
+    fn rows(&self, first: usize, rows: usize) -> MatRef<'a, f64> {
+        let values = &self.values[first..(self.count - 1) * self.size + first + rows];
+        MatRef::from_column_major_slice_with_stride(values, rows, self.count, self.size)
+    }
+
+    /// `sums = Vᵀ w`, for a piece of `w` that starts at `first`.
+    fn along(&self, first: usize, w: &[f64], sums: &mut [f64]) {
+        let to = MatMut::from_column_major_slice_mut(sums, self.count, 1);
+        let w = MatRef::from_column_major_slice(w, w.len(), 1);
+        let rows = self.rows(first, w.nrows()).transpose();
+        matmul(to, Accum::Replace, rows, w, 1.0, Par::Seq);
+    }
+
+    /// `w += factor V y`, for a piece of `w` that starts at `first`.
+    fn add(&self, first: usize, w: &mut [f64], y: &[f64], factor: f64) {
+        if self.count == 0 {
+            return;
+        }
+        let rows = self.rows(first, w.len());
+        let y = MatRef::from_column_major_slice(y, self.count, 1);
+        let to = MatMut::from_column_major_slice_mut(w, rows.nrows(), 1);
+        matmul(to, Accum::Add, rows, y, factor, Par::Seq);
+    }
+}
+
+/// `y += factor x`.
+fn add(y: &mut [f64], x: &[f64], factor: f64) {
+    y.iter_mut().zip(x).for_each(|(y, x)| *y += factor * x);
+}
+
+fn small_norm(x: &[f64]) -> f64 {
+    dot(x, x).sqrt()
+}
+
+/// Sums in eight parts side by side, in an order that does not depend on anything but the length.
+fn dot(x: &[f64], y: &[f64]) -> f64 {
+    let mut parts = [0.0; 8];
+    let (x_chunks, y_chunks) = (x.chunks_exact(8), y.chunks_exact(8));
+    let rest: f64 = x_chunks
+        .remainder()
+        .iter()
+        .zip(y_chunks.remainder())
+        .map(|(x, y)| x * y)
+        .sum();
+    for (x, y) in x_chunks.zip(y_chunks) {
+        for i in 0..8 {
+            parts[i] += x[i] * y[i];
+        }
+    }
+    parts.iter().sum::<f64>() + rest
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A matrix with a diagonal from 1 to 2 and a rotation, and no preconditioner.
+    struct Plain(usize);
+
+    impl Preconditioned for Plain {
+        fn product(&mut self, x: &[f64], y: &mut [f64]) {
+            let n = self.0;
+            for i in 0..n {
+                let shear = 0.3 * x[(i + 1) % n] - 0.3 * x[(i + n - 1) % n];
+                y[i] = (1.0 + i as f64 / n as f64) * x[i] + shear;
+            }
+        }
+
+        fn precondition(&mut self, _: &mut [f64]) {}
+    }
+
+    #[test]
+    fn solves_to_the_tolerance_also_with_restarts() {
+        for restart in [4, 50] {
+            let mut operator = Plain(40);
+            let exact: Vec<f64> = (0..40).map(|i| (i as f64).cos()).collect();
+            let mut x = vec![0.0; 40];
+            operator.product(&exact, &mut x);
+            let options = GmresOptions {
+                tolerance: 1e-10,
+                leading: 40,
+                essential: 40,
+                iteration_limit: 200,
+                restart,
+            };
+            let end = gmres(
+                &mut operator,
+                &mut x,
+                &options,
+                &Workers::default(),
+                &mut GmresRoom::default(),
+            );
+            assert!(end.error <= 1e-10, "{end:?}");
+            let error = x.iter().zip(&exact).map(|(x, e)| (x - e).abs());
+            assert!(error.fold(0.0, f64::max) < 1e-9);
+        }
+    }
+
+    #[test]
+    fn a_singular_system_ends() {
+        struct Zero;
+        impl Preconditioned for Zero {
+            fn product(&mut self, _: &[f64], y: &mut [f64]) {
+                y.fill(0.0);
+            }
+            fn precondition(&mut self, _: &mut [f64]) {}
+        }
+        let options = GmresOptions {
+            tolerance: 1e-10,
+            leading: 1,
+            essential: 2,
+            iteration_limit: 20,
+            restart: 20,
+        };
+        let mut x = vec![1.0, 2.0];
+        let end = gmres(
+            &mut Zero,
+            &mut x,
+            &options,
+            &Workers::default(),
+            &mut GmresRoom::default(),
+        );
+        assert!(end.error > 0.5 && x.iter().all(|x| x.is_finite()));
+    }
+}

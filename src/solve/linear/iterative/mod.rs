@@ -1,0 +1,528 @@
+//! Iterative solution of Newton's linear equations, without forming the Jacobian: GMRES with
+//! preconditioners that know what is nearly constant, in time or in the frames of the bodies.
+
+mod block_lu;
+mod body_circulant;
+mod constraints;
+mod dense;
+mod gmres;
+mod interface;
+mod lanes;
+mod layout;
+mod mean;
+mod projected;
+mod resultants;
+mod time_local;
+mod trial;
+
+use crate::collocation::{Collocation, GridState, Tangent};
+use crate::error::Result;
+use crate::solve::linear::dense::{largest, probe};
+use crate::solve::linear::diagnosis::Singularity;
+use crate::solve::linear::slender::SLENDER;
+use crate::solve::linear::solver::LinearSolver;
+use crate::solve::report::{Timings, timed};
+use body_circulant::BodyCirculant;
+use constraints::Joints;
+pub(crate) use gmres::{GmresOptions, GmresRoom, Preconditioned, gmres};
+pub(crate) use projected::Projected;
+use serde::{Deserialize, Serialize};
+use std::time::{Duration, Instant};
+use time_local::TimeLocal;
+pub(crate) use trial::missing_inertia;
+pub use trial::{LinearTrial, try_linear_solve};
+
+/// Most products of a linear solve.
+const ITERATION_LIMIT: usize = 150;
+/// Vectors that are kept at least, and more while they take no more bytes than this.
+const RESTART: usize = 60;
+const KEPT: usize = 500_000_000;
+/// A solve that takes so many products more than the first with its preconditioner asks for a new
+/// one.
+const MANY: usize = 10;
+/// Size of the unknowns of stress resultants relative to the others: what matters are these.
+const RESULTANT_SHARE: f64 = 0.03;
+/// Multiply-adds of a dense system, for each unknown, that are little beside the products of a
+/// solve.
+const CHEAP: f64 = 2000.0;
+/// Largest dense system of joints: 1.6 GB.
+const LARGEST_INTERFACE: usize = 14_000;
+/// Time-local preconditioning is cheap. It is kept where it takes no more products than this,
+const FEW: usize = 12;
+/// or than this, where the dense system would be
+const FEW_FOR_A_LARGE_INTERFACE: usize = 60;
+/// as large as this.
+const LARGE_INTERFACE: usize = 3_000;
+
+/// Growth of a preconditioner that means a Jacobian which may be singular.
+const SUSPECT: f64 = 1e13;
+/// The same for each time that a beam is stiffer in tension than in bending.
+const SUSPECT_SLENDER: f64 = 1e7;
+/// Accuracy of a closer look at that.
+const ROUGH: f64 = 1e-2;
+
+/// What the Jacobian is approximated by, to be solved with exactly.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+pub enum Preconditioner {
+    /// Bodies averaged over time, each in its own frame; joints as they are. Serves all kinds of
+    /// systems.
+    BodyCirculant,
+    /// Equilibrium at each grid point by itself, without inertia: for slow mechanisms.
+    TimeLocal,
+    /// Everything averaged over time, as the paper proposes: for systems with no joints that turn.
+    Circulant,
+}
+
+impl Preconditioner {
+    /// For reports.
+    pub fn name(self) -> &'static str {
+        match self {
+            Preconditioner::BodyCirculant => "body-circulant preconditioner",
+            Preconditioner::TimeLocal => "time-local preconditioner",
+            Preconditioner::Circulant => "circulant preconditioner",
+        }
+    }
+}
+
+/// What iterative solves took.
+#[derive(Debug, Clone, Default, PartialEq, Eq, Serialize, Deserialize)]
+pub struct IterativeRecord {
+    /// The preconditioner that was used last; none if iteration was given up for factors.
+    pub preconditioner: Option<Preconditioner>,
+    /// Products of each linear solve.
+    pub products: Vec<usize>,
+    /// Times that a preconditioner was factored.
+    pub factorisations: usize,
+    /// Unknowns of the dense system of joints that turn.
+    pub interface: usize,
+    /// Bytes of the tangents, the factors and the vectors that were kept, at most.
+    pub bytes: usize,
+}
+
+enum Factors {
+    Body(Box<BodyCirculant>),
+    Local(Box<TimeLocal>),
+}
+
+impl Factors {
+    fn new(
+        equations: &Collocation,
+        tangent: &Tangent,
+        preconditioner: Preconditioner,
+    ) -> Result<Option<Self>> {
+        let circulant = |joints: Joints| -> Result<Option<Self>> {
+            let factors = BodyCirculant::new(equations, tangent, joints, LARGEST_INTERFACE)?;
+            Ok(factors.map(|f| Factors::Body(Box::new(f))))
+        };
+        match preconditioner {
+            Preconditioner::BodyCirculant => circulant(Joints::Exact),
+            Preconditioner::Circulant => circulant(Joints::Averaged),
+            Preconditioner::TimeLocal => {
+                Ok(TimeLocal::new(equations, tangent).map(|f| Factors::Local(Box::new(f))))
+            }
+        }
+    }
+
+    /// `x = P⁻¹ x`, for the first `size` of the unknowns, and for stress resultants behind them.
+    fn apply(&mut self, x: &mut [f64], size: usize) {
+        let (x, resultants) = x.split_at_mut(size);
+        match self {
+            Factors::Body(factors) => factors.apply(x, resultants),
+            Factors::Local(factors) => factors.apply(x),
+        }
+    }
+
+    /// Whether new ones take little beside a solve.
+    fn are_cheap(&self, unknowns: usize) -> bool {
+        match self {
+            Factors::Body(factors) => {
+                let dense = (factors.interface_size() as f64).powi(3) / 3.0;
+                dense < CHEAP * unknowns as f64
+            }
+            Factors::Local(_) => false,
+        }
+    }
+
+    /// Gives unknowns of stress resultants a size that goes with that of the others, for a right
+    /// side of `size` entries and zeros behind them.
+    fn scale_resultants(&mut self, tangent: &mut Tangent, rhs: &[f64], size: usize) {
+        let Factors::Body(factors) = self else {
+            return;
+        };
+        let mut first = rhs.to_vec();
+        let (x, resultants) = first.split_at_mut(size);
+        factors.apply(x, resultants);
+        let norm = |x: &[f64]| x.iter().map(|x| x * x).sum::<f64>().sqrt();
+        let scale = norm(resultants) / (RESULTANT_SHARE * norm(x));
+        if scale.is_finite() && scale > 0.0 {
+            factors.resultants.scale = scale;
+            tangent.set_resultant_scale(scale);
+        }
+    }
+
+    fn bytes(&self) -> usize {
+        match self {
+            Factors::Body(factors) => factors.bytes(),
+            Factors::Local(factors) => factors.bytes(),
+        }
+    }
+}
+
+/// GMRES on the Jacobian as an operator.
+pub(crate) struct Iterative {
+    tangent: Tangent,
+    /// What was asked for, if anything was.
+    wanted: Option<Preconditioner>,
+    /// Multiply-adds that factors of the whole Jacobian would take, if they are to be had.
+    direct_work: Option<f64>,
+    /// Growth from which on the Jacobian may be singular.
+    pub suspect: f64,
+    /// What is in use, and what is left to be tried, each with the products that a solve may take.
+    candidates: Vec<(Preconditioner, usize)>,
+    factors: Option<Factors>,
+    /// Whether the factors are those of an earlier Jacobian.
+    is_old: bool,
+    /// Whether the size of stress resultants has been found for the factors.
+    is_scaled: bool,
+    /// Products of the first solve with the factors.
+    first_products: Option<usize>,
+    /// Products that a solve may take.
+    limit: usize,
+    room: GmresRoom,
+    pub record: IterativeRecord,
+}
+
+struct Operator<'a> {
+    equations: &'a Collocation,
+    tangent: &'a mut Tangent,
+    factors: &'a mut Factors,
+}
+
+impl Preconditioned for Operator<'_> {
+    fn product(&mut self, x: &[f64], y: &mut [f64]) {
+        self.tangent.apply(self.equations, x, y);
+    }
+
+    fn precondition(&mut self, y: &mut [f64]) {
+        self.factors.apply(y, self.equations.size());
+    }
+}
+
+impl Iterative {
+    /// For `equations`, with this preconditioner or, if none is named, with what suits them.
+    pub fn new(equations: &Collocation, wanted: Option<Preconditioner>) -> Self {
+        Iterative {
+            tangent: Tangent::with_resultants_apart(equations.system(), equations.grid().points()),
+            wanted,
+            direct_work: None,
+            suspect: SUSPECT.max(SUSPECT_SLENDER * equations.system().slenderness()),
+            candidates: Vec::new(),
+            factors: None,
+            is_old: false,
+            is_scaled: false,
+            first_products: None,
+            limit: ITERATION_LIMIT,
+            room: GmresRoom::default(),
+            record: IterativeRecord::default(),
+        }
+    }
+
+    /// Gives up for factors of the whole Jacobian, which take so many multiply-adds, where a dense
+    /// system would take more.
+    pub fn or_directly(mut self, work: f64) -> Self {
+        self.direct_work = Some(work);
+        self
+    }
+
+    /// Factors the first candidate that can be.
+    fn prepare(&mut self, equations: &Collocation, timings: &mut Timings) -> Result<bool> {
+        let began = Instant::now();
+        let prepared = self.prepare_first(equations);
+        let interface = match &self.factors {
+            Some(Factors::Body(factors)) => factors.interface_time,
+            _ => Duration::ZERO,
+        };
+        timings.interface += interface;
+        timings.preconditioner += began.elapsed().saturating_sub(interface);
+        prepared
+    }
+
+    fn prepare_first(&mut self, equations: &Collocation) -> Result<bool> {
+        // The memory of the old ones first.
+        self.factors = None;
+        self.first_products = None;
+        self.is_scaled = false;
+        self.tangent.set_resultant_scale(1.0);
+        while let Some(&(preconditioner, limit)) = self.candidates.first() {
+            equations.workers().pulse()?;
+            self.factors = Factors::new(equations, &self.tangent, preconditioner)?;
+            if let Some(factors) = &self.factors {
+                self.is_old = false;
+                self.limit = limit;
+                self.record.preconditioner = Some(preconditioner);
+                self.record.factorisations += 1;
+                self.record.interface = match factors {
+                    Factors::Body(factors) => factors.interface_size(),
+                    Factors::Local(_) => 0,
+                };
+                return Ok(true);
+            }
+            self.candidates.remove(0);
+        }
+        Ok(false)
+    }
+
+    /// What to try, in this order, and the products that each may take.
+    fn choose(&self, equations: &Collocation) -> Vec<(Preconditioner, usize)> {
+        use Preconditioner::{BodyCirculant, TimeLocal};
+        if let Some(wanted) = self.wanted {
+            return vec![(wanted, ITERATION_LIMIT)];
+        }
+        let body = (BodyCirculant, ITERATION_LIMIT);
+        let local = |most| (TimeLocal, most);
+        let Some(free) = constraints::count_free(equations, &self.tangent) else {
+            return vec![body, local(ITERATION_LIMIT)];
+        };
+        let interface = free * equations.grid().points();
+        if interface > LARGEST_INTERFACE {
+            return vec![local(ITERATION_LIMIT)];
+        }
+        let few = if interface < LARGE_INTERFACE {
+            FEW
+        } else {
+            FEW_FOR_A_LARGE_INTERFACE
+        };
+        let dense = (interface as f64).powi(3) / 3.0;
+        if self.direct_work.is_some_and(|work| work < dense) {
+            return vec![local(few)];
+        }
+        vec![local(few), body, local(ITERATION_LIMIT)]
+    }
+
+    fn count_bytes(&mut self, vectors: usize, size: usize) {
+        let factors = self.factors.as_ref().map_or(0, Factors::bytes);
+        let bytes = self.tangent.bytes() + factors + (vectors + 4) * size * size_of::<f64>();
+        self.record.bytes = self.record.bytes.max(bytes);
+    }
+}
+
+impl LinearSolver for Iterative {
+    fn linearise(
+        &mut self,
+        equations: &mut Collocation,
+        state: &GridState,
+        timings: &mut Timings,
+    ) -> Result<bool> {
+        timed(&mut timings.assembly, || {
+            self.tangent.evaluate(equations, state)
+        })?;
+        self.is_old = true;
+        if let Some(factors) = &self.factors
+            && !factors.are_cheap(equations.size())
+        {
+            return Ok(true);
+        }
+        if self.factors.is_none() {
+            self.candidates = timed(&mut timings.preconditioner, || self.choose(equations));
+        }
+        self.prepare(equations, timings)
+    }
+
+    fn solve(
+        &mut self,
+        equations: &mut Collocation,
+        rhs: &mut [f64],
+        accuracy: f64,
+        timings: &mut Timings,
+    ) -> Result<bool> {
+        loop {
+            let began = Instant::now();
+            let Some(factors) = &mut self.factors else {
+                return Ok(false);
+            };
+            let resultants = match factors {
+                Factors::Body(_) => self.tangent.resultants(),
+                Factors::Local(_) => 0,
+            };
+            let mut unknowns = Vec::with_capacity(rhs.len() + resultants);
+            unknowns.extend_from_slice(rhs);
+            unknowns.resize(rhs.len() + resultants, 0.0);
+            if !self.is_scaled {
+                factors.scale_resultants(&mut self.tangent, &unknowns, rhs.len());
+                self.is_scaled = true;
+            }
+            let options = GmresOptions {
+                tolerance: accuracy,
+                leading: 6 * equations.system().nodes() * equations.grid().points(),
+                iteration_limit: self.limit,
+                essential: rhs.len(),
+                restart: (KEPT / size_of_val(&unknowns[..])).clamp(RESTART, ITERATION_LIMIT),
+            };
+            let mut operator = Operator {
+                equations,
+                tangent: &mut self.tangent,
+                factors,
+            };
+            let workers = equations.workers();
+            let end = gmres(
+                &mut operator,
+                &mut unknowns,
+                &options,
+                workers,
+                &mut self.room,
+            );
+            self.record.products.push(end.iterations);
+            self.count_bytes(end.iterations.min(options.restart), unknowns.len());
+            timings.substitution += began.elapsed();
+            equations.workers().pulse()?;
+            let solved = end.error <= accuracy;
+            let first = *self.first_products.get_or_insert(end.iterations);
+            if solved {
+                let size = rhs.len();
+                rhs.copy_from_slice(&unknowns[..size]);
+                if self.is_old && end.iterations > first + MANY {
+                    self.prepare(equations, timings)?;
+                }
+                return Ok(rhs.iter().all(|x| x.is_finite()));
+            }
+            if !self.is_old {
+                self.candidates.remove(0);
+            }
+            if self.candidates.is_empty() || !self.prepare(equations, timings)? {
+                return Ok(false);
+            }
+        }
+    }
+
+    fn growth(&mut self, equations: &mut Collocation) -> f64 {
+        let Some(factors) = &mut self.factors else {
+            return f64::INFINITY;
+        };
+        let mut probe = probe(equations.size());
+        let mut product = vec![0.0; probe.len()];
+        self.tangent.apply(equations, &probe, &mut product);
+        let product = largest(&product);
+        let mut response = probe.clone();
+        factors.apply(&mut response, equations.size());
+        let growth = largest(&response) * product;
+        if growth <= self.suspect {
+            return growth;
+        }
+        // The preconditioner may be nearly singular where the Jacobian is not.
+        let mut timings = Timings::default();
+        let solved = self.solve(equations, &mut probe, ROUGH, &mut timings);
+        // What this one is like says nothing of others.
+        (self.is_scaled, self.first_products) = (false, None);
+        match solved {
+            Ok(true) => largest(&probe) * product,
+            _ => f64::INFINITY,
+        }
+    }
+
+    fn is_resisted(&mut self, equations: &mut Collocation) -> bool {
+        // What was solved to some accuracy was.
+        equations.system().slenderness() > SLENDER
+    }
+
+    fn explain(&mut self, _: &mut Collocation, _: &GridState) -> Singularity {
+        let tried = self
+            .wanted
+            .map_or("any preconditioner", Preconditioner::name);
+        Singularity::Unsolved(format!(
+            "the linear equations could not be solved by iteration with {tried}: they are \
+             singular, or \
+             nearly so, or the preconditioner is unlike them; solve them directly, or with fewer \
+             grid points"
+        ))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::model::Model;
+    use crate::solve::test_models::{four_bar, hingeless, rotor};
+    use crate::solve::{LinearMethod, Outcome, PeriodicOptions, Solved, solve_periodic};
+
+    fn solve(model: &Model, period: f64, points: usize, linear: LinearMethod) -> Solved {
+        let options = PeriodicOptions {
+            linear,
+            ..PeriodicOptions::with_grid_points(points)
+        };
+        let solve = solve_periodic(model, period, &options, &mut |_, _| true).unwrap();
+        assert_eq!(solve.report.outcome, Outcome::Converged);
+        solve
+    }
+
+    /// Products that a solution to 1e-8 takes at the periodic motion; none if it cannot be had. The
+    /// error is measured.
+    fn products(solve: &Solved, preconditioner: Preconditioner) -> Option<usize> {
+        let trial = try_linear_solve(solve, preconditioner, 1e-8).unwrap();
+        // The estimate may miss by the part of the error that the small system does not show.
+        assert!(
+            trial.products_of_noise.is_none() || trial.error_of_noise < 1e-7,
+            "{:e}",
+            trial.error_of_noise
+        );
+        trial.products_of_noise
+    }
+
+    #[test]
+    fn the_body_circulant_preconditioner_serves_all_kinds_of_systems() {
+        // A rotor; mechanisms that turn at 1/260, 1/43 and 1/13 of the coupler's first bending
+        // frequency.
+        let kinds = [
+            (rotor(4), 20),
+            (four_bar(2, 2, 0.5), 14),
+            (four_bar(2, 2, 3.0), 16),
+            (four_bar(2, 2, 10.0), 45),
+        ];
+        for ((model, period), most) in kinds {
+            for points in [15, 31, 63] {
+                let solve = solve(&model, period, points, LinearMethod::Automatic);
+                let found = products(&solve, Preconditioner::BodyCirculant);
+                assert!(
+                    found.is_some_and(|n| n <= most),
+                    "{points}: {found:?} of {most}"
+                );
+            }
+        }
+    }
+
+    #[test]
+    fn each_of_the_others_serves_its_own() {
+        let (model, period) = four_bar(2, 2, 0.05);
+        let slow = solve(&model, period, 15, LinearMethod::Automatic);
+        let found = products(&slow, Preconditioner::TimeLocal);
+        assert!(found.is_some_and(|n| n <= 20), "{found:?}");
+        let (model, period) = hingeless();
+        let constant = solve(&model, period, 15, LinearMethod::Automatic);
+        let found = products(&constant, Preconditioner::Circulant);
+        assert!(found.is_some_and(|n| n <= 16), "{found:?}");
+    }
+
+    #[test]
+    fn iteration_and_factors_give_the_same_solution() {
+        for (model, period) in [rotor(2), four_bar(1, 2, 3.0)] {
+            let direct = solve(&model, period, 15, LinearMethod::Direct);
+            for preconditioner in [Preconditioner::BodyCirculant, Preconditioner::TimeLocal] {
+                let method = LinearMethod::Iterative(Some(preconditioner));
+                let other = solve(&model, period, 15, method);
+                assert!(direct.state.distance(&other.state, 1.0) < 1e-11);
+                let largest = direct
+                    .state
+                    .multipliers
+                    .iter()
+                    .fold(0.0f64, |m, x| m.max(x.abs()));
+                let multipliers = direct
+                    .state
+                    .multipliers
+                    .iter()
+                    .zip(&other.state.multipliers);
+                for (a, b) in multipliers {
+                    assert!((a - b).abs() < 1e-8 * largest, "{a} {b} of {largest}");
+                }
+            }
+        }
+    }
+}

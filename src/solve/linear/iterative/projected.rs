@@ -1,0 +1,229 @@
+//! Linear equations whose residual is sampled on a finer grid and projected: iteration on the exact
+//! Jacobian, with that of the grid's own points for a preconditioner.
+
+use super::gmres::{GmresOptions, GmresRoom, Preconditioned, gmres};
+use crate::collocation::{Collocation, GridState, OversampledTangent};
+use crate::error::Result;
+use crate::solve::linear::diagnosis::Singularity;
+use crate::solve::linear::solver::LinearSolver;
+use crate::solve::report::{Timings, timed};
+use std::time::Instant;
+
+/// Most products of a linear solve, and vectors that are kept.
+const ITERATION_LIMIT: usize = 200;
+/// Accuracy of the preconditioner, relative to that of the solution, and the finest.
+const SHARPER: f64 = 0.1;
+const SHARPEST: f64 = 1e-9;
+
+/// Solves projected equations; those of the grid's own points as `sampled` does.
+pub(crate) struct Projected<L> {
+    sampled: L,
+    /// Where the equations are oversampled.
+    tangent: Option<Box<OversampledTangent>>,
+    /// Whether the last solve was given up.
+    failed: bool,
+    room: GmresRoom,
+    /// Products of each linear solve.
+    #[cfg(test)]
+    products: Vec<usize>,
+}
+
+struct Operator<'a, L> {
+    equations: &'a mut Collocation,
+    sampled: &'a mut L,
+    tangent: &'a mut OversampledTangent,
+    accuracy: f64,
+    timings: &'a mut Timings,
+    /// What went wrong: no solution, or an error.
+    end: Result<bool>,
+}
+
+impl<L: LinearSolver> Preconditioned for Operator<'_, L> {
+    fn product(&mut self, x: &[f64], y: &mut [f64]) {
+        self.tangent.apply(x, y);
+    }
+
+    fn precondition(&mut self, y: &mut [f64]) {
+        if matches!(self.end, Ok(true)) {
+            let (accuracy, timings) = (self.accuracy, &mut *self.timings);
+            self.end = self.sampled.solve(self.equations, y, accuracy, timings);
+        }
+        if !matches!(self.end, Ok(true)) {
+            // Which ends the iteration.
+            y.fill(0.0);
+        }
+    }
+}
+
+impl<L: LinearSolver> Projected<L> {
+    /// For `equations`, oversampled or not.
+    pub fn new(equations: &Collocation, sampled: L) -> Self {
+        let tangent = equations.oversampled().map(OversampledTangent::new);
+        Projected {
+            sampled,
+            tangent: tangent.map(Box::new),
+            failed: false,
+            room: GmresRoom::default(),
+            #[cfg(test)]
+            products: Vec::new(),
+        }
+    }
+
+    /// The solver of the equations at the grid's own points.
+    pub fn sampled(&self) -> &L {
+        &self.sampled
+    }
+}
+
+impl<L: LinearSolver> LinearSolver for Projected<L> {
+    fn linearise(
+        &mut self,
+        equations: &mut Collocation,
+        state: &GridState,
+        timings: &mut Timings,
+    ) -> Result<bool> {
+        self.failed = false;
+        if !self.sampled.linearise(equations, state, timings)? {
+            return Ok(false);
+        }
+        if let (Some(tangent), Some(oversampled)) = (&mut self.tangent, equations.oversampled()) {
+            timed(&mut timings.assembly, || {
+                tangent.evaluate(oversampled, state)
+            })?;
+        }
+        Ok(true)
+    }
+
+    fn solve(
+        &mut self,
+        equations: &mut Collocation,
+        rhs: &mut [f64],
+        accuracy: f64,
+        timings: &mut Timings,
+    ) -> Result<bool> {
+        let Some(tangent) = &mut self.tangent else {
+            return self.sampled.solve(equations, rhs, accuracy, timings);
+        };
+        let workers = equations.workers().clone();
+        let (began, before) = (Instant::now(), timings.sum());
+        let options = GmresOptions {
+            tolerance: accuracy,
+            leading: rhs.len(),
+            essential: rhs.len(),
+            iteration_limit: ITERATION_LIMIT,
+            restart: ITERATION_LIMIT,
+        };
+        let mut operator = Operator {
+            equations,
+            sampled: &mut self.sampled,
+            tangent,
+            accuracy: (SHARPER * accuracy).max(SHARPEST),
+            timings,
+            end: Ok(true),
+        };
+        let end = gmres(&mut operator, rhs, &options, &workers, &mut self.room);
+        #[cfg(test)]
+        self.products.push(end.iterations);
+        let sampled = operator.end;
+        // What the preconditioner has not booked.
+        let booked = timings.sum() - before;
+        timings.substitution += began.elapsed().saturating_sub(booked);
+        workers.pulse()?;
+        let sampled = sampled?;
+        // Written so that NaN fails too.
+        let accurate = end.error <= accuracy;
+        self.failed = sampled && !accurate;
+        Ok(sampled && !self.failed && rhs.iter().all(|x| x.is_finite()))
+    }
+
+    fn has_compliance(&self) -> bool {
+        self.sampled.has_compliance()
+    }
+
+    fn growth(&mut self, equations: &mut Collocation) -> f64 {
+        self.sampled.growth(equations)
+    }
+
+    fn is_resisted(&mut self, equations: &mut Collocation) -> bool {
+        self.sampled.is_resisted(equations)
+    }
+
+    fn explain(&mut self, equations: &mut Collocation, state: &GridState) -> Singularity {
+        if self.failed {
+            return Singularity::Unsolved(
+                "the linear equations of the oversampled residual could not be solved by \
+                 iteration with those of \
+                 the grid points: the grid may be too coarse for the motion; use more grid points"
+                    .to_string(),
+            );
+        }
+        self.sampled.explain(equations, state)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::fourier::TimeGrid;
+    use crate::solve::linear::method::{Linear, LinearMethod};
+    use crate::solve::newton::Newton;
+    use crate::solve::test_models::{four_bar, hingeless, rotor};
+    use crate::solve::{PeriodicOptions, solve_periodic};
+
+    #[test]
+    fn collocation_preconditions_and_convergence_is_quadratic() {
+        // Clamped, in a turning frame; mechanisms that turn at 1/260, 1/43 and 1/13 of the
+        // coupler's first bending frequency.
+        let kinds = [
+            (hingeless(), 30),
+            (rotor(2), 30),
+            (four_bar(1, 2, 0.5), 150),
+            (four_bar(2, 2, 3.0), 180),
+            (four_bar(1, 2, 10.0), 150),
+        ];
+        for ((model, period), most) in kinds {
+            for points in [9, 15] {
+                let options = PeriodicOptions::with_grid_points(points);
+                let plain = solve_periodic(&model, period, &options, &mut |_, _| true).unwrap();
+                let grid = TimeGrid::new(points, period).unwrap();
+                for method in [LinearMethod::Direct, LinearMethod::Iterative(None)] {
+                    let mut equations = Collocation::new(plain.system.clone(), grid).unwrap();
+                    equations.oversample(2).unwrap();
+                    let linear = Projected::new(&equations, Linear::new(&equations, method));
+                    let mut newton = Newton::with(equations, linear);
+                    let mut state = plain.state.clone();
+                    let mut increments: Vec<f64> = Vec::new();
+                    for _ in 0..5 {
+                        let Newton {
+                            equations, linear, ..
+                        } = &mut newton;
+                        let mut x = vec![0.0; equations.size()];
+                        equations.residual(&state, &mut x).unwrap();
+                        linear
+                            .linearise(equations, &state, &mut Timings::default())
+                            .unwrap();
+                        let timings = &mut Timings::default();
+                        assert!(linear.solve(equations, &mut x, 1e-8, timings).unwrap());
+                        let motions = 6 * state.motions.len();
+                        increments.push(x[..motions].iter().fold(0.0, |m, x| m.max(x.abs())));
+                        if increments.last().is_some_and(|last| *last < 1e-10) {
+                            break;
+                        }
+                        let scaled = x.iter().zip(equations.column_scale());
+                        let change: Vec<f64> = scaled.map(|(x, s)| -x * s).collect();
+                        state = state.incremented(&plain.system, &change, 1.0);
+                    }
+                    let products = &newton.linear.products;
+                    println!("{points} points, {method:?}: {products:?}, {increments:?}");
+                    assert!(products.iter().all(|p| p <= &most), "{products:?}");
+                    for pair in increments.windows(2) {
+                        // Curvature measured: up to 45. Linear solves leave some 1e-8 of the
+                        // increment, and rounding.
+                        let bound = 200.0 * pair[0] * pair[0] + 1e-6 * pair[0] + 1e-11;
+                        assert!(pair[1] < bound, "{increments:?}");
+                    }
+                }
+            }
+        }
+    }
+}

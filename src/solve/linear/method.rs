@@ -1,0 +1,328 @@
+//! How Newton's linear equations are solved: directly or by iteration, as costs less.
+//! See docs/theory.md, section 8.7.
+
+use crate::collocation::{Collocation, GridState};
+use crate::error::{Error, ErrorKind, Result};
+use crate::solve::linear::assembled::Assembled;
+use crate::solve::linear::diagnosis::Singularity;
+use crate::solve::linear::direct::elimination_work;
+use crate::solve::linear::freedoms::FreedomSolver;
+use crate::solve::linear::iterative::{Iterative, IterativeRecord, Preconditioner};
+use crate::solve::linear::ordering::plan;
+use crate::solve::linear::solver::LinearSolver;
+use crate::solve::newton::ESTIMATE;
+use crate::solve::report::{Timings, timed};
+use crate::system::System;
+use std::collections::BTreeSet;
+
+/// How linear equations are solved.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum LinearMethod {
+    /// Directly where that is cheap, by iteration otherwise.
+    #[default]
+    Automatic,
+    /// By factors of the whole Jacobian.
+    Direct,
+    /// By iteration, with the preconditioner that suits, or with this one.
+    Iterative(Option<Preconditioner>),
+}
+
+/// Factors that take more than this, in bytes, are avoided.
+const LARGE: f64 = 1.5e9;
+/// Factors that take more than this are not tried, even where iteration fails.
+const TOO_LARGE: f64 = 6e9;
+/// Multiply-adds that a factorisation may take for each number that is stored at a node and grid
+/// point, where iteration is the alternative: about what its products take.
+const AFFORDABLE: f64 = 1e4;
+/// Multiply-adds of a factorisation that take as long as a product and its preconditioner, for each
+/// of these numbers.
+const PRODUCT: f64 = 1e3;
+/// The same of few freedoms, all in all: a few seconds. Turning joints have as many in the dense
+/// system that iteration solves.
+const AFFORDABLE_FREEDOMS: f64 = 1e10;
+/// So few numbers are not worth the trouble.
+const SMALL: f64 = 1500.0;
+/// What factors of the whole Jacobian take, as planned.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct DirectCost {
+    /// Multiply-adds of one factorisation.
+    pub work: f64,
+    /// Bytes.
+    pub bytes: f64,
+}
+
+impl DirectCost {
+    /// Of the Jacobian of a system on a grid of so many points.
+    pub fn of(system: &System, points: usize) -> Self {
+        let nodes = system.nodes();
+        let mut sizes = vec![6 * points; nodes];
+        let mut coupled = vec![BTreeSet::new(); nodes];
+        for placed in system.elements() {
+            let mut members = placed.element.nodes().to_vec();
+            if placed.element.multipliers() > 0 {
+                members.push(sizes.len());
+                sizes.push(placed.element.multipliers() * points);
+                coupled.push(BTreeSet::new());
+            }
+            for &a in &members {
+                coupled[a].extend(&members);
+            }
+        }
+        let (mut work, mut numbers) = (0.0, 0.0);
+        let size = |groups: &[usize]| groups.iter().map(|&g| sizes[g]).sum::<usize>();
+        for front in plan(&sizes, &coupled, nodes) {
+            let (own, rest) = (size(&front.own), size(&front.boundary));
+            work += elimination_work(own, rest);
+            numbers += (own * (own + 2 * rest)) as f64;
+        }
+        // The values themselves, and the largest fronts, come to about as much again.
+        DirectCost {
+            work,
+            bytes: 2.0 * numbers * size_of::<f64>() as f64,
+        }
+    }
+}
+
+enum Active {
+    Direct(Box<Assembled>),
+    Iterative(Box<Iterative>),
+}
+
+/// The solver in use.
+pub(crate) struct Linear {
+    active: Active,
+    /// Whether factors may be tried where iteration fails.
+    falls_back: bool,
+    /// Whether iteration may be tried where factors do not fit in memory.
+    may_iterate: bool,
+    /// Where the equations were linearised last.
+    last: Option<GridState>,
+    /// Products since then.
+    products: usize,
+    /// Products that take as long as factors do.
+    most_products: usize,
+    /// What iteration took until it was given up.
+    given_up: Option<IterativeRecord>,
+}
+
+impl Linear {
+    /// For `equations`, as `method` says.
+    pub fn new(equations: &Collocation, method: LinearMethod) -> Self {
+        let (system, points) = (equations.system(), equations.grid().points());
+        let direct = || Active::Direct(Box::new(Assembled::new(equations)));
+        let iterative = |p| Active::Iterative(Box::new(Iterative::new(equations, p)));
+        let mut falls_back = false;
+        let mut most_products = usize::MAX;
+        let active = match method {
+            LinearMethod::Direct => direct(),
+            LinearMethod::Iterative(preconditioner) => iterative(preconditioner),
+            LinearMethod::Automatic => {
+                let cost = DirectCost::of(system, points);
+                falls_back = cost.bytes < TOO_LARGE;
+                let numbers = (6 * system.nodes() * points) as f64;
+                most_products = (cost.work / (PRODUCT * numbers)) as usize;
+                let cheap = numbers < SMALL || cost.work < AFFORDABLE * numbers;
+                let few_freedoms = || {
+                    let work = FreedomSolver::work(equations);
+                    work.is_some_and(|work| work < AFFORDABLE_FREEDOMS)
+                };
+                if cost.bytes < LARGE && cheap || falls_back && few_freedoms() {
+                    direct()
+                } else if falls_back {
+                    let iterative = Iterative::new(equations, None).or_directly(cost.work);
+                    Active::Iterative(Box::new(iterative))
+                } else {
+                    iterative(None)
+                }
+            }
+        };
+        Linear {
+            active,
+            falls_back,
+            may_iterate: method == LinearMethod::Automatic,
+            last: None,
+            products: 0,
+            most_products,
+            given_up: None,
+        }
+    }
+
+    /// What iteration took, if any was tried.
+    pub fn record(&self) -> Option<&IterativeRecord> {
+        match &self.active {
+            Active::Iterative(iterative) => Some(&iterative.record),
+            Active::Direct(_) => self.given_up.as_ref(),
+        }
+    }
+
+    /// Whether factors were refused memory, and iteration may do without.
+    fn refused(&self, factored: &Result<bool>) -> bool {
+        let is_refused = |error: &Error| error.kind() == ErrorKind::OutOfMemory;
+        self.may_iterate && factored.as_ref().is_err_and(is_refused)
+    }
+
+    /// Gives factors up for iteration.
+    fn give_up_factors(&mut self, equations: &Collocation) {
+        self.falls_back = false;
+        self.may_iterate = false;
+        self.active = Active::Iterative(Box::new(Iterative::new(equations, None)));
+    }
+
+    /// Gives iteration up for factors.
+    fn fall_back(&mut self, equations: &mut Collocation, timings: &mut Timings) -> Result<bool> {
+        let (Active::Iterative(iterative), Some(state), true) =
+            (&self.active, &self.last, self.falls_back)
+        else {
+            return Ok(false);
+        };
+        self.given_up = Some(IterativeRecord {
+            preconditioner: None,
+            ..iterative.record.clone()
+        });
+        let mut direct = timed(&mut timings.analysis, || Assembled::new(equations));
+        let regular = direct.linearise(equations, state, timings);
+        if matches!(&regular, Err(e) if e.kind() == ErrorKind::OutOfMemory) {
+            return Ok(false);
+        }
+        self.active = Active::Direct(Box::new(direct));
+        self.may_iterate = false;
+        regular
+    }
+}
+
+impl LinearSolver for Linear {
+    fn linearise(
+        &mut self,
+        equations: &mut Collocation,
+        state: &GridState,
+        timings: &mut Timings,
+    ) -> Result<bool> {
+        if self.falls_back {
+            self.last = Some(state.clone());
+            self.products = 0;
+        }
+        if let Active::Direct(direct) = &mut self.active {
+            let regular = direct.linearise(equations, state, timings);
+            if !self.refused(&regular) {
+                return regular;
+            }
+            self.give_up_factors(equations);
+        }
+        let (done, suspect) = match &mut self.active {
+            Active::Direct(direct) => return direct.linearise(equations, state, timings),
+            Active::Iterative(iterative) => (
+                iterative.linearise(equations, state, timings)?,
+                // Factors will tell whether it is singular.
+                self.falls_back && iterative.growth(equations) > iterative.suspect,
+            ),
+        };
+        if done && !suspect {
+            return Ok(true);
+        }
+        let regular = self.fall_back(equations, timings)?;
+        let is_direct = matches!(self.active, Active::Direct(_));
+        Ok(if is_direct { regular } else { done })
+    }
+
+    fn solve(
+        &mut self,
+        equations: &mut Collocation,
+        rhs: &mut [f64],
+        accuracy: f64,
+        timings: &mut Timings,
+    ) -> Result<bool> {
+        // Short steps take many solutions: factors are made once. An estimate is the last.
+        let is_last = accuracy >= ESTIMATE;
+        if self.falls_back && !is_last && self.products > self.most_products {
+            self.falls_back = self.fall_back(equations, timings)?;
+        }
+        let done = match &mut self.active {
+            Active::Direct(direct) => return direct.solve(equations, rhs, accuracy, timings),
+            Active::Iterative(iterative) => {
+                let done = iterative.solve(equations, rhs, accuracy, timings)?;
+                self.products += iterative.record.products.last().copied().unwrap_or(0);
+                done
+            }
+        };
+        if done || !self.fall_back(equations, timings)? {
+            return Ok(done);
+        }
+        match &mut self.active {
+            Active::Direct(direct) => direct.solve(equations, rhs, accuracy, timings),
+            Active::Iterative(_) => Ok(false),
+        }
+    }
+
+    fn has_compliance(&self) -> bool {
+        match &self.active {
+            Active::Direct(direct) => direct.has_compliance(),
+            Active::Iterative(iterative) => iterative.has_compliance(),
+        }
+    }
+
+    fn growth(&mut self, equations: &mut Collocation) -> f64 {
+        match &mut self.active {
+            Active::Direct(direct) => direct.growth(equations),
+            Active::Iterative(iterative) => iterative.growth(equations),
+        }
+    }
+
+    fn is_resisted(&mut self, equations: &mut Collocation) -> bool {
+        match &mut self.active {
+            Active::Direct(direct) => direct.is_resisted(equations),
+            Active::Iterative(iterative) => iterative.is_resisted(equations),
+        }
+    }
+
+    fn explain(&mut self, equations: &mut Collocation, state: &GridState) -> Singularity {
+        match &mut self.active {
+            Active::Direct(direct) => direct.explain(equations, state),
+            Active::Iterative(iterative) => iterative.explain(equations, state),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::fourier::TimeGrid;
+    use crate::solve::test_models::rotor;
+    use std::sync::Arc;
+
+    #[test]
+    fn iteration_solves_what_factors_get_no_memory_for() {
+        let (model, period) = rotor(2);
+        let system = Arc::new(System::new(&model, period).unwrap());
+        let grid = TimeGrid::new(9, period).unwrap();
+        let state = GridState::reference(&system, grid);
+        let mut equations = Collocation::new(system, grid).unwrap();
+        let refused = Err(Error::new(ErrorKind::OutOfMemory, "a dense block"));
+        let mut linear = Linear::new(&equations, LinearMethod::Automatic);
+        let chosen = Linear::new(&equations, LinearMethod::Direct);
+        assert!(linear.refused(&refused) && !chosen.refused(&refused));
+        assert!(!linear.refused(&Ok(true)));
+
+        let wave = |i: usize| (0.37 * i as f64).sin();
+        let rhs: Vec<f64> = (0..equations.size()).map(|i| 1e-3 * wave(i)).collect();
+        let mut timings = Timings::default();
+        let mut solve = |linear: &mut Linear, equations: &mut Collocation| {
+            assert!(linear.linearise(equations, &state, &mut timings).unwrap());
+            let mut x = rhs.clone();
+            assert!(linear.solve(equations, &mut x, 1e-8, &mut timings).unwrap());
+            x
+        };
+        let by_factors = solve(&mut linear, &mut equations);
+        assert!(linear.record().is_none());
+        linear.give_up_factors(&equations);
+        let by_iteration = solve(&mut linear, &mut equations);
+        assert!(linear.record().is_some());
+        let motions = 6 * equations.system().nodes() * grid.points();
+        let largest = by_factors[..motions]
+            .iter()
+            .fold(0.0f64, |m, x| m.max(x.abs()));
+        for (a, b) in by_factors[..motions].iter().zip(&by_iteration) {
+            // A hundred times the accuracy that was asked for.
+            assert!((a - b).abs() < 1e-6 * largest, "{a} {b} of {largest}");
+        }
+    }
+}

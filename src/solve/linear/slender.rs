@@ -1,0 +1,109 @@
+//! Factors of the Jacobians of very slender beams, and what rounding has left out of them.
+//!
+//! Axial stiffness that is more than some 1e8 times that in bending leaves, in a sum of both, few
+//! digits to bending. Products with the Jacobian as an operator, which keeps strains apart, have
+//! them all: errors along strains stay what they are. So factors of the sum serve as the
+//! preconditioner of an iteration, which takes a few products. See docs/theory.md, section 8.1.
+
+use crate::collocation::{Collocation, GridState, Tangent};
+use crate::error::Result;
+use crate::solve::linear::dense::{largest, probe};
+use crate::solve::linear::iterative::{GmresOptions, GmresRoom, Preconditioned, gmres};
+
+/// Axial over bending stiffness from which on rounding matters.
+pub(crate) const SLENDER: f64 = 1e7;
+/// Most products of a solve.
+const MOST: usize = 20;
+/// What a regular Jacobian's product and its factors may leave of a vector at most, and a singular
+/// one at least.
+const UNLIKE: f64 = 0.5;
+
+/// The Jacobian as an operator.
+pub(crate) struct Slender {
+    tangent: Tangent,
+    room: GmresRoom,
+}
+
+struct Operator<'a, S> {
+    equations: &'a Collocation,
+    tangent: &'a mut Tangent,
+    substitute: S,
+}
+
+impl<S: FnMut(&mut [f64]) -> bool> Preconditioned for Operator<'_, S> {
+    fn product(&mut self, x: &[f64], y: &mut [f64]) {
+        self.tangent.apply(self.equations, x, y);
+    }
+
+    fn precondition(&mut self, y: &mut [f64]) {
+        if !(self.substitute)(y) {
+            y.fill(f64::NAN);
+        }
+    }
+}
+
+impl Slender {
+    /// For `equations`, if they have beams so slender.
+    pub fn new(equations: &Collocation) -> Option<Self> {
+        let (system, points) = (equations.system(), equations.grid().points());
+        // In steps of marches, rates of internal states are not the operator's.
+        let has_states = system.elements().iter().any(|placed| placed.has_states);
+        let fits = system.slenderness() > SLENDER && !(points == 1 && has_states);
+        fits.then(|| Slender {
+            tangent: Tangent::with_resultants_apart(system, points),
+            room: GmresRoom::default(),
+        })
+    }
+
+    /// Evaluates the operator at `state`.
+    pub fn linearise(&mut self, equations: &mut Collocation, state: &GridState) -> Result<()> {
+        self.tangent.evaluate(equations, state)
+    }
+
+    /// Solves in place to the accuracy that is asked for, with the factors by which `substitute`
+    /// does; `false` if that cannot be done.
+    pub fn solve(
+        &mut self,
+        equations: &Collocation,
+        rhs: &mut [f64],
+        accuracy: f64,
+        substitute: impl FnMut(&mut [f64]) -> bool,
+    ) -> bool {
+        let options = GmresOptions {
+            tolerance: accuracy,
+            leading: 6 * equations.system().nodes() * equations.grid().points(),
+            essential: rhs.len(),
+            iteration_limit: MOST,
+            restart: MOST,
+        };
+        let mut operator = Operator {
+            equations,
+            tangent: &mut self.tangent,
+            substitute,
+        };
+        let workers = equations.workers();
+        let end = gmres(&mut operator, rhs, &options, workers, &mut self.room);
+        // Written so that NaN fails too.
+        end.error <= accuracy
+    }
+
+    /// Whether the Jacobian resists the motion that its factors, by which `substitute` solves, find
+    /// the softest.
+    pub fn is_resisted(
+        &mut self,
+        equations: &Collocation,
+        mut substitute: impl FnMut(&mut [f64]) -> bool,
+    ) -> bool {
+        let mut softest = probe(equations.size());
+        let mut found = vec![0.0; softest.len()];
+        if !substitute(&mut softest) {
+            return false;
+        }
+        self.tangent.apply(equations, &softest, &mut found);
+        if !substitute(&mut found) {
+            return false;
+        }
+        found.iter_mut().zip(&softest).for_each(|(f, s)| *f -= s);
+        largest(&found) <= UNLIKE * largest(&softest)
+    }
+}

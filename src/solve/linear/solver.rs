@@ -1,0 +1,52 @@
+//! What Newton's method asks of a solver of its linear equations.
+
+use crate::collocation::{Collocation, GridState};
+use crate::error::Result;
+use crate::solve::linear::diagnosis::Singularity;
+use crate::solve::report::Timings;
+
+/// Solver of the linearised equations.
+pub(crate) trait LinearSolver {
+    /// Linearises the equations at `state`. `false` if they are singular.
+    ///
+    /// # Errors
+    /// If the equations cannot be evaluated, or memory runs out.
+    fn linearise(
+        &mut self,
+        equations: &mut Collocation,
+        state: &GridState,
+        timings: &mut Timings,
+    ) -> Result<bool>;
+
+    /// Solves the scaled equations in place; errors relative to the solution may be of the order of
+    /// `accuracy`. `false` if that cannot be done.
+    ///
+    /// # Errors
+    /// If memory runs out.
+    fn solve(
+        &mut self,
+        equations: &mut Collocation,
+        rhs: &mut [f64],
+        accuracy: f64,
+        timings: &mut Timings,
+    ) -> Result<bool>;
+
+    /// Whether the compliance of constraints that may depend on each other is in the solutions of
+    /// the last linearisation.
+    fn has_compliance(&self) -> bool {
+        true
+    }
+
+    /// Size of the inverse of the Jacobian, relative to the Jacobian: about the inverse of the
+    /// rounding if it is singular.
+    fn growth(&mut self, equations: &mut Collocation) -> f64;
+
+    /// Whether the Jacobian, by which equations were solved, is regular though its growth is that
+    /// of a singular one: axial stiffness of slender beams may be all that is so large.
+    fn is_resisted(&mut self, _: &mut Collocation) -> bool {
+        false
+    }
+
+    /// Why the Jacobian at `state`, where it was linearised last, is singular.
+    fn explain(&mut self, equations: &mut Collocation, state: &GridState) -> Singularity;
+}

@@ -1,0 +1,363 @@
+//! Grids made finer until the estimated error meets a tolerance.
+//! See docs/theory.md, section 10.4.
+
+use crate::collocation::{Decay, DecayKind, GridState};
+use crate::error::{Error, Result, require_positive_number};
+use crate::fourier::TimeGrid;
+use crate::solve::periodic::Attempts;
+use crate::solve::periodic::loads::Loads;
+use crate::solve::report::{NewtonReport, Outcome};
+use crate::solve::result::{Assessment, GridTried};
+use crate::solve::starts::PATIENCE;
+use crate::system::System;
+
+/// When to stop making grids finer.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Adaptation {
+    /// Largest estimated error of the motions that is accepted: positions relative to the
+    /// characteristic length, entries of rotation matrices.
+    pub error_tolerance: f64,
+    /// If not zero, also the largest that is accepted relative to the amplitude of the response:
+    /// the largest deviation of a node from its mean, or from its steady turn.
+    pub response_tolerance: f64,
+    /// Largest number of grid points.
+    pub largest: usize,
+}
+
+impl Default for Adaptation {
+    /// Errors of a millionth of the size of the mechanism, which leaves three or four digits to
+    /// forces and accelerations, second derivatives, on at most 511 points: pulses of a fortieth of
+    /// the period need more than half as many.
+    fn default() -> Self {
+        Adaptation {
+            error_tolerance: 1e-6,
+            response_tolerance: 0.0,
+            largest: 511,
+        }
+    }
+}
+
+/// Points of the first grid. A prime, so that harmonics that a symmetry leaves out appear by
+/// aliasing.
+const FIRST: usize = 11;
+/// Points of the initial guess to one of a first grid that small: quasi-static steps are as many
+/// anyway.
+const GUESS_FACTOR: usize = 3;
+/// Least and largest factor from one grid to the next; of an unresolved response, whose decay tells
+/// little.
+const GROWTH: [f64; 3] = [1.15, 4.0, 2.0];
+/// The next grid aims at this fraction of the tolerance.
+const AIM: f64 = 0.2;
+/// And at this one of what harmonics of loads cause, which are known.
+const AIM_OF_LOADS: f64 = 0.3;
+/// Harmonics of a quasi-static motion that may be what its Newton iterations leave.
+const LEFT_BY_GUESS: f64 = 1e-5;
+/// A larger error is that of a grid which is far too coarse.
+const UNRESOLVED: f64 = 0.01;
+/// A measured error this many times its estimate shows that the decay deceives.
+const DECEIVED: f64 = 10.0;
+/// A difference of solutions that is larger is none of rounding.
+const ROUNDING: f64 = 1e-10;
+/// A deviation from rest or from a steady turn that is none.
+const AT_REST: f64 = 1e-13;
+/// From this number of points on they are chosen for quick Fourier transforms.
+const LARGE: usize = 64;
+
+impl Adaptation {
+    pub(crate) fn validate(&self) -> Result<()> {
+        require_positive_number("options.error_tolerance", self.error_tolerance)?;
+        if !(self.response_tolerance.is_finite() && self.response_tolerance >= 0.0) {
+            let expected = "zero or a positive, finite number";
+            let name = "options.response_tolerance";
+            return Err(Error::value(name, expected, self.response_tolerance));
+        }
+        if self.largest < 3 {
+            let name = "options.largest_grid_points";
+            return Err(Error::size(name, "at least 3", self.largest));
+        }
+        Ok(())
+    }
+
+    /// The same for a response as in `state`: with the tolerance that its amplitude leaves.
+    fn of_response(&self, system: &System, state: &GridState) -> Self {
+        let wanted = self.response_tolerance * state.amplitude(system);
+        // Nothing but rounding moves.
+        let moves = wanted > self.response_tolerance * AT_REST;
+        Adaptation {
+            error_tolerance: if moves {
+                self.error_tolerance.min(wanted)
+            } else {
+                self.error_tolerance
+            },
+            ..*self
+        }
+    }
+
+    /// The largest odd number of points.
+    fn largest_odd(&self) -> usize {
+        self.largest.saturating_sub((self.largest + 1) % 2)
+    }
+
+    /// Points of the first grid: enough for the harmonics of the signals that motions owe most to,
+    /// if allowed.
+    pub(crate) fn first(&self, loads: &Loads) -> usize {
+        let most = (self.largest_odd() - 1) / 2;
+        let points = 2 * loads.essential(most) + 1;
+        points.max(FIRST).min(self.largest_odd())
+    }
+
+    /// Points of the first grid from a solution on `points`, or from a march, which has none.
+    pub fn start_from(&self, points: usize) -> usize {
+        let first = if points > 1 {
+            points
+        } else {
+            GUESS_FACTOR * FIRST
+        };
+        first.min(self.largest_odd())
+    }
+
+    /// Points at which the initial guess is found.
+    pub(crate) fn guess(&self, first: usize) -> usize {
+        if first == FIRST && GUESS_FACTOR * FIRST <= self.largest {
+            GUESS_FACTOR * FIRST
+        } else {
+            first
+        }
+    }
+
+    /// Points of the grid after one of `points` with this estimate.
+    fn next(&self, points: usize, found: &Assessment, loads: &Loads) -> usize {
+        let [least, largest, unresolved] = GROWTH;
+        let most = match found.decay.kind {
+            DecayKind::Fast if found.error.is_finite() => largest,
+            _ => unresolved,
+        };
+        let reduction = (AIM * self.error_tolerance / found.error).ln();
+        // Each harmonic takes two points.
+        let wanted = points as f64 + 2.0 * reduction / found.decay.ratio.ln();
+        let wanted = if wanted.is_finite() { wanted } else { f64::MAX };
+        let (least, mut most) = (least * points as f64, most * points as f64);
+        let mut wanted = wanted;
+        // Far from resolved, what resounds is not known.
+        if let Some(harmonic) = found.resounding
+            && found.error <= self.error_tolerance
+        {
+            wanted = wanted.max((2 * harmonic + 1) as f64);
+        }
+        // What loads need is known.
+        if let Some(unheld) = &found.unheld {
+            let fraction = AIM_OF_LOADS * self.error_tolerance / unheld.error;
+            let needed = loads.needed((points - 1) / 2, fraction);
+            let needed = needed.map_or(0.0, |(_, harmonic)| (2 * harmonic + 1) as f64);
+            if unheld.error > 0.5 * found.error {
+                wanted = needed;
+                most = most.max(needed);
+            } else {
+                wanted = wanted.max(needed);
+            }
+        }
+        let next = wanted.clamp(least, most).ceil() as usize;
+        quick(next).min(self.largest_odd())
+    }
+}
+
+/// An odd number of at least `points` that has quick Fourier transforms.
+fn quick(points: usize) -> usize {
+    let mut candidate = points | 1;
+    if candidate < LARGE {
+        return candidate;
+    }
+    let is_quick = |mut n: usize| {
+        for prime in [3, 5, 7, 11, 13] {
+            while n.is_multiple_of(prime) {
+                n /= prime;
+            }
+        }
+        n == 1
+    };
+    while !is_quick(candidate) {
+        candidate += 2;
+    }
+    candidate
+}
+
+impl Attempts<'_> {
+    /// Solves on ever finer grids, from a given state or the library's own start.
+    pub(crate) fn refine(
+        &mut self,
+        adaptation: &Adaptation,
+        start: Option<GridState>,
+    ) -> Result<(GridState, NewtonReport)> {
+        // What a user's force does in time is not known beforehand: one grid alone may miss it.
+        let mut deceivable = start.is_none() && self.system.calls_functions();
+        let (mut state, mut report) = match start {
+            Some(state) => self.newton(state)?,
+            None => self.on_first_grid(adaptation)?,
+        };
+        let length = self.system.scales().length;
+        // Estimate of the grid before by its own harmonics and constraints, and its state at these
+        // points.
+        let mut before: Option<(f64, GridState)> = None;
+        loop {
+            if report.outcome != Outcome::Converged {
+                return Ok((state, report));
+            }
+            let adaptation = adaptation.of_response(&self.system, &state);
+            let mut found = self.assess(&mut state, &report)?;
+            let own = found.error;
+            if let Some((estimate, coarse)) = &before {
+                // The error of the grid before, as measured, shows how far to trust estimates.
+                let measured = coarse.distance(&state, length);
+                let trust = measured / estimate;
+                found.error = if trust > DECEIVED {
+                    found.error.max(measured)
+                } else {
+                    found.error * trust.max(1.0)
+                };
+            }
+            let points = self.grid.points();
+            self.grids.push(GridTried {
+                points,
+                iterations: report.iterations.len(),
+                error_estimate: found.error,
+            });
+            let next = adaptation.next(points, &found, &self.loads);
+            let accepted = found.error <= adaptation.error_tolerance;
+            let doubtful = deceivable || found.resounding.is_some();
+            if accepted && (!doubtful || next <= points) {
+                return Ok((state, report));
+            }
+            deceivable = false;
+            let mut missed = |why: &str| {
+                report.outcome = Outcome::ToleranceNotMet;
+                report.explanation = format!(
+                    "the estimated error of the motions is {:.1e} on {points} grid points, and \
+                     the tolerance {:.1e}: {why}",
+                    found.error, adaptation.error_tolerance
+                );
+            };
+            // Unless it is that of a motion which the harmonics do not show.
+            let is_rounding = found.decay.kind == DecayKind::Rounding && found.error < ROUNDING;
+            if is_rounding && !accepted {
+                missed("rounding allows no less, as the harmonics no longer fall");
+                return Ok((state, report));
+            }
+            if next <= points {
+                let unheld = self.describe_unheld();
+                missed(&format!(
+                    "no more than {} grid points are allowed{}",
+                    adaptation.largest,
+                    match (unheld, found.decay.kind) {
+                        (Some(unheld), _) => format!("; {unheld}"),
+                        (None, DecayKind::Slow) => format!(
+                            "; harmonics fall slowly, as with a kink or a narrow peak near t = \
+                             {:.4}",
+                            found.decay.least_resolved
+                        ),
+                        _ => String::new(),
+                    }
+                ));
+                return Ok((state, report));
+            }
+            let coarse = self.grid;
+            let start = self.carry_to(TimeGrid::new(next, coarse.period())?, &state)?;
+            let (fine, fine_report) = match &start {
+                Some(start) => self.find_from_carried(start.clone(), found.error)?,
+                None => self.find()?,
+            };
+            match fine_report.outcome {
+                Outcome::Converged => {
+                    before = start.map(|start| (own, start));
+                    (state, report) = (fine, fine_report);
+                }
+                // That constraints contradict each other may show between the points of a coarse
+                // grid only.
+                Outcome::Cancelled | Outcome::Inconsistent => return Ok((fine, fine_report)),
+                outcome => {
+                    missed(&format!(
+                        "no solution was found on {next} points ({})",
+                        outcome.describe()
+                    ));
+                    self.move_to(coarse)?;
+                    return Ok((state, report));
+                }
+            }
+        }
+    }
+
+    /// From the solution on a coarser grid, of this error. Where that resolves nothing, there may
+    /// be none near: then from the library's own starts, if that is not long work.
+    fn find_from_carried(
+        &mut self,
+        start: GridState,
+        error: f64,
+    ) -> Result<(GridState, NewtonReport)> {
+        if error <= UNRESOLVED {
+            return self.newton(start);
+        }
+        self.newton.patience = Some(PATIENCE);
+        let found = self.newton(start);
+        self.newton.patience = None;
+        let found = found?;
+        if found.1.outcome.is_final() || !self.affords_more() {
+            return Ok(found);
+        }
+        self.begin_again()?;
+        self.find_at_once()
+    }
+
+    /// A solution on the first grid; where it is too coarse for that, on that of the initial guess.
+    fn on_first_grid(&mut self, adaptation: &Adaptation) -> Result<(GridState, NewtonReport)> {
+        if self.grid == self.guess_grid {
+            return self.find();
+        }
+        if let Some(points) = self.points_of_guess(adaptation)? {
+            self.move_to(TimeGrid::new(points, self.grid.period())?)?;
+        }
+        let (state, report) = self.find_at_once()?;
+        if report.outcome.is_final() {
+            return Ok((state, report));
+        }
+        self.move_to(self.guess_grid)?;
+        self.find()
+    }
+
+    /// Points that the quasi-static motion takes where it is the response, all motions being
+    /// prescribed.
+    fn points_of_guess(&mut self, adaptation: &Adaptation) -> Result<Option<usize>> {
+        if self.system.has_freedoms() {
+            return Ok(None);
+        }
+        let (from, system) = (self.guess_grid, self.system.clone());
+        let Some(state) = self.first_quasi_static()? else {
+            return Ok(None);
+        };
+        let mut amplitudes = Decay::of(&system, from, state).amplitudes;
+        let Some(last) = amplitudes.iter().rposition(|a| *a > LEFT_BY_GUESS) else {
+            return Ok(None);
+        };
+        amplitudes.truncate(last + 1);
+        let decay = Decay::from_amplitudes(amplitudes);
+        let (first, tolerance) = (self.grid.harmonics() as f64, adaptation.error_tolerance);
+        let on_first = decay.tail * decay.ratio.powf(first - last as f64);
+        let further = (AIM * tolerance / decay.tail).ln() / decay.ratio.ln();
+        let wanted = 2.0 * (last as f64 + further) + 1.0;
+        if decay.kind != DecayKind::Fast || !wanted.is_finite() || on_first <= tolerance {
+            return Ok(None);
+        }
+        let most = GROWTH[1] * self.grid.points() as f64;
+        let points = quick(wanted.min(most).ceil() as usize);
+        Ok(Some(points.min(adaptation.largest_odd())))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn large_grids_have_small_primes() {
+        assert_eq!([4, 11, 17].map(quick), [5, 11, 17]);
+        assert_eq!([64, 67, 254, 1000].map(quick), [65, 75, 273, 1001]);
+    }
+}

@@ -1,0 +1,370 @@
+//! The default initial guess: quasi-static equilibrium, followed once around the period
+//! (docs/theory.md, section 9.1).
+
+use crate::collocation::{Collocation, Conditions, GivenRates, GridState, Steady};
+use crate::error::{ErrorKind, Result};
+use crate::fourier::TimeGrid;
+use crate::solve::newton::Newton;
+use crate::solve::newton::branch::Branch;
+use crate::solve::report::{Iteration, NewtonOptions, Outcome};
+use crate::system::{Driven, System};
+use crate::workers::Workers;
+use std::sync::Arc;
+
+/// Largest increment of a quasi-static solve: its square is the error left.
+const TOLERANCE: f64 = 1e-3;
+/// What that error stretches slender beams by is to be no more geometric stiffness than this part
+/// of their bending stiffness.
+const SPURIOUS: f64 = 0.5;
+/// A step that needs more iterations than this is halved.
+const ITERATION_LIMIT: usize = 12;
+/// A step that needs fewer is doubled.
+const EASY_ITERATIONS: usize = 5;
+/// Steps taken over a period at least: an angle of a turn a period moves 18 degrees.
+const LEAST_STEPS: usize = 20;
+/// A prescribed angle that turns a screw moves by no more in a step, so that no turn is lost.
+const LARGEST_TURN: f64 = 1.0;
+/// Smallest fraction of a step before giving up.
+const SMALLEST_FRACTION: f64 = 1.0 / 1024.0;
+
+/// Parts of the period at which inertial forces are looked at: none of the first four harmonics
+/// vanishes at both.
+const LOOKED_AT: [f64; 2] = [0.0, 0.2];
+
+/// How the guess ended.
+pub(crate) struct Guess {
+    /// State at the grid points, complete only if `outcome` is [`Outcome::Converged`].
+    pub state: GridState,
+    /// Whether the guess was found.
+    pub outcome: Outcome,
+    /// Why not, otherwise.
+    pub explanation: String,
+}
+
+/// Static equilibrium at one time, tracked from one set of conditions to the next.
+pub(crate) struct Tracker<'a> {
+    pub newton: Newton,
+    pub state: GridState,
+    pub observe: &'a mut dyn FnMut(&Iteration) -> bool,
+    /// Why the last way was not followed to its end.
+    pub failure: Option<(Outcome, String)>,
+    /// How far the last way was followed, from 0 to 1.
+    pub reached: f64,
+    /// The branch that is followed.
+    branch: Branch,
+    /// States before the present one, latest first, and from each the time to the next.
+    before: Vec<(GridState, f64)>,
+    tolerance: f64,
+    /// What turns steadily.
+    driven: Option<Driven>,
+}
+
+impl<'a> Tracker<'a> {
+    /// At rest in the reference configuration.
+    pub fn new(
+        system: &Arc<System>,
+        instant: TimeGrid,
+        workers: &Workers,
+        observe: &'a mut dyn FnMut(&Iteration) -> bool,
+    ) -> Result<Self> {
+        let mut equations = Collocation::new(system.clone(), instant)?;
+        equations.set_workers(workers.clone());
+        Ok(Tracker {
+            newton: Newton::new(equations),
+            state: GridState::reference(system, instant),
+            observe,
+            failure: None,
+            reached: 0.0,
+            branch: Branch::default(),
+            before: Vec::new(),
+            tolerance: TOLERANCE.min((SPURIOUS / system.slenderness()).sqrt()),
+            driven: None,
+        })
+    }
+
+    /// Sets time and load factor, which steady rotation follows.
+    fn set_conditions(&mut self, time: f64, load_factor: f64) -> Result<()> {
+        let equations = &mut self.newton.equations;
+        equations.set_conditions(Conditions {
+            load_factor,
+            ..Conditions::at(time)
+        })?;
+        if let Some(driven) = &self.driven {
+            equations.set_rule(Box::new(Steady::new(driven.twists(load_factor))));
+        }
+        Ok(())
+    }
+
+    /// Where the present state is expected after this time.
+    fn expected(&self, system: &System, passed: f64) -> GridState {
+        let mut past = self.before.iter().map(|(state, since)| (state, *since));
+        match (past.next(), &self.driven) {
+            (Some(before), _) if passed > 0.0 => {
+                self.state.extrapolated(system, before, past.next(), passed)
+            }
+            (None, Some(driven)) if passed > 0.0 => {
+                let mut state = self.state.clone();
+                for (node, motion) in state.motions.iter_mut().enumerate() {
+                    *motion = driven.moved(node, motion, passed);
+                }
+                state.track(system);
+                state
+            }
+            _ => self.state.clone(),
+        }
+    }
+
+    /// Goes from parameter 0 to 1 in adaptive steps of at most `largest_step`, with conditions
+    /// `(time, load factor)` at each.
+    ///
+    /// In time it keeps to its branch of equilibria; where that ends, it snaps to what Newton's
+    /// method finds beyond.
+    pub fn follow(
+        &mut self,
+        largest_step: f64,
+        conditions: impl Fn(f64) -> (f64, f64),
+    ) -> Result<bool> {
+        let start = self.state.clone();
+        let span = conditions(1.0).0 - conditions(0.0).0;
+        if span <= 0.0 {
+            return self.advance(largest_step, &conditions, false);
+        }
+        if self.advance(largest_step, &conditions, true)? {
+            return Ok(true);
+        }
+        if self.was_cancelled() {
+            return Ok(false);
+        }
+        self.failure = None;
+        self.state = start;
+        self.branch = Branch::default();
+        self.before.clear();
+        self.advance(largest_step, &conditions, false)
+    }
+
+    /// Goes as [`follow`](Self::follow) does, with or without regard to the branch.
+    fn advance(
+        &mut self,
+        largest_step: f64,
+        conditions: &impl Fn(f64) -> (f64, f64),
+        keeps_branch: bool,
+    ) -> Result<bool> {
+        let system = self.newton.equations.system().clone();
+        let span = conditions(1.0).0 - conditions(0.0).0;
+        let (mut reached, mut step) = (0.0, largest_step);
+        while reached < 1.0 {
+            self.reached = reached;
+            let safe = (self.branch.longest_step() / span).max(SMALLEST_FRACTION);
+            // Equal steps over what is left; the last is no rounding short.
+            let left = ((1.0 - reached) / step.min(safe) - 1e-9).ceil();
+            let next = if left > 1.0 {
+                reached + (1.0 - reached) / left
+            } else {
+                1.0
+            };
+            let turn = system.turn_between(conditions(reached), conditions(next))?;
+            let next = if turn > LARGEST_TURN {
+                reached + (next - reached) * (LARGEST_TURN / turn).max(SMALLEST_FRACTION)
+            } else {
+                next
+            };
+            let passed = span * (next - reached);
+            let (time, load_factor) = conditions(next);
+            self.set_conditions(time, load_factor)?;
+            let mut trial = self.expected(&system, passed);
+            let options = NewtonOptions {
+                tolerance: self.tolerance,
+                iteration_limit: ITERATION_LIMIT,
+            };
+            let report = self
+                .newton
+                .solve_motions(&mut trial, &options, self.observe);
+            let (mut outcome, taken, mut explanation) = match report {
+                Ok(report) => (report.outcome, report.iterations.len(), report.explanation),
+                Err(error) if error.kind() == ErrorKind::Callback => return Err(error),
+                Err(error) => (Outcome::Stalled, ITERATION_LIMIT, error.to_string()),
+            };
+            if keeps_branch && outcome == Outcome::Converged {
+                match self.newton.determinant(&trial)? {
+                    Some(determinant) if self.branch.continues(determinant) => {
+                        self.branch.advance(time, determinant);
+                    }
+                    _ => {
+                        outcome = Outcome::Stalled;
+                        explanation = "the equilibrium that was followed ends".into();
+                    }
+                }
+            }
+            match outcome {
+                Outcome::Converged => {
+                    let before = std::mem::replace(&mut self.state, trial);
+                    if keeps_branch && passed > 0.0 {
+                        self.before.insert(0, (before, passed));
+                        self.before.truncate(2);
+                    } else {
+                        self.before.clear();
+                    }
+                    reached = next;
+                    if taken <= EASY_ITERATIONS {
+                        step = (2.0 * step).min(largest_step);
+                    }
+                }
+                Outcome::Cancelled => {
+                    self.failure = Some((outcome, explanation));
+                    return Ok(false);
+                }
+                _ => {
+                    step = 0.5 * (next - reached);
+                    if step < SMALLEST_FRACTION
+                        || (outcome == Outcome::Singular && reached == 0.0 && step < 0.1)
+                    {
+                        self.failure = Some((outcome, explanation));
+                        return Ok(false);
+                    }
+                }
+            }
+        }
+        self.reached = reached;
+        Ok(true)
+    }
+}
+
+/// Quasi-static states at all points of `grid`: of what is at rest or, if `driven` is given, turns
+/// steadily.
+pub(crate) fn quasi_static(
+    system: &Arc<System>,
+    grid: TimeGrid,
+    driven: Option<&Driven>,
+    workers: &Workers,
+    observe: &mut dyn FnMut(&Iteration) -> bool,
+) -> Result<Guess> {
+    let instant = TimeGrid::new(1, grid.period())?;
+    let mut tracker = Tracker::new(system, instant, workers, observe)?;
+    tracker.driven = driven.cloned();
+    let mut state = GridState::reference(system, grid);
+
+    // From the unloaded reference configuration to time zero, then from grid point to grid point.
+    let mut complete = tracker.follow(1.0, |fraction| (0.0, fraction))?;
+    let parts = LEAST_STEPS.div_ceil(grid.points());
+    for k in 0..grid.points() {
+        if !complete {
+            break;
+        }
+        state.copy_point(system, k, &tracker.state, 0);
+        let interval = grid.period() / grid.points() as f64;
+        for part in 0..if k + 1 < grid.points() { parts } else { 0 } {
+            let start = grid.time(k) + interval * part as f64 / parts as f64;
+            let length = interval / parts as f64;
+            complete =
+                complete && tracker.follow(1.0, |fraction| (start + fraction * length, 1.0))?;
+        }
+    }
+    let (outcome, explanation) = tracker
+        .failure
+        .take()
+        .unwrap_or((Outcome::Converged, String::new()));
+    Ok(Guess {
+        state,
+        outcome,
+        explanation,
+    })
+}
+
+/// Largest increment of a motion, in scaled unknowns, that the inertial forces of the quasi-static
+/// motion `state` would cause at rest, or on what turns steadily, at the times looked at.
+pub(crate) fn inertial_displacement(
+    system: &Arc<System>,
+    grid: TimeGrid,
+    driven: Option<&Driven>,
+    state: &GridState,
+    workers: &Workers,
+) -> Result<f64> {
+    let count = grid.points();
+    let interval = grid.period() / count as f64;
+    let mut equations = Collocation::new(system.clone(), TimeGrid::new(1, grid.period())?)?;
+    equations.set_workers(workers.clone());
+    let mut newton = Newton::new(equations);
+    let mut at = GridState::at_points(system, 1);
+    let mut most = 0.0f64;
+    for part in LOOKED_AT {
+        let k = (part * count as f64) as usize;
+        newton
+            .equations
+            .set_conditions(Conditions::at(grid.time(k)))?;
+        if let Some(driven) = driven {
+            let rule = Steady::new(driven.twists(1.0));
+            newton.equations.set_rule(Box::new(rule));
+        }
+        at.copy_point(system, 0, state, k);
+        let (next, last) = ((k + 1) % count, (k + count - 1) % count);
+        let differences = |node: usize| {
+            let motions = state.node(node);
+            let to = |other: usize| motions[k].relative(&motions[other]).logarithm();
+            let (forwards, backwards) = (to(next), to(last));
+            (
+                (forwards - backwards) / (2.0 * interval),
+                (forwards + backwards) / (interval * interval),
+            )
+        };
+        let (twist, twist_rate) = (0..system.nodes()).map(differences).unzip();
+        let given = GivenRates {
+            twist,
+            twist_rate,
+            rates: vec![0.0; system.own_unknowns()],
+            weight: 0.0,
+            elastic: true,
+        };
+        most = most.max(newton.displacement_at(&at, Box::new(given))?.unwrap_or(0.0));
+    }
+    Ok(most)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::elements::{Coordinate, JointKind};
+    use crate::model::{JointCoordinate, Model, Signal, SpringDefinition};
+    use nalgebra::{Matrix3, Vector3};
+    use std::f64::consts::TAU;
+
+    #[test]
+    fn inertial_forces_of_a_quasi_static_oscillation_displace_it_by_their_share_of_the_spring() {
+        let (mass, stiffness, force, period) = (2.0, 50.0, 3.0, 1.7);
+        let mut model = Model::new();
+        let body = model
+            .add_rigid_body(mass, &Vector3::zeros(), &Matrix3::identity())
+            .unwrap();
+        let axis = Model::frame_at("axis", &Vector3::zeros(), &Vector3::x()).unwrap();
+        let joint = model
+            .add_joint(JointKind::Prismatic, None, Some(body), &axis, &axis)
+            .unwrap();
+        let at = JointCoordinate {
+            joint,
+            coordinate: Coordinate::Displacement1,
+        };
+        let spring = SpringDefinition {
+            at,
+            stiffness,
+            damping: 1.0,
+            rest: 0.0,
+        };
+        model.add_spring_damper(spring).unwrap();
+        let push = Signal::harmonics(0.0, 0.0, &[force], &[0.0]).unwrap();
+        model.add_actuator(at, &push).unwrap();
+
+        let system = Arc::new(System::new(&model, period).unwrap());
+        let grid = TimeGrid::new(15, period).unwrap();
+        let workers = Workers::default();
+        let guess = quasi_static(&system, grid, None, &workers, &mut |_| true).unwrap();
+        assert_eq!(guess.outcome, Outcome::Converged);
+        let found = inertial_displacement(&system, grid, None, &guess.state, &workers).unwrap();
+        // Second differences of a cosine over a grid interval; the damper has no share in it where
+        // the motion turns.
+        let interval = period / 15.0;
+        let acceleration =
+            force / stiffness * (2.0 - 2.0 * (TAU / 15.0).cos()) / (interval * interval);
+        let expected = mass * acceleration / stiffness / system.scales().length;
+        let error = found / expected - 1.0;
+        assert!(error.abs() < 1e-9, "{error:e}");
+    }
+}
