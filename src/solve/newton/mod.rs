@@ -3,6 +3,7 @@
 
 pub(crate) mod assembly;
 pub(crate) mod branch;
+pub(crate) mod on_grid;
 
 use crate::collocation::{Collocation, GridState, ResultantPath, TimeRule};
 use crate::error::{ErrorKind, Result};

@@ -1,14 +1,15 @@
 //! Grids made finer until the estimated error meets a tolerance.
 //! See docs/theory.md, section 10.4.
 
+use super::Periodic;
 use crate::collocation::{Decay, DecayKind, GridState};
 use crate::error::{Error, Result, require_positive_number};
 use crate::fourier::TimeGrid;
-use crate::solve::periodic::Attempts;
+use crate::solve::newton::on_grid::Found;
 use crate::solve::periodic::loads::Loads;
-use crate::solve::report::{NewtonReport, Outcome};
+use crate::solve::report::Outcome;
 use crate::solve::result::{Assessment, GridTried};
-use crate::solve::starts::PATIENCE;
+use crate::solve::starts::{PATIENCE, affords_more};
 use crate::system::System;
 
 /// When to stop making grids finer.
@@ -181,155 +182,176 @@ fn quick(points: usize) -> usize {
     candidate
 }
 
-impl Attempts<'_> {
+/// Estimate of the solution on the grid before, by its own harmonics and constraints, and that
+/// solution at the points of the present one.
+struct Before {
+    estimate: f64,
+    state: GridState,
+}
+
+impl Before {
+    /// The estimated error of the present solution, given one by its own harmonics: the error of
+    /// the grid before, as measured, shows how far to trust estimates.
+    fn corrected(&self, state: &GridState, length: f64, error: f64) -> f64 {
+        let measured = self.state.distance(state, length);
+        let trust = measured / self.estimate;
+        if trust > DECEIVED {
+            error.max(measured)
+        } else {
+            error * trust.max(1.0)
+        }
+    }
+}
+
+/// What to do after a solution was assessed.
+enum Next {
+    /// It is accurate enough.
+    Accept,
+    /// The tolerance is missed, and why nothing can be done about it.
+    Miss(String),
+    /// Go on with so many points.
+    Refine(usize),
+}
+
+impl Periodic<'_> {
     /// Solves on ever finer grids, from a given state or the library's own start.
-    pub(crate) fn refine(
+    pub(super) fn refine(
         &mut self,
         adaptation: &Adaptation,
         start: Option<GridState>,
-    ) -> Result<(GridState, NewtonReport)> {
+    ) -> Result<Found> {
         // What a user's force does in time is not known beforehand: one grid alone may miss it.
-        let mut deceivable = start.is_none() && self.system.calls_functions();
+        let mut deceivable = start.is_none() && self.on.system.calls_functions();
         let (mut state, mut report) = match start {
-            Some(state) => self.newton(state)?,
+            Some(state) => self.on.solve(state)?,
             None => self.on_first_grid(adaptation)?,
         };
-        let length = self.system.scales().length;
-        // Estimate of the grid before by its own harmonics and constraints, and its state at these
-        // points.
-        let mut before: Option<(f64, GridState)> = None;
-        loop {
-            if report.outcome != Outcome::Converged {
-                return Ok((state, report));
-            }
-            let adaptation = adaptation.of_response(&self.system, &state);
+        let length = self.on.system.scales().length;
+        let mut before: Option<Before> = None;
+        while report.outcome == Outcome::Converged {
+            let adaptation = adaptation.of_response(&self.on.system, &state);
             let mut found = self.assess(&mut state, &report)?;
-            let own = found.error;
-            if let Some((estimate, coarse)) = &before {
-                // The error of the grid before, as measured, shows how far to trust estimates.
-                let measured = coarse.distance(&state, length);
-                let trust = measured / estimate;
-                found.error = if trust > DECEIVED {
-                    found.error.max(measured)
-                } else {
-                    found.error * trust.max(1.0)
-                };
+            let estimate = found.error;
+            if let Some(before) = &before {
+                found.error = before.corrected(&state, length, found.error);
             }
-            let points = self.grid.points();
+            let points = self.on.grid.points();
             self.grids.push(GridTried {
                 points,
                 iterations: report.iterations.len(),
                 error_estimate: found.error,
             });
-            let next = adaptation.next(points, &found, &self.loads);
-            let accepted = found.error <= adaptation.error_tolerance;
-            let doubtful = deceivable || found.resounding.is_some();
-            if accepted && (!doubtful || next <= points) {
-                return Ok((state, report));
-            }
-            deceivable = false;
-            let mut missed = |why: &str| {
-                report.outcome = Outcome::ToleranceNotMet;
-                report.explanation = format!(
+            let missed = |why: &str| {
+                format!(
                     "the estimated error of the motions is {:.1e} on {points} grid points, and \
                      the tolerance {:.1e}: {why}",
                     found.error, adaptation.error_tolerance
-                );
+                )
             };
-            // Unless it is that of a motion which the harmonics do not show.
-            let is_rounding = found.decay.kind == DecayKind::Rounding && found.error < ROUNDING;
-            if is_rounding && !accepted {
-                missed("rounding allows no less, as the harmonics no longer fall");
-                return Ok((state, report));
-            }
-            if next <= points {
-                let unheld = self.describe_unheld();
-                missed(&format!(
-                    "no more than {} grid points are allowed{}",
-                    adaptation.largest,
-                    match (unheld, found.decay.kind) {
-                        (Some(unheld), _) => format!("; {unheld}"),
-                        (None, DecayKind::Slow) => format!(
-                            "; harmonics fall slowly, as with a kink or a narrow peak near t = \
-                             {:.4}",
-                            found.decay.least_resolved
-                        ),
-                        _ => String::new(),
-                    }
-                ));
-                return Ok((state, report));
-            }
-            let coarse = self.grid;
-            let start = self.carry_to(TimeGrid::new(next, coarse.period())?, &state)?;
+            let next = match self.after(&adaptation, &found, deceivable) {
+                Next::Accept => break,
+                Next::Miss(why) => {
+                    report.outcome = Outcome::ToleranceNotMet;
+                    report.explanation = missed(&why);
+                    break;
+                }
+                Next::Refine(next) => next,
+            };
+            deceivable = false;
+            let coarse = self.on.grid;
+            let fine = TimeGrid::new(next, coarse.period())?;
+            let start = self.on.carry_to(fine, &state)?;
             let (fine, fine_report) = match &start {
                 Some(start) => self.find_from_carried(start.clone(), found.error)?,
-                None => self.find()?,
+                None => self.starts.solve(&mut self.on)?,
             };
-            match fine_report.outcome {
-                Outcome::Converged => {
-                    before = start.map(|start| (own, start));
-                    (state, report) = (fine, fine_report);
-                }
-                // That constraints contradict each other may show between the points of a coarse
-                // grid only.
-                Outcome::Cancelled | Outcome::Inconsistent => return Ok((fine, fine_report)),
-                outcome => {
-                    missed(&format!(
-                        "no solution was found on {next} points ({})",
-                        outcome.describe()
-                    ));
-                    self.move_to(coarse)?;
-                    return Ok((state, report));
-                }
+            // That constraints contradict each other may show between the points of a coarse grid
+            // only.
+            if !fine_report.outcome.is_final() {
+                let how = fine_report.outcome.describe();
+                report.outcome = Outcome::ToleranceNotMet;
+                report.explanation =
+                    missed(&format!("no solution was found on {next} points ({how})"));
+                self.on.move_to(coarse)?;
+                break;
             }
+            before = start.map(|state| Before { estimate, state });
+            (state, report) = (fine, fine_report);
         }
+        Ok((state, report))
+    }
+
+    /// What to do after a solution with this assessment.
+    fn after(&self, adaptation: &Adaptation, found: &Assessment, deceivable: bool) -> Next {
+        let points = self.on.grid.points();
+        let next = adaptation.next(points, found, &self.loads);
+        let accepted = found.error <= adaptation.error_tolerance;
+        let doubtful = deceivable || found.resounding.is_some();
+        if accepted && (!doubtful || next <= points) {
+            return Next::Accept;
+        }
+        // Unless it is that of a motion which the harmonics do not show.
+        let is_rounding = found.decay.kind == DecayKind::Rounding && found.error < ROUNDING;
+        if is_rounding && !accepted {
+            return Next::Miss("rounding allows no less, as the harmonics no longer fall".into());
+        }
+        if next > points {
+            return Next::Refine(next);
+        }
+        let why = match (self.describe_unheld(), found.decay.kind) {
+            (Some(unheld), _) => format!("; {unheld}"),
+            (None, DecayKind::Slow) => format!(
+                "; harmonics fall slowly, as with a kink or a narrow peak near t = {:.4}",
+                found.decay.least_resolved
+            ),
+            _ => String::new(),
+        };
+        let most = adaptation.largest;
+        Next::Miss(format!("no more than {most} grid points are allowed{why}"))
     }
 
     /// From the solution on a coarser grid, of this error. Where that resolves nothing, there may
     /// be none near: then from the library's own starts, if that is not long work.
-    fn find_from_carried(
-        &mut self,
-        start: GridState,
-        error: f64,
-    ) -> Result<(GridState, NewtonReport)> {
+    fn find_from_carried(&mut self, start: GridState, error: f64) -> Result<Found> {
         if error <= UNRESOLVED {
-            return self.newton(start);
+            return self.on.solve(start);
         }
-        self.newton.patience = Some(PATIENCE);
-        let found = self.newton(start);
-        self.newton.patience = None;
+        self.on.newton.patience = Some(PATIENCE);
+        let found = self.on.solve(start);
+        self.on.newton.patience = None;
         let found = found?;
-        if found.1.outcome.is_final() || !self.affords_more() {
+        if found.1.outcome.is_final() || !affords_more(&self.on) {
             return Ok(found);
         }
-        self.begin_again()?;
-        self.find_at_once()
+        self.on.begin_again()?;
+        self.starts.solve_at_once(&mut self.on)
     }
 
     /// A solution on the first grid; where it is too coarse for that, on that of the initial guess.
-    fn on_first_grid(&mut self, adaptation: &Adaptation) -> Result<(GridState, NewtonReport)> {
-        if self.grid == self.guess_grid {
-            return self.find();
+    fn on_first_grid(&mut self, adaptation: &Adaptation) -> Result<Found> {
+        if self.on.grid == self.starts.grid {
+            return self.starts.solve(&mut self.on);
         }
         if let Some(points) = self.points_of_guess(adaptation)? {
-            self.move_to(TimeGrid::new(points, self.grid.period())?)?;
+            self.on
+                .move_to(TimeGrid::new(points, self.on.grid.period())?)?;
         }
-        let (state, report) = self.find_at_once()?;
+        let (state, report) = self.starts.solve_at_once(&mut self.on)?;
         if report.outcome.is_final() {
             return Ok((state, report));
         }
-        self.move_to(self.guess_grid)?;
-        self.find()
+        self.on.move_to(self.starts.grid)?;
+        self.starts.solve(&mut self.on)
     }
 
     /// Points that the quasi-static motion takes where it is the response, all motions being
     /// prescribed.
     fn points_of_guess(&mut self, adaptation: &Adaptation) -> Result<Option<usize>> {
-        if self.system.has_freedoms() {
+        if self.on.system.has_freedoms() {
             return Ok(None);
         }
-        let (from, system) = (self.guess_grid, self.system.clone());
-        let Some(state) = self.first_quasi_static()? else {
+        let (from, system) = (self.starts.grid, self.on.system.clone());
+        let Some(state) = self.starts.first_where_found(&mut self.on)? else {
             return Ok(None);
         };
         let mut amplitudes = Decay::of(&system, from, state).amplitudes;
@@ -338,14 +360,14 @@ impl Attempts<'_> {
         };
         amplitudes.truncate(last + 1);
         let decay = Decay::from_amplitudes(amplitudes);
-        let (first, tolerance) = (self.grid.harmonics() as f64, adaptation.error_tolerance);
+        let (first, tolerance) = (self.on.grid.harmonics() as f64, adaptation.error_tolerance);
         let on_first = decay.tail * decay.ratio.powf(first - last as f64);
         let further = (AIM * tolerance / decay.tail).ln() / decay.ratio.ln();
         let wanted = 2.0 * (last as f64 + further) + 1.0;
         if decay.kind != DecayKind::Fast || !wanted.is_finite() || on_first <= tolerance {
             return Ok(None);
         }
-        let most = GROWTH[1] * self.grid.points() as f64;
+        let most = GROWTH[1] * self.on.grid.points() as f64;
         let points = quick(wanted.min(most).ceil() as usize);
         Ok(Some(points.min(adaptation.largest_odd())))
     }

@@ -1,14 +1,14 @@
 //! How far the motions of a periodic solution are from those that any finer grid would give.
 //! See docs/theory.md, section 10.3.
 
+use super::Periodic;
+use super::waves::Waves;
 use crate::collocation::{Decay, DecayKind, Defect, GridState, ResidualBetween};
 use crate::error::{ErrorKind, Result};
 use crate::fourier::TimeGrid;
 use crate::model::Model;
 use crate::solve::linear::solver::LinearSolver;
 use crate::solve::newton::Newton;
-use crate::solve::periodic::Attempts;
-use crate::solve::periodic::waves::Waves;
 use crate::solve::report::{Iteration, NewtonReport, Outcome};
 use crate::solve::result::{Assessment, Solved, Unheld};
 use crate::system::System;
@@ -101,7 +101,7 @@ fn left_by_newton(iterations: &[Iteration]) -> f64 {
     }
 }
 
-impl Attempts<'_> {
+impl Periodic<'_> {
     /// Assesses a converged solution on the present grid, where the equations have been solved
     /// last; multipliers become those of least norm.
     ///
@@ -109,39 +109,39 @@ impl Attempts<'_> {
     /// harmonics, and what it has left out, which is as much. The linearised equations turn the one
     /// into motions at the grid points; the other is above the harmonics of the grid: the mechanism
     /// hardly moves during such a wave, and it is enough to look at one on its own.
-    pub(crate) fn assess(
+    pub(super) fn assess(
         &mut self,
         state: &mut GridState,
         report: &NewtonReport,
     ) -> Result<Assessment> {
-        let (began, before) = (Instant::now(), self.newton.timings.sum());
+        let (began, before) = (Instant::now(), self.on.newton.timings.sum());
         let found = self.estimate(state, report);
         // What the solutions of linear equations have not booked.
-        let booked = self.newton.timings.sum() - before;
-        self.newton.timings.estimates += began.elapsed().saturating_sub(booked);
+        let booked = self.on.newton.timings.sum() - before;
+        self.on.newton.timings.estimates += began.elapsed().saturating_sub(booked);
         found
     }
 
     fn estimate(&mut self, state: &mut GridState, report: &NewtonReport) -> Result<Assessment> {
-        let sampled = self.newton.equations.oversampled().is_none();
+        let sampled = self.on.newton.equations.oversampled().is_none();
         if sampled {
-            self.newton.equations.update_kinematics(state);
+            self.on.newton.equations.update_kinematics(state);
             // Between grid points, what has no effect at them may have some.
-            self.newton.equations.reduce_to_least_norm(state)?;
+            self.on.newton.equations.reduce_to_least_norm(state)?;
         }
-        let (system, workers) = (self.system.clone(), self.workers.clone());
-        let (mut found, defect) = assess(&system, self.grid, state, &workers)?;
-        if let (Some(mut defect), true) = (defect, sampled && self.grid.points() > 1) {
-            defect.carry_resultants(&mut self.newton.equations, state)?;
-            let mut aliased = defect.aliased(&self.newton.equations);
-            let aliased = self.newton.response(&mut aliased)?;
-            let mut waves = Waves::new(&self.newton.equations, state)?;
+        let (system, workers) = (self.on.system.clone(), self.on.means.workers.clone());
+        let (mut found, defect) = assess(&system, self.on.grid, state, &workers)?;
+        if let (Some(mut defect), true) = (defect, sampled && self.on.grid.points() > 1) {
+            defect.carry_resultants(&mut self.on.newton.equations, state)?;
+            let mut aliased = defect.aliased(&self.on.newton.equations);
+            let aliased = self.on.newton.response(&mut aliased)?;
+            let mut waves = Waves::new(&self.on.newton.equations, state)?;
             let left_out = match aliased {
                 Some(aliased) => waves.left_out(&defect, aliased, self.accepted)?,
                 None => None,
             };
             if let (Some(mut aliased), Some(mut left_out)) = (aliased, left_out) {
-                if self.loads.has_above(self.grid.harmonics()) {
+                if self.loads.has_above(self.on.grid.harmonics()) {
                     let low = self.unheld(state)?;
                     let high = waves.unheld(&defect, &self.loads)?;
                     if let Some((low, high)) = low.zip(high) {
@@ -160,20 +160,20 @@ impl Attempts<'_> {
             }
         }
         found.error += left_by_newton(&report.iterations);
-        self.assessed = Some((self.grid, found.clone()));
+        self.assessed = Some((self.on.grid, found.clone()));
         Ok(found)
     }
 
     /// Motions by what the grid takes the harmonics of the loads for that it cannot hold.
     fn unheld(&mut self, state: &GridState) -> Result<Option<f64>> {
-        let equations = &mut self.newton.equations;
+        let equations = &mut self.on.newton.equations;
         let (mut full, mut held) = (vec![0.0; equations.size()], vec![0.0; equations.size()]);
         equations.residual(state, &mut full)?;
         let signals = equations.signals().to_vec();
-        let (count, harmonics) = (self.system.signals(), self.grid.harmonics());
+        let (count, harmonics) = (self.on.system.signals(), self.on.grid.harmonics());
         let mut without = signals.clone();
         let mut rest = vec![0.0; count];
-        for (values, time) in without.chunks_exact_mut(count).zip(self.grid.times()) {
+        for (values, time) in without.chunks_exact_mut(count).zip(self.on.grid.times()) {
             self.loads.rest(time, harmonics, &mut rest);
             values
                 .iter_mut()
@@ -187,21 +187,21 @@ impl Attempts<'_> {
         full.iter_mut()
             .zip(&held)
             .for_each(|(full, held)| *full -= held);
-        self.newton.response(&mut full)
+        self.on.newton.response(&mut full)
     }
 
     /// The signal that needs the finest grid, to get rid of most of this error.
     fn name_unheld(&self, error: f64) -> Option<Unheld> {
-        let (signal, harmonic) = self.loads.needed(self.grid.harmonics(), MOST)?;
+        let (signal, harmonic) = self.loads.needed(self.on.grid.harmonics(), MOST)?;
         Some(Unheld {
-            place: self.system.signal_place(signal).to_string(),
+            place: self.on.system.signal_place(signal).to_string(),
             harmonic,
             error,
         })
     }
 
     /// Which harmonics the grid cannot hold, if much of the error is theirs.
-    pub(crate) fn describe_unheld(&self) -> Option<String> {
+    pub(super) fn describe_unheld(&self) -> Option<String> {
         let (_, found) = self.assessed.as_ref()?;
         let unheld = found.unheld.as_ref()?;
         let counts = unheld.error > BALANCED && unheld.error > 0.1 * found.error;
@@ -212,7 +212,7 @@ impl Attempts<'_> {
                 unheld.place,
                 unheld.harmonic,
                 2 * unheld.harmonic + 1,
-                self.grid.points(),
+                self.on.grid.points(),
                 unheld.error
             )
         })

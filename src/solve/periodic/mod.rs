@@ -1,161 +1,87 @@
-//! The periodic solve from model to solution.
+//! Periodic motions: from model to solution.
 //! See docs/theory.md, section 9.
+//!
+//! * `options.rs`: what the user may choose;
+//! * `given.rs`: a solve on a given grid, which may begin on a coarser one;
+//! * `adaptive.rs`: grids made finer until the estimated error meets a tolerance;
+//! * `estimate.rs`, `waves.rs`, `loads.rs`: that error: of the motions at the grid points, by
+//!   harmonics above the grid's, of loads that the grid cannot hold.
 
 pub(crate) mod adaptive;
 pub(crate) mod estimate;
+mod given;
 mod loads;
+pub(crate) mod options;
 mod waves;
 
-use crate::collocation::{Collocation, GridState};
-use crate::error::{Error, ErrorKind, Result};
+use crate::error::Result;
 use crate::fourier::TimeGrid;
 use crate::model::Model;
-use crate::solve::linear::iterative::Projected;
-use crate::solve::linear::method::{Linear, LinearMethod};
-use crate::solve::newton::Newton;
-use crate::solve::periodic::adaptive::Adaptation;
-use crate::solve::periodic::estimate::{assess, mesh_error};
-use crate::solve::periodic::loads::Loads;
-use crate::solve::report::{Iteration, NewtonOptions, NewtonReport, Outcome, Timings};
+use crate::solve::newton::on_grid::{Found, Means, OnGrid};
+use crate::solve::report::{Iteration, Outcome};
 use crate::solve::result::{Assessment, GridTried, Kind, PeriodicRecord, Solved};
-use crate::solve::start::{Attempt, InitialGuess, Start};
-use crate::solve::starts::quasi_static::Guess;
-use crate::solve::watch::{Stage, Watch, Watching};
-use crate::system::{Driven, System, require_periodic_forces};
+use crate::solve::start::InitialGuess;
+use crate::solve::starts::Starts;
+use crate::solve::watch::Stage;
+use crate::system::{System, require_periodic_forces};
 use crate::workers::Workers;
+use adaptive::Adaptation;
+use estimate::mesh_error;
+use loads::Loads;
+use options::{GridPoints, PeriodicOptions};
 use std::sync::Arc;
-use std::time::{Duration, Instant};
-
-/// How many grid points.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum GridPoints {
-    /// This odd number.
-    Fixed(usize),
-    /// Few at first, then more until the estimated error meets a tolerance.
-    Adaptive(Adaptation),
-}
-
-/// Options of a periodic solve.
-#[derive(Debug, Clone)]
-pub struct PeriodicOptions {
-    /// Number of grid points.
-    pub grid_points: GridPoints,
-    /// When to stop on each grid.
-    pub newton: NewtonOptions,
-    /// Where to start.
-    pub guess: InitialGuess,
-    /// How linear equations are solved.
-    pub linear: LinearMethod,
-    /// Threads that share the work, 0 for as many as there are processors. Results do not depend on
-    /// it but for rounding. The user's functions are called on the calling thread alone.
-    pub threads: usize,
-    /// The equations are sampled at this many times as many points, or one more, where motions and
-    /// own unknowns are interpolated: forces are to do no virtual work on their changes,
-    /// constraints to have none of the grid's harmonics. 1 for the grid points alone: collocation,
-    /// where higher harmonics of the equations count as the lower ones that they alias onto.
-    pub oversampling: usize,
-    /// Whether the error by the mesh of beams is estimated, too, which takes about as long as an
-    /// iteration.
-    pub estimate_mesh: bool,
-    /// Who is told how the solve goes on, and may cancel it.
-    pub watch: Watch,
-}
-
-/// The largest factor of oversampling: sixteen times the points leave no alias of products of
-/// thirty-one.
-const MOST_OVERSAMPLING: usize = 16;
-
-impl Default for PeriodicOptions {
-    fn default() -> Self {
-        PeriodicOptions {
-            grid_points: GridPoints::Adaptive(Adaptation::default()),
-            newton: NewtonOptions {
-                tolerance: 1e-9,
-                iteration_limit: 30,
-            },
-            guess: InitialGuess::Default,
-            linear: LinearMethod::Automatic,
-            threads: 1,
-            oversampling: 1,
-            estimate_mesh: false,
-            watch: Watch::default(),
-        }
-    }
-}
-
-impl PeriodicOptions {
-    /// The defaults, on a grid of this many points.
-    pub fn with_grid_points(points: usize) -> Self {
-        PeriodicOptions {
-            grid_points: GridPoints::Fixed(points),
-            ..PeriodicOptions::default()
-        }
-    }
-
-    /// The defaults, with grid points added until the estimated error is below this.
-    pub fn with_error_tolerance(error_tolerance: f64) -> Self {
-        PeriodicOptions {
-            grid_points: GridPoints::Adaptive(Adaptation {
-                error_tolerance,
-                ..Adaptation::default()
-            }),
-            ..PeriodicOptions::default()
-        }
-    }
-}
+use std::time::Instant;
 
 /// Grids of more than this many times the points that a first guess takes start from a solution on
 /// fewer.
 const COARSER: usize = 2;
-/// Estimated error of such a solution that leaves it nearer than the quasi-static motion: this, or
-/// so many times what inertial forces displace that by.
-const RESOLVED: f64 = 1e-4;
-const NEARER: f64 = 0.1;
-/// Tolerance of such a solution: the error after the last increment goes with its square.
-const ENOUGH: f64 = 1e-3;
-/// Inertial displacement, in scaled unknowns, of a quasi-static motion from which Newton's method
-/// takes more than a few iterations.
-const FAR: f64 = 0.001;
-/// Fewest points of a grid with half the harmonics that may serve as a start.
-const LEAST_COARSE: usize = 7;
-/// Most iterations on it: more would take longer than those it is to spare.
-const MOST_COARSE: usize = 8;
 
-/// One solve on its way through the attempts.
-pub(crate) struct Attempts<'a> {
-    pub(crate) system: Arc<System>,
-    pub(crate) grid: TimeGrid,
-    pub(crate) options: NewtonOptions,
-    linear: LinearMethod,
-    pub(crate) workers: Workers,
-    oversampling: usize,
-    pub(crate) newton: Newton<Projected<Linear>>,
-    observe: &'a mut dyn FnMut(Stage, &Iteration) -> bool,
-    /// Where the quasi-static start is found, and the start once it is.
-    pub(crate) guess_grid: TimeGrid,
-    /// The quasi-static motions that were found, or not.
-    pub(crate) guesses: Vec<(Start, Guess)>,
-    /// What turns with drives.
-    pub(crate) driven: Option<Driven>,
-    /// What was tried.
-    pub(crate) tried: Vec<Attempt>,
-    /// Where to start, if the user says so.
-    pub(crate) chosen: Option<Start>,
-    pub(crate) guess_iterations: usize,
-    guess_time: Duration,
-    /// Time spent on grids before the present one, and iterations there.
-    timings: Timings,
-    iterations: usize,
-    pub(crate) watching: Watching,
-    /// Where Newton's method ended last, and how.
-    last: Option<(TimeGrid, GridState, NewtonReport)>,
-    pub(crate) grids: Vec<GridTried>,
-    pub(crate) loads: Loads,
+/// One periodic solve on its way.
+struct Periodic<'a> {
+    on: OnGrid<'a>,
+    starts: Starts,
+    loads: Loads,
     /// The largest estimated error that ends an adaptive solve; zero on a grid that is given.
-    pub(crate) accepted: f64,
-    /// Of the last solution that was assessed, on this grid.
-    pub(crate) assessed: Option<(TimeGrid, Assessment)>,
+    accepted: f64,
+    /// The grids that were tried.
+    grids: Vec<GridTried>,
     coarse_start: Option<GridTried>,
+    /// Of the last solution that was assessed, on this grid.
+    assessed: Option<(TimeGrid, Assessment)>,
+}
+
+/// Points of the grids that a solve begins with.
+struct FirstGrids {
+    /// Asked for: given, or the first of an adaptive solve.
+    wanted: usize,
+    /// Of quasi-static motions.
+    starts: usize,
+}
+
+impl FirstGrids {
+    fn of(options: &PeriodicOptions, loads: &Loads) -> Self {
+        match (&options.guess, options.grid_points) {
+            (InitialGuess::State(_), GridPoints::Fixed(wanted)) => FirstGrids {
+                wanted,
+                starts: wanted,
+            },
+            (_, GridPoints::Fixed(wanted)) => {
+                let coarse = Adaptation::default();
+                let coarse = coarse.guess(coarse.first(loads));
+                let is_large = wanted > COARSER * coarse;
+                let starts = if is_large { coarse } else { wanted };
+                FirstGrids { wanted, starts }
+            }
+            (guess, GridPoints::Adaptive(adaptation)) => {
+                let wanted = match guess {
+                    InitialGuess::State(state) => state.points(),
+                    _ => adaptation.first(loads),
+                };
+                let starts = adaptation.guess(wanted);
+                FirstGrids { wanted, starts }
+            }
+        }
+    }
 }
 
 /// Finds the periodic response of `model` with period `period`.
@@ -178,406 +104,117 @@ pub fn solve_periodic(
     observe: &mut dyn FnMut(Stage, &Iteration) -> bool,
 ) -> Result<Solved> {
     let began = Instant::now();
-    options.newton.validate()?;
-    if !(1..=MOST_OVERSAMPLING).contains(&options.oversampling) {
-        let expected = format!("a number from 1 to {MOST_OVERSAMPLING}");
-        let name = "options.oversampling";
-        return Err(Error::value(name, expected, options.oversampling));
-    }
+    options.validate()?;
     // What is wrong with the grid is said first.
-    let points = match options.grid_points {
-        GridPoints::Fixed(points) => points,
-        GridPoints::Adaptive(adaptation) => {
-            adaptation.validate()?;
-            1
-        }
+    let (largest, points) = match options.grid_points {
+        GridPoints::Fixed(points) => (points, points),
+        GridPoints::Adaptive(adaptation) => (adaptation.largest, 1),
     };
     TimeGrid::new(points, period)?;
     let system = Arc::new(System::new(model, period)?);
     require_periodic_forces(model, system.scales().length, period)?;
-    let largest = match options.grid_points {
-        GridPoints::Fixed(points) => points,
-        GridPoints::Adaptive(adaptation) => adaptation.largest,
-    };
     let loads = Loads::of(&system, largest)?;
-    let points = match (&options.guess, &options.grid_points) {
-        (_, GridPoints::Fixed(points)) => *points,
-        (InitialGuess::State(state), _) => state.points(),
-        (_, GridPoints::Adaptive(adaptation)) => adaptation.first(&loads),
-    };
-    let wanted = TimeGrid::new(points, period)?;
-    let guess_points = match (&options.guess, &options.grid_points) {
-        (InitialGuess::State(_), GridPoints::Fixed(_)) => points,
-        (_, GridPoints::Fixed(_)) => {
-            let coarse = Adaptation::default();
-            let coarse = coarse.guess(coarse.first(&loads));
-            if points > COARSER * coarse {
-                coarse
-            } else {
-                points
-            }
-        }
-        (_, GridPoints::Adaptive(adaptation)) => adaptation.guess(points),
-    };
-    let guess_grid = TimeGrid::new(guess_points, period)?;
-    // The first grid.
+    let first = FirstGrids::of(options, &loads);
+    let wanted = TimeGrid::new(first.wanted, period)?;
+    let of_starts = TimeGrid::new(first.starts, period)?;
     let grid = match options.grid_points {
-        GridPoints::Fixed(_) => guess_grid,
+        GridPoints::Fixed(_) => of_starts,
         GridPoints::Adaptive(_) => wanted,
     };
     let watching = options.watch.begin(Stage::InitialGuess, grid.points());
-    let workers = Workers::new(options.threads)?.telling(watching.pulse());
+    let means = Means {
+        newton: options.newton,
+        linear: options.linear,
+        oversampling: options.oversampling,
+        workers: Workers::new(options.threads)?.telling(watching.pulse()),
+    };
     let mut observe_all = |stage: Stage, iteration: &Iteration| {
         let goes_on = watching.iteration(stage, iteration);
         observe(stage, iteration) && goes_on
     };
-    let mut attempts = Attempts {
-        newton: newton(
-            &system,
-            grid,
-            options.linear,
-            options.oversampling,
-            &workers,
-        )?,
-        linear: options.linear,
-        workers,
-        oversampling: options.oversampling,
-        system: system.clone(),
-        grid,
-        options: options.newton,
-        observe: &mut observe_all,
-        guess_grid,
-        guesses: Vec::new(),
-        driven: system.driven()?,
-        tried: Vec::new(),
-        chosen: match options.guess {
-            InitialGuess::By(start) => Some(start),
-            _ => None,
-        },
-        guess_iterations: 0,
-        guess_time: Duration::ZERO,
-        timings: Timings::default(),
-        iterations: 0,
-        watching: watching.clone(),
-        last: None,
-        grids: Vec::new(),
+    let (given, chosen) = match &options.guess {
+        InitialGuess::State(state) => (Some(state.clone()), None),
+        InitialGuess::By(start) => (None, Some(*start)),
+        InitialGuess::Default => (None, None),
+    };
+    let mut solve = Periodic {
+        on: OnGrid::new(&system, grid, means, watching.clone(), &mut observe_all)?,
+        starts: Starts::new(&system, of_starts, chosen)?,
         loads,
-        assessed: None,
         accepted: match &options.grid_points {
             GridPoints::Fixed(_) => 0.0,
             GridPoints::Adaptive(adaptation) => adaptation.error_tolerance,
         },
+        grids: Vec::new(),
         coarse_start: None,
-    };
-    let given = match &options.guess {
-        InitialGuess::State(state) => Some(state.clone()),
-        InitialGuess::Default | InitialGuess::By(_) => None,
+        assessed: None,
     };
     // All that came before: the system, the loads, the first pattern.
-    attempts.timings.analysis = began.elapsed() - attempts.newton.timings.analysis;
-    let (mut state, mut report) = match attempts.solve(&options.grid_points, given, wanted) {
-        Err(error) if watching.cancels(&error) => attempts.cancelled()?,
-        end => end?,
+    solve.on.timings.analysis = began.elapsed() - solve.on.newton.timings.analysis;
+    let found = match options.grid_points {
+        GridPoints::Adaptive(adaptation) => solve.refine(&adaptation, given),
+        GridPoints::Fixed(_) => solve.on_given_grid(wanted, given),
     };
-    let estimating = Instant::now();
-    let sampled = options.oversampling == 1;
-    let wanted = options.estimate_mesh || model.beams.is_empty();
-    let mesh_error = if wanted && sampled && report.outcome.is_solution() {
-        match mesh_error(model, &mut attempts.newton, &state) {
-            Err(error) if watching.cancels(&error) => f64::INFINITY,
-            found => found?,
-        }
-    } else {
-        f64::INFINITY
+    let found = match found {
+        Err(error) if watching.cancels(&error) => solve.on.cancelled()?,
+        found => found?,
     };
-    attempts.timings.estimates += estimating.elapsed();
-    let finishing = Instant::now();
-    attempts.newton.equations.update_kinematics(&state);
-    report.outcome = watching.outcome(report.outcome);
-    let assessment = attempts
-        .assessed
-        .take_if(|(grid, _)| *grid == attempts.grid && report.outcome.is_solution());
-    // Between grid points, too, what has no effect at them may have some.
-    let reduced = assessment.is_some() || report.outcome == Outcome::Cancelled;
-    if options.oversampling == 1 && !reduced {
-        attempts.newton.equations.reduce_to_least_norm(&mut state)?;
-    }
-    attempts.timings.assembly += finishing.elapsed();
-    Ok(Solved {
-        system,
-        grid: attempts.grid,
-        node_states: attempts.newton.equations.node_states().to_vec(),
-        state,
-        report,
-        guess_iterations: attempts.guess_iterations,
-        guess_time: attempts.guess_time,
-        timings: attempts.timings + attempts.newton.timings,
-        total_time: began.elapsed(),
-        total_iterations: attempts.iterations + attempts.newton.iterations,
-        kind: Kind::Periodic(PeriodicRecord {
-            iterative: attempts.newton.linear.sampled().record().cloned(),
-            grids: attempts.grids,
-            coarse_start: attempts.coarse_start,
-            attempts: attempts.tried,
-            threads: options.threads,
-            assessment: assessment.map(|(_, assessment)| assessment),
-            mesh_error,
-        }),
-    })
+    solve.finish(model, options, found, began)
 }
 
-/// Newton's method on a grid.
-fn newton(
-    system: &Arc<System>,
-    grid: TimeGrid,
-    method: LinearMethod,
-    oversampling: usize,
-    workers: &Workers,
-) -> Result<Newton<Projected<Linear>>> {
-    let start = Instant::now();
-    let mut equations = Collocation::new(system.clone(), grid)?;
-    equations.set_workers(workers.clone());
-    if oversampling > 1 {
-        equations.oversample(oversampling)?;
-    }
-    let linear = Projected::new(&equations, Linear::new(&equations, method));
-    let mut newton = Newton::with(equations, linear);
-    newton.timings.analysis = start.elapsed();
-    Ok(newton)
-}
-
-/// Sees each iteration and returns `false` to cancel.
-pub(crate) type Observer<'a> = dyn FnMut(&Iteration) -> bool + 'a;
-
-impl Attempts<'_> {
-    fn solve(
-        &mut self,
-        grid_points: &GridPoints,
-        given: Option<GridState>,
-        wanted: TimeGrid,
-    ) -> Result<(GridState, NewtonReport)> {
-        let (mut state, mut report) = match (grid_points, given) {
-            (GridPoints::Adaptive(adaptation), given) => return self.refine(adaptation, given),
-            (GridPoints::Fixed(_), Some(state)) => self.newton(state)?,
-            (GridPoints::Fixed(_), None) => self.find_on(wanted)?,
+impl Periodic<'_> {
+    /// The result: with what is known of errors, and multipliers of least norm.
+    fn finish(
+        mut self,
+        model: &Model,
+        options: &PeriodicOptions,
+        (mut state, mut report): Found,
+        began: Instant,
+    ) -> Result<Solved> {
+        let (on, sampled) = (&mut self.on, options.oversampling == 1);
+        let estimating = Instant::now();
+        let wanted = options.estimate_mesh || model.beams.is_empty();
+        let mesh_error = if wanted && sampled && report.outcome.is_solution() {
+            match mesh_error(model, &mut on.newton, &state) {
+                Err(error) if on.watching.cancels(&error) => f64::INFINITY,
+                found => found?,
+            }
+        } else {
+            f64::INFINITY
         };
-        if report.outcome == Outcome::Converged {
-            self.assess(&mut state, &report)?;
-            report.explanation = self.describe_unheld().unwrap_or_default();
+        on.timings.estimates += estimating.elapsed();
+        let finishing = Instant::now();
+        on.newton.equations.update_kinematics(&state);
+        report.outcome = on.watching.outcome(report.outcome);
+        let assessment = self
+            .assessed
+            .take_if(|(grid, _)| *grid == on.grid && report.outcome.is_solution());
+        // Between grid points, too, what has no effect at them may have some.
+        let reduced = assessment.is_some() || report.outcome == Outcome::Cancelled;
+        if sampled && !reduced {
+            on.newton.equations.reduce_to_least_norm(&mut state)?;
         }
-        Ok((state, report))
-    }
-
-    /// What there is when the solve is cancelled where Newton's method does not see it.
-    fn cancelled(&mut self) -> Result<(GridState, NewtonReport)> {
-        let (state, iterations) = match self.last.take() {
-            Some((grid, state, report)) => {
-                self.move_to(grid)?;
-                (state, report.iterations)
-            }
-            None => (GridState::reference(&self.system, self.grid), Vec::new()),
-        };
-        let report = NewtonReport {
-            outcome: Outcome::Cancelled,
-            iterations,
-            explanation: String::new(),
-        };
-        Ok((state, report))
-    }
-
-    pub(crate) fn newton(&mut self, state: GridState) -> Result<(GridState, NewtonReport)> {
-        let options = self.options;
-        self.newton_to(state, &options)
-    }
-
-    fn newton_to(
-        &mut self,
-        mut state: GridState,
-        options: &NewtonOptions,
-    ) -> Result<(GridState, NewtonReport)> {
-        self.watching.stage(Stage::Newton);
-        let observe = &mut *self.observe;
-        let mut observe = |iteration: &Iteration| observe(Stage::Newton, iteration);
-        match self.newton.solve(&mut state, options, &mut observe) {
-            Ok(report) => {
-                self.last = Some((self.grid, state.clone(), report.clone()));
-                Ok((state, report))
-            }
-            // Where the start cannot be interpolated there is no residual to begin with.
-            Err(e) if e.kind() == ErrorKind::GridTooCoarse && self.oversampling > 1 => {
-                let report = NewtonReport {
-                    outcome: Outcome::Stalled,
-                    iterations: Vec::new(),
-                    explanation: e.to_string(),
-                };
-                Ok((state, report))
-            }
-            Err(e) => Err(e),
-        }
-    }
-
-    /// Looks for a start by `find`, and keeps count of its cost.
-    pub(crate) fn guess<G>(
-        &mut self,
-        find: impl FnOnce(&Arc<System>, TimeGrid, &mut Observer) -> Result<G>,
-    ) -> Result<G> {
-        let start = Instant::now();
-        self.watching.stage(Stage::InitialGuess);
-        let (observe, count) = (&mut *self.observe, &mut self.guess_iterations);
-        let guess = find(&self.system, self.grid, &mut |iteration| {
-            *count += 1;
-            observe(Stage::InitialGuess, iteration)
-        });
-        self.guess_time += start.elapsed();
-        guess
-    }
-
-    /// Goes on with another grid.
-    pub(crate) fn move_to(&mut self, grid: TimeGrid) -> Result<()> {
-        if grid == self.grid {
-            return Ok(());
-        }
-        self.grid = grid;
-        self.watching.grid(grid.points());
-        self.begin_again()
-    }
-
-    /// Forgets what has been found about the equations, which the present grid may not share.
-    pub(crate) fn begin_again(&mut self) -> Result<()> {
-        let (method, oversampling) = (self.linear, self.oversampling);
-        let next = newton(&self.system, self.grid, method, oversampling, &self.workers)?;
-        let last = std::mem::replace(&mut self.newton, next);
-        self.timings = self.timings + last.timings;
-        self.iterations += last.iterations;
-        Ok(())
-    }
-
-    /// Goes on with another grid, from a solution on the present one; none if that is too coarse to
-    /// tell.
-    ///
-    /// The first tangent there is of stress resultants that are carried, too: those of strains
-    /// between grid points know too much of stretching by turns that are a little off.
-    pub(crate) fn carry_to(
-        &mut self,
-        grid: TimeGrid,
-        state: &GridState,
-    ) -> Result<Option<GridState>> {
-        let from = self.grid;
-        let began = Instant::now();
-        let resultants = self
-            .newton
-            .equations
-            .resampled_resultants(state, 0.0, grid)?;
-        self.guess_time += began.elapsed();
-        self.move_to(grid)?;
-        let start = self.carried(state, from)?;
-        if start.is_some() {
-            self.newton.equations.set_resultants(resultants);
-        }
-        Ok(start)
-    }
-
-    /// A state on the grid `from`, at the points of the present one; none if `from` is too coarse
-    /// to tell.
-    pub(crate) fn carried(
-        &mut self,
-        state: &GridState,
-        from: TimeGrid,
-    ) -> Result<Option<GridState>> {
-        let began = Instant::now();
-        let carried = state.resampled(&self.system, from, 0.0, self.grid, &self.workers);
-        self.guess_time += began.elapsed();
-        match carried {
-            Ok(state) => Ok(Some(state)),
-            Err(e) if e.kind() == ErrorKind::GridTooCoarse => Ok(None),
-            Err(e) => Err(e),
-        }
-    }
-
-    /// On a grid that may be finer than the present one, from the library's own start.
-    fn find_on(&mut self, grid: TimeGrid) -> Result<(GridState, NewtonReport)> {
-        // No coarse solution from the quasi-static motion where another start was asked for.
-        if !matches!(
-            self.chosen,
-            None | Some(Start::QuasiStatic | Start::SteadyRotation)
-        ) {
-            self.move_to(grid)?;
-            self.guess_on(grid)?;
-            return self.find();
-        }
-        let coarser = grid.of_half_the_harmonics();
-        let is_first = self.grid == grid;
-        if is_first && coarser.points() < LEAST_COARSE {
-            return self.find();
-        }
-        self.watching.attempt(0, Some(self.first_start()));
-        let distance = self.inertial_displacement()?;
-        let mut most = self.options.iteration_limit;
-        if is_first {
-            if distance <= FAR {
-                return self.find();
-            }
-            self.move_to(coarser)?;
-            most = most.min(MOST_COARSE);
-        }
-        self.find_from_coarse(grid, distance, most)
-    }
-
-    /// From a solution on the present grid, which is coarse, if `most` iterations find one with an
-    /// error that is small beside the `distance` of the quasi-static motion; as
-    /// [`find`](Self::find) otherwise.
-    fn find_from_coarse(
-        &mut self,
-        grid: TimeGrid,
-        distance: f64,
-        most: usize,
-    ) -> Result<(GridState, NewtonReport)> {
-        let coarse = self.grid;
-        let enough = NewtonOptions {
-            tolerance: self.options.tolerance.max(ENOUGH),
-            iteration_limit: most,
-        };
-        let mut start = None;
-        if let Some(state) = self.start()? {
-            let (state, report) = self.newton_to(state, &enough)?;
-            match report.outcome {
-                Outcome::Converged => {
-                    // As a start it is as good as its harmonics fall: stretching between points,
-                    // which is a part of the error, is taken out by the stress resultants that are
-                    // carried.
-                    let began = Instant::now();
-                    let (found, _) = assess(&self.system, coarse, &state, &self.workers)?;
-                    self.timings.estimates += began.elapsed();
-                    let error = found.error;
-                    if error < RESOLVED.max(NEARER * distance) {
-                        start = self.carry_to(grid, &state)?;
-                        self.coarse_start = start.is_some().then_some(GridTried {
-                            points: coarse.points(),
-                            iterations: report.iterations.len(),
-                            error_estimate: error,
-                        });
-                    }
-                }
-                Outcome::Cancelled => {
-                    self.move_to(grid)?;
-                    let reached = self.carried(&state, coarse)?;
-                    let state = reached.unwrap_or_else(|| GridState::reference(&self.system, grid));
-                    return Ok((state, report));
-                }
-                _ => {}
-            }
-        }
-        self.move_to(grid)?;
-        if let Some(start) = start {
-            let found = self.newton(start)?;
-            // What is prolonged may miss constraints that depend on each other.
-            if matches!(found.1.outcome, Outcome::Converged | Outcome::Cancelled) {
-                return Ok(found);
-            }
-            self.coarse_start = None;
-            self.begin_again()?;
-        }
-        self.guess_on(grid)?;
-        self.find()
+        on.timings.assembly += finishing.elapsed();
+        Ok(Solved {
+            system: on.system.clone(),
+            grid: on.grid,
+            node_states: on.newton.equations.node_states().to_vec(),
+            state,
+            report,
+            guess_iterations: on.start_iterations,
+            guess_time: on.start_time,
+            timings: on.all_timings(),
+            total_time: began.elapsed(),
+            total_iterations: on.all_iterations(),
+            kind: Kind::Periodic(PeriodicRecord {
+                iterative: on.newton.linear.sampled().record().cloned(),
+                grids: self.grids,
+                coarse_start: self.coarse_start,
+                attempts: self.starts.tried,
+                threads: options.threads,
+                assessment: assessment.map(|(_, assessment)| assessment),
+                mesh_error,
+            }),
+        })
     }
 }

@@ -8,12 +8,13 @@ use crate::collocation::{Conditions, GridState};
 use crate::error::Result;
 use crate::fourier::TimeGrid;
 use crate::solve::linear::method::DirectCost;
-use crate::solve::periodic::Attempts;
+use crate::solve::newton::on_grid::{Found, OnGrid};
 use crate::solve::report::{NewtonReport, Outcome};
 use crate::solve::start::{Attempt, Start};
-use crate::solve::starts::dissipative_march::DissipativeMarch;
-use crate::solve::starts::quasi_static::{Guess, inertial_displacement, quasi_static};
-use crate::system::Driven;
+use crate::system::{Driven, System};
+use dissipative_march::DissipativeMarch;
+use quasi_static::{Guess, inertial_displacement, quasi_static};
+use std::sync::Arc;
 use std::time::Instant;
 
 /// Short steps after which Newton's method is given up where there are other ways to start.
@@ -42,12 +43,41 @@ fn settles(early: f64, change: f64, period: usize, most: f64) -> bool {
     change.ln() + rate * left < most.ln()
 }
 
-/// State and report of a Newton solve.
-type Found = (GridState, NewtonReport);
+/// The library's own ways to start, and what came of them.
+pub(crate) struct Starts {
+    /// Where quasi-static motions are found.
+    pub grid: TimeGrid,
+    /// The quasi-static motions that were found, or not.
+    found: Vec<(Start, Guess)>,
+    /// What turns with drives.
+    driven: Option<Driven>,
+    /// How to start, if the user says so.
+    chosen: Option<Start>,
+    /// What was tried.
+    pub tried: Vec<Attempt>,
+}
 
-impl Attempts<'_> {
+impl Starts {
+    pub fn new(system: &Arc<System>, grid: TimeGrid, chosen: Option<Start>) -> Result<Self> {
+        Ok(Starts {
+            grid,
+            found: Vec::new(),
+            driven: system.driven()?,
+            chosen,
+            tried: Vec::new(),
+        })
+    }
+
+    /// Whether a quasi-static motion comes first.
+    pub fn is_quasi_static(&self) -> bool {
+        matches!(
+            self.chosen,
+            None | Some(Start::QuasiStatic | Start::SteadyRotation)
+        )
+    }
+
     /// The quasi-static start that comes first.
-    pub(crate) fn first_start(&self) -> Start {
+    pub fn first(&self) -> Start {
         match (self.chosen, &self.driven) {
             (Some(start @ (Start::QuasiStatic | Start::SteadyRotation)), _) => start,
             (_, Some(driven)) if driven.is_rigid() => Start::SteadyRotation,
@@ -56,11 +86,11 @@ impl Attempts<'_> {
     }
 
     /// The ways to start, cheapest first.
-    fn starts(&self) -> Vec<Start> {
+    fn all(&self) -> Vec<Start> {
         if let Some(start) = self.chosen {
             return vec![start];
         }
-        let first = self.first_start();
+        let first = self.first();
         let mut starts = vec![first];
         if first == Start::SteadyRotation {
             starts.extend([Start::RigidRotation, Start::QuasiStatic]);
@@ -75,113 +105,107 @@ impl Attempts<'_> {
         driven.filter(|_| start == Start::SteadyRotation).cloned()
     }
 
-    /// A quasi-static motion at the points of its grid, found at the first call.
-    fn quasi_static(&mut self, start: Start) -> Result<&Guess> {
-        let at = match self.guesses.iter().position(|(of, _)| *of == start) {
-            Some(at) => at,
-            None => {
-                let (grid, workers) = (self.guess_grid, self.workers.clone());
-                let driven = self.turning(start);
-                let guess = self.guess(|system, _, observe| {
-                    quasi_static(system, grid, driven.as_ref(), &workers, observe)
-                })?;
-                self.guesses.push((start, guess));
-                self.guesses.len() - 1
-            }
-        };
-        Ok(&self.guesses[at].1)
-    }
-
     /// Finds quasi-static motions at the points of another grid from now on.
-    pub(crate) fn guess_on(&mut self, grid: TimeGrid) -> Result<()> {
-        if self.guess_grid != grid {
-            self.guesses
+    pub fn move_to(&mut self, grid: TimeGrid) {
+        if self.grid != grid {
+            self.found
                 .retain(|(_, guess)| guess.outcome == Outcome::Cancelled);
         }
-        self.guess_grid = grid;
-        Ok(())
+        self.grid = grid;
+    }
+
+    /// A quasi-static motion at the points of its grid, found at the first call.
+    fn quasi_static(&mut self, on: &mut OnGrid, start: Start) -> Result<&Guess> {
+        let at = match self.found.iter().position(|(of, _)| *of == start) {
+            Some(at) => at,
+            None => {
+                let (grid, workers) = (self.grid, on.means.workers.clone());
+                let driven = self.turning(start);
+                let guess = on.look_for_start(|system, observe| {
+                    quasi_static(system, grid, driven.as_ref(), &workers, observe)
+                })?;
+                self.found.push((start, guess));
+                self.found.len() - 1
+            }
+        };
+        Ok(&self.found[at].1)
     }
 
     /// The first quasi-static motion at the points where it was found, if that is how to start and
     /// there is one.
-    pub(crate) fn first_quasi_static(&mut self) -> Result<Option<&GridState>> {
-        if !matches!(
-            self.chosen,
-            None | Some(Start::QuasiStatic | Start::SteadyRotation)
-        ) {
+    pub fn first_where_found(&mut self, on: &mut OnGrid) -> Result<Option<&GridState>> {
+        if !self.is_quasi_static() {
             return Ok(None);
         }
-        let start = self.first_start();
-        self.watching.attempt(0, Some(start));
-        let guess = self.quasi_static(start)?;
+        let start = self.first();
+        on.watching.attempt(0, Some(start));
+        let guess = self.quasi_static(on, start)?;
         Ok((guess.outcome == Outcome::Converged).then_some(&guess.state))
     }
 
-    /// The first quasi-static motion at the points of the present grid, if there is one.
-    pub(crate) fn start(&mut self) -> Result<Option<GridState>> {
-        self.quasi_static_here(self.first_start())
-    }
-
-    fn quasi_static_here(&mut self, start: Start) -> Result<Option<GridState>> {
-        let (grid, from) = (self.grid, self.guess_grid);
-        let guess = self.quasi_static(start)?;
+    /// A quasi-static motion at the points of the present grid, if there is one.
+    pub fn quasi_static_here(
+        &mut self,
+        on: &mut OnGrid,
+        start: Start,
+    ) -> Result<Option<GridState>> {
+        let from = self.grid;
+        let guess = self.quasi_static(on, start)?;
         if guess.outcome != Outcome::Converged {
             return Ok(None);
         }
-        let state = guess.state.clone();
-        if grid == from {
-            return Ok(Some(state));
+        if on.grid == from {
+            return Ok(Some(guess.state.clone()));
         }
-        self.carried(&state, from)
+        on.carried(&guess.state, from)
     }
 
     /// How far inertial forces would displace the first quasi-static motion; zero where there is
     /// none.
-    pub(crate) fn inertial_displacement(&mut self) -> Result<f64> {
-        let (at, start) = (self.guess_grid, self.first_start());
-        let guess = self.quasi_static(start)?;
+    pub fn inertial_displacement(&mut self, on: &mut OnGrid) -> Result<f64> {
+        let (at, start, driven) = (self.grid, self.first(), self.turning(self.first()));
+        let guess = self.quasi_static(on, start)?;
         if guess.outcome != Outcome::Converged {
             return Ok(0.0);
         }
-        let state = guess.state.clone();
-        let (workers, driven) = (self.workers.clone(), self.turning(start));
-        self.guess(|system, _, _| {
-            inertial_displacement(system, at, driven.as_ref(), &state, &workers)
+        let workers = on.means.workers.clone();
+        on.look_for_start(|system, _| {
+            inertial_displacement(system, at, driven.as_ref(), &guess.state, &workers)
         })
     }
 
-    /// From the library's own starts, the quasi-static ones alone.
-    pub(crate) fn find_at_once(&mut self) -> Result<Found> {
-        let starts = self.starts();
+    /// Solves from the quasi-static starts and rigid rotation alone.
+    pub fn solve_at_once(&mut self, on: &mut OnGrid) -> Result<Found> {
+        let all = self.all();
         let quick = |start: &Start| !matches!(start, Start::RaisedInertia | Start::March);
-        let quick: Vec<Start> = starts.iter().copied().filter(quick).collect();
-        self.find_from(if quick.is_empty() { &starts } else { &quick })
+        let quick: Vec<Start> = all.iter().copied().filter(quick).collect();
+        self.solve_from(on, if quick.is_empty() { &all } else { &quick })
     }
 
-    /// From the library's own starts.
-    pub(crate) fn find(&mut self) -> Result<Found> {
-        let starts = self.starts();
-        self.find_from(&starts)
+    /// Solves from one start after the other.
+    pub fn solve(&mut self, on: &mut OnGrid) -> Result<Found> {
+        let all = self.all();
+        self.solve_from(on, &all)
     }
 
-    fn find_from(&mut self, starts: &[Start]) -> Result<Found> {
+    fn solve_from(&mut self, on: &mut OnGrid, starts: &[Start]) -> Result<Found> {
         let mut left: Option<Found> = None;
         for (number, &start) in starts.iter().enumerate() {
             let others = number + 1 < starts.len();
-            self.newton.patience = others.then_some(PATIENCE);
-            self.watching.attempt(self.tried.len() + 1, Some(start));
-            let (began, guessed) = (Instant::now(), self.guess_iterations);
-            let before = self.newton.iterations;
-            let found = self.find_by(start);
-            self.newton.patience = None;
+            on.newton.patience = others.then_some(PATIENCE);
+            on.watching.attempt(self.tried.len() + 1, Some(start));
+            let (began, guessed) = (Instant::now(), on.start_iterations);
+            let before = on.newton.iterations;
+            let found = self.solve_by(on, start);
+            on.newton.patience = None;
             let Some((state, report)) = found? else {
                 continue;
             };
             self.tried.push(Attempt {
                 start,
-                points: self.grid.points(),
-                guess_iterations: self.guess_iterations - guessed,
-                iterations: self.newton.iterations - before,
+                points: on.grid.points(),
+                guess_iterations: on.start_iterations - guessed,
+                iterations: on.newton.iterations - before,
                 time: began.elapsed(),
                 outcome: report.outcome,
                 explanation: report.explanation.clone(),
@@ -195,37 +219,32 @@ impl Attempts<'_> {
             }
         }
         Ok(left.unwrap_or_else(|| {
-            let report = NewtonReport {
-                outcome: Outcome::NoInitialGuess,
-                iterations: Vec::new(),
-                explanation: "there is no such start".into(),
-            };
-            (GridState::reference(&self.system, self.grid), report)
+            let why = "there is no such start".into();
+            nothing(on, Outcome::NoInitialGuess, why)
         }))
     }
 
     /// By one way; `None` where it cannot be gone.
-    fn find_by(&mut self, start: Start) -> Result<Option<Found>> {
+    fn solve_by(&mut self, on: &mut OnGrid, start: Start) -> Result<Option<Found>> {
         match start {
-            Start::QuasiStatic | Start::SteadyRotation => self.by_quasi_static(start).map(Some),
-            Start::RigidRotation => match self.rigid_rotation()? {
-                Some(state) => self.newton(state).map(Some),
+            Start::QuasiStatic | Start::SteadyRotation => self.by_quasi_static(on, start).map(Some),
+            Start::RigidRotation => match self.rigid_rotation(on)? {
+                Some(state) => on.solve(state).map(Some),
                 None => Ok(None),
             },
-            Start::RaisedInertia => match self.quasi_static_here(Start::QuasiStatic)? {
-                Some(state) => self.through_inertia(state),
+            Start::RaisedInertia => match self.quasi_static_here(on, Start::QuasiStatic)? {
+                Some(state) => through_inertia(on, state),
                 None => Ok(None),
             },
-            Start::March => self.through_march(),
+            Start::March => self.through_march(on),
         }
     }
 
-    fn by_quasi_static(&mut self, start: Start) -> Result<Found> {
-        if let Some(state) = self.quasi_static_here(start)? {
-            return self.newton(state);
+    fn by_quasi_static(&mut self, on: &mut OnGrid, start: Start) -> Result<Found> {
+        if let Some(state) = self.quasi_static_here(on, start)? {
+            return on.solve(state);
         }
-        let (system, grid) = (self.system.clone(), self.grid);
-        let guess = self.quasi_static(start)?;
+        let guess = self.quasi_static(on, start)?;
         let outcome = match guess.outcome {
             Outcome::Cancelled
             | Outcome::Singular
@@ -233,29 +252,21 @@ impl Attempts<'_> {
             | Outcome::WrongAssembly => guess.outcome,
             _ => Outcome::NoInitialGuess,
         };
-        let report = NewtonReport {
-            outcome,
-            iterations: Vec::new(),
-            explanation: guess.explanation.clone(),
-        };
-        let state = if guess.state.points() == grid.points() {
-            guess.state.clone()
-        } else {
-            GridState::reference(&system, grid)
-        };
-        Ok((state, report))
+        let (state, report) = nothing(on, outcome, guess.explanation.clone());
+        let is_here = guess.state.points() == on.grid.points();
+        Ok((if is_here { guess.state.clone() } else { state }, report))
     }
 
     /// All that hangs on drives turned with them, if the joints let it.
-    fn rigid_rotation(&self) -> Result<Option<GridState>> {
+    fn rigid_rotation(&self, on: &OnGrid) -> Result<Option<GridState>> {
         let Some(driven) = self.driven.as_ref().filter(|driven| driven.is_rigid()) else {
             return Ok(None);
         };
-        let (system, points) = (&self.system, self.grid.points());
-        let mut state = GridState::reference(system, self.grid);
+        let (system, points) = (&on.system, on.grid.points());
+        let mut state = GridState::reference(system, on.grid);
         let mut signals = vec![0.0; system.signals()];
         for k in 0..points {
-            system.signal_values(self.grid.time(k), 1.0, &mut signals)?;
+            system.signal_values(on.grid.time(k), 1.0, &mut signals)?;
             for (node, reference) in system.reference().iter().enumerate() {
                 state.motions[node * points + k] = driven.carried(node, reference, &signals);
             }
@@ -264,78 +275,23 @@ impl Attempts<'_> {
         Ok(Some(state))
     }
 
-    /// Whether the fewest iterations of one more way to start on this grid are little work.
-    pub(crate) fn affords_more(&self) -> bool {
-        let work = DirectCost::of(&self.system, self.grid.points()).work;
-        RAISING[0] as f64 * work <= RAISING_WORK
-    }
-
-    /// Raises the inertial forces in steps, from a solution without them.
-    fn through_inertia(&mut self, mut state: GridState) -> Result<Option<Found>> {
-        let (mut reached, mut step) = (0.0, 0.25f64);
-        let before = self.newton.iterations;
-        let work = DirectCost::of(&self.system, self.grid.points()).work;
-        let most = ((RAISING_WORK / work) as usize).clamp(RAISING[0], RAISING[1]);
-        let mut found = None;
-        while reached < 1.0 {
-            let next = (reached + step).min(1.0);
-            self.newton.equations.set_conditions(Conditions {
-                inertia_factor: next,
-                ..Conditions::at(0.0)
-            })?;
-            let (trial, report) = self.newton(state.clone())?;
-            match report.outcome {
-                Outcome::Converged => {
-                    state = trial;
-                    reached = next;
-                    step *= 1.5;
-                    found = Some((state.clone(), report));
-                }
-                Outcome::Cancelled => {
-                    found = Some((trial, report));
-                    break;
-                }
-                _ => step *= 0.5,
-            }
-            let spent = self.newton.iterations - before;
-            if reached < 1.0 && (step < SMALLEST_INERTIA_STEP || spent > most) {
-                let explanation = format!("ended at the fraction {reached:.3} of inertial forces");
-                let report = NewtonReport {
-                    outcome: Outcome::Stalled,
-                    iterations: Vec::new(),
-                    explanation,
-                };
-                found = Some((state, report));
-                break;
-            }
-        }
-        self.newton.equations.set_conditions(Conditions::at(0.0))?;
-        Ok(found)
-    }
-
     /// Marches in time, and tries Newton's method from its periods now and then.
-    fn through_march(&mut self) -> Result<Option<Found>> {
-        let start = match self.quasi_static_here(Start::QuasiStatic)? {
+    fn through_march(&mut self, on: &mut OnGrid) -> Result<Option<Found>> {
+        let start = match self.quasi_static_here(on, Start::QuasiStatic)? {
             Some(state) => Some(state),
-            None => self.rigid_rotation()?,
+            None => self.rigid_rotation(on)?,
         };
-        let (system, workers) = (&self.system, &self.workers);
-        let mut march = DissipativeMarch::new(system, self.grid, start.as_ref(), workers)?;
+        let workers = &on.means.workers;
+        let mut march = DissipativeMarch::new(&on.system, on.grid, start.as_ref(), workers)?;
         let mut found: Option<Found> = None;
         let mut tries = TRIED.iter().peekable();
         let mut early = f64::INFINITY;
         for period in 1..=MOST_PERIODS {
-            let marched = self.guess(|_, _, observe| march.go_on(observe))?;
+            let marched = on.look_for_start(|_, observe| march.go_on(observe))?;
             let state = match marched {
                 Ok(state) => state,
-                Err((outcome, explanation)) => {
-                    let report = NewtonReport {
-                        outcome,
-                        iterations: Vec::new(),
-                        explanation,
-                    };
-                    let state = GridState::reference(&self.system, self.grid);
-                    return Ok(found.or(Some((state, report))));
+                Err((outcome, why)) => {
+                    return Ok(found.or_else(|| Some(nothing(on, outcome, why))));
                 }
             };
             let change = march.change();
@@ -350,7 +306,7 @@ impl Attempts<'_> {
                 continue;
             }
             while tries.next_if(|most| march.change() < **most).is_some() {}
-            let next = self.newton(state)?;
+            let next = on.solve(state)?;
             if next.1.outcome.is_final() || is_last || tries.peek().is_none() {
                 return Ok(Some(next));
             }
@@ -358,4 +314,55 @@ impl Attempts<'_> {
         }
         Ok(found)
     }
+}
+
+/// No state but the reference, and why.
+fn nothing(on: &OnGrid, outcome: Outcome, why: String) -> Found {
+    let state = GridState::reference(&on.system, on.grid);
+    (state, NewtonReport::without_iterations(outcome, why))
+}
+
+/// Whether the fewest iterations of one more way to start on the present grid are little work.
+pub(crate) fn affords_more(on: &OnGrid) -> bool {
+    let work = DirectCost::of(&on.system, on.grid.points()).work;
+    RAISING[0] as f64 * work <= RAISING_WORK
+}
+
+/// Raises the inertial forces in steps, from a solution without them.
+fn through_inertia(on: &mut OnGrid, mut state: GridState) -> Result<Option<Found>> {
+    let (mut reached, mut step) = (0.0, 0.25f64);
+    let before = on.newton.iterations;
+    let work = DirectCost::of(&on.system, on.grid.points()).work;
+    let most = ((RAISING_WORK / work) as usize).clamp(RAISING[0], RAISING[1]);
+    let mut found = None;
+    while reached < 1.0 {
+        let next = (reached + step).min(1.0);
+        on.newton.equations.set_conditions(Conditions {
+            inertia_factor: next,
+            ..Conditions::at(0.0)
+        })?;
+        let (trial, report) = on.solve(state.clone())?;
+        match report.outcome {
+            Outcome::Converged => {
+                state = trial;
+                reached = next;
+                step *= 1.5;
+                found = Some((state.clone(), report));
+            }
+            Outcome::Cancelled => {
+                found = Some((trial, report));
+                break;
+            }
+            _ => step *= 0.5,
+        }
+        let spent = on.newton.iterations - before;
+        if reached < 1.0 && (step < SMALLEST_INERTIA_STEP || spent > most) {
+            let why = format!("ended at the fraction {reached:.3} of inertial forces");
+            let report = NewtonReport::without_iterations(Outcome::Stalled, why);
+            found = Some((state, report));
+            break;
+        }
+    }
+    on.newton.equations.set_conditions(Conditions::at(0.0))?;
+    Ok(found)
 }

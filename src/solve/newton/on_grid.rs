@@ -1,0 +1,210 @@
+//! Newton's method for the periodic motion on one grid after the other.
+
+use super::Newton;
+use crate::collocation::{Collocation, GridState};
+use crate::error::{ErrorKind, Result};
+use crate::fourier::TimeGrid;
+use crate::solve::linear::iterative::Projected;
+use crate::solve::linear::method::{Linear, LinearMethod};
+use crate::solve::report::{Iteration, NewtonOptions, NewtonReport, Outcome, Timings};
+use crate::solve::watch::{Stage, Watching};
+use crate::system::System;
+use crate::workers::Workers;
+use std::sync::Arc;
+use std::time::{Duration, Instant};
+
+/// How equations are solved, on whatever grid.
+pub(crate) struct Means {
+    /// When to stop.
+    pub newton: NewtonOptions,
+    /// How linear equations are solved.
+    pub linear: LinearMethod,
+    /// Equations are sampled at this many times as many points.
+    pub oversampling: usize,
+    /// Who shares the work.
+    pub workers: Workers,
+}
+
+impl Means {
+    /// Newton's method on a grid.
+    fn on(&self, system: &Arc<System>, grid: TimeGrid) -> Result<Newton<Projected<Linear>>> {
+        let start = Instant::now();
+        let mut equations = Collocation::new(system.clone(), grid)?;
+        equations.set_workers(self.workers.clone());
+        if self.oversampling > 1 {
+            equations.oversample(self.oversampling)?;
+        }
+        let linear = Projected::new(&equations, Linear::new(&equations, self.linear));
+        let mut newton = Newton::with(equations, linear);
+        newton.timings.analysis = start.elapsed();
+        Ok(newton)
+    }
+}
+
+/// Sees each iteration and returns `false` to cancel.
+pub(crate) type Observer<'a> = dyn FnMut(&Iteration) -> bool + 'a;
+
+/// Sees each iteration and at which stage it is, and returns `false` to cancel.
+pub(crate) type StageObserver<'a> = dyn FnMut(Stage, &Iteration) -> bool + 'a;
+
+/// State and report of a Newton solve.
+pub(crate) type Found = (GridState, NewtonReport);
+
+/// A periodic problem on its present grid.
+pub(crate) struct OnGrid<'a> {
+    pub system: Arc<System>,
+    pub grid: TimeGrid,
+    pub means: Means,
+    pub newton: Newton<Projected<Linear>>,
+    pub watching: Watching,
+    observe: &'a mut StageObserver<'a>,
+    /// Newton iterations at single instants, to find starts, and the time that starts took.
+    pub start_iterations: usize,
+    pub start_time: Duration,
+    /// Time spent on grids before the present one, and iterations there.
+    pub timings: Timings,
+    iterations: usize,
+    /// Where Newton's method ended last, and how.
+    last: Option<(TimeGrid, Found)>,
+}
+
+impl<'a> OnGrid<'a> {
+    pub fn new(
+        system: &Arc<System>,
+        grid: TimeGrid,
+        means: Means,
+        watching: Watching,
+        observe: &'a mut StageObserver<'a>,
+    ) -> Result<Self> {
+        Ok(OnGrid {
+            newton: means.on(system, grid)?,
+            system: system.clone(),
+            grid,
+            means,
+            watching,
+            observe,
+            start_iterations: 0,
+            start_time: Duration::ZERO,
+            timings: Timings::default(),
+            iterations: 0,
+            last: None,
+        })
+    }
+
+    /// Time spent on all grids.
+    pub fn all_timings(&self) -> Timings {
+        self.timings + self.newton.timings
+    }
+
+    /// Newton iterations on all grids.
+    pub fn all_iterations(&self) -> usize {
+        self.iterations + self.newton.iterations
+    }
+
+    /// From `state`.
+    pub fn solve(&mut self, state: GridState) -> Result<Found> {
+        let options = self.means.newton;
+        self.solve_to(state, &options)
+    }
+
+    /// From `state`, to another tolerance.
+    pub fn solve_to(&mut self, mut state: GridState, options: &NewtonOptions) -> Result<Found> {
+        self.watching.stage(Stage::Newton);
+        let observe = &mut *self.observe;
+        let mut observe = |iteration: &Iteration| observe(Stage::Newton, iteration);
+        match self.newton.solve(&mut state, options, &mut observe) {
+            Ok(report) => {
+                let found = (state, report);
+                self.last = Some((self.grid, found.clone()));
+                Ok(found)
+            }
+            // Where the start cannot be interpolated there is no residual to begin with.
+            Err(e) if e.kind() == ErrorKind::GridTooCoarse && self.means.oversampling > 1 => Ok((
+                state,
+                NewtonReport::without_iterations(Outcome::Stalled, e.to_string()),
+            )),
+            Err(e) => Err(e),
+        }
+    }
+
+    /// What there is when the solve is cancelled where Newton's method does not see it.
+    pub fn cancelled(&mut self) -> Result<Found> {
+        let Some((grid, (state, report))) = self.last.take() else {
+            let report = NewtonReport::without_iterations(Outcome::Cancelled, String::new());
+            return Ok((GridState::reference(&self.system, self.grid), report));
+        };
+        self.move_to(grid)?;
+        let report = NewtonReport {
+            outcome: Outcome::Cancelled,
+            iterations: report.iterations,
+            explanation: String::new(),
+        };
+        Ok((state, report))
+    }
+
+    /// Looks for a start by `find`, and keeps count of its cost.
+    pub fn look_for_start<G>(
+        &mut self,
+        find: impl FnOnce(&Arc<System>, &mut Observer) -> Result<G>,
+    ) -> Result<G> {
+        let began = Instant::now();
+        self.watching.stage(Stage::InitialGuess);
+        let (observe, count) = (&mut *self.observe, &mut self.start_iterations);
+        let start = find(&self.system, &mut |iteration| {
+            *count += 1;
+            observe(Stage::InitialGuess, iteration)
+        });
+        self.start_time += began.elapsed();
+        start
+    }
+
+    /// Goes on with another grid.
+    pub fn move_to(&mut self, grid: TimeGrid) -> Result<()> {
+        if grid == self.grid {
+            return Ok(());
+        }
+        self.grid = grid;
+        self.watching.grid(grid.points());
+        self.begin_again()
+    }
+
+    /// Forgets what has been found about the equations, which the present grid may not share.
+    pub fn begin_again(&mut self) -> Result<()> {
+        let next = self.means.on(&self.system, self.grid)?;
+        let last = std::mem::replace(&mut self.newton, next);
+        self.timings = self.timings + last.timings;
+        self.iterations += last.iterations;
+        Ok(())
+    }
+
+    /// Goes on with another grid, from a solution on the present one; none if that is too coarse to
+    /// tell.
+    ///
+    /// The first tangent there is of stress resultants that are carried, too: those of strains
+    /// between grid points know too much of stretching by turns that are a little off.
+    pub fn carry_to(&mut self, grid: TimeGrid, state: &GridState) -> Result<Option<GridState>> {
+        let (from, began) = (self.grid, Instant::now());
+        let equations = &mut self.newton.equations;
+        let resultants = equations.resampled_resultants(state, 0.0, grid)?;
+        self.start_time += began.elapsed();
+        self.move_to(grid)?;
+        let start = self.carried(state, from)?;
+        if start.is_some() {
+            self.newton.equations.set_resultants(resultants);
+        }
+        Ok(start)
+    }
+
+    /// A state on the grid `from`, at the points of the present one; none if `from` is too coarse
+    /// to tell.
+    pub fn carried(&mut self, state: &GridState, from: TimeGrid) -> Result<Option<GridState>> {
+        let began = Instant::now();
+        let carried = state.resampled(&self.system, from, 0.0, self.grid, &self.means.workers);
+        self.start_time += began.elapsed();
+        match carried {
+            Ok(state) => Ok(Some(state)),
+            Err(e) if e.kind() == ErrorKind::GridTooCoarse => Ok(None),
+            Err(e) => Err(e),
+        }
+    }
+}

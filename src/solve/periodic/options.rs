@@ -1,0 +1,99 @@
+//! Options of a periodic solve.
+
+use super::adaptive::Adaptation;
+use crate::error::{Error, Result};
+use crate::solve::linear::method::LinearMethod;
+use crate::solve::report::NewtonOptions;
+use crate::solve::start::InitialGuess;
+use crate::solve::watch::Watch;
+
+/// How many grid points.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum GridPoints {
+    /// This odd number.
+    Fixed(usize),
+    /// Few at first, then more until the estimated error meets a tolerance.
+    Adaptive(Adaptation),
+}
+
+/// Options of a periodic solve.
+#[derive(Debug, Clone)]
+pub struct PeriodicOptions {
+    /// Number of grid points.
+    pub grid_points: GridPoints,
+    /// When to stop on each grid.
+    pub newton: NewtonOptions,
+    /// Where to start.
+    pub guess: InitialGuess,
+    /// How linear equations are solved.
+    pub linear: LinearMethod,
+    /// Threads that share the work, 0 for as many as there are processors. Results do not depend on
+    /// it but for rounding. The user's functions are called on the calling thread alone.
+    pub threads: usize,
+    /// The equations are sampled at this many times as many points, or one more, where motions and
+    /// own unknowns are interpolated: forces are to do no virtual work on their changes,
+    /// constraints to have none of the grid's harmonics. 1 for the grid points alone: collocation,
+    /// where higher harmonics of the equations count as the lower ones that they alias onto.
+    pub oversampling: usize,
+    /// Whether the error by the mesh of beams is estimated, too, which takes about as long as an
+    /// iteration.
+    pub estimate_mesh: bool,
+    /// Who is told how the solve goes on, and may cancel it.
+    pub watch: Watch,
+}
+
+/// The largest factor of oversampling: sixteen times the points leave no alias of products of
+/// thirty-one.
+const MOST_OVERSAMPLING: usize = 16;
+
+impl Default for PeriodicOptions {
+    fn default() -> Self {
+        PeriodicOptions {
+            grid_points: GridPoints::Adaptive(Adaptation::default()),
+            newton: NewtonOptions {
+                tolerance: 1e-9,
+                iteration_limit: 30,
+            },
+            guess: InitialGuess::Default,
+            linear: LinearMethod::Automatic,
+            threads: 1,
+            oversampling: 1,
+            estimate_mesh: false,
+            watch: Watch::default(),
+        }
+    }
+}
+
+impl PeriodicOptions {
+    /// The defaults, on a grid of this many points.
+    pub fn with_grid_points(points: usize) -> Self {
+        PeriodicOptions {
+            grid_points: GridPoints::Fixed(points),
+            ..PeriodicOptions::default()
+        }
+    }
+
+    /// The defaults, with grid points added until the estimated error is below this.
+    pub fn with_error_tolerance(error_tolerance: f64) -> Self {
+        PeriodicOptions {
+            grid_points: GridPoints::Adaptive(Adaptation {
+                error_tolerance,
+                ..Adaptation::default()
+            }),
+            ..PeriodicOptions::default()
+        }
+    }
+
+    pub(crate) fn validate(&self) -> Result<()> {
+        self.newton.validate()?;
+        if !(1..=MOST_OVERSAMPLING).contains(&self.oversampling) {
+            let expected = format!("a number from 1 to {MOST_OVERSAMPLING}");
+            let name = "options.oversampling";
+            return Err(Error::value(name, expected, self.oversampling));
+        }
+        match self.grid_points {
+            GridPoints::Fixed(_) => Ok(()),
+            GridPoints::Adaptive(adaptation) => adaptation.validate(),
+        }
+    }
+}
