@@ -1317,9 +1317,10 @@ typedef struct pdn_periodic_options {
      */
     size_t iteration_limit;
     /**
-     * Start from this solution of a model with the same nodes and joints, also on another grid or
-     * of another period, or from the last period of this march; NULL to start otherwise. If
-     * grid_points is 0, the first grid is that of this solution. Default NULL.
+     * Start from this solution, periodic or static, also on another grid or of another period, or
+     * from the last period of this march; NULL to start otherwise. Its model is to have the same
+     * bodies, joints, forces and prescribed coordinates, and the same beams, which may have other
+     * meshes. If grid_points is 0, the first grid is that of this solution. Default NULL.
      */
     const struct pdn_solution *initial;
     /**

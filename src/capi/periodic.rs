@@ -126,9 +126,10 @@ pub struct pdn_periodic_options {
     pub tolerance: f64,
     /// Most Newton iterations on a grid. Default 30.
     pub iteration_limit: usize,
-    /// Start from this solution of a model with the same nodes and joints, also on another grid or
-    /// of another period, or from the last period of this march; NULL to start otherwise. If
-    /// grid_points is 0, the first grid is that of this solution. Default NULL.
+    /// Start from this solution, periodic or static, also on another grid or of another period, or
+    /// from the last period of this march; NULL to start otherwise. Its model is to have the same
+    /// bodies, joints, forces and prescribed coordinates, and the same beams, which may have other
+    /// meshes. If grid_points is 0, the first grid is that of this solution. Default NULL.
     pub initial: *const pdn_solution,
     /// Start from these positions, 3 x N x nodes: coordinates fastest, then grid points, then
     /// nodes; NULL to start otherwise. Needs guess_rotations, and grid_points or harmonics. Default
@@ -389,7 +390,6 @@ fn read_options(
     }
     let guess = if !given.initial.is_null() {
         let initial = call.shared(given.initial, "options.initial")?;
-        initial.require_same_shape(model)?;
         let grid = match (grid, points) {
             (Some(grid), _) => grid,
             (None, GridPoints::Adaptive(adaptation)) => {
@@ -397,7 +397,7 @@ fn read_options(
             }
             (None, GridPoints::Fixed(points)) => grid_of(points)?,
         };
-        InitialGuess::State(initial.prolonged(grid)?)
+        InitialGuess::State(initial.prolonged_to(model, grid)?)
     } else if given.guess_positions.is_null() && given.guess_rotations.is_null() {
         start
     } else {

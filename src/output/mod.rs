@@ -9,6 +9,7 @@ mod force_record;
 mod joint;
 mod modes;
 mod node;
+mod other_mesh;
 mod poly_data;
 mod report;
 mod saved;
