@@ -199,7 +199,16 @@ impl DualVector {
     }
 }
 
+/// The primal part of a dual matrix, or the dual one.
+type Part = fn(&mut DualMatrix) -> &mut Matrix3<f64>;
+
 impl DualMatrix {
+    /// The places of all entries.
+    pub fn entries() -> impl Iterator<Item = (Part, usize)> {
+        let parts: [Part; 2] = [|m| &mut m.primal, |m| &mut m.dual];
+        (0..9).flat_map(move |entry| parts.map(|part| (part, entry)))
+    }
+
     /// The zero matrix.
     #[inline]
     pub fn zeros() -> Self {
@@ -216,18 +225,6 @@ impl DualMatrix {
             primal: Matrix3::identity(),
             dual: Matrix3::zeros(),
         }
-    }
-
-    /// The primal part, to be changed.
-    #[inline]
-    pub fn primal_mut(&mut self) -> &mut Matrix3<f64> {
-        &mut self.primal
-    }
-
-    /// The dual part, to be changed.
-    #[inline]
-    pub fn dual_mut(&mut self) -> &mut Matrix3<f64> {
-        &mut self.dual
     }
 
     /// Transpose; the inverse of a dual rotation.

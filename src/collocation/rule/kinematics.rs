@@ -3,8 +3,8 @@
 
 use crate::elements::NodeState;
 use crate::fourier::Differentiation;
-use crate::motion::{DualMatrix, DualVector, Motion};
-use nalgebra::{Vector3, Vector6};
+use crate::motion::{DualMatrix, DualVector, Motion, append_centred};
+use nalgebra::Vector6;
 
 /// Weights of the present and the past motions in first and second derivatives.
 #[derive(Debug, Clone, Copy)]
@@ -18,7 +18,7 @@ pub struct BackwardWeights {
 /// One node over the grid: `A_ℓ`, `B_ℓ`, `v_ℓ` and `v̇_ℓ`.
 #[derive(Debug, Clone, Default)]
 pub struct NodeKinematics {
-    /// `M_k`, with the mean position taken out: a translation of everything changes nothing.
+    /// `M_k`, with the mean position taken out.
     motions: Vec<DualMatrix>,
     /// `A_ℓ = M_ℓᵀ (D M)_ℓ`.
     a: Vec<DualMatrix>,
@@ -91,13 +91,10 @@ impl NodeKinematics {
     /// Evaluates everything for a node's `motions`, one at each grid point.
     pub fn evaluate(&mut self, operators: &mut Differentiation, motions: &[Motion]) {
         let n = motions.len();
-        self.motions.resize(n, DualMatrix::zeros());
         self.velocity.resize(n, DualVector::zeros());
         self.acceleration.resize(n, DualVector::zeros());
-        let mean = motions.iter().map(|m| m.position).sum::<Vector3<f64>>() / n as f64;
-        for (dual, motion) in self.motions.iter_mut().zip(motions) {
-            *dual = Motion::new(motion.rotation, motion.position - mean).to_dual();
-        }
+        self.motions.clear();
+        append_centred(motions, &mut self.motions);
         // D M and T M, kept in a and b until both are complete.
         let (motions, sums) = (&self.motions, [&mut self.a, &mut self.b]);
         differentiate(operators, motions, sums, &mut self.samples);
@@ -281,6 +278,7 @@ mod tests {
     use super::*;
     use crate::fourier::TimeGrid;
     use crate::motion::rotation_from_vector;
+    use nalgebra::Vector3;
 
     fn motion(phase: f64) -> Motion {
         let turn = rotation_from_vector(&Vector3::new(0.0, 0.0, phase))
