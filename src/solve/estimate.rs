@@ -149,7 +149,7 @@ impl Attempts<'_> {
         let (system, workers) = (self.system.clone(), self.workers.clone());
         let (mut found, defect) = assess(&system, self.grid, state, &workers)?;
         if let (Some(mut defect), true) = (defect, sampled && self.grid.points() > 1) {
-            defect.carry_resultants(&mut self.newton.equations, state)?;
+            defect.carry_resultants(&mut self.newton.equations)?;
             let mut aliased = defect.aliased(&self.newton.equations);
             let aliased = self.newton.response(&mut aliased)?;
             let mut waves = Waves::new(&self.newton.equations, state)?;

@@ -504,10 +504,9 @@ impl Attempts<'_> {
     ) -> Result<Option<GridState>> {
         let from = self.grid;
         let began = Instant::now();
-        let resultants = self
-            .newton
-            .equations
-            .resampled_resultants(state, 0.0, grid)?;
+        let equations = &mut self.newton.equations;
+        equations.update_kinematics(state);
+        let resultants = equations.resampled_resultants(0.0, grid)?;
         self.guess_time += began.elapsed();
         self.move_to(grid)?;
         let start = self.carried(state, from)?;
