@@ -8,6 +8,9 @@ use crate::fourier::{Resampling, TimeGrid};
 use crate::system::{Placed, Workspace};
 use nalgebra::Vector6;
 
+/// Those at the stations of an element.
+type Resultants = [Vector6<f64>];
+
 impl Collocation {
     /// Stress resultants of all stations by their strains, at one grid point after the other.
     ///
@@ -43,7 +46,7 @@ impl Collocation {
     /// Finds something at the stations of each element, at all grid points.
     fn at_stations(
         &mut self,
-        find: impl Fn(&Placed, &[NodeState], usize, &mut Workspace, &mut [Vector6<f64>]) -> Result<()>
+        find: impl Fn(&Placed, &[NodeState], usize, &mut Workspace, &mut Resultants) -> Result<()>
         + Sync,
     ) -> Result<Vec<Vector6<f64>>> {
         let (system, states) = (&self.system, &self.instants.states);
@@ -102,6 +105,7 @@ impl Collocation {
             },
         )
     }
+
     /// Increments of the nodes, and of their velocities, that an unscaled increment of all unknowns
     /// is; kinematics are those of the last evaluation.
     fn increments_with_rates(&self, increment: &[f64]) -> Vec<[Vector6<f64>; 2]> {
