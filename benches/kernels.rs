@@ -2,7 +2,7 @@
 
 use divan::{Bencher, black_box};
 use nalgebra::{Matrix6, Vector3, Vector6};
-use periodyn::collocation::NodeKinematics;
+use periodyn::collocation::{KinematicsScratch, NodeKinematics};
 use periodyn::elements::{Beam, Contribution, Element, Instant, NodeState, Section};
 use periodyn::fourier::{CardinalWeights, Differentiation, TimeGrid};
 use periodyn::motion::{Motion, polar_rotation};
@@ -26,7 +26,8 @@ fn velocities_and_accelerations(bencher: Bencher, points: usize) {
     let grid = TimeGrid::new(points, 1.0).unwrap();
     let (mut operators, motions) = (Differentiation::new(grid), motions(grid));
     let mut node = NodeKinematics::default();
-    bencher.bench_local(|| node.evaluate(&mut operators, black_box(&motions)));
+    let mut scratch = KinematicsScratch::default();
+    bencher.bench_local(|| node.evaluate(&mut operators, black_box(&motions), &mut scratch));
 }
 
 #[divan::bench(args = [21, 63])]
@@ -34,7 +35,8 @@ fn tangent_blocks(bencher: Bencher, points: usize) {
     let grid = TimeGrid::new(points, 1.0).unwrap();
     let mut operators = Differentiation::new(grid);
     let mut node = NodeKinematics::default();
-    node.evaluate(&mut operators, &motions(grid));
+    let scratch = &mut KinematicsScratch::default();
+    node.evaluate(&mut operators, &motions(grid), scratch);
     bencher.bench_local(|| {
         for l in 0..points {
             for k in 0..points {

@@ -482,14 +482,7 @@ fn the_first_grid_follows_the_tolerance_not_the_samples() {
             let options = PeriodicOptions::with_error_tolerance(tolerance);
             let found = Solution::solve(&model, 1.0, &options, &mut |_, _| true).unwrap();
             let error = true_error(&found, &exact);
-            let grids: Vec<usize> = found
-                .details()
-                .periodic()
-                .unwrap()
-                .grids
-                .iter()
-                .map(|g| g.points)
-                .collect();
+            let grids: Vec<usize> = grids_tried(&found);
             println!("{samples} samples, {tolerance:e}: {grids:?}, {error:.1e}");
             assert_eq!(found.outcome(), Outcome::Converged, "{}", found.report());
             assert!(error < tolerance && grids[0] <= 33 && found.grid().points() <= most);

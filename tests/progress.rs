@@ -106,14 +106,7 @@ fn each_grid_and_start_is_told() {
     let told = told.lock().unwrap();
     let mut grids: Vec<usize> = told.iter().map(|p| p.points).collect();
     grids.dedup();
-    let tried: Vec<usize> = solution
-        .details()
-        .periodic()
-        .unwrap()
-        .grids
-        .iter()
-        .map(|g| g.points)
-        .collect();
+    let tried: Vec<usize> = grids_tried(&solution);
     assert_eq!(&grids[grids.len() - tried.len()..], tried);
     let marched = told.iter().filter(|p| p.start == Some(Start::March));
     assert!(marched.count() > told.len() / 2);

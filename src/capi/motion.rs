@@ -5,7 +5,7 @@ use super::call::Call;
 use super::guard::guard;
 use super::periodic::read_motion;
 use super::status::pdn_status;
-use crate::collocation::NodeKinematics;
+use crate::collocation::{KinematicsScratch, NodeKinematics};
 use crate::error::{Error, ErrorKind, Result};
 use crate::fourier::{CardinalWeights, Differentiation, TimeGrid};
 use crate::motion::{Motion, PeriodicMotion};
@@ -155,7 +155,7 @@ pub unsafe extern "C" fn pdn_motion_grid_kinematics(
 
         let mut operators = Differentiation::new(grid);
         let mut node = NodeKinematics::default();
-        node.evaluate(&mut operators, &motions);
+        node.evaluate(&mut operators, &motions, &mut KinematicsScratch::default());
         let mut values: [Vec<f64>; 4] = Default::default();
         for l in 0..points {
             values[0].extend(node.velocity(l).to_twist().iter());

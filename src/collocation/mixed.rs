@@ -36,10 +36,11 @@ impl Collocation {
     /// Stress resultants along an unscaled increment from `state`, that begin with those of the
     /// geometric stiffness there.
     fn resultants_along(&mut self, state: &GridState, increment: &[f64]) -> Result<ResultantPath> {
-        let end = self.extrapolated_resultants(state, increment)?;
+        self.update_kinematics(state);
+        let end = self.extrapolated_resultants(increment)?;
         let start = match self.has_resultants() {
             true => self.instants.resultants.clone(),
-            false => self.extrapolated_resultants(state, &vec![0.0; self.size()])?,
+            false => self.resultants_of_strains()?,
         };
         Ok(ResultantPath {
             start,
@@ -67,33 +68,20 @@ impl Collocation {
             Some(path) => path,
             None => path.insert(self.resultants_along(start, increment)?),
         };
-        let (points, stations) = (self.grid().points(), self.system().stations());
-        let mut excess = self.extrapolated_resultants(trial, &vec![0.0; self.size()])?;
-        let ends = path.start.iter().zip(&path.end);
-        for (excess, (start, end)) in excess.iter_mut().zip(ends) {
-            *excess -= start + (end - start) * part;
-        }
-        let system = self.system().clone();
-        let mut workspace = system.workspace(false);
-        for (k, excess) in excess.chunks_exact(stations).enumerate() {
-            for placed in system.elements() {
-                let excess = &excess[placed.stations.clone()];
-                if excess.is_empty() {
-                    continue;
-                }
-                for (nodes, sign) in [(self.node_states(), -1.0), (&path.nodes[..], 1.0)] {
-                    let seen = |node: usize| nodes[node * points + k];
-                    let out = system.forces_of_resultants(placed, seen, excess, &mut workspace)?;
-                    let forces = out.force.as_slice().chunks_exact(6);
-                    for (&node, force) in placed.element.nodes().iter().zip(forces) {
-                        let rows = 6 * (node * points + k)..6 * (node * points + k + 1);
-                        let scales = &self.row_scale[rows.clone()];
-                        let rows = residual[rows].iter_mut().zip(scales);
-                        for ((row, scale), f) in rows.zip(force) {
-                            *row += sign * scale * f;
-                        }
-                    }
-                }
+        let (points, count) = (self.grid().points(), 6 * self.system().nodes());
+        self.update_kinematics(trial);
+        let mut rows = vec![0.0; points * count];
+        // Taken out while they are read.
+        let nodes = std::mem::take(&mut self.instants.states);
+        let moved = self.move_excess(&path.at(part), [&nodes, &path.nodes], (&mut rows, count));
+        self.instants.states = nodes;
+        moved?;
+        for (k, rows) in rows.chunks_exact(count).enumerate() {
+            for (node, forces) in rows.chunks_exact(6).enumerate() {
+                let rows = 6 * (node * points + k)..6 * (node * points + k + 1);
+                let scales = &self.row_scale[rows.clone()];
+                let rows = residual[rows].iter_mut().zip(scales).zip(forces);
+                rows.for_each(|((row, scale), f)| *row += scale * f);
             }
         }
         Ok(())

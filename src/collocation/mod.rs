@@ -28,8 +28,9 @@ pub use pattern::{Panel, Pattern};
 pub use problem::{Collocation, Conditions, Oversampled, OversampledTangent};
 pub use resampled::{ResampledNodes, too_coarse};
 pub use rule::{
-    Aliasing, AlphaStep, Backward, BackwardWeights, GeneralizedAlpha, GivenRates, MotionState,
-    NodeKinematics, Spectral, Steady, StepVariation, TimeRule, Variation, VariationScales,
+    Aliasing, AlphaStep, Backward, BackwardWeights, GeneralizedAlpha, GivenRates,
+    KinematicsScratch, MotionState, NodeKinematics, Spectral, Steady, StepVariation, TimeRule,
+    Variation, VariationScales,
 };
 pub use state::GridState;
 pub use tangent::{Coupling, Increment, Linearisation, PairTangent, Station, Tangent};

@@ -3,7 +3,7 @@
 //! without the matrix of all motions.
 
 use super::problem::Collocation;
-use super::rule::{NodeKinematics, VariationScratch};
+use super::rule::{KinematicsScratch, NodeKinematics};
 use super::state::GridState;
 use super::tangent::Tangent;
 use crate::error::Result;
@@ -28,7 +28,7 @@ pub struct MotionTangent {
     /// Scales of forces and of motions; those of all nodes are the same.
     forces: Vector6<f64>,
     motions: Vector6<f64>,
-    scratch: VariationScratch,
+    scratch: KinematicsScratch,
     unscaled: Vec<f64>,
     rates: Vec<[Vector6<f64>; 2]>,
     workspace: Workspace,
@@ -108,7 +108,7 @@ impl MotionTangent {
             columns,
             forces: Vector6::from_column_slice(&equations.row_scale[..6]),
             motions: Vector6::from_column_slice(&equations.column_scale[..6]),
-            scratch: VariationScratch::default(),
+            scratch: KinematicsScratch::default(),
             unscaled: vec![0.0; 6 * points],
             rates: vec![[Vector6::zeros(); 2]; points],
             workspace: Workspace::default(),

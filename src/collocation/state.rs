@@ -227,9 +227,8 @@ impl GridState {
         passed: f64,
     ) -> Self {
         let ratio = passed / last;
-        let curved = |first: f64| (last + passed) / (last + first);
         let (weight, weight_of_first) = earlier.map_or((ratio, 0.0), |(_, first)| {
-            let more = curved(first);
+            let more = (last + passed) / (last + first);
             (ratio * (1.0 + more), -passed / first * more)
         });
         let first = earlier.map_or(before, |(earlier, _)| earlier);

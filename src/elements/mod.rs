@@ -270,9 +270,22 @@ pub trait Element: Send + Sync + std::fmt::Debug {
         Vec::new()
     }
 
-    /// Writes the stress resultants at each station that has a [`StressLaw`] for strains and strain
-    /// rates that change in proportion to increments of the nodes, which are at `nodes`, and of
-    /// their velocities.
+    /// Writes the stress resultants at each station that has a [`StressLaw`], for nodes at `nodes`;
+    /// `room` is scratch.
+    ///
+    /// # Errors
+    /// As [`Element::evaluate`].
+    fn stress_resultants(
+        &self,
+        _nodes: &[NodeState],
+        _room: &mut Contribution,
+        _out: &mut [Vector6<f64>],
+    ) -> Result<()> {
+        Ok(())
+    }
+
+    /// The same for strains and strain rates that change in proportion to increments of the nodes
+    /// and of their velocities.
     ///
     /// # Errors
     /// As [`Element::evaluate`].
@@ -280,6 +293,7 @@ pub trait Element: Send + Sync + std::fmt::Debug {
         &self,
         _nodes: &[NodeState],
         _increments: &[[Vector6<f64>; 2]],
+        _room: &mut Contribution,
         _out: &mut [Vector6<f64>],
     ) -> Result<()> {
         Ok(())

@@ -487,31 +487,33 @@ fn tangents_are_the_derivatives_of_forces() {
 fn extrapolated_resultants_are_tangent_to_those_of_the_strains() {
     for case in cases() {
         let still = case.states.clone();
-        let zero = vec![[Vector6::zeros(); 2]; still.len()];
-        let stations = case.element.stress_laws().len();
-        let resultants = |states: &[NodeState], increments: &[[Vector6<f64>; 2]]| {
-            let mut out = vec![Vector6::zeros(); stations];
-            let element = &case.element;
-            element
-                .extrapolate_resultants(states, increments, &mut out)
-                .unwrap();
-            out
-        };
+        let (element, stations) = (&case.element, case.element.stress_laws().len());
+        let mut room = Contribution::new(still.len(), element.multipliers(), false);
         let mut random = Random(5);
         let mut increment = || random.motion().logarithm() * 0.1;
-        let increments: Vec<_> = zero.iter().map(|_| [increment(), increment()]).collect();
-        let at = |step: f64| {
+        let increments: Vec<_> = still.iter().map(|_| [increment(), increment()]).collect();
+        let mut there = vec![Vector6::zeros(); stations];
+        element
+            .extrapolate_resultants(&still, &increments, &mut room, &mut there)
+            .unwrap();
+        let mut resultants = |states: &[NodeState]| {
+            let mut out = vec![Vector6::zeros(); stations];
+            let found = element.stress_resultants(states, &mut room, &mut out);
+            found.unwrap();
+            out
+        };
+        let mut at = |step: f64| {
             let mut moved = still.clone();
             for (state, [u, velocity]) in moved.iter_mut().zip(&increments) {
                 state.motion = state.motion.increment(&(u * step));
                 state.twist += velocity * step;
             }
-            resultants(&moved, &zero)
+            resultants(&moved)
         };
         // Fourth order, as above.
         let h = 2e-3;
         let differences = [at(h), at(-h), at(2.0 * h), at(-2.0 * h)];
-        let [here, there] = [&zero, &increments].map(|u| resultants(&still, u));
+        let here = at(0.0);
         for s in 0..stations {
             let [a, b, c, d] = differences.each_ref().map(|all| all[s]);
             let slope = ((a - b) * 8.0 - (c - d)) / (12.0 * h);

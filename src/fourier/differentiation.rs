@@ -2,18 +2,12 @@
 //! section 2.2).
 
 use super::grid::TimeGrid;
-use super::transform::{Analysis, Complex, Synthesis};
-use faer::linalg::matmul::matmul;
-use faer::{Accum, Mat, MatMut, MatRef, Par};
+use super::transform::{Complex, Plan};
 use std::f64::consts::PI;
-use std::sync::Arc;
 
 /// Above this many grid points the FFT is used: where it was measured to overtake the dense
 /// product.
 const DENSE_LIMIT: usize = 8;
-/// The same of many functions at once, which the dense product takes as a matrix: fewer operations
-/// on up to 96 points, but whole solves were measured to take longer by a fifth.
-const DENSE_LIMIT_OF_MANY: usize = 8;
 
 /// First and second derivatives in time of grid functions.
 #[derive(Debug, Clone)]
@@ -23,12 +17,14 @@ pub struct Differentiation {
     first: Vec<f64>,
     /// First column of `T`.
     second: Vec<f64>,
-    /// `[Dᵀ Tᵀ]`, if there are few grid points.
-    transposed: Option<Arc<Mat<f64>>>,
-    /// A grid function and its derivatives.
-    series: [Vec<f64>; 3],
-    analysis: Analysis,
-    synthesis: Synthesis,
+    forward: Plan,
+    backward: Plan,
+    /// `jΩ / N` and `−(jΩ)² / N` of harmonics 0, 1, and so on up to −1.
+    factors: Vec<[f64; 2]>,
+    /// Functions that are not zero everywhere.
+    active: Vec<usize>,
+    /// Pairs of functions as complex ones, and derivatives of these.
+    pairs: [Vec<Complex<f64>>; 2],
 }
 
 impl Differentiation {
@@ -45,21 +41,20 @@ impl Differentiation {
             first[m] = omega * sign / (2.0 * sin);
             second[m] = -omega * omega * sign * cos / (2.0 * sin * sin);
         }
-        let transposed = (n <= DENSE_LIMIT_OF_MANY).then(|| {
-            let entry = |column: usize, row: usize| match row < n {
-                true => first[(row + n - column) % n],
-                false => second[(row - column) % n],
-            };
-            Arc::new(Mat::from_fn(n, 2 * n, entry))
-        });
+        let rate = |m: usize| match m <= grid.harmonics() {
+            true => m as f64 * omega,
+            false => -((n - m) as f64) * omega,
+        };
+        let factors = (0..n).map(|m| [rate(m) / size, -rate(m) * rate(m) / size]);
         Differentiation {
             grid,
-            transposed,
-            series: Default::default(),
             first,
             second,
-            analysis: Analysis::new(n),
-            synthesis: Synthesis::new(n),
+            forward: Plan::forward(n),
+            backward: Plan::backward(n),
+            factors: factors.collect(),
+            active: Vec::new(),
+            pairs: Default::default(),
         }
     }
 
@@ -92,84 +87,78 @@ impl Differentiation {
     /// Writes `D x` and `T x`; all three slices have one entry for each grid point.
     pub fn apply(&mut self, x: &[f64], d_x: &mut [f64], t_x: &mut [f64]) {
         if self.grid.points() <= DENSE_LIMIT {
-            self.apply_dense(x, d_x, t_x);
+            self.apply_dense(1, x, [d_x, t_x]);
         } else {
-            self.apply_fft(x, d_x, t_x);
+            self.apply_fft(1, x, [d_x, t_x]);
         }
     }
 
     /// Writes `D X` and then `T X` of grid functions that have `count` values together at each grid
-    /// point, one point after the other.
+    /// point, one point after the other. They should be of one size, as they share rounding.
     pub fn apply_to_many(&mut self, count: usize, x: &[f64], derivatives: &mut [f64]) {
-        let n = self.grid.points();
-        match self.transposed.clone() {
-            Some(transposed) => matmul(
-                MatMut::from_column_major_slice_mut(derivatives, count, 2 * n),
-                Accum::Replace,
-                MatRef::from_column_major_slice(x, count, n),
-                transposed.as_ref().as_ref(),
-                1.0,
-                Par::Seq,
-            ),
-            None => self.apply_to_each(count, x, derivatives),
+        let (first, second) = derivatives.split_at_mut(count * self.grid.points());
+        if self.grid.points() <= DENSE_LIMIT {
+            self.apply_dense(count, x, [first, second]);
+        } else {
+            self.apply_fft(count, x, [first, second]);
         }
     }
 
-    fn apply_to_each(&mut self, count: usize, x: &[f64], derivatives: &mut [f64]) {
-        let n = self.grid.points();
-        let mut series = std::mem::take(&mut self.series);
-        series.iter_mut().for_each(|values| values.resize(n, 0.0));
-        let [values, d_x, t_x] = &mut series;
-        let (first, second) = derivatives.split_at_mut(count * n);
-        for function in 0..count {
-            let samples = x[function..].iter().step_by(count);
-            values.iter_mut().zip(samples).for_each(|(to, x)| *to = *x);
-            self.apply(values, d_x, t_x);
-            for (out, values) in [(&mut *first, &*d_x), (&mut *second, &*t_x)] {
-                let out = out[function..].iter_mut().step_by(count);
-                out.zip(values).for_each(|(to, x)| *to = *x);
-            }
-        }
-        self.series = series;
-    }
-
-    fn apply_dense(&self, x: &[f64], d_x: &mut [f64], t_x: &mut [f64]) {
-        d_x.fill(0.0);
-        t_x.fill(0.0);
-        // Columns are the first one, moved round.
-        for (column, value) in x.iter().enumerate() {
-            let wrapped = x.len() - column;
-            for (out, first) in [(&mut *d_x, &self.first), (&mut *t_x, &self.second)] {
-                let (above, below) = out.split_at_mut(column);
-                for (y, entry) in below.iter_mut().zip(first) {
-                    *y += entry * value;
-                }
-                for (y, entry) in above.iter_mut().zip(&first[wrapped..]) {
-                    *y += entry * value;
+    fn apply_dense(&self, count: usize, x: &[f64], out: [&mut [f64]; 2]) {
+        for (out, column) in out.into_iter().zip([&self.first, &self.second]) {
+            for (row, out) in out.chunks_exact_mut(count).enumerate() {
+                out.fill(0.0);
+                for (k, x) in x.chunks_exact(count).enumerate() {
+                    let entry = column[self.shift(row, k)];
+                    out.iter_mut().zip(x).for_each(|(y, x)| *y += entry * x);
                 }
             }
         }
     }
 
-    fn apply_fft(&mut self, x: &[f64], d_x: &mut [f64], t_x: &mut [f64]) {
-        self.analysis.read(x.iter().copied());
-        let omega = self.grid.frequency();
-        let scale = 1.0 / x.len() as f64;
-        for (order, out) in [(1, d_x), (2, t_x)] {
-            for (j, (target, source)) in self
-                .synthesis
-                .spectrum
-                .iter_mut()
-                .zip(&self.analysis.spectrum)
-                .enumerate()
-            {
-                let rate = j as f64 * omega;
-                *target = match order {
-                    1 => Complex::new(-source.im, source.re) * (rate * scale),
-                    _ => -source * (rate * rate * scale),
-                };
+    /// Two real functions at a time, as real and imaginary part of a complex one: `D` and `T` are
+    /// real. What is zero everywhere stays so.
+    fn apply_fft(&mut self, count: usize, x: &[f64], out: [&mut [f64]; 2]) {
+        let n = self.grid.points();
+        let is_active = |function: &usize| {
+            let mut values = x[*function..].iter().step_by(count);
+            values.any(|x| *x != 0.0)
+        };
+        self.active.clear();
+        self.active.extend((0..count).filter(is_active));
+        let length = n * self.active.len().div_ceil(2);
+        let [values, products] = &mut self.pairs;
+        values.resize(length, Complex::default());
+        products.resize(length, Complex::default());
+        let columns = values.chunks_exact_mut(n);
+        for (pair, column) in self.active.chunks(2).zip(columns) {
+            let points = column.iter_mut().zip(x.chunks_exact(count));
+            match *pair {
+                [a, b] => points.for_each(|(z, x)| *z = Complex::new(x[a], x[b])),
+                _ => points.for_each(|(z, x)| *z = Complex::new(x[pair[0]], 0.0)),
             }
-            self.synthesis.write(out);
+        }
+        self.forward.transform(values);
+        let columns = products.chunks_exact_mut(n).zip(values.chunks_exact_mut(n));
+        for (firsts, seconds) in columns {
+            let harmonics = firsts.iter_mut().zip(seconds).zip(&self.factors);
+            for ((first, second), factors) in harmonics {
+                *first = Complex::new(-second.im, second.re) * factors[0];
+                *second *= factors[1];
+            }
+        }
+        for (out, values) in out.into_iter().zip([products, values]) {
+            self.backward.transform(values);
+            if self.active.len() < count {
+                out.fill(0.0);
+            }
+            for (pair, column) in self.active.chunks(2).zip(values.chunks_exact(n)) {
+                let points = out.chunks_exact_mut(count).zip(column);
+                match *pair {
+                    [a, b] => points.for_each(|(y, z)| (y[a], y[b]) = (z.re, z.im)),
+                    _ => points.for_each(|(y, z)| y[pair[0]] = z.re),
+                }
+            }
         }
     }
 }
@@ -189,8 +178,8 @@ mod tests {
                 let x: Vec<f64> = grid.times().map(|t| (rate * t + 0.4).sin()).collect();
                 let mut buffers = [(); 4].map(|()| vec![0.0; points]);
                 let [d, t, d_fft, t_fft] = &mut buffers;
-                operators.apply_dense(&x, d, t);
-                operators.apply_fft(&x, d_fft, t_fft);
+                operators.apply_dense(1, &x, [d, t]);
+                operators.apply_fft(1, &x, [d_fft, t_fft]);
                 let largest = grid.harmonics().max(1) as f64 * omega;
                 for (k, time) in grid.times().enumerate() {
                     let (sin, cos) = (rate * time + 0.4).sin_cos();
@@ -205,27 +194,37 @@ mod tests {
     }
 
     #[test]
-    fn many_functions_have_the_derivatives_of_each() {
-        let count = 3;
-        for points in [3, 21, 95, 97, 101] {
+    fn many_functions_have_the_derivatives_of_each_and_zeros_those_of_zeros() {
+        for (points, count) in [(3, 3), (7, 4), (9, 4), (21, 5), (21, 1)] {
             let grid = TimeGrid::new(points, 1.7).unwrap();
             let mut operators = Differentiation::new(grid);
-            assert_eq!(
-                operators.transposed.is_some(),
-                points <= DENSE_LIMIT_OF_MANY
-            );
-            let wave = |i: usize| (0.37 * i as f64).sin() + (0.05 * (i * i) as f64).cos();
+            let wave = |i: usize| match i % count {
+                1 => 0.0,
+                _ => (0.37 * i as f64).sin() + (0.05 * (i * i) as f64).cos(),
+            };
             let x: Vec<f64> = (0..count * points).map(wave).collect();
-            let mut derivatives = [(); 2].map(|()| vec![0.0; 2 * count * points]);
-            let [together, apart] = &mut derivatives;
-            operators.apply_to_many(count, &x, together);
-            operators.apply_to_each(count, &x, apart);
+            let mut together = vec![f64::NAN; 2 * count * points];
+            operators.apply_to_many(count, &x, &mut together);
             let harmonic = grid.harmonics() as f64 * grid.frequency();
-            for (index, (a, b)) in together.iter().zip(apart).enumerate() {
-                let power = 1 + (index / (count * points)) as i32;
-                // As that of the derivatives above.
-                let tolerance = 1e-14 * points as f64 * harmonic.powi(power);
-                assert!((a - *b).abs() < tolerance, "{points} {index}: {a} {b}");
+            // As that of the derivatives above.
+            let tolerance = 1e-14 * points as f64 * harmonic;
+            let entries = [Differentiation::first, Differentiation::second];
+            for (order, entry) in entries.into_iter().enumerate() {
+                for (i, found) in together[order * count * points..][..count * points]
+                    .iter()
+                    .enumerate()
+                {
+                    let (row, function) = (i / count, i % count);
+                    let terms =
+                        (0..points).map(|k| (entry(&operators, row, k), x[k * count + function]));
+                    let exact: f64 = terms.map(|(entry, x)| entry * x).sum();
+                    let error = (found - exact).abs();
+                    assert!(
+                        error < tolerance * harmonic.powi(order as i32),
+                        "{points} {i}"
+                    );
+                    assert!(function != 1 || *found == 0.0);
+                }
             }
         }
     }

@@ -3,7 +3,7 @@
 //! A formula for rotations, evaluated in dual algebra, is the formula for motions.
 
 use super::product::{of_entries, outer_product, product, sum_of_products, transpose};
-use super::rotation::{axial, skew};
+use super::rotation::{axial, skew, times_skew};
 use nalgebra::{Matrix3, Matrix6, Vector3, Vector6};
 use std::ops::{Add, AddAssign, Mul, Neg, Sub};
 
@@ -189,6 +189,15 @@ impl DualVector {
         }
     }
 
+    /// Vector product `a × b = ã b`.
+    #[inline(always)]
+    pub fn cross(&self, b: &DualVector) -> DualVector {
+        DualVector {
+            primal: self.primal.cross(&b.primal),
+            dual: self.primal.cross(&b.dual) + self.dual.cross(&b.primal),
+        }
+    }
+
     /// Outer product `a bᵀ`.
     #[inline]
     pub fn outer(&self, b: &DualVector) -> DualMatrix {
@@ -199,7 +208,16 @@ impl DualVector {
     }
 }
 
+/// The primal part of a dual matrix, or the dual one.
+type Part = fn(&mut DualMatrix) -> &mut Matrix3<f64>;
+
 impl DualMatrix {
+    /// The places of all entries.
+    pub fn entries() -> impl Iterator<Item = (Part, usize)> {
+        let parts: [Part; 2] = [|m| &mut m.primal, |m| &mut m.dual];
+        (0..9).flat_map(move |entry| parts.map(|part| (part, entry)))
+    }
+
     /// The zero matrix.
     #[inline]
     pub fn zeros() -> Self {
@@ -216,18 +234,6 @@ impl DualMatrix {
             primal: Matrix3::identity(),
             dual: Matrix3::zeros(),
         }
-    }
-
-    /// The primal part, to be changed.
-    #[inline]
-    pub fn primal_mut(&mut self) -> &mut Matrix3<f64> {
-        &mut self.primal
-    }
-
-    /// The dual part, to be changed.
-    #[inline]
-    pub fn dual_mut(&mut self) -> &mut Matrix3<f64> {
-        &mut self.dual
     }
 
     /// Transpose; the inverse of a dual rotation.
@@ -279,10 +285,52 @@ impl DualMatrix {
         }
     }
 
+    /// `(tr(A) I − A) b`.
+    #[inline(always)]
+    pub fn trace_minus_times(&self, b: &DualVector) -> DualVector {
+        *b * self.trace() - *self * *b
+    }
+
     /// `tr(A) I − Aᵀ`: `axial(A ã) = ½ (tr(A) I − Aᵀ) a`.
     #[inline]
     pub fn trace_minus_transpose(&self) -> Self {
         self.transpose().trace_minus()
+    }
+
+    /// `axial(AᵀB)`.
+    #[inline(always)]
+    pub fn axial_of_tr_mul(&self, b: &DualMatrix) -> DualVector {
+        let axial = |a: &Matrix3<f64>, b: &Matrix3<f64>| {
+            let ([a0, a1, a2], [b0, b1, b2]) = (&a.data.0, &b.data.0);
+            let dot = |x: &[f64; 3], y: &[f64; 3]| x[0] * y[0] + x[1] * y[1] + x[2] * y[2];
+            0.5 * Vector3::new(
+                dot(a2, b1) - dot(a1, b2),
+                dot(a0, b2) - dot(a2, b0),
+                dot(a1, b0) - dot(a0, b1),
+            )
+        };
+        DualVector {
+            primal: axial(&self.primal, &b.primal),
+            dual: axial(&self.primal, &b.dual) + axial(&self.dual, &b.primal),
+        }
+    }
+
+    /// `tr(AᵀB)`.
+    #[inline(always)]
+    pub fn inner(&self, b: &DualMatrix) -> Dual {
+        Dual {
+            primal: self.primal.dot(&b.primal),
+            dual: self.primal.dot(&b.dual) + self.dual.dot(&b.primal),
+        }
+    }
+
+    /// `A b̃`.
+    #[inline(always)]
+    pub fn times_skew(&self, b: &DualVector) -> Self {
+        DualMatrix {
+            primal: times_skew(&self.primal, &b.primal),
+            dual: times_skew(&self.primal, &b.dual) + times_skew(&self.dual, &b.primal),
+        }
     }
 
     /// 6×6 matrix acting on twists `[dual; primal]`: `[A A°; 0 A]` (docs/theory.md, section 1.2).
@@ -357,6 +405,19 @@ mod tests {
         // (38e)
         let trace = (a.skew() * m).trace() + a.dot(&m.axial()) * 2.0;
         assert!(trace.primal.abs() < 1e-14 && trace.dual.abs() < 1e-14);
+    }
+
+    #[test]
+    fn parts_of_products_are_those_of_the_products() {
+        let (a, m, other) = (vector(0.7), matrix(0.4), matrix(1.5));
+        let by_skew = m.times_skew(&a) - m * a.skew();
+        assert!(by_skew.primal.amax() < 1e-14 && by_skew.dual.amax() < 1e-14);
+        assert_equal(m.trace_minus_times(&a), m.trace_minus() * a);
+        assert_equal(a.cross(&vector(1.9)), a.skew() * vector(1.9));
+        let product = m.transpose() * other;
+        assert_equal(m.axial_of_tr_mul(&other), product.axial());
+        let inner = m.inner(&other) + -product.trace();
+        assert!(inner.primal.abs() < 1e-13 && inner.dual.abs() < 1e-13);
     }
 
     #[test]

@@ -4,22 +4,24 @@ use super::dual::DualMatrix;
 use super::interpolation::DualPolar;
 use super::rigid::{Motion, NodeState};
 use crate::fourier::{CardinalWeights, Resampling, SpectralFilter, TimeGrid};
-use nalgebra::{Matrix3, Vector3};
+use nalgebra::Vector3;
 
 /// Motions at the points of a grid, as dual matrices to be summed with weights.
 #[derive(Debug, Clone, Default)]
 pub struct PeriodicMotion {
-    /// With the mean position taken out: a translation of everything changes nothing.
+    /// With the mean position taken out.
     motions: Vec<DualMatrix>,
     mean: Vector3<f64>,
 }
 
-type Part = fn(&mut DualMatrix) -> &mut Matrix3<f64>;
-
-/// The entries of a dual matrix.
-fn entries() -> impl Iterator<Item = (Part, usize)> {
-    let parts: [Part; 2] = [DualMatrix::primal_mut, DualMatrix::dual_mut];
-    (0..9).flat_map(move |entry| parts.map(|part| (part, entry)))
+/// Appends motions as dual matrices, with their mean position taken out: a translation of everything
+/// changes nothing. Gives that mean.
+pub fn append_centred(motions: &[Motion], to: &mut Vec<DualMatrix>) -> Vector3<f64> {
+    let total = motions.iter().map(|m| m.position).sum::<Vector3<f64>>();
+    let mean = total / motions.len() as f64;
+    let centred = |m: &Motion| Motion::new(m.rotation, m.position - mean).to_dual();
+    to.extend(motions.iter().map(centred));
+    mean
 }
 
 impl PeriodicMotion {
@@ -32,19 +34,15 @@ impl PeriodicMotion {
 
     /// Takes other motions.
     pub fn set(&mut self, motions: &[Motion]) {
-        let total = motions.iter().map(|m| m.position).sum::<Vector3<f64>>();
-        let mean = total / motions.len() as f64;
-        let centred = |m: &Motion| Motion::new(m.rotation, m.position - mean).to_dual();
-        self.mean = mean;
         self.motions.clear();
-        self.motions.extend(motions.iter().map(centred));
+        self.mean = append_centred(motions, &mut self.motions);
     }
 
     /// The same with harmonics weakened by a filter; motions remain motions of rigid bodies.
     pub fn filtered(mut self, grid: TimeGrid, filter: &SpectralFilter) -> Self {
         let mut resampling = Resampling::new(grid, 0.0, grid.points());
         let mut samples = vec![0.0; grid.points()];
-        for (part, entry) in entries() {
+        for (part, entry) in DualMatrix::entries() {
             resampling.read(self.motions.iter_mut().map(|m| part(m)[entry]));
             resampling.filter(filter);
             resampling.write(0, 0, &mut samples);
@@ -75,7 +73,7 @@ impl PeriodicMotion {
         column: &mut [f64],
         sums: &mut [[DualMatrix; 3]],
     ) {
-        for (part, entry) in entries() {
+        for (part, entry) in DualMatrix::entries() {
             resampling.read(self.motions.iter_mut().map(|m| part(m)[entry]));
             for order in 0..3 {
                 resampling.write(order as u32, 0, column);

@@ -9,6 +9,14 @@ pub fn skew(a: &Vector3<f64>) -> Matrix3<f64> {
     Matrix3::new(0.0, -a.z, a.y, a.z, 0.0, -a.x, -a.y, a.x, 0.0)
 }
 
+/// `A b̃`.
+#[inline(always)]
+pub fn times_skew(a: &Matrix3<f64>, b: &Vector3<f64>) -> Matrix3<f64> {
+    let [x, y, z] = a.data.0.map(Vector3::from);
+    let columns = [y * b.z - z * b.y, z * b.x - x * b.z, x * b.y - y * b.x];
+    Matrix3::from_columns(&columns)
+}
+
 /// Axial vector `½ (A32 − A23, A13 − A31, A21 − A12)`; `axial(ã) = a`.
 #[inline]
 pub fn axial(m: &Matrix3<f64>) -> Vector3<f64> {

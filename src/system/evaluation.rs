@@ -34,6 +34,16 @@ pub struct Conditions<'a> {
 pub struct Workspace {
     contributions: Vec<Contribution>,
     states: Vec<NodeState>,
+    changes: Vec<[Vector6<f64>; 2]>,
+    resultants: Vec<Vector6<f64>>,
+}
+
+impl Workspace {
+    fn set_states(&mut self, placed: &Placed, state: impl Fn(usize) -> NodeState) {
+        self.states.clear();
+        let states = placed.element.nodes().iter().map(|&node| state(node));
+        self.states.extend(states);
+    }
 }
 
 impl System {
@@ -46,6 +56,8 @@ impl System {
                 .map(|&(nodes, multipliers)| Contribution::new(nodes, multipliers, with_tangents))
                 .collect(),
             states: Vec::new(),
+            changes: Vec::new(),
+            resultants: Vec::new(),
         }
     }
 
@@ -148,26 +160,79 @@ impl System {
         self.evaluate(placed, state, &conditions, own, workspace)
     }
 
-    /// Forces of stress resultants of one element on its nodes, in their own axes.
+    /// Writes the stress resultants of one element.
     ///
     /// # Errors
     /// If the element is too distorted.
-    pub fn forces_of_resultants<'w>(
+    pub fn stress_resultants(
         &self,
         placed: &Placed,
         state: impl Fn(usize) -> NodeState,
-        resultants: &[Vector6<f64>],
-        workspace: &'w mut Workspace,
-    ) -> Result<&'w Contribution> {
-        workspace.states.clear();
-        let states = placed.element.nodes().iter().map(|&node| state(node));
-        workspace.states.extend(states);
-        let out = &mut workspace.contributions[placed.shape];
-        out.clear();
+        workspace: &mut Workspace,
+        out: &mut [Vector6<f64>],
+    ) -> Result<()> {
+        workspace.set_states(placed, state);
+        let room = &mut workspace.contributions[placed.shape];
+        let element = &placed.element;
+        element.stress_resultants(&workspace.states, room, out)
+    }
+
+    /// The same for strains and strain rates that change in proportion to increments of the nodes
+    /// and of their velocities, which are given with their states.
+    ///
+    /// # Errors
+    /// If the element is too distorted.
+    pub fn extrapolated_resultants(
+        &self,
+        placed: &Placed,
+        state: impl Fn(usize) -> (NodeState, [Vector6<f64>; 2]),
+        workspace: &mut Workspace,
+        out: &mut [Vector6<f64>],
+    ) -> Result<()> {
+        workspace.set_states(placed, |node| state(node).0);
+        let Workspace {
+            contributions,
+            states,
+            changes,
+            ..
+        } = workspace;
+        changes.clear();
+        changes.extend(placed.element.nodes().iter().map(|&node| state(node).1));
+        let room = &mut contributions[placed.shape];
         placed
             .element
-            .add_forces_of_resultants(&workspace.states, resultants, out)?;
-        Ok(out)
+            .extrapolate_resultants(states, changes, room, out)
+    }
+
+    /// Lets what stress resultants of one element, whose nodes are at `from`, are more than those
+    /// `given` act on the nodes as they are at `to` instead: what that changes of the forces.
+    ///
+    /// # Errors
+    /// If the element is too distorted.
+    pub fn forces_moved<'w>(
+        &self,
+        placed: &Placed,
+        [from, to]: [impl Fn(usize) -> NodeState; 2],
+        given: &[Vector6<f64>],
+        workspace: &'w mut Workspace,
+    ) -> Result<&'w [f64]> {
+        let mut excess = std::mem::take(&mut workspace.resultants);
+        excess.resize(given.len(), Vector6::zeros());
+        self.stress_resultants(placed, from, workspace, &mut excess)?;
+        excess
+            .iter_mut()
+            .zip(given)
+            .for_each(|(x, given)| *x -= given);
+        let element = &placed.element;
+        let out = &mut workspace.contributions[placed.shape];
+        out.clear();
+        element.add_forces_of_resultants(&workspace.states, &excess, out)?;
+        out.force.neg_mut();
+        workspace.set_states(placed, to);
+        let out = &mut workspace.contributions[placed.shape];
+        element.add_forces_of_resultants(&workspace.states, &excess, out)?;
+        workspace.resultants = excess;
+        Ok(out.force.as_slice())
     }
 
     /// Forces that one element exerts on its nodes, in their own axes, and its outputs.

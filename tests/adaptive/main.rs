@@ -339,14 +339,7 @@ fn oversampled_equations_meet_the_tolerance_too() {
             Solution::solve(&example.model, example.period, &options, &mut |_, _| true).unwrap();
         let estimate = solution.diagnostics().error_estimate;
         let error = true_error(&solution, &exact);
-        let grids: Vec<usize> = solution
-            .details()
-            .periodic()
-            .unwrap()
-            .grids
-            .iter()
-            .map(|g| g.points)
-            .collect();
+        let grids: Vec<usize> = grids_tried(&solution);
         println!(
             "{}: {grids:?}, error {error:.1e}, estimate {estimate:.1e}",
             example.name

@@ -144,6 +144,12 @@ pub fn try_solve(
     Solution::solve(model, period, &options(grid_points), &mut |_, _| true)
 }
 
+/// Numbers of points of the grids that an adaptive solve has tried, in order.
+pub fn grids_tried(solution: &Solution) -> Vec<usize> {
+    let grids = &solution.details().periodic().unwrap().grids;
+    grids.iter().map(|grid| grid.points).collect()
+}
+
 /// `count` uniform times from 0 to `period`, both included.
 pub fn times(period: f64, count: usize) -> Vec<f64> {
     (0..count)

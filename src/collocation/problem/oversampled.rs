@@ -18,10 +18,10 @@ use crate::collocation::state::GridState;
 use crate::collocation::tangent::Tangent;
 use crate::error::Result;
 use crate::fourier::{Resampling, TimeGrid};
-use crate::motion::{DualMatrix, DualPolar, DualVector, Motion};
+use crate::motion::{DualMatrix, DualPolar, DualVector, append_centred};
 use crate::system::System;
 use crate::workers::Workers;
-use nalgebra::{Vector3, Vector6};
+use nalgebra::Vector6;
 use std::sync::Arc;
 
 /// The equations on the finer grid, for unknowns of the coarser.
@@ -137,11 +137,7 @@ impl Oversampled {
         self.motions.clear();
         self.polars.clear();
         for node in 0..self.fine.system().nodes() {
-            let motions = state.node(node);
-            let total = motions.iter().map(|m| m.position).sum::<Vector3<f64>>();
-            let mean = total / points as f64;
-            let centred = |m: &Motion| Motion::new(m.rotation, m.position - mean).to_dual();
-            self.motions.extend(motions.iter().map(centred));
+            append_centred(state.node(node), &mut self.motions);
             let motions = &self.motions[node * points..];
             self.scratch.coarse.copy_from_slice(motions);
             self.interpolate();
@@ -219,16 +215,14 @@ fn resample(
     to: &mut [DualMatrix],
     samples: &mut [f64],
 ) {
-    for entry in 0..9 {
-        for part in [DualMatrix::primal_mut, DualMatrix::dual_mut] {
-            resampling.read(from.iter_mut().map(|m| part(m)[entry]));
-            if let Some(most) = most {
-                resampling.truncate(most);
-            }
-            resampling.write(0, 0, samples);
-            for (m, value) in to.iter_mut().zip(&*samples) {
-                part(m)[entry] = *value;
-            }
+    for (part, entry) in DualMatrix::entries() {
+        resampling.read(from.iter_mut().map(|m| part(m)[entry]));
+        if let Some(most) = most {
+            resampling.truncate(most);
+        }
+        resampling.write(0, 0, samples);
+        for (m, value) in to.iter_mut().zip(&*samples) {
+            part(m)[entry] = *value;
         }
     }
 }

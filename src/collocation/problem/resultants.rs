@@ -2,14 +2,31 @@
 
 use super::Collocation;
 use crate::collocation::rule::RuleWorkspace;
-use crate::collocation::state::GridState;
+use crate::elements::NodeState;
 use crate::error::Result;
 use crate::fourier::{Resampling, TimeGrid};
+use crate::system::{Placed, Workspace};
 use nalgebra::Vector6;
 
+/// Those at the stations of an element.
+type Resultants = [Vector6<f64>];
+
 impl Collocation {
-    /// Stress resultants of all stations, at one grid point after the other, that follow from those
-    /// at `state` in proportion to the unscaled `increment` of the unknowns.
+    /// Stress resultants of all stations by their strains, at one grid point after the other.
+    ///
+    /// Kinematics must be those of the state that is meant.
+    ///
+    /// # Errors
+    /// If an element is too distorted.
+    pub fn resultants_of_strains(&mut self) -> Result<Vec<Vector6<f64>>> {
+        let (system, points) = (self.system.clone(), self.grid.points());
+        self.at_stations(|placed, states, k, workspace, out| {
+            let state = |node: usize| states[node * points + k];
+            system.stress_resultants(placed, state, workspace, out)
+        })
+    }
+
+    /// Those that follow from these in proportion to the unscaled `increment` of the unknowns.
     ///
     /// After an increment that turns beams much, those of the strains have little to do with
     /// equilibrium: second-order stretching, times axial stiffness. These are in equilibrium, as
@@ -17,37 +34,76 @@ impl Collocation {
     ///
     /// # Errors
     /// If an element is too distorted.
-    pub fn extrapolated_resultants(
-        &mut self,
-        state: &GridState,
-        increment: &[f64],
-    ) -> Result<Vec<Vector6<f64>>> {
-        self.update_kinematics(state);
-        let (points, stations) = (self.grid.points(), self.system.stations());
-        let mut all = vec![Vector6::zeros(); points * stations];
+    pub fn extrapolated_resultants(&mut self, increment: &[f64]) -> Result<Vec<Vector6<f64>>> {
+        let (system, points) = (self.system.clone(), self.grid.points());
         let changes = self.increments_with_rates(increment);
-        let mut instants: Vec<&mut [Vector6<f64>]> = all.chunks_exact_mut(stations).collect();
+        self.at_stations(|placed, states, k, workspace, out| {
+            let state = |node: usize| (states[node * points + k], changes[node * points + k]);
+            system.extrapolated_resultants(placed, state, workspace, out)
+        })
+    }
+
+    /// Finds something at the stations of each element, at all grid points.
+    fn at_stations(
+        &mut self,
+        find: impl Fn(&Placed, &[NodeState], usize, &mut Workspace, &mut Resultants) -> Result<()>
+        + Sync,
+    ) -> Result<Vec<Vector6<f64>>> {
         let (system, states) = (&self.system, &self.instants.states);
+        let mut all = vec![Vector6::zeros(); self.grid.points() * system.stations()];
+        let mut instants: Vec<_> = all.chunks_exact_mut(system.stations()).collect();
         self.workers.try_for_each(
             &mut instants,
-            &mut Vec::new(),
-            || (Vec::new(), Vec::new()),
-            |(nodes, increments), k, out| {
-                for placed in system.elements() {
-                    let places = placed.element.nodes().iter().map(|node| node * points + k);
-                    nodes.clear();
-                    nodes.extend(places.clone().map(|at| states[at]));
-                    increments.clear();
-                    increments.extend(places.map(|at| changes[at]));
+            &mut self.forces_only,
+            || system.workspace(false),
+            |workspace, k, out| {
+                system.elements().iter().try_for_each(|placed| {
                     let out = &mut out[placed.stations.clone()];
-                    placed
-                        .element
-                        .extrapolate_resultants(nodes, increments, out)?;
-                }
-                Ok(())
+                    find(placed, states, k, workspace, out)
+                })
             },
         )?;
         Ok(all)
+    }
+
+    /// Lets what stress resultants of the nodes `from` are more than those `given` act on the nodes
+    /// as they are at `to` instead: adds what that changes of the forces to `rows`, `count` of them
+    /// for each grid point, of which those of the nodes come first.
+    ///
+    /// # Errors
+    /// If an element is too distorted.
+    pub(in crate::collocation) fn move_excess(
+        &mut self,
+        given: &[Vector6<f64>],
+        [from, to]: [&[NodeState]; 2],
+        (rows, count): (&mut [f64], usize),
+    ) -> Result<()> {
+        let (system, points) = (&self.system, self.grid.points());
+        let given = given.chunks_exact(system.stations());
+        let mut instants: Vec<_> = rows.chunks_exact_mut(count).zip(given).collect();
+        self.workers.try_for_each(
+            &mut instants,
+            &mut self.forces_only,
+            || system.workspace(false),
+            |workspace, k, (rows, given)| {
+                for placed in system.elements() {
+                    let given = &given[placed.stations.clone()];
+                    if given.is_empty() {
+                        continue;
+                    }
+                    let at = |node: usize| node * points + k;
+                    let nodes = [from, to].map(|states| move |node: usize| states[at(node)]);
+                    let forces = system
+                        .forces_moved(placed, nodes, given, workspace)?
+                        .chunks_exact(6);
+                    for (&node, force) in placed.element.nodes().iter().zip(forces) {
+                        let rows = rows[6 * node..][..6].iter_mut();
+                        rows.zip(force).for_each(|(row, f)| *row += f);
+                    }
+                }
+                Ok(())
+            },
+        )
     }
 
     /// Increments of the nodes, and of their velocities, that an unscaled increment of all unknowns
@@ -68,14 +124,15 @@ impl Collocation {
         changes
     }
 
-    /// Stress resultants of all stations at `state`, at the points of another grid of the same
-    /// period that begins `start` periods later; none where tangents have no use for them.
+    /// Stress resultants of all stations by their strains, at the points of another grid of the
+    /// same period that begins `start` periods later; none where tangents have no use for them.
+    ///
+    /// Kinematics must be those of the state that is meant.
     ///
     /// # Errors
     /// If an element is too distorted.
     pub fn resampled_resultants(
         &mut self,
-        state: &GridState,
         start: f64,
         other: TimeGrid,
     ) -> Result<Vec<Vector6<f64>>> {
@@ -83,7 +140,7 @@ impl Collocation {
         if stations == 0 || self.oversampled.is_some() {
             return Ok(Vec::new());
         }
-        let resultants = self.extrapolated_resultants(state, &vec![0.0; self.size()])?;
+        let resultants = self.resultants_of_strains()?;
         let mut all = vec![Vector6::zeros(); other.points() * stations];
         let mut resampling = Resampling::new(self.grid, start, other.points());
         let mut values = vec![0.0; other.points()];

@@ -115,7 +115,7 @@ impl NodeKinematics {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::collocation::rule::VariationScratch;
+    use crate::collocation::rule::KinematicsScratch;
     use crate::fourier::Differentiation;
     use crate::motion::{Motion, rotation_from_vector};
     use nalgebra::{Vector3, Vector6};
@@ -139,7 +139,7 @@ mod tests {
                 })
                 .collect();
             let mut node = NodeKinematics::default();
-            node.evaluate(&mut operators, &motions);
+            node.evaluate(&mut operators, &motions, &mut KinematicsScratch::default());
             let aliasing = node.aliasing(grid);
             assert_eq!(aliasing.len(), turns.unsigned_abs() as usize);
             let twist = node.velocity(0).skew().to_twist_matrix().map(Complex::from);
@@ -154,7 +154,7 @@ mod tests {
                             let (sine, cosine) = (h as f64 * omega * t).sin_cos();
                             increments[6 * k + component] = [cosine, sine][part];
                         }
-                        let scratch = &mut VariationScratch::default();
+                        let scratch = &mut KinematicsScratch::default();
                         let mut rates = [[Vector6::zeros(); 2]; 15];
                         node.variation(&mut operators, &increments, scratch, &mut rates);
                         for (l, [dv, da]) in rates.iter().enumerate() {

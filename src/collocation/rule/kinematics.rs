@@ -3,8 +3,8 @@
 
 use crate::elements::NodeState;
 use crate::fourier::Differentiation;
-use crate::motion::{DualMatrix, DualVector, Motion};
-use nalgebra::{Vector3, Vector6};
+use crate::motion::{DualMatrix, DualVector, Motion, append_centred};
+use nalgebra::Vector6;
 
 /// Weights of the present and the past motions in first and second derivatives.
 #[derive(Debug, Clone, Copy)]
@@ -18,7 +18,7 @@ pub struct BackwardWeights {
 /// One node over the grid: `A_ℓ`, `B_ℓ`, `v_ℓ` and `v̇_ℓ`.
 #[derive(Debug, Clone, Default)]
 pub struct NodeKinematics {
-    /// `M_k`, with the mean position taken out: a translation of everything changes nothing.
+    /// `M_k`, with the mean position taken out.
     motions: Vec<DualMatrix>,
     /// `A_ℓ = M_ℓᵀ (D M)_ℓ`.
     a: Vec<DualMatrix>,
@@ -28,82 +28,101 @@ pub struct NodeKinematics {
     velocity: Vec<DualVector>,
     /// `v̇_ℓ = axial(B_ℓ − 2 ṽ_ℓ A_ℓ)`.
     acceleration: Vec<DualVector>,
-    samples: [Vec<f64>; 2],
 }
 
-/// Scratch of [`NodeKinematics::variation`].
+/// Numbers of a matrix.
+const ENTRIES: usize = 9;
+
+/// Dual matrices at the grid points, and their derivatives.
 #[derive(Debug, Clone, Default)]
-pub struct VariationScratch {
-    skews: Vec<DualMatrix>,
-    moved: Vec<DualMatrix>,
-    a: Vec<DualMatrix>,
-    b: Vec<DualMatrix>,
-    by_a: Vec<DualMatrix>,
-    sums: Vec<DualMatrix>,
+struct MatrixSeries {
+    points: usize,
+    /// Of the primal parts, point by point, and of the dual parts, which are of another size.
     samples: [Vec<f64>; 2],
+    /// First derivatives and then second ones, likewise.
+    derivatives: [Vec<f64>; 2],
 }
 
-/// Numbers of a dual matrix.
-const ENTRIES: usize = 18;
-
-/// Writes the first and second derivatives of a motion, entry by entry.
-fn differentiate(
-    operators: &mut Differentiation,
-    motions: &[DualMatrix],
-    [first, second]: [&mut Vec<DualMatrix>; 2],
-    samples: &mut [Vec<f64>; 2],
-) {
-    let n = motions.len();
-    first.resize(n, DualMatrix::zeros());
-    second.resize(n, DualMatrix::zeros());
-    let [samples, derivatives] = samples;
-    samples.resize(ENTRIES * n, 0.0);
-    derivatives.resize(2 * ENTRIES * n, 0.0);
-    for (m, entries) in motions.iter().zip(samples.chunks_exact_mut(ENTRIES)) {
-        let (primal, dual) = entries.split_at_mut(9);
-        primal.copy_from_slice(m.primal.as_slice());
-        dual.copy_from_slice(m.dual.as_slice());
-    }
-    operators.apply_to_many(ENTRIES, samples, derivatives);
-    let derivatives = derivatives.chunks_exact(ENTRIES);
-    for (m, entries) in first.iter_mut().chain(second).zip(derivatives) {
-        let (primal, dual) = entries.split_at(9);
-        m.primal.copy_from_slice(primal);
-        m.dual.copy_from_slice(dual);
-    }
-}
-
-impl VariationScratch {
+impl MatrixSeries {
     fn resize(&mut self, points: usize) {
-        for list in [&mut self.skews, &mut self.moved, &mut self.by_a] {
-            list.resize(points, DualMatrix::zeros());
+        self.points = points;
+        for list in &mut self.samples {
+            list.resize(ENTRIES * points, 0.0);
+        }
+        for list in &mut self.derivatives {
+            list.resize(2 * ENTRIES * points, 0.0);
         }
     }
 
-    /// Writes the derivatives of `moved`.
-    fn differentiate(&mut self, operators: &mut Differentiation) {
-        let sums = [&mut self.a, &mut self.b];
-        differentiate(operators, &self.moved, sums, &mut self.samples);
+    #[inline(always)]
+    fn set(&mut self, k: usize, matrix: &DualMatrix) {
+        let parts = [&matrix.primal, &matrix.dual];
+        for (samples, part) in self.samples.iter_mut().zip(parts) {
+            samples[ENTRIES * k..][..ENTRIES].copy_from_slice(part.as_slice());
+        }
     }
+
+    fn differentiate(&mut self, operators: &mut Differentiation) {
+        for (samples, derivatives) in self.samples.iter().zip(&mut self.derivatives) {
+            operators.apply_to_many(ENTRIES, samples, derivatives);
+        }
+    }
+
+    #[inline(always)]
+    fn first(&self, l: usize) -> DualMatrix {
+        self.at(l)
+    }
+
+    #[inline(always)]
+    fn second(&self, l: usize) -> DualMatrix {
+        self.at(self.points + l)
+    }
+
+    #[inline(always)]
+    fn at(&self, place: usize) -> DualMatrix {
+        let mut matrix = DualMatrix::zeros();
+        let parts = [&mut matrix.primal, &mut matrix.dual];
+        for (part, derivatives) in parts.into_iter().zip(&self.derivatives) {
+            let entries = &derivatives[ENTRIES * place..][..ENTRIES];
+            part.as_mut_slice().copy_from_slice(entries);
+        }
+        matrix
+    }
+}
+
+/// Scratch of [`NodeKinematics`].
+#[derive(Debug, Clone, Default)]
+pub struct KinematicsScratch {
+    series: MatrixSeries,
+    by_a: Vec<DualMatrix>,
+    by_b: Vec<DualMatrix>,
+    sums: Vec<DualMatrix>,
 }
 
 impl NodeKinematics {
     /// Evaluates everything for a node's `motions`, one at each grid point.
-    pub fn evaluate(&mut self, operators: &mut Differentiation, motions: &[Motion]) {
+    pub fn evaluate(
+        &mut self,
+        operators: &mut Differentiation,
+        motions: &[Motion],
+        scratch: &mut KinematicsScratch,
+    ) {
         let n = motions.len();
-        self.motions.resize(n, DualMatrix::zeros());
         self.velocity.resize(n, DualVector::zeros());
         self.acceleration.resize(n, DualVector::zeros());
-        let mean = motions.iter().map(|m| m.position).sum::<Vector3<f64>>() / n as f64;
-        for (dual, motion) in self.motions.iter_mut().zip(motions) {
-            *dual = Motion::new(motion.rotation, motion.position - mean).to_dual();
+        self.motions.clear();
+        append_centred(motions, &mut self.motions);
+        let series = &mut scratch.series;
+        series.resize(n);
+        for (k, motion) in self.motions.iter().enumerate() {
+            series.set(k, motion);
         }
-        // D M and T M, kept in a and b until both are complete.
-        let (motions, sums) = (&self.motions, [&mut self.a, &mut self.b]);
-        differentiate(operators, motions, sums, &mut self.samples);
-        for l in 0..n {
-            self.a[l] = self.motions[l].tr_mul(&self.a[l]);
-            self.b[l] = self.motions[l].tr_mul(&self.b[l]);
+        series.differentiate(operators);
+        self.a.clear();
+        self.b.clear();
+        for (l, motion) in self.motions.iter().enumerate() {
+            self.a.push(motion.tr_mul(&series.first(l)));
+            self.b.push(motion.tr_mul(&series.second(l)));
         }
         self.finish();
     }
@@ -181,28 +200,34 @@ impl NodeKinematics {
     /// `Δv_ℓ = Σ_k Γ_v Δu_k` and `Δv̇_ℓ = Σ_k Γ_a Δu_k` for `increments` of all grid points, six
     /// numbers each, by the operators themselves: with them as fast as `D` and `T` are applied.
     ///
-    /// `ΔM = M Δũ`, so that `ΔA = −Δũ A + Mᵀ (D ΔM)` and `ΔB = −Δũ B + Mᵀ (T ΔM)`.
+    /// `ΔM = M Δũ`, so that `ΔA = −Δũ A + Mᵀ (D ΔM)` and `ΔB = −Δũ B + Mᵀ (T ΔM)`. Of these, only
+    /// axial parts, the trace of `ΔA` and `ΔA v` are needed: twice the axial part of `ṽ ΔA` is
+    /// `tr(ΔA) v − ΔA v`.
     pub fn variation(
         &self,
         operators: &mut Differentiation,
         increments: &[f64],
-        scratch: &mut VariationScratch,
+        scratch: &mut KinematicsScratch,
         rates: &mut [[Vector6<f64>; 2]],
     ) {
-        scratch.resize(self.motions.len());
-        for (k, u) in increments.chunks_exact(6).enumerate() {
-            let u = Vector6::from_column_slice(u);
-            scratch.skews[k] = DualVector::from_twist(&u).skew();
-            scratch.moved[k] = self.motions[k] * scratch.skews[k];
+        let series = &mut scratch.series;
+        series.resize(self.motions.len());
+        let twist = |u: &[f64]| DualVector::from_twist(&Vector6::from_column_slice(u));
+        let increments = increments.chunks_exact(6);
+        for (k, (motion, u)) in self.motions.iter().zip(increments.clone()).enumerate() {
+            series.set(k, &motion.times_skew(&twist(u)));
         }
-        scratch.differentiate(operators);
-        for (l, rates) in rates.iter_mut().enumerate() {
-            let skew = &scratch.skews[l];
-            let (a, v) = (&self.a[l], &self.velocity[l]);
-            let delta_a = self.motions[l].tr_mul(&scratch.a[l]) - *skew * *a;
-            let delta_b = self.motions[l].tr_mul(&scratch.b[l]) - *skew * self.b[l];
-            let delta_v = delta_a.axial();
-            let delta_rate = (delta_b - (delta_v.skew() * *a + v.skew() * delta_a) * 2.0).axial();
+        series.differentiate(operators);
+        for (l, (rates, u)) in rates.iter_mut().zip(increments).enumerate() {
+            let (motion, u, v) = (&self.motions[l], twist(u), self.velocity[l]);
+            let (a, b) = (&self.a[l], &self.b[l]);
+            let (first, second) = (series.first(l), series.second(l));
+            let delta_v = motion.axial_of_tr_mul(&first) - a.trace_minus_times(&u) * 0.5;
+            let delta_b = motion.axial_of_tr_mul(&second) - b.trace_minus_times(&u) * 0.5;
+            // tr(Δũ A) = −2 Δu · v
+            let trace = motion.inner(&first) + u.dot(&v) * 2.0;
+            let delta_a_v = motion.transpose() * (first * v) - u.cross(&(*a * v));
+            let delta_rate = delta_b - a.trace_minus_times(&delta_v) - (v * trace - delta_a_v);
             *rates = [delta_v.to_twist(), delta_rate.to_twist()];
         }
     }
@@ -217,28 +242,36 @@ impl NodeKinematics {
         &self,
         operators: &mut Differentiation,
         by_rates: &[[Vector6<f64>; 2]],
-        scratch: &mut VariationScratch,
+        scratch: &mut KinematicsScratch,
         out: &mut [f64],
     ) {
-        scratch.resize(self.motions.len());
+        let KinematicsScratch {
+            series,
+            by_a,
+            by_b,
+            sums,
+        } = scratch;
+        series.resize(self.motions.len());
+        by_a.clear();
+        by_b.clear();
+        sums.clear();
         for (l, [by_velocity, by_acceleration]) in by_rates.iter().enumerate() {
             let q = DualVector::from_wrench(by_acceleration);
             let p = DualVector::from_wrench(by_velocity) - self.a[l].trace_minus_transpose() * q;
-            scratch.skews[l] = q.skew();
-            scratch.by_a[l] = p.skew() + self.velocity[l].skew() * scratch.skews[l] * 2.0;
-            scratch.moved[l] = self.motions[l] * scratch.by_a[l];
+            by_b.push(q.skew());
+            by_a.push(p.skew() + self.velocity[l].skew() * by_b[l] * 2.0);
+            series.set(l, &(self.motions[l] * by_a[l]));
         }
-        scratch.differentiate(operators);
-        std::mem::swap(&mut scratch.sums, &mut scratch.a);
-        let factors = self.motions.iter().zip(&scratch.skews);
-        for (moved, (motion, by_b)) in scratch.moved.iter_mut().zip(factors) {
-            *moved = *motion * *by_b;
+        series.differentiate(operators);
+        sums.extend((0..self.motions.len()).map(|k| series.first(k)));
+        for (l, (motion, by_b)) in self.motions.iter().zip(&*by_b).enumerate() {
+            series.set(l, &(*motion * *by_b));
         }
-        scratch.differentiate(operators);
+        series.differentiate(operators);
         for (k, out) in out.chunks_exact_mut(6).enumerate() {
-            let sum = self.motions[k].tr_mul(&(scratch.b[k] - scratch.sums[k]))
-                - scratch.by_a[k] * self.a[k].transpose()
-                - scratch.skews[k] * self.b[k].transpose();
+            let sum = self.motions[k].tr_mul(&(series.second(k) - sums[k]))
+                - by_a[k] * self.a[k].transpose()
+                - by_b[k] * self.b[k].transpose();
             let wrench = sum.axial().to_wrench();
             out.iter_mut().zip(&wrench).for_each(|(out, x)| *out += x);
         }
@@ -281,6 +314,7 @@ mod tests {
     use super::*;
     use crate::fourier::TimeGrid;
     use crate::motion::rotation_from_vector;
+    use nalgebra::Vector3;
 
     fn motion(phase: f64) -> Motion {
         let turn = rotation_from_vector(&Vector3::new(0.0, 0.0, phase))
@@ -302,7 +336,11 @@ mod tests {
         let grid = TimeGrid::new(41, 2.0).unwrap();
         let mut operators = Differentiation::new(grid);
         let mut node = NodeKinematics::default();
-        node.evaluate(&mut operators, &over(grid));
+        node.evaluate(
+            &mut operators,
+            &over(grid),
+            &mut KinematicsScratch::default(),
+        );
         let omega = grid.frequency();
         let h = 1e-4;
         for l in [0, 7, 30] {
@@ -330,7 +368,7 @@ mod tests {
             let mut operators = Differentiation::new(grid);
             let motions = over(grid);
             let mut node = NodeKinematics::default();
-            node.evaluate(&mut operators, &motions);
+            node.evaluate(&mut operators, &motions, &mut KinematicsScratch::default());
             let h = 1e-3;
             for k in 0..points {
                 for component in 0..6 {
@@ -340,7 +378,7 @@ mod tests {
                         increment[component] = step;
                         moved[k] = moved[k].increment(&increment);
                         let mut other = NodeKinematics::default();
-                        other.evaluate(&mut operators, &moved);
+                        other.evaluate(&mut operators, &moved, &mut KinematicsScratch::default());
                         other
                     };
                     let (a, b, c, d) = (at(h), at(-h), at(2.0 * h), at(-2.0 * h));

@@ -17,7 +17,7 @@ pub use alpha::{
 };
 pub use backward::Backward;
 pub use given::GivenRates;
-pub use kinematics::{BackwardWeights, NodeKinematics, VariationScratch};
+pub use kinematics::{BackwardWeights, KinematicsScratch, NodeKinematics};
 pub use spectral::Spectral;
 pub use steady::Steady;
 
@@ -133,7 +133,7 @@ pub trait TimeRule: CloneRule + Debug + Send + Sync {
 #[derive(Debug, Default)]
 pub struct RuleWorkspace {
     operators: Option<Differentiation>,
-    variation: VariationScratch,
+    variation: KinematicsScratch,
     samples: Vec<f64>,
 }
 

@@ -1,7 +1,7 @@
 //! The motion over the grid, differentiated as a Fourier series (docs/theory.md, section 4.1).
 
 use super::aliasing::Aliasing;
-use super::kinematics::{NodeKinematics, VariationScratch};
+use super::kinematics::{KinematicsScratch, NodeKinematics};
 use super::{RuleWorkspace, TimeRule};
 use crate::collocation::state::GridState;
 use crate::elements::NodeState;
@@ -18,8 +18,8 @@ const WORK: usize = 300;
 pub struct Spectral {
     operators: Differentiation,
     nodes: Vec<NodeKinematics>,
-    /// Operators for each thread.
-    of_threads: Vec<Differentiation>,
+    /// Operators and scratch for each thread.
+    of_threads: Vec<(Differentiation, KinematicsScratch)>,
     unused: Vec<f64>,
 }
 
@@ -40,7 +40,7 @@ impl RuleWorkspace {
     fn of(
         &mut self,
         like: &Differentiation,
-    ) -> (&mut Differentiation, &mut VariationScratch, &mut Vec<f64>) {
+    ) -> (&mut Differentiation, &mut KinematicsScratch, &mut Vec<f64>) {
         let own = self.operators.take();
         let own = own.filter(|own| own.grid() == like.grid());
         let operators = self.operators.insert(own.unwrap_or_else(|| like.clone()));
@@ -60,9 +60,9 @@ impl TimeRule for Spectral {
         workers.for_work(WORK * points * all.len()).for_each(
             &mut all,
             &mut self.of_threads,
-            || operators.clone(),
-            |operators, node, (kinematics, states)| {
-                kinematics.evaluate(operators, state.node(node));
+            || (operators.clone(), KinematicsScratch::default()),
+            |(operators, scratch), node, (kinematics, states)| {
+                kinematics.evaluate(operators, state.node(node), scratch);
                 kinematics.write_states(state.node(node), states);
             },
         );

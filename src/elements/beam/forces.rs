@@ -56,38 +56,50 @@ impl Element for Beam {
         self.stations.iter().map(own).collect()
     }
 
+    fn stress_resultants(
+        &self,
+        nodes: &[NodeState],
+        room: &mut Contribution,
+        out: &mut [Vector6<f64>],
+    ) -> Result<()> {
+        let room = &mut room.beam;
+        self.find_strains(nodes, room)?;
+        self.write_resultants(room, out);
+        Ok(())
+    }
+
     fn extrapolate_resultants(
         &self,
         nodes: &[NodeState],
         increments: &[[Vector6<f64>; 2]],
+        room: &mut Contribution,
         out: &mut [Vector6<f64>],
     ) -> Result<()> {
-        let (mut strains, mut rates) = (Vec::new(), Vec::new());
-        let mut terms = Vec::new();
+        let room = &mut room.beam;
+        room.strains.clear();
+        room.rates.clear();
+        let rates_vary = self.damping(nodes).rates_vary;
+        let twist = |a: usize| DualVector::from_twist(&nodes[a].twist);
         for station in &self.stations {
-            let relative = |a: usize| nodes[0].motion.relative(&nodes[a].motion);
-            let twist = |a: usize| DualVector::from_twist(&nodes[a].twist);
-            let at = station.motion(relative)?;
-            terms.clear();
-            terms.extend(station.node_terms(&at, relative));
-            let (mut e, mut rate) = (at.e, DualVector::zeros());
-            for (a, (node, [motion, velocity])) in terms.iter().zip(increments).enumerate() {
-                e += node.strain * DualVector::from_twist(motion);
-                rate += node.strain * (twist(a) + DualVector::from_twist(velocity));
+            room.terms.clear();
+            let at = room.add_terms(station, nodes)?;
+            let present = strain_rate(&room.terms, nodes);
+            if rates_vary {
+                rate_variations(&at, &present, twist, &mut room.terms);
             }
-            if self.damped {
-                let present = strain_rate(&terms, nodes);
-                rate_variations(&at, &present, twist, &mut terms);
-                for (node, [motion, _]) in terms.iter().zip(increments) {
-                    rate += node.rate * DualVector::from_twist(motion);
+            let (mut e, mut rate) = (at.e, present);
+            for (node, [motion, velocity]) in room.terms.iter().zip(increments) {
+                let motion = DualVector::from_twist(motion);
+                e += node.strain * motion;
+                rate += node.strain * DualVector::from_twist(velocity);
+                if rates_vary {
+                    rate += node.rate * motion;
                 }
             }
-            strains.push(e.to_twist() - station.reference);
-            rates.push(rate.to_twist());
+            room.strains.push(e.to_twist() - station.reference);
+            room.rates.push(rate.to_twist());
         }
-        for (i, resultants) in out.iter_mut().enumerate() {
-            *resultants = self.resultants(i, &strains, &rates);
-        }
+        self.write_resultants(room, out);
         Ok(())
     }
 
@@ -127,6 +139,34 @@ struct Damping {
 }
 
 impl Beam {
+    /// Finds "velocities in ξ" at the Gauss points, less those of the reference, and their rates,
+    /// if resultants depend on them.
+    pub(super) fn find_strains(&self, states: &[NodeState], room: &mut Scratch) -> Result<()> {
+        room.strains.clear();
+        room.rates.clear();
+        let has_rates = self.damping(states).rates_vary;
+        for station in &self.stations {
+            room.terms.clear();
+            let (e, rate) = if has_rates {
+                let at = room.add_terms(station, states)?;
+                (at.e, strain_rate(&room.terms, states))
+            } else {
+                let at = station.motion(|a| states[0].motion.relative(&states[a].motion))?;
+                (at.e, DualVector::zeros())
+            };
+            room.strains.push(e.to_twist() - station.reference);
+            room.rates.push(rate.to_twist());
+        }
+        Ok(())
+    }
+
+    /// Writes the stress resultants at all Gauss points, for strains and rates that were found.
+    fn write_resultants(&self, room: &Scratch, out: &mut [Vector6<f64>]) {
+        for (i, resultants) in out.iter_mut().enumerate() {
+            *resultants = self.resultants(i, &room.strains, &room.rates);
+        }
+    }
+
     fn damping(&self, states: &[NodeState]) -> Damping {
         let moves = states.iter().any(|state| state.twist != Vector6::zeros());
         Damping {

@@ -21,7 +21,6 @@ use crate::error::{Error, Result};
 use crate::motion::Motion;
 use law::{CoupledLaw, LawIntegrals};
 use nalgebra::Vector6;
-use station::strain_rate;
 
 /// Elastic and damping forces of one beam element with nodes at the Gauss–Lobatto points.
 #[derive(Debug, Clone)]
@@ -149,13 +148,7 @@ impl Beam {
                 ..NodeState::at_rest(*motion)
             })
             .collect();
-        for station in &self.stations {
-            room.terms.clear();
-            let at = room.add_terms(station, &states)?;
-            room.strains.push(at.e.to_twist() - station.reference);
-            room.rates
-                .push(strain_rate(&room.terms, &states).to_twist());
-        }
+        self.find_strains(&states, &mut room)?;
         let points: Vec<f64> = gauss_legendre(self.stations.len())
             .iter()
             .map(|p| p.0)

@@ -185,7 +185,8 @@ impl<'a> OnGrid<'a> {
     pub fn carry_to(&mut self, grid: TimeGrid, state: &GridState) -> Result<Option<GridState>> {
         let (from, began) = (self.grid, Instant::now());
         let equations = &mut self.newton.equations;
-        let resultants = equations.resampled_resultants(state, 0.0, grid)?;
+        equations.update_kinematics(state);
+        let resultants = equations.resampled_resultants(0.0, grid)?;
         self.start_time += began.elapsed();
         self.move_to(grid)?;
         let start = self.carried(state, from)?;

@@ -132,7 +132,7 @@ impl Periodic<'_> {
         let (system, workers) = (self.on.system.clone(), self.on.means.workers.clone());
         let (mut found, defect) = assess(&system, self.on.grid, state, &workers)?;
         if let (Some(mut defect), true) = (defect, sampled && self.on.grid.points() > 1) {
-            defect.carry_resultants(&mut self.on.newton.equations, state)?;
+            defect.carry_resultants(&mut self.on.newton.equations)?;
             let mut aliased = defect.aliased(&self.on.newton.equations);
             let aliased = self.on.newton.response(&mut aliased)?;
             let mut waves = Waves::new(&self.on.newton.equations, state)?;
