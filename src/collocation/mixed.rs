@@ -86,7 +86,7 @@ impl Collocation {
                     let out = system.forces_of_resultants(placed, seen, excess, &mut workspace)?;
                     let forces = out.force.as_slice().chunks_exact(6);
                     for (&node, force) in placed.element.nodes().iter().zip(forces) {
-                        let rows = 6 * (node * points + k)..6 * (node * points + k + 1);
+                        let rows = self.layout().motion(node, k);
                         let scales = &self.row_scale[rows.clone()];
                         let rows = residual[rows].iter_mut().zip(scales);
                         for ((row, scale), f) in rows.zip(force) {

@@ -68,18 +68,17 @@ impl GridState {
 
     /// Multipliers of an element at grid point `k`.
     pub fn multipliers_of(&self, placed: &Placed, k: usize) -> &[f64] {
-        &self.multipliers[self.first_multiplier(placed, k)..][..placed.element.multipliers()]
+        &self.multipliers[placed.own_at(self.points, k)]
     }
 
     /// Multipliers of an element at grid point `k`, to be changed.
     pub fn multipliers_of_mut(&mut self, placed: &Placed, k: usize) -> &mut [f64] {
-        let first = self.first_multiplier(placed, k);
-        &mut self.multipliers[first..][..placed.element.multipliers()]
+        &mut self.multipliers[placed.own_at(self.points, k)]
     }
 
     /// Place of an element's first own unknown at grid point `k` among the multipliers.
     pub fn first_multiplier(&self, placed: &Placed, k: usize) -> usize {
-        placed.first_multiplier * self.points + placed.element.multipliers() * k
+        placed.own_at(self.points, k).start
     }
 
     /// What an element's own unknown `row` gains in a period: whole turns, for the internal state

@@ -13,7 +13,7 @@ use crate::elements::{Measure, NodeState, Unknown};
 use crate::error::Result;
 use crate::fourier::TimeGrid;
 use crate::motion::Motion;
-use crate::system::{System, Workspace};
+use crate::system::{Layout, System, Workspace};
 use crate::workers::{Workers, parts};
 use std::sync::Arc;
 
@@ -43,6 +43,7 @@ pub struct Collocation {
     /// Scaled compliance of all constraints in the Jacobian, for redundant ones.
     pub(super) regularisation: f64,
     workers: Workers,
+    layout: Layout,
     pub(super) division: Division,
     /// Where the residual is taken from instead, if not from the grid's own points.
     oversampled: Option<Box<Oversampled>>,
@@ -130,6 +131,7 @@ impl Collocation {
             column_scale,
             oversampled: None,
             division: Division::new(&system, points, &Workers::default()),
+            layout: system.layout(points),
             system,
             grid,
             workers: Workers::default(),
@@ -170,6 +172,11 @@ impl Collocation {
         self.grid = TimeGrid::new(self.grid.points(), period)?;
         self.rule = Box::new(Spectral::new(self.grid, self.system.nodes()));
         Ok(())
+    }
+
+    /// Places of the unknowns and of the equations.
+    pub fn layout(&self) -> Layout {
+        self.layout
     }
 
     /// Number of unknowns.
@@ -254,19 +261,17 @@ impl Collocation {
     /// Writes the scaled violations of the constraints alone, at their rows of a residual.
     pub fn constraints(&mut self, state: &GridState, out: &mut [f64]) -> Result<()> {
         let points = self.grid.points();
-        let first_constraint = 6 * points * self.system.nodes();
         self.update_kinematics(state);
         for placed in self.system.elements() {
-            let count = placed.element.multipliers();
-            if count == 0 || placed.has_states {
+            if placed.element.multipliers() == 0 || placed.has_states {
                 continue;
             }
             for k in 0..points {
                 let workspace = &mut self.forces_only[0];
                 let contribution = self.instants.evaluate(placed, k, state, workspace)?;
-                let first = first_constraint + placed.first_multiplier * points + count * k;
-                for (row, violation) in contribution.constraint.iter().enumerate() {
-                    out[first + row] = violation * self.row_scale[first + row];
+                let violations = contribution.constraint.iter();
+                for (row, violation) in self.layout.element_at(placed, k).zip(violations) {
+                    out[row] = violation * self.row_scale[row];
                 }
             }
         }
@@ -292,11 +297,8 @@ impl Collocation {
     /// constraints.
     pub fn compliance_of(&self, increment: &[f64], rest: &mut [f64]) {
         rest.fill(0.0);
-        let points = self.grid.points();
-        let first = 6 * points * self.system.nodes();
         for placed in self.system.elements().iter().filter(|p| !p.has_states) {
-            let start = first + placed.first_multiplier * points;
-            for i in start..start + placed.element.multipliers() * points {
+            for i in self.layout.element(placed) {
                 rest[i] = -self.regularisation * increment[i];
             }
         }
@@ -304,12 +306,9 @@ impl Collocation {
 
     /// Largest violation of the constraints in a scaled residual.
     pub fn violation(&self, residual: &[f64]) -> f64 {
-        let points = self.grid.points();
-        let constraints = &residual[6 * points * self.system.nodes()..];
         let mut largest = 0.0f64;
         for placed in self.system.elements().iter().filter(|p| !p.has_states) {
-            let count = placed.element.multipliers() * points;
-            let part = &constraints[placed.first_multiplier * points..][..count];
+            let part = &residual[self.layout.element(placed)];
             largest = part.iter().fold(largest, |m, x| m.max(x.abs()));
         }
         largest
@@ -382,13 +381,13 @@ impl Collocation {
         self.update_kinematics(state);
         let points = self.grid.points();
         let system = &self.system;
-        let (forces, constraints) = out.split_at_mut(6 * points * system.nodes());
+        let (forces, constraints) = out.split_at_mut(self.layout.motions().end);
         let counts = system
             .elements()
             .iter()
             .map(|p| points * p.element.multipliers());
         let own = self.division.deal(parts(constraints, counts));
-        let forces = self.division.split(forces, 6 * points);
+        let forces = self.division.split(forces, self.layout.of_node());
         let mut all: Vec<_> = forces.into_iter().zip(own).collect();
         let (instants, division) = (&self.instants, &self.division);
         division.workers.try_for_each(
