@@ -16,6 +16,7 @@ mod pattern;
 mod problem;
 mod resampled;
 mod rule;
+mod scalars;
 mod state;
 mod stretching;
 mod tangent;
@@ -31,5 +32,6 @@ pub use rule::{
     Aliasing, AlphaStep, Backward, BackwardWeights, GeneralizedAlpha, GivenRates, MotionState,
     NodeKinematics, Spectral, Steady, StepVariation, TimeRule, Variation, VariationScales,
 };
+pub use scalars::ScalarEquations;
 pub use state::GridState;
 pub use tangent::{Coupling, Increment, Linearisation, PairTangent, Station, Tangent};

@@ -8,6 +8,7 @@ pub use oversampled::{Oversampled, OversampledTangent};
 use super::division::Division;
 use super::instants::Instants;
 use super::rule::{Spectral, TimeRule};
+use super::scalars::ScalarEquations;
 use super::state::GridState;
 use crate::elements::{Measure, NodeState, Unknown};
 use crate::error::Result;
@@ -42,8 +43,11 @@ pub struct Collocation {
     pub(super) column_scale: Vec<f64>,
     /// Scaled compliance of all constraints in the Jacobian, for redundant ones.
     pub(super) regularisation: f64,
+    /// Stiffness of all nodes against the ground in the scaled Jacobian.
+    grounding: f64,
     workers: Workers,
-    layout: Layout,
+    pub(super) layout: Layout,
+    pub(super) scalars: Option<Arc<dyn ScalarEquations>>,
     pub(super) division: Division,
     /// Where the residual is taken from instead, if not from the grid's own points.
     oversampled: Option<Box<Oversampled>>,
@@ -132,6 +136,8 @@ impl Collocation {
             oversampled: None,
             division: Division::new(&system, points, &Workers::default()),
             layout: system.layout(points),
+            scalars: None,
+            grounding: 0.0,
             system,
             grid,
             workers: Workers::default(),
@@ -179,9 +185,9 @@ impl Collocation {
         self.layout
     }
 
-    /// Number of unknowns.
+    /// Number of unknowns over the grid, without scalars.
     pub fn size(&self) -> usize {
-        self.row_scale.len()
+        self.layout.scalars().start
     }
 
     /// Scale of each equation: equations times it are the scaled ones.
@@ -285,6 +291,17 @@ impl Collocation {
         self.regularisation != 0.0
     }
 
+    /// Scaled stiffness of all nodes against the ground in the Jacobian, not in the residual.
+    pub fn grounding(&self) -> f64 {
+        self.grounding
+    }
+
+    /// Gives the nodes such a stiffness, that the Jacobian is regular where nothing else holds
+    /// them.
+    pub fn ground(&mut self, stiffness: f64) {
+        self.grounding = stiffness;
+    }
+
     /// Makes it so, as for a system that has such constraints from the start.
     pub fn regularise(&mut self) {
         self.regularisation = REGULARISATION;
@@ -375,6 +392,14 @@ impl Collocation {
 
     /// Writes the scaled residual.
     pub fn residual(&mut self, state: &GridState, out: &mut [f64]) -> Result<()> {
+        self.apply_scalars(state)?;
+        let size = self.size();
+        self.residual_of_grid(state, &mut out[..size])?;
+        self.scalar_residual(state, out);
+        Ok(())
+    }
+
+    fn residual_of_grid(&mut self, state: &GridState, out: &mut [f64]) -> Result<()> {
         if let Some(oversampled) = &mut self.oversampled {
             return oversampled.residual(state, out);
         }

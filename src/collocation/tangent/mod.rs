@@ -311,7 +311,26 @@ impl Tangent {
                 false => system.workspace_with_resultants_apart(),
             },
             |workspace, i, part| layout.evaluate(&at, &division.shares[i], workspace, part),
-        )
+        )?;
+        self.ground(equations);
+        Ok(())
+    }
+
+    /// Adds the stiffness of the nodes against the ground.
+    fn ground(&mut self, equations: &Collocation) {
+        if equations.grounding() == 0.0 {
+            return;
+        }
+        for node in 0..equations.system().nodes() {
+            let at = self.unknowns.motion(node, 0);
+            let rows = &equations.row_scale()[at.clone()];
+            let scales = rows.iter().zip(&equations.column_scale()[at]);
+            let added = scales.map(|(row, column)| equations.grounding() / (row * column));
+            let added = Matrix6::from_diagonal(&Vector6::from_iterator(added));
+            let pair = self.layout.couplings.number(node, node);
+            let blocks = &mut self.pairs[0][pair * self.points..][..self.points];
+            blocks.iter_mut().for_each(|block| *block += added);
+        }
     }
 }
 

@@ -7,6 +7,7 @@ mod chord;
 mod line_search;
 mod norms;
 mod run;
+mod scalars;
 mod verdict;
 mod watchdog;
 
@@ -18,6 +19,7 @@ use crate::solve::newton::assembly::describe_turned_over;
 use crate::solve::report::{Iteration, NewtonOptions, NewtonReport, Outcome, Timings, timed};
 use norms::{remove_means, size_of};
 use run::Run;
+pub use scalars::solve_with_scalars;
 use verdict::Ending;
 pub(crate) use verdict::SINGULAR_GROWTH;
 

@@ -61,7 +61,7 @@ impl<'a, L: LinearSolver> Run<'a, L> {
         iterations: &'a mut Vec<Iteration>,
         observe: &'a mut dyn FnMut(&Iteration) -> bool,
     ) -> Result<Self> {
-        let size = newton.equations.size();
+        let size = newton.equations.layout().size();
         let mut residual = vec![0.0; size];
         timed(&mut newton.timings.assembly, || {
             newton.equations.residual(state, &mut residual)
