@@ -16,7 +16,6 @@ mod pattern;
 mod problem;
 mod resampled;
 mod rule;
-mod scalars;
 mod state;
 mod stretching;
 mod tangent;
@@ -26,12 +25,11 @@ pub use decay::{Decay, DecayKind};
 pub use mixed::ResultantPath;
 pub use motion_tangent::MotionTangent;
 pub use pattern::{Panel, Pattern};
-pub use problem::{Collocation, Conditions, Oversampled, OversampledTangent};
+pub use problem::{Collocation, Conditions, Oversampled, OversampledTangent, ScalarEquations};
 pub use resampled::{ResampledNodes, too_coarse};
 pub use rule::{
     Aliasing, AlphaStep, Backward, BackwardWeights, GeneralizedAlpha, GivenRates, MotionState,
     NodeKinematics, Spectral, Steady, StepVariation, TimeRule, Variation, VariationScales,
 };
-pub use scalars::ScalarEquations;
 pub use state::GridState;
 pub use tangent::{Coupling, Increment, Linearisation, PairTangent, Station, Tangent};

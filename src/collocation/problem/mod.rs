@@ -2,13 +2,14 @@
 
 mod oversampled;
 mod resultants;
+mod scalars;
 
 pub use oversampled::{Oversampled, OversampledTangent};
+pub use scalars::ScalarEquations;
 
 use super::division::Division;
 use super::instants::Instants;
 use super::rule::{Spectral, TimeRule};
-use super::scalars::ScalarEquations;
 use super::state::GridState;
 use crate::elements::{Measure, NodeState, Unknown};
 use crate::error::Result;
@@ -46,8 +47,8 @@ pub struct Collocation {
     /// Stiffness of all nodes against the ground in the scaled Jacobian.
     grounding: f64,
     workers: Workers,
-    pub(super) layout: Layout,
-    pub(super) scalars: Option<Arc<dyn ScalarEquations>>,
+    layout: Layout,
+    scalars: Option<Arc<dyn ScalarEquations>>,
     pub(super) division: Division,
     /// Where the residual is taken from instead, if not from the grid's own points.
     oversampled: Option<Box<Oversampled>>,

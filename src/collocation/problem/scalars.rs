@@ -1,8 +1,8 @@
 //! Unknowns that belong to no grid point, such as a period or the size of a load, and the equations
 //! that determine them.
 
-use super::problem::Collocation;
-use super::state::GridState;
+use super::Collocation;
+use crate::collocation::state::GridState;
 use crate::error::{Error, Result};
 use std::fmt::Debug;
 use std::sync::Arc;
