@@ -116,13 +116,12 @@ impl Room {
             }
         }
         let mut found = Unbalance {
-            rows: vec![0.0; 6 * system.nodes() + system.own_unknowns()],
+            rows: vec![0.0; system.layout(1).size()],
             ..Unbalance::default()
         };
         self.sums.fill(Vector6::zeros());
         for placed in system.elements() {
-            let range =
-                placed.first_multiplier..placed.first_multiplier + placed.element.multipliers();
+            let range = placed.own_at(1, 0);
             let own = OwnValues {
                 values: &self.multipliers[range.clone()],
                 rates: &self.rates[range],
@@ -140,9 +139,9 @@ impl Room {
                 found.level = found.level.max(size(&force));
                 self.sums[node] += force;
             }
-            let own = 6 * system.nodes() + placed.first_multiplier;
+            let own = system.layout(1).element(placed);
+            found.rows[own].copy_from_slice(out.constraint.as_slice());
             for (row, violation) in out.constraint.iter().enumerate() {
-                found.rows[own + row] = *violation;
                 match system.unknown(placed.first_multiplier + row) {
                     Unknown::Multiplier(Measure::Length) => {
                         found.constraint = found.constraint.max(violation.abs() / length);
@@ -218,7 +217,7 @@ impl Defect {
         Ok(Defect {
             largest: ResidualBetween::of(&found, time),
             rows: found.iter().flat_map(|here| &here.rows).copied().collect(),
-            count: 6 * system.nodes() + system.own_unknowns(),
+            count: system.layout(1).size(),
             nodes,
         })
     }
@@ -283,7 +282,7 @@ impl Defect {
     /// The grid points after which most is left of the equations of forces, and of those of the
     /// elements, all scaled as those of `equations`, which are on a grid of three points.
     pub fn worst(&self, equations: &Collocation) -> [usize; 2] {
-        let nodes = 6 * equations.system().nodes();
+        let nodes = equations.system().layout(1).motions().end;
         let scales = equations.row_scale();
         let scales: Vec<f64> = places(equations.system(), 3)
             .map(|(_, places)| scales[places(0)])
@@ -307,17 +306,16 @@ fn places(
     system: &System,
     points: usize,
 ) -> impl Iterator<Item = (usize, impl Fn(usize) -> usize)> + '_ {
-    let nodes = 6 * system.nodes();
-    let of_nodes = (0..nodes).map(move |row| (row, 6 * (row / 6) * points + row % 6, 6));
-    let own = system.elements().iter().flat_map(move |placed| {
-        let (first, count) = (
-            nodes + placed.first_multiplier,
-            placed.element.multipliers(),
-        );
-        (0..count).map(move |row| (first + row, points * first + row, count))
-    });
-    let places = of_nodes.chain(own);
-    places.map(|(row, first, step)| (row, move |k: usize| first + step * k))
+    let (instant, all) = (system.layout(1), system.layout(points));
+    let of_nodes =
+        (0..system.nodes()).map(move |node| (instant.motion(node, 0), all.motion(node, 0)));
+    let own = system.elements().iter();
+    let own = own.map(move |placed| (instant.element(placed), all.element_at(placed, 0)));
+    of_nodes.chain(own).flat_map(|(rows, places)| {
+        let step = rows.len();
+        let places = rows.zip(places);
+        places.map(move |(row, first)| (row, move |k: usize| first + step * k))
+    })
 }
 
 impl ResidualBetween {

@@ -88,7 +88,7 @@ impl Instants {
         let stations = first_station + placed.stations.start..first_station + placed.stations.end;
         let own = OwnValues {
             values: state.multipliers_of(placed, k),
-            rates: &self.rates[state.first_multiplier(placed, k)..][..placed.element.multipliers()],
+            rates: &self.rates[placed.own_at(state.points(), k)],
             resultants: self.resultants.get(stations).unwrap_or(&[]),
         };
         self.system

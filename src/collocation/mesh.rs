@@ -129,9 +129,9 @@ impl Collocation {
                 }
                 let left = relation.on_coarse_nodes(&states, &left)? - own;
                 for (node, force) in nodes.iter().zip(left.as_slice().chunks_exact(6)) {
-                    let first = 6 * (node * points + k);
-                    let scales = &self.row_scale[first..];
-                    for ((row, f), scale) in rows[first..].iter_mut().zip(force).zip(scales) {
+                    let at = self.layout().motion(*node, k);
+                    let scales = &self.row_scale[at.clone()];
+                    for ((row, f), scale) in rows[at].iter_mut().zip(force).zip(scales) {
                         *row += f * scale;
                     }
                 }

@@ -78,7 +78,7 @@ impl Collocation {
         moved?;
         for (k, rows) in rows.chunks_exact(count).enumerate() {
             for (node, forces) in rows.chunks_exact(6).enumerate() {
-                let rows = 6 * (node * points + k)..6 * (node * points + k + 1);
+                let rows = self.layout().motion(node, k);
                 let scales = &self.row_scale[rows.clone()];
                 let rows = residual[rows].iter_mut().zip(scales).zip(forces);
                 rows.for_each(|((row, scale), f)| *row += scale * f);

@@ -25,7 +25,7 @@ pub use decay::{Decay, DecayKind};
 pub use mixed::ResultantPath;
 pub use motion_tangent::MotionTangent;
 pub use pattern::{Panel, Pattern};
-pub use problem::{Collocation, Conditions, Oversampled, OversampledTangent};
+pub use problem::{Collocation, Conditions, Oversampled, OversampledTangent, ScalarEquations};
 pub use resampled::{ResampledNodes, too_coarse};
 pub use rule::{
     Aliasing, AlphaStep, Backward, BackwardWeights, GeneralizedAlpha, GivenRates,

@@ -105,6 +105,7 @@ impl GridState {
         let points = other.points();
         let nodes = ResampledNodes::new(system, grid, self, start, points, workers)?;
         let mut result = GridState::reference(system, other);
+        result.scalars.clone_from(&self.scalars);
         for (motion, state) in result.motions.iter_mut().zip(&nodes.states) {
             *motion = state.motion;
         }

@@ -26,6 +26,9 @@ pub struct GridState {
     pub multipliers: Vec<f64>,
     /// Tracked coordinate `c` at grid point `k`, at `k × count + c`.
     pub coordinates: Vec<f64>,
+    /// Unknowns that belong to no grid point; not saved.
+    #[serde(skip)]
+    pub scalars: Vec<f64>,
 }
 
 impl GridState {
@@ -45,6 +48,7 @@ impl GridState {
                 .collect(),
             multipliers: vec![0.0; system.own_unknowns() * points],
             coordinates: vec![0.0; system.tracked() * points],
+            scalars: Vec::new(),
         };
         state.track(system);
         state
@@ -68,18 +72,17 @@ impl GridState {
 
     /// Multipliers of an element at grid point `k`.
     pub fn multipliers_of(&self, placed: &Placed, k: usize) -> &[f64] {
-        &self.multipliers[self.first_multiplier(placed, k)..][..placed.element.multipliers()]
+        &self.multipliers[placed.own_at(self.points, k)]
     }
 
     /// Multipliers of an element at grid point `k`, to be changed.
     pub fn multipliers_of_mut(&mut self, placed: &Placed, k: usize) -> &mut [f64] {
-        let first = self.first_multiplier(placed, k);
-        &mut self.multipliers[first..][..placed.element.multipliers()]
+        &mut self.multipliers[placed.own_at(self.points, k)]
     }
 
     /// Place of an element's first own unknown at grid point `k` among the multipliers.
     pub fn first_multiplier(&self, placed: &Placed, k: usize) -> usize {
-        placed.first_multiplier * self.points + placed.element.multipliers() * k
+        placed.own_at(self.points, k).start
     }
 
     /// What an element's own unknown `row` gains in a period: whole turns, for the internal state
@@ -205,15 +208,18 @@ impl GridState {
     /// The state after the fraction `step` of a Newton increment of all unknowns.
     pub fn incremented(&self, system: &System, increment: &[f64], step: f64) -> Self {
         let mut next = self.clone();
-        let (motions, multipliers) = increment.split_at(6 * self.motions.len());
+        let layout = system.layout(self.points).with_scalars(self.scalars.len());
+        let motions = &increment[layout.motions()];
         for (motion, u) in next.motions.iter_mut().zip(motions.chunks_exact(6)) {
             let u = nalgebra::Vector6::from_column_slice(u) * step;
             *motion = motion.increment(&u).renormalised();
         }
         next.track_along(system, self, motions, step);
-        for (multiplier, change) in next.multipliers.iter_mut().zip(multipliers) {
-            *multiplier += step * change;
-        }
+        let add = |(value, change): (&mut f64, &f64)| *value += step * change;
+        let own = &increment[layout.own()];
+        next.multipliers.iter_mut().zip(own).for_each(add);
+        let scalars = &increment[layout.scalars()];
+        next.scalars.iter_mut().zip(scalars).for_each(add);
         next
     }
 

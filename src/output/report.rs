@@ -197,8 +197,7 @@ impl Solution {
 
     /// Number of unknowns of the periodic problem.
     pub fn unknowns(&self) -> usize {
-        let system = &self.solve.system;
-        (6 * system.nodes() + system.own_unknowns()) * self.grid().points()
+        self.solve.system.layout(self.grid().points()).size()
     }
 }
 

@@ -24,6 +24,7 @@ pub use linear::method::{DirectCost, LinearMethod};
 pub use marching::shooting::{ShootingOptions, solve_shooting};
 pub use marching::{MarchEnd, MarchOptions, MarchStart, StartState, march};
 pub use modes::{Mode, ModesOptions, ModesSolve, solve_modes};
+pub use newton::solve_with_scalars;
 pub use periodic::adaptive::Adaptation;
 pub use periodic::options::{GridPoints, PeriodicOptions};
 pub use periodic::solve_periodic;

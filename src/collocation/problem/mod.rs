@@ -2,8 +2,10 @@
 
 mod oversampled;
 mod resultants;
+mod scalars;
 
 pub use oversampled::{Oversampled, OversampledTangent};
+pub use scalars::ScalarEquations;
 
 use super::division::Division;
 use super::instants::Instants;
@@ -13,7 +15,7 @@ use crate::elements::{Measure, NodeState, Unknown};
 use crate::error::Result;
 use crate::fourier::TimeGrid;
 use crate::motion::Motion;
-use crate::system::{System, Workspace};
+use crate::system::{Layout, System, Workspace};
 use crate::workers::{Workers, parts};
 use std::sync::Arc;
 
@@ -42,7 +44,11 @@ pub struct Collocation {
     pub(super) column_scale: Vec<f64>,
     /// Scaled compliance of all constraints in the Jacobian, for redundant ones.
     pub(super) regularisation: f64,
+    /// Stiffness of all nodes against the ground in the scaled Jacobian.
+    grounding: f64,
     workers: Workers,
+    layout: Layout,
+    scalars: Option<Arc<dyn ScalarEquations>>,
     pub(super) division: Division,
     /// Where the residual is taken from instead, if not from the grid's own points.
     oversampled: Option<Box<Oversampled>>,
@@ -130,6 +136,9 @@ impl Collocation {
             column_scale,
             oversampled: None,
             division: Division::new(&system, points, &Workers::default()),
+            layout: system.layout(points),
+            scalars: None,
+            grounding: 0.0,
             system,
             grid,
             workers: Workers::default(),
@@ -172,9 +181,14 @@ impl Collocation {
         Ok(())
     }
 
-    /// Number of unknowns.
+    /// Places of the unknowns and of the equations.
+    pub fn layout(&self) -> Layout {
+        self.layout
+    }
+
+    /// Number of unknowns over the grid, without scalars.
     pub fn size(&self) -> usize {
-        self.row_scale.len()
+        self.layout.scalars().start
     }
 
     /// Scale of each equation: equations times it are the scaled ones.
@@ -254,19 +268,17 @@ impl Collocation {
     /// Writes the scaled violations of the constraints alone, at their rows of a residual.
     pub fn constraints(&mut self, state: &GridState, out: &mut [f64]) -> Result<()> {
         let points = self.grid.points();
-        let first_constraint = 6 * points * self.system.nodes();
         self.update_kinematics(state);
         for placed in self.system.elements() {
-            let count = placed.element.multipliers();
-            if count == 0 || placed.has_states {
+            if placed.element.multipliers() == 0 || placed.has_states {
                 continue;
             }
             for k in 0..points {
                 let workspace = &mut self.forces_only[0];
                 let contribution = self.instants.evaluate(placed, k, state, workspace)?;
-                let first = first_constraint + placed.first_multiplier * points + count * k;
-                for (row, violation) in contribution.constraint.iter().enumerate() {
-                    out[first + row] = violation * self.row_scale[first + row];
+                let violations = contribution.constraint.iter();
+                for (row, violation) in self.layout.element_at(placed, k).zip(violations) {
+                    out[row] = violation * self.row_scale[row];
                 }
             }
         }
@@ -278,6 +290,17 @@ impl Collocation {
     /// norm.
     pub fn is_regularised(&self) -> bool {
         self.regularisation != 0.0
+    }
+
+    /// Scaled stiffness of all nodes against the ground in the Jacobian, not in the residual.
+    pub fn grounding(&self) -> f64 {
+        self.grounding
+    }
+
+    /// Gives the nodes such a stiffness, that the Jacobian is regular where nothing else holds
+    /// them.
+    pub fn ground(&mut self, stiffness: f64) {
+        self.grounding = stiffness;
     }
 
     /// Makes it so, as for a system that has such constraints from the start.
@@ -292,11 +315,8 @@ impl Collocation {
     /// constraints.
     pub fn compliance_of(&self, increment: &[f64], rest: &mut [f64]) {
         rest.fill(0.0);
-        let points = self.grid.points();
-        let first = 6 * points * self.system.nodes();
         for placed in self.system.elements().iter().filter(|p| !p.has_states) {
-            let start = first + placed.first_multiplier * points;
-            for i in start..start + placed.element.multipliers() * points {
+            for i in self.layout.element(placed) {
                 rest[i] = -self.regularisation * increment[i];
             }
         }
@@ -304,12 +324,9 @@ impl Collocation {
 
     /// Largest violation of the constraints in a scaled residual.
     pub fn violation(&self, residual: &[f64]) -> f64 {
-        let points = self.grid.points();
-        let constraints = &residual[6 * points * self.system.nodes()..];
         let mut largest = 0.0f64;
         for placed in self.system.elements().iter().filter(|p| !p.has_states) {
-            let count = placed.element.multipliers() * points;
-            let part = &constraints[placed.first_multiplier * points..][..count];
+            let part = &residual[self.layout.element(placed)];
             largest = part.iter().fold(largest, |m, x| m.max(x.abs()));
         }
         largest
@@ -376,19 +393,27 @@ impl Collocation {
 
     /// Writes the scaled residual.
     pub fn residual(&mut self, state: &GridState, out: &mut [f64]) -> Result<()> {
+        self.apply_scalars(state)?;
+        let size = self.size();
+        self.residual_of_grid(state, &mut out[..size])?;
+        self.scalar_residual(state, out);
+        Ok(())
+    }
+
+    fn residual_of_grid(&mut self, state: &GridState, out: &mut [f64]) -> Result<()> {
         if let Some(oversampled) = &mut self.oversampled {
             return oversampled.residual(state, out);
         }
         self.update_kinematics(state);
         let points = self.grid.points();
         let system = &self.system;
-        let (forces, constraints) = out.split_at_mut(6 * points * system.nodes());
+        let (forces, constraints) = out.split_at_mut(self.layout.motions().end);
         let counts = system
             .elements()
             .iter()
             .map(|p| points * p.element.multipliers());
         let own = self.division.deal(parts(constraints, counts));
-        let forces = self.division.split(forces, 6 * points);
+        let forces = self.division.split(forces, self.layout.of_node());
         let mut all: Vec<_> = forces.into_iter().zip(own).collect();
         let (instants, division) = (&self.instants, &self.division);
         division.workers.try_for_each(

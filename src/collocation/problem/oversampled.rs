@@ -19,7 +19,7 @@ use crate::collocation::tangent::Tangent;
 use crate::error::Result;
 use crate::fourier::{Resampling, TimeGrid};
 use crate::motion::{DualMatrix, DualPolar, DualVector, append_centred};
-use crate::system::System;
+use crate::system::{Layout, System};
 use crate::workers::Workers;
 use nalgebra::Vector6;
 use std::sync::Arc;
@@ -89,6 +89,12 @@ impl Oversampled {
         (self.grid.points(), self.fine.grid().points())
     }
 
+    /// Places of the unknowns on both grids.
+    fn layouts(&self) -> (Layout, Layout) {
+        let coarse = self.fine.system().layout(self.grid.points());
+        (coarse, self.fine.layout())
+    }
+
     /// Writes the scaled residual.
     ///
     /// # Errors
@@ -97,18 +103,19 @@ impl Oversampled {
     pub fn residual(&mut self, state: &GridState, out: &mut [f64]) -> Result<()> {
         self.interpolate_motions(state)?;
         let (points, finer) = self.points();
-        let fine = state.resampled(
+        let resampled = state.resampled(
             self.fine.system(),
             self.grid,
             0.0,
             self.fine.grid(),
             self.fine.workers(),
         )?;
-        self.fine.residual(&fine, &mut self.scratch.residual)?;
+        self.fine.residual(&resampled, &mut self.scratch.residual)?;
+        let (coarse, fine) = self.layouts();
         let scale = Vector6::from_column_slice(&self.fine.row_scale()[..6]);
         for node in 0..self.fine.system().nodes() {
-            let forces = &self.scratch.residual[6 * node * finer..];
-            for (j, force) in forces.chunks_exact(6).take(finer).enumerate() {
+            let forces = &self.scratch.residual[fine.node(node)];
+            for (j, force) in forces.chunks_exact(6).enumerate() {
                 let force = Vector6::from_column_slice(force).component_div(&scale);
                 let polar = &self.polars[node * finer + j];
                 let mu = polar.spread_inverse * DualVector::from_wrench(&force);
@@ -118,10 +125,10 @@ impl Oversampled {
             self.project();
             let place = node * points;
             self.tests[place..place + points].copy_from_slice(&self.scratch.coarse);
-            for k in place..place + points {
+            for (k, out) in (place..).zip(out[coarse.node(node)].chunks_exact_mut(6)) {
                 let row = self.motions[k].tr_mul(&self.tests[k]).axial() * 2.0;
                 let row = row.to_wrench().component_mul(&scale);
-                out[6 * k..6 * k + 6].copy_from_slice(row.as_slice());
+                out.copy_from_slice(row.as_slice());
             }
         }
         let residual = std::mem::take(&mut self.scratch.residual);
@@ -234,9 +241,10 @@ fn own_rows(
     points: usize,
     finer: usize,
 ) -> impl Iterator<Item = (usize, usize, usize)> + '_ {
+    let [coarse, fine] = [points, finer].map(|points| system.layout(points));
     system.elements().iter().map(move |placed| {
-        let first = 6 * system.nodes() + placed.first_multiplier;
-        (first * points, first * finer, placed.element.multipliers())
+        let first = |layout: &Layout| layout.element(placed).start;
+        (first(&coarse), first(&fine), placed.element.multipliers())
     })
 }
 
@@ -274,7 +282,7 @@ impl OversampledTangent {
     pub fn evaluate(&mut self, equations: &Oversampled, state: &GridState) -> Result<()> {
         self.equations = equations.clone();
         let equations = &mut self.equations;
-        let mut residual = vec![0.0; 6 * state.motions.len() + state.multipliers.len()];
+        let mut residual = vec![0.0; equations.fine.system().layout(state.points()).size()];
         equations.residual(state, &mut residual)?;
         let finer = equations.fine.grid();
         let fine = state.resampled(
@@ -294,12 +302,13 @@ impl OversampledTangent {
             .apply(&self.equations.fine, &self.x, &mut self.y);
         let equations = &mut self.equations;
         let (points, finer) = equations.points();
+        let (coarse, fine) = equations.layouts();
         // Those of all nodes and points are the same.
         let scale = Vector6::from_column_slice(&equations.fine.row_scale()[..6]);
         let column_scale = Vector6::from_column_slice(&equations.fine.column_scale()[..6]);
         for node in 0..equations.fine.system().nodes() {
-            let forces = &self.y[6 * node * finer..];
-            for (j, force) in forces.chunks_exact(6).take(finer).enumerate() {
+            let forces = &self.y[fine.node(node)];
+            for (j, force) in forces.chunks_exact(6).enumerate() {
                 let force = Vector6::from_column_slice(force).component_div(&scale);
                 let at = node * finer + j;
                 let (polar, mu) = (&equations.polars[at], &equations.mus[at]);
@@ -313,13 +322,13 @@ impl OversampledTangent {
             equations.project();
             for k in 0..points {
                 let at = node * points + k;
-                let u = Vector6::from_column_slice(&x[6 * at..6 * at + 6]);
+                let u = Vector6::from_column_slice(&x[coarse.motion(node, k)]);
                 let u = DualVector::from_twist(&u.component_mul(&column_scale)).skew();
                 let motion = &equations.motions[at];
                 let moved = motion.tr_mul(&equations.scratch.coarse[k])
                     - u * motion.tr_mul(&equations.tests[at]);
                 let row = (moved.axial() * 2.0).to_wrench().component_mul(&scale);
-                y[6 * at..6 * at + 6].copy_from_slice(row.as_slice());
+                y[coarse.motion(node, k)].copy_from_slice(row.as_slice());
             }
         }
         equations.project_own(&self.y, y);
@@ -329,11 +338,12 @@ impl OversampledTangent {
     fn extend(&mut self, x: &[f64]) {
         let equations = &mut self.equations;
         let (points, finer) = equations.points();
+        let (coarse, fine) = equations.layouts();
         let scale = Vector6::from_column_slice(&equations.fine.column_scale()[..6]);
         self.turns.clear();
         self.sums.clear();
         for node in 0..equations.fine.system().nodes() {
-            let increments = x[6 * node * points..].chunks_exact(6);
+            let increments = x[coarse.node(node)].chunks_exact(6);
             let motions = &equations.motions[node * points..][..points];
             let moved = &mut equations.scratch.coarse;
             for ((moved, motion), u) in moved.iter_mut().zip(motions).zip(increments) {
@@ -342,12 +352,13 @@ impl OversampledTangent {
             }
             equations.interpolate();
             self.sums.extend_from_slice(&equations.scratch.fine);
-            for at in node * finer..(node + 1) * finer {
+            for j in 0..finer {
+                let at = node * finer + j;
                 // As `R` of `G = R S` turns with time.
                 let turn = equations.polars[at].velocity(&self.sums[at]);
                 self.turns.push(turn);
                 let turn = turn.to_twist().component_div(&scale);
-                self.x[6 * at..6 * at + 6].copy_from_slice(turn.as_slice());
+                self.x[fine.motion(node, j)].copy_from_slice(turn.as_slice());
             }
         }
         equations.interpolate_own(x, &mut self.x);

@@ -113,7 +113,7 @@ impl Collocation {
         let mut changes = vec![[Vector6::zeros(); 2]; points * self.system.nodes()];
         let mut rates = vec![[Vector6::zeros(); 2]; points];
         let mut workspace = RuleWorkspace::default();
-        let of_nodes = increment.chunks_exact(6 * points);
+        let of_nodes = increment.chunks_exact(self.layout.of_node());
         for (node, (changes, increments)) in changes.chunks_mut(points).zip(of_nodes).enumerate() {
             self.rule.vary(node, increments, &mut workspace, &mut rates);
             let increments = increments.chunks_exact(6).zip(&rates);

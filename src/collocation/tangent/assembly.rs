@@ -96,11 +96,8 @@ impl Collocation {
 
     /// Scales of the rows and columns of an element's own unknowns at grid point `k`.
     fn own_scales(&self, placed: &Placed, k: usize) -> [&[f64]; 2] {
-        let points = self.grid().points();
-        let count = placed.element.multipliers();
-        let first =
-            6 * points * self.system().nodes() + placed.first_multiplier * points + count * k;
-        [self.row_scale(), self.column_scale()].map(|scale| &scale[first..first + count])
+        let places = self.layout().element_at(placed, k);
+        [self.row_scale(), self.column_scale()].map(|scale| &scale[places.clone()])
     }
 }
 

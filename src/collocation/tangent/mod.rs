@@ -31,7 +31,7 @@ use super::state::GridState;
 use crate::elements::{Contribution, StrainTangent, StressLaw};
 use crate::error::Result;
 use crate::motion::{self, DualVector};
-use crate::system::{System, Workspace};
+use crate::system::{Layout, System, Workspace};
 use crate::workers::{Workers, parts};
 use layout::TangentLayout;
 use nalgebra::{Matrix6, Vector6};
@@ -88,6 +88,7 @@ impl OwnTangent {
 #[derive(Debug)]
 pub struct Tangent {
     layout: TangentLayout,
+    unknowns: Layout,
     points: usize,
     /// `K`, `C` and `M` of coupling `c` at grid point `k`, at `c N + k`.
     pairs: [Vec<Matrix6<f64>>; 3],
@@ -128,19 +129,21 @@ struct Evaluation<'a> {
 impl Tangent {
     /// For a system on a grid of so many points.
     pub fn new(system: &System, points: usize) -> Self {
-        Self::with(TangentLayout::new(system, false), points)
+        Self::with(TangentLayout::new(system, false), system.layout(points))
     }
 
     /// The same with stress resultants apart.
     pub fn with_resultants_apart(system: &System, points: usize) -> Self {
         Tangent {
             keeps_rule: true,
-            ..Self::with(TangentLayout::new(system, true), points)
+            ..Self::with(TangentLayout::new(system, true), system.layout(points))
         }
     }
 
-    fn with(layout: TangentLayout, points: usize) -> Self {
+    fn with(layout: TangentLayout, unknowns: Layout) -> Self {
+        let points = unknowns.points();
         Tangent {
+            unknowns,
             points,
             pairs: Default::default(),
             own: vec![OwnTangent::default(); layout.places.len()],
@@ -308,7 +311,26 @@ impl Tangent {
                 false => system.workspace_with_resultants_apart(),
             },
             |workspace, i, part| layout.evaluate(&at, &division.shares[i], workspace, part),
-        )
+        )?;
+        self.ground(equations);
+        Ok(())
+    }
+
+    /// Adds the stiffness of the nodes against the ground.
+    fn ground(&mut self, equations: &Collocation) {
+        if equations.grounding() == 0.0 {
+            return;
+        }
+        for node in 0..equations.system().nodes() {
+            let at = self.unknowns.motion(node, 0);
+            let rows = &equations.row_scale()[at.clone()];
+            let scales = rows.iter().zip(&equations.column_scale()[at]);
+            let added = scales.map(|(row, column)| equations.grounding() / (row * column));
+            let added = Matrix6::from_diagonal(&Vector6::from_iterator(added));
+            let pair = self.layout.couplings.number(node, node);
+            let blocks = &mut self.pairs[0][pair * self.points..][..self.points];
+            blocks.iter_mut().for_each(|block| *block += added);
+        }
     }
 }
 

@@ -6,6 +6,7 @@ use crate::collocation::problem::Collocation;
 use crate::collocation::rule::RuleWorkspace;
 use crate::elements::StrainTangent;
 use crate::motion::{DualVector, product};
+use crate::system::Layout;
 use nalgebra::{Matrix6, Vector6};
 
 /// An increment of all unknowns, not scaled, and what it changes of their rates.
@@ -72,20 +73,21 @@ impl Tangent {
             rates,
             own_rates,
         } = increment;
-        let (motions, own) = unscaled.split_at_mut(6 * points * system.nodes());
+        let layout = equations.layout();
+        let (motions, own) = unscaled.split_at_mut(layout.motions().end);
         let unscale = |(to, (x, scale)): (&mut f64, (&f64, &f64))| *to = x * scale;
         let (x_motions, x_own) = x.split_at(motions.len());
         let (motion_scale, own_scale) = equations.column_scale().split_at(motions.len());
         let scaled = x_own.iter().zip(own_scale);
         own.iter_mut().zip(scaled).for_each(unscale);
         let rates = rates.chunks_mut(points);
-        let mut nodes: Vec<_> = rates.zip(motions.chunks_mut(6 * points)).collect();
+        let mut nodes: Vec<_> = rates.zip(motions.chunks_mut(layout.of_node())).collect();
         equations.workers().for_each(
             &mut nodes,
             &mut self.variation,
             RuleWorkspace::default,
             |workspace, node, (rates, motions)| {
-                let part = 6 * points * node..6 * points * (node + 1);
+                let part = layout.node(node);
                 let scaled = x_motions[part.clone()].iter().zip(&motion_scale[part]);
                 motions.iter_mut().zip(scaled).for_each(unscale);
                 rule.vary(node, motions, workspace, rates);
@@ -97,7 +99,7 @@ impl Tangent {
         for placed in system.elements().iter().filter(|p| p.has_states) {
             let count = placed.element.multipliers();
             for row in 0..count {
-                let at = |k: usize| placed.first_multiplier * points + count * k + row;
+                let at = |k: usize| placed.own_at(points, k).start + row;
                 (0..points).for_each(|k| values[k] = own[at(k)]);
                 rule.vary_rates(values, &mut workspace, rates);
                 (0..points).for_each(|k| own_rates[at(k)] = rates[k]);
@@ -127,7 +129,7 @@ impl Tangent {
             || (),
             |(), index, (stresses, unbalance)| {
                 let station = &self.layout.stations[index];
-                station.stresses(points, &self.strains, increment, stresses);
+                station.stresses(&self.unknowns, &self.strains, increment, stresses);
                 let Some(unbalance) = unbalance else {
                     return;
                 };
@@ -152,8 +154,9 @@ impl Tangent {
         y: &mut [f64],
     ) {
         let (points, layout) = (self.points, &self.layout);
-        let size = 6 * points * equations.system().nodes();
-        let mut rows: Vec<_> = y[..size].chunks_mut(6 * points).collect();
+        let places = equations.layout();
+        let size = places.motions().end;
+        let mut rows: Vec<_> = y[..size].chunks_mut(places.of_node()).collect();
         equations.workers().for_each(
             &mut rows,
             &mut Vec::new(),
@@ -186,7 +189,7 @@ impl Tangent {
         let points = self.points;
         let coupling = &self.layout.couplings.all()[pair];
         let rates = &increment.rates[coupling.column * points..][..points];
-        let motions = increment.x[6 * points * coupling.column..].chunks_exact(6);
+        let motions = increment.x[self.unknowns.node(coupling.column)].chunks_exact(6);
         let rows = forces.chunks_exact_mut(6).zip(motions).zip(rates);
         for (k, ((force, u), rates)) in rows.enumerate() {
             let sum = self.pair(pair, k).force(coupling.moving, u, rates);
@@ -197,8 +200,8 @@ impl Tangent {
     /// Adds `Gᵀ λ` to the forces, and `G u` to the elements' own equations: for `x` and `y` with
     /// motions or forces first and own unknowns or equations behind.
     pub(super) fn add_gradients(&self, equations: &Collocation, x: &[f64], y: &mut [f64]) {
-        let (system, points) = (equations.system(), self.points);
-        let size = 6 * points * system.nodes();
+        let (system, layout) = (equations.system(), equations.layout());
+        let size = layout.motions().end;
         let (motions, own) = x.split_at(size);
         let (forces, constraints) = y.split_at_mut(size);
         for (placed, tangents) in system.elements().iter().zip(&self.own) {
@@ -209,12 +212,11 @@ impl Tangent {
             }
             let gradients = tangents.gradients.chunks_exact(6 * nodes.len() * count);
             for (k, gradient) in gradients.enumerate() {
-                let first = placed.first_multiplier * points + count * k;
-                let lambda = &own[first..first + count];
-                let violation = &mut constraints[first..first + count];
+                let places = placed.own_at(self.points, k);
+                let (lambda, violation) = (&own[places.clone()], &mut constraints[places]);
                 let mut columns = gradient.chunks_exact(count);
                 for &node in nodes {
-                    let at = 6 * (node * points + k);
+                    let at = layout.motion(node, k).start;
                     for (component, column) in columns.by_ref().take(6).enumerate() {
                         for ((row, g), l) in violation.iter_mut().zip(column).zip(lambda) {
                             *row += g * motions[at + component];
@@ -229,7 +231,7 @@ impl Tangent {
     /// Adds what internal states and their rates change in their own equations.
     fn add_states(&self, equations: &Collocation, increment: &Increment, constraints: &mut [f64]) {
         let (system, points) = (equations.system(), self.points);
-        let states = &increment.x[6 * points * system.nodes()..];
+        let states = &increment.x[equations.layout().own()];
         for (index, placed) in system.elements().iter().enumerate() {
             if !placed.has_states {
                 continue;
@@ -237,7 +239,7 @@ impl Tangent {
             let count = placed.element.multipliers();
             for k in 0..points {
                 let (own, own_rate) = self.own(system, index, k);
-                let first = placed.first_multiplier * points + count * k;
+                let first = placed.own_at(points, k).start;
                 for column in 0..count {
                     let (x, rate) = (states[first + column], increment.own_rates[first + column]);
                     for row in 0..count {
@@ -254,7 +256,7 @@ impl Station {
     /// Stress resultants by the motions and rates of the nodes, at all grid points.
     fn stresses(
         &self,
-        points: usize,
+        unknowns: &Layout,
         strains: &[StrainTangent],
         increment: &Increment,
         stresses: &mut [DualVector],
@@ -262,13 +264,13 @@ impl Station {
         let add = |first: usize, k: usize, stiffness, damping, wrench: &mut Vector6<f64>| {
             let (mut strain, mut strain_rate) = (DualVector::zeros(), DualVector::zeros());
             for (a, &node) in self.nodes.iter().enumerate() {
-                let tangent = &strains[(first + a) * points + k];
-                let at = node * points + k;
-                let u = Vector6::from_column_slice(&increment.x[6 * at..6 * at + 6]);
+                let tangent = &strains[(first + a) * unknowns.points() + k];
+                let u = Vector6::from_column_slice(&increment.x[unknowns.motion(node, k)]);
                 let u = DualVector::from_twist(&u);
                 strain += tangent.strain * u;
                 if self.damped {
-                    let v = DualVector::from_twist(&increment.rates[at][0]);
+                    let v =
+                        DualVector::from_twist(&increment.rates[node * unknowns.points() + k][0]);
                     strain_rate += tangent.strain * v + tangent.rate * u;
                 }
             }

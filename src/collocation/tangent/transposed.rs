@@ -18,12 +18,12 @@ impl Tangent {
     /// Writes the product of the transposed scaled Jacobian and `x`, which has no stress resultants
     /// behind. With `x` that is 1 for one equation and 0 for all others it is the row of that one.
     pub fn apply_transposed(&self, equations: &Collocation, x: &[f64], y: &mut [f64]) {
-        let points = self.points;
-        let size = 6 * points * equations.system().nodes();
+        let layout = equations.layout();
+        let size = layout.motions().end;
         let scaled = x.iter().zip(equations.row_scale());
         let forces: Vec<f64> = scaled.map(|(x, scale)| x * scale).collect();
         let stretched = self.stretch(&forces);
-        let mut columns: Vec<&mut [f64]> = y[..size].chunks_mut(6 * points).collect();
+        let mut columns: Vec<&mut [f64]> = y[..size].chunks_mut(layout.of_node()).collect();
         equations.workers().for_each(
             &mut columns,
             &mut Vec::new(),
@@ -53,8 +53,7 @@ impl Tangent {
             for k in 0..points {
                 let mut by_resultants = DualVector::zeros();
                 for (a, node) in station.nodes.iter().enumerate() {
-                    let at = 6 * (node * points + k);
-                    let force = Vector6::from_column_slice(&forces[at..at + 6]);
+                    let force = Vector6::from_column_slice(&forces[self.unknowns.motion(*node, k)]);
                     let strain = &self.strain(station.first + a, k).strain;
                     by_resultants += *strain * DualVector::from_twist(&force);
                 }
@@ -99,7 +98,7 @@ impl Tangent {
         for pair in self.layout.couplings.of_column(node) {
             let coupling = &self.layout.couplings.all()[pair];
             moving |= coupling.moving;
-            let forces = forces[6 * points * coupling.row..].chunks_exact(6);
+            let forces = forces[self.unknowns.node(coupling.row)].chunks_exact(6);
             let rows = forces.zip(y.chunks_exact_mut(6)).zip(&mut *by_rates);
             for (k, ((force, y), by_rates)) in rows.enumerate() {
                 let (force, tangent) = (Vector6::from_column_slice(force), self.pair(pair, k));
@@ -142,7 +141,7 @@ impl Tangent {
                 continue;
             }
             let count = placed.element.multipliers();
-            let first = |k: usize| placed.first_multiplier * points + count * k;
+            let first = |k: usize| placed.own_at(points, k).start;
             for column in 0..count {
                 for (k, by_rate) in by_rates.iter_mut().enumerate() {
                     let (own, own_rate) = self.own(system, index, k);

@@ -2,7 +2,7 @@
 //! twice. See docs/theory.md, section 7.5.
 
 use crate::collocation::{Collocation, GridState, Pattern};
-use crate::system::{Dependency, ElementRole, System, name_all, name_constraints};
+use crate::system::{Dependency, ElementRole, Layout, System, name_all, name_constraints};
 use faer::MatMut;
 use faer::linalg::solvers::Solve;
 use faer::sparse::{SparseColMat, Triplet};
@@ -33,13 +33,12 @@ pub(crate) fn diagnose(
         let why = "the Jacobian is singular: some node has no inertia, stiffness or constraint";
         return Singularity::Free(why.into());
     };
-    let system = equations.system();
-    let points = equations.grid().points();
-    let motions = 6 * points * system.nodes();
+    let layout = equations.layout();
+    let motions = layout.motions().end;
     let largest = |part: &[f64]| part.iter().fold(0.0f64, |m, x| m.max(x.abs()));
     let moving = largest(&vector[..motions]);
     if moving > 1e-6 * largest(&vector) {
-        Singularity::Free(describe_freedom(&vector[..motions], moving, points, state))
+        Singularity::Free(describe_freedom(layout, &vector[..motions], moving, state))
     } else {
         Singularity::Redundant(describe_redundancy(equations, &vector[motions..]))
     }
@@ -72,9 +71,10 @@ fn null_vector(pattern: &Pattern, values: &[f64]) -> Option<Vec<f64>> {
     vector.iter().all(|x| x.is_finite()).then_some(vector)
 }
 
-fn describe_freedom(motions: &[f64], largest: f64, points: usize, state: &GridState) -> String {
-    let nodes = motions.len() / (6 * points);
-    let part = |node: usize| &motions[6 * points * node..][..6 * points];
+fn describe_freedom(layout: Layout, motions: &[f64], largest: f64, state: &GridState) -> String {
+    let points = layout.points();
+    let nodes = state.motions.len() / points;
+    let part = |node: usize| &motions[layout.node(node)];
     let size = |node: usize| part(node).iter().fold(0.0f64, |m, x| m.max(x.abs()));
     let free: Vec<usize> = (0..nodes).filter(|&n| size(n) > 0.3 * largest).collect();
     let worst = (0..nodes)
@@ -96,7 +96,7 @@ fn describe_freedom(motions: &[f64], largest: f64, points: usize, state: &GridSt
         format!("turn about {}", direction(&angular))
     };
     let names = name_all("node", &free);
-    if let Some(harmonic) = vibration(motions, points, state) {
+    if let Some(harmonic) = vibration(layout, motions, state) {
         let times = match harmonic {
             1 => "once".into(),
             harmonic => format!("{harmonic} times"),
@@ -119,11 +119,12 @@ const MEAN: f64 = 0.1;
 
 /// The harmonic of a free motion that vibrates: one without a mean, along the inertial axes and
 /// along those of the nodes alike.
-fn vibration(motions: &[f64], points: usize, state: &GridState) -> Option<usize> {
+fn vibration(layout: Layout, motions: &[f64], state: &GridState) -> Option<usize> {
+    let points = layout.points();
     let mut found = (0.0, 0);
     for inertial in [true, false] {
         let mut power = vec![0.0; points / 2 + 1];
-        for (node, part) in motions.chunks_exact(6 * points).enumerate() {
+        for (node, part) in motions.chunks_exact(layout.of_node()).enumerate() {
             let mut series = vec![Vector3::zeros(); 2 * points];
             for (k, u) in part.chunks_exact(6).enumerate() {
                 let rotation = state.node(node)[k].rotation;
@@ -170,8 +171,7 @@ fn describe_redundancy(equations: &Collocation, multipliers: &[f64]) -> String {
     let points = equations.grid().points();
     let (mut joints, mut prescribed) = (Vec::new(), Vec::new());
     for placed in system.elements() {
-        let count = placed.element.multipliers() * points;
-        let part = &multipliers[placed.first_multiplier * points..][..count];
+        let part = &multipliers[placed.own_over(points)];
         if part.iter().any(|x| x.abs() > 0.05) {
             match placed.role {
                 ElementRole::Joint(index) => joints.push(index),
@@ -220,12 +220,9 @@ pub(crate) fn describe_inconsistency(equations: &Collocation, residual: &[f64]) 
 /// Names the joint or prescribed coordinate that is furthest from closed, if any is open at all.
 pub(crate) fn describe_open_joint(equations: &Collocation, residual: &[f64]) -> String {
     let system = equations.system();
-    let points = equations.grid().points();
-    let constraints = &residual[6 * points * system.nodes()..];
     let mut worst = (1e-6, String::new());
     for placed in system.elements() {
-        let count = placed.element.multipliers() * points;
-        let part = &constraints[placed.first_multiplier * points..][..count];
+        let part = &residual[equations.layout().element(placed)];
         let open = part.iter().fold(0.0f64, |m, x| m.max(x.abs()));
         let what = match placed.role {
             ElementRole::Joint(index) => format!("joint {index}"),

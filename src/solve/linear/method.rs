@@ -55,13 +55,13 @@ impl DirectCost {
     /// Of the Jacobian of a system on a grid of so many points.
     pub fn of(system: &System, points: usize) -> Self {
         let nodes = system.nodes();
-        let mut sizes = vec![6 * points; nodes];
+        let mut sizes = vec![system.layout(points).of_node(); nodes];
         let mut coupled = vec![BTreeSet::new(); nodes];
         for placed in system.elements() {
             let mut members = placed.element.nodes().to_vec();
             if placed.element.multipliers() > 0 {
                 members.push(sizes.len());
-                sizes.push(placed.element.multipliers() * points);
+                sizes.push(placed.own_over(points).len());
                 coupled.push(BTreeSet::new());
             }
             for &a in &members {
@@ -119,7 +119,7 @@ impl Linear {
             LinearMethod::Automatic => {
                 let cost = DirectCost::of(system, points);
                 falls_back = cost.bytes < TOO_LARGE;
-                let numbers = (6 * system.nodes() * points) as f64;
+                let numbers = equations.layout().motions().len() as f64;
                 most_products = (cost.work / (PRODUCT * numbers)) as usize;
                 let cheap = numbers < SMALL || cost.work < AFFORDABLE * numbers;
                 let few_freedoms = || {
@@ -316,11 +316,11 @@ mod tests {
         linear.give_up_factors(&equations);
         let by_iteration = solve(&mut linear, &mut equations);
         assert!(linear.record().is_some());
-        let motions = 6 * equations.system().nodes() * grid.points();
-        let largest = by_factors[..motions]
+        let motions = equations.layout().motions();
+        let largest = by_factors[motions.clone()]
             .iter()
             .fold(0.0f64, |m, x| m.max(x.abs()));
-        for (a, b) in by_factors[..motions].iter().zip(&by_iteration) {
+        for (a, b) in by_factors[motions].iter().zip(&by_iteration) {
             // A hundred times the accuracy that was asked for.
             assert!((a - b).abs() < 1e-6 * largest, "{a} {b} of {largest}");
         }

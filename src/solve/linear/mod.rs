@@ -2,6 +2,7 @@
 
 pub(crate) mod assembled;
 mod blocks;
+pub(crate) mod bordered;
 pub(crate) mod dense;
 pub(crate) mod diagnosis;
 pub(crate) mod direct;

@@ -71,7 +71,7 @@ impl Slender {
     ) -> bool {
         let options = GmresOptions {
             tolerance: accuracy,
-            leading: 6 * equations.system().nodes() * equations.grid().points(),
+            leading: equations.layout().motions().end,
             essential: rhs.len(),
             iteration_limit: MOST,
             restart: MOST,

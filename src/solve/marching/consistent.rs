@@ -69,7 +69,7 @@ impl<'a> Initial<'a> {
     }
 
     fn motions(&self) -> usize {
-        6 * self.newton.equations.system().nodes()
+        self.newton.equations.layout().motions().end
     }
 
     fn is_state(&self, place: usize) -> bool {

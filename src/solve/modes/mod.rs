@@ -200,7 +200,7 @@ fn find_modes(solve: &mut ModesSolve, options: &ModesOptions, watching: &Watchin
         mode(
             &pencil,
             pair,
-            6 * system.nodes(),
+            equations.layout().motions().end,
             equations.column_scale(),
             energy,
         )

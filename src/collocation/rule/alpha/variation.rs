@@ -242,10 +242,11 @@ impl StepVariation {
         }
         let scales = equations.column_scale();
         let (first, second) = step.weights();
-        let nodes = variation.nodes.len();
         for (n, (node, [inverse, _])) in variation.nodes.iter_mut().zip(&self.tangents).enumerate()
         {
-            let u = Vector6::from_fn(|i, _| self.rhs[6 * n + i] * scales[6 * n + i]);
+            let at = equations.layout().motion(n, 0);
+            let scale = Vector6::from_column_slice(&scales[at.clone()]);
+            let u = Vector6::from_column_slice(&self.rhs[at]).component_mul(&scale);
             let psi = inverse * u;
             node[0] = u;
             node[1] += psi * first;
@@ -254,9 +255,9 @@ impl StepVariation {
         }
         let weight = step.state_weight();
         let system = equations.system();
-        for (place, state) in variation.states.iter_mut().enumerate() {
+        let own = equations.layout().own();
+        for ((place, state), at) in variation.states.iter_mut().enumerate().zip(own) {
             if matches!(system.unknown(place), Unknown::State { .. }) {
-                let at = 6 * nodes + place;
                 let x = self.rhs[at] * scales[at];
                 state[0] = x;
                 state[1] += weight * x;

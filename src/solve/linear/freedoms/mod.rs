@@ -101,19 +101,14 @@ struct Room {
 impl Layout {
     fn new(equations: &Collocation) -> Self {
         let (system, points) = (equations.system(), equations.grid().points());
-        let nodes = system.nodes();
+        let layout = equations.layout();
         let (mut coordinate_at, mut multiplier_at) = (Vec::new(), Vec::new());
         for k in 0..points {
-            for node in 0..nodes {
-                let first = 6 * (node * points + k);
-                coordinate_at.extend(first..first + 6);
-            }
+            (0..system.nodes()).for_each(|node| coordinate_at.extend(layout.motion(node, k)));
             for placed in system.elements() {
-                let count = placed.element.multipliers();
-                let first = 6 * nodes * points + placed.first_multiplier * points + count * k;
                 match placed.has_states {
-                    true => coordinate_at.extend(first..first + count),
-                    false => multiplier_at.extend(first..first + count),
+                    true => coordinate_at.extend(layout.element_at(placed, k)),
+                    false => multiplier_at.extend(layout.element_at(placed, k)),
                 }
             }
         }
@@ -587,8 +582,7 @@ mod tests {
             let rhs = &matrix * &exact;
             let mut found = rhs.col_as_slice(0).to_vec();
             assert!(solver.solve(&at.values, &mut found));
-            let motions = 6 * 3 * points;
-            for i in 0..motions {
+            for i in at.equations.layout().motions() {
                 // A thousand times rounding, of a matrix whose condition is no more.
                 let error = (found[i] - exact[(i, 0)]).abs();
                 assert!(error < 1e-11, "{closed} {driven} {points}: {i} {error:e}");

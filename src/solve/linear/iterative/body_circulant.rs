@@ -22,6 +22,7 @@ use super::resultants::Resultants;
 use crate::collocation::{Aliasing, Collocation, Tangent};
 use crate::error::Result;
 use crate::fourier::{Analysis, Synthesis};
+use crate::system;
 use crate::workers::{Workers, parts};
 use nalgebra::{Complex, Matrix6};
 use std::time::{Duration, Instant};
@@ -54,6 +55,7 @@ impl Transform {
 /// The preconditioner, factored.
 pub(super) struct BodyCirculant {
     points: usize,
+    unknowns: system::Layout,
     layout: Layout,
     factors: Vec<BlockLanes<ComplexLanes>>,
     rotations: Vec<RowRotation>,
@@ -163,6 +165,7 @@ impl BodyCirculant {
         }
         let mut circulant = BodyCirculant {
             points,
+            unknowns: equations.layout(),
             rotations: row_rotations(equations, classes),
             interface: None,
             transform: Transform::new(points),
@@ -178,7 +181,7 @@ impl BodyCirculant {
             spectrum_at,
             series: [series(), series(), series()],
             rates: match resultants.damped() {
-                true => vec![0.0; 6 * points * equations.system().nodes()],
+                true => vec![0.0; equations.layout().motions().len()],
                 false => Vec::new(),
             },
             aliasing,
@@ -266,7 +269,7 @@ impl BodyCirculant {
         let (layout, lanes, aliasing) = (&self.layout, &self.lanes, &self.aliasing);
         let (points, frequency) = (self.points, self.frequency);
         let scale = 1.0 / points as f64;
-        let mut parts: Vec<_> = self.rates.chunks_mut(6 * points).collect();
+        let mut parts: Vec<_> = self.rates.chunks_mut(self.unknowns.of_node()).collect();
         let new = || self.transform.clone();
         self.workers.for_each(
             &mut parts,
@@ -431,7 +434,7 @@ fn collect<'t>(
 /// What the grid makes of a node's highest harmonics, for scaled increments and their scaled
 /// changes.
 fn scaled_aliasing(equations: &Collocation, node: usize) -> Vec<Aliasing> {
-    let scale = &equations.column_scale()[6 * equations.grid().points() * node..][..6];
+    let scale = &equations.column_scale()[equations.layout().motion(node, 0)];
     let scaled = |m: Matrix6<Complex<f64>>| m.map_with_location(|i, j, x| x * scale[j] / scale[i]);
     let all = equations.rule().aliasing(node).into_iter();
     all.map(|aliasing| Aliasing {

@@ -1,6 +1,5 @@
 //! Which constraints may be averaged over time, and which must stay exact.
 
-use super::layout::own_first;
 use crate::collocation::{Collocation, Tangent};
 use crate::system::System;
 use nalgebra::DMatrix;
@@ -131,15 +130,15 @@ fn scaled_gradient(
 ) -> DMatrix<f64> {
     let system = equations.system();
     let placed = &system.elements()[index];
-    let points = equations.grid().points();
+    let layout = equations.layout();
     let count = placed.element.multipliers();
     let nodes = placed.element.nodes();
     let mut g =
         DMatrix::from_column_slice(count, 6 * nodes.len(), tangent.gradient(system, index, k));
-    let first = own_first(equations, index);
+    let first = layout.element(placed).start;
     for (local, &node) in nodes.iter().enumerate() {
         for component in 0..6 {
-            let column_scale = equations.column_scale()[6 * points * node + component];
+            let column_scale = equations.column_scale()[layout.node(node).start + component];
             for row in 0..count {
                 g[(row, 6 * local + component)] *=
                     column_scale * equations.row_scale()[first + row];
@@ -187,12 +186,16 @@ pub(super) fn count_free(equations: &Collocation, tangent: &Tangent) -> Option<u
 
 /// Rotations of all steady constraints.
 pub(super) fn row_rotations(equations: &Collocation, classes: &[Class]) -> Vec<RowRotation> {
+    let first_own = |index| {
+        let placed = &equations.system().elements()[index];
+        equations.layout().element(placed).start
+    };
     let steady = |(index, class): (usize, &Class)| match class {
         Class::Averaged(Average {
             inverse_rotations: Some(inverse),
             ..
         }) => Some(RowRotation {
-            first: own_first(equations, index),
+            first: first_own(index),
             count: inverse[0].nrows(),
             inverse: inverse.clone(),
         }),

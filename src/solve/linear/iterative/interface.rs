@@ -10,7 +10,6 @@
 
 use super::constraints::Class;
 use super::dense::{DenseLu, zeros};
-use super::layout::own_first;
 use crate::collocation::Collocation;
 use crate::error::Result;
 use crate::workers::Workers;
@@ -244,12 +243,13 @@ impl Part {
             let Class::Exact(all) = &classes[index] else {
                 continue;
             };
-            let element = &equations.system().elements()[index].element;
-            let columns: Vec<usize> = places_of(element.nodes(), points)
+            let placed = &equations.system().elements()[index];
+            let columns: Vec<usize> = places_of(equations, placed.element.nodes())
                 .map(|place| motions.iter().position(|&m| kept[m].0 == place))
                 .collect::<Option<_>>()?;
-            for row in 0..element.multipliers() {
-                rows.push((own_first(equations, index) + row, element.multipliers()));
+            let own = equations.layout().element_at(placed, 0);
+            for (row, place) in own.clone().enumerate() {
+                rows.push((place, own.len()));
                 for (list, gradient) in gradients.iter_mut().zip(all) {
                     let mut full = DVector::zeros(motions.len());
                     for (&column, value) in columns.iter().zip(gradient.row(row).iter()) {
@@ -322,10 +322,9 @@ fn series_of(x: &[f64], (first, stride): (usize, usize)) -> impl Iterator<Item =
 }
 
 /// Places of the motions of nodes at the first grid point.
-fn places_of(nodes: &[usize], points: usize) -> impl Iterator<Item = usize> + '_ {
-    nodes
-        .iter()
-        .flat_map(move |&node| (0..6).map(move |i| 6 * points * node + i))
+fn places_of(equations: &Collocation, nodes: &[usize]) -> impl Iterator<Item = usize> {
+    let layout = equations.layout();
+    nodes.iter().flat_map(move |&node| layout.motion(node, 0))
 }
 
 /// Entries of matrices, row by row, each over the grid; empty where all are zero.
@@ -352,7 +351,6 @@ fn connected(
     classes: &[Class],
     kept: &[(usize, usize)],
 ) -> Option<Vec<(Vec<usize>, Vec<usize>)>> {
-    let points = equations.grid().points();
     let mut parts: Vec<(Vec<usize>, Vec<usize>)> = (0..kept.len())
         .map(|motion| (Vec::new(), vec![motion]))
         .collect();
@@ -361,7 +359,7 @@ fn connected(
             continue;
         }
         let nodes = equations.system().elements()[index].element.nodes();
-        let motions: Vec<usize> = places_of(nodes, points)
+        let motions: Vec<usize> = places_of(equations, nodes)
             .map(|place| kept.iter().position(|k| k.0 == place))
             .collect::<Option<_>>()?;
         let (mut joined, others): (Vec<_>, Vec<_>) = parts

@@ -76,7 +76,7 @@ impl Layout {
         kept_alone: &[bool],
     ) -> Self {
         let system = equations.system();
-        let points = equations.grid().points();
+        let (points, all) = (equations.grid().points(), equations.layout());
         let rows = block_rows(system, classes, kept_alone);
         let mut node_at = vec![(0, 0); system.nodes()];
         let mut own_at = vec![(0, 0); system.elements().len()];
@@ -116,34 +116,33 @@ impl Layout {
         for (node, &(row, first)) in node_at.iter().enumerate() {
             for component in 0..6 {
                 places[structure.first(row) + first + component] =
-                    (6 * points * node + component, 6);
+                    (all.motion(node, 0).start + component, 6);
             }
         }
         for (index, class) in classes.iter().enumerate() {
             if let Class::Averaged(_) = class {
                 let (row, first) = own_at[index];
-                let count = system.elements()[index].element.multipliers();
-                for i in 0..count {
-                    let place = own_first(equations, index) + i;
+                let own = all.element_at(&system.elements()[index], 0);
+                let count = own.len();
+                for (i, place) in own.enumerate() {
                     places[structure.first(row) + first + i] = (place, count);
                 }
             }
         }
         let nodes = node_at.iter().enumerate();
-        let nodes = nodes.map(|(node, &at)| (6 * points * node, at, 6));
+        let nodes = nodes.map(|(node, &at)| (all.motion(node, 0), at));
         let own = classes.iter().enumerate().filter_map(|(index, class)| {
-            let count = system.elements()[index].element.multipliers();
             let averaged = matches!(class, Class::Averaged(_));
-            averaged.then(|| (own_first(equations, index), own_at[index], count))
+            averaged.then(|| (all.element_at(&system.elements()[index], 0), own_at[index]))
         });
         let regions = nodes
             .chain(own)
-            .map(|(place, (row, first), count)| {
+            .map(|(places, (row, first))| {
                 let first_unknown = structure.first(row) + first;
                 Region {
-                    first: place,
+                    first: places.start,
                     points,
-                    unknowns: first_unknown..first_unknown + count,
+                    unknowns: first_unknown..first_unknown + places.len(),
                 }
             })
             .collect();
@@ -176,13 +175,6 @@ impl Layout {
             .max()
             .unwrap_or(0)
     }
-}
-
-/// Place of an element's first own unknown among all.
-pub(super) fn own_first(equations: &Collocation, index: usize) -> usize {
-    let system = equations.system();
-    let points = equations.grid().points();
-    (6 * system.nodes() + system.elements()[index].first_multiplier) * points
 }
 
 fn size_of(system: &System, member: Member) -> usize {

@@ -3,7 +3,7 @@
 use super::block_lu::{BlockLanes, BlockPlace};
 use super::constraints::Class;
 use super::lanes::{ComplexLanes, LANES, Lanes};
-use super::layout::{Layout, own_first};
+use super::layout::Layout;
 use crate::collocation::{Aliasing, Collocation, Coupling, Station, Tangent};
 use crate::elements::StressLaw;
 use nalgebra::{Complex, Matrix3, Matrix6, Vector3, Vector6};
@@ -171,7 +171,6 @@ impl Averages<'_> {
     /// Mean tangents of all couplings, scaled.
     fn scaled_means(&self) -> Vec<MeanTangent> {
         let (equations, tangent) = (self.equations, self.tangent);
-        let points = equations.grid().points();
         let couplings = tangent.couplings();
         let mut means = vec![MeanTangent::default(); couplings.len()];
         let rooms = &mut Vec::new();
@@ -195,8 +194,9 @@ impl Averages<'_> {
             }
         }
         for (mean, coupling) in means.iter_mut().zip(couplings) {
-            let row_scale = &equations.row_scale()[6 * points * coupling.row..][..6];
-            let column_scale = &equations.column_scale()[6 * points * coupling.column..][..6];
+            let row_scale = &equations.row_scale()[equations.layout().motion(coupling.row, 0)];
+            let column_scale =
+                &equations.column_scale()[equations.layout().motion(coupling.column, 0)];
             for order in mean.orders.iter_mut().chain([&mut mean.velocity]) {
                 *order = order.map_with_location(|i, j, x| x * row_scale[i] * column_scale[j]);
             }
@@ -302,7 +302,7 @@ impl Averages<'_> {
         let points = self.equations.grid().points();
         let placed = &system.elements()[index];
         let count = placed.element.multipliers();
-        let first = own_first(self.equations, index);
+        let first = self.equations.layout().element(placed).start;
         let mut means = [vec![0.0; count * count], vec![0.0; count * count]];
         for k in 0..points {
             let (own, own_rate) = self.tangent.own(system, index, k);

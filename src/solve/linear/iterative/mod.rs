@@ -353,7 +353,7 @@ impl LinearSolver for Iterative {
             }
             let options = GmresOptions {
                 tolerance: accuracy,
-                leading: 6 * equations.system().nodes() * equations.grid().points(),
+                leading: equations.layout().motions().end,
                 iteration_limit: self.limit,
                 essential: rhs.len(),
                 restart: (KEPT / size_of_val(&unknowns[..])).clamp(RESTART, ITERATION_LIMIT),

@@ -204,8 +204,8 @@ mod tests {
                             .unwrap();
                         let timings = &mut Timings::default();
                         assert!(linear.solve(equations, &mut x, 1e-8, timings).unwrap());
-                        let motions = 6 * state.motions.len();
-                        increments.push(x[..motions].iter().fold(0.0, |m, x| m.max(x.abs())));
+                        let motions = equations.layout().motions();
+                        increments.push(x[motions].iter().fold(0.0, |m, x| m.max(x.abs())));
                         if increments.last().is_some_and(|last| *last < 1e-10) {
                             break;
                         }

@@ -9,12 +9,13 @@
 
 use super::mean::MeanStrain;
 use crate::collocation::{Collocation, Station, Tangent};
+use crate::system::Layout;
 use crate::workers::Workers;
 use nalgebra::{Matrix6, Vector6};
 
 /// Averaged `B` and `L`, scaled.
 pub(super) struct Resultants {
-    points: usize,
+    layout: Layout,
     stations: Vec<Station>,
     strains: Vec<MeanStrain>,
     /// Of each node: the stations whose resultants act on it, and its strains there.
@@ -27,7 +28,7 @@ pub(super) struct Resultants {
 impl Resultants {
     /// Those of `tangent`.
     pub fn new(equations: &Collocation, tangent: &Tangent, strains: &[MeanStrain]) -> Self {
-        let points = equations.grid().points();
+        let layout = equations.layout();
         let scales = tangent.resultant_scales(equations.system());
         let stations = tangent.stations().to_vec();
         let mut acting = vec![Vec::new(); equations.system().nodes()];
@@ -35,8 +36,9 @@ impl Resultants {
         for (index, station) in stations.iter().enumerate() {
             for (a, &node) in station.nodes.iter().enumerate() {
                 acting[node].push((index, station.first + a));
-                let row_scale = &equations.row_scale()[6 * points * node..][..6];
-                let column_scale = &equations.column_scale()[6 * points * node..][..6];
+                let at = layout.motion(node, 0);
+                let row_scale = &equations.row_scale()[at.clone()];
+                let column_scale = &equations.column_scale()[at];
                 let mean = &mut scaled[station.first + a];
                 let by_scale = |m: &Matrix6<f64>| {
                     m.map_with_location(|i, j, x| x * column_scale[j] / scales[i])
@@ -48,7 +50,7 @@ impl Resultants {
             }
         }
         Resultants {
-            points,
+            layout,
             stations,
             strains: scaled,
             acting,
@@ -64,12 +66,12 @@ impl Resultants {
 
     /// `x += Bᵀ r`.
     pub fn add_forces(&self, r: &[f64], x: &mut [f64]) {
-        let motions = 6 * self.points * self.acting.len();
-        let mut rows: Vec<_> = x[..motions].chunks_mut(6 * self.points).collect();
+        let (motions, of_node) = (self.layout.motions(), self.layout.of_node());
+        let mut rows: Vec<_> = x[motions].chunks_mut(of_node).collect();
         let add = |node: usize, forces: &mut [f64]| {
             for &(station, strain) in &self.acting[node] {
                 let to_force = self.strains[strain].strain.transpose() * self.scale;
-                let r = r[6 * self.points * station..].chunks_exact(6);
+                let r = r[of_node * station..].chunks_exact(6);
                 for (force, r) in forces.chunks_exact_mut(6).zip(r) {
                     let sum = to_force * Vector6::from_column_slice(r);
                     force.iter_mut().zip(&sum).for_each(|(y, f)| *y += f);
@@ -89,7 +91,7 @@ impl Resultants {
     /// them.
     pub fn determine(&self, x: &[f64], rates: &[f64], r: &mut [f64]) {
         let of_node = |x: &[f64], node: usize, k: usize| {
-            Vector6::from_column_slice(&x[6 * (self.points * node + k)..][..6])
+            Vector6::from_column_slice(&x[self.layout.motion(node, k)])
         };
         let determine = |index: usize, series: &mut [f64]| {
             let station = &self.stations[index];
@@ -106,7 +108,7 @@ impl Resultants {
                     .for_each(|(r, f)| *r = f / self.scale - *r);
             }
         };
-        let mut all: Vec<_> = r.chunks_mut(6 * self.points).collect();
+        let mut all: Vec<_> = r.chunks_mut(self.layout.of_node()).collect();
         let rooms = &mut Vec::new();
         self.workers
             .for_each(&mut all, rooms, || (), |(), index, r| determine(index, r));

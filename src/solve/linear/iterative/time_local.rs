@@ -111,7 +111,6 @@ fn fill(
     k: usize,
 ) {
     let system = equations.system();
-    let points = equations.grid().points();
     let mut add = |at: ((usize, usize), (usize, usize)), (i, j), value: f64| {
         let ((row, first_row), (column, first_column)) = at;
         let place = (first_row + i, first_column + j);
@@ -120,8 +119,8 @@ fn fill(
     };
     for (pair, coupling) in tangent.couplings().iter().enumerate() {
         let [stiffness, _] = tangent.whole_pair(pair, k);
-        let row_scale = &equations.row_scale()[6 * points * coupling.row..];
-        let column_scale = &equations.column_scale()[6 * points * coupling.column..];
+        let row_scale = &equations.row_scale()[equations.layout().node(coupling.row)];
+        let column_scale = &equations.column_scale()[equations.layout().node(coupling.column)];
         let at = (
             layout.node_at[coupling.row],
             layout.node_at[coupling.column],
@@ -153,7 +152,7 @@ fn fill(
         }
         let count = own.gradient.nrows();
         if placed.has_states {
-            let first = super::layout::own_first(equations, index);
+            let first = equations.layout().element_at(placed, 0).start;
             let (stiffness, _) = tangent.own(system, index, k);
             for column in 0..count {
                 for row in 0..count {

@@ -1,0 +1,441 @@
+//! Linear equations with scalar unknowns and scalar equations beside those of the grid,
+//!
+//! ```text
+//! [J B; C D] [x; p] = [f; g]
+//! ```
+//!
+//! by block elimination with what solves those of `J`. At each limit cycle, and wherever else an
+//! equation takes the place of what the grid's own leave open, `J` is singular and the whole is
+//! not. Then the nodes get a small stiffness against the ground, which makes factors exist, and
+//! elimination with them is the preconditioner of an iteration with the exact products: but for few
+//! directions, those that are soft beside the ground, the two are alike. See docs/theory.md,
+//! section 8.8.
+
+use crate::collocation::{Collocation, GridState, Tangent};
+use crate::error::Result;
+use crate::solve::linear::dense::{largest, probe};
+use crate::solve::linear::diagnosis::Singularity;
+use crate::solve::linear::iterative::{GmresOptions, GmresRoom, Preconditioned, gmres};
+use crate::solve::linear::solver::LinearSolver;
+use crate::solve::report::{Timings, timed};
+use nalgebra::{DMatrix, DVector};
+use std::time::Instant;
+
+/// Scaled stiffness of the nodes against the ground.
+const GROUNDING: f64 = 1e-7;
+/// Growth of `J` that asks for it.
+const SUSPECT: f64 = 1e12;
+/// Most products of a linear solve, and vectors that are kept.
+const ITERATION_LIMIT: usize = 60;
+/// Accuracy of elimination, relative to that of the solution, and the finest.
+const SHARPER: f64 = 0.1;
+const SHARPEST: f64 = 1e-9;
+/// Accuracy where only the size of the solution matters.
+const ROUGH: f64 = 1e-2;
+
+/// What stands beside and below `J`, and the Schur complement.
+#[derive(Debug, Default)]
+struct Borders {
+    /// `B`, column by column.
+    columns: Vec<Vec<f64>>,
+    /// `[C D]`, row by row.
+    rows: Vec<Vec<f64>>,
+    /// `J⁻¹ B`.
+    eliminated: Vec<Vec<f64>>,
+    /// `(D − C J⁻¹ B)⁻¹`.
+    inverse: DMatrix<f64>,
+}
+
+impl Borders {
+    fn at(equations: &mut Collocation, state: &GridState) -> Result<Self> {
+        let all = 0..equations.layout().scalars().len();
+        let columns = all.clone().map(|i| equations.by_scalar(state, i));
+        let columns = columns.collect::<Result<_>>()?;
+        equations.apply_scalars(state)?;
+        equations.update_kinematics(state);
+        Ok(Borders {
+            columns,
+            rows: all
+                .map(|i| equations.of_scalar_equation(state, i))
+                .collect(),
+            ..Borders::default()
+        })
+    }
+
+    /// Finds the Schur complement, by what solves with `J`. `false` if that cannot be done.
+    fn eliminate(&mut self, mut solve: impl FnMut(&mut [f64]) -> Result<bool>) -> Result<bool> {
+        self.eliminated.clone_from(&self.columns);
+        for column in &mut self.eliminated {
+            if !solve(column)? {
+                return Ok(false);
+            }
+        }
+        let complement = DMatrix::from_fn(self.rows.len(), self.columns.len(), |i, j| {
+            let row = &self.rows[i];
+            row[self.columns[j].len() + j] - dot(row, &self.eliminated[j])
+        });
+        let inverse = complement.try_inverse();
+        let found = inverse.filter(|inverse| inverse.iter().all(|x| x.is_finite()));
+        Ok(found.map(|inverse| self.inverse = inverse).is_some())
+    }
+
+    /// Adds `B p`, and writes `C x + D p`.
+    fn product(&self, x: &[f64], y: &mut [f64]) {
+        let (y, out) = y.split_at_mut(y.len() - self.rows.len());
+        for (column, p) in self.columns.iter().zip(&x[y.len()..]) {
+            y.iter_mut().zip(column).for_each(|(y, b)| *y += b * p);
+        }
+        for (out, row) in out.iter_mut().zip(&self.rows) {
+            *out = dot(row, x);
+        }
+    }
+
+    /// Makes of `[J⁻¹ f; g]` the solution.
+    fn substitute(&self, y: &mut [f64]) {
+        let (x, p) = y.split_at_mut(y.len() - self.rows.len());
+        let rest = p.iter().zip(&self.rows).map(|(g, row)| g - dot(row, x));
+        let found = &self.inverse * DVector::from_iterator(self.rows.len(), rest);
+        for (column, p) in self.eliminated.iter().zip(&found) {
+            x.iter_mut().zip(column).for_each(|(x, e)| *x -= e * p);
+        }
+        p.copy_from_slice(found.as_slice());
+    }
+}
+
+/// `Σ a b`, as far as both go.
+fn dot(a: &[f64], b: &[f64]) -> f64 {
+    a.iter().zip(b).map(|(a, b)| a * b).sum()
+}
+
+/// Solves bordered equations; those of the grid as `inner` does.
+pub(crate) struct Bordered<L> {
+    inner: L,
+    tangent: Tangent,
+    borders: Borders,
+    /// Whether `J` and its borders determine all unknowns, as far as is known.
+    determined: bool,
+    workspace: GmresRoom,
+}
+
+impl<L: LinearSolver> Bordered<L> {
+    /// For `equations` with scalars.
+    pub fn new(equations: &Collocation, inner: L) -> Self {
+        let (system, points) = (equations.system(), equations.grid().points());
+        Bordered {
+            inner,
+            tangent: Tangent::with_resultants_apart(system, points),
+            borders: Borders::default(),
+            determined: true,
+            workspace: GmresRoom::default(),
+        }
+    }
+
+    /// Factors `J` at `state`, between the present borders.
+    fn factor(
+        &mut self,
+        equations: &mut Collocation,
+        state: &GridState,
+        timings: &mut Timings,
+    ) -> Result<bool> {
+        let inner = &mut self.inner;
+        loop {
+            let regular = inner.linearise(equations, state, timings)?;
+            // Written so that NaN is singular.
+            let certain = regular && inner.growth(equations) <= SUSPECT;
+            if equations.grounding() == 0.0 && !certain {
+                equations.ground(GROUNDING);
+                continue;
+            }
+            self.determined = regular;
+            if regular {
+                let solve = |x: &mut [f64]| inner.solve(equations, x, SHARPEST, timings);
+                self.determined = self.borders.eliminate(solve)?;
+            }
+            timed(&mut timings.assembly, || {
+                self.tangent.evaluate(equations, state)
+            })?;
+            return Ok(regular && self.determined);
+        }
+    }
+}
+
+struct Operator<'a, L> {
+    equations: &'a mut Collocation,
+    inner: &'a mut L,
+    tangent: &'a mut Tangent,
+    borders: &'a Borders,
+    accuracy: f64,
+    timings: &'a mut Timings,
+    /// What went wrong: no solution, or an error.
+    end: Result<bool>,
+}
+
+impl<L: LinearSolver> Preconditioned for Operator<'_, L> {
+    fn product(&mut self, x: &[f64], y: &mut [f64]) {
+        let (equations, size) = (&*self.equations, self.equations.size());
+        let of_grid = &x[..size];
+        self.tangent.apply(equations, of_grid, &mut y[..size]);
+        let grounding = equations.grounding();
+        for i in equations.layout().motions() {
+            y[i] -= grounding * x[i];
+        }
+        if equations.is_regularised() && !self.inner.has_compliance() {
+            let mut compliance = vec![0.0; size];
+            equations.compliance_of(of_grid, &mut compliance);
+            y.iter_mut().zip(&compliance).for_each(|(y, c)| *y -= c);
+        }
+        self.borders.product(x, y);
+    }
+
+    fn precondition(&mut self, y: &mut [f64]) {
+        let size = self.equations.size();
+        if matches!(self.end, Ok(true)) {
+            let (accuracy, timings) = (self.accuracy, &mut *self.timings);
+            let of_grid = &mut y[..size];
+            self.end = self.inner.solve(self.equations, of_grid, accuracy, timings);
+        }
+        match self.end {
+            Ok(true) => self.borders.substitute(y),
+            // Which ends the iteration.
+            _ => y.fill(0.0),
+        }
+    }
+}
+
+impl<L: LinearSolver> LinearSolver for Bordered<L> {
+    fn linearise(
+        &mut self,
+        equations: &mut Collocation,
+        state: &GridState,
+        timings: &mut Timings,
+    ) -> Result<bool> {
+        self.borders = timed(&mut timings.assembly, || Borders::at(equations, state))?;
+        self.factor(equations, state, timings)
+    }
+
+    fn solve(
+        &mut self,
+        equations: &mut Collocation,
+        rhs: &mut [f64],
+        accuracy: f64,
+        timings: &mut Timings,
+    ) -> Result<bool> {
+        let workers = equations.workers().clone();
+        let (began, before) = (Instant::now(), timings.sum());
+        let options = GmresOptions {
+            tolerance: accuracy,
+            leading: equations.layout().motions().end,
+            essential: rhs.len(),
+            iteration_limit: ITERATION_LIMIT,
+            restart: ITERATION_LIMIT,
+        };
+        let mut operator = Operator {
+            equations,
+            inner: &mut self.inner,
+            tangent: &mut self.tangent,
+            borders: &self.borders,
+            accuracy: (SHARPER * accuracy).max(SHARPEST),
+            timings,
+            end: Ok(true),
+        };
+        let end = gmres(&mut operator, rhs, &options, &workers, &mut self.workspace);
+        let inner = operator.end;
+        // What elimination has not booked.
+        let booked = timings.sum() - before;
+        timings.substitution += began.elapsed().saturating_sub(booked);
+        workers.pulse()?;
+        // Written so that NaN fails too.
+        let accurate = end.error <= accuracy;
+        Ok(inner? && accurate && rhs.iter().all(|x| x.is_finite()))
+    }
+
+    fn has_compliance(&self) -> bool {
+        self.inner.has_compliance()
+    }
+
+    fn growth(&mut self, equations: &mut Collocation) -> f64 {
+        let mut probe = probe(equations.layout().size());
+        let mut product = vec![0.0; equations.size()];
+        let of_grid = &probe[..product.len()];
+        self.tangent.apply(equations, of_grid, &mut product);
+        match self.solve(equations, &mut probe, ROUGH, &mut Timings::default()) {
+            Ok(true) => largest(&probe) * largest(&product),
+            _ => f64::INFINITY,
+        }
+    }
+
+    fn explain(&mut self, equations: &mut Collocation, state: &GridState) -> Singularity {
+        if self.determined {
+            return self.inner.explain(equations, state);
+        }
+        let why = "the scalar equations do not determine the scalar unknowns";
+        Singularity::Unsolved(why.to_string())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::collocation::ScalarEquations;
+    use crate::elements::JointKind;
+    use crate::model::Model;
+    use crate::solve::linear::method::{Linear, LinearMethod};
+    use crate::solve::test_models::{Linearised, four_bar, rotor};
+    use faer::Mat;
+    use faer::linalg::solvers::Solve;
+    use nalgebra::{Matrix3, Vector3};
+    use std::f64::consts::TAU;
+    use std::sync::Arc;
+
+    const METHODS: [LinearMethod; 2] = [LinearMethod::Direct, LinearMethod::Iterative(None)];
+
+    /// So many unknowns that have no effect, and no equations: borders are given.
+    #[derive(Debug)]
+    struct Given(usize);
+
+    impl ScalarEquations for Given {
+        fn scales(&self) -> Vec<f64> {
+            vec![1.0; self.0]
+        }
+
+        fn apply(&self, _: &[f64], _: &mut Collocation) -> Result<()> {
+            Ok(())
+        }
+
+        fn residual(&self, _: &Collocation, _: &GridState, _: &mut [f64]) {}
+
+        fn gradient(&self, _: &Collocation, _: &GridState, _: usize, _: &mut [f64]) {}
+    }
+
+    fn wave(seed: usize) -> impl Fn(usize) -> f64 {
+        move |i| ((i * i + 31 * seed + 7 * i) as f64 * 0.618_033_988_75).fract() - 0.5
+    }
+
+    /// Borders without structure; motions only have a part in the scalar equations.
+    fn borders(equations: &Collocation, count: usize) -> Borders {
+        let layout = equations.layout();
+        let column = |j: usize| (0..equations.size()).map(wave(j + 1)).collect();
+        let row = |j: usize| {
+            let within = |i: &usize| layout.motions().contains(i) || layout.scalars().contains(i);
+            let entry = |i: usize| if within(&i) { wave(j + 50)(i) } else { 0.0 };
+            (0..layout.size()).map(entry).collect()
+        };
+        Borders {
+            columns: (0..count).map(column).collect(),
+            rows: (0..count).map(row).collect(),
+            ..Borders::default()
+        }
+    }
+
+    /// Error of the solution with borders against that by the dense matrix, relative to motions and
+    /// to all else, and whether the nodes were grounded.
+    fn error(model: &Model, period: f64, count: usize, method: LinearMethod) -> ([f64; 2], bool) {
+        let mut at = Linearised::new(model, period, 5, |i| (0.9 * i as f64).sin());
+        at.equations.set_scalars(Arc::new(Given(count)));
+        let (size, all) = (at.equations.size(), at.equations.layout().size());
+        let borders = borders(&at.equations, count);
+        let jacobian = at.dense();
+        let matrix = Mat::from_fn(all, all, |i, j| match (i < size, j < size) {
+            (true, true) => jacobian[(i, j)],
+            (true, false) => borders.columns[j - size][i],
+            (false, _) => borders.rows[i - size][j],
+        });
+        let rhs: Vec<f64> = (0..all).map(wave(99)).collect();
+        let dense = matrix.full_piv_lu();
+        let exact = dense.solve(&Mat::from_fn(all, 1, |i, _| rhs[i]));
+
+        let linear = Linear::new(&at.equations, method);
+        let mut bordered = Bordered::new(&at.equations, linear);
+        bordered.borders = borders;
+        let timings = &mut Timings::default();
+        let equations = &mut at.equations;
+        assert!(bordered.factor(equations, &at.state, timings).unwrap());
+        let mut found = rhs;
+        assert!(
+            bordered
+                .solve(equations, &mut found, 1e-9, timings)
+                .unwrap()
+        );
+        let motions = equations.layout().motions();
+        let parts = [motions.clone(), motions.end..all].map(|part| {
+            let of = |value: &dyn Fn(usize) -> f64| part.clone().map(value).collect::<Vec<_>>();
+            let error = largest(&of(&|i| found[i] - exact[(i, 0)]));
+            error / largest(&of(&|i| exact[(i, 0)]))
+        });
+        (parts, equations.grounding() > 0.0)
+    }
+
+    /// A body on a hinge, and one that hangs on it by another: both turn freely.
+    fn free_chain(hinges: usize) -> Model {
+        let mut model = Model::new();
+        let mut before = None;
+        for i in 0..hinges {
+            let place = Vector3::x() * i as f64;
+            let ball = Matrix3::identity() * 0.1;
+            let body = model.add_rigid_body(1.0, &(place + Vector3::x() * 0.5), &ball);
+            let body = Some(body.unwrap());
+            let frame = Model::frame_at("axis", &place, &Vector3::z()).unwrap();
+            let joint = model.add_joint(JointKind::Revolute, before, body, &frame, &frame);
+            joint.unwrap();
+            before = body;
+        }
+        model
+    }
+
+    #[test]
+    fn regular_equations_have_the_solution_of_the_dense_matrix() {
+        for (model, period) in [rotor(2), four_bar(1, 2, 3.0)] {
+            for count in [1, 3] {
+                for method in METHODS {
+                    let (errors, grounded) = error(&model, period, count, method);
+                    println!("{count} {method:?}: {errors:?} {grounded}");
+                    // By factors, rounding of stiff beams; by iteration, a hundred times the
+                    // accuracy that was asked for.
+                    let most = match method {
+                        LinearMethod::Direct => 1e-9,
+                        _ => 1e-7,
+                    };
+                    assert!(!grounded && errors.iter().all(|e| *e < most), "{errors:?}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn singular_equations_have_it_too_if_the_borders_make_them_regular() {
+        // A body and a chain that turn freely, about one axis and about two.
+        for hinges in [1, 2] {
+            for method in METHODS {
+                let (errors, grounded) = error(&free_chain(hinges), TAU, hinges, method);
+                println!("{hinges} {method:?}: {errors:?} {grounded}");
+                assert!(grounded && errors.iter().all(|e| *e < 1e-9), "{errors:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn what_the_borders_leave_open_is_not_solved() {
+        let mut at = Linearised::new(&free_chain(2), TAU, 5, |_| 0.0);
+        at.equations.set_scalars(Arc::new(Given(1)));
+        let linear = Linear::new(&at.equations, LinearMethod::Direct);
+        let mut bordered = Bordered::new(&at.equations, linear);
+        bordered.borders = borders(&at.equations, 1);
+        let (equations, timings) = (&mut at.equations, &mut Timings::default());
+        bordered.factor(equations, &at.state, timings).unwrap();
+        assert!(bordered.growth(equations) > 1e13);
+        assert!(matches!(
+            bordered.explain(equations, &at.state),
+            Singularity::Free(_)
+        ));
+
+        // No effect at all.
+        let borders = &mut bordered.borders;
+        borders.columns[0].fill(0.0);
+        borders.rows[0].fill(0.0);
+        assert!(!bordered.factor(equations, &at.state, timings).unwrap());
+        assert!(matches!(
+            bordered.explain(equations, &at.state),
+            Singularity::Unsolved(_)
+        ));
+    }
+}

@@ -1,0 +1,78 @@
+//! Sizes of scaled increments.
+
+use crate::solve::linear::dense::largest;
+use crate::system::Layout;
+
+/// Largest increment of a motion or a scalar.
+pub(super) fn size_of(layout: Layout, increment: &[f64]) -> f64 {
+    largest(&increment[layout.motions()]).max(largest(&increment[layout.scalars()]))
+}
+
+/// Largest increment of an own unknown, relative to the largest of their `values`, which are not
+/// scaled.
+pub(super) fn change_of_own(
+    layout: Layout,
+    increment: &[f64],
+    scales: &[f64],
+    values: &[f64],
+) -> f64 {
+    let change = largest(&increment[layout.own()]);
+    let values = values.iter().zip(&scales[layout.own()]);
+    let largest = values.fold(0.0, |m: f64, (x, s)| m.max((x / s).abs()));
+    if change == 0.0 {
+        0.0
+    } else {
+        change / largest.max(change)
+    }
+}
+
+/// Largest turn of a node about one of its axes.
+pub(super) fn largest_turn(layout: Layout, increment: &[f64]) -> f64 {
+    let motions = increment[layout.motions()].chunks_exact(6);
+    let turns = motions.flat_map(|u| &u[3..]);
+    turns.fold(0.0, |m: f64, x| m.max(x.abs()))
+}
+
+/// Takes from the motions their means over the grid.
+pub(super) fn remove_means(layout: Layout, increment: &mut [f64]) {
+    for node in increment[layout.motions()].chunks_exact_mut(layout.of_node()) {
+        for component in 0..6 {
+            let values = node[component..].iter().step_by(6);
+            let mean = values.sum::<f64>() / layout.points() as f64;
+            let values = node[component..].iter_mut().step_by(6);
+            values.for_each(|x| *x -= mean);
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::model::test_models::four_bar;
+    use crate::system::System;
+
+    #[test]
+    fn motions_own_unknowns_and_scalars_are_measured_apart() {
+        let (model, period) = four_bar(1, 1, 3.0);
+        let system = System::new(&model, period).unwrap();
+        let layout = system.layout(3).with_scalars(1);
+        let mut x = vec![0.0; layout.size()];
+        let scales = vec![2.0; layout.size()];
+        let mut values = vec![0.0; layout.own().len()];
+        x[layout.motion(1, 2)].copy_from_slice(&[0.0, -3.0, 0.0, 0.0, 0.5, -0.7]);
+        assert_eq!(size_of(layout, &x), 3.0);
+        assert_eq!(largest_turn(layout, &x), 0.7);
+        assert_eq!(change_of_own(layout, &x, &scales, &values), 0.0);
+        x[layout.own().start] = -5.0;
+        x[layout.scalars().start] = -4.0;
+        assert_eq!(size_of(layout, &x), 4.0);
+        // Nothing is larger than itself.
+        assert_eq!(change_of_own(layout, &x, &scales, &values), 1.0);
+        values[3] = -100.0;
+        assert_eq!(change_of_own(layout, &x, &scales, &values), 0.1);
+        remove_means(layout, &mut x);
+        assert_eq!(x[layout.motion(1, 2)][1], -2.0);
+        assert_eq!(x[layout.motion(1, 0)][1], 1.0);
+        assert_eq!(x[layout.own().start], -5.0);
+    }
+}

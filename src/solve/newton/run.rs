@@ -1,0 +1,252 @@
+//! One solve in progress: from one linearisation to the next.
+
+use super::line_search::{Line, Test};
+use super::norms::{change_of_own, largest_turn};
+use super::verdict::{Ending, SINGULAR_GROWTH, STALLED_GROWTH, Verdict};
+use super::watchdog::Watchdog;
+use super::{COARSE, ERROR_LEFT, FINEST, FORCING, Newton};
+use crate::collocation::{GridState, ResultantPath};
+use crate::error::{ErrorKind, Result};
+use crate::solve::linear::dense::largest;
+use crate::solve::linear::solver::LinearSolver;
+use crate::solve::report::{Iteration, NewtonOptions, Outcome, timed};
+use nalgebra::Vector6;
+use std::ops::ControlFlow;
+
+/// A step shorter than this is far from a solution.
+const SHORT_STEP: f64 = 0.1;
+
+/// One solve.
+pub(super) struct Run<'a, L> {
+    pub newton: &'a mut Newton<L>,
+    pub state: &'a mut GridState,
+    pub options: &'a NewtonOptions,
+    /// Whether multipliers are to converge with the motions.
+    pub with_multipliers: bool,
+    pub iterations: &'a mut Vec<Iteration>,
+    observe: &'a mut dyn FnMut(&Iteration) -> bool,
+    /// At the state.
+    pub residual: Vec<f64>,
+    /// At the state after a step that was tried last.
+    pub trial_residual: Vec<f64>,
+    /// An increment, or the simplified one after it.
+    pub increment: Vec<f64>,
+    accuracy: f64,
+    pub watchdog: Watchdog<Start>,
+    /// What stretching made of the last simplified increment, over the square of the increment.
+    pub stretching: f64,
+    short_steps: usize,
+}
+
+/// Where forced steps began.
+pub(super) struct Start {
+    state: GridState,
+    residual: Vec<f64>,
+    resultants: Vec<Vector6<f64>>,
+}
+
+/// A step that is accepted.
+pub(super) struct Trial {
+    pub state: GridState,
+    pub step: f64,
+    pub test: Test,
+}
+
+impl<'a, L: LinearSolver> Run<'a, L> {
+    /// Begins at `state`.
+    pub fn begin(
+        newton: &'a mut Newton<L>,
+        state: &'a mut GridState,
+        options: &'a NewtonOptions,
+        iterations: &'a mut Vec<Iteration>,
+        observe: &'a mut dyn FnMut(&Iteration) -> bool,
+    ) -> Result<Self> {
+        let size = newton.equations.layout().size();
+        let mut residual = vec![0.0; size];
+        timed(&mut newton.timings.assembly, || {
+            newton.equations.residual(state, &mut residual)
+        })?;
+        Ok(Run {
+            watchdog: Watchdog::new(newton.equations.has_stations()),
+            newton,
+            state,
+            options,
+            with_multipliers: true,
+            iterations,
+            observe,
+            residual,
+            trial_residual: vec![0.0; size],
+            increment: vec![0.0; size],
+            accuracy: COARSE,
+            stretching: 0.0,
+            short_steps: 0,
+        })
+    }
+
+    /// Goes on to the end.
+    pub fn iterate(&mut self) -> Result<Ending> {
+        while self.iterations.len() < self.options.iteration_limit {
+            if let ControlFlow::Break(ending) = self.advance()? {
+                return Ok(ending);
+            }
+        }
+        Ok(self.exhausted())
+    }
+
+    /// Linearises, takes a step, and those with the same matrix after it.
+    fn advance(&mut self) -> Result<ControlFlow<Ending>> {
+        let found = self.find_increment()?;
+        if let Some(start) = self.watchdog.judge(found) {
+            return Ok(self.go_back(start));
+        }
+        let is_first = self.iterations.is_empty();
+        let regular = found.filter(|_| !is_first || !self.newton.is_singular(SINGULAR_GROWTH));
+        let Some(size) = regular else {
+            return Ok(match self.newton.judge_singular(self.state) {
+                Verdict::Regularise => ControlFlow::Continue(()),
+                Verdict::End(ending) => ControlFlow::Break(ending),
+                Verdict::Unknown(why) => ControlFlow::Break(Ending::new(Outcome::Stalled, why)),
+            });
+        };
+        self.accuracy = (FORCING * size).clamp(FINEST, COARSE);
+        let settled = size <= self.options.tolerance;
+        // Multipliers that have no effect grow without bound, and nothing else moves.
+        if settled && let Some(ending) = self.contradiction() {
+            return Ok(ControlFlow::Break(ending));
+        }
+        // Forces that are still to change much are off by as much as the motions are.
+        let own_settled = || size * self.change_of_own() <= ERROR_LEFT * self.options.tolerance;
+        let is_last = settled && (!self.with_multipliers || own_settled());
+        let line = Line {
+            increment: &self.newton.unscaled(&self.increment, 1.0),
+            turn: largest_turn(self.newton.equations.layout(), &self.increment),
+            size,
+            is_last,
+        };
+        let residual = largest(&self.residual);
+        let (found, path) = self.search(&line)?;
+        if found.is_none() {
+            if let Some(start) = self.watchdog.give_up() {
+                return Ok(self.go_back(start));
+            }
+            if self.newton.equations.has_resultants() {
+                self.newton.equations.set_resultants(Vec::new());
+                return Ok(ControlFlow::Continue(()));
+            }
+        }
+        self.keep_resultants(found.as_ref(), path, size);
+        let goes_on = self.record(Iteration {
+            number: self.iterations.len() + 1,
+            residual,
+            increment: size,
+            step: found.as_ref().map_or(0.0, |trial| trial.step),
+        });
+        match found {
+            Some(trial) => self.take(trial, size, (is_last, goes_on)),
+            None => Ok(self.explain_stall(size)),
+        }
+    }
+
+    /// Writes the increment at the state, and gives its largest motion; none if the Jacobian is
+    /// singular.
+    fn find_increment(&mut self) -> Result<Option<f64>> {
+        self.newton.contraction = None;
+        let factored = self.newton.linearise(self.state)?;
+        let rows = self.increment.iter_mut().zip(&self.residual);
+        rows.for_each(|(x, r)| *x = -r);
+        let solved = factored
+            && self
+                .newton
+                .solve_linear(&mut self.increment, self.accuracy)?;
+        Ok(solved.then(|| self.newton.size_of(&self.increment)))
+    }
+
+    /// Writes the residual at a trial. `false` if it cannot be evaluated there.
+    pub fn evaluate(&mut self, trial: &GridState) -> Result<bool> {
+        let (equations, out) = (&mut self.newton.equations, &mut self.trial_residual);
+        let evaluated = timed(&mut self.newton.timings.assembly, || {
+            equations.residual(trial, out)
+        });
+        match evaluated {
+            // A failing callback ends the solve; what is distorted only shortens the step.
+            Err(error) if error.kind() == ErrorKind::Callback => Err(error),
+            Err(_) => Ok(false),
+            Ok(()) => Ok(self.trial_residual.iter().all(|x| x.is_finite())),
+        }
+    }
+
+    /// Largest change of own unknowns by `increment`, relative to the largest of them.
+    pub fn change_of_own(&self) -> f64 {
+        let equations = &self.newton.equations;
+        let (layout, scales) = (equations.layout(), equations.column_scale());
+        change_of_own(layout, &self.increment, scales, &self.state.multipliers)
+    }
+
+    /// Keeps an iteration, and shows it. `false` if the solve is to end.
+    pub fn record(&mut self, iteration: Iteration) -> bool {
+        self.iterations.push(iteration);
+        (self.observe)(&iteration)
+    }
+
+    /// Returns to where forced steps began.
+    fn go_back(&mut self, start: Start) -> ControlFlow<Ending> {
+        (*self.state, self.residual) = (start.state, start.residual);
+        self.newton.equations.set_resultants(start.resultants);
+        ControlFlow::Continue(())
+    }
+
+    /// Chooses the stress resultants of the next geometric stiffness, and where to go back to.
+    fn keep_resultants(&mut self, found: Option<&Trial>, path: Option<ResultantPath>, size: f64) {
+        let forced = found.is_some_and(|trial| trial.test == Test::None);
+        let equations = &mut self.newton.equations;
+        self.watchdog.step(forced, size, || Start {
+            state: self.state.clone(),
+            residual: self.residual.clone(),
+            resultants: equations.resultants().to_vec(),
+        });
+        let resultants = match (found, path) {
+            (Some(trial), Some(path)) if trial.test != Test::Increment => path.at(trial.step),
+            _ => Vec::new(),
+        };
+        equations.set_resultants(resultants);
+    }
+
+    /// Moves to a trial.
+    fn take(
+        &mut self,
+        trial: Trial,
+        size: f64,
+        (is_last, goes_on): (bool, bool),
+    ) -> Result<ControlFlow<Ending>> {
+        *self.state = trial.state;
+        self.residual.copy_from_slice(&self.trial_residual);
+        if is_last {
+            return Ok(ControlFlow::Break(Ending::plain(Outcome::Converged)));
+        }
+        if !goes_on {
+            return Ok(ControlFlow::Break(Ending::plain(Outcome::Cancelled)));
+        }
+        self.short_steps += usize::from(trial.step < SHORT_STEP);
+        let short_steps = self.short_steps;
+        if self.newton.patience.is_some_and(|most| short_steps >= most) {
+            let why = format!("{short_steps} short steps led nowhere near");
+            return Ok(ControlFlow::Break(Ending::new(Outcome::Stalled, why)));
+        }
+        if trial.step < 1.0 || trial.test != Test::Increment {
+            return Ok(ControlFlow::Continue(()));
+        }
+        self.chord_steps(size)
+    }
+
+    /// What to do where no step by an increment of this size is accepted.
+    fn explain_stall(&mut self, size: f64) -> ControlFlow<Ending> {
+        if self.newton.is_singular(STALLED_GROWTH) {
+            match self.newton.judge_singular(self.state) {
+                Verdict::Regularise => return ControlFlow::Continue(()),
+                Verdict::End(ending) => return ControlFlow::Break(ending),
+                Verdict::Unknown(_) => {}
+            }
+        }
+        ControlFlow::Break(self.stalled(size))
+    }
+}
