@@ -23,6 +23,7 @@ const FILES: &[&str] = &[
     "force_solution",
     "filter",
     "periodic",
+    "linear_solver",
     "statics",
     "modes",
     "march",

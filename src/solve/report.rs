@@ -152,6 +152,17 @@ pub struct NewtonReport {
     pub explanation: String,
 }
 
+impl NewtonReport {
+    /// Of a solve that has ended before its first iteration.
+    pub(crate) fn ended(outcome: Outcome, explanation: String) -> Self {
+        NewtonReport {
+            outcome,
+            iterations: Vec::new(),
+            explanation,
+        }
+    }
+}
+
 /// Adds the time of `work` to `total`.
 pub(crate) fn timed<T>(total: &mut Duration, work: impl FnOnce() -> T) -> T {
     let start = Instant::now();

@@ -13,6 +13,7 @@ use crate::solve::report::{NewtonReport, Outcome};
 use crate::solve::start::{Attempt, Start};
 use crate::solve::starts::dissipative_march::DissipativeMarch;
 use crate::solve::starts::quasi_static::{Guess, inertial_displacement, quasi_static};
+use crate::solve::step_length::StepLength;
 use crate::system::Driven;
 use std::time::Instant;
 
@@ -272,13 +273,15 @@ impl Attempts<'_> {
 
     /// Raises the inertial forces in steps, from a solution without them.
     fn through_inertia(&mut self, mut state: GridState) -> Result<Option<Found>> {
-        let (mut reached, mut step) = (0.0, 0.25f64);
+        let mut reached = 0.0f64;
+        let mut step = StepLength::halved(0.25, SMALLEST_INERTIA_STEP..=1.0);
         let before = self.newton.iterations;
         let work = DirectCost::of(&self.system, self.grid.points()).work;
         let most = ((RAISING_WORK / work) as usize).clamp(RAISING[0], RAISING[1]);
         let mut found = None;
         while reached < 1.0 {
-            let next = (reached + step).min(1.0);
+            let next = (reached + step.get()).min(1.0);
+            let mut goes_on = true;
             self.newton.equations.set_conditions(Conditions {
                 inertia_factor: next,
                 ..Conditions::at(0.0)
@@ -288,17 +291,17 @@ impl Attempts<'_> {
                 Outcome::Converged => {
                     state = trial;
                     reached = next;
-                    step *= 1.5;
+                    step.grow(step.get(), 1.5);
                     found = Some((state.clone(), report));
                 }
                 Outcome::Cancelled => {
                     found = Some((trial, report));
                     break;
                 }
-                _ => step *= 0.5,
+                _ => goes_on = step.shrink(step.get()),
             }
             let spent = self.newton.iterations - before;
-            if reached < 1.0 && (step < SMALLEST_INERTIA_STEP || spent > most) {
+            if reached < 1.0 && (!goes_on || spent > most) {
                 let explanation = format!("ended at the fraction {reached:.3} of inertial forces");
                 let report = NewtonReport {
                     outcome: Outcome::Stalled,

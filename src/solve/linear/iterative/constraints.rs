@@ -1,6 +1,5 @@
 //! Which constraints may be averaged over time, and which must stay exact.
 
-use super::layout::own_first;
 use crate::collocation::{Collocation, Tangent};
 use crate::system::System;
 use nalgebra::DMatrix;
@@ -39,6 +38,13 @@ pub(super) struct Average {
     pub gradient: DMatrix<f64>,
     /// `Q_k⁻¹`, of steady constraints.
     pub inverse_rotations: Option<Vec<DMatrix<f64>>>,
+}
+
+/// Place of an element's first own unknown among all.
+pub(super) fn own_first(equations: &Collocation, index: usize) -> usize {
+    let system = equations.system();
+    let points = equations.grid().points();
+    (6 * system.nodes() + system.elements()[index].first_multiplier) * points
 }
 
 /// What becomes of the own unknowns of each element.

@@ -8,9 +8,8 @@
 //! with `D` circulant and `G` local in time. At each grid point `u = Y g + Z q` with `G Z = 0`, so
 //! that `Zᵀ D Z q = Zᵀ (r − D Y g)`. See docs/theory.md, section 8.5.
 
-use super::constraints::Class;
+use super::constraints::{Class, own_first};
 use super::dense::{DenseLu, zeros};
-use super::layout::own_first;
 use crate::collocation::Collocation;
 use crate::error::Result;
 use crate::workers::Workers;

@@ -1,7 +1,7 @@
 //! Where nodes and own unknowns of elements stand in the block rows of a preconditioner.
 
 use super::block_lu::BlockStructure;
-use super::constraints::{Class, turning_nodes};
+use super::constraints::{Class, own_first, turning_nodes};
 use crate::collocation::{Collocation, Tangent};
 use crate::system::System;
 use std::collections::BTreeSet;
@@ -14,13 +14,16 @@ enum Member {
     Own(usize),
 }
 
+/// A block row, and the first unknown of what stands there.
+type Position = (usize, usize);
+
 /// Block rows of one harmonic, or of one grid point.
 pub(super) struct Layout {
     pub structure: BlockStructure,
-    /// Block row of each node, and its first unknown there.
-    pub node_at: Vec<(usize, usize)>,
-    /// The same for the own unknowns of each element, if they are not left out.
-    pub own_at: Vec<(usize, usize)>,
+    /// Where each node stands.
+    pub node_at: Vec<Position>,
+    /// And the own unknowns of each element, if they are not left out.
+    pub own_at: Vec<Position>,
     /// Of each unknown: its place at the first grid point, and from one grid point to the next.
     pub places: Vec<(usize, usize)>,
     /// The unknowns where they stand among all.
@@ -76,7 +79,6 @@ impl Layout {
         kept_alone: &[bool],
     ) -> Self {
         let system = equations.system();
-        let points = equations.grid().points();
         let rows = block_rows(system, classes, kept_alone);
         let mut node_at = vec![(0, 0); system.nodes()];
         let mut own_at = vec![(0, 0); system.elements().len()];
@@ -92,61 +94,19 @@ impl Layout {
             }
             sizes.push(first);
         }
-        let mut coupled = vec![BTreeSet::new(); rows.len()];
-        let mut couple = |a: usize, b: usize| {
-            coupled[a].insert(b);
-            coupled[b].insert(a);
-        };
-        for coupling in tangent.couplings() {
-            couple(node_at[coupling.row].0, node_at[coupling.column].0);
-        }
-        for (index, (class, placed)) in classes.iter().zip(system.elements()).enumerate() {
-            if matches!(class, Class::Averaged(_)) {
-                for &node in placed.element.nodes() {
-                    couple(own_at[index].0, node_at[node].0);
-                }
-            }
-        }
+        let coupled = coupled(system, tangent, classes, (&node_at, &own_at), rows.len());
         let mut kept = vec![false; rows.len()];
         for (node, turns) in turning_nodes(system, classes).into_iter().enumerate() {
             kept[node_at[node].0] |= turns;
         }
         let structure = BlockStructure::new(sizes, coupled, &kept);
+        let regions = regions(equations, classes, &structure, (&node_at, &own_at));
         let mut places = vec![(0, 0); structure.unknowns()];
-        for (node, &(row, first)) in node_at.iter().enumerate() {
-            for component in 0..6 {
-                places[structure.first(row) + first + component] =
-                    (6 * points * node + component, 6);
+        for region in &regions {
+            for (i, unknown) in region.unknowns.clone().enumerate() {
+                places[unknown] = (region.first + i, region.unknowns.len());
             }
         }
-        for (index, class) in classes.iter().enumerate() {
-            if let Class::Averaged(_) = class {
-                let (row, first) = own_at[index];
-                let count = system.elements()[index].element.multipliers();
-                for i in 0..count {
-                    let place = own_first(equations, index) + i;
-                    places[structure.first(row) + first + i] = (place, count);
-                }
-            }
-        }
-        let nodes = node_at.iter().enumerate();
-        let nodes = nodes.map(|(node, &at)| (6 * points * node, at, 6));
-        let own = classes.iter().enumerate().filter_map(|(index, class)| {
-            let count = system.elements()[index].element.multipliers();
-            let averaged = matches!(class, Class::Averaged(_));
-            averaged.then(|| (own_first(equations, index), own_at[index], count))
-        });
-        let regions = nodes
-            .chain(own)
-            .map(|(place, (row, first), count)| {
-                let first_unknown = structure.first(row) + first;
-                Region {
-                    first: place,
-                    points,
-                    unknowns: first_unknown..first_unknown + count,
-                }
-            })
-            .collect();
         Layout {
             regions,
             structure,
@@ -178,11 +138,55 @@ impl Layout {
     }
 }
 
-/// Place of an element's first own unknown among all.
-pub(super) fn own_first(equations: &Collocation, index: usize) -> usize {
-    let system = equations.system();
-    let points = equations.grid().points();
-    (6 * system.nodes() + system.elements()[index].first_multiplier) * points
+/// Block rows that are coupled with each.
+fn coupled(
+    system: &System,
+    tangent: &Tangent,
+    classes: &[Class],
+    (node_at, own_at): (&[Position], &[Position]),
+    rows: usize,
+) -> Vec<BTreeSet<usize>> {
+    let mut coupled = vec![BTreeSet::new(); rows];
+    let mut couple = |(a, _): Position, (b, _): Position| {
+        coupled[a].insert(b);
+        coupled[b].insert(a);
+    };
+    for coupling in tangent.couplings() {
+        couple(node_at[coupling.row], node_at[coupling.column]);
+    }
+    for (index, (class, placed)) in classes.iter().zip(system.elements()).enumerate() {
+        if matches!(class, Class::Averaged(_)) {
+            for &node in placed.element.nodes() {
+                couple(own_at[index], node_at[node]);
+            }
+        }
+    }
+    coupled
+}
+
+fn regions(
+    equations: &Collocation,
+    classes: &[Class],
+    structure: &BlockStructure,
+    (node_at, own_at): (&[Position], &[Position]),
+) -> Vec<Region> {
+    let (elements, points) = (equations.system().elements(), equations.grid().points());
+    let nodes = node_at.iter().enumerate();
+    let nodes = nodes.map(|(node, &at)| (6 * points * node, at, 6));
+    let own = classes.iter().enumerate().filter_map(|(index, class)| {
+        let count = elements[index].element.multipliers();
+        let averaged = matches!(class, Class::Averaged(_));
+        averaged.then(|| (own_first(equations, index), own_at[index], count))
+    });
+    let all = nodes.chain(own).map(|(place, (row, first), count)| {
+        let first = structure.first(row) + first;
+        Region {
+            first: place,
+            points,
+            unknowns: first..first + count,
+        }
+    });
+    all.collect()
 }
 
 fn size_of(system: &System, member: Member) -> usize {

@@ -1,9 +1,9 @@
 //! The Jacobian averaged over time in the frames of the bodies, harmonic by harmonic.
 
 use super::block_lu::{BlockLanes, BlockPlace};
-use super::constraints::Class;
+use super::constraints::{Class, own_first};
 use super::lanes::{ComplexLanes, LANES, Lanes};
-use super::layout::{Layout, own_first};
+use super::layout::Layout;
 use crate::collocation::{Aliasing, Collocation, Coupling, Station, Tangent};
 use crate::elements::StressLaw;
 use nalgebra::{Complex, Matrix3, Matrix6, Vector3, Vector6};

@@ -2,7 +2,7 @@
 //! point by itself, without inertia. See docs/theory.md, section 8.6.
 
 use super::block_lu::BlockLanes;
-use super::constraints::{Class, classify_at};
+use super::constraints::{Class, classify_at, own_first};
 use super::lanes::{LANES, Lanes, RealLanes};
 use super::layout::{Layout, Region};
 use crate::collocation::{Collocation, Tangent};
@@ -153,7 +153,7 @@ fn fill(
         }
         let count = own.gradient.nrows();
         if placed.has_states {
-            let first = super::layout::own_first(equations, index);
+            let first = own_first(equations, index);
             let (stiffness, _) = tangent.own(system, index, k);
             for column in 0..count {
                 for row in 0..count {
