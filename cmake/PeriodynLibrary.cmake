@@ -56,11 +56,12 @@ if(soname)
         ${shared_name} "${PDN_LIBRARY_DIR}/${soname}")
 endif()
 
-# Cargo is always asked, as only it knows what changed; unchanged files cause no relinking.
+# Cargo is always asked, as only it knows what changed; unchanged files cause no relinking. The crate
+# types are named as cargo optimises at link time (Cargo.toml) only where no rlib is among them.
 add_custom_target(periodyn_cargo ALL
     COMMAND ${CMAKE_COMMAND} -E env ${cargo_environment}
-        ${PDN_CARGO} rustc --lib --locked --profile $<IF:$<CONFIG:Debug>,dev,release>
-        ${cargo_flags} -- --print=native-static-libs=${PDN_NATIVE_LIBS_FILE}
+        ${PDN_CARGO} rustc --lib --crate-type cdylib,staticlib --locked
+        --profile $<IF:$<CONFIG:Debug>,dev,release> ${cargo_flags} -- --print=native-static-libs=${PDN_NATIVE_LIBS_FILE}
     ${link_soname}
     BYPRODUCTS "${PDN_LIBRARY_DIR}/${shared_name}" "${PDN_LIBRARY_DIR}/${static_name}"
     WORKING_DIRECTORY "${PROJECT_SOURCE_DIR}"

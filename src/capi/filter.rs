@@ -1,8 +1,9 @@
 //! Solutions seen through a spectral filter.
 
 use super::guard::guard;
-use super::solution::{pdn_solution, unknown};
+use super::solution::pdn_solution;
 use super::status::pdn_status;
+use crate::error::Error;
 use crate::fourier::{FilterKind, SpectralFilter};
 
 /// Spectral filter: Lanczos' factors, (sin(x) / x)^order with x = pi j / (H + 1) for harmonic j of
@@ -48,13 +49,13 @@ pub unsafe extern "C" fn pdn_solution_filtered(
             PDN_FILTER_EXPONENTIAL => FilterKind::Exponential,
             _ => {
                 let expected = "PDN_FILTER_LANCZOS or PDN_FILTER_EXPONENTIAL";
-                return Err(unknown("filter", expected, filter));
+                return Err(Error::value("filter", expected, filter));
             }
         };
         let filter = u32::try_from(order)
             .ok()
             .and_then(|order| SpectralFilter::new(kind, order).ok());
-        let filter = filter.ok_or_else(|| unknown("order", "an order from 1 to 32", order))?;
+        let filter = filter.ok_or_else(|| Error::value("order", "an order from 1 to 32", order))?;
         out.give(solution.filtered(filter)?);
         Ok(())
     })

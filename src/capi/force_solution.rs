@@ -1,10 +1,10 @@
 //! Solutions: what forces do at any time.
 
 use super::load::load_frame;
-use super::solution::{SeriesOut, harmonics_of, index, pdn_solution, sampled, unknown};
+use super::solution::{Samples, SeriesOut, harmonics_of, index, pdn_solution};
 use super::status::pdn_status;
 use crate::elements::LoadFrame;
-use crate::error::Result;
+use crate::error::{Error, Result};
 use crate::output::ForceQuantity;
 
 /// Quantity of a force on a joint coordinate: its effort; 1 component.
@@ -21,26 +21,22 @@ pub const PDN_FORCE_ON_NODE: i32 = 3;
 /// components.
 pub const PDN_FORCE_ON_NODE_MATERIAL: i32 = 4;
 
-fn force_sampled(
-    solution: *const pdn_solution,
+fn force_at(
+    to: Samples,
     force: i32,
-    quantity: impl FnOnce() -> Result<ForceQuantity>,
     components: usize,
-    times: *const f64,
-    count: usize,
-    out: *mut f64,
+    quantity: impl FnOnce() -> Result<ForceQuantity>,
 ) -> pdn_status {
-    let sample = |_: &super::call::Call, solution: &crate::output::Solution, times: &[f64]| {
+    to.take(components, |solution, times| {
         solution.force(index(force, "force")?, quantity()?, times)
-    };
-    sampled(solution, times, count, out, sample, components)
+    })
 }
 
 /// The quantity of a force that C means.
 pub(super) fn force_quantity(quantity: i32, detail: i32) -> Result<ForceQuantity> {
     let place = index(detail, "detail")?;
     match quantity {
-        PDN_FORCE_EFFORT if detail != 0 => Err(unknown("detail", "zero", detail)),
+        PDN_FORCE_EFFORT if detail != 0 => Err(Error::value("detail", "zero", detail)),
         PDN_FORCE_EFFORT => Ok(ForceQuantity::Effort),
         PDN_FORCE_BRANCH_EFFORT => Ok(ForceQuantity::BranchEffort(place)),
         PDN_FORCE_BRANCH_ELONGATION => Ok(ForceQuantity::BranchElongation(place)),
@@ -48,7 +44,7 @@ pub(super) fn force_quantity(quantity: i32, detail: i32) -> Result<ForceQuantity
         PDN_FORCE_ON_NODE_MATERIAL => Ok(ForceQuantity::OnNode(place, LoadFrame::Follower)),
         _ => {
             let expected = "PDN_FORCE_EFFORT to PDN_FORCE_ON_NODE_MATERIAL";
-            Err(unknown("quantity", expected, quantity))
+            Err(Error::value("quantity", expected, quantity))
         }
     }
 }
@@ -77,15 +73,8 @@ pub unsafe extern "C" fn pdn_solution_force_effort(
     count: usize,
     out: *mut f64,
 ) -> pdn_status {
-    force_sampled(
-        solution,
-        force,
-        || Ok(ForceQuantity::Effort),
-        1,
-        times,
-        count,
-        out,
-    )
+    let to = Samples::new(solution, times, count, out);
+    force_at(to, force, 1, || Ok(ForceQuantity::Effort))
 }
 
 /// Effort of one branch of a viscoelastic element, at any times: positive against growth.
@@ -111,7 +100,8 @@ pub unsafe extern "C" fn pdn_solution_force_branch_effort(
     out: *mut f64,
 ) -> pdn_status {
     let quantity = || Ok(ForceQuantity::BranchEffort(index(branch, "branch")?));
-    force_sampled(solution, force, quantity, 1, times, count, out)
+    let to = Samples::new(solution, times, count, out);
+    force_at(to, force, 1, quantity)
 }
 
 /// Elongation of the dashpot of one branch of a viscoelastic element, at any times: its internal
@@ -140,7 +130,8 @@ pub unsafe extern "C" fn pdn_solution_force_branch_elongation(
     out: *mut f64,
 ) -> pdn_status {
     let quantity = || Ok(ForceQuantity::BranchElongation(index(branch, "branch")?));
-    force_sampled(solution, force, quantity, 1, times, count, out)
+    let to = Samples::new(solution, times, count, out);
+    force_at(to, force, 1, quantity)
 }
 
 /// What a force exerts on one of its nodes, at any times: force, and moment about the node.
@@ -172,12 +163,11 @@ pub unsafe extern "C" fn pdn_solution_force_on_node(
     out: *mut f64,
 ) -> pdn_status {
     let quantity = || {
-        Ok(ForceQuantity::OnNode(
-            index(node, "node")?,
-            load_frame(frame)?,
-        ))
+        let node = index(node, "node")?;
+        Ok(ForceQuantity::OnNode(node, load_frame(frame)?))
     };
-    force_sampled(solution, force, quantity, 6, times, count, out)
+    let to = Samples::new(solution, times, count, out);
+    force_at(to, force, 6, quantity)
 }
 
 /// Fourier coefficients of a force's quantity: mean + rate t + sum of cosines[j] cos jwt + sines[j]
@@ -213,13 +203,7 @@ pub unsafe extern "C" fn pdn_solution_force_harmonics(
     cosines: *mut f64,
     sines: *mut f64,
 ) -> pdn_status {
-    let to = SeriesOut {
-        harmonics,
-        mean,
-        rate,
-        cosines,
-        sines,
-    };
+    let to = SeriesOut::new(harmonics, mean, rate, [cosines, sines]);
     let which = || force_quantity(quantity, detail);
     let components = || Ok(which()?.components());
     harmonics_of(solution, &to, components, |s| {

@@ -80,6 +80,7 @@ pub mod guard;
 pub mod joint;
 pub mod last_error;
 pub mod line;
+pub mod linear_solver;
 pub mod load;
 pub mod march;
 pub mod model;

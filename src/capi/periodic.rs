@@ -2,12 +2,11 @@
 
 use super::call::Call;
 use super::guard::{guard, init};
-use super::handle::Handle;
+use super::linear_solver::read_linear_solver;
 use super::model::pdn_model;
 use super::options::Options;
 use super::pointer::null;
 use super::solution::pdn_solution;
-use super::solution::unknown;
 use super::status::pdn_status;
 use crate::collocation::GridState;
 use crate::error::{Error, ErrorKind, Result};
@@ -16,8 +15,8 @@ use crate::model::Model;
 use crate::motion::{Motion, is_rotation, polar_rotation};
 use crate::output::Solution;
 use crate::solve::{
-    Adaptation, GridPoints, InitialGuess, LinearMethod, NewtonOptions, PeriodicOptions,
-    Preconditioner, Progress, Stage, Start, Watch,
+    Adaptation, GridPoints, InitialGuess, NewtonOptions, PeriodicOptions, Progress, Stage, Start,
+    Watch,
 };
 use crate::system::System;
 use libc::c_void;
@@ -45,23 +44,6 @@ pub const PDN_START_RIGID_ROTATION: i32 = 3;
 pub const PDN_START_RAISED_INERTIA: i32 = 4;
 /// Start of a periodic solve: a march in time with strong numerical dissipation.
 pub const PDN_START_MARCH: i32 = 5;
-
-/// Linear equations: solved directly where that is quick, by iteration otherwise.
-pub const PDN_LINEAR_AUTOMATIC: i32 = 0;
-/// Linear equations: solved by factors of the whole Jacobian. Time grows with the third power of
-/// the number of grid points, memory with the second.
-pub const PDN_LINEAR_DIRECT: i32 = 1;
-/// Linear equations: solved by iteration, with the preconditioner that suits; time and memory grow
-/// in proportion to nodes and grid points, or little more.
-pub const PDN_LINEAR_ITERATIVE: i32 = 2;
-/// Linear equations: solved by iteration; bodies are averaged over time for the preconditioner,
-/// joints are not.
-pub const PDN_LINEAR_BODY_CIRCULANT: i32 = 3;
-/// Linear equations: solved by iteration; the preconditioner is equilibrium at each grid point,
-/// without inertia.
-pub const PDN_LINEAR_TIME_LOCAL: i32 = 4;
-/// Linear equations: solved by iteration; everything is averaged over time for the preconditioner.
-pub const PDN_LINEAR_CIRCULANT: i32 = 5;
 
 /// How far a solve is, as told to a ::pdn_progress_fn.
 #[repr(C)]
@@ -332,7 +314,7 @@ fn read_start(value: i32) -> Result<InitialGuess> {
         PDN_START_MARCH => Start::March,
         _ => {
             let expected = "a constant PDN_START_...";
-            return Err(unknown("options.start", expected, value));
+            return Err(Error::value("options.start", expected, value));
         }
     }))
 }
@@ -386,7 +368,7 @@ fn read_options(
     let is_given = !given.initial.is_null() || arrays.iter().any(|array| !array.is_null());
     if is_given && given.start != PDN_START_AUTOMATIC {
         let expected = "PDN_START_AUTOMATIC, as a start is given";
-        return Err(unknown("options.start", expected, given.start));
+        return Err(Error::value("options.start", expected, given.start));
     }
     let guess = if !given.initial.is_null() {
         let initial = call.shared(given.initial, "options.initial")?;
@@ -414,7 +396,7 @@ fn read_options(
         estimate_mesh: match given.estimate_mesh {
             0 => false,
             1 => true,
-            other => return Err(unknown("options.estimate_mesh", "0 or 1", other)),
+            other => return Err(Error::value("options.estimate_mesh", "0 or 1", other)),
         },
         grid_points: points,
         newton: NewtonOptions {
@@ -425,21 +407,6 @@ fn read_options(
         watch: watch(given.progress, given.progress_data, {
             call.number(given.progress_interval, "options.progress_interval")?
         })?,
-    })
-}
-
-fn read_linear_solver(value: i32) -> Result<LinearMethod> {
-    Ok(match value {
-        PDN_LINEAR_AUTOMATIC => LinearMethod::Automatic,
-        PDN_LINEAR_DIRECT => LinearMethod::Direct,
-        PDN_LINEAR_ITERATIVE => LinearMethod::Iterative(None),
-        PDN_LINEAR_BODY_CIRCULANT => LinearMethod::Iterative(Some(Preconditioner::BodyCirculant)),
-        PDN_LINEAR_TIME_LOCAL => LinearMethod::Iterative(Some(Preconditioner::TimeLocal)),
-        PDN_LINEAR_CIRCULANT => LinearMethod::Iterative(Some(Preconditioner::Circulant)),
-        _ => {
-            let expected = "a constant PDN_LINEAR_...";
-            return Err(unknown("options.linear_solver", expected, value));
-        }
     })
 }
 
@@ -495,8 +462,4 @@ pub(super) fn read_motion(
     }
     let position = Vector3::from_column_slice(&positions[3 * i..3 * i + 3]);
     Ok(Motion::new(polar_rotation(&rotation), position))
-}
-
-impl Handle for pdn_solution {
-    type Core = Solution;
 }

@@ -1,20 +1,19 @@
 //! Solutions: how they came out, and their quantities at any time.
 
-use super::call::Call;
 use super::guard::{free, guard, guard_or, init};
+use super::handle::Handle;
 use super::joint::coordinate;
 use super::last_error::copy_message;
+use super::linear_solver::linear_solver_code;
 use super::load::{PDN_FRAME_MATERIAL, PDN_FRAME_SPACE};
 use super::options::Options;
-use super::periodic::{
-    PDN_LINEAR_BODY_CIRCULANT, PDN_LINEAR_CIRCULANT, PDN_LINEAR_DIRECT, PDN_LINEAR_TIME_LOCAL,
-};
 use super::status::pdn_status;
 use crate::collocation::DecayKind;
 use crate::error::{Error, ErrorKind, Result};
 use crate::output::{BeamQuantity, JointQuantity, NodeQuantity, ResolvedIn, Solution};
-use crate::solve::{Iteration, IterativeRecord, Outcome, Preconditioner};
+use crate::solve::{Iteration, Outcome};
 use libc::c_char;
+use std::ptr::null_mut;
 
 /// A solution, converged or not. Made by ::pdn_solve_periodic, ::pdn_solve_static,
 /// ::pdn_march and ::pdn_modes_motion, freed by ::pdn_solution_free.
@@ -23,6 +22,10 @@ use libc::c_char;
 /// to its last (PDN_ERR_VALUE for any other), but it has no harmonics (PDN_ERR_NOT_AVAILABLE).
 pub struct pdn_solution {
     _private: [u8; 0],
+}
+
+impl Handle for pdn_solution {
+    type Core = Solution;
 }
 
 /// Outcome: converged. With PDN_TOLERANCE_NOT_MET the only outcomes that are solutions.
@@ -108,15 +111,6 @@ pub const PDN_BEAM_FORCE_JUMP: i32 = 3;
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn pdn_solution_free(solution: *mut pdn_solution) {
     free(solution);
-}
-
-fn linear_solver_code(record: Option<&IterativeRecord>) -> i32 {
-    match record.and_then(|record| record.preconditioner) {
-        None => PDN_LINEAR_DIRECT,
-        Some(Preconditioner::BodyCirculant) => PDN_LINEAR_BODY_CIRCULANT,
-        Some(Preconditioner::TimeLocal) => PDN_LINEAR_TIME_LOCAL,
-        Some(Preconditioner::Circulant) => PDN_LINEAR_CIRCULANT,
-    }
 }
 
 pub(super) fn outcome_code(outcome: Outcome) -> i32 {
@@ -464,44 +458,69 @@ fn require_count(count: usize, expected: usize) -> Result<()> {
     Ok(())
 }
 
-pub(super) fn unknown(name: &str, expected: &str, got: i32) -> Error {
-    Error::value(name, expected, got)
-}
-
-/// Samples at `times` into `out`, both checked before anything is computed.
-pub(super) fn sampled(
+/// Times, and where the components of a quantity at these go.
+pub(super) struct Samples {
     solution: *const pdn_solution,
     times: *const f64,
     count: usize,
     out: *mut f64,
-    sample: impl FnOnce(&Call, &Solution, &[f64]) -> Result<Vec<f64>>,
-    components: usize,
-) -> pdn_status {
-    guard(|call| {
-        let solution = call.shared(solution, "solution")?;
-        let times = call.numbers(times, count, "times")?;
-        let length = count
-            .checked_mul(components)
-            .ok_or_else(|| Error::size("count", "a length that fits in memory", count))?;
-        let out = call.out_slice(out, length, length, "out")?;
-        out.set(&sample(call, &solution, times)?);
-        Ok(())
-    })
 }
 
-fn node_sampled(
-    solution: *const pdn_solution,
-    node: i32,
-    quantity: Result<NodeQuantity>,
-    components: usize,
-    times: *const f64,
-    count: usize,
-    out: *mut f64,
-) -> pdn_status {
-    let sample = |_: &Call, solution: &Solution, times: &[f64]| {
-        solution.node(index(node, "node")?, quantity?, times)
-    };
-    sampled(solution, times, count, out, sample, components)
+impl Samples {
+    pub fn new(
+        solution: *const pdn_solution,
+        times: *const f64,
+        count: usize,
+        out: *mut f64,
+    ) -> Self {
+        Samples {
+            solution,
+            times,
+            count,
+            out,
+        }
+    }
+
+    /// Samples so many components; times and place are checked before anything is computed.
+    pub fn take(
+        self,
+        components: usize,
+        sample: impl FnOnce(&Solution, &[f64]) -> Result<Vec<f64>>,
+    ) -> pdn_status {
+        guard(|call| {
+            let solution = call.shared(self.solution, "solution")?;
+            let times = call.numbers(self.times, self.count, "times")?;
+            let length = self.count.checked_mul(components);
+            let length = length
+                .ok_or_else(|| Error::size("count", "a length that fits in memory", self.count))?;
+            let out = call.out_slice(self.out, length, length, "out")?;
+            out.set(&sample(&solution, times)?);
+            Ok(())
+        })
+    }
+
+    fn node(self, node: i32, components: usize, quantity: Result<NodeQuantity>) -> pdn_status {
+        self.take(components, |solution, times| {
+            solution.node(index(node, "node")?, quantity?, times)
+        })
+    }
+
+    fn joint(self, joint: i32, quantity: i32, detail: i32) -> pdn_status {
+        let (components, name) = match quantity {
+            PDN_JOINT_REACTION => (6, "axes"),
+            _ => (1, "coordinate"),
+        };
+        self.take(components, |solution, times| {
+            let joint = index(joint, "joint")?;
+            solution.joint(joint, joint_quantity(quantity, detail, name)?, times)
+        })
+    }
+
+    fn beam(self, element: i32, station: f64, quantity: BeamQuantity) -> pdn_status {
+        self.take(6, |solution, times| {
+            solution.beam(index(element, "element")?, station, quantity, times)
+        })
+    }
 }
 
 /// Position of a node at any times.
@@ -527,15 +546,7 @@ pub unsafe extern "C" fn pdn_solution_node_position(
     count: usize,
     out: *mut f64,
 ) -> pdn_status {
-    node_sampled(
-        solution,
-        node,
-        Ok(NodeQuantity::Position),
-        3,
-        times,
-        count,
-        out,
-    )
+    Samples::new(solution, times, count, out).node(node, 3, Ok(NodeQuantity::Position))
 }
 
 /// Rotation matrix of a node at any times.
@@ -559,15 +570,7 @@ pub unsafe extern "C" fn pdn_solution_node_rotation(
     count: usize,
     out: *mut f64,
 ) -> pdn_status {
-    node_sampled(
-        solution,
-        node,
-        Ok(NodeQuantity::RotationMatrix),
-        9,
-        times,
-        count,
-        out,
-    )
+    Samples::new(solution, times, count, out).node(node, 9, Ok(NodeQuantity::RotationMatrix))
 }
 
 /// Unit quaternion of a node at any times.
@@ -592,22 +595,14 @@ pub unsafe extern "C" fn pdn_solution_node_quaternion(
     count: usize,
     out: *mut f64,
 ) -> pdn_status {
-    node_sampled(
-        solution,
-        node,
-        Ok(NodeQuantity::Quaternion),
-        4,
-        times,
-        count,
-        out,
-    )
+    Samples::new(solution, times, count, out).node(node, 4, Ok(NodeQuantity::Quaternion))
 }
 
 fn in_frame(frame: i32, space: NodeQuantity, material: NodeQuantity) -> Result<NodeQuantity> {
     match frame {
         PDN_FRAME_SPACE => Ok(space),
         PDN_FRAME_MATERIAL => Ok(material),
-        _ => Err(unknown(
+        _ => Err(Error::value(
             "frame",
             "PDN_FRAME_SPACE or PDN_FRAME_MATERIAL",
             frame,
@@ -644,7 +639,7 @@ pub unsafe extern "C" fn pdn_solution_node_velocity(
         NodeQuantity::Velocity,
         NodeQuantity::MaterialVelocity,
     );
-    node_sampled(solution, node, quantity, 6, times, count, out)
+    Samples::new(solution, times, count, out).node(node, 6, quantity)
 }
 
 /// Acceleration of a node at any times.
@@ -676,7 +671,7 @@ pub unsafe extern "C" fn pdn_solution_node_acceleration(
         NodeQuantity::Acceleration,
         NodeQuantity::MaterialAcceleration,
     );
-    node_sampled(solution, node, quantity, 6, times, count, out)
+    Samples::new(solution, times, count, out).node(node, 6, quantity)
 }
 
 /// The quantity of a node that C means.
@@ -691,7 +686,7 @@ pub(super) fn node_quantity(quantity: i32) -> Result<NodeQuantity> {
         PDN_NODE_MATERIAL_ACCELERATION => Ok(NodeQuantity::MaterialAcceleration),
         _ => {
             let expected = "PDN_NODE_POSITION to PDN_NODE_MATERIAL_ACCELERATION";
-            Err(unknown("quantity", expected, quantity))
+            Err(Error::value("quantity", expected, quantity))
         }
     }
 }
@@ -705,7 +700,7 @@ pub(super) fn beam_quantity(quantity: i32) -> Result<BeamQuantity> {
         PDN_BEAM_FORCE_JUMP => Ok(BeamQuantity::ForceJump),
         _ => {
             let expected = "PDN_BEAM_STRAIN to PDN_BEAM_FORCE_JUMP";
-            Err(unknown("quantity", expected, quantity))
+            Err(Error::value("quantity", expected, quantity))
         }
     }
 }
@@ -723,39 +718,15 @@ pub(super) fn joint_quantity(quantity: i32, detail: i32, name: &str) -> Result<J
             PDN_AXES_SECOND => Ok(JointQuantity::Reaction(ResolvedIn::Second)),
             _ => {
                 let expected = "PDN_AXES_SPACE, PDN_AXES_FIRST or PDN_AXES_SECOND";
-                Err(unknown(name, expected, detail))
+                Err(Error::value(name, expected, detail))
             }
         },
-        _ => Err(unknown(
+        _ => Err(Error::value(
             "quantity",
             "PDN_JOINT_COORDINATE to PDN_JOINT_REACTION",
             quantity,
         )),
     }
-}
-
-fn joint_sampled(
-    solution: *const pdn_solution,
-    joint: i32,
-    quantity: i32,
-    detail: i32,
-    components: usize,
-    times: *const f64,
-    count: usize,
-    out: *mut f64,
-) -> pdn_status {
-    let name = match quantity {
-        PDN_JOINT_REACTION => "axes",
-        _ => "coordinate",
-    };
-    let sample = |_: &Call, solution: &Solution, times: &[f64]| {
-        solution.joint(
-            index(joint, "joint")?,
-            joint_quantity(quantity, detail, name)?,
-            times,
-        )
-    };
-    sampled(solution, times, count, out, sample, components)
 }
 
 /// Joint coordinate at any times: a displacement, or an angle, followed continuously through whole
@@ -782,16 +753,7 @@ pub unsafe extern "C" fn pdn_solution_joint_coordinate(
     count: usize,
     out: *mut f64,
 ) -> pdn_status {
-    joint_sampled(
-        solution,
-        joint,
-        PDN_JOINT_COORDINATE,
-        coordinate,
-        1,
-        times,
-        count,
-        out,
-    )
+    Samples::new(solution, times, count, out).joint(joint, PDN_JOINT_COORDINATE, coordinate)
 }
 
 /// Rate of a joint coordinate at any times.
@@ -817,16 +779,7 @@ pub unsafe extern "C" fn pdn_solution_joint_rate(
     count: usize,
     out: *mut f64,
 ) -> pdn_status {
-    joint_sampled(
-        solution,
-        joint,
-        PDN_JOINT_RATE,
-        coordinate,
-        1,
-        times,
-        count,
-        out,
-    )
+    Samples::new(solution, times, count, out).joint(joint, PDN_JOINT_RATE, coordinate)
 }
 
 /// Second derivative in time of a joint coordinate at any times.
@@ -852,16 +805,7 @@ pub unsafe extern "C" fn pdn_solution_joint_acceleration(
     count: usize,
     out: *mut f64,
 ) -> pdn_status {
-    joint_sampled(
-        solution,
-        joint,
-        PDN_JOINT_ACCELERATION,
-        coordinate,
-        1,
-        times,
-        count,
-        out,
-    )
+    Samples::new(solution, times, count, out).joint(joint, PDN_JOINT_ACCELERATION, coordinate)
 }
 
 /// Force or torque that drives a prescribed coordinate, at any times.
@@ -890,16 +834,7 @@ pub unsafe extern "C" fn pdn_solution_joint_driving_effort(
     count: usize,
     out: *mut f64,
 ) -> pdn_status {
-    joint_sampled(
-        solution,
-        joint,
-        PDN_JOINT_DRIVING_EFFORT,
-        coordinate,
-        1,
-        times,
-        count,
-        out,
-    )
+    Samples::new(solution, times, count, out).joint(joint, PDN_JOINT_DRIVING_EFFORT, coordinate)
 }
 
 /// Reaction of a joint at any times: what its constraints exert on the second body.
@@ -927,16 +862,7 @@ pub unsafe extern "C" fn pdn_solution_joint_reaction(
     count: usize,
     out: *mut f64,
 ) -> pdn_status {
-    joint_sampled(
-        solution,
-        joint,
-        PDN_JOINT_REACTION,
-        axes,
-        6,
-        times,
-        count,
-        out,
-    )
+    Samples::new(solution, times, count, out).joint(joint, PDN_JOINT_REACTION, axes)
 }
 
 /// Strains of a beam element at a station and any times.
@@ -965,15 +891,7 @@ pub unsafe extern "C" fn pdn_solution_beam_strain(
     count: usize,
     out: *mut f64,
 ) -> pdn_status {
-    let sample = |_: &Call, solution: &Solution, times: &[f64]| {
-        solution.beam(
-            index(element, "element")?,
-            station,
-            BeamQuantity::Strain,
-            times,
-        )
-    };
-    sampled(solution, times, count, out, sample, 6)
+    Samples::new(solution, times, count, out).beam(element, station, BeamQuantity::Strain)
 }
 
 /// Internal forces of a beam element at a station and any times.
@@ -1004,15 +922,7 @@ pub unsafe extern "C" fn pdn_solution_beam_force(
     count: usize,
     out: *mut f64,
 ) -> pdn_status {
-    let sample = |_: &Call, solution: &Solution, times: &[f64]| {
-        solution.beam(
-            index(element, "element")?,
-            station,
-            BeamQuantity::Force,
-            times,
-        )
-    };
-    sampled(solution, times, count, out, sample, 6)
+    Samples::new(solution, times, count, out).beam(element, station, BeamQuantity::Force)
 }
 
 /// Internal forces of a beam at a node between two of its elements: the mean of those of both, and
@@ -1067,11 +977,28 @@ pub unsafe extern "C" fn pdn_solution_beam_force_between(
 
 /// Where the coefficients of a quantity's series go.
 pub(super) struct SeriesOut {
-    pub harmonics: usize,
-    pub mean: *mut f64,
-    pub rate: *mut f64,
-    pub cosines: *mut f64,
-    pub sines: *mut f64,
+    harmonics: usize,
+    mean: *mut f64,
+    rate: *mut f64,
+    cosines: *mut f64,
+    sines: *mut f64,
+}
+
+impl SeriesOut {
+    pub fn new(
+        harmonics: usize,
+        mean: *mut f64,
+        rate: *mut f64,
+        [cosines, sines]: [*mut f64; 2],
+    ) -> Self {
+        SeriesOut {
+            harmonics,
+            mean,
+            rate,
+            cosines,
+            sines,
+        }
+    }
 }
 
 /// No grid has more; what asks for more is a mistake.
@@ -1157,13 +1084,7 @@ pub unsafe extern "C" fn pdn_solution_node_harmonics(
     cosines: *mut f64,
     sines: *mut f64,
 ) -> pdn_status {
-    let to = SeriesOut {
-        harmonics,
-        mean,
-        rate: std::ptr::null_mut(),
-        cosines,
-        sines,
-    };
+    let to = SeriesOut::new(harmonics, mean, null_mut(), [cosines, sines]);
     let components = || Ok(node_quantity(quantity)?.components());
     harmonics_of(solution, &to, components, |s| {
         s.node_series(index(node, "node")?, node_quantity(quantity)?)
@@ -1202,13 +1123,7 @@ pub unsafe extern "C" fn pdn_solution_joint_harmonics(
     cosines: *mut f64,
     sines: *mut f64,
 ) -> pdn_status {
-    let to = SeriesOut {
-        harmonics,
-        mean,
-        rate,
-        cosines,
-        sines,
-    };
+    let to = SeriesOut::new(harmonics, mean, rate, [cosines, sines]);
     let components = || Ok(joint_quantity(quantity, detail, "detail")?.components());
     harmonics_of(solution, &to, components, |s| {
         s.joint_series(
@@ -1245,13 +1160,7 @@ pub unsafe extern "C" fn pdn_solution_beam_harmonics(
     cosines: *mut f64,
     sines: *mut f64,
 ) -> pdn_status {
-    let to = SeriesOut {
-        harmonics,
-        mean,
-        rate: std::ptr::null_mut(),
-        cosines,
-        sines,
-    };
+    let to = SeriesOut::new(harmonics, mean, null_mut(), [cosines, sines]);
     harmonics_of(
         solution,
         &to,

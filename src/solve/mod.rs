@@ -11,6 +11,7 @@ mod report;
 mod result;
 mod start;
 mod starts;
+mod step_length;
 #[cfg(test)]
 pub(crate) mod test_models;
 mod watch;

@@ -153,8 +153,8 @@ pub struct NewtonReport {
 }
 
 impl NewtonReport {
-    /// Of a solve that ended before its first iteration.
-    pub(crate) fn without_iterations(outcome: Outcome, explanation: String) -> Self {
+    /// Of a solve that has ended before its first iteration.
+    pub(crate) fn ended(outcome: Outcome, explanation: String) -> Self {
         NewtonReport {
             outcome,
             iterations: Vec::new(),

@@ -147,6 +147,16 @@ pub struct MarchRecord {
     pub start_corrected: f64,
 }
 
+impl MarchRecord {
+    /// Of a march that has not begun.
+    pub(crate) fn new() -> Self {
+        MarchRecord {
+            repetition: f64::INFINITY,
+            ..MarchRecord::default()
+        }
+    }
+}
+
 impl Solved {
     /// A state, where nothing is told of how it was found but the `report`.
     pub fn known(

@@ -219,6 +219,17 @@ impl Watching {
         !told.is_stopped()
     }
 
+    /// Tells of iterations both here and to `observe`.
+    pub fn with<'a>(
+        &'a self,
+        observe: &'a mut dyn FnMut(Stage, &Iteration) -> bool,
+    ) -> impl FnMut(Stage, &Iteration) -> bool + 'a {
+        move |stage, iteration| {
+            let goes_on = self.iteration(stage, iteration);
+            observe(stage, iteration) && goes_on
+        }
+    }
+
     /// Whether the solve is to end.
     pub fn is_stopped(&self) -> bool {
         self.0.as_ref().is_some_and(|told| told.is_stopped())
@@ -230,6 +241,14 @@ impl Watching {
             return Outcome::Cancelled;
         }
         outcome
+    }
+
+    /// A result, or none if there is no more to it than that the solve is to end.
+    pub fn unless_cancelled<T>(&self, result: Result<T>) -> Result<Option<T>> {
+        match result {
+            Err(error) if self.cancels(&error) => Ok(None),
+            result => result.map(Some),
+        }
     }
 
     /// Whether `error` says no more than that the solve is to end.

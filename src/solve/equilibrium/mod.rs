@@ -1,5 +1,8 @@
 //! Equilibrium at one time, at rest or turning steadily: collocation on a grid of one point.
 //! See docs/theory.md, section 11.1.
+//!
+//! Load steps are those of `starts/quasi_static`, in no time; `settle` creeps downhill where they
+//! lead nowhere.
 
 mod settle;
 
@@ -7,6 +10,7 @@ use crate::collocation::Conditions;
 use crate::error::{Error, Result, require_finite, require_positive_number};
 use crate::fourier::TimeGrid;
 use crate::model::Model;
+use crate::solve::newton::Newton;
 use crate::solve::periodic::estimate::mesh_error;
 use crate::solve::report::{Iteration, NewtonOptions, NewtonReport, Outcome, Timings};
 use crate::solve::result::{Kind, Solved};
@@ -139,32 +143,27 @@ pub(crate) fn find_equilibrium(
     require_reproducible_forces(model, length, period, options.standstill.time)?;
     let grid = TimeGrid::new(1, period)?;
     let workers = Workers::default().telling(watching.pulse());
-    let mut observe = |stage: Stage, iteration: &Iteration| {
-        let goes_on = watching.iteration(stage, iteration);
-        observe(stage, iteration) && goes_on
-    };
+    let mut observe = watching.with(observe);
     let mut guess_iterations = 0;
     let mut observe_steps = |iteration: &Iteration| {
         guess_iterations += 1;
         observe(Stage::InitialGuess, iteration)
     };
     let mut tracker = Tracker::new(&system, grid, &workers, &mut observe_steps)?;
-    let mut failure = None;
-    match &options.guess {
-        InitialGuess::State(state) => tracker.state = state.clone(),
+    let failure = match &options.guess {
+        InitialGuess::State(state) => {
+            tracker.state = state.clone();
+            None
+        }
         InitialGuess::Default | InitialGuess::By(_) => {
-            match find_start(&mut tracker, &system, options.least_load_steps) {
-                Err(error) if watching.cancels(&error) => {
-                    failure = Some((Outcome::Cancelled, String::new()));
-                }
-                found => {
-                    if !found? {
-                        failure = tracker.failure.take();
-                    }
-                }
+            let found = find_start(&mut tracker, &system, options.least_load_steps);
+            match watching.unless_cancelled(found)? {
+                Some(true) => None,
+                Some(false) => tracker.failure.take(),
+                None => Some((Outcome::Cancelled, String::new())),
             }
         }
-    }
+    };
     let Tracker {
         mut newton,
         mut state,
@@ -174,61 +173,66 @@ pub(crate) fn find_equilibrium(
     let guess_time = start.elapsed();
     newton.timings = Timings::default();
     let report = match failure {
-        Some((outcome, explanation)) => NewtonReport {
-            outcome: match outcome {
-                Outcome::IterationLimit => Outcome::Stalled,
-                other => other,
-            },
-            iterations: Vec::new(),
-            explanation: format!(
-                "load steps ended at the fraction {reached:.4} of loads and prescribed motions: \
-                 {explanation}"
-            ),
-        },
+        Some((outcome, explanation)) => no_start(outcome, &explanation, reached),
         None => {
             let mut observe_newton = |iteration: &Iteration| observe(Stage::Newton, iteration);
             watching.stage(Stage::Newton);
             newton.solve(&mut state, &options.newton, &mut observe_newton)?
         }
     };
-    let iterations = report.iterations.len();
+    let kind = Kind::Equilibrium {
+        mesh_error: f64::INFINITY,
+    };
     let mut solve = Solved {
-        node_states: Vec::new(),
-        system,
-        grid,
-        state,
-        report,
         guess_iterations,
         guess_time,
         // Those of load steps are the guess.
         timings: newton.timings,
         total_time: start.elapsed(),
-        total_iterations: iterations,
-        kind: Kind::Equilibrium {
-            mesh_error: f64::INFINITY,
-        },
+        ..Solved::known(&system, grid, (state, Vec::new()), report, kind)
     };
-    if solve.report.outcome == Outcome::Singular && indifferent == Indifferent::Accepted {
-        newton.equations.set_conditions(Conditions::at(0.0))?;
-        let mut residual = vec![0.0; newton.equations.size()];
-        newton.equations.residual(&solve.state, &mut residual)?;
-        // Written so that NaN fails too.
-        if residual.iter().all(|r| r.abs() <= INDIFFERENT) {
-            solve.report.outcome = Outcome::Converged;
-        }
-    }
-    if solve.report.outcome.is_solution() && indifferent == Indifferent::Singular {
+    if indifferent == Indifferent::Accepted {
+        accept_indifferent(&mut newton, &mut solve)?;
+    } else if solve.report.outcome.is_solution() {
         if solve.report.iterations.is_empty() {
             newton.linearise(&solve.state)?;
         }
-        let mesh_error = match mesh_error(model, &mut newton, &solve.state) {
-            Err(error) if watching.cancels(&error) => f64::INFINITY,
-            found => found?,
+        let estimate = mesh_error(model, &mut newton, &solve.state);
+        let mesh_error = watching.unless_cancelled(estimate)?;
+        solve.kind = Kind::Equilibrium {
+            mesh_error: mesh_error.unwrap_or(f64::INFINITY),
         };
-        solve.kind = Kind::Equilibrium { mesh_error };
     }
     newton.equations.update_kinematics(&solve.state);
     solve.node_states = newton.equations.node_states().to_vec();
     solve.report.outcome = watching.outcome(solve.report.outcome);
     Ok(solve)
+}
+
+/// Of a solve without a start.
+fn no_start(outcome: Outcome, explanation: &str, reached: f64) -> NewtonReport {
+    let outcome = match outcome {
+        Outcome::IterationLimit => Outcome::Stalled,
+        other => other,
+    };
+    let explanation = format!(
+        "load steps ended at the fraction {reached:.4} of loads and prescribed motions: \
+         {explanation}"
+    );
+    NewtonReport::ended(outcome, explanation)
+}
+
+/// Takes a state for an equilibrium that a free motion may carry off.
+fn accept_indifferent(newton: &mut Newton, solve: &mut Solved) -> Result<()> {
+    if solve.report.outcome != Outcome::Singular {
+        return Ok(());
+    }
+    newton.equations.set_conditions(Conditions::at(0.0))?;
+    let mut residual = vec![0.0; newton.equations.size()];
+    newton.equations.residual(&solve.state, &mut residual)?;
+    // Written so that NaN fails too.
+    if residual.iter().all(|r| r.abs() <= INDIFFERENT) {
+        solve.report.outcome = Outcome::Converged;
+    }
+    Ok(())
 }

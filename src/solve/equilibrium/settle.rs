@@ -5,6 +5,7 @@ use crate::collocation::{Backward, BackwardWeights, Conditions, Spectral};
 use crate::error::Result;
 use crate::solve::report::{NewtonOptions, Outcome};
 use crate::solve::starts::quasi_static::Tracker;
+use crate::solve::step_length::StepLength;
 use crate::system::System;
 
 /// Steps at most.
@@ -14,7 +15,9 @@ const SETTLED: f64 = 1e-7;
 /// A step that needs at most so many iterations is doubled.
 const EASY_ITERATIONS: usize = 5;
 /// Shortest step relative to the first.
-const SHORTEST: f64 = 1e-6;
+const SHORTEST: f64 = 2.5e-7;
+/// What a step that fails is shortened to.
+const RETREAT: f64 = 0.25;
 /// Factor between the first step, of the order of the fastest motion, and the smallest that may
 /// end.
 const LONG: f64 = 10.0;
@@ -51,11 +54,12 @@ impl Tracker<'_> {
         }
         self.newton.equations.set_conditions(Conditions::at(0.0))?;
         let first_step = (scales.mass * scales.length / scales.force).sqrt();
-        let mut step = first_step;
+        let range = SHORTEST * first_step..=f64::INFINITY;
+        let mut step = StepLength::shortened(first_step, range, RETREAT);
         let mut state = self.state.clone();
         let mut settled = false;
         for _ in 0..MOST_STEPS {
-            let weight = 1.0 / (step * step);
+            let weight = 1.0 / (step.get() * step.get());
             let weights = BackwardWeights {
                 first: [0.0; 4],
                 second: [weight, -weight, 0.0, 0.0],
@@ -67,19 +71,19 @@ impl Tracker<'_> {
                 Ok(report) if report.outcome == Outcome::Converged => {
                     let moved = next.distance(&state, scales.length);
                     state = next;
-                    if moved < SETTLED && step >= LONG * first_step {
+                    if moved < SETTLED && step.get() >= LONG * first_step {
                         settled = true;
                         break;
                     }
                     if report.iterations.len() <= EASY_ITERATIONS {
-                        step *= 2.0;
+                        step.grow(step.get(), 2.0);
                     }
                 }
                 Ok(report) if report.outcome == Outcome::Cancelled => {
                     self.failure = Some((report.outcome, report.explanation));
                     break;
                 }
-                _ if step > SHORTEST * first_step => step *= 0.25,
+                _ if step.shrink(step.get()) => {}
                 _ => break,
             }
         }

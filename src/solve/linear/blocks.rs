@@ -1,7 +1,7 @@
 //! Large dense factorisations and products, in blocks of little work each, so that it can be told
 //! between them that work goes on.
 
-use crate::error::Result;
+use crate::error::{Error, ErrorKind, Result};
 use crate::workers::Workers;
 use faer::dyn_stack::{MemBuffer, MemStack};
 use faer::linalg::lu::partial_pivoting::factor::{lu_in_place, lu_in_place_scratch};
@@ -9,7 +9,7 @@ use faer::linalg::matmul::matmul;
 use faer::linalg::triangular_solve::{
     solve_lower_triangular_in_place, solve_unit_lower_triangular_in_place,
 };
-use faer::{Accum, MatMut, MatRef, Par};
+use faer::{Accum, Mat, MatMut, MatRef, Par};
 
 /// Multiply-adds of a block: about 0.1 s of a slow processor.
 const BLOCK: usize = 200_000_000;
@@ -19,6 +19,14 @@ const LEAST: usize = 32;
 const PANEL: usize = 256;
 /// Matrices up to this size are factored in one piece.
 const WHOLE: usize = 1024;
+
+/// Takes memory for a matrix.
+pub(crate) fn reserve(matrix: &mut Mat<f64>, rows: usize, columns: usize) -> Result<()> {
+    matrix.try_reserve(rows, columns).map_err(|_| {
+        let message = format!("a dense block of {rows} × {columns} does not fit in memory");
+        Error::new(ErrorKind::OutOfMemory, message)
+    })
+}
 
 /// Columns of a block, where each takes so many multiply-adds.
 fn block(work: usize) -> usize {

@@ -1,10 +1,9 @@
 //! One front of the multifrontal solver: its own unknowns are eliminated by dense kernels, as far
 //! as they have pivots.
 
-use crate::error::{Error, ErrorKind, Result};
+use crate::error::Result;
 use crate::solve::linear::blocks::{self, Diagonal};
 use crate::solve::linear::dense::largest;
-use crate::solve::linear::direct::elimination_work;
 use crate::solve::linear::partial_lu::factor_partially;
 use crate::workers::Workers;
 use faer::dyn_stack::{MemBuffer, StackReq};
@@ -47,6 +46,13 @@ pub(crate) struct Front {
     pub largest_entry: f64,
 }
 
+/// Multiply-adds of the elimination of so many unknowns, with so many others in their rows and
+/// columns.
+pub(crate) fn elimination_work(count: usize, rest: usize) -> f64 {
+    let (own, rest) = (count as f64, rest as f64);
+    own * own * own / 3.0 + own * own * rest + own * rest * rest
+}
+
 /// Makes a matrix of zeros of one that may have been used before.
 pub(crate) fn make_zero(matrix: &mut Mat<f64>, rows: usize, columns: usize) -> Result<()> {
     if (matrix.nrows(), matrix.ncols()) == (rows, columns) {
@@ -56,10 +62,7 @@ pub(crate) fn make_zero(matrix: &mut Mat<f64>, rows: usize, columns: usize) -> R
         return Ok(());
     }
     *matrix = Mat::new();
-    matrix.try_reserve(rows, columns).map_err(|_| {
-        let message = format!("a dense block of {rows} × {columns} does not fit in memory");
-        Error::new(ErrorKind::OutOfMemory, message)
-    })?;
+    blocks::reserve(matrix, rows, columns)?;
     matrix.resize_with(rows, columns, |_, _| 0.0);
     Ok(())
 }

@@ -5,8 +5,8 @@ use crate::collocation::{Collocation, GridState};
 use crate::error::{Error, ErrorKind, Result};
 use crate::solve::linear::assembled::Assembled;
 use crate::solve::linear::diagnosis::Singularity;
-use crate::solve::linear::direct::elimination_work;
 use crate::solve::linear::freedoms::FreedomSolver;
+use crate::solve::linear::front::elimination_work;
 use crate::solve::linear::iterative::{Iterative, IterativeRecord, Preconditioner};
 use crate::solve::linear::ordering::plan;
 use crate::solve::linear::solver::LinearSolver;
@@ -86,6 +86,22 @@ impl DirectCost {
 enum Active {
     Direct(Box<Assembled>),
     Iterative(Box<Iterative>),
+}
+
+impl Active {
+    fn solver(&self) -> &dyn LinearSolver {
+        match self {
+            Active::Direct(direct) => &**direct,
+            Active::Iterative(iterative) => &**iterative,
+        }
+    }
+
+    fn solver_mut(&mut self) -> &mut dyn LinearSolver {
+        match self {
+            Active::Direct(direct) => &mut **direct,
+            Active::Iterative(iterative) => &mut **iterative,
+        }
+    }
 }
 
 /// The solver in use.
@@ -254,31 +270,19 @@ impl LinearSolver for Linear {
     }
 
     fn has_compliance(&self) -> bool {
-        match &self.active {
-            Active::Direct(direct) => direct.has_compliance(),
-            Active::Iterative(iterative) => iterative.has_compliance(),
-        }
+        self.active.solver().has_compliance()
     }
 
     fn growth(&mut self, equations: &mut Collocation) -> f64 {
-        match &mut self.active {
-            Active::Direct(direct) => direct.growth(equations),
-            Active::Iterative(iterative) => iterative.growth(equations),
-        }
+        self.active.solver_mut().growth(equations)
     }
 
     fn is_resisted(&mut self, equations: &mut Collocation) -> bool {
-        match &mut self.active {
-            Active::Direct(direct) => direct.is_resisted(equations),
-            Active::Iterative(iterative) => iterative.is_resisted(equations),
-        }
+        self.active.solver_mut().is_resisted(equations)
     }
 
     fn explain(&mut self, equations: &mut Collocation, state: &GridState) -> Singularity {
-        match &mut self.active {
-            Active::Direct(direct) => direct.explain(equations, state),
-            Active::Iterative(iterative) => iterative.explain(equations, state),
-        }
+        self.active.solver_mut().explain(equations, state)
     }
 }
 

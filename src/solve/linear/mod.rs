@@ -1,4 +1,20 @@
-//! Linear algebra: solvers of Newton's linear equations, and why these may be singular.
+//! Linear algebra: solvers of Newton's linear equations, and why these may be singular. See
+//! docs/theory.md, section 8.
+//!
+//! What Newton's method asks for is in `solver`; which solver answers, in `method` (docs/theory.md,
+//! section 8.7), by the work that `direct_trial` and `iterative/trial` measure.
+//!
+//! * Directly (docs/theory.md, section 8.1): `assembled` forms the Jacobian and factors it by
+//!   `direct`, multifrontal LU, with the matrices of very slender beams refined in `slender`.
+//!   `ordering` says in which order, `direct/analysis` which fronts follow, `direct/factorisation`
+//!   goes through them, and `front` eliminates one, with `partial_lu` where not all has pivots.
+//! * By freedoms, of mechanisms that have few (docs/theory.md, section 8.2): `freedoms`.
+//! * By iteration: `iterative`, with GMRES in `iterative/gmres` (docs/theory.md, section 8.3) and
+//!   the preconditioners `iterative/body_circulant` (docs/theory.md, section 8.5) and
+//!   `iterative/time_local` (docs/theory.md, section 8.6).
+//! * `diagnosis` says what is free to move, or which constraints say the same thing twice
+//!   (docs/theory.md, section 7.5).
+//! * Dense kernels: `dense` with one vector, `blocks` with large matrices, `eigenvalues`.
 
 pub(crate) mod assembled;
 mod blocks;

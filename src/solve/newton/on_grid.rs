@@ -119,10 +119,9 @@ impl<'a> OnGrid<'a> {
                 Ok(found)
             }
             // Where the start cannot be interpolated there is no residual to begin with.
-            Err(e) if e.kind() == ErrorKind::GridTooCoarse && self.means.oversampling > 1 => Ok((
-                state,
-                NewtonReport::without_iterations(Outcome::Stalled, e.to_string()),
-            )),
+            Err(e) if e.kind() == ErrorKind::GridTooCoarse && self.means.oversampling > 1 => {
+                Ok((state, NewtonReport::ended(Outcome::Stalled, e.to_string())))
+            }
             Err(e) => Err(e),
         }
     }
@@ -130,7 +129,7 @@ impl<'a> OnGrid<'a> {
     /// What there is when the solve is cancelled where Newton's method does not see it.
     pub fn cancelled(&mut self) -> Result<Found> {
         let Some((grid, (state, report))) = self.last.take() else {
-            let report = NewtonReport::without_iterations(Outcome::Cancelled, String::new());
+            let report = NewtonReport::ended(Outcome::Cancelled, String::new());
             return Ok((GridState::reference(&self.system, self.grid), report));
         };
         self.move_to(grid)?;

@@ -7,6 +7,7 @@ use crate::error::{ErrorKind, Result};
 use crate::fourier::TimeGrid;
 use crate::solve::newton::Newton;
 use crate::solve::report::{Iteration, NewtonOptions, Outcome};
+use crate::solve::step_length::StepLength;
 use crate::system::System;
 use crate::workers::Workers;
 use std::collections::VecDeque;
@@ -14,8 +15,8 @@ use std::sync::Arc;
 
 /// Steps over a period at least.
 const LEAST_STEPS: usize = 96;
-/// Times that the number of steps is doubled before giving up.
-const REFINEMENTS: usize = 3;
+/// Shortest steps relative to the first.
+const SHORTEST: f64 = 1.0 / 8.0;
 /// Motions before the present one that the rule takes.
 const PAST: usize = 3;
 
@@ -43,9 +44,8 @@ pub(crate) struct DissipativeMarch {
     /// Where it starts: states over a period that lead to the first point, or everything at rest.
     start: Option<GridState>,
     newton: Newton,
-    /// Steps of a grid interval.
-    parts: usize,
-    refinements: usize,
+    /// Relative to the first.
+    step: StepLength,
     past: VecDeque<GridState>,
     /// The last period.
     before: Option<GridState>,
@@ -71,8 +71,7 @@ impl DissipativeMarch {
             grid,
             start: start.cloned(),
             newton: Newton::new(equations),
-            parts: LEAST_STEPS.div_ceil(grid.points()),
-            refinements: 0,
+            step: StepLength::halved(1.0, SHORTEST..=1.0),
             past: VecDeque::new(),
             before: None,
             change: f64::INFINITY,
@@ -81,15 +80,21 @@ impl DissipativeMarch {
         Ok(march)
     }
 
+    /// Steps of a grid interval.
+    fn parts(&self) -> usize {
+        let first = LEAST_STEPS.div_ceil(self.grid.points());
+        (first as f64 / self.step.get()) as usize
+    }
+
     /// States before the first step, latest first.
     fn begin(&mut self) {
-        let system = &self.system;
+        let (system, parts) = (&self.system, self.parts());
         let now = GridState::at_points(system, 1);
         let states = (1..=PAST).map(|steps| {
             let mut past = now.clone();
             if let Some(start) = &self.start {
                 past.copy_point(system, 0, start, 0);
-                let part = -(steps as f64) / self.parts as f64;
+                let part = -(steps as f64) / parts as f64;
                 for (node, motion) in past.motions.iter_mut().enumerate() {
                     let over = start.node(node);
                     let step = over[over.len() - 1].relative(&over[0]).logarithm();
@@ -122,10 +127,8 @@ impl DissipativeMarch {
                     return Ok(Ok(state));
                 }
                 Err((Outcome::Stalled | Outcome::IterationLimit | Outcome::WrongAssembly, _))
-                    if self.refinements < REFINEMENTS =>
+                    if self.step.shrink(self.step.get()) =>
                 {
-                    self.refinements += 1;
-                    self.parts *= 2;
                     self.begin();
                 }
                 Err(failure) => return Ok(Err(failure)),
@@ -135,7 +138,7 @@ impl DissipativeMarch {
 
     /// Marches one period.
     fn period(&mut self, observe: &mut dyn FnMut(&Iteration) -> bool) -> Result<March> {
-        let (grid, parts) = (self.grid, self.parts);
+        let (grid, parts) = (self.grid, self.parts());
         let step = grid.period() / (grid.points() * parts) as f64;
         let weights = houbolt(step);
         let mut state = GridState::reference(&self.system, grid);

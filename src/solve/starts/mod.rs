@@ -11,6 +11,7 @@ use crate::solve::linear::method::DirectCost;
 use crate::solve::newton::on_grid::{Found, OnGrid};
 use crate::solve::report::{NewtonReport, Outcome};
 use crate::solve::start::{Attempt, Start};
+use crate::solve::step_length::StepLength;
 use crate::system::{Driven, System};
 use dissipative_march::DissipativeMarch;
 use quasi_static::{Guess, inertial_displacement, quasi_static};
@@ -319,7 +320,7 @@ impl Starts {
 /// No state but the reference, and why.
 fn nothing(on: &OnGrid, outcome: Outcome, why: String) -> Found {
     let state = GridState::reference(&on.system, on.grid);
-    (state, NewtonReport::without_iterations(outcome, why))
+    (state, NewtonReport::ended(outcome, why))
 }
 
 /// Whether the fewest iterations of one more way to start on the present grid are little work.
@@ -330,13 +331,15 @@ pub(crate) fn affords_more(on: &OnGrid) -> bool {
 
 /// Raises the inertial forces in steps, from a solution without them.
 fn through_inertia(on: &mut OnGrid, mut state: GridState) -> Result<Option<Found>> {
-    let (mut reached, mut step) = (0.0, 0.25f64);
+    let mut reached = 0.0f64;
+    let mut step = StepLength::halved(0.25, SMALLEST_INERTIA_STEP..=1.0);
     let before = on.newton.iterations;
     let work = DirectCost::of(&on.system, on.grid.points()).work;
     let most = ((RAISING_WORK / work) as usize).clamp(RAISING[0], RAISING[1]);
     let mut found = None;
     while reached < 1.0 {
-        let next = (reached + step).min(1.0);
+        let next = (reached + step.get()).min(1.0);
+        let mut goes_on = true;
         on.newton.equations.set_conditions(Conditions {
             inertia_factor: next,
             ..Conditions::at(0.0)
@@ -346,19 +349,19 @@ fn through_inertia(on: &mut OnGrid, mut state: GridState) -> Result<Option<Found
             Outcome::Converged => {
                 state = trial;
                 reached = next;
-                step *= 1.5;
+                step.grow(step.get(), 1.5);
                 found = Some((state.clone(), report));
             }
             Outcome::Cancelled => {
                 found = Some((trial, report));
                 break;
             }
-            _ => step *= 0.5,
+            _ => goes_on = step.shrink(step.get()),
         }
         let spent = on.newton.iterations - before;
-        if reached < 1.0 && (step < SMALLEST_INERTIA_STEP || spent > most) {
+        if reached < 1.0 && (!goes_on || spent > most) {
             let why = format!("ended at the fraction {reached:.3} of inertial forces");
-            let report = NewtonReport::without_iterations(Outcome::Stalled, why);
+            let report = NewtonReport::ended(Outcome::Stalled, why);
             found = Some((state, report));
             break;
         }

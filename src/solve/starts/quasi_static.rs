@@ -7,6 +7,7 @@ use crate::fourier::TimeGrid;
 use crate::solve::newton::Newton;
 use crate::solve::newton::branch::Branch;
 use crate::solve::report::{Iteration, NewtonOptions, Outcome};
+use crate::solve::step_length::StepLength;
 use crate::system::{Driven, System};
 use crate::workers::Workers;
 use std::sync::Arc;
@@ -41,13 +42,16 @@ pub(crate) struct Guess {
     pub explanation: String,
 }
 
+/// Why there is no equilibrium.
+type Failure = (Outcome, String);
+
 /// Static equilibrium at one time, tracked from one set of conditions to the next.
 pub(crate) struct Tracker<'a> {
     pub newton: Newton,
     pub state: GridState,
     pub observe: &'a mut dyn FnMut(&Iteration) -> bool,
     /// Why the last way was not followed to its end.
-    pub failure: Option<(Outcome, String)>,
+    pub failure: Option<Failure>,
     /// How far the last way was followed, from 0 to 1.
     pub reached: f64,
     /// The branch that is followed.
@@ -151,12 +155,13 @@ impl<'a> Tracker<'a> {
     ) -> Result<bool> {
         let system = self.newton.equations.system().clone();
         let span = conditions(1.0).0 - conditions(0.0).0;
-        let (mut reached, mut step) = (0.0, largest_step);
+        let mut reached = 0.0;
+        let mut step = StepLength::halved(largest_step, SMALLEST_FRACTION..=largest_step);
         while reached < 1.0 {
             self.reached = reached;
             let safe = (self.branch.longest_step() / span).max(SMALLEST_FRACTION);
             // Equal steps over what is left; the last is no rounding short.
-            let left = ((1.0 - reached) / step.min(safe) - 1e-9).ceil();
+            let left = ((1.0 - reached) / step.get().min(safe) - 1e-9).ceil();
             let next = if left > 1.0 {
                 reached + (1.0 - reached) / left
             } else {
@@ -169,55 +174,20 @@ impl<'a> Tracker<'a> {
                 next
             };
             let passed = span * (next - reached);
-            let (time, load_factor) = conditions(next);
-            self.set_conditions(time, load_factor)?;
-            let mut trial = self.expected(&system, passed);
-            let options = NewtonOptions {
-                tolerance: self.tolerance,
-                iteration_limit: ITERATION_LIMIT,
-            };
-            let report = self
-                .newton
-                .solve_motions(&mut trial, &options, self.observe);
-            let (mut outcome, taken, mut explanation) = match report {
-                Ok(report) => (report.outcome, report.iterations.len(), report.explanation),
-                Err(error) if error.kind() == ErrorKind::Callback => return Err(error),
-                Err(error) => (Outcome::Stalled, ITERATION_LIMIT, error.to_string()),
-            };
-            if keeps_branch && outcome == Outcome::Converged {
-                match self.newton.determinant(&trial)? {
-                    Some(determinant) if self.branch.continues(determinant) => {
-                        self.branch.advance(time, determinant);
-                    }
-                    _ => {
-                        outcome = Outcome::Stalled;
-                        explanation = "the equilibrium that was followed ends".into();
-                    }
-                }
-            }
-            match outcome {
-                Outcome::Converged => {
-                    let before = std::mem::replace(&mut self.state, trial);
-                    if keeps_branch && passed > 0.0 {
-                        self.before.insert(0, (before, passed));
-                        self.before.truncate(2);
-                    } else {
-                        self.before.clear();
-                    }
+            match self.find(&system, conditions(next), passed, keeps_branch)? {
+                Ok((trial, iterations)) => {
+                    self.go_to(trial, keeps_branch.then_some(passed));
                     reached = next;
-                    if taken <= EASY_ITERATIONS {
-                        step = (2.0 * step).min(largest_step);
+                    if iterations <= EASY_ITERATIONS {
+                        step.grow(step.get(), 2.0);
                     }
                 }
-                Outcome::Cancelled => {
-                    self.failure = Some((outcome, explanation));
-                    return Ok(false);
-                }
-                _ => {
-                    step = 0.5 * (next - reached);
-                    if step < SMALLEST_FRACTION
-                        || (outcome == Outcome::Singular && reached == 0.0 && step < 0.1)
-                    {
+                Err((outcome, explanation)) => {
+                    let is_first = reached == 0.0 && outcome == Outcome::Singular;
+                    let goes_on = outcome != Outcome::Cancelled
+                        && step.shrink(next - reached)
+                        && !(is_first && step.get() < 0.1);
+                    if !goes_on {
                         self.failure = Some((outcome, explanation));
                         return Ok(false);
                     }
@@ -226,6 +196,57 @@ impl<'a> Tracker<'a> {
         }
         self.reached = reached;
         Ok(true)
+    }
+
+    /// Looks for equilibrium at `(time, load factor)`, so long after the present state, with the
+    /// iterations that it took or why there is none.
+    fn find(
+        &mut self,
+        system: &System,
+        (time, load_factor): (f64, f64),
+        passed: f64,
+        keeps_branch: bool,
+    ) -> Result<std::result::Result<(GridState, usize), Failure>> {
+        self.set_conditions(time, load_factor)?;
+        let mut trial = self.expected(system, passed);
+        let options = NewtonOptions {
+            tolerance: self.tolerance,
+            iteration_limit: ITERATION_LIMIT,
+        };
+        let report = self
+            .newton
+            .solve_motions(&mut trial, &options, self.observe);
+        let iterations = match report {
+            Ok(report) if report.outcome == Outcome::Converged => report.iterations.len(),
+            Ok(report) => return Ok(Err((report.outcome, report.explanation))),
+            Err(error) if error.kind() == ErrorKind::Callback => return Err(error),
+            Err(error) => return Ok(Err((Outcome::Stalled, error.to_string()))),
+        };
+        if keeps_branch {
+            match self.newton.determinant(&trial)? {
+                Some(determinant) if self.branch.continues(determinant) => {
+                    self.branch.advance(time, determinant);
+                }
+                _ => {
+                    let why = "the equilibrium that was followed ends".into();
+                    return Ok(Err((Outcome::Stalled, why)));
+                }
+            }
+        }
+        Ok(Ok((trial, iterations)))
+    }
+
+    /// Goes on from `state`. If its branch is kept, what has been before tells what comes next,
+    /// `passed` after it.
+    fn go_to(&mut self, state: GridState, passed: Option<f64>) {
+        let before = std::mem::replace(&mut self.state, state);
+        match passed {
+            Some(passed) if passed > 0.0 => {
+                self.before.insert(0, (before, passed));
+                self.before.truncate(2);
+            }
+            _ => self.before.clear(),
+        }
     }
 }
 

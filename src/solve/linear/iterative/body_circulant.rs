@@ -121,24 +121,17 @@ impl BodyCirculant {
             return Ok(None);
         }
         let kept: Vec<usize> = layout.kept().collect();
-        let interface = if kept.is_empty() {
-            None
-        } else {
+        let mut interface = None;
+        if !kept.is_empty() {
             let places: Vec<_> = kept.iter().map(|&i| layout.places[i]).collect();
-            match Interface::new(equations, classes, &places) {
-                Some(interface) if interface.size() <= largest_interface => Some(interface),
-                _ => return Ok(None),
+            interface = Interface::new(equations, classes, &places)
+                .filter(|interface| interface.size() <= largest_interface);
+            if interface.is_none() {
+                return Ok(None);
             }
-        };
+        }
         let strains = MeanStrain::all(equations, tangent);
-        let mut aliasing = vec![Vec::new(); equations.system().nodes()];
-        let nothing = &mut Vec::new();
-        equations.workers().for_each(
-            &mut aliasing,
-            nothing,
-            || (),
-            |(), node, all| *all = scaled_aliasing(equations, node),
-        );
+        let aliasing = scaled_aliasing(equations);
         let averages = Averages {
             equations,
             tangent,
@@ -153,14 +146,16 @@ impl BodyCirculant {
         let resultants = Resultants::new(equations, tangent, &strains);
         let lanes = vec![vec![ComplexLanes::zero(); layout.structure.unknowns()]; factors.len()];
         let series = || vec![vec![0.0; points]; kept.len()];
+        let nodes = equations.system().nodes();
+        let rates = if resultants.damped() {
+            6 * points * nodes
+        } else {
+            0
+        };
         let harmonics = points / 2 + 1;
         let mut spectrum_at = vec![0; layout.structure.unknowns()];
-        for (i, unknown) in layout
-            .regions
-            .iter()
-            .flat_map(|r| r.unknowns.clone())
-            .enumerate()
-        {
+        let unknowns = layout.regions.iter().flat_map(|r| r.unknowns.clone());
+        for (i, unknown) in unknowns.enumerate() {
             spectrum_at[unknown] = i * harmonics;
         }
         let mut circulant = BodyCirculant {
@@ -169,10 +164,9 @@ impl BodyCirculant {
             rotations: row_rotations(equations, classes),
             interface: None,
             transform: Transform::new(points),
-            products: if kept.is_empty() {
-                Vec::new()
-            } else {
-                lanes.clone()
+            products: match kept.is_empty() {
+                true => Vec::new(),
+                false => lanes.clone(),
             },
             lanes,
             workers: equations.workers().clone(),
@@ -180,10 +174,7 @@ impl BodyCirculant {
             spectra: vec![Complex::default(); layout.structure.unknowns() * harmonics],
             spectrum_at,
             series: [series(), series(), series()],
-            rates: match resultants.damped() {
-                true => vec![0.0; equations.layout().motions().len()],
-                false => Vec::new(),
-            },
+            rates: vec![0.0; rates],
             aliasing,
             resultants,
             frequency: equations.grid().frequency(),
@@ -431,9 +422,21 @@ fn collect<'t>(
     transform.backward()
 }
 
-/// What the grid makes of a node's highest harmonics, for scaled increments and their scaled
+/// What the grid makes of each node's highest harmonics, for scaled increments and their scaled
 /// changes.
-fn scaled_aliasing(equations: &Collocation, node: usize) -> Vec<Aliasing> {
+fn scaled_aliasing(equations: &Collocation) -> Vec<Vec<Aliasing>> {
+    let mut aliasing = vec![Vec::new(); equations.system().nodes()];
+    let nothing = &mut Vec::new();
+    equations.workers().for_each(
+        &mut aliasing,
+        nothing,
+        || (),
+        |(), node, all| *all = scaled_aliasing_of(equations, node),
+    );
+    aliasing
+}
+
+fn scaled_aliasing_of(equations: &Collocation, node: usize) -> Vec<Aliasing> {
     let scale = &equations.column_scale()[equations.layout().motion(node, 0)];
     let scaled = |m: Matrix6<Complex<f64>>| m.map_with_location(|i, j, x| x * scale[j] / scale[i]);
     let all = equations.rule().aliasing(node).into_iter();

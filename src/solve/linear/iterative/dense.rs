@@ -1,6 +1,6 @@
 //! Dense LU, in place.
 
-use crate::error::{Error, ErrorKind, Result};
+use crate::error::Result;
 use crate::solve::linear::blocks;
 use crate::workers::Workers;
 use faer::dyn_stack::{MemBuffer, MemStack};
@@ -17,10 +17,7 @@ const PIECE: usize = 256;
 /// If memory runs out, or work is to end.
 pub(super) fn zeros(rows: usize, columns: usize, workers: &Workers) -> Result<Mat<f64>> {
     let mut matrix = Mat::new();
-    matrix.try_reserve(rows, columns).map_err(|_| {
-        let message = format!("a dense block of {rows} × {columns} does not fit in memory");
-        Error::new(ErrorKind::OutOfMemory, message)
-    })?;
+    blocks::reserve(&mut matrix, rows, columns)?;
     for end in (PIECE..columns).step_by(PIECE).chain([columns]) {
         matrix.resize_with(rows, end, |_, _| 0.0);
         workers.pulse()?;

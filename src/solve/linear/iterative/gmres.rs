@@ -70,110 +70,175 @@ pub(crate) fn gmres(
     room: &mut GmresRoom,
 ) -> GmresEnd {
     let vectors = Vectors { workers };
-    let norm = |x: &mut [f64]| vectors.norm(x);
-    let size = rhs.len();
-    let GmresRoom { basis, b, rest } = room;
-    for copy in [&mut *b, &mut *rest] {
+    for copy in [&mut room.b, &mut room.rest] {
         copy.clear();
         copy.extend_from_slice(rhs);
     }
-    operator.precondition(rest);
-    let start = norm(rest);
+    operator.precondition(&mut room.rest);
+    let start = vectors.norm(&mut room.rest);
     rhs.fill(0.0);
-    let mut end = GmresEnd {
+    let end = GmresEnd {
         iterations: 0,
         error: if start == 0.0 { 0.0 } else { 1.0 },
     };
     if start == 0.0 || !start.is_finite() {
         return end;
     }
-    // What the smaller part is of the solution.
-    let (mut share, mut share_is_known) = (1.0, false);
     // Memory that is not written to is not taken.
     let vectors_kept = options.restart.min(options.iteration_limit) + 1;
-    if basis.len() < vectors_kept * size {
-        *basis = vec![0.0; vectors_kept * size];
+    if room.basis.len() < vectors_kept * rhs.len() {
+        room.basis = vec![0.0; vectors_kept * rhs.len()];
     }
-    while end.error > options.tolerance && end.iterations < options.iteration_limit {
-        let (before, found) = (norm(rest), norm(rhs));
-        let cycle = options
-            .restart
-            .min(options.iteration_limit - end.iterations);
+    let mut run = Run {
+        operator,
+        vectors,
+        options,
+        room,
+        share: None,
+        end,
+    };
+    while run.end.error > options.tolerance && run.end.iterations < options.iteration_limit {
+        let before = run.vectors.norm(&mut run.room.rest);
+        let progress = (run.cycle(rhs, before)).is_some_and(|left| left < STAGNATION * before);
+        if !progress {
+            break;
+        }
+    }
+    run.end
+}
+
+/// A solve on its way.
+struct Run<'a, P> {
+    operator: &'a mut P,
+    vectors: Vectors<'a>,
+    options: &'a GmresOptions,
+    room: &'a mut GmresRoom,
+    /// What the smaller part is of the solution, once that is known.
+    share: Option<f64>,
+    end: GmresEnd,
+}
+
+impl<P: Preconditioned> Run<'_, P> {
+    /// Improves `x` by a cycle, from a residual of size `before`; returns the size of what is left.
+    /// `None` if work is to end.
+    fn cycle(&mut self, x: &mut [f64], before: f64) -> Option<f64> {
+        let Run {
+            operator,
+            vectors,
+            options,
+            ..
+        } = self;
+        let GmresRoom { basis, b, rest } = &mut *self.room;
+        let (size, found) = (x.len(), vectors.norm(x));
+        let products = (options.restart).min(options.iteration_limit - self.end.iterations);
         vectors.sums(&mut basis[..size], 1, |first, v, _| {
             let rest = &rest[first..][..v.len()];
             v.iter_mut().zip(rest).for_each(|(v, r)| *v = r / before);
         });
-        let mut triangle = Triangle::default();
-        let mut rotations: Vec<(f64, f64)> = Vec::new();
-        let mut rotated = vec![before];
-        for j in 0..cycle {
+        let mut least = LeastSquares::new(before);
+        for j in 0..products {
             let (known, new) = basis.split_at_mut((j + 1) * size);
             let w = &mut new[..size];
             operator.product(&known[j * size..], w);
             operator.precondition(w);
-            end.iterations += 1;
-            if workers.pulse().is_err() {
-                end.error = f64::INFINITY;
-                return end;
+            self.end.iterations += 1;
+            if vectors.workers.pulse().is_err() {
+                self.end.error = f64::INFINITY;
+                return None;
             }
-            let (mut column, length) = vectors.project_out(known, w);
+            let (column, length) = vectors.project_out(known, w);
             if length > 0.0 {
                 vectors.scale(w, 1.0 / length);
             }
-            for (i, (c, s)) in rotations.iter().enumerate() {
-                let (upper, lower) = (column[i], column[i + 1]);
-                column[i] = c * upper + s * lower;
-                column[i + 1] = c * lower - s * upper;
-            }
-            let diagonal = column[j].hypot(length);
-            if diagonal == 0.0 {
+            if !least.push(column, length) {
                 // A direction that the operator does not know.
                 break;
             }
-            let (c, s) = (column[j] / diagonal, length / diagonal);
-            column[j] = diagonal;
-            rotations.push((c, s));
-            triangle.columns.push(column);
-            let last = rotated[j];
-            rotated[j] = c * last;
-            rotated.push(-s * last);
-            let error = rotated[j + 1].abs() * triangle.inverse_size();
-            let y = triangle.solve(&rotated);
-            end.error = error / (share * small_norm(&y).max(found));
-            if end.error <= options.tolerance && !share_is_known {
+            let error = least.rest() * least.triangle.inverse_size();
+            let y = least.solve();
+            let whole = small_norm(&y).max(found);
+            self.end.error = error / (self.share.unwrap_or(1.0) * whole);
+            if self.end.error <= options.tolerance && self.share.is_none() {
                 // Only now, as it takes a pass over all vectors.
-                share = vectors
-                    .smaller_share(rhs, basis, &y, options)
-                    .max(FINEST / options.tolerance);
-                share_is_known = true;
-                end.error = error / (share * small_norm(&y).max(found));
+                let share = vectors.smaller_share(x, basis, &y, options);
+                let share = share.max(FINEST / options.tolerance);
+                self.share = Some(share);
+                self.end.error = error / (share * whole);
             }
-            if end.error <= options.tolerance || length == 0.0 {
+            if self.end.error <= options.tolerance || length == 0.0 {
                 break;
             }
         }
-        vectors.add(rhs, basis, &triangle.solve(&rotated));
+        vectors.add(x, basis, &least.solve());
         // What rounding in the preconditioner leaves, nearly singular as it may be, shows in the
         // residual only.
-        operator.product(rhs, rest);
+        operator.product(x, rest);
         vectors.sums(rest, 1, |first, r, _| {
             let b = &b[first..][..r.len()];
             r.iter_mut().zip(b).for_each(|(r, b)| *r = b - *r);
         });
         operator.precondition(rest);
         // Written so that NaN ends it too.
-        let (left, size) = (norm(rest), norm(rhs));
-        end.error = if size > 0.0 {
-            left * triangle.inverse_size() / (share * size)
+        let (left, size) = (vectors.norm(rest), vectors.norm(x));
+        self.end.error = if size > 0.0 {
+            left * least.triangle.inverse_size() / (self.share.unwrap_or(1.0) * size)
         } else {
             1.0
         };
-        let progress = left < STAGNATION * before;
-        if !progress {
-            break;
+        Some(left)
+    }
+}
+
+/// What is to be as small as it can be in a cycle: a right side of one entry, less the Hessenberg
+/// matrix times what is sought.
+struct LeastSquares {
+    triangle: Triangle,
+    rotations: Vec<(f64, f64)>,
+    /// The right side, rotated.
+    rotated: Vec<f64>,
+}
+
+impl LeastSquares {
+    fn new(right_side: f64) -> Self {
+        LeastSquares {
+            triangle: Triangle::default(),
+            rotations: Vec::new(),
+            rotated: vec![right_side],
         }
     }
-    end
+
+    /// Adds a column of the matrix, and its entry `below` the diagonal. `false` if that is zero,
+    /// and nothing to be added.
+    fn push(&mut self, mut column: Vec<f64>, below: f64) -> bool {
+        for (i, (c, s)) in self.rotations.iter().enumerate() {
+            let (upper, lower) = (column[i], column[i + 1]);
+            column[i] = c * upper + s * lower;
+            column[i + 1] = c * lower - s * upper;
+        }
+        let j = self.rotations.len();
+        let diagonal = column[j].hypot(below);
+        if diagonal == 0.0 {
+            return false;
+        }
+        let (c, s) = (column[j] / diagonal, below / diagonal);
+        column[j] = diagonal;
+        self.rotations.push((c, s));
+        self.triangle.columns.push(column);
+        let last = self.rotated[j];
+        self.rotated[j] = c * last;
+        self.rotated.push(-s * last);
+        true
+    }
+
+    /// What is sought.
+    fn solve(&self) -> Vec<f64> {
+        self.triangle.solve(&self.rotated)
+    }
+
+    /// Size of what is left of the right side.
+    fn rest(&self) -> f64 {
+        self.rotated[self.rotations.len()].abs()
+    }
 }
 
 /// Upper triangle that rotations make of the Hessenberg matrix, column by column.

@@ -14,13 +14,16 @@ enum Member {
     Own(usize),
 }
 
+/// A block row, and the first unknown of what stands there.
+type Position = (usize, usize);
+
 /// Block rows of one harmonic, or of one grid point.
 pub(super) struct Layout {
     pub structure: BlockStructure,
-    /// Block row of each node, and its first unknown there.
-    pub node_at: Vec<(usize, usize)>,
-    /// The same for the own unknowns of each element, if they are not left out.
-    pub own_at: Vec<(usize, usize)>,
+    /// Where each node stands.
+    pub node_at: Vec<Position>,
+    /// And the own unknowns of each element, if they are not left out.
+    pub own_at: Vec<Position>,
     /// Of each unknown: its place at the first grid point, and from one grid point to the next.
     pub places: Vec<(usize, usize)>,
     /// The unknowns where they stand among all.
@@ -76,7 +79,6 @@ impl Layout {
         kept_alone: &[bool],
     ) -> Self {
         let system = equations.system();
-        let (points, all) = (equations.grid().points(), equations.layout());
         let rows = block_rows(system, classes, kept_alone);
         let mut node_at = vec![(0, 0); system.nodes()];
         let mut own_at = vec![(0, 0); system.elements().len()];
@@ -92,60 +94,19 @@ impl Layout {
             }
             sizes.push(first);
         }
-        let mut coupled = vec![BTreeSet::new(); rows.len()];
-        let mut couple = |a: usize, b: usize| {
-            coupled[a].insert(b);
-            coupled[b].insert(a);
-        };
-        for coupling in tangent.couplings() {
-            couple(node_at[coupling.row].0, node_at[coupling.column].0);
-        }
-        for (index, (class, placed)) in classes.iter().zip(system.elements()).enumerate() {
-            if matches!(class, Class::Averaged(_)) {
-                for &node in placed.element.nodes() {
-                    couple(own_at[index].0, node_at[node].0);
-                }
-            }
-        }
+        let coupled = coupled(system, tangent, classes, (&node_at, &own_at), rows.len());
         let mut kept = vec![false; rows.len()];
         for (node, turns) in turning_nodes(system, classes).into_iter().enumerate() {
             kept[node_at[node].0] |= turns;
         }
         let structure = BlockStructure::new(sizes, coupled, &kept);
+        let regions = regions(equations, classes, &structure, (&node_at, &own_at));
         let mut places = vec![(0, 0); structure.unknowns()];
-        for (node, &(row, first)) in node_at.iter().enumerate() {
-            for component in 0..6 {
-                places[structure.first(row) + first + component] =
-                    (all.motion(node, 0).start + component, 6);
+        for region in &regions {
+            for (i, unknown) in region.unknowns.clone().enumerate() {
+                places[unknown] = (region.first + i, region.unknowns.len());
             }
         }
-        for (index, class) in classes.iter().enumerate() {
-            if let Class::Averaged(_) = class {
-                let (row, first) = own_at[index];
-                let own = all.element_at(&system.elements()[index], 0);
-                let count = own.len();
-                for (i, place) in own.enumerate() {
-                    places[structure.first(row) + first + i] = (place, count);
-                }
-            }
-        }
-        let nodes = node_at.iter().enumerate();
-        let nodes = nodes.map(|(node, &at)| (all.motion(node, 0), at));
-        let own = classes.iter().enumerate().filter_map(|(index, class)| {
-            let averaged = matches!(class, Class::Averaged(_));
-            averaged.then(|| (all.element_at(&system.elements()[index], 0), own_at[index]))
-        });
-        let regions = nodes
-            .chain(own)
-            .map(|(places, (row, first))| {
-                let first_unknown = structure.first(row) + first;
-                Region {
-                    first: places.start,
-                    points,
-                    unknowns: first_unknown..first_unknown + places.len(),
-                }
-            })
-            .collect();
         Layout {
             regions,
             structure,
@@ -175,6 +136,57 @@ impl Layout {
             .max()
             .unwrap_or(0)
     }
+}
+
+/// Block rows that are coupled with each.
+fn coupled(
+    system: &System,
+    tangent: &Tangent,
+    classes: &[Class],
+    (node_at, own_at): (&[Position], &[Position]),
+    rows: usize,
+) -> Vec<BTreeSet<usize>> {
+    let mut coupled = vec![BTreeSet::new(); rows];
+    let mut couple = |(a, _): Position, (b, _): Position| {
+        coupled[a].insert(b);
+        coupled[b].insert(a);
+    };
+    for coupling in tangent.couplings() {
+        couple(node_at[coupling.row], node_at[coupling.column]);
+    }
+    for (index, (class, placed)) in classes.iter().zip(system.elements()).enumerate() {
+        if matches!(class, Class::Averaged(_)) {
+            for &node in placed.element.nodes() {
+                couple(own_at[index], node_at[node]);
+            }
+        }
+    }
+    coupled
+}
+
+fn regions(
+    equations: &Collocation,
+    classes: &[Class],
+    structure: &BlockStructure,
+    (node_at, own_at): (&[Position], &[Position]),
+) -> Vec<Region> {
+    let (elements, all) = (equations.system().elements(), equations.layout());
+    let points = equations.grid().points();
+    let nodes = node_at.iter().enumerate();
+    let nodes = nodes.map(|(node, &at)| (all.motion(node, 0), at));
+    let own = classes.iter().enumerate().filter_map(|(index, class)| {
+        let averaged = matches!(class, Class::Averaged(_));
+        averaged.then(|| (all.element_at(&elements[index], 0), own_at[index]))
+    });
+    let all = nodes.chain(own).map(|(place, (row, first))| {
+        let first = structure.first(row) + first;
+        Region {
+            first: place.start,
+            points,
+            unknowns: first..first + place.len(),
+        }
+    });
+    all.collect()
 }
 
 fn size_of(system: &System, member: Member) -> usize {

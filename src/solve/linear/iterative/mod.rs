@@ -1,5 +1,15 @@
 //! Iterative solution of Newton's linear equations, without forming the Jacobian: GMRES with
-//! preconditioners that know what is nearly constant, in time or in the frames of the bodies.
+//! preconditioners that know what is nearly constant, in time or in the frames of the bodies. See
+//! docs/theory.md, section 8.3.
+//!
+//! * `gmres`: the iteration itself, on any operator. `projected` iterates on oversampled equations.
+//! * `body_circulant`: bodies averaged over time, joints as they are. In `constraints` which of
+//!   these may be averaged too, in `mean` the averages, in `resultants` those of stress resultants,
+//!   in `interface` the dense system of the joints that turn.
+//! * `time_local`: equilibrium at each grid point by itself.
+//! * Both factor small sparse matrices with blocks where `layout` says, by `block_lu`, several side
+//!   by side in `lanes`; `dense` is for the interface.
+//! * `trial`: what one solve takes, measured.
 
 mod block_lu;
 mod body_circulant;

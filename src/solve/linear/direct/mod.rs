@@ -2,16 +2,17 @@
 //! multipliers, with the N grid points of each kept together, so that all work is done by faer's
 //! dense kernels. See docs/theory.md, section 8.1.
 
+mod analysis;
+mod factorisation;
+
 use crate::collocation::{Panel, Pattern};
 use crate::error::Result;
 use crate::solve::linear::dense::{largest, solve_unit_lower, solve_upper, subtract_product};
-use crate::solve::linear::front::{Front, LARGE_FRONT, Room, make_zero};
-use crate::solve::linear::ordering::{FrontPlan, plan};
-use crate::workers::{Spare, Workers, parts};
-use faer::{Mat, Par};
-use rayon::iter::{IntoParallelIterator, ParallelIterator};
-use std::collections::BTreeSet;
-use std::iter::once;
+use crate::solve::linear::direct::analysis::Analysis;
+use crate::solve::linear::direct::factorisation::Factorisation;
+use crate::solve::linear::front::Front;
+use crate::workers::Workers;
+use faer::Mat;
 use std::ops::Range;
 
 /// A pivot smaller than this, relative to its column, waits for constraints to be eliminated with.
@@ -23,23 +24,8 @@ const ACCURATE: f64 = 1e-10;
 /// Residual of a refined solve that calls for safer pivots, relative to the right-hand side or, if
 /// that is more, to the largest number that the product may add up.
 const INACCURATE: f64 = 1e-9;
-/// Most forks of the tree of fronts, one above the other, where threads part: each takes room on
-/// the stack.
-const MOST_FORKS: usize = 32;
 /// Most refinements of a solve.
 const REFINEMENTS: usize = 4;
-
-/// What does not depend on the values of a matrix.
-#[derive(Debug)]
-struct Analysis {
-    groups: Vec<Range<usize>>,
-    plans: Vec<FrontPlan>,
-    /// Entries of the matrix that enter each front.
-    panels: Vec<Vec<Panel>>,
-    /// Of each front with all those that lead to it, which come just before it: multiply-adds, and
-    /// their number.
-    subtrees: Vec<(f64, usize)>,
-}
 
 /// Direct solver for matrices of one pattern.
 #[derive(Debug)]
@@ -53,253 +39,6 @@ pub struct DirectSolver {
     accurate: bool,
     smallest_pivot: f64,
     workers: Workers,
-}
-
-/// What a factorisation is of, and how.
-struct Factorisation<'a> {
-    analysis: &'a Analysis,
-    values: &'a [f64],
-    smallest_pivot: f64,
-    rooms: Spare<Room>,
-    workers: &'a Workers,
-}
-
-impl Analysis {
-    fn new(groups: Vec<Range<usize>>, node_groups: usize, all_panels: Vec<Panel>) -> Self {
-        let mut coupled = vec![BTreeSet::new(); groups.len()];
-        for panel in &all_panels {
-            coupled[panel.row.0].insert(panel.column.0);
-            coupled[panel.column.0].insert(panel.row.0);
-        }
-        let sizes: Vec<usize> = groups.iter().map(ExactSizeIterator::len).collect();
-        let plans = plan(&sizes, &coupled, node_groups);
-        let mut front_of = vec![0; groups.len()];
-        for (f, front) in plans.iter().enumerate() {
-            for &g in &front.own {
-                front_of[g] = f;
-            }
-        }
-        // An entry enters the front that is first to eliminate its row or column.
-        let mut panels = vec![Vec::new(); plans.len()];
-        for panel in all_panels {
-            panels[front_of[panel.row.0].min(front_of[panel.column.0])].push(panel);
-        }
-        let size = |groups: &[usize]| groups.iter().map(|&g| sizes[g]).sum::<usize>();
-        let mut subtrees: Vec<(f64, usize)> = Vec::with_capacity(plans.len());
-        for front in &plans {
-            let own = elimination_work(size(&front.own), size(&front.boundary));
-            let children = front.children.iter().map(|&child| subtrees[child]);
-            subtrees.push(children.fold((own, 1), |sum, child| (sum.0 + child.0, sum.1 + child.1)));
-        }
-        Analysis {
-            groups,
-            plans,
-            panels,
-            subtrees,
-        }
-    }
-
-    /// The fronts that have no parents.
-    fn roots(&self) -> Vec<usize> {
-        let all = 0..self.plans.len();
-        all.filter(|&f| self.plans[f].parent.is_none()).collect()
-    }
-
-    /// Multiply-adds of a factorisation, as planned.
-    fn work(&self) -> f64 {
-        self.roots().iter().map(|&root| self.subtrees[root].0).sum()
-    }
-
-    /// The subtrees that end with these fronts, which are in order, from `fronts` that begin with
-    /// their first.
-    fn split<'f>(&self, roots: &[usize], fronts: &'f mut [Front]) -> Vec<(usize, &'f mut [Front])> {
-        let counts = roots.iter().map(|&root| self.subtrees[root].1);
-        roots.iter().copied().zip(parts(fronts, counts)).collect()
-    }
-
-    fn size_of(&self, groups: &[usize]) -> usize {
-        groups.iter().map(|&g| self.groups[g].len()).sum()
-    }
-}
-
-impl Factorisation<'_> {
-    /// Factors subtrees, each with its fronts, in parallel. `false` if a singular front has no
-    /// parent.
-    fn factor_all(
-        &self,
-        subtrees: Vec<(usize, &mut [Front])>,
-        forks: usize,
-        parallelism: Par,
-    ) -> Result<bool> {
-        let results = subtrees
-            .into_par_iter()
-            .map(|(root, fronts)| self.factor_subtree(root, fronts, forks, parallelism));
-        results.reduce(|| Ok(true), |a, b| Ok(a? && b?))
-    }
-
-    /// Factors a subtree; where it divides, in parallel, for so many forks one above the other.
-    fn factor_subtree(
-        &self,
-        root: usize,
-        fronts: &mut [Front],
-        forks: usize,
-        parallelism: Par,
-    ) -> Result<bool> {
-        let analysis = self.analysis;
-        let first = root + 1 - fronts.len();
-        let mut fork = root;
-        while let [child] = analysis.plans[fork].children[..] {
-            fork = child;
-        }
-        let mut next = first;
-        if forks > 0 && analysis.subtrees[fork].0 > LARGE_FRONT {
-            let before = &mut fronts[..fork - first];
-            let subtrees = analysis.split(&analysis.plans[fork].children, before);
-            if !self.factor_all(subtrees, forks - 1, parallelism)? {
-                return Ok(false);
-            }
-            next = fork;
-        }
-        self.factor_in_order(next..root + 1, (first, fronts), parallelism)
-    }
-
-    /// Factors some of `fronts`, of which front `first` is the first, one after the other; what
-    /// leads to them has been factored.
-    fn factor_in_order(
-        &self,
-        some: Range<usize>,
-        (first, fronts): (usize, &mut [Front]),
-        parallelism: Par,
-    ) -> Result<bool> {
-        let mut room = self
-            .rooms
-            .take(|| Room::new(self.analysis.groups.len(), self.workers));
-        for f in some {
-            self.workers.pulse()?;
-            if !self.factor(f, (first, fronts), &mut room, parallelism)? {
-                return Ok(false);
-            }
-        }
-        self.rooms.give(room);
-        Ok(true)
-    }
-
-    /// Factors front `f`, one of `fronts`, of which front `first` is the first. `false` if it is
-    /// singular and has no parent.
-    fn factor(
-        &self,
-        f: usize,
-        (first, fronts): (usize, &mut [Front]),
-        room: &mut Room,
-        parallelism: Par,
-    ) -> Result<bool> {
-        let analysis = self.analysis;
-        let plan = &analysis.plans[f];
-        let (before, front) = fronts.split_at_mut(f - first);
-        let front = &mut front[0];
-        front.rows.clear();
-        for &g in &plan.own {
-            room.place[g] = front.rows.len();
-            front.rows.extend(analysis.groups[g].clone());
-        }
-        front.columns.clone_from(&front.rows);
-        room.sizes.clear();
-        room.sizes.resize(front.rows.len(), 0.0);
-        for &child in &plan.children {
-            let child = &before[child - first];
-            front.rows.extend(&child.delayed_rows);
-            front.columns.extend(&child.delayed_columns);
-            room.sizes.extend(&child.delayed_sizes);
-        }
-        let mut size = front.rows.len();
-        for &g in &plan.boundary {
-            room.place[g] = size;
-            size += analysis.groups[g].len();
-        }
-        let assemble = |front: &mut Front, place: &[usize]| {
-            self.assemble(f, (first, &*before), place, (front, size))
-        };
-        let smallest_pivot = plan.parent.map(|_| self.smallest_pivot);
-        if !front.eliminate(assemble, smallest_pivot, room, parallelism)? {
-            return Ok(false);
-        }
-        for &child in &plan.children {
-            before[child - first].remainder = Mat::new();
-        }
-        // Where the entries have just been read.
-        front.largest_entry = 0.0;
-        for panel in &analysis.panels[f] {
-            for column in 0..panel.columns {
-                let entries = &self.values[panel.value + column * panel.stride..][..panel.rows];
-                front.largest_entry = front.largest_entry.max(largest(entries));
-            }
-        }
-        Ok(true)
-    }
-
-    /// Sums up front `f` of `size` unknowns from the matrix and what is left of the fronts that
-    /// lead to it, which are among `fronts` from front `first` on. Group `g` begins at `place[g]`.
-    fn assemble(
-        &self,
-        f: usize,
-        (first, fronts): (usize, &[Front]),
-        place: &[usize],
-        (front, size): (&mut Front, usize),
-    ) -> Result<()> {
-        let analysis = self.analysis;
-        let plan = &analysis.plans[f];
-        let count = front.rows.len();
-        let rest = size - count;
-        make_zero(&mut front.upper, count, size)?;
-        make_zero(&mut front.lower, rest, count)?;
-        make_zero(&mut front.remainder, rest, rest)?;
-        // Part of a column, of rows that belong together.
-        let mut part =
-            |row: usize, column: usize, length: usize, work: &mut dyn FnMut(&mut [f64])| {
-                let whole = if row < count {
-                    &mut front.upper.col_as_slice_mut(column)[row..]
-                } else if column < count {
-                    &mut front.lower.col_as_slice_mut(column)[row - count..]
-                } else {
-                    &mut front.remainder.col_as_slice_mut(column - count)[row - count..]
-                };
-                work(&mut whole[..length]);
-            };
-        for panel in &analysis.panels[f] {
-            let row = place[panel.row.0] + panel.row.1;
-            let first = place[panel.column.0] + panel.column.1;
-            for column in 0..panel.columns {
-                let entries = &self.values[panel.value + column * panel.stride..][..panel.rows];
-                part(row, first + column, panel.rows, &mut |to| {
-                    to.copy_from_slice(entries);
-                });
-            }
-        }
-        // Behind the own groups comes what the fronts that lead here have delayed.
-        let mut delayed_place = analysis.size_of(&plan.own);
-        for &child in &plan.children {
-            let delayed = fronts[child - first].delayed_rows.len();
-            let groups = &analysis.plans[child].boundary;
-            let groups = groups.iter().map(|&g| (place[g], analysis.groups[g].len()));
-            let parts: Vec<(usize, usize)> = once((delayed_place, delayed)).chain(groups).collect();
-            delayed_place += delayed;
-            let remainder = &fronts[child - first].remainder;
-            let columns = parts
-                .iter()
-                .flat_map(|&(place, length)| place..place + length);
-            for (source_column, column) in columns.enumerate() {
-                let mut source = remainder.col_as_slice(source_column);
-                for &(row, length) in &parts {
-                    let (entries, others) = source.split_at(length);
-                    source = others;
-                    part(row, column, length, &mut |to| {
-                        to.iter_mut().zip(entries).for_each(|(t, s)| *t += s);
-                    });
-                }
-            }
-        }
-        Ok(())
-    }
 }
 
 impl DirectSolver {
@@ -352,21 +91,7 @@ impl DirectSolver {
     fn factor_fronts(&mut self, values: &[f64]) -> Result<bool> {
         let analysis = &self.analysis;
         let workers = self.workers.for_work(analysis.work() as usize);
-        let factorisation = Factorisation {
-            analysis,
-            values,
-            smallest_pivot: self.smallest_pivot,
-            rooms: Spare::default(),
-            workers: &workers,
-        };
-        let fronts = &mut self.fronts[..];
-        workers.dense(|parallelism| match parallelism {
-            Par::Seq => factorisation.factor_in_order(0..fronts.len(), (0, fronts), parallelism),
-            Par::Rayon(_) => {
-                let subtrees = analysis.split(&analysis.roots(), fronts);
-                factorisation.factor_all(subtrees, MOST_FORKS, parallelism)
-            }
-        })
+        Factorisation::new(analysis, values, self.smallest_pivot, &workers).run(&mut self.fronts)
     }
 
     /// Size of the largest entry of the matrix that was factored.
@@ -530,13 +255,6 @@ impl DirectSolver {
             from = others;
         }
     }
-}
-
-/// Multiply-adds of the elimination of so many unknowns, with so many others in their rows and
-/// columns.
-pub(crate) fn elimination_work(count: usize, rest: usize) -> f64 {
-    let (own, rest) = (count as f64, rest as f64);
-    own * own * own / 3.0 + own * own * rest + own * rest * rest
 }
 
 /// Whether a permutation takes an odd number of exchanges.
