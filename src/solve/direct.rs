@@ -305,17 +305,7 @@ impl Factorisation<'_> {
 impl DirectSolver {
     /// Orders and analyses matrices of `pattern`.
     pub fn new(pattern: &Pattern) -> Self {
-        Self::with_panels(pattern.groups(), pattern.node_groups(), pattern.panels())
-    }
-
-    /// The same for matrices with the entries of `panels`, whose unknowns are kept together in
-    /// `groups`; the first `node_groups` of them are those of nodes.
-    pub fn with_panels(
-        groups: Vec<Range<usize>>,
-        node_groups: usize,
-        panels: impl IntoIterator<Item = Panel>,
-    ) -> Self {
-        let analysis = Analysis::new(groups, node_groups, panels.into_iter().collect());
+        let analysis = Analysis::new(pattern.groups(), pattern.node_groups(), pattern.panels());
         DirectSolver {
             fronts: analysis.plans.iter().map(|_| Front::empty()).collect(),
             analysis,

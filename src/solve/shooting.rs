@@ -6,7 +6,7 @@
 //! is propagated through the linearised steps, with the factors of each. See docs/theory.md,
 //! section 12.3.
 
-use super::eigenvalues::eigenvalues;
+use super::eigenvalues::eigenvectors;
 use super::newton::{Iteration, NewtonOptions, NewtonReport, Outcome};
 use super::periodic::Stage;
 use super::result::{Kind, Solved};
@@ -474,7 +474,7 @@ fn multipliers(shooting: &Shooting, monodromy: &Mat<f64>) -> Vec<[f64; 2]> {
     let independent = system.constraint_count() - system.redundant_constraints();
     let freedoms = (6 * system.nodes()).saturating_sub(independent);
     let count = 2 * freedoms + shooting.scales.states().count();
-    let Some(values) = eigenvalues(monodromy) else {
+    let Some((values, _)) = eigenvectors(monodromy) else {
         return Vec::new();
     };
     let mut values: Vec<Complex<f64>> = values.iter().map(|z| Complex::new(z.re, z.im)).collect();
