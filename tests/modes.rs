@@ -89,6 +89,20 @@ impl Slender {
     }
 }
 
+/// The beam, alike in both directions, on 4 elements of degree 7, clamped at its start.
+fn cantilever(r: f64) -> (Model, BeamIds) {
+    let mut model = Model::new();
+    let beam = Slender {
+        r,
+        soft: 1.0,
+        elements: 4,
+        degree: 7,
+    };
+    let ids = beam.add(&mut model, 0.0);
+    clamp(&mut model, ids.first_node);
+    (model, ids)
+}
+
 /// Bending frequency of a Timoshenko cantilever near `guess`, with the section above (`soft` = 1).
 ///
 /// `EI φ'' + kGA (w' − φ) + ω² ρI φ = 0`, `kGA (w'' − φ') + ω² m w = 0`: the determinant of the
@@ -146,15 +160,7 @@ const CANTILEVER: [f64; 3] = [1.875104068712, 4.694091132974, 7.854757438238];
 fn clamped_free_beam() {
     for r in [1e-3, 1e-4] {
         let rounding = rounding(r);
-        let mut model = Model::new();
-        let ids = Slender {
-            r,
-            soft: 1.0,
-            elements: 4,
-            degree: 7,
-        }
-        .add(&mut model, 0.0);
-        clamp(&mut model, ids.first_node);
+        let (model, _) = cantilever(r);
         let found = modes(&model, 6);
         for (k, w) in frequencies(&found).iter().enumerate() {
             let beta = CANTILEVER[k / 2];
@@ -174,15 +180,7 @@ fn clamped_free_beam() {
     }
     // A thick one: the difference to the slender limit is large.
     let r = 0.05;
-    let mut model = Model::new();
-    let ids = Slender {
-        r,
-        soft: 1.0,
-        elements: 4,
-        degree: 7,
-    }
-    .add(&mut model, 0.0);
-    clamp(&mut model, ids.first_node);
+    let (model, _) = cantilever(r);
     let found = frequencies(&modes(&model, 2));
     let exact = timoshenko(r, CANTILEVER[0].powi(2) * 0.985);
     assert!((exact / CANTILEVER[0].powi(2) - 1.0).abs() > 0.01);
@@ -292,15 +290,7 @@ fn turning_blade() {
         (6.0, [7.36037, 26.80908, 66.68391]),
     ];
     for (eta, flap) in table {
-        let mut model = Model::new();
-        let ids = Slender {
-            r,
-            soft: 1.0,
-            elements: 4,
-            degree: 7,
-        }
-        .add(&mut model, 0.0);
-        clamp(&mut model, ids.first_node);
+        let (model, ids) = cantilever(r);
         let found = modes_with(&model, &turning(Vector3::z() * eta, 6));
         for (k, w) in frequencies(&found).iter().enumerate() {
             let flap = flap[k / 2];
