@@ -8,8 +8,9 @@
 
 mod common;
 
+use common::models::beams::{forced_cantilever, rotor_blade};
+use common::models::four_bar::{FOUR_BAR_PERIOD, spatial_four_bar};
 use common::table::{Table, directory};
-use common::{PERIOD, forced_cantilever, rotor_blade, spatial_four_bar};
 use periodyn::elements::Coordinate;
 use periodyn::model::Model;
 use periodyn::output::{JointQuantity, NodeQuantity, ResolvedIn, Solution};
@@ -113,7 +114,7 @@ fn cases() -> Vec<Case> {
         Case {
             name: "spatial four-bar",
             model: spatial_four_bar(8, 1),
-            period: PERIOD,
+            period: FOUR_BAR_PERIOD,
             curves: four_bar_curves,
             titles: &["x3 of B", "v3 of B", "torque of the motor"],
             grids: &[11, 13, 15, 17, 19, 21, 25, 29, 33, 41, 51],

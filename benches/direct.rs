@@ -5,8 +5,9 @@
 
 mod common;
 
+use common::models::beams::{forced_cantilever, rotor_blade, slider_crank};
+use common::models::four_bar::{FOUR_BAR_PERIOD, spatial_four_bar};
 use common::timing::{TITLES, product_time, solve_and_print};
-use common::{PERIOD, forced_cantilever, rotor_blade, slider_crank, spatial_four_bar};
 use std::f64::consts::TAU;
 
 fn main() {
@@ -19,7 +20,7 @@ fn main() {
     for (elements, points) in [(8, &[11, 21, 41][..]), (32, &[21])] {
         let name = format!("spatial four-bar, 3 × {elements} × 1");
         let model = spatial_four_bar(elements, 1);
-        solve_and_print(&name, &model, PERIOD, points, product);
+        solve_and_print(&name, &model, FOUR_BAR_PERIOD, points, product);
     }
     for (elements, degree) in [(2, 4), (4, 4)] {
         let mesh = format!("{elements} × {degree}");

@@ -3,11 +3,10 @@
 
 mod common;
 
+use common::models::beams::{forced_cantilever, planar_four_bar, rotor_blade, slider_crank};
+use common::models::four_bar::{FOUR_BAR_PERIOD, spatial_four_bar};
 use common::table::Table;
 use common::timing::{bandwidth, median, product_time};
-use common::{
-    PERIOD, forced_cantilever, planar_four_bar, rotor_blade, slider_crank, spatial_four_bar,
-};
 use periodyn::model::Model;
 use periodyn::solve::{
     LinearMethod, Outcome, PeriodicOptions, Solved, solve_periodic, try_direct_solve,
@@ -53,7 +52,7 @@ fn main() {
         points,
         linear,
     };
-    let four_bar = |elements| (spatial_four_bar(elements, 1), PERIOD);
+    let four_bar = |elements| (spatial_four_bar(elements, 1), FOUR_BAR_PERIOD);
     let crank = TAU / 120.0;
     let cases = [
         case(

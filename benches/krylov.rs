@@ -7,9 +7,10 @@
 
 mod common;
 
+use common::models::beams::{planar_four_bar, rotor, slider_crank};
+use common::models::four_bar::{FOUR_BAR_PERIOD, spatial_four_bar};
 use common::table::Table;
 use common::timing::{bandwidth, product_time};
-use common::{PERIOD, planar_four_bar, rotor, slider_crank, spatial_four_bar};
 use periodyn::fourier::TimeGrid;
 use periodyn::model::Model;
 use periodyn::output::Solution;
@@ -37,7 +38,7 @@ type Make = fn(usize) -> (Model, f64);
 const MODELS: [(&str, Make); 5] = [
     ("rotor", rotor),
     ("spatial four-bar", |elements| {
-        (spatial_four_bar(elements, 1), PERIOD)
+        (spatial_four_bar(elements, 1), FOUR_BAR_PERIOD)
     }),
     ("planar four-bar", |elements| {
         planar_four_bar(elements, 1, 1e-3)

@@ -5,7 +5,9 @@
 
 mod common;
 
-use common::mechanisms::{double_pendulum, planar_linkage, slider_crank, spatial_linkage};
+use common::models::linkages::{
+    planar_linkage, rigid_slider_crank, spatial_linkage, sprung_double_pendulum,
+};
 use periodyn::model::Model;
 use periodyn::output::Solution;
 use periodyn::solve::{Outcome, PeriodicOptions};
@@ -43,8 +45,8 @@ fn main() {
     );
     println!("|---|---:|---:|---:|---|---:|");
     for (name, (model, period)) in [
-        ("slider-crank", slider_crank()),
-        ("double pendulum", double_pendulum()),
+        ("slider-crank", rigid_slider_crank()),
+        ("double pendulum", sprung_double_pendulum()),
         ("planar four-bar", planar_linkage()),
         ("spatial four-bar", spatial_linkage()),
     ] {

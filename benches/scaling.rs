@@ -5,8 +5,8 @@
 
 mod common;
 
+use common::models::beams::{planar_four_bar, rotor};
 use common::table::Table;
-use common::{planar_four_bar, rotor};
 use periodyn::output::{BeamQuantity, Solution};
 use periodyn::solve::{Outcome, PeriodicOptions, Preconditioner};
 use std::process::Command;

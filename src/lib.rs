@@ -45,3 +45,10 @@ pub mod output;
 pub mod solve;
 pub mod system;
 pub mod workers;
+
+// The models of the tests name the crate as its users do.
+#[cfg(test)]
+extern crate self as periodyn;
+#[cfg(test)]
+#[path = "../tests/models/mod.rs"]
+mod test_models;

@@ -6,7 +6,7 @@ mod rod;
 
 use common::*;
 use nalgebra::{Matrix3, Matrix6, Vector3, Vector6};
-use periodyn::elements::{JointKind, LoadFrame};
+use periodyn::elements::LoadFrame;
 use periodyn::error::Result;
 use periodyn::model::*;
 use periodyn::motion::{Motion, rotation_from_vector};
@@ -16,14 +16,6 @@ use std::f64::consts::{FRAC_PI_4, TAU};
 
 fn diagonal(stiffness: [f64; 6]) -> SectionInput {
     SectionInput::diagonal(&stiffness, &[1.0, 0.1, 0.05, 0.05]).unwrap()
-}
-
-/// Holds a node to the ground; returns the joint.
-fn clamp(model: &mut Model, node: usize) -> usize {
-    let frame = *model.node(node).unwrap();
-    model
-        .add_joint(JointKind::Rigid, None, Some(node), &frame, &frame)
-        .unwrap()
 }
 
 /// Equilibrium: a single point of the grid.
@@ -427,7 +419,7 @@ fn the_support_of_a_curved_beam_carries_its_weight() {
             .unwrap();
         let joint = clamp(&mut model, beam.first_node);
         if weight {
-            model.set_gravity(gravity.map(|g| Signal::constant(g).unwrap()));
+            common::gravity(&mut model, gravity);
         } else {
             let [x, y, z] = gravity.map(|g| g * mass);
             model

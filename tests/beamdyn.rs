@@ -37,7 +37,7 @@ fn tip_of(
         .add_beam_along(line, stations, mesh.0, mesh.1)
         .unwrap();
     clamp(&mut model, beam.first_node);
-    model.set_gravity([gravity, 0.0, 0.0].map(|g| Signal::constant(g).unwrap()));
+    common::gravity(&mut model, [gravity, 0.0, 0.0]);
     add_load(
         &mut model,
         beam.last_node,

@@ -98,9 +98,9 @@ fn rotor(places: usize) -> (Model, BeamIds, usize) {
         &origin,
         &Vector3::x(),
     );
-    let speed = Signal::harmonics(0.0, OMEGA, &[], &[]).unwrap();
+    let speed = steady(OMEGA);
     model.prescribe(rotation1(hub), &speed).unwrap();
-    model.set_gravity([0.0, 0.0, -9.81].map(|g| Signal::constant(g).unwrap()));
+    gravity(&mut model, [0.0, 0.0, -9.81]);
     if places > 0 {
         // All components with a harmonic of the rotation at each place.
         let signal = || Signal::harmonics(200.0, 0.0, &[40.0], &[10.0]).unwrap();

@@ -5,7 +5,7 @@ mod common;
 use common::*;
 use nalgebra::{Matrix3, Vector3};
 use periodyn::elements::{Coordinate, JointKind, LoadFrame};
-use periodyn::model::{BeamIds, Model, SectionInput, Signal, SpringDefinition};
+use periodyn::model::{BeamIds, Model, SectionInput, Signal};
 use periodyn::output::{BeamQuantity, JointQuantity, NodeQuantity, ResolvedIn, Solution};
 use periodyn::solve::Outcome;
 use std::f64::consts::TAU;
@@ -67,14 +67,7 @@ impl Oscillator {
         let body = model.add_rigid_body(self.mass, &centre, &spin).unwrap();
         let origin = Vector3::zeros();
         let hinge = revolute(&mut model, None, Some(body), &origin, &Vector3::z());
-        model
-            .add_spring_damper(SpringDefinition {
-                at: rotation1(hinge),
-                stiffness: self.stiffness,
-                damping: self.damping,
-                rest: 0.0,
-            })
-            .unwrap();
+        spring(&mut model, rotation1(hinge), self.stiffness, self.damping);
         let mut load: [Option<Signal>; 6] = Default::default();
         load[5] = Some(moment.clone());
         model.add_load(body, LoadFrame::Space, load).unwrap();
@@ -173,8 +166,7 @@ fn a_shaft_at_constant_speed_carries_weight_and_centripetal_force() {
         );
         let signal = Signal::harmonics(0.3, speed, &[], &[]).unwrap();
         model.prescribe(rotation1(shaft), &signal).unwrap();
-        let zero = || Signal::constant(0.0).unwrap();
-        model.set_gravity([zero(), zero(), Signal::constant(-g).unwrap()]);
+        gravity(&mut model, [0.0, 0.0, -g]);
         let solution = solve(&model, period, 9);
 
         let times = times(period, 41);
@@ -216,7 +208,6 @@ fn a_precessing_rotor_needs_the_gyroscopic_moment() {
     let period = 2.0;
     let precession = TAU / period;
     let spin = 5.0 * precession;
-    let steady = |rate: f64| Signal::harmonics(0.0, rate, &[], &[]).unwrap();
     let times = times(period, 40);
     let radial = |t: f64| Vector3::new((precession * t).cos(), (precession * t).sin(), 0.0);
     let across = |t: f64| Vector3::z().cross(&radial(t));
@@ -467,7 +458,7 @@ fn the_weight_of_a_bent_beam_is_exact() {
         SectionInput::diagonal(&[1e5, 5e4, 5e4, 80.0, 50.0, 50.0], &[3.0, 0.1, 0.1, 0.1]).unwrap();
     for (elements, degree) in [(4, 1), (1, 2), (2, 3)] {
         let (mut model, beam) = cantilever(2.0, &section, elements, degree);
-        model.set_gravity([0.0, 0.0, -9.81].map(|g| Signal::constant(g).unwrap()));
+        gravity(&mut model, [0.0, 0.0, -9.81]);
         let solution = solve(&model, 1.0, 1);
         let tip = solution
             .node(beam.last_node, NodeQuantity::Position, &[0.0])

@@ -21,10 +21,6 @@ fn bar(model: &mut Model, start: &Vector3<f64>, end: &Vector3<f64>) -> usize {
         .unwrap()
 }
 
-fn steady(rate: f64) -> Signal {
-    Signal::harmonics(0.0, rate, &[], &[]).unwrap()
-}
-
 fn outcome_and_explanation(solution: &Solution) -> (Outcome, String) {
     let report = &solution.details().report;
     println!("{:?}: {}", report.outcome, report.explanation);
@@ -230,7 +226,7 @@ fn what_does_not_repeat_is_refused_by_name() {
     assert_error(try_solve(&model, period, 5), kind, &["load on node 0"]);
 
     let mut model = driven_arm(&cosine(0.1));
-    model.set_gravity([steady(0.0), steady(0.0), steady(1.0)]);
+    model.set_gravity([0.0, 0.0, 1.0].map(steady));
     assert_error(try_solve(&model, period, 5), kind, &["gravity"]);
 }
 

@@ -84,27 +84,6 @@ fn ball(size: f64) -> Matrix3<f64> {
     Matrix3::identity() * size
 }
 
-fn joint(
-    m: &mut Model,
-    kind: JointKind,
-    ends: [Option<usize>; 2],
-    point: Vector3<f64>,
-    axis: Vector3<f64>,
-) -> usize {
-    let frame = Model::frame_at("axis", &point, &axis).unwrap();
-    m.add_joint(kind, ends[0], ends[1], &frame, &frame).unwrap()
-}
-
-fn spring(m: &mut Model, at: JointCoordinate, stiffness: f64, damping: f64) {
-    m.add_spring_damper(SpringDefinition {
-        at,
-        stiffness,
-        damping,
-        rest: 0.0,
-    })
-    .unwrap();
-}
-
 /// Masses on springs, in a row along a slide.
 fn masses(r: &mut Random) -> Case {
     let mut m = Model::new();
@@ -115,12 +94,12 @@ fn masses(r: &mut Random) -> Case {
             m.add_rigid_body(r.scale(0.5, 2.0), &Vector3::zeros(), &ball(1.0))
                 .unwrap(),
         );
-        let slide = joint(
+        let slide = join(
             &mut m,
             JointKind::Prismatic,
             [before, body],
-            Vector3::zeros(),
-            Vector3::x(),
+            &Vector3::zeros(),
+            &Vector3::x(),
         );
         let at = JointCoordinate {
             joint: slide,
@@ -184,12 +163,12 @@ fn slider_crank(r: &mut Random) -> Case {
     let bearing = revolute(m, None, Some(crank), &at(0.0), &z);
     revolute(m, Some(crank), Some(first), &at(radius), &z);
     revolute(m, Some(last), Some(slider), &at(radius + length), &z);
-    joint(
+    join(
         m,
         JointKind::Prismatic,
         [None, Some(slider)],
-        at(radius + length),
-        Vector3::x(),
+        &at(radius + length),
+        &Vector3::x(),
     );
     let ripple = r.between(-0.3, 0.3) / 2.0;
     let turn = Signal::harmonics(0.0, TAU / period, &[0.0, ripple], &[ripple, 0.0]).unwrap();
@@ -234,7 +213,7 @@ fn four_bar(r: &mut Random) -> Case {
     revolute(m, Some(crank), Some(first), &b, &z);
     revolute(m, Some(last), Some(rocker), &c, &z);
     revolute(m, Some(rocker), None, &d, &z);
-    let turn = Signal::harmonics(0.0, TAU / period, &[], &[]).unwrap();
+    let turn = steady(TAU / period);
     m.prescribe(rotation1(bearing), &turn).unwrap();
     let mut load: [Option<Signal>; 6] = [const { None }; 6];
     load[1] = Some(r.signal(20.0));
@@ -268,7 +247,7 @@ fn blade(r: &mut Random) -> Case {
     let first = 3.516 * 80f64.sqrt();
     let period = TAU / (first * r.scale(0.05, 1.0));
     let turn = if r.below(2) == 0 {
-        Signal::harmonics(0.0, TAU / period, &[], &[]).unwrap()
+        steady(TAU / period)
     } else {
         Signal::constant(0.0).unwrap()
     };
@@ -293,7 +272,7 @@ fn pendulum(r: &mut Random) -> Case {
         .unwrap();
     let hinge = revolute(m, None, Some(body), &Vector3::zeros(), &Vector3::y());
     spring(m, rotation1(hinge), 0.0, r.scale(0.1, 1.0));
-    m.set_gravity([0.0, 0.0, -9.81].map(|g| Signal::constant(g).unwrap()));
+    gravity(m, [0.0, 0.0, -9.81]);
     let size = r.scale(1.0, 40.0) / 8.0;
     let torque = r.signal(size);
     m.add_actuator(rotation1(hinge), &torque).unwrap();

@@ -1,9 +1,13 @@
 //! A hinged blade has no static equilibrium: only its rotation holds it. The default initial guess
 //! must march in time, and the answer is known for small flapping.
 
-use nalgebra::{Matrix3, Vector3};
-use periodyn::elements::{Coordinate, JointKind, LoadFrame};
-use periodyn::model::{JointCoordinate, Model, Signal};
+mod models;
+
+use models::linkages::hinged_blade;
+use models::parts::{push, steady};
+use nalgebra::Vector3;
+use periodyn::elements::Coordinate;
+use periodyn::model::Signal;
 use periodyn::output::{JointQuantity, Solution};
 use periodyn::solve::{NewtonOptions, Outcome, PeriodicOptions};
 use std::f64::consts::TAU;
@@ -12,37 +16,10 @@ use std::f64::consts::TAU;
 fn a_blade_held_by_its_rotation_alone_flaps_as_linear_theory_says() {
     let (omega, hinge, length, mass) = (20.0, 0.3, 2.0, 3.0);
     let force = 1e-4;
-    let mut model = Model::new();
-    let ball = Matrix3::identity();
-    let hub = model.add_rigid_body(1.0, &Vector3::zeros(), &ball).unwrap();
-    let middle = Vector3::new(hinge + 0.5 * length, 0.0, 0.0);
-    let rod = Vector3::new(0.0, 1.0, 1.0) * (mass * length * length / 12.0);
-    let blade = model
-        .add_rigid_body(mass, &middle, &Matrix3::from_diagonal(&rod))
-        .unwrap();
-    let shaft = Model::frame_at("axis", &Vector3::zeros(), &Vector3::z()).unwrap();
-    let shaft = model
-        .add_joint(JointKind::Revolute, None, Some(hub), &shaft, &shaft)
-        .unwrap();
     // Flapping up, towards z, is a turn about −y.
-    let flap = Model::frame_at("axis", &Vector3::new(hinge, 0.0, 0.0), &-Vector3::y()).unwrap();
-    let flap = model
-        .add_joint(JointKind::Revolute, Some(hub), Some(blade), &flap, &flap)
-        .unwrap();
-    let turn = Signal::harmonics(0.0, omega, &[], &[]).unwrap();
-    let coordinate = Coordinate::Rotation1;
-    model
-        .prescribe(
-            JointCoordinate {
-                joint: shaft,
-                coordinate,
-            },
-            &turn,
-        )
-        .unwrap();
+    let (mut model, blade, [shaft, flap]) = hinged_blade(&steady(omega), &-Vector3::y());
     let lift = Signal::harmonics(0.5 * force, 0.0, &[force], &[0.0]).unwrap();
-    let components = [None, None, Some(lift), None, None, None];
-    model.add_load(blade, LoadFrame::Space, components).unwrap();
+    push(&mut model, blade, 2, lift);
 
     let options = PeriodicOptions {
         newton: NewtonOptions {
@@ -65,9 +42,8 @@ fn a_blade_held_by_its_rotation_alone_flaps_as_linear_theory_says() {
     let moment = 0.5 * force * length;
     let mean = 0.5 * moment / (about_hinge * nu2 * omega * omega);
     let cosine = moment / (about_hinge * (nu2 - 1.0) * omega * omega);
-    let series = solution
-        .joint_series(flap, JointQuantity::Coordinate(coordinate))
-        .unwrap();
+    let angle = JointQuantity::Coordinate(Coordinate::Rotation1);
+    let series = solution.joint_series(flap, angle).unwrap();
     // Flapping of 1e-6 rad: what linear theory leaves out is relatively its square.
     assert!(
         (series[0].mean - mean).abs() < 1e-9 * cosine,
@@ -76,8 +52,6 @@ fn a_blade_held_by_its_rotation_alone_flaps_as_linear_theory_says() {
     );
     assert!((series[0].cosines[0] - cosine).abs() < 1e-9 * cosine);
     assert!(series[0].sines[0].abs() < 1e-9 * cosine);
-    let shaft = solution
-        .joint_series(shaft, JointQuantity::Coordinate(coordinate))
-        .unwrap();
+    let shaft = solution.joint_series(shaft, angle).unwrap();
     assert!((shaft[0].rate - omega).abs() < 1e-12 * omega);
 }

@@ -23,10 +23,6 @@ const ANGLE: JointQuantity = JointQuantity::Coordinate(Coordinate::Rotation1);
 const RATE: JointQuantity = JointQuantity::Rate(Coordinate::Rotation1);
 const DRIVE: JointQuantity = JointQuantity::DrivingEffort(Coordinate::Rotation1);
 
-const MASS: f64 = 1.3;
-const ARM: f64 = 0.7;
-/// About the axis.
-const INERTIA: f64 = 0.2 + MASS * ARM * ARM;
 const OMEGA: f64 = 2.2;
 const PERIOD: f64 = TAU / OMEGA;
 
@@ -34,22 +30,6 @@ fn assert_near(found: &[f64], exact: &[f64], tolerance: f64, what: &str) {
     let error = largest_difference(found, exact) / largest(exact.iter().copied());
     println!("{what}: relative error {error:.1e}");
     assert!(error < tolerance, "{what}: {error:e}");
-}
-
-/// Offset mass on a hinge along z; the body is node 0, the hinge joint 0.
-fn arm() -> Model {
-    let mut model = Model::new();
-    let centre = Vector3::new(ARM, 0.0, 0.0);
-    let spin = Matrix3::from_diagonal(&Vector3::new(0.1, 0.15, 0.2));
-    let body = model.add_rigid_body(MASS, &centre, &spin).unwrap();
-    revolute(
-        &mut model,
-        None,
-        Some(body),
-        &Vector3::zeros(),
-        &Vector3::z(),
-    );
-    model
 }
 
 fn spring(stiffness: f64, damping: f64) -> SpringDefinition {
@@ -116,7 +96,7 @@ fn check_arm(
 
 #[test]
 fn an_actuator_is_a_moment_between_the_bodies_of_its_joint() {
-    let mut model = arm();
+    let (mut model, _) = arm();
     model.add_spring_damper(spring(5.0, 0.8)).unwrap();
     let solution = check_arm(&mut model, 2.0, 41, 1e-10, |q, v| 5.0 * q + 0.8 * v);
     // The response is known: the amplitude of I θ̈ + c θ̇ + k θ = M cos Ωt.
@@ -136,7 +116,7 @@ fn an_actuator_is_a_moment_between_the_bodies_of_its_joint() {
 
 #[test]
 fn a_cubic_spring_with_quadratic_damping_is_duffings_oscillator() {
-    let mut model = arm();
+    let (mut model, _) = arm();
     let (stiffness, damping) = ([1.0, 0.0, 4.0], [0.6, 0.0, 0.3]);
     model
         .add_polynomial_spring_damper(rotation1(0), &stiffness, &damping, 0.1)
@@ -158,7 +138,7 @@ fn drag(rate: f64) -> (f64, f64) {
 fn a_users_drag_is_what_its_equation_integrated_gives_with_and_without_derivatives() {
     let mut steps = Vec::new();
     for gives_derivatives in [true, false] {
-        let mut model = arm();
+        let (mut model, _) = arm();
         let law = law(gives_derivatives, |at| {
             let (value, by_rate) = drag(at.rate);
             Effort {
@@ -182,7 +162,7 @@ fn a_law_may_depend_on_time_and_on_an_angle_that_turns_if_it_repeats() {
     // Driven round, with a torque that depends on the angle by twenty teeth, and on time.
     let torque = |time: f64, q: f64| 2.0 * (20.0 * q).sin() * (OMEGA * time).cos();
     let turning = |law: CoordinateLaw| {
-        let mut model = arm();
+        let (mut model, _) = arm();
         let turn = Signal::harmonics(0.2, OMEGA, &[], &[]).unwrap();
         model.prescribe(rotation1(0), &turn).unwrap();
         model.add_coordinate_law(rotation1(0), law).unwrap();
@@ -210,7 +190,7 @@ fn a_law_may_depend_on_time_and_on_an_angle_that_turns_if_it_repeats() {
 #[test]
 fn failing_laws_end_the_solve_with_what_they_say() {
     let fails = |law: CoordinateLaw, expected: &[&str]| {
-        let mut model = arm();
+        let (mut model, _) = arm();
         model.add_coordinate_law(rotation1(0), law).unwrap();
         model.add_actuator(rotation1(0), &cosine(3.0)).unwrap();
         let error = try_solve(&model, PERIOD, 21).unwrap_err();
@@ -260,7 +240,7 @@ fn assert_refused(model: &Model, period: f64, expected: &[&str]) {
 #[test]
 fn laws_and_forces_that_are_random_or_not_periodic_are_refused_by_name() {
     let with_law = |function: fn(&CoordinateState, usize) -> f64| {
-        let mut model = arm();
+        let (mut model, _) = arm();
         model.add_spring_damper(spring(5.0, 0.4)).unwrap();
         let calls = AtomicUsize::new(0);
         let counted = law(false, move |at| Effort {
@@ -271,7 +251,7 @@ fn laws_and_forces_that_are_random_or_not_periodic_are_refused_by_name() {
         model
     };
     let with_force = |function: fn(f64, usize) -> f64| {
-        let mut model = arm();
+        let (mut model, _) = arm();
         model.add_spring_damper(spring(5.0, 0.4)).unwrap();
         let calls = AtomicUsize::new(0);
         let law = NodeForceLaw {
@@ -376,7 +356,7 @@ fn a_users_torsion_spring_is_the_linear_oscillator_in_every_frame_and_way() {
     assert!(amplitude > 0.9, "a large motion");
     for frame in [LoadFrame::Space, LoadFrame::Follower] {
         for gives_tangents in [true, false] {
-            let mut model = arm();
+            let (mut model, _) = arm();
             let force = model
                 .add_node_forces(&[0], torsion(frame, gives_tangents))
                 .unwrap();
@@ -475,8 +455,7 @@ fn two_swinging_bodies(law: NodeForceLaw) -> Model {
             .add_joint(JointKind::Spherical, None, Some(body), &at, &at)
             .unwrap();
     }
-    let zero = || Signal::constant(0.0).unwrap();
-    model.set_gravity([zero(), zero(), Signal::constant(-9.81).unwrap()]);
+    gravity(&mut model, [0.0, 0.0, -9.81]);
     let push = [6.0, 4.0, 0.0, 0.0, 0.0, 0.3];
     add_load(&mut model, 0, LoadFrame::Space, &[0.0; 6], &push);
     model.add_node_forces(&[0, 1], law).unwrap();
@@ -549,7 +528,7 @@ fn wrong_tangents_are_named() {
     assert_eq!((check.row, check.column), (Some((0, 5)), Some((1, 3))));
     assert_eq!(check.tangent, Tangent::Damping);
 
-    let mut model = arm();
+    let (mut model, _) = arm();
     let law_of = |by_rate: f64| {
         law(true, move |at| Effort {
             value: at.value.sin() + at.rate * at.rate,
@@ -601,7 +580,7 @@ fn a_viscous_damper_resists_a_driven_arm_with_the_matrix_seen_along_its_motion()
         rotation_from_vector(&Vector3::new(0.4, -0.7, 0.3)),
         Vector3::new(0.5, -0.2, 0.9),
     );
-    let mut model = arm();
+    let (mut model, _) = arm();
     model.prescribe(rotation1(0), &cosine(1.2)).unwrap();
     let damper = model
         .add_viscous_damper(None, Some(0), Some(&place), &matrix)
@@ -638,7 +617,7 @@ fn a_viscous_damper_resists_a_driven_arm_with_the_matrix_seen_along_its_motion()
 #[test]
 fn a_viscous_damper_between_moving_bodies_takes_up_what_the_drive_gives() {
     // The arm is driven; a second body on a ball at its tip is damped relative to it.
-    let mut model = arm();
+    let (mut model, _) = arm();
     model.prescribe(rotation1(0), &cosine(0.9)).unwrap();
     let inertia = Matrix3::from_diagonal(&Vector3::new(0.1, 0.15, 0.2));
     let centre = Vector3::new(1.5, 0.1, -0.2);
@@ -647,8 +626,7 @@ fn a_viscous_damper_between_moving_bodies_takes_up_what_the_drive_gives() {
     model
         .add_joint(JointKind::Spherical, Some(0), Some(body), &tip, &tip)
         .unwrap();
-    let zero = || Signal::constant(0.0).unwrap();
-    model.set_gravity([Signal::constant(9.81).unwrap(), zero(), zero()]);
+    gravity(&mut model, [9.81, 0.0, 0.0]);
     let damper = model
         .add_viscous_damper(Some(0), Some(body), None, &(coefficients() * 0.3))
         .unwrap();
@@ -699,7 +677,7 @@ fn a_viscous_damper_between_moving_bodies_takes_up_what_the_drive_gives() {
 
 #[test]
 fn what_is_no_damper_or_user_force_is_refused() {
-    let mut model = arm();
+    let (mut model, _) = arm();
     let mut matrix = Matrix6::identity();
     matrix[(0, 0)] = -1.0;
     let error = model

@@ -2,11 +2,10 @@
 //! stress resultants where the beams stretch by terms of second order, and ends where short steps
 //! end.
 
-#[allow(unused_macros)]
-#[path = "../benches/common/mod.rs"]
 mod models;
 
-use models::{damped_strip, shaken_rod};
+use models::beams::{damped_strip, shaken_rod};
+use models::four_bar::{FOUR_BAR_PERIOD, spatial_four_bar};
 use periodyn::output::Solution;
 use periodyn::solve::{InitialGuess, Iteration, Outcome, PeriodicOptions, Stage};
 
@@ -95,8 +94,8 @@ fn far_solutions_are_found_on_a_coarse_grid_first() {
 
     // The quasi-static motion of the four-bar is near.
     let options = PeriodicOptions::with_grid_points(15);
-    let model = models::spatial_four_bar(2, 1);
-    let near = Solution::solve(&model, models::PERIOD, &options, &mut |_, _| true).unwrap();
+    let model = spatial_four_bar(2, 1);
+    let near = Solution::solve(&model, FOUR_BAR_PERIOD, &options, &mut |_, _| true).unwrap();
     assert_eq!(near.outcome(), Outcome::Converged);
     assert!(near.details().periodic().unwrap().coarse_start.is_none());
 }

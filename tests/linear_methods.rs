@@ -1,13 +1,10 @@
 //! However linear equations are solved, and by however many threads, the solution is the same: with
 //! the same number of threads, bit by bit.
 
-#[allow(unused_macros)]
-#[path = "../benches/common/mod.rs"]
 mod models;
 
-use models::{
-    PERIOD, forced_cantilever, planar_four_bar, rotor, rotor_blade, slider_crank, spatial_four_bar,
-};
+use models::beams::{forced_cantilever, planar_four_bar, rotor, rotor_blade, slider_crank};
+use models::four_bar::{FOUR_BAR_PERIOD, spatial_four_bar};
 use periodyn::model::Model;
 use periodyn::output::Solution;
 use periodyn::solve::{LinearMethod, Outcome, PeriodicOptions, Preconditioner};
@@ -100,12 +97,12 @@ fn rotors() {
 
 #[test]
 fn slow_mechanisms() {
-    let spatial = (spatial_four_bar(8, 1), PERIOD);
+    let spatial = (spatial_four_bar(8, 1), FOUR_BAR_PERIOD);
     let all = [LinearMethod::Direct, BODY, LOCAL];
     check("spatial four-bar", spatial, 21, &all);
     check("planar four-bar", planar_four_bar(5, 2, 1e-3), 31, &all);
     // From a solution on fewer points, and from the quasi-static motion.
-    let spatial = (spatial_four_bar(2, 1), PERIOD);
+    let spatial = (spatial_four_bar(2, 1), FOUR_BAR_PERIOD);
     check("spatial four-bar", spatial, 99, &[LOCAL]);
     check("planar four-bar", planar_four_bar(2, 2, 1e-3), 99, &[LOCAL]);
 }
@@ -119,7 +116,7 @@ fn a_fast_mechanism() {
 
 #[test]
 fn oversampled_equations() {
-    let spatial = (spatial_four_bar(2, 1), PERIOD);
+    let spatial = (spatial_four_bar(2, 1), FOUR_BAR_PERIOD);
     let methods = [LinearMethod::Direct, BODY];
     check_oversampled("spatial four-bar", spatial, 15, &methods, 2);
 }

@@ -58,8 +58,7 @@ fn heavy_top() -> (Model, usize) {
     model
         .add_joint(JointKind::Spherical, None, Some(body), &frame, &frame)
         .unwrap();
-    let g = [0.0, 0.0, -GRAVITY].map(|g| Signal::constant(g).unwrap());
-    model.set_gravity(g);
+    gravity(&mut model, [0.0, 0.0, -GRAVITY]);
     (model, body)
 }
 
@@ -256,14 +255,7 @@ fn on_springs() -> (Model, usize) {
         .unwrap();
     for (coordinate, stiffness) in SPRINGS {
         let at = JointCoordinate { joint, coordinate };
-        model
-            .add_spring_damper(SpringDefinition {
-                at,
-                stiffness,
-                damping: 0.0,
-                rest: 0.0,
-            })
-            .unwrap();
+        spring(&mut model, at, stiffness, 0.0);
     }
     (model, body)
 }
@@ -681,7 +673,7 @@ fn an_over_constrained_mechanism_is_marched() {
     revolute(&mut model, bars[2], None, &d, &z);
     let signal = Signal::harmonics(0.0, 0.0, &[0.3], &[0.4]).unwrap();
     model.prescribe(rotation1(drive), &signal).unwrap();
-    model.set_gravity([0.0, -GRAVITY, 0.0].map(|g| Signal::constant(g).unwrap()));
+    gravity(&mut model, [0.0, -GRAVITY, 0.0]);
     let period = 2.0;
     let mut options = for_time(period, 400);
     options.period = Some(period);

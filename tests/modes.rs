@@ -57,13 +57,6 @@ fn frequencies(modes: &Modes) -> Vec<f64> {
     modes.modes().iter().map(|m| m.eigenvalue.im).collect()
 }
 
-fn weld(model: &mut Model, node: usize) -> usize {
-    let frame = *model.node(node).unwrap();
-    model
-        .add_joint(JointKind::Rigid, None, Some(node), &frame, &frame)
-        .unwrap()
-}
-
 /// A slender beam of unit length, mass and bending stiffnesses along `x`: its radius of gyration is
 /// `r`, its bending stiffness about axis 3 `soft` and about axis 2 one.
 struct Slender {
@@ -94,6 +87,20 @@ impl Slender {
             .add_straight_beam(&start, &end, &Vector3::y(), &section, elements, degree)
             .unwrap()
     }
+}
+
+/// The beam, alike in both directions, on 4 elements of degree 7, clamped at its start.
+fn cantilever(r: f64) -> (Model, BeamIds) {
+    let mut model = Model::new();
+    let beam = Slender {
+        r,
+        soft: 1.0,
+        elements: 4,
+        degree: 7,
+    };
+    let ids = beam.add(&mut model, 0.0);
+    clamp(&mut model, ids.first_node);
+    (model, ids)
 }
 
 /// Bending frequency of a Timoshenko cantilever near `guess`, with the section above (`soft` = 1).
@@ -153,15 +160,7 @@ const CANTILEVER: [f64; 3] = [1.875104068712, 4.694091132974, 7.854757438238];
 fn clamped_free_beam() {
     for r in [1e-3, 1e-4] {
         let rounding = rounding(r);
-        let mut model = Model::new();
-        let ids = Slender {
-            r,
-            soft: 1.0,
-            elements: 4,
-            degree: 7,
-        }
-        .add(&mut model, 0.0);
-        weld(&mut model, ids.first_node);
+        let (model, _) = cantilever(r);
         let found = modes(&model, 6);
         for (k, w) in frequencies(&found).iter().enumerate() {
             let beta = CANTILEVER[k / 2];
@@ -181,15 +180,7 @@ fn clamped_free_beam() {
     }
     // A thick one: the difference to the slender limit is large.
     let r = 0.05;
-    let mut model = Model::new();
-    let ids = Slender {
-        r,
-        soft: 1.0,
-        elements: 4,
-        degree: 7,
-    }
-    .add(&mut model, 0.0);
-    weld(&mut model, ids.first_node);
+    let (model, _) = cantilever(r);
     let found = frequencies(&modes(&model, 2));
     let exact = timoshenko(r, CANTILEVER[0].powi(2) * 0.985);
     assert!((exact / CANTILEVER[0].powi(2) - 1.0).abs() > 0.01);
@@ -210,8 +201,8 @@ fn clamped_clamped_and_hinged_beams() {
     };
     let mut model = Model::new();
     let ids = beam.add(&mut model, 0.0);
-    weld(&mut model, ids.first_node);
-    weld(&mut model, ids.last_node);
+    clamp(&mut model, ids.first_node);
+    clamp(&mut model, ids.last_node);
     for (k, w) in frequencies(&modes(&model, 4)).iter().enumerate() {
         let beta: f64 = [4.730040744863, 7.853204624096][k / 2];
         assert!(
@@ -299,15 +290,7 @@ fn turning_blade() {
         (6.0, [7.36037, 26.80908, 66.68391]),
     ];
     for (eta, flap) in table {
-        let mut model = Model::new();
-        let ids = Slender {
-            r,
-            soft: 1.0,
-            elements: 4,
-            degree: 7,
-        }
-        .add(&mut model, 0.0);
-        weld(&mut model, ids.first_node);
+        let (model, ids) = cantilever(r);
         let found = modes_with(&model, &turning(Vector3::z() * eta, 6));
         for (k, w) in frequencies(&found).iter().enumerate() {
             let flap = flap[k / 2];
@@ -443,18 +426,11 @@ fn double_pendulum_with_dampers() {
         .unwrap();
     let top = revolute(&mut model, None, Some(first), &Vector3::zeros(), &y);
     let knee = revolute(&mut model, Some(first), Some(second), &(down * l), &y);
-    model.set_gravity([0.0, 0.0, -g].map(|g| Signal::constant(g).unwrap()));
+    gravity(&mut model, [0.0, 0.0, -g]);
     for (c1, c2) in [(0.0, 0.0), (0.8, 0.3), (30.0, 0.2)] {
         let mut model = model.clone();
         for (joint, damping) in [(top, c1), (knee, c2)] {
-            model
-                .add_spring_damper(SpringDefinition {
-                    at: rotation1(joint),
-                    stiffness: 0.0,
-                    damping,
-                    rest: 0.0,
-                })
-                .unwrap();
+            spring(&mut model, rotation1(joint), 0.0, damping);
         }
         // Absolute angles: masses m at l, 2m at l and l further.
         let (m11, m12, m22) = (3.0 * m * l * l + j1, 2.0 * m * l * l, 2.0 * m * l * l + j2);
@@ -492,7 +468,7 @@ fn stiffness_proportional_damping() {
     let build = |tau: f64| {
         let mut model = Model::new();
         let ids = beam.add(&mut model, tau);
-        weld(&mut model, ids.first_node);
+        clamp(&mut model, ids.first_node);
         model
     };
     let undamped = frequencies(&modes(&build(0.0), 8));
@@ -540,14 +516,7 @@ fn slider_crank_with_a_spring() {
     model
         .add_joint(JointKind::Prismatic, None, Some(slider), &guide, &guide)
         .unwrap();
-    model
-        .add_spring_damper(SpringDefinition {
-            at: rotation1(hinge),
-            stiffness,
-            damping: 0.0,
-            rest: 0.0,
-        })
-        .unwrap();
+    spring(&mut model, rotation1(hinge), stiffness, 0.0);
     let found = modes(&model, 5);
     // Velocities for q̇ = 1: crank's centre a/2, link's turn −a/b, link's centre a/2 across.
     let inertia = jc + mc * a * a / 4.0 + jl * (a / b).powi(2) + ml * a * a / 4.0;
@@ -570,7 +539,7 @@ fn nearest_to_a_frequency() {
     };
     let mut model = Model::new();
     let ids = beam.add(&mut model, 1e-4);
-    weld(&mut model, ids.first_node);
+    clamp(&mut model, ids.first_node);
     let all = modes(&model, 18);
     let wanted = 150.0;
     let options = ModesOptions {
@@ -596,7 +565,7 @@ fn nearest_to_a_frequency() {
 fn equal_blades_have_multiple_eigenvalues() {
     // Seven equal pendulums: more than the block of the search.
     let mut model = Model::new();
-    model.set_gravity([0.0, 0.0, -9.81].map(|g| Signal::constant(g).unwrap()));
+    gravity(&mut model, [0.0, 0.0, -9.81]);
     for k in 0..7 {
         let place = Vector3::new(k as f64, 0.0, 0.0);
         let arm = if k == 6 { 0.1 } else { 0.5 };
@@ -624,7 +593,7 @@ fn motion_in_a_mode_is_a_solution() {
     };
     let mut model = Model::new();
     let ids = beam.add(&mut model, 0.0);
-    weld(&mut model, ids.first_node);
+    clamp(&mut model, ids.first_node);
     // Prestressed: bent by a load that stays.
     let load = [0.0, 0.4, 0.0, 0.0, 0.0, 0.0];
     add_load(
@@ -684,15 +653,10 @@ fn motion_in_a_mode_is_a_solution() {
 
 #[test]
 fn overdamped_and_free_motions_have_solutions() {
-    let mut model = Model::new();
-    let body = model
-        .add_rigid_body(1.0, &Vector3::x(), &(Matrix3::identity() * 0.1))
-        .unwrap();
-    let joint = revolute(
-        &mut model,
-        None,
-        Some(body),
-        &Vector3::zeros(),
+    let (mut model, joint) = hinged_body(
+        1.0,
+        &Vector3::x(),
+        &(Matrix3::identity() * 0.1),
         &Vector3::z(),
     );
     let free = modes(&model, 3);
@@ -703,14 +667,7 @@ fn overdamped_and_free_motions_have_solutions() {
     let values_at = motion.joint(joint, angle, &[0.0, 0.5]).unwrap();
     assert!((values_at[0] + values_at[1]).abs() < 1e-12 && values_at[0].abs() > 0.02);
 
-    model
-        .add_spring_damper(SpringDefinition {
-            at: rotation1(joint),
-            stiffness: 2.2,
-            damping: 5.5,
-            rest: 0.0,
-        })
-        .unwrap();
+    spring(&mut model, rotation1(joint), 2.2, 5.5);
     // 1.1 s² + 5.5 s + 2.2 = 0.
     let damped = modes(&model, 3);
     assert_eigenvalues(&damped, &roots(&[1.1, 5.5, 2.2]), 1e-12);
@@ -719,25 +676,13 @@ fn overdamped_and_free_motions_have_solutions() {
     let motion = damped.motion(0, 0.1).unwrap();
     assert!((motion.grid().period() - TAU / slow.norm()).abs() < 1e-12);
     // A damper alone: free to stay anywhere, and slowed down.
-    let mut model = Model::new();
-    let body = model
-        .add_rigid_body(1.0, &Vector3::x(), &(Matrix3::identity() * 0.1))
-        .unwrap();
-    let joint = revolute(
-        &mut model,
-        None,
-        Some(body),
-        &Vector3::zeros(),
+    let (mut model, joint) = hinged_body(
+        1.0,
+        &Vector3::x(),
+        &(Matrix3::identity() * 0.1),
         &Vector3::z(),
     );
-    model
-        .add_spring_damper(SpringDefinition {
-            at: rotation1(joint),
-            stiffness: 0.0,
-            damping: 5.5,
-            rest: 0.0,
-        })
-        .unwrap();
+    spring(&mut model, rotation1(joint), 0.0, 5.5);
     let found = values(&modes(&model, 3));
     assert_eq!(found.len(), 2);
     assert_eq!(found[0], Complex::new(0.0, 0.0));
@@ -747,18 +692,13 @@ fn overdamped_and_free_motions_have_solutions() {
 #[test]
 fn unstable_equilibria_grow() {
     // Upright, held by nothing: s = ± √(m g l / J).
-    let mut model = Model::new();
-    let body = model
-        .add_rigid_body(2.0, &Vector3::z(), &(Matrix3::identity() * 0.5))
-        .unwrap();
-    revolute(
-        &mut model,
-        None,
-        Some(body),
-        &Vector3::zeros(),
+    let (mut model, _) = hinged_body(
+        2.0,
+        &Vector3::z(),
+        &(Matrix3::identity() * 0.5),
         &Vector3::y(),
     );
-    model.set_gravity([0.0, 0.0, -9.81].map(|g| Signal::constant(g).unwrap()));
+    gravity(&mut model, [0.0, 0.0, -9.81]);
     let found = modes(&model, 4);
     let s = (2.0 * 9.81 / 2.5f64).sqrt();
     assert_eigenvalues(&found, &[Complex::from(s), Complex::from(-s)], 1e-11);
@@ -771,7 +711,7 @@ fn no_equilibrium_no_modes() {
     model
         .add_rigid_body(1.0, &Vector3::zeros(), &Matrix3::identity())
         .unwrap();
-    model.set_gravity([0.0, 0.0, -9.81].map(|g| Signal::constant(g).unwrap()));
+    gravity(&mut model, [0.0, 0.0, -9.81]);
     let found = try_modes(&model, &ModesOptions::default()).unwrap();
     assert_eq!(
         (found.modes().len(), found.outcome()),
@@ -889,14 +829,7 @@ fn redundant_and_driven_joints_leave_no_spurious_modes() {
     revolute(&mut model, bars[2], None, &d, &z);
     let stiffness = 40.0;
     let damping = 3.0;
-    model
-        .add_spring_damper(SpringDefinition {
-            at: rotation1(crank),
-            stiffness,
-            damping,
-            rest: 0.0,
-        })
-        .unwrap();
+    spring(&mut model, rotation1(crank), stiffness, damping);
     // Velocities for a unit rate of the crank: z × (b − a) + w₂ z × (c − b) = w₃ z × (c − d).
     let solved = nalgebra::Matrix2::new(c.x - b.x, d.x - c.x, c.y - b.y, d.y - c.y)
         .lu()
@@ -924,7 +857,7 @@ fn redundant_and_driven_joints_leave_no_spurious_modes() {
     // A pendulum on a driven arm, which stands still at 90 degrees.
     let (m, l, j, g) = (0.8, 0.6, 0.02, 9.81);
     let mut model = Model::new();
-    model.set_gravity([0.0, -g, 0.0].map(|g| Signal::constant(g).unwrap()));
+    gravity(&mut model, [0.0, -g, 0.0]);
     let arm = model
         .add_rigid_body(1.0, &Vector3::x(), &Matrix3::identity())
         .unwrap();

@@ -49,8 +49,7 @@ fn four_bar(redundant: bool, cycles: f64) -> Model {
     revolute(&mut model, bars[2], None, &d, &z);
     let drive = Signal::harmonics(0.1, 0.0, &[0.2 * cycles], &[0.3]).unwrap();
     model.prescribe(rotation1(0), &drive).unwrap();
-    let gravity = [0.0, -9.81, 0.0].map(|g| Signal::constant(g).unwrap());
-    model.set_gravity(gravity);
+    gravity(&mut model, [0.0, -9.81, 0.0]);
     model
 }
 
@@ -153,7 +152,7 @@ fn two_hinges_of_a_door_share_its_weight_by_least_norm() {
         .unwrap();
     let swing = Signal::constant(0.0).unwrap();
     model.prescribe(rotation1(0), &swing).unwrap();
-    model.set_gravity([0.0, 0.0, -weight].map(|g| Signal::constant(g).unwrap()));
+    gravity(&mut model, [0.0, 0.0, -weight]);
     let solution = solve(&model, 1.0, 1);
     assert!(
         solution
@@ -233,8 +232,7 @@ fn redundant_constraints_that_do_not_close_are_inconsistent() {
             &at(d + 1e-3 * z),
         )
         .unwrap();
-    let gravity = [0.0, -9.81, 0.0].map(|g| Signal::constant(g).unwrap());
-    model.set_gravity(gravity);
+    gravity(&mut model, [0.0, -9.81, 0.0]);
     model.prescribe(rotation1(0), &cosine(0.2)).unwrap();
     let solution = try_solve(&model, 1.0, 5).unwrap();
     let report = &solution.details().report;

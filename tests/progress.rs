@@ -3,9 +3,10 @@
 
 mod common;
 
+use common::models::linkages::hinged_blade;
 use common::*;
-use nalgebra::{Matrix3, Vector3};
-use periodyn::elements::{Coordinate, JointKind};
+use nalgebra::Vector3;
+use periodyn::elements::Coordinate;
 use periodyn::model::*;
 use periodyn::output::{JointQuantity, Modes, Solution};
 use periodyn::solve::*;
@@ -208,39 +209,15 @@ fn times_of_the_parts_add_up_to_that_of_the_whole() {
     }
 }
 
-/// A hub that a shaft turns by `turn`, and a blade behind it on a lag hinge, both rigid; and the
-/// hinge.
-fn hinged_blade(turn: &Signal) -> (Model, usize) {
-    let (hinge, length, mass) = (0.3, 2.0, 3.0);
-    let mut model = Model::new();
-    let ball = Matrix3::identity();
-    let hub = model.add_rigid_body(1.0, &Vector3::zeros(), &ball).unwrap();
-    let middle = Vector3::new(hinge + 0.5 * length, 0.0, 0.0);
-    let rod = Vector3::new(0.0, 1.0, 1.0) * (mass * length * length / 12.0);
-    let blade = model
-        .add_rigid_body(mass, &middle, &Matrix3::from_diagonal(&rod))
-        .unwrap();
-    let shaft = Model::frame_at("axis", &Vector3::zeros(), &Vector3::z()).unwrap();
-    let shaft = model
-        .add_joint(JointKind::Revolute, None, Some(hub), &shaft, &shaft)
-        .unwrap();
-    // A lag hinge, which a hub that leaves the blade behind would open at once.
-    let lag = Model::frame_at("axis", &Vector3::new(hinge, 0.0, 0.0), &Vector3::z()).unwrap();
-    let lag = model
-        .add_joint(JointKind::Revolute, Some(hub), Some(blade), &lag, &lag)
-        .unwrap();
-    model.prescribe(rotation1(shaft), turn).unwrap();
-    (model, lag)
-}
-
 #[test]
 fn a_march_takes_a_hinged_blade_along_with_its_hub() {
+    // A lag hinge, which a hub that leaves the blade behind would open at once.
     let omega = 20.0;
     let period = TAU / omega;
     let series = Signal::harmonics(0.4, omega, &[], &[]).unwrap();
     let function = Signal::function(Arc::new(move |t| Ok(0.4 + omega * t)));
     for (turn, known) in [(series, true), (function, false)] {
-        let (model, lag) = hinged_blade(&turn);
+        let (model, _, [_, lag]) = hinged_blade(&turn, &Vector3::z());
         let mut options = MarchOptions::with_step(period / 50.0, MarchEnd::Duration(period));
         options.period = known.then_some(period);
         let solution = Solution::march(&model, &options, &mut |_, _| true).unwrap();
@@ -263,7 +240,7 @@ fn an_equilibrium_in_steady_rotation_starts_the_periodic_motion() {
     let omega = 20.0;
     let period = TAU / omega;
     let turn = Signal::harmonics(0.4, omega, &[], &[]).unwrap();
-    let (model, lag) = hinged_blade(&turn);
+    let (model, _, [_, lag]) = hinged_blade(&turn, &Vector3::z());
     let mut options = StaticOptions::default();
     options.standstill.angular_velocity = Vector3::z() * omega;
     options.standstill.period = Some(period);

@@ -2,6 +2,7 @@
 //! to what is right.
 
 mod common;
+#[path = "models/machines/mod.rs"]
 mod machines;
 
 use common::mass_on_a_slide;

@@ -32,10 +32,6 @@ fn statics(model: &Model, options: &StaticOptions) -> Solution {
     solution
 }
 
-fn gravity(model: &mut Model, g: [f64; 3]) {
-    model.set_gravity(g.map(|g| Signal::constant(g).unwrap()));
-}
-
 fn at(time: f64, period: Option<f64>) -> StaticOptions {
     StaticOptions {
         standstill: Standstill {
@@ -501,14 +497,7 @@ fn conical_pendulum() {
         .add_rigid_body(MASS, &centre, &(Matrix3::identity() * 1e-3))
         .unwrap();
     let joint = revolute(&mut model, None, Some(body), &place, &-Vector3::y());
-    model
-        .add_spring_damper(SpringDefinition {
-            at: rotation1(joint),
-            stiffness: 0.0,
-            damping: 3.0,
-            rest: 0.0,
-        })
-        .unwrap();
+    spring(&mut model, rotation1(joint), 0.0, 3.0);
     gravity(&mut model, [0.0, 0.0, -g]);
     let solution = statics(&model, &turning(Vector3::z() * speed, place));
     let angle = (g / (speed * speed * ARM)).acos();

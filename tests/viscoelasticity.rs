@@ -5,10 +5,10 @@ mod common;
 mod shooting;
 
 use common::*;
-use nalgebra::{Complex, DVector, Matrix3, Vector3};
+use nalgebra::{Complex, DVector};
 use periodyn::elements::{Coordinate, MaxwellBranch};
 use periodyn::error::ErrorKind;
-use periodyn::model::{Model, Signal};
+use periodyn::model::Signal;
 use periodyn::output::{ForceQuantity, JointQuantity, Solution};
 use shooting::shoot;
 use std::f64::consts::TAU;
@@ -16,32 +16,11 @@ use std::f64::consts::TAU;
 const ANGLE: JointQuantity = JointQuantity::Coordinate(Coordinate::Rotation1);
 const DRIVE: JointQuantity = JointQuantity::DrivingEffort(Coordinate::Rotation1);
 
-const MASS: f64 = 1.3;
-const ARM: f64 = 0.7;
-/// About the axis.
-const INERTIA: f64 = 0.2 + MASS * ARM * ARM;
-
 fn branch(stiffness: f64, relaxation_time: f64) -> MaxwellBranch {
     MaxwellBranch {
         stiffness,
         relaxation_time,
     }
-}
-
-/// Offset mass on a hinge along z. Returns the model and its hinge.
-fn arm() -> (Model, usize) {
-    let mut model = Model::new();
-    let centre = Vector3::new(ARM, 0.0, 0.0);
-    let spin = Matrix3::from_diagonal(&Vector3::new(0.1, 0.15, 0.2));
-    let body = model.add_rigid_body(MASS, &centre, &spin).unwrap();
-    let hinge = revolute(
-        &mut model,
-        None,
-        Some(body),
-        &Vector3::zeros(),
-        &Vector3::z(),
-    );
-    (model, hinge)
 }
 
 fn complex_stiffness(long_term: f64, branches: &[MaxwellBranch], omega: f64) -> Complex<f64> {
@@ -162,33 +141,17 @@ fn branches_that_relax_at_once_or_never_are_nothing_or_springs() {
 
 #[test]
 fn a_zener_pendulum_swings_as_its_equation_integrated() {
-    // Horizontal axis along y, gravity along −z; the arm stands out along x at zero.
-    let (omega, moment, g, k, kb, tau) = (3.0, 9.0, 9.81, 6.0, 4.0, 0.3);
+    let (omega, moment, g, [k, kb, tau]) = (3.0, 9.0, 9.81, ZENER);
     let period = TAU / omega;
-    let mut model = Model::new();
-    let centre = Vector3::new(0.0, 0.0, -ARM);
-    let spin = Matrix3::from_diagonal(&Vector3::new(0.1, 0.2, 0.15));
-    let body = model.add_rigid_body(MASS, &centre, &spin).unwrap();
-    let hinge = revolute(
-        &mut model,
-        None,
-        Some(body),
-        &Vector3::zeros(),
-        &Vector3::y(),
-    );
-    let zero = || Signal::constant(0.0).unwrap();
-    model.set_gravity([zero(), zero(), Signal::constant(-g).unwrap()]);
-    let at = rotation1(hinge);
-    let force = model
-        .add_viscoelastic(at, k, 0.0, &[branch(kb, tau)])
-        .unwrap();
-    model.add_actuator(at, &cosine(moment)).unwrap();
+    let (model, hinge, force) = zener_pendulum();
     let solution = solve(&model, period, 61);
 
     // x = (θ, θ̇, α) with the element's equations as they are usually written.
     let f = |t: f64, x: &DVector<f64>| {
-        let torque =
-            moment * (omega * t).cos() - MASS * g * ARM * x[0].sin() - k * x[0] - kb * x[2];
+        let torque = moment * (omega * t).cos()
+            - ZENER_BOB * g * ZENER_ARM * x[0].sin()
+            - k * x[0]
+            - kb * x[2];
         DVector::from_column_slice(&[x[1], torque / INERTIA, x[1] - x[2] / tau])
     };
     let start = solution.joint(hinge, ANGLE, &[0.0]).unwrap()[0];

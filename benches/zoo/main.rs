@@ -5,7 +5,7 @@
 
 #[path = "../../tests/common/mod.rs"]
 mod common;
-#[path = "../../tests/machines/mod.rs"]
+#[path = "../../tests/models/machines/mod.rs"]
 mod machines;
 
 mod keeper;

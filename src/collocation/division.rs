@@ -131,12 +131,12 @@ mod tests {
     use super::*;
     use crate::collocation::{Collocation, GridState, Pattern, Tangent};
     use crate::fourier::TimeGrid;
-    use crate::model::test_models::{moving_models, rotor};
+    use crate::test_models::small::{moving_models, one_blade};
     use std::sync::Arc;
 
     #[test]
     fn each_node_and_each_element_has_its_share() {
-        let (model, period) = rotor(40);
+        let (model, period) = one_blade(40);
         let system = System::new(&model, period).unwrap();
         for threads in [1, 2, 3] {
             let division = Division::new(&system, 5, &Workers::new(threads).unwrap());

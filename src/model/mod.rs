@@ -13,8 +13,6 @@ mod loaded;
 mod raised;
 mod section;
 mod signal;
-#[cfg(test)]
-pub(crate) mod test_models;
 mod user_function;
 mod validation;
 

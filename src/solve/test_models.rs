@@ -3,7 +3,6 @@
 use crate::collocation::{Collocation, GridState, Pattern, Tangent};
 use crate::fourier::TimeGrid;
 use crate::model::Model;
-pub(crate) use crate::model::test_models::{four_bar, hingeless, rotor};
 use crate::system::System;
 use faer::Mat;
 use std::sync::Arc;

@@ -10,7 +10,7 @@ use nalgebra::{Matrix3, Vector3};
 use periodyn::collocation::DecayKind;
 use periodyn::elements::{Coordinate, CoordinateLaw, Effort, JointKind};
 use periodyn::fourier::{FilterKind, SpectralFilter};
-use periodyn::model::{JointCoordinate, Model, Signal, SpringDefinition};
+use periodyn::model::{JointCoordinate, Model};
 use periodyn::output::{BeamQuantity, JointQuantity, NodeQuantity, Solution};
 use periodyn::solve::*;
 use std::f64::consts::TAU;
@@ -86,7 +86,7 @@ fn crank_and_rocker() -> Model {
         joint: joints[0],
         coordinate: Coordinate::Rotation1,
     };
-    let turn = Signal::harmonics(0.0, TAU, &[], &[]).unwrap();
+    let turn = steady(TAU);
     model.prescribe(at, &turn).unwrap();
     model
 }
@@ -158,14 +158,7 @@ fn what_a_users_force_hides_between_points_is_found() {
     let (mass, stiffness, damping, period, harmonic) = (2.0, 5e3, 3.0, 2.0, 44.0);
     let omega = harmonic * TAU / period;
     let (mut model, at) = mass_on_a_slide(mass, &Vector3::z());
-    model
-        .add_spring_damper(SpringDefinition {
-            at,
-            stiffness,
-            damping,
-            rest: 0.0,
-        })
-        .unwrap();
+    spring(&mut model, at, stiffness, damping);
     let law = CoordinateLaw {
         function: Arc::new(move |at| {
             Ok(Effort {
@@ -198,7 +191,7 @@ fn what_a_users_force_hides_between_points_is_found() {
 #[test]
 fn rounding_ends_the_adaptation() {
     for example in [
-        slider_crank(false, 120.0),
+        rigid_slider_crank(120.0),
         scotch_yoke(),
         forced_cantilever(),
     ] {
@@ -326,9 +319,9 @@ fn filtered_motions_are_motions_and_resolved_ones_stay() {
 fn oversampled_equations_meet_the_tolerance_too() {
     for example in [
         swinging(),
-        spatial_four_bar(false),
+        four_bar(false),
         duffing(),
-        slider_crank(true, 120.0),
+        flexible_slider_crank(),
     ] {
         let exact = solve(&example.model, example.period, REFERENCE);
         let options = PeriodicOptions {

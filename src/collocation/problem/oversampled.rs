@@ -368,7 +368,7 @@ impl OversampledTangent {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::model::test_models::moving_models;
+    use crate::test_models::small::moving_models;
 
     #[test]
     fn products_are_the_changes_of_the_residual() {

@@ -2,8 +2,8 @@
 
 use super::*;
 use crate::fourier::TimeGrid;
-use crate::model::test_models::hingeless;
 use crate::system::System;
+use crate::test_models::small::whirled_beam;
 
 const PERIOD: f64 = 1.3;
 
@@ -54,7 +54,7 @@ fn rules(system: &System) -> Vec<(Box<dyn TimeRule>, usize)> {
 
 #[test]
 fn tangents_are_exact() {
-    let (model, period) = hingeless();
+    let (model, period) = whirled_beam();
     let system = System::new(&model, period).unwrap();
     let h = 1e-3;
     for (mut rule, points) in rules(&system) {
@@ -105,7 +105,7 @@ fn tangents_are_exact() {
 
 #[test]
 fn variations_and_their_transposes_are_sums_of_tangents() {
-    let (model, period) = hingeless();
+    let (model, period) = whirled_beam();
     let system = System::new(&model, period).unwrap();
     for (mut rule, points) in rules(&system) {
         let here = state(&system, points, 0);

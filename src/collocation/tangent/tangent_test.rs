@@ -4,7 +4,7 @@ use super::*;
 use crate::collocation::pattern::Pattern;
 use crate::fourier::TimeGrid;
 use crate::model::Model;
-use crate::model::test_models::{all_elements, moving_models};
+use crate::test_models::{elements::all_elements, small::moving_models};
 use std::sync::Arc;
 
 fn models() -> Vec<(Model, f64)> {

@@ -290,12 +290,12 @@ impl LinearSolver for Linear {
 mod tests {
     use super::*;
     use crate::fourier::TimeGrid;
-    use crate::solve::test_models::rotor;
+    use crate::test_models::small::one_blade;
     use std::sync::Arc;
 
     #[test]
     fn iteration_solves_what_factors_get_no_memory_for() {
-        let (model, period) = rotor(2);
+        let (model, period) = one_blade(2);
         let system = Arc::new(System::new(&model, period).unwrap());
         let grid = TimeGrid::new(9, period).unwrap();
         let state = GridState::reference(&system, grid);

@@ -123,10 +123,9 @@ impl<'a> Search<'a> {
                     space.grow(&map)?;
                 }
             }
-            let values = space.ritz()?;
+            let (values, _) = space.ritz(1e-2)?;
             let lowest = values
                 .iter()
-                .take_while(|r| r.residual < 1e-2)
                 .map(|r| (C64::from(shift) + r.theta.inv()).norm())
                 .filter(|s| *s > 0.1 * shift)
                 .reduce(f64::min);
@@ -232,19 +231,10 @@ impl<'a> Search<'a> {
         target: Target,
         exhausted: bool,
     ) -> Result<Vec<(C64, Vec<C64>)>> {
-        let mut candidates = Vec::new();
-        // What is not converged is no larger than this.
-        let mut open = 0.0;
-        for ritz in space.ritz()? {
-            let converged = ritz.residual <= CONVERGED;
-            if !converged && !exhausted {
-                open = ritz.theta.norm();
-                break;
-            }
-            if converged && ritz.theta.norm() > 0.0 {
-                candidates.push(ritz);
-            }
-        }
+        // What is not converged is no larger than `open`.
+        let most = if exhausted { f64::INFINITY } else { CONVERGED };
+        let (mut candidates, open) = space.ritz(most)?;
+        candidates.retain(|ritz| ritz.residual <= CONVERGED);
         let sigma = map.inverse.shift();
         let mut found = Vec::new();
         for ritz in candidates {

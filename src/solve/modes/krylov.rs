@@ -22,6 +22,8 @@ use faer::linalg::solvers::{PartialPivLu, Solve};
 const DEPENDENT: f64 = 1e-11;
 /// Relative residual in the space of an eigenvector that needs no improvement.
 const INSIDE: f64 = 1e-10;
+/// Relative error that equal eigenvalues may have where they are first found.
+const ROUGH: f64 = 1e-6;
 
 /// The map `z ↦ z'`.
 pub(crate) struct Map<'a> {
@@ -175,8 +177,10 @@ impl Space {
         Ok(true)
     }
 
-    /// Eigenvalues `θ` of the map in the space, with their vectors and relative residuals.
-    pub fn ritz(&self) -> Result<Vec<Ritz>> {
+    /// Eigenvalues `θ` of the map in the space with their vectors, the largest first, up to the
+    /// first whose relative residual is more than `most`; and the size of that one, zero if there
+    /// is none.
+    pub fn ritz(&self, most: f64) -> Result<(Vec<Ritz>, f64)> {
         let size = self.columns.len();
         let at = |i: usize, j: usize| self.columns[j].get(i).copied().unwrap_or(0.0);
         let square = Mat::from_fn(size, size, at);
@@ -186,29 +190,29 @@ impl Space {
                 "modes: the small eigenproblem cannot be solved",
             )
         })?;
-        let mut found = Vec::with_capacity(size);
-        for j in 0..size {
-            let theta = values[j];
-            if !(theta.norm().is_finite() && theta.norm() > 0.0) {
-                continue;
-            }
+        let mut order: Vec<usize> = (0..size)
+            .filter(|&j| values[j].norm().is_finite() && values[j].norm() > 0.0)
+            .collect();
+        order.sort_by(|&a, &b| values[b].norm().total_cmp(&values[a].norm()));
+        let mut found = Vec::new();
+        for j in order {
+            let mut theta = values[j];
             let mut y: Vec<C64> = (0..size).map(|i| vectors[(i, j)]).collect();
             let (mut inside, mut outside) = self.residual(theta, &mut y);
-            // The decomposition is careless about the vectors of equal eigenvalues.
+            // The decomposition is careless about equal eigenvalues and their vectors.
             if inside.is_nan() || inside > INSIDE {
-                y = inverse_iteration(&square, theta, j);
+                (theta, y) = inverse_iteration(&square, theta, j);
                 (inside, outside) = self.residual(theta, &mut y);
             }
-            if inside.is_finite() && outside.is_finite() {
-                found.push(Ritz {
-                    theta,
-                    residual: if inside <= INSIDE { outside } else { inside },
-                    y,
-                });
+            let residual = if inside <= INSIDE { outside } else { inside };
+            if residual > most {
+                return Ok((found, values[j].norm()));
+            }
+            if residual.is_finite() {
+                found.push(Ritz { theta, residual, y });
             }
         }
-        found.sort_by(|a, b| b.theta.norm().total_cmp(&a.theta.norm()));
-        Ok(found)
+        Ok((found, 0.0))
     }
 
     /// Makes `y` a unit vector; what `A y − θ y` has in the space and outside it, relative to `θ`.
@@ -247,9 +251,9 @@ pub(crate) struct Ritz {
     pub y: Vec<C64>,
 }
 
-/// An eigenvector of `matrix` from a start that `seed` chooses: of equal eigenvalues each has its
-/// own.
-fn inverse_iteration(matrix: &Mat<f64>, theta: C64, seed: usize) -> Vec<C64> {
+/// An eigenpair of `matrix` next to `theta` from a start that `seed` chooses: of equal eigenvalues
+/// each has its own.
+fn inverse_iteration(matrix: &Mat<f64>, theta: C64, seed: usize) -> (C64, Vec<C64>) {
     let size = matrix.nrows();
     let shift = theta * (1.0 + 1e-13);
     let shifted = Mat::from_fn(size, size, |i, j| {
@@ -263,7 +267,11 @@ fn inverse_iteration(matrix: &Mat<f64>, theta: C64, seed: usize) -> Vec<C64> {
         let size = length(y.col_as_slice(0));
         y.col_as_slice_mut(0).iter_mut().for_each(|y| *y /= size);
     }
-    y.col_as_slice(0).to_vec()
+    let y = y.col_as_slice(0).to_vec();
+    let image = |i: usize| -> C64 { (0..size).map(|k| y[k] * matrix[(i, k)]).sum() };
+    let quotient: C64 = (0..size).map(|i| y[i].conj() * image(i)).sum();
+    let near = (quotient - theta).norm() <= ROUGH * theta.norm();
+    (if near { quotient } else { theta }, y)
 }
 
 pub(crate) fn complex(real: &[f64]) -> Vec<C64> {

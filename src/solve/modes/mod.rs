@@ -165,11 +165,9 @@ fn find_modes(solve: &mut ModesSolve, options: &ModesOptions, watching: &Watchin
     } = &solve.equilibrium;
     let mut equations = Collocation::new(system.clone(), *grid)?;
     let pattern = Pattern::new(system, 1);
-    let pencil = Pencil {
-        matrices: equations.linearise(state, &pattern)?,
-        pattern,
-        workers: Workers::default().telling(watching.pulse()),
-    };
+    let matrices = equations.linearise(state, &pattern)?;
+    let workers = Workers::default().telling(watching.pulse());
+    let pencil = Pencil::new(pattern, matrices, workers)?;
     let numbers = [
         &pencil.matrices.stiffness,
         &pencil.matrices.damping,

@@ -1,9 +1,13 @@
 //! The quadratic pencil `Q(s) = s² M + s C + K` of small motions, and its inverse at a shift.
 
-use crate::collocation::{Linearisation, Panel, Pattern};
-use crate::error::Result;
-use crate::solve::linear::direct::DirectSolver;
+use crate::collocation::{Linearisation, Pattern};
+use crate::error::{Error, ErrorKind, Result};
 use crate::workers::Workers;
+use faer::MatMut;
+use faer::linalg::solvers::Solve;
+use faer::sparse::linalg::LuError;
+use faer::sparse::linalg::solvers::{Lu, SymbolicLu};
+use faer::sparse::{SparseColMatRef, SymbolicSparseColMatRef};
 use nalgebra::Complex;
 
 /// Complex number.
@@ -15,9 +19,24 @@ pub(crate) struct Pencil {
     pub matrices: Linearisation,
     /// Who tells that work goes on.
     pub workers: Workers,
+    symbolic: SymbolicLu<usize>,
 }
 
 impl Pencil {
+    /// A pencil of matrices with this pattern.
+    ///
+    /// # Errors
+    /// If memory runs out.
+    pub fn new(pattern: Pattern, matrices: Linearisation, workers: Workers) -> Result<Self> {
+        let symbolic = SymbolicLu::try_new(structure(&pattern)).map_err(|_| out_of_memory())?;
+        Ok(Pencil {
+            pattern,
+            matrices,
+            workers,
+            symbolic,
+        })
+    }
+
     /// Number of unknowns.
     pub fn size(&self) -> usize {
         self.pattern.size()
@@ -144,14 +163,16 @@ fn largest(x: &[C64]) -> f64 {
 /// `Q(σ)⁻¹` for a real or complex shift `σ`.
 pub(crate) struct Inverse {
     shift: C64,
-    solver: DirectSolver,
-    /// For a complex shift: places of real and imaginary parts of each unknown.
-    places: Option<Vec<[usize; 2]>>,
+    factors: Lu<usize, C64>,
 }
 
 impl Inverse {
     /// Factors `Q(σ)`. `None` if it is singular.
+    ///
+    /// # Errors
+    /// If memory runs out, or work is to end.
     pub fn new(pencil: &Pencil, shift: C64) -> Result<Option<Self>> {
+        pencil.workers.pulse()?;
         let m = &pencil.matrices;
         let mut values: Vec<C64> = (0..pencil.pattern.entries())
             .map(|i| shift * shift * m.mass[i] + shift * m.damping[i] + m.stiffness[i])
@@ -159,25 +180,16 @@ impl Inverse {
         if let Some(compliance) = &m.compliance {
             values.iter_mut().zip(compliance).for_each(|(v, c)| *v += c);
         }
-        if shift.im == 0.0 {
-            let real: Vec<f64> = values.iter().map(|v| v.re).collect();
-            let mut solver = DirectSolver::new(&pencil.pattern);
-            solver.set_workers(pencil.workers.clone());
-            let factored = solver.factor(&real)?;
-            let inverse = Inverse {
-                shift,
-                solver,
-                places: None,
-            };
-            return Ok(factored.then_some(inverse));
-        }
-        let (solver, places) = factor_complex(&pencil.pattern, &values, &pencil.workers)?;
-        let inverse = |solver| Inverse {
-            shift,
-            solver,
-            places: Some(places),
+        let matrix = SparseColMatRef::new(structure(&pencil.pattern), &values);
+        let factors = match Lu::try_new_with_symbolic(pencil.symbolic.clone(), matrix) {
+            Err(LuError::SymbolicSingular { .. }) => return Ok(None),
+            factors => factors.map_err(|_| out_of_memory())?,
         };
-        Ok(solver.map(inverse))
+        let inverse = Inverse { shift, factors };
+        // A pivot of zero is told by what it does to a solution.
+        let ones = vec![C64::from(1.0); pencil.size()];
+        let regular = inverse.solve_once(&ones).is_some();
+        Ok(regular.then_some(inverse))
     }
 
     /// The shift.
@@ -204,68 +216,19 @@ impl Inverse {
     }
 
     fn solve_once(&self, b: &[C64]) -> Option<Vec<C64>> {
-        let Some(places) = &self.places else {
-            let mut parts = [vec![0.0; b.len()], vec![0.0; b.len()]];
-            for (i, b) in b.iter().enumerate() {
-                (parts[0][i], parts[1][i]) = (b.re, b.im);
-            }
-            for part in &mut parts {
-                if part.iter().any(|x| *x != 0.0) && !self.solver.solve(part) {
-                    return None;
-                }
-            }
-            let [re, im] = parts;
-            return Some(
-                re.iter()
-                    .zip(&im)
-                    .map(|(re, im)| C64::new(*re, *im))
-                    .collect(),
-            );
-        };
-        let mut doubled = vec![0.0; 2 * b.len()];
-        for (b, [re, im]) in b.iter().zip(places) {
-            (doubled[*re], doubled[*im]) = (b.re, b.im);
-        }
-        self.solver.solve(&mut doubled).then(|| {
-            let at = |[re, im]: &[usize; 2]| C64::new(doubled[*re], doubled[*im]);
-            places.iter().map(at).collect()
-        })
+        let (mut x, size) = (b.to_vec(), b.len());
+        let column = MatMut::from_column_major_slice_mut(&mut x, size, 1);
+        self.factors.solve_in_place(column);
+        x.iter().all(|x| x.is_finite()).then_some(x)
     }
 }
 
-/// Factors a complex matrix as the real one `[Re −Im; Im Re]`, with both parts of each group
-/// together.
-fn factor_complex(
-    pattern: &Pattern,
-    values: &[C64],
-    workers: &Workers,
-) -> Result<(Option<DirectSolver>, Vec<[usize; 2]>)> {
-    let groups = pattern.groups();
-    let mut places = vec![[0; 2]; pattern.size()];
-    for group in &groups {
-        for i in group.clone() {
-            let first = 2 * group.start + (i - group.start);
-            places[i] = [first, first + group.len()];
-        }
-    }
-    // The values of the four parts one after another, column by column.
-    let mut doubled = Vec::with_capacity(4 * values.len());
-    doubled.extend(values.iter().map(|v| v.re));
-    doubled.extend(values.iter().map(|v| v.im));
-    doubled.extend(values.iter().map(|v| -v.im));
-    doubled.extend(values.iter().map(|v| v.re));
-    let panels = pattern.panels().into_iter().flat_map(|panel| {
-        let (rows, columns) = (groups[panel.row.0].len(), groups[panel.column.0].len());
-        [(0, 0), (1, 0), (0, 1), (1, 1)].map(|(row_part, column_part)| Panel {
-            row: (panel.row.0, panel.row.1 + row_part * rows),
-            column: (panel.column.0, panel.column.1 + column_part * columns),
-            value: panel.value + (2 * column_part + row_part) * values.len(),
-            ..panel
-        })
-    });
-    let doubled_groups = groups.iter().map(|g| 2 * g.start..2 * g.end).collect();
-    let mut solver = DirectSolver::with_panels(doubled_groups, pattern.node_groups(), panels);
-    solver.set_workers(workers.clone());
-    let factored = solver.factor(&doubled)?;
-    Ok((factored.then_some(solver), places))
+fn structure(pattern: &Pattern) -> SymbolicSparseColMatRef<'_, usize> {
+    let (size, pointers) = (pattern.size(), pattern.column_pointers());
+    SymbolicSparseColMatRef::new_checked(size, size, pointers, None, pattern.row_indices())
+}
+
+fn out_of_memory() -> Error {
+    let message = "modes: no memory for the factors of the equations";
+    Error::new(ErrorKind::OutOfMemory, message)
 }

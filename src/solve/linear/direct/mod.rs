@@ -5,7 +5,7 @@
 mod analysis;
 mod factorisation;
 
-use crate::collocation::{Panel, Pattern};
+use crate::collocation::Pattern;
 use crate::error::Result;
 use crate::solve::linear::dense::{largest, solve_unit_lower, solve_upper, subtract_product};
 use crate::solve::linear::direct::analysis::Analysis;
@@ -13,7 +13,6 @@ use crate::solve::linear::direct::factorisation::Factorisation;
 use crate::solve::linear::front::Front;
 use crate::workers::Workers;
 use faer::Mat;
-use std::ops::Range;
 
 /// A pivot smaller than this, relative to its column, waits for constraints to be eliminated with.
 const SMALLEST_PIVOT: f64 = 1e-9;
@@ -44,17 +43,7 @@ pub struct DirectSolver {
 impl DirectSolver {
     /// Orders and analyses matrices of `pattern`.
     pub fn new(pattern: &Pattern) -> Self {
-        Self::with_panels(pattern.groups(), pattern.node_groups(), pattern.panels())
-    }
-
-    /// The same for matrices with the entries of `panels`, whose unknowns are kept together in
-    /// `groups`; the first `node_groups` of them are those of nodes.
-    pub fn with_panels(
-        groups: Vec<Range<usize>>,
-        node_groups: usize,
-        panels: impl IntoIterator<Item = Panel>,
-    ) -> Self {
-        let analysis = Analysis::new(groups, node_groups, panels.into_iter().collect());
+        let analysis = Analysis::new(pattern.groups(), pattern.node_groups(), pattern.panels());
         DirectSolver {
             fronts: analysis.plans.iter().map(|_| Front::empty()).collect(),
             analysis,

@@ -451,8 +451,8 @@ impl LinearSolver for Iterative {
 mod tests {
     use super::*;
     use crate::model::Model;
-    use crate::solve::test_models::{four_bar, hingeless, rotor};
     use crate::solve::{LinearMethod, Outcome, PeriodicOptions, Solved, solve_periodic};
+    use crate::test_models::small::{crank_rocker, one_blade, whirled_beam};
 
     fn solve(model: &Model, period: f64, points: usize, linear: LinearMethod) -> Solved {
         let options = PeriodicOptions {
@@ -482,10 +482,10 @@ mod tests {
         // A rotor; mechanisms that turn at 1/260, 1/43 and 1/13 of the coupler's first bending
         // frequency.
         let kinds = [
-            (rotor(4), 20),
-            (four_bar(2, 2, 0.5), 14),
-            (four_bar(2, 2, 3.0), 16),
-            (four_bar(2, 2, 10.0), 45),
+            (one_blade(4), 20),
+            (crank_rocker(2, 2, 0.5), 14),
+            (crank_rocker(2, 2, 3.0), 16),
+            (crank_rocker(2, 2, 10.0), 45),
         ];
         for ((model, period), most) in kinds {
             for points in [15, 31, 63] {
@@ -501,11 +501,11 @@ mod tests {
 
     #[test]
     fn each_of_the_others_serves_its_own() {
-        let (model, period) = four_bar(2, 2, 0.05);
+        let (model, period) = crank_rocker(2, 2, 0.05);
         let slow = solve(&model, period, 15, LinearMethod::Automatic);
         let found = products(&slow, Preconditioner::TimeLocal);
         assert!(found.is_some_and(|n| n <= 20), "{found:?}");
-        let (model, period) = hingeless();
+        let (model, period) = whirled_beam();
         let constant = solve(&model, period, 15, LinearMethod::Automatic);
         let found = products(&constant, Preconditioner::Circulant);
         assert!(found.is_some_and(|n| n <= 16), "{found:?}");
@@ -513,7 +513,7 @@ mod tests {
 
     #[test]
     fn iteration_and_factors_give_the_same_solution() {
-        for (model, period) in [rotor(2), four_bar(1, 2, 3.0)] {
+        for (model, period) in [one_blade(2), crank_rocker(1, 2, 3.0)] {
             let direct = solve(&model, period, 15, LinearMethod::Direct);
             for preconditioner in [Preconditioner::BodyCirculant, Preconditioner::TimeLocal] {
                 let method = LinearMethod::Iterative(Some(preconditioner));

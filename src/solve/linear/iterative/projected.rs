@@ -167,19 +167,19 @@ mod tests {
     use crate::fourier::TimeGrid;
     use crate::solve::linear::method::{Linear, LinearMethod};
     use crate::solve::newton::Newton;
-    use crate::solve::test_models::{four_bar, hingeless, rotor};
     use crate::solve::{PeriodicOptions, solve_periodic};
+    use crate::test_models::small::{crank_rocker, one_blade, whirled_beam};
 
     #[test]
     fn collocation_preconditions_and_convergence_is_quadratic() {
         // Clamped, in a turning frame; mechanisms that turn at 1/260, 1/43 and 1/13 of the
         // coupler's first bending frequency.
         let kinds = [
-            (hingeless(), 30),
-            (rotor(2), 30),
-            (four_bar(1, 2, 0.5), 150),
-            (four_bar(2, 2, 3.0), 180),
-            (four_bar(1, 2, 10.0), 150),
+            (whirled_beam(), 30),
+            (one_blade(2), 30),
+            (crank_rocker(1, 2, 0.5), 150),
+            (crank_rocker(2, 2, 3.0), 180),
+            (crank_rocker(1, 2, 10.0), 150),
         ];
         for ((model, period), most) in kinds {
             for points in [9, 15] {

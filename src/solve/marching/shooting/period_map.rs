@@ -5,7 +5,7 @@ use crate::collocation::{
 };
 use crate::elements::{Measure, Unknown};
 use crate::error::Result;
-use crate::solve::linear::eigenvalues::eigenvalues;
+use crate::solve::linear::eigenvalues::eigenvectors;
 use crate::solve::marching::marcher::Marcher;
 use crate::solve::marching::refused;
 use faer::Mat;
@@ -163,7 +163,7 @@ impl PeriodMap {
         let independent = system.constraint_count() - system.redundant_constraints();
         let freedoms = (6 * system.nodes()).saturating_sub(independent);
         let count = 2 * freedoms + self.scales.states().count();
-        let Some(values) = eigenvalues(monodromy) else {
+        let Some((values, _)) = eigenvectors(monodromy) else {
             return Vec::new();
         };
         let mut values: Vec<Complex<f64>> =

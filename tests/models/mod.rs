@@ -1,0 +1,13 @@
+//! The zoo: models that unit tests, tests and benchmarks share, with their periods, and the parts
+//! that they are built of. `machines` draws others at random.
+
+// No program uses all of it.
+#![allow(dead_code)]
+
+pub mod beams;
+pub mod elements;
+pub mod four_bar;
+pub mod linkages;
+pub mod parts;
+pub mod pendulums;
+pub mod small;
