@@ -14,8 +14,8 @@ pub struct PeriodicMotion {
     mean: Vector3<f64>,
 }
 
-/// Appends motions as dual matrices, with their mean position taken out: a translation of everything
-/// changes nothing. Gives that mean.
+/// Appends motions as dual matrices, with their mean position taken out: a translation of
+/// everything changes nothing. Gives that mean.
 pub fn append_centred(motions: &[Motion], to: &mut Vec<DualMatrix>) -> Vector3<f64> {
     let total = motions.iter().map(|m| m.position).sum::<Vector3<f64>>();
     let mean = total / motions.len() as f64;

@@ -129,12 +129,12 @@ impl Layout {
 
 #[cfg(test)]
 mod tests {
-    use crate::model::test_models::four_bar;
     use crate::system::System;
+    use crate::test_models::small::crank_rocker;
 
     #[test]
     fn all_unknowns_have_one_place_each_and_in_order() {
-        let (model, period) = four_bar(1, 2, 3.0);
+        let (model, period) = crank_rocker(1, 2, 3.0);
         let system = System::new(&model, period).unwrap();
         let points = 5;
         let layout = system.layout(points).with_scalars(2);

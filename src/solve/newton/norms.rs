@@ -48,12 +48,12 @@ pub(super) fn remove_means(layout: Layout, increment: &mut [f64]) {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::model::test_models::four_bar;
     use crate::system::System;
+    use crate::test_models::small::crank_rocker;
 
     #[test]
     fn motions_own_unknowns_and_scalars_are_measured_apart() {
-        let (model, period) = four_bar(1, 1, 3.0);
+        let (model, period) = crank_rocker(1, 1, 3.0);
         let system = System::new(&model, period).unwrap();
         let layout = system.layout(3).with_scalars(1);
         let mut x = vec![0.0; layout.size()];
