@@ -65,6 +65,22 @@ impl PeriodicMotion {
         self.state(&sums)
     }
 
+    /// The motion alone at the time of `weights`; `None` if the grid is too coarse.
+    pub fn motion_at(&self, weights: &CardinalWeights) -> Option<Motion> {
+        let mut sum = DualMatrix::zeros();
+        for (m, weight) in self.motions.iter().zip(&weights.value) {
+            sum += *m * *weight;
+        }
+        Some(self.placed(&DualPolar::new(&sum)?))
+    }
+
+    /// The motion that was found with the mean position taken out.
+    fn placed(&self, polar: &DualPolar) -> Motion {
+        let mut motion = polar.motion();
+        motion.position += self.mean;
+        motion
+    }
+
     /// Writes the sums, with their first and second derivatives, at the points of another grid;
     /// `column` is as long.
     pub fn resample(
@@ -90,10 +106,8 @@ impl PeriodicMotion {
         let polar = DualPolar::new(value)?;
         let velocity = polar.velocity(first);
         let acceleration = polar.acceleration(&velocity, first, second);
-        let mut motion = polar.motion();
-        motion.position += self.mean;
         Some(NodeState {
-            motion,
+            motion: self.placed(&polar),
             twist: velocity.to_twist(),
             twist_rate: acceleration.to_twist(),
         })

@@ -5,6 +5,7 @@ use super::solution::{Samples, Solution};
 use crate::elements::LoadFrame;
 use crate::error::{Error, ErrorKind, Result};
 use crate::fourier::PeriodicSeries;
+use crate::model::JointCoordinate;
 use crate::motion::turned;
 use crate::system::ElementRole;
 use nalgebra::Vector6;
@@ -117,6 +118,8 @@ impl Solution {
             return Ok(());
         }
         let system = &self.solve.system;
+        // Of each coordinate that forces are at.
+        let mut known: Vec<(JointCoordinate, PeriodicSeries)> = Vec::new();
         for placed in system.elements() {
             let ElementRole::Force(index) = placed.role else {
                 continue;
@@ -124,7 +127,14 @@ impl Solution {
             let Some(at) = self.model.forces[index].at() else {
                 continue;
             };
-            let series = self.coordinate(at.joint, at.coordinate)?;
+            let place = match known.iter().position(|(other, _)| *other == at) {
+                Some(place) => place,
+                None => {
+                    known.push((at, self.coordinate(at.joint, at.coordinate)?));
+                    known.len() - 1
+                }
+            };
+            let series = &known[place].1;
             if series.rate == 0.0 {
                 continue;
             }

@@ -3,9 +3,9 @@
 use super::solution::{Samples, Solution};
 use crate::elements::{Coordinate, Element, Joint, NodeState, nearest_turn};
 use crate::error::{Error, ErrorKind, Result};
-use crate::fourier::PeriodicSeries;
+use crate::fourier::{CardinalWeights, PeriodicSeries};
 use crate::model::JointCoordinate;
-use crate::motion::turned;
+use crate::motion::{PeriodicMotion, turned};
 use crate::system::{ElementRole, Placed};
 use std::f64::consts::TAU;
 
@@ -191,30 +191,18 @@ impl Solution {
         let mut angle = nearest_turn(value(&self.states_of(definition, 0)), self.start_of(&at));
         let mut values = vec![angle];
         // In small steps where motions can be interpolated, so that no turn is missed.
-        let steps = (1..=points).flat_map(|k| (1..FOLLOWING_STEPS).map(move |step| (k, step)));
-        let times: Vec<f64> = steps
-            .map(|(k, step)| {
-                let fraction = step as f64 / FOLLOWING_STEPS as f64;
-                grid.period() * ((k - 1) as f64 + fraction) / points as f64
-            })
-            .collect();
-        let at_times = |times: &[f64]| -> Option<Vec<Vec<NodeState>>> {
-            let of_node = |&node: &usize| {
-                let mut states = Vec::new();
-                let found = self.each_node_state(node, times, |s| states.push(*s));
-                found.is_ok().then_some(states)
-            };
-            definition.nodes().iter().map(of_node).collect()
-        };
-        let all = at_times(&times);
+        let of_node = |&node: &usize| PeriodicMotion::new(self.solve.state.node(node));
+        let motions: Vec<PeriodicMotion> = definition.nodes().iter().map(of_node).collect();
+        let mut weights = CardinalWeights::new(grid);
         for k in 1..=points {
-            let first = (k - 1) * (FOLLOWING_STEPS - 1);
-            for i in first..first + FOLLOWING_STEPS - 1 {
-                let states: Option<Vec<NodeState>> = match &all {
-                    Some(all) => Some(all.iter().map(|states| states[i]).collect()),
-                    // Some can be, perhaps.
-                    None => at_times(&times[i..=i]).map(|all| all.concat()),
+            for step in 1..FOLLOWING_STEPS {
+                let fraction = step as f64 / FOLLOWING_STEPS as f64;
+                weights.move_to(grid.period() * ((k - 1) as f64 + fraction) / points as f64);
+                let at_rest = |motion: &PeriodicMotion| {
+                    let motion = motion.motion_at(&weights);
+                    motion.map(NodeState::at_rest)
                 };
+                let states: Option<Vec<NodeState>> = motions.iter().map(at_rest).collect();
                 if let Some(states) = states {
                     angle = nearest_turn(value(&states), angle);
                 }

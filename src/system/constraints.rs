@@ -247,13 +247,26 @@ impl ConstraintLoop {
     }
 }
 
+/// Sums in six parts side by side, as there are unknowns of a node.
+fn dot(a: &[f64], b: &[f64]) -> f64 {
+    let mut parts = [0.0; 6];
+    let (a, b) = (a.chunks_exact(6), b.chunks_exact(6));
+    let rest = a.remainder().iter().zip(b.remainder());
+    let rest: f64 = rest.map(|(a, b)| a * b).sum();
+    for (a, b) in a.zip(b) {
+        for i in 0..6 {
+            parts[i] += a[i] * b[i];
+        }
+    }
+    parts.iter().sum::<f64>() + rest
+}
+
 /// Orthonormal combinations of the `count` rows of a matrix that vanish. Takes from the rows, the
 /// largest first, what they have along those before; what is left of them is none of the matrix any
 /// more.
 fn dependent_rows(matrix: &mut [f64], count: usize) -> Vec<Vec<f64>> {
     let size = matrix.len() / count.max(1);
     let mut rows: Vec<&mut [f64]> = matrix.chunks_exact_mut(size.max(1)).collect();
-    let dot = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
     let mut order: Vec<usize> = (0..rows.len()).collect();
     let mut largest = 0.0f64;
     // Of each direction found: what each row has along it, and that of the row that it was found
