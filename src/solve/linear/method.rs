@@ -9,8 +9,7 @@ use crate::solve::linear::freedoms::FreedomSolver;
 use crate::solve::linear::front::elimination_work;
 use crate::solve::linear::iterative::{Iterative, IterativeRecord, Preconditioner};
 use crate::solve::linear::ordering::plan;
-use crate::solve::linear::solver::LinearSolver;
-use crate::solve::newton::ESTIMATE;
+use crate::solve::linear::solver::{ESTIMATE, LinearSolver};
 use crate::solve::report::{Timings, timed};
 use crate::system::System;
 use std::collections::BTreeSet;
@@ -119,6 +118,8 @@ pub(crate) struct Linear {
     most_products: usize,
     /// What iteration took until it was given up.
     given_up: Option<IterativeRecord>,
+    /// Whether the equations are taken to be regular, unless iteration fails.
+    is_regular: bool,
 }
 
 impl Linear {
@@ -160,6 +161,16 @@ impl Linear {
             products: 0,
             most_products,
             given_up: None,
+            is_regular: false,
+        }
+    }
+
+    /// For equations that were found to be regular on another grid: factors of all of them are not
+    /// made only to make sure of that.
+    pub fn of_regular_equations(self) -> Self {
+        Linear {
+            is_regular: true,
+            ..self
         }
     }
 
@@ -229,7 +240,9 @@ impl LinearSolver for Linear {
             Active::Iterative(iterative) => (
                 iterative.linearise(equations, state, timings)?,
                 // Factors will tell whether it is singular.
-                self.falls_back && iterative.growth(equations) > iterative.suspect,
+                self.falls_back
+                    && !self.is_regular
+                    && iterative.growth(equations) > iterative.suspect,
             ),
         };
         if done && !suspect {

@@ -5,6 +5,12 @@ use crate::error::Result;
 use crate::solve::linear::diagnosis::Singularity;
 use crate::solve::report::Timings;
 
+/// Accuracy of linear solves, relative to the increment: far from the solution and of simplified
+/// increments.
+pub(crate) const COARSE: f64 = 1e-4;
+/// Of those that estimate errors.
+pub(crate) const ESTIMATE: f64 = 1e-2;
+
 /// Solver of the linearised equations.
 pub(crate) trait LinearSolver {
     /// Linearises the equations at `state`. `false` if they are singular.

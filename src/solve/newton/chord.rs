@@ -7,8 +7,9 @@ use super::run::Run;
 use super::verdict::Ending;
 use crate::error::Result;
 use crate::solve::linear::dense::largest;
+use crate::solve::linear::solver::COARSE;
 use crate::solve::linear::solver::LinearSolver;
-use crate::solve::newton::{COARSE, ERROR_LEFT};
+use crate::solve::newton::ERROR_LEFT;
 use crate::solve::report::{Iteration, Outcome};
 use std::ops::ControlFlow;
 

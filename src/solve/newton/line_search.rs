@@ -3,8 +3,8 @@
 use super::run::{Run, Trial};
 use crate::collocation::ResultantPath;
 use crate::error::Result;
+use crate::solve::linear::solver::COARSE;
 use crate::solve::linear::solver::LinearSolver;
-use crate::solve::newton::COARSE;
 use crate::solve::report::timed;
 
 /// Shortest step.

@@ -15,7 +15,7 @@ mod watchdog;
 use crate::collocation::{Collocation, GridState, TimeRule};
 use crate::error::Result;
 use crate::solve::linear::assembled::Assembled;
-use crate::solve::linear::solver::LinearSolver;
+use crate::solve::linear::solver::{COARSE, ESTIMATE, LinearSolver};
 use crate::solve::newton::assembly::describe_turned_over;
 use crate::solve::report::{Iteration, NewtonOptions, NewtonReport, Outcome, Timings, timed};
 use norms::{remove_means, size_of};
@@ -30,11 +30,6 @@ const ERROR_LEFT: f64 = 1e-3;
 /// Largest contraction, from one increment to the next with the same matrix, that leaves its
 /// determinant as it is.
 const FAITHFUL: f64 = 0.05;
-/// Accuracy of linear solves, relative to the increment: far from the solution and of simplified
-/// increments.
-const COARSE: f64 = 1e-4;
-/// Of those that estimate errors.
-pub(crate) const ESTIMATE: f64 = 1e-2;
 /// The finest that is asked for.
 const FINEST: f64 = 1e-8;
 /// Accuracy relative to the last increment, so that convergence stays quadratic.

@@ -26,15 +26,24 @@ pub(crate) struct Means {
 }
 
 impl Means {
-    /// Newton's method on a grid.
-    fn on(&self, system: &Arc<System>, grid: TimeGrid) -> Result<Newton<Projected<Linear>>> {
+    /// Newton's method on a grid, for equations that may be known to be regular.
+    fn on(
+        &self,
+        system: &Arc<System>,
+        grid: TimeGrid,
+        is_regular: bool,
+    ) -> Result<Newton<Projected<Linear>>> {
         let start = Instant::now();
         let mut equations = Collocation::new(system.clone(), grid)?;
         equations.set_workers(self.workers.clone());
         if self.oversampling > 1 {
             equations.oversample(self.oversampling)?;
         }
-        let linear = Projected::new(&equations, Linear::new(&equations, self.linear));
+        let mut linear = Linear::new(&equations, self.linear);
+        if is_regular {
+            linear = linear.of_regular_equations();
+        }
+        let linear = Projected::new(&equations, linear);
         let mut newton = Newton::with(equations, linear);
         newton.timings.analysis = start.elapsed();
         Ok(newton)
@@ -77,7 +86,7 @@ impl<'a> OnGrid<'a> {
         observe: &'a mut StageObserver<'a>,
     ) -> Result<Self> {
         Ok(OnGrid {
-            newton: means.on(system, grid)?,
+            newton: means.on(system, grid, false)?,
             system: system.clone(),
             grid,
             means,
@@ -162,14 +171,20 @@ impl<'a> OnGrid<'a> {
         if grid == self.grid {
             return Ok(());
         }
+        let converged = |(_, (_, report)): &(_, Found)| report.outcome == Outcome::Converged;
+        let is_regular = self.last.as_ref().is_some_and(converged);
         self.grid = grid;
         self.watching.grid(grid.points());
-        self.begin_again()
+        self.replace_solver(is_regular)
     }
 
     /// Forgets what has been found about the equations, which the present grid may not share.
     pub fn begin_again(&mut self) -> Result<()> {
-        let next = self.means.on(&self.system, self.grid)?;
+        self.replace_solver(false)
+    }
+
+    fn replace_solver(&mut self, is_regular: bool) -> Result<()> {
+        let next = self.means.on(&self.system, self.grid, is_regular)?;
         let last = std::mem::replace(&mut self.newton, next);
         self.timings = self.timings + last.timings;
         self.iterations += last.iterations;
