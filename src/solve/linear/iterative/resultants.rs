@@ -76,13 +76,8 @@ impl Resultants {
                 }
             }
         };
-        let rooms = &mut Vec::new();
-        self.workers.for_each(
-            &mut rows,
-            rooms,
-            || (),
-            |(), node, forces| add(node, forces),
-        );
+        self.workers
+            .each(&mut rows, |node, forces| add(node, forces));
     }
 
     /// `r = L x − r`, for the derivatives of `x` at the same places, if any resultant depends on
@@ -107,8 +102,6 @@ impl Resultants {
             }
         };
         let mut all: Vec<_> = r.chunks_mut(6 * self.points).collect();
-        let rooms = &mut Vec::new();
-        self.workers
-            .for_each(&mut all, rooms, || (), |(), index, r| determine(index, r));
+        self.workers.each(&mut all, |index, r| determine(index, r));
     }
 }
