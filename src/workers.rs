@@ -204,6 +204,11 @@ impl Workers {
         }
     }
 
+    /// Works on all items.
+    pub fn each<T: Send>(&self, items: &mut [T], work: impl Fn(usize, &mut T) + Sync) {
+        self.for_each(items, &mut Vec::new(), || (), |(), i, item| work(i, item));
+    }
+
     /// Works on all items, with room of its own for each thread.
     ///
     /// Threads take a few items at a time, in order: one that the system slows down takes fewer.

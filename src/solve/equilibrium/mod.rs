@@ -126,6 +126,25 @@ fn find_start(tracker: &mut Tracker, system: &System, least_load_steps: usize) -
     Ok(held && tracker.settle(system)?)
 }
 
+/// Goes to where the solve begins; why not, if that is nowhere.
+fn begin(
+    tracker: &mut Tracker,
+    system: &System,
+    options: &StaticOptions,
+    watching: &Watching,
+) -> Result<Option<(Outcome, String)>> {
+    if let InitialGuess::State(state) = &options.guess {
+        tracker.state = state.clone();
+        return Ok(None);
+    }
+    let found = find_start(tracker, system, options.least_load_steps);
+    Ok(match watching.unless_cancelled(found)? {
+        Some(true) => None,
+        Some(false) => tracker.failure.take(),
+        None => Some((Outcome::Cancelled, String::new())),
+    })
+}
+
 pub(crate) fn find_equilibrium(
     model: &Model,
     options: &StaticOptions,
@@ -150,20 +169,7 @@ pub(crate) fn find_equilibrium(
         observe(Stage::InitialGuess, iteration)
     };
     let mut tracker = Tracker::new(&system, grid, &workers, &mut observe_steps)?;
-    let failure = match &options.guess {
-        InitialGuess::State(state) => {
-            tracker.state = state.clone();
-            None
-        }
-        InitialGuess::Default | InitialGuess::By(_) => {
-            let found = find_start(&mut tracker, &system, options.least_load_steps);
-            match watching.unless_cancelled(found)? {
-                Some(true) => None,
-                Some(false) => tracker.failure.take(),
-                None => Some((Outcome::Cancelled, String::new())),
-            }
-        }
-    };
+    let failure = begin(&mut tracker, &system, options, watching)?;
     let Tracker {
         mut newton,
         mut state,

@@ -153,11 +153,6 @@ impl BodyCirculant {
             0
         };
         let harmonics = points / 2 + 1;
-        let mut spectrum_at = vec![0; layout.structure.unknowns()];
-        let unknowns = layout.regions.iter().flat_map(|r| r.unknowns.clone());
-        for (i, unknown) in unknowns.enumerate() {
-            spectrum_at[unknown] = i * harmonics;
-        }
         let mut circulant = BodyCirculant {
             points,
             unknowns: equations.layout(),
@@ -172,7 +167,7 @@ impl BodyCirculant {
             workers: equations.workers().clone(),
             rooms: Vec::new(),
             spectra: vec![Complex::default(); layout.structure.unknowns() * harmonics],
-            spectrum_at,
+            spectrum_at: spectra_of(&layout, harmonics),
             series: [series(), series(), series()],
             rates: vec![0.0; rates],
             aliasing,
@@ -219,20 +214,14 @@ impl BodyCirculant {
         let (structure, spectra, spectrum_at) =
             (&self.layout.structure, &self.spectra, &self.spectrum_at);
         let (factors, last) = (&self.factors, self.points / 2);
-        let nothing = &mut Vec::new();
-        self.workers.for_each(
-            &mut self.lanes,
-            nothing,
-            || (),
-            |(), chunk, lanes| {
-                for (number, &at) in lanes.iter_mut().zip(spectrum_at) {
-                    for lane in 0..LANES {
-                        number.set(lane, spectra[at + (LANES * chunk + lane).min(last)]);
-                    }
+        self.workers.each(&mut self.lanes, |chunk, lanes| {
+            for (number, &at) in lanes.iter_mut().zip(spectrum_at) {
+                for lane in 0..LANES {
+                    number.set(lane, spectra[at + (LANES * chunk + lane).min(last)]);
                 }
-                factors[chunk].forward(structure, lanes);
-            },
-        );
+            }
+            factors[chunk].forward(structure, lanes);
+        });
         if let Some(mut interface) = self.interface.take() {
             self.close_joints(&mut interface, x);
             self.interface = Some(interface);
@@ -398,6 +387,16 @@ impl BodyCirculant {
     }
 }
 
+/// Where the spectrum of each unknown begins, region after region.
+fn spectra_of(layout: &Layout, harmonics: usize) -> Vec<usize> {
+    let mut spectrum_at = vec![0; layout.structure.unknowns()];
+    let unknowns = layout.regions.iter().flat_map(|r| r.unknowns.clone());
+    for (i, unknown) in unknowns.enumerate() {
+        spectrum_at[unknown] = i * harmonics;
+    }
+    spectrum_at
+}
+
 /// Writes harmonics to the lanes of an unknown.
 fn spread(analysis: &Analysis, lanes: &mut [Vec<ComplexLanes>], unknown: usize) {
     let harmonics = analysis.samples.len() / 2;
@@ -426,13 +425,9 @@ fn collect<'t>(
 /// changes.
 fn scaled_aliasing(equations: &Collocation) -> Vec<Vec<Aliasing>> {
     let mut aliasing = vec![Vec::new(); equations.system().nodes()];
-    let nothing = &mut Vec::new();
-    equations.workers().for_each(
-        &mut aliasing,
-        nothing,
-        || (),
-        |(), node, all| *all = scaled_aliasing_of(equations, node),
-    );
+    equations.workers().each(&mut aliasing, |node, all| {
+        *all = scaled_aliasing_of(equations, node)
+    });
     aliasing
 }
 

@@ -303,14 +303,9 @@ impl Vectors<'_> {
         let mut sums = vec![0.0; x.len().div_ceil(PIECE) * count];
         let of_pieces = sums.chunks_mut(count.max(1));
         let mut pieces: Vec<_> = x.chunks_mut(PIECE).zip(of_pieces).collect();
-        let rooms = &mut Vec::new();
         let item = |piece: usize, x: &mut [f64], sums: &mut [f64]| work(piece * PIECE, x, sums);
-        self.workers.for_each(
-            &mut pieces,
-            rooms,
-            || (),
-            |(), i, (x, sums)| item(i, x, sums),
-        );
+        self.workers
+            .each(&mut pieces, |i, (x, sums)| item(i, x, sums));
         let mut total = vec![0.0; count];
         for of_piece in sums.chunks(count.max(1)) {
             add(&mut total, of_piece, 1.0);

@@ -58,17 +58,14 @@ impl MeanStrain {
     pub fn all(equations: &Collocation, tangent: &Tangent) -> Vec<Self> {
         let stations = tangent.stations();
         let mut means: Vec<Vec<MeanStrain>> = vec![Vec::new(); stations.len()];
-        equations.workers().for_each(
-            &mut means,
-            &mut Vec::new(),
-            || (),
-            |(), index, means| {
-                let nodes = stations[index].nodes.iter().enumerate();
-                means.extend(nodes.map(|(a, &node)| {
+        equations.workers().each(&mut means, |index, means| {
+            let nodes = stations[index].nodes.iter().enumerate();
+            means.extend(
+                nodes.map(|(a, &node)| {
                     MeanStrain::new(equations, tangent, &stations[index], a, node)
-                }));
-            },
-        );
+                }),
+            );
+        });
         means.concat()
     }
 
@@ -144,27 +141,21 @@ impl Averages<'_> {
         let mut all: Vec<Option<BlockLanes<ComplexLanes>>> = vec![None; chunks];
         // Harmonics that are aliased, of any node.
         let highest = self.aliasing.iter().map(Vec::len).max().unwrap_or(0);
-        let nothing = &mut Vec::new();
-        self.equations.workers().for_each(
-            &mut all,
-            nothing,
-            || (),
-            |(), chunk, place| {
-                let mut lanes = BlockLanes::<ComplexLanes>::new(&self.layout.structure);
-                let harmonic = |lane: usize| (LANES * chunk + lane).min(points / 2);
-                let rates = std::array::from_fn(|lane| harmonic(lane) as f64 * frequency);
-                self.fill(&mut lanes, &rates, &means);
-                for lane in 0..LANES {
-                    let below = points / 2 - harmonic(lane);
-                    if below < highest {
-                        self.add_aliasing(&mut lanes, lane, below, &means);
-                    }
+        self.equations.workers().each(&mut all, |chunk, place| {
+            let mut lanes = BlockLanes::<ComplexLanes>::new(&self.layout.structure);
+            let harmonic = |lane: usize| (LANES * chunk + lane).min(points / 2);
+            let rates = std::array::from_fn(|lane| harmonic(lane) as f64 * frequency);
+            self.fill(&mut lanes, &rates, &means);
+            for lane in 0..LANES {
+                let below = points / 2 - harmonic(lane);
+                if below < highest {
+                    self.add_aliasing(&mut lanes, lane, below, &means);
                 }
-                if lanes.factor(&self.layout.structure) {
-                    *place = Some(lanes);
-                }
-            },
-        );
+            }
+            if lanes.factor(&self.layout.structure) {
+                *place = Some(lanes);
+            }
+        });
         all.into_iter().collect()
     }
 
@@ -173,13 +164,9 @@ impl Averages<'_> {
         let (equations, tangent) = (self.equations, self.tangent);
         let couplings = tangent.couplings();
         let mut means = vec![MeanTangent::default(); couplings.len()];
-        let rooms = &mut Vec::new();
-        equations.workers().for_each(
-            &mut means,
-            rooms,
-            || (),
-            |(), pair, mean| *mean = MeanTangent::new(equations, tangent, pair),
-        );
+        equations.workers().each(&mut means, |pair, mean| {
+            *mean = MeanTangent::new(equations, tangent, pair)
+        });
         for station in tangent.stations() {
             let count = station.nodes.len();
             let strains = &self.strains[station.first..][..count];

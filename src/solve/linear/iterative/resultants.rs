@@ -78,13 +78,8 @@ impl Resultants {
                 }
             }
         };
-        let rooms = &mut Vec::new();
-        self.workers.for_each(
-            &mut rows,
-            rooms,
-            || (),
-            |(), node, forces| add(node, forces),
-        );
+        self.workers
+            .each(&mut rows, |node, forces| add(node, forces));
     }
 
     /// `r = L x − r`, for the derivatives of `x` at the same places, if any resultant depends on
@@ -109,8 +104,6 @@ impl Resultants {
             }
         };
         let mut all: Vec<_> = r.chunks_mut(self.layout.of_node()).collect();
-        let rooms = &mut Vec::new();
-        self.workers
-            .for_each(&mut all, rooms, || (), |(), index, r| determine(index, r));
+        self.workers.each(&mut all, |index, r| determine(index, r));
     }
 }

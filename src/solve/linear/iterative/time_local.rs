@@ -31,21 +31,16 @@ impl TimeLocal {
         );
         let workers = equations.workers().clone();
         let mut factors: Vec<Option<BlockLanes<RealLanes>>> = vec![None; points.div_ceil(LANES)];
-        workers.for_each(
-            &mut factors,
-            &mut Vec::new(),
-            || (),
-            |(), chunk, place| {
-                let mut lanes = BlockLanes::<RealLanes>::new(&layout.structure);
-                for lane in 0..LANES {
-                    let k = (LANES * chunk + lane).min(points - 1);
-                    fill(&mut lanes, lane, &layout, equations, tangent, k);
-                }
-                if lanes.factor(&layout.structure) {
-                    *place = Some(lanes);
-                }
-            },
-        );
+        workers.each(&mut factors, |chunk, place| {
+            let mut lanes = BlockLanes::<RealLanes>::new(&layout.structure);
+            for lane in 0..LANES {
+                let k = (LANES * chunk + lane).min(points - 1);
+                fill(&mut lanes, lane, &layout, equations, tangent, k);
+            }
+            if lanes.factor(&layout.structure) {
+                *place = Some(lanes);
+            }
+        });
         let factors: Vec<_> = factors.into_iter().collect::<Option<_>>()?;
         Some(TimeLocal {
             points,
@@ -85,19 +80,14 @@ impl TimeLocal {
         );
         let (regions, lanes) = (&self.layout.regions, &self.lanes);
         let mut parts = Region::split(regions, x);
-        self.workers.for_each(
-            &mut parts,
-            &mut Vec::new(),
-            || (),
-            |(), i, x| {
-                let unknowns = &regions[i].unknowns;
-                for (k, x) in x.chunks_exact_mut(unknowns.len()).enumerate() {
-                    for (x, unknown) in x.iter_mut().zip(unknowns.clone()) {
-                        *x = lanes[k / LANES][unknown].get(k % LANES);
-                    }
+        self.workers.each(&mut parts, |i, x| {
+            let unknowns = &regions[i].unknowns;
+            for (k, x) in x.chunks_exact_mut(unknowns.len()).enumerate() {
+                for (x, unknown) in x.iter_mut().zip(unknowns.clone()) {
+                    *x = lanes[k / LANES][unknown].get(k % LANES);
                 }
-            },
-        );
+            }
+        });
     }
 }
 
