@@ -65,11 +65,6 @@ impl Layout {
         self.points
     }
 
-    /// Unknowns at a grid point.
-    pub fn size_at_point(&self) -> usize {
-        MOTION * self.nodes + self.own
-    }
-
     /// Numbers of a node's motions at all grid points.
     #[inline]
     pub fn of_node(&self) -> usize {
@@ -155,7 +150,5 @@ mod tests {
         follow(layout.scalars());
         assert_eq!(layout.size(), next);
         assert_eq!(layout.own().end - layout.motions().end, layout.own().len());
-        let at_points = points * layout.size_at_point();
-        assert_eq!(at_points, layout.size() - layout.scalars().len());
     }
 }
