@@ -71,17 +71,17 @@ struct Unbalance {
     overflow: bool,
 }
 
-/// Room of one thread.
-struct Room {
+/// Scratch of one thread.
+struct Scratch {
     workspace: Workspace,
     multipliers: Vec<f64>,
     rates: Vec<f64>,
     sums: Vec<Vector6<f64>>,
 }
 
-impl Room {
+impl Scratch {
     fn new(system: &System) -> Self {
-        Room {
+        Scratch {
             workspace: system.workspace(false),
             multipliers: vec![0.0; system.own_unknowns()],
             rates: vec![0.0; system.own_unknowns()],
@@ -196,8 +196,8 @@ impl Defect {
         workers.try_for_each(
             &mut found,
             &mut Vec::new(),
-            || Room::new(system),
-            |room, k, found| {
+            || Scratch::new(system),
+            |scratch, k, found| {
                 let conditions = Conditions {
                     time: time(k),
                     signals: &signals[k * count..][..count],
@@ -205,7 +205,7 @@ impl Defect {
                     inertia_factor: 1.0,
                 };
                 let node_state = |node: usize| nodes.states[node * points + k];
-                *found = room.unbalance(system, &conditions, node_state, |place| {
+                *found = scratch.unbalance(system, &conditions, node_state, |place| {
                     (
                         unknowns.values[place * points + k],
                         unknowns.rates[place * points + k],

@@ -141,8 +141,7 @@ impl GridState {
         );
     }
 
-    /// Makes room for tracked coordinates of a state that was kept with the first `old` of them
-    /// only.
+    /// Adds tracked coordinates to a state that was kept with the first `old` of them only.
     pub fn complete_tracked(&mut self, system: &System, old: usize) {
         let count = system.tracked();
         if count == old || self.coordinates.len() != old * self.points {

@@ -43,7 +43,7 @@ pub struct Oversampled {
     scratch: Scratch,
 }
 
-/// Room for interpolation and projection.
+/// Memory for interpolation and projection.
 #[derive(Debug, Clone)]
 struct Scratch {
     coarse: Vec<DualMatrix>,
@@ -267,7 +267,7 @@ pub struct OversampledTangent {
 }
 
 impl OversampledTangent {
-    /// Room for the Jacobian of `equations`.
+    /// Memory for the Jacobian of `equations`.
     pub fn new(equations: &Oversampled) -> Self {
         let (_, finer) = equations.points();
         let (system, size) = (equations.fine.system(), equations.fine.size());

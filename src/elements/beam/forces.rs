@@ -9,7 +9,7 @@ use crate::error::Result;
 use crate::motion::{DualVector, product};
 use nalgebra::{Matrix6, Vector6};
 
-/// Room for what the element finds at its stations.
+/// Scratch for what the element finds at its stations.
 #[derive(Debug, Clone, Default)]
 pub(in crate::elements) struct Scratch {
     pub(super) terms: Vec<NodeTerms>,
@@ -97,24 +97,24 @@ impl Element for Beam {
         resultants: &[Vector6<f64>],
         out: &mut Contribution,
     ) -> Result<()> {
-        let mut room = std::mem::take(&mut out.beam);
+        let mut scratch = std::mem::take(&mut out.beam);
         for (station, resultants) in self.stations.iter().zip(resultants) {
-            room.terms.clear();
-            room.add_terms(station, nodes)?;
-            add_forces(&room.terms, &(resultants * station.weight), out);
+            scratch.terms.clear();
+            scratch.add_terms(station, nodes)?;
+            add_forces(&scratch.terms, &(resultants * station.weight), out);
         }
-        out.beam = room;
+        out.beam = scratch;
         Ok(())
     }
 
     fn evaluate(&self, instant: &Instant, out: &mut Contribution) -> Result<()> {
         // Taken out while `out` is written to.
-        let mut room = std::mem::take(&mut out.beam);
+        let mut scratch = std::mem::take(&mut out.beam);
         let result = match &self.law {
-            Some(law) => self.add_coupled(law, instant, &mut room, out),
-            None => self.add_stations(instant, &mut room, out),
+            Some(law) => self.add_coupled(law, instant, &mut scratch, out),
+            None => self.add_stations(instant, &mut scratch, out),
         };
-        out.beam = room;
+        out.beam = scratch;
         result
     }
 }
@@ -139,34 +139,40 @@ impl Beam {
     fn add_stations(
         &self,
         instant: &Instant,
-        room: &mut Scratch,
+        scratch: &mut Scratch,
         out: &mut Contribution,
     ) -> Result<()> {
         let states = instant.nodes;
         let damping = self.damping(states);
         for (place, station) in self.stations.iter().enumerate() {
-            room.terms.clear();
-            let at = room.add_terms(station, states)?;
+            scratch.terms.clear();
+            let at = scratch.add_terms(station, states)?;
             let section = &station.section;
             let mut stress = product(&section.stiffness, &station.strain(&at.e));
             let mut rate = DualVector::zeros();
             if self.damped {
-                rate = strain_rate(&room.terms, states);
+                rate = strain_rate(&scratch.terms, states);
                 stress += product(&section.damping, &(rate.to_twist() / station.stretch));
             }
             let stress = stress * station.weight;
-            add_forces(&room.terms, &stress, out);
+            add_forces(&scratch.terms, &stress, out);
             if !out.with_tangents {
                 continue;
             }
             let held = instant.resultants.get(place);
             let held = held.map_or(stress, |resultants| resultants * station.weight);
-            add_geometric_stiffness(&at, &held, &mut room.terms, out);
+            add_geometric_stiffness(&at, &held, &mut scratch.terms, out);
             if damping.rates_vary {
                 let twist = |a: usize| DualVector::from_twist(&states[a].twist);
-                rate_variations(&at, &rate, twist, &mut room.terms);
+                rate_variations(&at, &rate, twist, &mut scratch.terms);
             }
-            add_material_stiffness(&room.terms, &[station.own_law()], &room.terms, damping, out);
+            add_material_stiffness(
+                &scratch.terms,
+                &[station.own_law()],
+                &scratch.terms,
+                damping,
+                out,
+            );
         }
         Ok(())
     }
@@ -176,42 +182,42 @@ impl Beam {
         &self,
         law: &CoupledLaw,
         instant: &Instant,
-        room: &mut Scratch,
+        scratch: &mut Scratch,
         out: &mut Contribution,
     ) -> Result<()> {
         let (states, count) = (instant.nodes, self.nodes.len());
         let damping = self.damping(states);
-        room.terms.clear();
-        room.motions.clear();
-        room.strains.clear();
-        room.rates.clear();
+        scratch.terms.clear();
+        scratch.motions.clear();
+        scratch.strains.clear();
+        scratch.rates.clear();
         for (place, station) in self.stations.iter().enumerate() {
-            let at = room.add_terms(station, states)?;
-            let rate = strain_rate(&room.terms[place * count..], states);
-            room.strains.push(at.e.to_twist() - station.reference);
-            room.rates.push(rate.to_twist());
-            room.motions.push(at);
+            let at = scratch.add_terms(station, states)?;
+            let rate = strain_rate(&scratch.terms[place * count..], states);
+            scratch.strains.push(at.e.to_twist() - station.reference);
+            scratch.rates.push(rate.to_twist());
+            scratch.motions.push(at);
         }
         for (place, station) in self.stations.iter().enumerate() {
-            let stress = law.resultants(place, &room.strains, &room.rates);
-            let terms = &mut room.terms[place * count..][..count];
+            let stress = law.resultants(place, &scratch.strains, &scratch.rates);
+            let terms = &mut scratch.terms[place * count..][..count];
             add_forces(terms, &stress, out);
             if !out.with_tangents {
                 continue;
             }
             let held = instant.resultants.get(place);
             let held = held.map_or(stress, |resultants| resultants * station.weight);
-            let at = &room.motions[place];
+            let at = &scratch.motions[place];
             add_geometric_stiffness(at, &held, terms, out);
             if damping.rates_vary {
-                let rate = DualVector::from_twist(&room.rates[place]);
+                let rate = DualVector::from_twist(&scratch.rates[place]);
                 let twist = |a: usize| DualVector::from_twist(&states[a].twist);
                 rate_variations(at, &rate, twist, terms);
             }
         }
         if out.with_tangents {
-            for (place, rows) in room.terms.chunks_exact(count).enumerate() {
-                add_material_stiffness(rows, law.row(place), &room.terms, damping, out);
+            for (place, rows) in scratch.terms.chunks_exact(count).enumerate() {
+                add_material_stiffness(rows, law.row(place), &scratch.terms, damping, out);
             }
         }
         Ok(())

@@ -140,7 +140,7 @@ impl Beam {
         motions: &[Motion],
         twists: &[Vector6<f64>],
     ) -> Result<(Vector6<f64>, Vector6<f64>)> {
-        let mut room = Scratch::default();
+        let mut scratch = Scratch::default();
         let states: Vec<NodeState> = motions
             .iter()
             .zip(twists)
@@ -150,11 +150,12 @@ impl Beam {
             })
             .collect();
         for station in &self.stations {
-            room.terms.clear();
-            let at = room.add_terms(station, &states)?;
-            room.strains.push(at.e.to_twist() - station.reference);
-            room.rates
-                .push(strain_rate(&room.terms, &states).to_twist());
+            scratch.terms.clear();
+            let at = scratch.add_terms(station, &states)?;
+            scratch.strains.push(at.e.to_twist() - station.reference);
+            scratch
+                .rates
+                .push(strain_rate(&scratch.terms, &states).to_twist());
         }
         let points: Vec<f64> = gauss_legendre(self.stations.len())
             .iter()
@@ -162,8 +163,8 @@ impl Beam {
             .collect();
         let (mut strain, mut stress) = (Vector6::zeros(), Vector6::zeros());
         for (i, shape) in shape_functions(&points, xi).iter().enumerate() {
-            strain += room.strains[i] * (shape.0 / self.stations[i].stretch);
-            stress += self.resultants(i, &room.strains, &room.rates) * shape.0;
+            strain += scratch.strains[i] * (shape.0 / self.stations[i].stretch);
+            stress += self.resultants(i, &scratch.strains, &scratch.rates) * shape.0;
         }
         let back = about_axis(-self.station(xi, 0.0)?.turn);
         Ok((

@@ -5,7 +5,7 @@
 use crate::collocation::{Panel, Pattern};
 use crate::error::Result;
 use crate::solve::linear::dense::{largest, solve_unit_lower, solve_upper, subtract_product};
-use crate::solve::linear::front::{Front, LARGE_FRONT, Room, make_zero};
+use crate::solve::linear::front::{Front, FrontWorkspace, LARGE_FRONT, make_zero};
 use crate::solve::linear::ordering::{FrontPlan, plan};
 use crate::workers::{Spare, Workers, parts};
 use faer::{Mat, Par};
@@ -23,7 +23,7 @@ const ACCURATE: f64 = 1e-10;
 /// Residual of a refined solve that calls for safer pivots, relative to the right-hand side or, if
 /// that is more, to the largest number that the product may add up.
 const INACCURATE: f64 = 1e-9;
-/// Most forks of the tree of fronts, one above the other, where threads part: each takes room on
+/// Most forks of the tree of fronts, one above the other, where threads part: each takes memory on
 /// the stack.
 const MOST_FORKS: usize = 32;
 /// Most refinements of a solve.
@@ -60,7 +60,7 @@ struct Factorisation<'a> {
     analysis: &'a Analysis,
     values: &'a [f64],
     smallest_pivot: f64,
-    rooms: Spare<Room>,
+    workspaces: Spare<FrontWorkspace>,
     workers: &'a Workers,
 }
 
@@ -171,16 +171,16 @@ impl Factorisation<'_> {
         (first, fronts): (usize, &mut [Front]),
         parallelism: Par,
     ) -> Result<bool> {
-        let mut room = self
-            .rooms
-            .take(|| Room::new(self.analysis.groups.len(), self.workers));
+        let mut workspace = self
+            .workspaces
+            .take(|| FrontWorkspace::new(self.analysis.groups.len(), self.workers));
         for f in some {
             self.workers.pulse()?;
-            if !self.factor(f, (first, fronts), &mut room, parallelism)? {
+            if !self.factor(f, (first, fronts), &mut workspace, parallelism)? {
                 return Ok(false);
             }
         }
-        self.rooms.give(room);
+        self.workspaces.give(workspace);
         Ok(true)
     }
 
@@ -190,7 +190,7 @@ impl Factorisation<'_> {
         &self,
         f: usize,
         (first, fronts): (usize, &mut [Front]),
-        room: &mut Room,
+        workspace: &mut FrontWorkspace,
         parallelism: Par,
     ) -> Result<bool> {
         let analysis = self.analysis;
@@ -199,28 +199,28 @@ impl Factorisation<'_> {
         let front = &mut front[0];
         front.rows.clear();
         for &g in &plan.own {
-            room.place[g] = front.rows.len();
+            workspace.place[g] = front.rows.len();
             front.rows.extend(analysis.groups[g].clone());
         }
         front.columns.clone_from(&front.rows);
-        room.sizes.clear();
-        room.sizes.resize(front.rows.len(), 0.0);
+        workspace.sizes.clear();
+        workspace.sizes.resize(front.rows.len(), 0.0);
         for &child in &plan.children {
             let child = &before[child - first];
             front.rows.extend(&child.delayed_rows);
             front.columns.extend(&child.delayed_columns);
-            room.sizes.extend(&child.delayed_sizes);
+            workspace.sizes.extend(&child.delayed_sizes);
         }
         let mut size = front.rows.len();
         for &g in &plan.boundary {
-            room.place[g] = size;
+            workspace.place[g] = size;
             size += analysis.groups[g].len();
         }
         let assemble = |front: &mut Front, place: &[usize]| {
             self.assemble(f, (first, &*before), place, (front, size))
         };
         let smallest_pivot = plan.parent.map(|_| self.smallest_pivot);
-        if !front.eliminate(assemble, smallest_pivot, room, parallelism)? {
+        if !front.eliminate(assemble, smallest_pivot, workspace, parallelism)? {
             return Ok(false);
         }
         for &child in &plan.children {
@@ -356,7 +356,7 @@ impl DirectSolver {
             analysis,
             values,
             smallest_pivot: self.smallest_pivot,
-            rooms: Spare::default(),
+            workspaces: Spare::default(),
             workers: &workers,
         };
         let fronts = &mut self.fronts[..];

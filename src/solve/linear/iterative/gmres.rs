@@ -43,7 +43,7 @@ pub(crate) struct GmresEnd {
 
 /// Memory for long vectors, kept from one solve to the next, as taking it takes time.
 #[derive(Default)]
-pub(crate) struct GmresRoom {
+pub(crate) struct GmresWorkspace {
     /// Orthonormal vectors, one behind the other.
     basis: Vec<f64>,
     /// The right-hand side.
@@ -60,19 +60,19 @@ pub(crate) trait Preconditioned {
     fn precondition(&mut self, y: &mut [f64]);
 }
 
-/// Solves `A x = b` from `x = 0`: `rhs` is `b` before and `x` after. What `room` holds does not
-/// matter.
+/// Solves `A x = b` from `x = 0`: `rhs` is `b` before and `x` after. What `workspace` holds does
+/// not matter.
 pub(crate) fn gmres(
     operator: &mut impl Preconditioned,
     rhs: &mut [f64],
     options: &GmresOptions,
     workers: &Workers,
-    room: &mut GmresRoom,
+    workspace: &mut GmresWorkspace,
 ) -> GmresEnd {
     let vectors = Vectors { workers };
     let norm = |x: &mut [f64]| vectors.norm(x);
     let size = rhs.len();
-    let GmresRoom { basis, b, rest } = room;
+    let GmresWorkspace { basis, b, rest } = workspace;
     for copy in [&mut *b, &mut *rest] {
         copy.clear();
         copy.extend_from_slice(rhs);
@@ -238,11 +238,11 @@ impl Vectors<'_> {
         let mut sums = vec![0.0; x.len().div_ceil(PIECE) * count];
         let of_pieces = sums.chunks_mut(count.max(1));
         let mut pieces: Vec<_> = x.chunks_mut(PIECE).zip(of_pieces).collect();
-        let rooms = &mut Vec::new();
+        let workspaces = &mut Vec::new();
         let item = |piece: usize, x: &mut [f64], sums: &mut [f64]| work(piece * PIECE, x, sums);
         self.workers.for_each(
             &mut pieces,
-            rooms,
+            workspaces,
             || (),
             |(), i, (x, sums)| item(i, x, sums),
         );
@@ -406,7 +406,7 @@ mod tests {
                 &mut x,
                 &options,
                 &Workers::default(),
-                &mut GmresRoom::default(),
+                &mut GmresWorkspace::default(),
             );
             assert!(end.error <= 1e-10, "{end:?}");
             let error = x.iter().zip(&exact).map(|(x, e)| (x - e).abs());
@@ -436,7 +436,7 @@ mod tests {
             &mut x,
             &options,
             &Workers::default(),
-            &mut GmresRoom::default(),
+            &mut GmresWorkspace::default(),
         );
         assert!(end.error > 0.5 && x.iter().all(|x| x.is_finite()));
     }

@@ -173,10 +173,10 @@ impl Averages<'_> {
         let (equations, tangent) = (self.equations, self.tangent);
         let couplings = tangent.couplings();
         let mut means = vec![MeanTangent::default(); couplings.len()];
-        let rooms = &mut Vec::new();
+        let workspaces = &mut Vec::new();
         equations.workers().for_each(
             &mut means,
-            rooms,
+            workspaces,
             || (),
             |(), pair, mean| *mean = MeanTangent::new(equations, tangent, pair),
         );

@@ -24,7 +24,7 @@ use crate::solve::linear::solver::LinearSolver;
 use crate::solve::report::{Timings, timed};
 use body_circulant::BodyCirculant;
 use constraints::Joints;
-pub(crate) use gmres::{GmresOptions, GmresRoom, Preconditioned, gmres};
+pub(crate) use gmres::{GmresOptions, GmresWorkspace, Preconditioned, gmres};
 pub(crate) use projected::Projected;
 use serde::{Deserialize, Serialize};
 use std::time::{Duration, Instant};
@@ -188,7 +188,7 @@ pub(crate) struct Iterative {
     first_products: Option<usize>,
     /// Products that a solve may take.
     limit: usize,
-    room: GmresRoom,
+    workspace: GmresWorkspace,
     pub record: IterativeRecord,
 }
 
@@ -222,7 +222,7 @@ impl Iterative {
             is_scaled: false,
             first_products: None,
             limit: ITERATION_LIMIT,
-            room: GmresRoom::default(),
+            workspace: GmresWorkspace::default(),
             record: IterativeRecord::default(),
         }
     }
@@ -369,7 +369,7 @@ impl LinearSolver for Iterative {
                 &mut unknowns,
                 &options,
                 workers,
-                &mut self.room,
+                &mut self.workspace,
             );
             self.record.products.push(end.iterations);
             self.count_bytes(end.iterations.min(options.restart), unknowns.len());

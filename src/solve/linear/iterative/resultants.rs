@@ -4,8 +4,8 @@
 //! [S Bᵀ; L −1] [x; f] = [b; r]   ⇔   (S + Bᵀ L) x = b + Bᵀ r,   f = L x − r
 //! ```
 //!
-//! with `B` and `L` averaged over time. They are worth their room because averages of a bent beam's
-//! stiffness, `Bᵀ L`, would stretch it where it bends. See docs/theory.md, section 8.4.
+//! with `B` and `L` averaged over time. They are worth their memory because averages of a bent
+//! beam's stiffness, `Bᵀ L`, would stretch it where it bends. See docs/theory.md, section 8.4.
 
 use super::mean::MeanStrain;
 use crate::collocation::{Collocation, Station, Tangent};
@@ -78,10 +78,10 @@ impl Resultants {
                 }
             }
         };
-        let rooms = &mut Vec::new();
+        let workspaces = &mut Vec::new();
         self.workers.for_each(
             &mut rows,
-            rooms,
+            workspaces,
             || (),
             |(), node, forces| add(node, forces),
         );
@@ -109,8 +109,12 @@ impl Resultants {
             }
         };
         let mut all: Vec<_> = r.chunks_mut(self.layout.of_node()).collect();
-        let rooms = &mut Vec::new();
-        self.workers
-            .for_each(&mut all, rooms, || (), |(), index, r| determine(index, r));
+        let workspaces = &mut Vec::new();
+        self.workers.for_each(
+            &mut all,
+            workspaces,
+            || (),
+            |(), index, r| determine(index, r),
+        );
     }
 }
