@@ -106,8 +106,8 @@ impl Scratch {
                 .max(f.fixed_rows::<3>(3).amax() / length)
         };
         for placed in system.elements() {
-            for row in 0..placed.element.multipliers() {
-                let place = placed.first_multiplier + row;
+            for row in 0..placed.element.own_unknowns() {
+                let place = placed.first_own + row;
                 let (value, rate) = own(place);
                 self.multipliers[place] = value;
                 if placed.has_states {
@@ -142,7 +142,7 @@ impl Scratch {
             let own = system.layout(1).element(placed);
             found.rows[own].copy_from_slice(out.constraint.as_slice());
             for (row, violation) in out.constraint.iter().enumerate() {
-                match system.unknown(placed.first_multiplier + row) {
+                match system.unknown(placed.first_own + row) {
                     Unknown::Multiplier(Measure::Length) => {
                         found.constraint = found.constraint.max(violation.abs() / length);
                     }

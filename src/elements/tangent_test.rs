@@ -369,7 +369,7 @@ fn residual(
 fn tangents_are_the_derivatives_of_forces() {
     for case in cases() {
         let nodes = case.states.len();
-        let count = case.element.multipliers();
+        let count = case.element.own_unknowns();
         assert_eq!(case.element.nodes().len(), nodes);
         let multipliers: Vec<f64> = (0..count).map(|m| 0.7 - 0.3 * m as f64).collect();
         let rates: Vec<f64> = (0..count).map(|m| 0.2 + 0.4 * m as f64).collect();
@@ -520,9 +520,9 @@ fn extrapolated_resultants_are_tangent_to_those_of_the_strains() {
         }
 
         // Where they are those of the strains, so is the geometric stiffness.
-        let mut exact = Contribution::new(still.len(), case.element.multipliers(), true);
+        let mut exact = Contribution::new(still.len(), case.element.own_unknowns(), true);
         let mut found = exact.clone();
-        let multipliers = vec![0.7; case.element.multipliers()];
+        let multipliers = vec![0.7; case.element.own_unknowns()];
         for (resultants, out) in [(&[][..], &mut exact), (&here, &mut found)] {
             let instant = Instant {
                 time: 0.6,
@@ -559,7 +559,7 @@ fn forces_do_not_depend_on_the_observer() {
         if attached || case.name.contains("inertia") || case.name.contains("body") {
             continue;
         }
-        let multipliers = vec![0.4; case.element.multipliers()];
+        let multipliers = vec![0.4; case.element.own_unknowns()];
         let moved: Vec<NodeState> = case
             .states
             .iter()

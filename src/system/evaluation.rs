@@ -132,7 +132,7 @@ impl System {
         signals: &[f64],
         workspace: &'w mut Workspace,
     ) -> Result<&'w Contribution> {
-        let count = placed.element.multipliers();
+        let count = placed.element.own_unknowns();
         let zeros = vec![0.0; count.max(self.tracked())];
         let conditions = Conditions {
             time: 0.0,

@@ -36,16 +36,16 @@ impl Placed {
     /// Its own unknowns at grid point `k` among those of all elements at all `points`.
     #[inline]
     pub fn own_at(&self, points: usize, k: usize) -> Range<usize> {
-        let count = self.element.multipliers();
-        let first = self.first_multiplier * points + count * k;
+        let count = self.element.own_unknowns();
+        let first = self.first_own * points + count * k;
         first..first + count
     }
 
     /// The same at all grid points.
     #[inline]
     pub fn own_over(&self, points: usize) -> Range<usize> {
-        let first = self.first_multiplier * points;
-        first..first + self.element.multipliers() * points
+        let first = self.first_own * points;
+        first..first + self.element.own_unknowns() * points
     }
 }
 

@@ -250,7 +250,7 @@ fn own_rows(
     let [coarse, fine] = [points, finer].map(|points| system.layout(points));
     system.elements().iter().map(move |placed| {
         let first = |layout: &Layout| layout.element(placed).start;
-        (first(&coarse), first(&fine), placed.element.multipliers())
+        (first(&coarse), first(&fine), placed.element.own_unknowns())
     })
 }
 

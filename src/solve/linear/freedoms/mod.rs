@@ -182,7 +182,7 @@ impl FreedomSolver {
         let mut first = 0;
         let mut elements = Vec::new();
         for (element, placed) in equations.system().elements().iter().enumerate() {
-            let count = placed.element.multipliers();
+            let count = placed.element.own_unknowns();
             if count > 0 && !placed.has_states {
                 let nodes = placed.element.nodes().to_vec();
                 elements.push(Constraints {
