@@ -209,19 +209,19 @@ impl Workers {
         self.for_each(items, &mut Vec::new(), || (), |(), i, item| work(i, item));
     }
 
-    /// Works on all items, with room of its own for each thread.
+    /// Works on all items, with a workspace of its own for each thread.
     ///
     /// Threads take a few items at a time, in order: one that the system slows down takes fewer.
     pub fn for_each<T: Send, S: Send>(
         &self,
         items: &mut [T],
-        rooms: &mut Vec<S>,
-        new_room: impl Fn() -> S,
+        workspaces: &mut Vec<S>,
+        new_workspace: impl Fn() -> S,
         work: impl Fn(&mut S, usize, &mut T) + Sync,
     ) {
         let threads = self.threads().min(items.len()).max(1);
-        while rooms.len() < threads {
-            rooms.push(new_room());
+        while workspaces.len() < threads {
+            workspaces.push(new_workspace());
         }
         match self.pool() {
             Some(pool) if threads > 1 => {
@@ -229,10 +229,10 @@ impl Workers {
                 let left = Mutex::new(items.chunks_mut(length).enumerate());
                 let next = || left.lock().ok().and_then(|mut left| left.next());
                 self.install(pool, || {
-                    rooms[..threads].par_iter_mut().for_each(|room| {
+                    workspaces[..threads].par_iter_mut().for_each(|workspace| {
                         while let Some((part, items)) = next() {
                             for (i, item) in items.iter_mut().enumerate() {
-                                work(room, part * length + i, item);
+                                work(workspace, part * length + i, item);
                             }
                         }
                     });
@@ -240,7 +240,7 @@ impl Workers {
             }
             _ => {
                 for (i, item) in items.iter_mut().enumerate() {
-                    work(&mut rooms[0], i, item);
+                    work(&mut workspaces[0], i, item);
                     if let Some(pulse) = &self.pulse {
                         pulse.beat();
                     }
@@ -254,15 +254,15 @@ impl Workers {
     pub fn try_for_each<T: Send, S: Send>(
         &self,
         items: &mut [T],
-        rooms: &mut Vec<S>,
-        new_room: impl Fn() -> S,
+        workspaces: &mut Vec<S>,
+        new_workspace: impl Fn() -> S,
         work: impl Fn(&mut S, usize, &mut T) -> Result<()> + Sync,
     ) -> Result<()> {
         let failure = Mutex::new(None::<(usize, Error)>);
         let first_failed = AtomicUsize::new(usize::MAX);
-        self.for_each(items, rooms, new_room, |room, i, item| {
+        self.for_each(items, workspaces, new_workspace, |workspace, i, item| {
             if i < first_failed.load(Ordering::Relaxed)
-                && let Err(error) = self.pulse().and_then(|()| work(room, i, item))
+                && let Err(error) = self.pulse().and_then(|()| work(workspace, i, item))
                 && let Ok(mut failure) = failure.lock()
                 && failure.as_ref().is_none_or(|(first, _)| i < *first)
             {

@@ -180,7 +180,7 @@ pub(super) struct Out<'call, T> {
 impl<T> Out<'_, T> {
     /// Writes the result.
     pub(super) fn set(self, value: T) {
-        // SAFETY: not NULL and aligned; the caller vouches for the room. What was there is plain
+        // SAFETY: not NULL and aligned; the caller vouches for the memory. What was there is plain
         // data.
         unsafe { self.pointer.write(value) }
     }

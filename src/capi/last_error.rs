@@ -89,7 +89,7 @@ mod tests {
         assert_eq!(needed, whole.len());
         assert_eq!(&buffer[..=needed], [whole.as_bytes(), b"\0"].concat());
 
-        // Room for the first byte of "≤" only: the character is left out.
+        // Memory for the first byte of "≤" only: the character is left out.
         let (needed, buffer) = read(18);
         assert_eq!(needed, whole.len());
         assert_eq!(&buffer[..17], b"angle: expected \0");

@@ -71,17 +71,17 @@ struct Unbalance {
     overflow: bool,
 }
 
-/// Room of one thread.
-struct Room {
+/// Scratch of one thread.
+struct Scratch {
     workspace: Workspace,
     multipliers: Vec<f64>,
     rates: Vec<f64>,
     sums: Vec<Vector6<f64>>,
 }
 
-impl Room {
+impl Scratch {
     fn new(system: &System) -> Self {
-        Room {
+        Scratch {
             workspace: system.workspace(false),
             multipliers: vec![0.0; system.own_unknowns()],
             rates: vec![0.0; system.own_unknowns()],
@@ -106,8 +106,8 @@ impl Room {
                 .max(f.fixed_rows::<3>(3).amax() / length)
         };
         for placed in system.elements() {
-            for row in 0..placed.element.multipliers() {
-                let place = placed.first_multiplier + row;
+            for row in 0..placed.element.own_unknowns() {
+                let place = placed.first_own + row;
                 let (value, rate) = own(place);
                 self.multipliers[place] = value;
                 if placed.has_states {
@@ -142,7 +142,7 @@ impl Room {
             let own = system.layout(1).element(placed);
             found.rows[own].copy_from_slice(out.constraint.as_slice());
             for (row, violation) in out.constraint.iter().enumerate() {
-                match system.unknown(placed.first_multiplier + row) {
+                match system.unknown(placed.first_own + row) {
                     Unknown::Multiplier(Measure::Length) => {
                         found.constraint = found.constraint.max(violation.abs() / length);
                     }
@@ -196,8 +196,8 @@ impl Defect {
         workers.try_for_each(
             &mut found,
             &mut Vec::new(),
-            || Room::new(system),
-            |room, k, found| {
+            || Scratch::new(system),
+            |scratch, k, found| {
                 let conditions = Conditions {
                     time: time(k),
                     signals: &signals[k * count..][..count],
@@ -205,7 +205,7 @@ impl Defect {
                     inertia_factor: 1.0,
                 };
                 let node_state = |node: usize| nodes.states[node * points + k];
-                *found = room.unbalance(system, &conditions, node_state, |place| {
+                *found = scratch.unbalance(system, &conditions, node_state, |place| {
                     (
                         unknowns.values[place * points + k],
                         unknowns.rates[place * points + k],

@@ -49,7 +49,7 @@ impl Instants {
             workers.pulse()?;
             let placed = &self.system.elements()[index];
             let nodes = placed.element.nodes();
-            let count = placed.element.multipliers();
+            let count = placed.element.own_unknowns();
             for k in 0..self.points {
                 let contribution = self.evaluate(placed, k, state, workspace)?;
                 let of_nodes = contribution.force.as_slice().chunks_exact(6);
@@ -87,7 +87,7 @@ impl Instants {
         let first_station = k * self.system.stations();
         let stations = first_station + placed.stations.start..first_station + placed.stations.end;
         let own = OwnValues {
-            values: state.multipliers_of(placed, k),
+            values: state.own_of(placed, k),
             rates: &self.rates[placed.own_at(state.points(), k)],
             resultants: self.resultants.get(stations).unwrap_or(&[]),
         };

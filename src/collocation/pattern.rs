@@ -64,7 +64,7 @@ impl Pattern {
         let couplings = Couplings::new(system);
         let mut constrained: Vec<Vec<(usize, usize)>> = vec![Vec::new(); system.nodes()];
         for (index, placed) in system.elements().iter().enumerate() {
-            if placed.element.multipliers() > 0 {
+            if placed.element.own_unknowns() > 0 {
                 for (local, &node) in placed.element.nodes().iter().enumerate() {
                     constrained[node].push((index, local));
                 }
@@ -97,7 +97,7 @@ impl Pattern {
             }
             for &(index, local) in &pattern.constrained[node] {
                 pattern.constraint_offsets[index][local] = length;
-                length += system.elements()[index].element.multipliers();
+                length += system.elements()[index].element.own_unknowns();
             }
             let group = pattern.next_group(length, 6 * points);
             pattern.nodes.push(group);
@@ -131,7 +131,7 @@ impl Pattern {
         self.force_offsets.push(offsets);
         // Internal states couple with themselves at all times, a multiplier's own entry regularises
         // it.
-        let count = self.points * element.multipliers();
+        let count = self.points * element.own_unknowns();
         let own_rows = if has_states { count } else { 1 };
         let group = self.next_group(6 * order.len() + own_rows, count);
         self.own_offsets.push(6 * order.len());

@@ -112,9 +112,9 @@ impl GridState {
         let own = self.resampled_own(system, grid, start, points);
         for placed in system.elements() {
             for k in 0..points {
-                let values = result.multipliers_of_mut(placed, k);
+                let values = result.own_of_mut(placed, k);
                 for (row, value) in values.iter_mut().enumerate() {
-                    *value = own.values[(placed.first_multiplier + row) * points + k];
+                    *value = own.values[(placed.first_own + row) * points + k];
                 }
             }
         }
@@ -145,13 +145,13 @@ impl GridState {
         };
         let mut resampling = Resampling::new(grid, start, points);
         for placed in system.elements() {
-            for row in 0..placed.element.multipliers() {
+            for row in 0..placed.element.own_unknowns() {
                 let gain = self.gain(system, placed, row);
                 resampling.read((0..grid.points()).map(|l| {
                     let steady = gain * l as f64 / grid.points() as f64;
-                    self.multipliers_of(placed, l)[row] - steady
+                    self.own_of(placed, l)[row] - steady
                 }));
-                let place = (placed.first_multiplier + row) * points;
+                let place = (placed.first_own + row) * points;
                 let (values, rates) = (
                     &mut own.values[place..][..points],
                     &mut own.rates[place..][..points],

@@ -70,25 +70,25 @@ impl GridState {
         &self.coordinates[k * count..][..count]
     }
 
-    /// Multipliers of an element at grid point `k`.
-    pub fn multipliers_of(&self, placed: &Placed, k: usize) -> &[f64] {
+    /// Own unknowns of an element at grid point `k`.
+    pub fn own_of(&self, placed: &Placed, k: usize) -> &[f64] {
         &self.multipliers[placed.own_at(self.points, k)]
     }
 
-    /// Multipliers of an element at grid point `k`, to be changed.
-    pub fn multipliers_of_mut(&mut self, placed: &Placed, k: usize) -> &mut [f64] {
+    /// Own unknowns of an element at grid point `k`, to be changed.
+    pub fn own_of_mut(&mut self, placed: &Placed, k: usize) -> &mut [f64] {
         &mut self.multipliers[placed.own_at(self.points, k)]
     }
 
-    /// Place of an element's first own unknown at grid point `k` among the multipliers.
-    pub fn first_multiplier(&self, placed: &Placed, k: usize) -> usize {
+    /// Place of an element's first own unknown at grid point `k` among those of all elements.
+    pub fn first_own(&self, placed: &Placed, k: usize) -> usize {
         placed.own_at(self.points, k).start
     }
 
     /// What an element's own unknown `row` gains in a period: whole turns, for the internal state
     /// of an angle that does.
     pub fn gain(&self, system: &System, placed: &Placed, row: usize) -> f64 {
-        match system.unknown(placed.first_multiplier + row) {
+        match system.unknown(placed.first_own + row) {
             Unknown::State {
                 measure: Measure::Angle,
                 tracked,
@@ -107,8 +107,8 @@ impl GridState {
             self.motions[node * self.points + k] = other.motions[node * other.points + from];
         }
         for placed in system.elements() {
-            self.multipliers_of_mut(placed, k)
-                .copy_from_slice(other.multipliers_of(placed, from));
+            self.own_of_mut(placed, k)
+                .copy_from_slice(other.own_of(placed, from));
         }
         let count = system.tracked();
         self.coordinates[k * count..][..count].copy_from_slice(other.tracked(system, from));
@@ -141,8 +141,7 @@ impl GridState {
         );
     }
 
-    /// Makes room for tracked coordinates of a state that was kept with the first `old` of them
-    /// only.
+    /// Adds tracked coordinates to a state that was kept with the first `old` of them only.
     pub fn complete_tracked(&mut self, system: &System, old: usize) {
         let count = system.tracked();
         if count == old || self.coordinates.len() != old * self.points {

@@ -88,7 +88,7 @@ impl Block {
     }
 }
 
-/// Room for what loads along an element find.
+/// Scratch for what loads along an element find.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Scratch {
     /// Motions of the nodes relative to the first.
@@ -262,31 +262,37 @@ impl Element for DistributedLoad {
 
     fn evaluate(&self, instant: &Instant, out: &mut Contribution) -> Result<()> {
         // Taken out while `out` is written to.
-        let mut room = std::mem::take(&mut out.load);
-        let result = self.add_to(instant, &mut room, out);
-        out.load = room;
+        let mut scratch = std::mem::take(&mut out.load);
+        let result = self.add_to(instant, &mut scratch, out);
+        out.load = scratch;
         result
     }
 }
 
 impl DistributedLoad {
-    fn add_to(&self, instant: &Instant, room: &mut Scratch, out: &mut Contribution) -> Result<()> {
+    fn add_to(
+        &self,
+        instant: &Instant,
+        scratch: &mut Scratch,
+        out: &mut Contribution,
+    ) -> Result<()> {
         let states = instant.nodes;
         let first = &states[0].motion;
-        room.relative.clear();
+        scratch.relative.clear();
         let relative = states
             .iter()
             .map(|state| first.relative(&state.motion).to_dual());
-        room.relative.extend(relative);
-        self.sum(instant.signals, &mut room.loads);
+        scratch.relative.extend(relative);
+        self.sum(instant.signals, &mut scratch.loads);
         if out.with_tangents {
-            room.blocks.clear();
-            room.blocks
+            scratch.blocks.clear();
+            scratch
+                .blocks
                 .resize(states.len() * states.len(), Block::zeros());
         }
         for (place, station) in self.stations.iter().enumerate() {
-            let polar = station.polar(&room.relative)?;
-            let [space, follower] = &room.loads[place];
+            let polar = station.polar(&scratch.relative)?;
+            let [space, follower] = &scratch.loads[place];
             let (force, moment) = halves(space);
             let section = first.rotation * polar.rotation.primal;
             let space = DualVector {
@@ -294,13 +300,13 @@ impl DistributedLoad {
                 dual: section.tr_mul(&moment),
             };
             let mu = polar.spread_inverse * (space + DualVector::from_wrench(follower));
-            room.terms.clear();
-            for (a, (y, shape)) in room.relative.iter().zip(station.shapes()).enumerate() {
+            scratch.terms.clear();
+            for (a, (y, shape)) in scratch.relative.iter().zip(station.shapes()).enumerate() {
                 let x = polar.rotation.tr_mul(y);
                 let c = x.trace_minus_transpose() * shape;
                 out.add_force(a, &-(c.transpose() * mu).to_wrench());
                 if out.with_tangents {
-                    room.terms.push(NodeTerms {
+                    scratch.terms.push(NodeTerms {
                         shape,
                         x,
                         turn: polar.spread_inverse * c,
@@ -309,12 +315,12 @@ impl DistributedLoad {
                 }
             }
             if out.with_tangents {
-                room.add_tangents(&polar, &mu, &space);
+                scratch.add_tangents(&polar, &mu, &space);
             }
         }
         if out.with_tangents {
             let count = states.len();
-            for (place, block) in room.blocks.iter().enumerate() {
+            for (place, block) in scratch.blocks.iter().enumerate() {
                 let mut k = -block.dual.to_stiffness_matrix();
                 let mut moments = k.fixed_view_mut::<3, 3>(3, 0);
                 moments += block.rest;

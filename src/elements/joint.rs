@@ -256,7 +256,7 @@ impl Element for Joint {
         self.pair.nodes()
     }
 
-    fn multipliers(&self) -> usize {
+    fn own_unknowns(&self) -> usize {
         self.kind.constraints()
     }
 
@@ -266,7 +266,7 @@ impl Element for Joint {
 
     fn evaluate(&self, instant: &Instant, out: &mut Contribution) -> Result<()> {
         let state = self.pair.state(instant.nodes);
-        let functions = (0..self.multipliers()).map(|row| self.kind.constraint(row, &state.z));
+        let functions = (0..self.own_unknowns()).map(|row| self.kind.constraint(row, &state.z));
         state.add_constraints(functions, instant.multipliers, out);
         Ok(())
     }
@@ -298,7 +298,7 @@ impl Element for Prescribed {
         self.pair.nodes()
     }
 
-    fn multipliers(&self) -> usize {
+    fn own_unknowns(&self) -> usize {
         1
     }
 

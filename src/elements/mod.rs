@@ -237,7 +237,7 @@ pub trait Element: Send + Sync + std::fmt::Debug {
     fn nodes(&self) -> &[usize];
 
     /// Number of own unknowns: Lagrange multipliers or internal states.
-    fn multipliers(&self) -> usize {
+    fn own_unknowns(&self) -> usize {
         0
     }
 
@@ -248,7 +248,7 @@ pub trait Element: Send + Sync + std::fmt::Debug {
 
     /// Whether the own unknowns are internal states.
     fn has_states(&self) -> bool {
-        (0..self.multipliers()).any(|i| matches!(self.unknown(i), Unknown::State { .. }))
+        (0..self.own_unknowns()).any(|i| matches!(self.unknown(i), Unknown::State { .. }))
     }
 
     /// Adds the element's forces, constraints and, if wanted, tangents to `out`, which was cleared.
@@ -271,14 +271,14 @@ pub trait Element: Send + Sync + std::fmt::Debug {
     }
 
     /// Writes the stress resultants at each station that has a [`StressLaw`], for nodes at `nodes`;
-    /// `room` is scratch.
+    /// `scratch` is scratch.
     ///
     /// # Errors
     /// As [`Element::evaluate`].
     fn stress_resultants(
         &self,
         _nodes: &[NodeState],
-        _room: &mut Contribution,
+        _scratch: &mut Contribution,
         _out: &mut [Vector6<f64>],
     ) -> Result<()> {
         Ok(())
@@ -293,7 +293,7 @@ pub trait Element: Send + Sync + std::fmt::Debug {
         &self,
         _nodes: &[NodeState],
         _increments: &[[Vector6<f64>; 2]],
-        _room: &mut Contribution,
+        _scratch: &mut Contribution,
         _out: &mut [Vector6<f64>],
     ) -> Result<()> {
         Ok(())

@@ -369,7 +369,7 @@ fn residual(
 fn tangents_are_the_derivatives_of_forces() {
     for case in cases() {
         let nodes = case.states.len();
-        let count = case.element.multipliers();
+        let count = case.element.own_unknowns();
         assert_eq!(case.element.nodes().len(), nodes);
         let multipliers: Vec<f64> = (0..count).map(|m| 0.7 - 0.3 * m as f64).collect();
         let rates: Vec<f64> = (0..count).map(|m| 0.2 + 0.4 * m as f64).collect();
@@ -488,17 +488,17 @@ fn extrapolated_resultants_are_tangent_to_those_of_the_strains() {
     for case in cases() {
         let still = case.states.clone();
         let (element, stations) = (&case.element, case.element.stress_laws().len());
-        let mut room = Contribution::new(still.len(), element.multipliers(), false);
+        let mut scratch = Contribution::new(still.len(), element.own_unknowns(), false);
         let mut random = Random(5);
         let mut increment = || random.motion().logarithm() * 0.1;
         let increments: Vec<_> = still.iter().map(|_| [increment(), increment()]).collect();
         let mut there = vec![Vector6::zeros(); stations];
         element
-            .extrapolate_resultants(&still, &increments, &mut room, &mut there)
+            .extrapolate_resultants(&still, &increments, &mut scratch, &mut there)
             .unwrap();
         let mut resultants = |states: &[NodeState]| {
             let mut out = vec![Vector6::zeros(); stations];
-            let found = element.stress_resultants(states, &mut room, &mut out);
+            let found = element.stress_resultants(states, &mut scratch, &mut out);
             found.unwrap();
             out
         };
@@ -522,9 +522,9 @@ fn extrapolated_resultants_are_tangent_to_those_of_the_strains() {
         }
 
         // Where they are those of the strains, so is the geometric stiffness.
-        let mut exact = Contribution::new(still.len(), case.element.multipliers(), true);
+        let mut exact = Contribution::new(still.len(), case.element.own_unknowns(), true);
         let mut found = exact.clone();
-        let multipliers = vec![0.7; case.element.multipliers()];
+        let multipliers = vec![0.7; case.element.own_unknowns()];
         for (resultants, out) in [(&[][..], &mut exact), (&here, &mut found)] {
             let instant = Instant {
                 time: 0.6,
@@ -561,7 +561,7 @@ fn forces_do_not_depend_on_the_observer() {
         if attached || case.name.contains("inertia") || case.name.contains("body") {
             continue;
         }
-        let multipliers = vec![0.4; case.element.multipliers()];
+        let multipliers = vec![0.4; case.element.own_unknowns()];
         let moved: Vec<NodeState> = case
             .states
             .iter()

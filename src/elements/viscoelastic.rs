@@ -65,7 +65,7 @@ impl Element for Viscoelastic {
         self.at.nodes()
     }
 
-    fn multipliers(&self) -> usize {
+    fn own_unknowns(&self) -> usize {
         self.branches.len()
     }
 

@@ -143,7 +143,7 @@ impl Solution {
             let state_gain = gain_of(&self.solve, placed);
             let (mut change, mut size) = (0.0f64, 0.0f64);
             for (k, time) in self.solve.times().into_iter().enumerate() {
-                let own = self.solve.state.multipliers_of(placed, k);
+                let own = self.solve.state.own_of(placed, k);
                 let here = self.solve.state.tracked(system, k);
                 let later: Vec<f64> = here.iter().map(|q| q + gain).collect();
                 let mut signals_later = signals[k].clone();

@@ -93,7 +93,7 @@ pub(super) fn record_forces(solve: &Solved) -> Result<Vec<Result<ForceRecord>>> 
         };
         for (k, time) in solve.times().into_iter().enumerate() {
             let coordinates = solve.state.tracked(&solve.system, k);
-            let values = solve.state.multipliers_of(placed, k);
+            let values = solve.state.own_of(placed, k);
             let at = (k, time);
             let (on_nodes, outputs) = exerted(solve, placed, at, coordinates, &signals[k], values)?;
             record.on_nodes.push(on_nodes.as_slice().to_vec());

@@ -134,9 +134,7 @@ impl Solution {
         })?;
         let placed = self.placed(ElementRole::Prescribed(index))?;
         // The multiplier is the effort on the left-hand side: that of the drive is opposite.
-        self.samples_of(1, |k| {
-            Ok(vec![-self.solve.state.multipliers_of(placed, k)[0]])
-        })
+        self.samples_of(1, |k| Ok(vec![-self.solve.state.own_of(placed, k)[0]]))
     }
 
     /// Reactions at the grid points or steps.
@@ -146,7 +144,7 @@ impl Solution {
         let placed = self.placed(ElementRole::Joint(joint))?;
         self.samples_of(6, |k| {
             let states = self.states_of(definition, k);
-            let multipliers = self.solve.state.multipliers_of(placed, k);
+            let multipliers = self.solve.state.own_of(placed, k);
             let wrench = definition.reaction(&states, multipliers);
             let turn = match axes {
                 ResolvedIn::Second => nalgebra::Matrix3::identity(),

@@ -113,8 +113,8 @@ impl Modes {
                 *motion = motion.increment(&increment).renormalised();
             }
             for placed in system.elements() {
-                let values = state.multipliers_of_mut(placed, k);
-                for (value, change) in values.iter_mut().zip(&mode.own[placed.first_multiplier..]) {
+                let values = state.own_of_mut(placed, k);
+                for (value, change) in values.iter_mut().zip(&mode.own[placed.first_own..]) {
                     *value += now(change);
                 }
             }

@@ -129,15 +129,13 @@ impl Solution {
         for placed in new.elements() {
             let is_same = |other: &&Placed| {
                 other.role == placed.role
-                    && other.element.multipliers() == placed.element.multipliers()
+                    && other.element.own_unknowns() == placed.element.own_unknowns()
             };
             let kept = !matches!(placed.role, ElementRole::Beam(_) | ElementRole::Inertia);
             if let Some(other) = old.elements().iter().find(is_same).filter(|_| kept) {
                 for k in 0..points {
-                    let values = state.multipliers_of(other, k);
-                    carried
-                        .multipliers_of_mut(placed, k)
-                        .copy_from_slice(values);
+                    let values = state.own_of(other, k);
+                    carried.own_of_mut(placed, k).copy_from_slice(values);
                 }
             }
         }

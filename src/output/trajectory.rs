@@ -250,10 +250,10 @@ impl Solution {
         let from = &self.solve.state;
         for placed in system.elements() {
             let (before, after) = (
-                from.multipliers_of(placed, place.before),
-                from.multipliers_of(placed, place.after),
+                from.own_of(placed, place.before),
+                from.own_of(placed, place.after),
             );
-            let values = state.multipliers_of_mut(placed, 0);
+            let values = state.own_of_mut(placed, 0);
             for (i, value) in values.iter_mut().enumerate() {
                 *value = before[i] + (after[i] - before[i]) * place.fraction;
             }

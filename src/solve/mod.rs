@@ -1,5 +1,5 @@
 //! The solves: linear algebra, Newton's method, equilibria, starts, periodic motions, marching,
-//! modes. Each room uses only those named before it.
+//! modes. Each uses only those named before it.
 
 mod equilibrium;
 mod linear;

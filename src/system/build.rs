@@ -334,8 +334,8 @@ impl<'a> Builder<'a> {
 
 impl System {
     fn place(&mut self, element: Arc<dyn Element>, role: ElementRole) {
-        let size = (element.nodes().len(), element.multipliers());
-        let first_multiplier = self.own_unknowns.len();
+        let size = (element.nodes().len(), element.own_unknowns());
+        let first_own = self.own_unknowns.len();
         self.own_unknowns
             .extend((0..size.1).map(|i| element.unknown(i)));
         let shape = self
@@ -352,7 +352,7 @@ impl System {
             stations: first_station..first_station + element.stress_laws().len(),
             element,
             role,
-            first_multiplier,
+            first_own,
             shape,
         });
     }

@@ -107,7 +107,7 @@ fn constraint_loops(system: &System, members: &[usize]) -> Vec<ConstraintLoop> {
     let constraining: Vec<usize> = (0..system.elements().len())
         .filter(|&e| {
             let placed = &system.elements()[e];
-            placed.element.multipliers() > 0 && !placed.has_states
+            placed.element.own_unknowns() > 0 && !placed.has_states
         })
         .collect();
     for &e in &constraining {
@@ -134,7 +134,7 @@ fn constraint_loops(system: &System, members: &[usize]) -> Vec<ConstraintLoop> {
             let mut nodes = BTreeSet::new();
             for &e in &elements {
                 first_rows.push(rows);
-                rows += system.elements()[e].element.multipliers();
+                rows += system.elements()[e].element.own_unknowns();
                 let own = system.elements()[e].element.nodes();
                 nodes.extend(own.iter().map(|&n| members[n]));
             }
@@ -205,8 +205,8 @@ impl ConstraintLoop {
                 if node != member {
                     own = &own * state(node).motion.relative(&state(member).motion).adjoint();
                 }
-                for row in 0..placed.element.multipliers() {
-                    let scale = match system.unknown(placed.first_multiplier + row) {
+                for row in 0..placed.element.own_unknowns() {
+                    let scale = match system.unknown(placed.first_own + row) {
                         Unknown::Multiplier(Measure::Length) => 1.0 / length,
                         _ => 1.0,
                     };
@@ -237,7 +237,7 @@ impl ConstraintLoop {
             .iter()
             .zip(&self.first_rows)
             .map(|(&e, &first)| (&system.elements()[e], first))
-            .filter(|(placed, first)| takes_part(*first, placed.element.multipliers()))
+            .filter(|(placed, first)| takes_part(*first, placed.element.own_unknowns()))
             .map(|(placed, _)| placed.role)
             .collect();
         Dependency {
@@ -369,7 +369,7 @@ impl System {
     /// Number of constraints.
     pub fn constraint_count(&self) -> usize {
         let constrain = self.elements.iter().filter(|p| !p.has_states);
-        constrain.map(|p| p.element.multipliers()).sum()
+        constrain.map(|p| p.element.own_unknowns()).sum()
     }
 
     /// Whether anything may move otherwise than is prescribed, in the reference configuration.
@@ -395,17 +395,16 @@ impl System {
                 continue;
             }
             let mut values = Vec::with_capacity(l.rows);
-            let unit =
-                |placed: &Placed, row: usize| match self.unknown(placed.first_multiplier + row) {
-                    Unknown::Multiplier(Measure::Length) => 1.0,
-                    _ => self.scales.length,
-                };
+            let unit = |placed: &Placed, row: usize| match self.unknown(placed.first_own + row) {
+                Unknown::Multiplier(Measure::Length) => 1.0,
+                _ => self.scales.length,
+            };
             let places: Vec<(usize, f64)> = l
                 .elements
                 .iter()
                 .flat_map(|&e| {
                     let (placed, first) = (&self.elements[e], at(e));
-                    (0..placed.element.multipliers())
+                    (0..placed.element.own_unknowns())
                         .map(move |row| (first + row, unit(placed, row)))
                 })
                 .collect();

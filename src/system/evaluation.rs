@@ -144,7 +144,7 @@ impl System {
         signals: &[f64],
         workspace: &'w mut Workspace,
     ) -> Result<&'w Contribution> {
-        let count = placed.element.multipliers();
+        let count = placed.element.own_unknowns();
         let zeros = vec![0.0; count.max(self.tracked())];
         let conditions = Conditions {
             time: 0.0,
@@ -172,9 +172,9 @@ impl System {
         out: &mut [Vector6<f64>],
     ) -> Result<()> {
         workspace.set_states(placed, state);
-        let room = &mut workspace.contributions[placed.shape];
+        let scratch = &mut workspace.contributions[placed.shape];
         let element = &placed.element;
-        element.stress_resultants(&workspace.states, room, out)
+        element.stress_resultants(&workspace.states, scratch, out)
     }
 
     /// The same for strains and strain rates that change in proportion to increments of the nodes
@@ -198,10 +198,10 @@ impl System {
         } = workspace;
         changes.clear();
         changes.extend(placed.element.nodes().iter().map(|&node| state(node).1));
-        let room = &mut contributions[placed.shape];
+        let scratch = &mut contributions[placed.shape];
         placed
             .element
-            .extrapolate_resultants(states, changes, room, out)
+            .extrapolate_resultants(states, changes, scratch, out)
     }
 
     /// Lets what stress resultants of one element, whose nodes are at `from`, are more than those

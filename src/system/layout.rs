@@ -36,16 +36,16 @@ impl Placed {
     /// Its own unknowns at grid point `k` among those of all elements at all `points`.
     #[inline]
     pub fn own_at(&self, points: usize, k: usize) -> Range<usize> {
-        let count = self.element.multipliers();
-        let first = self.first_multiplier * points + count * k;
+        let count = self.element.own_unknowns();
+        let first = self.first_own * points + count * k;
         first..first + count
     }
 
     /// The same at all grid points.
     #[inline]
     pub fn own_over(&self, points: usize) -> Range<usize> {
-        let first = self.first_multiplier * points;
-        first..first + self.element.multipliers() * points
+        let first = self.first_own * points;
+        first..first + self.element.own_unknowns() * points
     }
 }
 
@@ -63,11 +63,6 @@ impl Layout {
     /// Number of grid points.
     pub fn points(&self) -> usize {
         self.points
-    }
-
-    /// Unknowns at a grid point.
-    pub fn size_at_point(&self) -> usize {
-        MOTION * self.nodes + self.own
     }
 
     /// Numbers of a node's motions at all grid points.
@@ -155,7 +150,5 @@ mod tests {
         follow(layout.scalars());
         assert_eq!(layout.size(), next);
         assert_eq!(layout.own().end - layout.motions().end, layout.own().len());
-        let at_points = points * layout.size_at_point();
-        assert_eq!(at_points, layout.size() - layout.scalars().len());
     }
 }

@@ -55,15 +55,15 @@ pub enum ElementRole {
     Load,
 }
 
-/// An element with the place of its multipliers.
+/// An element with the place of its own unknowns.
 #[derive(Debug, Clone)]
 pub struct Placed {
     /// The element.
     pub element: Arc<dyn Element>,
     /// What it stands for.
     pub role: ElementRole,
-    /// Index of its first multiplier among all multipliers of an instant.
-    pub first_multiplier: usize,
+    /// Index of its first own unknown among those of all elements at an instant.
+    pub first_own: usize,
     /// Whether its own unknowns are internal states.
     pub has_states: bool,
     /// Its stations with stress resultants, among those of all elements.

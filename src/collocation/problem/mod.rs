@@ -91,14 +91,14 @@ impl Collocation {
             column_scale.extend([1.0; 3]);
         }
         for placed in system.elements() {
-            let count = placed.element.multipliers();
+            let count = placed.element.own_unknowns();
             for _ in 0..points {
                 for row in 0..count {
                     let scale = |measure: Measure| match measure {
                         Measure::Length => (length, force),
                         Measure::Angle => (1.0, force * length),
                     };
-                    match system.unknown(placed.first_multiplier + row) {
+                    match system.unknown(placed.first_own + row) {
                         Unknown::Multiplier(measure) => {
                             let (motion, effort) = scale(measure);
                             row_scale.push(1.0 / motion);
@@ -270,7 +270,7 @@ impl Collocation {
         let points = self.grid.points();
         self.update_kinematics(state);
         for placed in self.system.elements() {
-            if placed.element.multipliers() == 0 || placed.has_states {
+            if placed.element.own_unknowns() == 0 || placed.has_states {
                 continue;
             }
             for k in 0..points {
@@ -348,15 +348,15 @@ impl Collocation {
         let points = self.grid.points();
         let (mut values, mut rates) = (vec![0.0; points], vec![0.0; points]);
         for placed in self.system.elements().iter().filter(|p| p.has_states) {
-            for row in 0..placed.element.multipliers() {
+            for row in 0..placed.element.own_unknowns() {
                 for (k, value) in values.iter_mut().enumerate() {
-                    *value = state.multipliers_of(placed, k)[row];
+                    *value = state.own_of(placed, k)[row];
                 }
                 let gain = state.gain(&self.system, placed, row);
-                let place = placed.first_multiplier + row;
+                let place = placed.first_own + row;
                 self.rule.rates(place, &values, gain, &mut rates);
                 for (k, rate) in rates.iter().enumerate() {
-                    self.instants.rates[state.first_multiplier(placed, k) + row] = *rate;
+                    self.instants.rates[state.first_own(placed, k) + row] = *rate;
                 }
             }
         }
@@ -374,7 +374,7 @@ impl Collocation {
                 .system
                 .elements()
                 .iter()
-                .map(|placed| state.first_multiplier(placed, k))
+                .map(|placed| state.first_own(placed, k))
                 .collect();
             self.system.reduce_to_least_norm(
                 |node| self.instants.states[node * points + k],
@@ -411,7 +411,7 @@ impl Collocation {
         let counts = system
             .elements()
             .iter()
-            .map(|p| points * p.element.multipliers());
+            .map(|p| points * p.element.own_unknowns());
         let own = self.division.deal(parts(constraints, counts));
         let forces = self.division.split(forces, self.layout.of_node());
         let mut all: Vec<_> = forces.into_iter().zip(own).collect();

@@ -43,7 +43,7 @@ pub struct Oversampled {
     scratch: Scratch,
 }
 
-/// Room for interpolation and projection.
+/// Memory for interpolation and projection.
 #[derive(Debug, Clone)]
 struct Scratch {
     coarse: Vec<DualMatrix>,
@@ -244,7 +244,7 @@ fn own_rows(
     let [coarse, fine] = [points, finer].map(|points| system.layout(points));
     system.elements().iter().map(move |placed| {
         let first = |layout: &Layout| layout.element(placed).start;
-        (first(&coarse), first(&fine), placed.element.multipliers())
+        (first(&coarse), first(&fine), placed.element.own_unknowns())
     })
 }
 
@@ -261,7 +261,7 @@ pub struct OversampledTangent {
 }
 
 impl OversampledTangent {
-    /// Room for the Jacobian of `equations`.
+    /// Memory for the Jacobian of `equations`.
     pub fn new(equations: &Oversampled) -> Self {
         let (_, finer) = equations.points();
         let (system, size) = (equations.fine.system(), equations.fine.size());

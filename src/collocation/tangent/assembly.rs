@@ -82,7 +82,7 @@ impl Collocation {
             return;
         }
         for (index, placed) in self.system().elements().iter().enumerate() {
-            let count = placed.element.multipliers();
+            let count = placed.element.own_unknowns();
             if placed.has_states {
                 continue;
             }
@@ -228,7 +228,7 @@ impl Assembly<'_> {
     fn write_constraint(&self, node: usize, (index, local): (usize, usize), values: &mut [f64]) {
         let (equations, first) = (self.equations, self.pattern.node_values(node).start);
         let placed = &equations.system().elements()[index];
-        let count = placed.element.multipliers();
+        let count = placed.element.own_unknowns();
         for k in 0..self.tangent.points {
             let gradient = self.tangent.gradient(equations.system(), index, k);
             let [rows, _] = equations.own_scales(placed, k);
@@ -252,7 +252,7 @@ impl Assembly<'_> {
     fn write_own(&self, index: usize, values: &mut [f64]) {
         let (equations, pattern) = (self.equations, self.pattern);
         let placed = &equations.system().elements()[index];
-        let count = placed.element.multipliers();
+        let count = placed.element.own_unknowns();
         let first = pattern.own_values(index).start;
         for k in 0..self.tangent.points {
             let [_, columns] = equations.own_scales(placed, k);
@@ -280,7 +280,7 @@ impl Assembly<'_> {
     fn write_states(&self, index: usize, l: usize, values: &mut [f64]) {
         let (equations, pattern) = (self.equations, self.pattern);
         let placed = &equations.system().elements()[index];
-        let count = placed.element.multipliers();
+        let count = placed.element.own_unknowns();
         let first = pattern.own_values(index).start;
         let (own, own_rate) = self.tangent.own(equations.system(), index, l);
         let [rows, columns] = equations.own_scales(placed, l);

@@ -250,14 +250,14 @@ impl Tangent {
     /// `∂constraint/∂u` of element `index` at grid point `k`, column by column, not scaled.
     pub fn gradient(&self, system: &System, index: usize, k: usize) -> &[f64] {
         let element = &system.elements()[index].element;
-        let length = 6 * element.nodes().len() * element.multipliers();
+        let length = 6 * element.nodes().len() * element.own_unknowns();
         &self.own[index].gradients[length * k..][..length]
     }
 
     /// `∂constraint/∂λ` and `∂constraint/∂λ̇` of element `index`, which has internal states, at
     /// grid point `k`, column by column, not scaled.
     pub fn own(&self, system: &System, index: usize, k: usize) -> (&[f64], &[f64]) {
-        let count = system.elements()[index].element.multipliers();
+        let count = system.elements()[index].element.own_unknowns();
         self.own[index].own[2 * count * count * k..][..2 * count * count].split_at(count * count)
     }
 

@@ -97,7 +97,7 @@ impl Tangent {
         let mut series = [(); 2].map(|()| vec![0.0; points]);
         let [values, rates] = &mut series;
         for placed in system.elements().iter().filter(|p| p.has_states) {
-            let count = placed.element.multipliers();
+            let count = placed.element.own_unknowns();
             for row in 0..count {
                 let at = |k: usize| placed.own_at(points, k).start + row;
                 (0..points).for_each(|k| values[k] = own[at(k)]);
@@ -205,7 +205,7 @@ impl Tangent {
         let (motions, own) = x.split_at(size);
         let (forces, constraints) = y.split_at_mut(size);
         for (placed, tangents) in system.elements().iter().zip(&self.own) {
-            let count = placed.element.multipliers();
+            let count = placed.element.own_unknowns();
             let nodes = placed.element.nodes();
             if count == 0 {
                 continue;
@@ -236,7 +236,7 @@ impl Tangent {
             if !placed.has_states {
                 continue;
             }
-            let count = placed.element.multipliers();
+            let count = placed.element.own_unknowns();
             for k in 0..points {
                 let (own, own_rate) = self.own(system, index, k);
                 let first = placed.own_at(points, k).start;

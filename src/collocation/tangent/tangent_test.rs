@@ -123,13 +123,10 @@ fn modulated_increments_change_the_residual_as_the_polynomial_says() {
                 Some(own) => {
                     let placed = system.elements().iter().rev();
                     let placed = placed
-                        .filter(|p| p.element.multipliers() > 0)
-                        .find(|p| p.first_multiplier * POINTS <= own)
+                        .filter(|p| p.element.own_unknowns() > 0)
+                        .find(|p| p.first_own * POINTS <= own)
                         .unwrap();
-                    (
-                        nodes + placed.first_multiplier,
-                        placed.element.multipliers(),
-                    )
+                    (nodes + placed.first_own, placed.element.own_unknowns())
                 }
             };
             let within = i - first * POINTS;

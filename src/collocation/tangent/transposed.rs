@@ -140,7 +140,7 @@ impl Tangent {
             if !placed.has_states {
                 continue;
             }
-            let count = placed.element.multipliers();
+            let count = placed.element.own_unknowns();
             let first = |k: usize| placed.own_at(points, k).start;
             for column in 0..count {
                 for (k, by_rate) in by_rates.iter_mut().enumerate() {

@@ -9,7 +9,7 @@ use crate::error::Result;
 use crate::motion::{DualVector, product};
 use nalgebra::{Matrix6, Vector6};
 
-/// Room for what the element finds at its stations.
+/// Scratch for what the element finds at its stations.
 #[derive(Debug, Clone, Default)]
 pub(in crate::elements) struct Scratch {
     pub(super) terms: Vec<NodeTerms>,
@@ -59,12 +59,12 @@ impl Element for Beam {
     fn stress_resultants(
         &self,
         nodes: &[NodeState],
-        room: &mut Contribution,
+        scratch: &mut Contribution,
         out: &mut [Vector6<f64>],
     ) -> Result<()> {
-        let room = &mut room.beam;
-        self.find_strains(nodes, room)?;
-        self.write_resultants(room, out);
+        let scratch = &mut scratch.beam;
+        self.find_strains(nodes, scratch)?;
+        self.write_resultants(scratch, out);
         Ok(())
     }
 
@@ -72,23 +72,23 @@ impl Element for Beam {
         &self,
         nodes: &[NodeState],
         increments: &[[Vector6<f64>; 2]],
-        room: &mut Contribution,
+        scratch: &mut Contribution,
         out: &mut [Vector6<f64>],
     ) -> Result<()> {
-        let room = &mut room.beam;
-        room.strains.clear();
-        room.rates.clear();
+        let scratch = &mut scratch.beam;
+        scratch.strains.clear();
+        scratch.rates.clear();
         let rates_vary = self.damping(nodes).rates_vary;
         let twist = |a: usize| DualVector::from_twist(&nodes[a].twist);
         for station in &self.stations {
-            room.terms.clear();
-            let at = room.add_terms(station, nodes)?;
-            let present = strain_rate(&room.terms, nodes);
+            scratch.terms.clear();
+            let at = scratch.add_terms(station, nodes)?;
+            let present = strain_rate(&scratch.terms, nodes);
             if rates_vary {
-                rate_variations(&at, &present, twist, &mut room.terms);
+                rate_variations(&at, &present, twist, &mut scratch.terms);
             }
             let (mut e, mut rate) = (at.e, present);
-            for (node, [motion, velocity]) in room.terms.iter().zip(increments) {
+            for (node, [motion, velocity]) in scratch.terms.iter().zip(increments) {
                 let motion = DualVector::from_twist(motion);
                 e += node.strain * motion;
                 rate += node.strain * DualVector::from_twist(velocity);
@@ -96,10 +96,10 @@ impl Element for Beam {
                     rate += node.rate * motion;
                 }
             }
-            room.strains.push(e.to_twist() - station.reference);
-            room.rates.push(rate.to_twist());
+            scratch.strains.push(e.to_twist() - station.reference);
+            scratch.rates.push(rate.to_twist());
         }
-        self.write_resultants(room, out);
+        self.write_resultants(scratch, out);
         Ok(())
     }
 
@@ -109,24 +109,24 @@ impl Element for Beam {
         resultants: &[Vector6<f64>],
         out: &mut Contribution,
     ) -> Result<()> {
-        let mut room = std::mem::take(&mut out.beam);
+        let mut scratch = std::mem::take(&mut out.beam);
         for (station, resultants) in self.stations.iter().zip(resultants) {
-            room.terms.clear();
-            room.add_terms(station, nodes)?;
-            add_forces(&room.terms, &(resultants * station.weight), out);
+            scratch.terms.clear();
+            scratch.add_terms(station, nodes)?;
+            add_forces(&scratch.terms, &(resultants * station.weight), out);
         }
-        out.beam = room;
+        out.beam = scratch;
         Ok(())
     }
 
     fn evaluate(&self, instant: &Instant, out: &mut Contribution) -> Result<()> {
         // Taken out while `out` is written to.
-        let mut room = std::mem::take(&mut out.beam);
+        let mut scratch = std::mem::take(&mut out.beam);
         let result = match &self.law {
-            Some(law) => self.add_coupled(law, instant, &mut room, out),
-            None => self.add_stations(instant, &mut room, out),
+            Some(law) => self.add_coupled(law, instant, &mut scratch, out),
+            None => self.add_stations(instant, &mut scratch, out),
         };
-        out.beam = room;
+        out.beam = scratch;
         result
     }
 }
@@ -141,29 +141,29 @@ struct Damping {
 impl Beam {
     /// Finds "velocities in ξ" at the Gauss points, less those of the reference, and their rates,
     /// if resultants depend on them.
-    pub(super) fn find_strains(&self, states: &[NodeState], room: &mut Scratch) -> Result<()> {
-        room.strains.clear();
-        room.rates.clear();
+    pub(super) fn find_strains(&self, states: &[NodeState], scratch: &mut Scratch) -> Result<()> {
+        scratch.strains.clear();
+        scratch.rates.clear();
         let has_rates = self.damping(states).rates_vary;
         for station in &self.stations {
-            room.terms.clear();
+            scratch.terms.clear();
             let (e, rate) = if has_rates {
-                let at = room.add_terms(station, states)?;
-                (at.e, strain_rate(&room.terms, states))
+                let at = scratch.add_terms(station, states)?;
+                (at.e, strain_rate(&scratch.terms, states))
             } else {
                 let at = station.motion(|a| states[0].motion.relative(&states[a].motion))?;
                 (at.e, DualVector::zeros())
             };
-            room.strains.push(e.to_twist() - station.reference);
-            room.rates.push(rate.to_twist());
+            scratch.strains.push(e.to_twist() - station.reference);
+            scratch.rates.push(rate.to_twist());
         }
         Ok(())
     }
 
     /// Writes the stress resultants at all Gauss points, for strains and rates that were found.
-    fn write_resultants(&self, room: &Scratch, out: &mut [Vector6<f64>]) {
+    fn write_resultants(&self, scratch: &Scratch, out: &mut [Vector6<f64>]) {
         for (i, resultants) in out.iter_mut().enumerate() {
-            *resultants = self.resultants(i, &room.strains, &room.rates);
+            *resultants = self.resultants(i, &scratch.strains, &scratch.rates);
         }
     }
 
@@ -179,34 +179,40 @@ impl Beam {
     fn add_stations(
         &self,
         instant: &Instant,
-        room: &mut Scratch,
+        scratch: &mut Scratch,
         out: &mut Contribution,
     ) -> Result<()> {
         let states = instant.nodes;
         let damping = self.damping(states);
         for (place, station) in self.stations.iter().enumerate() {
-            room.terms.clear();
-            let at = room.add_terms(station, states)?;
+            scratch.terms.clear();
+            let at = scratch.add_terms(station, states)?;
             let section = &station.section;
             let mut stress = product(&section.stiffness, &station.strain(&at.e));
             let mut rate = DualVector::zeros();
             if self.damped {
-                rate = strain_rate(&room.terms, states);
+                rate = strain_rate(&scratch.terms, states);
                 stress += product(&section.damping, &(rate.to_twist() / station.stretch));
             }
             let stress = stress * station.weight;
-            add_forces(&room.terms, &stress, out);
+            add_forces(&scratch.terms, &stress, out);
             if !out.with_tangents {
                 continue;
             }
             let held = instant.resultants.get(place);
             let held = held.map_or(stress, |resultants| resultants * station.weight);
-            add_geometric_stiffness(&at, &held, &mut room.terms, out);
+            add_geometric_stiffness(&at, &held, &mut scratch.terms, out);
             if damping.rates_vary {
                 let twist = |a: usize| DualVector::from_twist(&states[a].twist);
-                rate_variations(&at, &rate, twist, &mut room.terms);
+                rate_variations(&at, &rate, twist, &mut scratch.terms);
             }
-            add_material_stiffness(&room.terms, &[station.own_law()], &room.terms, damping, out);
+            add_material_stiffness(
+                &scratch.terms,
+                &[station.own_law()],
+                &scratch.terms,
+                damping,
+                out,
+            );
         }
         Ok(())
     }
@@ -216,42 +222,42 @@ impl Beam {
         &self,
         law: &CoupledLaw,
         instant: &Instant,
-        room: &mut Scratch,
+        scratch: &mut Scratch,
         out: &mut Contribution,
     ) -> Result<()> {
         let (states, count) = (instant.nodes, self.nodes.len());
         let damping = self.damping(states);
-        room.terms.clear();
-        room.motions.clear();
-        room.strains.clear();
-        room.rates.clear();
+        scratch.terms.clear();
+        scratch.motions.clear();
+        scratch.strains.clear();
+        scratch.rates.clear();
         for (place, station) in self.stations.iter().enumerate() {
-            let at = room.add_terms(station, states)?;
-            let rate = strain_rate(&room.terms[place * count..], states);
-            room.strains.push(at.e.to_twist() - station.reference);
-            room.rates.push(rate.to_twist());
-            room.motions.push(at);
+            let at = scratch.add_terms(station, states)?;
+            let rate = strain_rate(&scratch.terms[place * count..], states);
+            scratch.strains.push(at.e.to_twist() - station.reference);
+            scratch.rates.push(rate.to_twist());
+            scratch.motions.push(at);
         }
         for (place, station) in self.stations.iter().enumerate() {
-            let stress = law.resultants(place, &room.strains, &room.rates);
-            let terms = &mut room.terms[place * count..][..count];
+            let stress = law.resultants(place, &scratch.strains, &scratch.rates);
+            let terms = &mut scratch.terms[place * count..][..count];
             add_forces(terms, &stress, out);
             if !out.with_tangents {
                 continue;
             }
             let held = instant.resultants.get(place);
             let held = held.map_or(stress, |resultants| resultants * station.weight);
-            let at = &room.motions[place];
+            let at = &scratch.motions[place];
             add_geometric_stiffness(at, &held, terms, out);
             if damping.rates_vary {
-                let rate = DualVector::from_twist(&room.rates[place]);
+                let rate = DualVector::from_twist(&scratch.rates[place]);
                 let twist = |a: usize| DualVector::from_twist(&states[a].twist);
                 rate_variations(at, &rate, twist, terms);
             }
         }
         if out.with_tangents {
-            for (place, rows) in room.terms.chunks_exact(count).enumerate() {
-                add_material_stiffness(rows, law.row(place), &room.terms, damping, out);
+            for (place, rows) in scratch.terms.chunks_exact(count).enumerate() {
+                add_material_stiffness(rows, law.row(place), &scratch.terms, damping, out);
             }
         }
         Ok(())

@@ -139,7 +139,7 @@ impl Beam {
         motions: &[Motion],
         twists: &[Vector6<f64>],
     ) -> Result<(Vector6<f64>, Vector6<f64>)> {
-        let mut room = Scratch::default();
+        let mut scratch = Scratch::default();
         let states: Vec<NodeState> = motions
             .iter()
             .zip(twists)
@@ -148,15 +148,15 @@ impl Beam {
                 ..NodeState::at_rest(*motion)
             })
             .collect();
-        self.find_strains(&states, &mut room)?;
+        self.find_strains(&states, &mut scratch)?;
         let points: Vec<f64> = gauss_legendre(self.stations.len())
             .iter()
             .map(|p| p.0)
             .collect();
         let (mut strain, mut stress) = (Vector6::zeros(), Vector6::zeros());
         for (i, shape) in shape_functions(&points, xi).iter().enumerate() {
-            strain += room.strains[i] * (shape.0 / self.stations[i].stretch);
-            stress += self.resultants(i, &room.strains, &room.rates) * shape.0;
+            strain += scratch.strains[i] * (shape.0 / self.stations[i].stretch);
+            stress += self.resultants(i, &scratch.strains, &scratch.rates) * shape.0;
         }
         let back = about_axis(-self.station(xi, 0.0)?.turn);
         Ok((

@@ -15,7 +15,7 @@ use crate::collocation::{Collocation, GridState, Tangent};
 use crate::error::Result;
 use crate::solve::linear::dense::{largest, probe};
 use crate::solve::linear::diagnosis::Singularity;
-use crate::solve::linear::iterative::{GmresOptions, GmresRoom, Preconditioned, gmres};
+use crate::solve::linear::iterative::{GmresOptions, GmresWorkspace, Preconditioned, gmres};
 use crate::solve::linear::solver::LinearSolver;
 use crate::solve::report::{Timings, timed};
 use nalgebra::{DMatrix, DVector};
@@ -114,7 +114,7 @@ pub(crate) struct Bordered<L> {
     borders: Borders,
     /// Whether `J` and its borders determine all unknowns, as far as is known.
     determined: bool,
-    workspace: GmresRoom,
+    workspace: GmresWorkspace,
 }
 
 impl<L: LinearSolver> Bordered<L> {
@@ -126,7 +126,7 @@ impl<L: LinearSolver> Bordered<L> {
             tangent: Tangent::with_resultants_apart(system, points),
             borders: Borders::default(),
             determined: true,
-            workspace: GmresRoom::default(),
+            workspace: GmresWorkspace::default(),
         }
     }
 

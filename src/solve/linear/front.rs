@@ -68,7 +68,7 @@ pub(crate) fn make_zero(matrix: &mut Mat<f64>, rows: usize, columns: usize) -> R
 }
 
 /// Memory that the factorisation of a front needs.
-pub(crate) struct Room {
+pub(crate) struct FrontWorkspace {
     /// Where each group begins in the front.
     pub place: Vec<usize>,
     /// Size of a square matrix that the memory is enough for the factors of.
@@ -83,9 +83,9 @@ pub(crate) struct Room {
     workers: Workers,
 }
 
-impl Room {
+impl FrontWorkspace {
     pub fn new(groups: usize, workers: &Workers) -> Self {
-        Room {
+        FrontWorkspace {
             workers: workers.alone(),
             place: vec![usize::MAX; groups],
             most: 0,
@@ -127,8 +127,8 @@ impl Front {
     }
 
     /// Eliminates the unknowns of the front, which `assemble` sums up; leaves to the parent what
-    /// has no pivot larger than `smallest_pivot`, relative to its column. `room` tells the sizes
-    /// that columns have had before. Without a parent all is eliminated that can be.
+    /// has no pivot larger than `smallest_pivot`, relative to its column. `workspace` tells the
+    /// sizes that columns have had before. Without a parent all is eliminated that can be.
     ///
     /// `false` if something is left and there is no parent.
     ///
@@ -138,15 +138,15 @@ impl Front {
         &mut self,
         assemble: impl Fn(&mut Self, &[usize]) -> Result<()>,
         smallest_pivot: Option<f64>,
-        room: &mut Room,
+        workspace: &mut FrontWorkspace,
         parallelism: Par,
     ) -> Result<bool> {
         self.delayed_rows.clear();
         self.delayed_columns.clear();
         self.delayed_sizes.clear();
         if !self.waits {
-            assemble(self, &room.place)?;
-            if self.eliminate_all(smallest_pivot.unwrap_or(0.0), room, parallelism)? {
+            assemble(self, &workspace.place)?;
+            if self.eliminate_all(smallest_pivot.unwrap_or(0.0), workspace, parallelism)? {
                 return Ok(true);
             }
         }
@@ -154,10 +154,10 @@ impl Front {
             return Ok(false);
         };
         self.waits = true;
-        assemble(self, &room.place)?;
+        assemble(self, &workspace.place)?;
         self.eliminate_some(
             smallest_pivot.max(SMALLEST_PARTIAL_PIVOT),
-            room,
+            workspace,
             parallelism,
         )?;
         Ok(true)
@@ -182,22 +182,22 @@ impl Front {
     fn eliminate_all(
         &mut self,
         smallest_pivot: f64,
-        room: &mut Room,
+        workspace: &mut FrontWorkspace,
         parallelism: Par,
     ) -> Result<bool> {
         let (count, size) = (self.upper.nrows(), self.upper.ncols());
-        self.measure_columns(&mut room.sizes);
+        self.measure_columns(&mut workspace.sizes);
         let parallelism = self.parallelism(parallelism);
-        room.grow(count, parallelism);
+        workspace.grow(count, parallelism);
         blocks::lu(
             self.upper.as_mut().subcols_mut(0, count),
-            &mut room.permutation[..count],
-            &mut room.inverse[..count],
+            &mut workspace.permutation[..count],
+            &mut workspace.inverse[..count],
             parallelism,
-            &mut room.memory,
-            &room.workers,
+            &mut workspace.memory,
+            &workspace.workers,
         )?;
-        for (j, size) in room.sizes.iter().enumerate() {
+        for (j, size) in workspace.sizes.iter().enumerate() {
             let pivot = self.upper[(j, j)].abs();
             // Written so that NaN fails too.
             let good = pivot > smallest_pivot * size && pivot.is_finite();
@@ -205,19 +205,19 @@ impl Front {
                 return Ok(false);
             }
         }
-        let permutation = &room.permutation[..count];
+        let permutation = &workspace.permutation[..count];
         self.rows = permutation.iter().map(|&row| self.rows[row]).collect();
         for j in count..size {
             let column = self.upper.col_as_slice_mut(j);
-            room.column.clear();
-            room.column.extend_from_slice(column);
+            workspace.column.clear();
+            workspace.column.extend_from_slice(column);
             for (to, &from) in column.iter_mut().zip(permutation) {
-                *to = room.column[from];
+                *to = workspace.column[from];
             }
         }
         let (factors, mut beyond) = self.upper.as_mut().split_at_col_mut(count);
         let factors = factors.as_ref();
-        let workers = &room.workers;
+        let workers = &workspace.workers;
         blocks::solve_lower(
             (factors, Diagonal::Ones),
             beyond.as_mut(),
@@ -246,13 +246,13 @@ impl Front {
     fn eliminate_some(
         &mut self,
         smallest_pivot: f64,
-        room: &mut Room,
+        workspace: &mut FrontWorkspace,
         parallelism: Par,
     ) -> Result<()> {
         let (own, size) = (self.upper.nrows(), self.upper.ncols());
-        self.measure_columns(&mut room.sizes);
+        self.measure_columns(&mut workspace.sizes);
         // A column that is tiny but for its rows in the boundary has its pivot there.
-        for (j, size) in room.sizes.iter_mut().enumerate() {
+        for (j, size) in workspace.sizes.iter_mut().enumerate() {
             *size = size.max(BOUNDARY_SHARE * largest(self.lower.col_as_slice(j)));
         }
         let parallelism = self.parallelism(parallelism);
@@ -261,14 +261,15 @@ impl Front {
             &mut self.upper,
             &mut self.rows,
             &mut order,
-            &mut room.sizes,
+            &mut workspace.sizes,
             smallest_pivot,
-            (parallelism, &room.workers),
+            (parallelism, &workspace.workers),
         )?;
         self.columns = order.iter().map(|&column| self.columns[column]).collect();
         self.delayed_rows = self.rows.split_off(count);
         self.delayed_columns = self.columns.split_off(count);
-        self.delayed_sizes.extend_from_slice(&room.sizes[count..]);
+        self.delayed_sizes
+            .extend_from_slice(&workspace.sizes[count..]);
 
         let delayed = own - count;
         let (factored, unfactored) = self.upper.as_ref().split_at_row(count);
@@ -287,7 +288,7 @@ impl Front {
             (square.transpose(), Diagonal::Own),
             transposed,
             parallelism,
-            &room.workers,
+            &workspace.workers,
         )?;
 
         let mut remainder = Mat::new();
@@ -300,7 +301,7 @@ impl Front {
         let boundary = rest.as_mut().subcols_mut(delayed, size - own);
         { boundary }.copy_from(self.remainder.as_ref());
         let beyond: MatRef<f64> = upper.as_ref().subcols(count, size - count);
-        let workers = &room.workers;
+        let workers = &workspace.workers;
         blocks::subtract_matmul(rest, below.as_ref(), beyond, parallelism, workers)?;
         (self.upper, self.lower, self.remainder) = (upper, lower, remainder);
         Ok(())

@@ -58,7 +58,7 @@ impl DirectCost {
         let mut coupled = vec![BTreeSet::new(); nodes];
         for placed in system.elements() {
             let mut members = placed.element.nodes().to_vec();
-            if placed.element.multipliers() > 0 {
+            if placed.element.own_unknowns() > 0 {
                 members.push(sizes.len());
                 sizes.push(placed.own_over(points).len());
                 coupled.push(BTreeSet::new());

@@ -8,7 +8,7 @@
 use crate::collocation::{Collocation, GridState, Tangent};
 use crate::error::Result;
 use crate::solve::linear::dense::{largest, probe};
-use crate::solve::linear::iterative::{GmresOptions, GmresRoom, Preconditioned, gmres};
+use crate::solve::linear::iterative::{GmresOptions, GmresWorkspace, Preconditioned, gmres};
 
 /// Axial over bending stiffness from which on rounding matters.
 pub(crate) const SLENDER: f64 = 1e7;
@@ -21,7 +21,7 @@ const UNLIKE: f64 = 0.5;
 /// The Jacobian as an operator.
 pub(crate) struct Slender {
     tangent: Tangent,
-    room: GmresRoom,
+    workspace: GmresWorkspace,
 }
 
 struct Operator<'a, S> {
@@ -51,7 +51,7 @@ impl Slender {
         let fits = system.slenderness() > SLENDER && !(points == 1 && has_states);
         fits.then(|| Slender {
             tangent: Tangent::with_resultants_apart(system, points),
-            room: GmresRoom::default(),
+            workspace: GmresWorkspace::default(),
         })
     }
 
@@ -82,7 +82,7 @@ impl Slender {
             substitute,
         };
         let workers = equations.workers();
-        let end = gmres(&mut operator, rhs, &options, workers, &mut self.room);
+        let end = gmres(&mut operator, rhs, &options, workers, &mut self.workspace);
         // Written so that NaN fails too.
         end.error <= accuracy
     }

@@ -68,7 +68,7 @@ impl<L: LinearSolver> Run<'_, L> {
             with_own: self.with_multipliers,
             first,
         };
-        let (mut before, mut size) = (first, self.newton.size_of(&self.increment));
+        let (mut before, mut size) = (first, self.newton.norm(&self.increment));
         self.newton.contraction = Some(size / before);
         if self.iterations.len() == self.options.iteration_limit {
             return Ok(ControlFlow::Continue(()));
@@ -94,7 +94,7 @@ impl<L: LinearSolver> Run<'_, L> {
                 }
                 self.increment.copy_from_slice(&self.trial_residual);
                 let solved = self.newton.solve_linear(&mut self.increment, COARSE)?;
-                size = self.newton.size_of(&self.increment);
+                size = self.newton.norm(&self.increment);
                 // Written so that NaN ends it too.
                 let nearer = solved && size < before;
                 if !nearer {

@@ -1,7 +1,7 @@
 //! The longest step along an increment that brings progress (docs/theory.md, section 7.2).
 
 use super::run::{Run, Trial};
-use crate::collocation::ResultantPath;
+use crate::collocation::{GridState, ResultantPath};
 use crate::error::Result;
 use crate::solve::linear::solver::COARSE;
 use crate::solve::linear::solver::LinearSolver;
@@ -83,7 +83,7 @@ impl<L: LinearSolver> Run<'_, L> {
         line: &Line,
         step: f64,
         path: &mut Option<ResultantPath>,
-    ) -> Result<Option<(crate::collocation::GridState, Test)>> {
+    ) -> Result<Option<(GridState, Test)>> {
         let equations = &self.newton.equations;
         let (system, has_stations) = (equations.system().clone(), equations.has_stations());
         let trial = self.state.incremented(&system, line.increment, step);
@@ -126,7 +126,7 @@ impl<L: LinearSolver> Run<'_, L> {
     /// motion; infinite if there is none.
     fn simplify(&mut self) -> Result<f64> {
         let solved = self.newton.solve_linear(&mut self.increment, COARSE)?;
-        Ok(match self.newton.size_of(&self.increment) {
+        Ok(match self.newton.norm(&self.increment) {
             size if solved => size,
             _ => f64::INFINITY,
         })

@@ -18,7 +18,7 @@ use crate::solve::linear::assembled::Assembled;
 use crate::solve::linear::solver::{COARSE, ESTIMATE, LinearSolver};
 use crate::solve::newton::assembly::describe_turned_over;
 use crate::solve::report::{Iteration, NewtonOptions, NewtonReport, Outcome, Timings, timed};
-use norms::{remove_means, size_of};
+use norms::{norm, remove_means};
 use run::Run;
 pub use scalars::solve_with_scalars;
 use verdict::Ending;
@@ -91,7 +91,7 @@ impl Newton {
         self.equations.set_rule(rule);
         residual?;
         let solved = regular && self.solve_linear(&mut increment, COARSE)?;
-        Ok(solved.then(|| self.size_of(&increment)))
+        Ok(solved.then(|| self.norm(&increment)))
     }
 
     /// Growth of the factored Jacobian, see [`LinearSolver::growth`].
@@ -118,7 +118,7 @@ impl<L: LinearSolver> Newton<L> {
     /// that is singular.
     pub fn response(&mut self, scaled: &mut [f64]) -> Result<Option<f64>> {
         let solved = self.solve_linear(scaled, ESTIMATE)?;
-        let largest = self.size_of(scaled);
+        let largest = self.norm(scaled);
         Ok((solved && largest.is_finite()).then_some(largest))
     }
 
@@ -127,13 +127,13 @@ impl<L: LinearSolver> Newton<L> {
     pub fn response_of_wave(&mut self, scaled: &mut [f64]) -> Result<Option<f64>> {
         let solved = self.solve_linear(scaled, ESTIMATE)?;
         remove_means(self.equations.layout(), scaled);
-        let largest = self.size_of(scaled);
+        let largest = self.norm(scaled);
         Ok((solved && largest.is_finite()).then_some(largest))
     }
 
     /// Largest motion of a scaled increment.
-    fn size_of(&self, scaled: &[f64]) -> f64 {
-        size_of(self.equations.layout(), scaled)
+    fn norm(&self, scaled: &[f64]) -> f64 {
+        norm(self.equations.layout(), scaled)
     }
 
     /// A multiple of a scaled increment, not scaled.

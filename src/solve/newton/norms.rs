@@ -4,7 +4,7 @@ use crate::solve::linear::dense::largest;
 use crate::system::Layout;
 
 /// Largest increment of a motion or a scalar.
-pub(super) fn size_of(layout: Layout, increment: &[f64]) -> f64 {
+pub(super) fn norm(layout: Layout, increment: &[f64]) -> f64 {
     largest(&increment[layout.motions()]).max(largest(&increment[layout.scalars()]))
 }
 
@@ -60,12 +60,12 @@ mod tests {
         let scales = vec![2.0; layout.size()];
         let mut values = vec![0.0; layout.own().len()];
         x[layout.motion(1, 2)].copy_from_slice(&[0.0, -3.0, 0.0, 0.0, 0.5, -0.7]);
-        assert_eq!(size_of(layout, &x), 3.0);
+        assert_eq!(norm(layout, &x), 3.0);
         assert_eq!(largest_turn(layout, &x), 0.7);
         assert_eq!(change_of_own(layout, &x, &scales, &values), 0.0);
         x[layout.own().start] = -5.0;
         x[layout.scalars().start] = -4.0;
-        assert_eq!(size_of(layout, &x), 4.0);
+        assert_eq!(norm(layout, &x), 4.0);
         // Nothing is larger than itself.
         assert_eq!(change_of_own(layout, &x, &scales, &values), 1.0);
         values[3] = -100.0;

@@ -159,7 +159,7 @@ impl<'a, L: LinearSolver> Run<'a, L> {
             && self
                 .newton
                 .solve_linear(&mut self.increment, self.accuracy)?;
-        Ok(solved.then(|| self.newton.size_of(&self.increment)))
+        Ok(solved.then(|| self.newton.norm(&self.increment)))
     }
 
     /// Writes the residual at a trial. `false` if it cannot be evaluated there.

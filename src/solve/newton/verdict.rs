@@ -156,7 +156,7 @@ mod tests {
                 .unwrap();
         }
         if is_driven {
-            let turn = Signal::harmonics(0.0, 1.0, &[], &[0.3]).unwrap();
+            let turn = Signal::harmonics(0.0, 1.0, &[0.0], &[0.3]).unwrap();
             let at = JointCoordinate {
                 joint: 0,
                 coordinate: Coordinate::Rotation1,

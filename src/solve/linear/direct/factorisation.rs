@@ -3,14 +3,14 @@
 use crate::error::Result;
 use crate::solve::linear::dense::largest;
 use crate::solve::linear::direct::analysis::Analysis;
-use crate::solve::linear::front::{Front, LARGE_FRONT, Room, make_zero};
+use crate::solve::linear::front::{Front, FrontWorkspace, LARGE_FRONT, make_zero};
 use crate::workers::{Spare, Workers};
 use faer::{Mat, Par};
 use rayon::iter::{IntoParallelIterator, ParallelIterator};
 use std::iter::once;
 use std::ops::Range;
 
-/// Most forks of the tree of fronts, one above the other, where threads part: each takes room on
+/// Most forks of the tree of fronts, one above the other, where threads part: each takes memory on
 /// the stack.
 const MOST_FORKS: usize = 32;
 
@@ -19,7 +19,7 @@ pub(super) struct Factorisation<'a> {
     analysis: &'a Analysis,
     values: &'a [f64],
     smallest_pivot: f64,
-    rooms: Spare<Room>,
+    workspaces: Spare<FrontWorkspace>,
     workers: &'a Workers,
 }
 
@@ -34,7 +34,7 @@ impl<'a> Factorisation<'a> {
             analysis,
             values,
             smallest_pivot,
-            rooms: Spare::default(),
+            workspaces: Spare::default(),
             workers,
         }
     }
@@ -98,16 +98,16 @@ impl<'a> Factorisation<'a> {
         (first, fronts): (usize, &mut [Front]),
         parallelism: Par,
     ) -> Result<bool> {
-        let mut room = self
-            .rooms
-            .take(|| Room::new(self.analysis.groups.len(), self.workers));
+        let mut workspace = self
+            .workspaces
+            .take(|| FrontWorkspace::new(self.analysis.groups.len(), self.workers));
         for f in some {
             self.workers.pulse()?;
-            if !self.factor(f, (first, fronts), &mut room, parallelism)? {
+            if !self.factor(f, (first, fronts), &mut workspace, parallelism)? {
                 return Ok(false);
             }
         }
-        self.rooms.give(room);
+        self.workspaces.give(workspace);
         Ok(true)
     }
 
@@ -117,7 +117,7 @@ impl<'a> Factorisation<'a> {
         &self,
         f: usize,
         (first, fronts): (usize, &mut [Front]),
-        room: &mut Room,
+        workspace: &mut FrontWorkspace,
         parallelism: Par,
     ) -> Result<bool> {
         let analysis = self.analysis;
@@ -126,28 +126,28 @@ impl<'a> Factorisation<'a> {
         let front = &mut front[0];
         front.rows.clear();
         for &g in &plan.own {
-            room.place[g] = front.rows.len();
+            workspace.place[g] = front.rows.len();
             front.rows.extend(analysis.groups[g].clone());
         }
         front.columns.clone_from(&front.rows);
-        room.sizes.clear();
-        room.sizes.resize(front.rows.len(), 0.0);
+        workspace.sizes.clear();
+        workspace.sizes.resize(front.rows.len(), 0.0);
         for &child in &plan.children {
             let child = &before[child - first];
             front.rows.extend(&child.delayed_rows);
             front.columns.extend(&child.delayed_columns);
-            room.sizes.extend(&child.delayed_sizes);
+            workspace.sizes.extend(&child.delayed_sizes);
         }
         let mut size = front.rows.len();
         for &g in &plan.boundary {
-            room.place[g] = size;
+            workspace.place[g] = size;
             size += analysis.groups[g].len();
         }
         let assemble = |front: &mut Front, place: &[usize]| {
             self.assemble(f, (first, &*before), place, (front, size))
         };
         let smallest_pivot = plan.parent.map(|_| self.smallest_pivot);
-        if !front.eliminate(assemble, smallest_pivot, room, parallelism)? {
+        if !front.eliminate(assemble, smallest_pivot, workspace, parallelism)? {
             return Ok(false);
         }
         for &child in &plan.children {

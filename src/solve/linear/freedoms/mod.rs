@@ -79,14 +79,14 @@ pub(crate) struct FreedomSolver {
     matrix: Mat<f64>,
     rows: Vec<usize>,
     columns: Vec<usize>,
-    room: Room,
+    workspace: Workspace,
     /// Whether solves with the present factors are known to need no refinement.
     accurate: bool,
 }
 
 /// Scratch.
 #[derive(Debug, Default)]
-struct Room {
+struct Workspace {
     motion: Vec<f64>,
     free: Vec<f64>,
     rest: Vec<f64>,
@@ -182,7 +182,7 @@ impl FreedomSolver {
         let mut first = 0;
         let mut elements = Vec::new();
         for (element, placed) in equations.system().elements().iter().enumerate() {
-            let count = placed.element.multipliers();
+            let count = placed.element.own_unknowns();
             if count > 0 && !placed.has_states {
                 let nodes = placed.element.nodes().to_vec();
                 elements.push(Constraints {
@@ -210,7 +210,7 @@ impl FreedomSolver {
             matrix: Mat::zeros(unknowns, unknowns),
             rows: Vec::new(),
             columns: Vec::new(),
-            room: Room::default(),
+            workspace: Workspace::default(),
             accurate: false,
             layout,
         })
@@ -254,10 +254,10 @@ impl FreedomSolver {
         if unknowns == 0 {
             return Ok(true);
         }
-        let formed = &mut self.room.matrix;
+        let formed = &mut self.workspace.matrix;
         formed.resize(unknowns * unknowns, 0.0);
         self.forces.between(layout, &self.points, values, formed);
-        let sizes = &mut self.room.sizes;
+        let sizes = &mut self.workspace.sizes;
         sizes.clear();
         for (j, column) in formed.chunks_exact(unknowns).enumerate() {
             self.matrix.col_as_slice_mut(j).copy_from_slice(column);
@@ -276,38 +276,38 @@ impl FreedomSolver {
     /// Solves in place, for the `values` that were factored; constraints that depend on others get
     /// no multipliers. `false` if that is not accurate, or violates what was left out.
     pub fn solve(&mut self, values: &[f64], rhs: &mut [f64]) -> bool {
-        let mut room = std::mem::take(&mut self.room);
-        room.wanted.clear();
-        room.wanted.extend_from_slice(rhs);
-        self.substitute(values, rhs, &mut room);
+        let mut workspace = std::mem::take(&mut self.workspace);
+        workspace.wanted.clear();
+        workspace.wanted.extend_from_slice(rhs);
+        self.substitute(values, rhs, &mut workspace);
         let mut solved = rhs.iter().all(|x| x.is_finite());
         if solved && !self.accurate {
-            let wanted = largest(&room.wanted);
-            let left = self.residual(values, rhs, &mut room);
+            let wanted = largest(&workspace.wanted);
+            let left = self.residual(values, rhs, &mut workspace);
             self.accurate = left <= ACCURATE * wanted;
             if !self.accurate {
-                let mut correction = room.rest.clone();
-                std::mem::swap(&mut room.wanted, &mut room.rest);
-                self.substitute(values, &mut correction, &mut room);
-                std::mem::swap(&mut room.wanted, &mut room.rest);
+                let mut correction = workspace.rest.clone();
+                std::mem::swap(&mut workspace.wanted, &mut workspace.rest);
+                self.substitute(values, &mut correction, &mut workspace);
+                std::mem::swap(&mut workspace.wanted, &mut workspace.rest);
                 rhs.iter_mut().zip(&correction).for_each(|(x, d)| *x += d);
-                let left = self.residual(values, rhs, &mut room);
+                let left = self.residual(values, rhs, &mut workspace);
                 // Rounding of the product is none of the factors' fault.
                 let size = wanted.max(self.largest(values).max(1.0) * largest(rhs));
                 solved = left <= INACCURATE * size;
             }
         }
-        solved = solved && self.closes_all(rhs, &room.wanted);
-        self.room = room;
+        solved = solved && self.closes_all(rhs, &workspace.wanted);
+        self.workspace = workspace;
         solved
     }
 
     /// Solves in place without regard to accuracy, or to what was left out. `false` if the result
     /// is not finite.
     pub fn respond(&mut self, values: &[f64], rhs: &mut [f64]) -> bool {
-        let mut room = std::mem::take(&mut self.room);
-        self.substitute(values, rhs, &mut room);
-        self.room = room;
+        let mut workspace = std::mem::take(&mut self.workspace);
+        self.substitute(values, rhs, &mut workspace);
+        self.workspace = workspace;
         rhs.iter().all(|x| x.is_finite())
     }
 
@@ -317,11 +317,11 @@ impl FreedomSolver {
     }
 
     /// Replaces the right side by the solution.
-    fn substitute(&mut self, values: &[f64], x: &mut [f64], room: &mut Room) {
+    fn substitute(&mut self, values: &[f64], x: &mut [f64], workspace: &mut Workspace) {
         let layout = &self.layout;
         let (count, size) = (layout.constraints, layout.coordinates);
         let (freedoms, rank) = (layout.freedoms, layout.rank());
-        let Room {
+        let Workspace {
             motion,
             free,
             rest,
@@ -329,7 +329,7 @@ impl FreedomSolver {
             permuted,
             local,
             ..
-        } = room;
+        } = workspace;
         rest.clear();
         rest.extend_from_slice(x);
         motion.clear();
@@ -385,12 +385,12 @@ impl FreedomSolver {
         }
     }
 
-    /// Residual of a solution of the equations with the right side `room.wanted`, without the
+    /// Residual of a solution of the equations with the right side `workspace.wanted`, without the
     /// constraints left out: the largest.
-    fn residual(&mut self, values: &[f64], x: &[f64], room: &mut Room) -> f64 {
+    fn residual(&mut self, values: &[f64], x: &[f64], workspace: &mut Workspace) -> f64 {
         let layout = &self.layout;
         let (count, size) = (layout.constraints, layout.coordinates);
-        let Room { rest, wanted, .. } = room;
+        let Workspace { rest, wanted, .. } = workspace;
         rest.clone_from(wanted);
         self.forces.subtract(values, x, rest);
         for (k, point) in self.points.iter().enumerate() {

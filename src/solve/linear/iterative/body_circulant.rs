@@ -64,7 +64,7 @@ pub(super) struct BodyCirculant {
     interface: Option<Interface>,
     transform: Transform,
     workers: Workers,
-    rooms: Vec<Transform>,
+    workspaces: Vec<Transform>,
     /// Harmonics of each unknown, region by region.
     spectra: Vec<Complex<f64>>,
     /// Where those of each unknown start.
@@ -146,12 +146,7 @@ impl BodyCirculant {
         let resultants = Resultants::new(equations, tangent, &strains);
         let lanes = vec![vec![ComplexLanes::zero(); layout.structure.unknowns()]; factors.len()];
         let series = || vec![vec![0.0; points]; kept.len()];
-        let nodes = equations.system().nodes();
-        let rates = if resultants.damped() {
-            6 * points * nodes
-        } else {
-            0
-        };
+        let motions = equations.layout().motions().len();
         let harmonics = points / 2 + 1;
         let mut circulant = BodyCirculant {
             points,
@@ -165,11 +160,11 @@ impl BodyCirculant {
             },
             lanes,
             workers: equations.workers().clone(),
-            rooms: Vec::new(),
+            workspaces: Vec::new(),
             spectra: vec![Complex::default(); layout.structure.unknowns() * harmonics],
             spectrum_at: spectra_of(&layout, harmonics),
             series: [series(), series(), series()],
-            rates: vec![0.0; rates],
+            rates: vec![0.0; if resultants.damped() { motions } else { 0 }],
             aliasing,
             resultants,
             frequency: equations.grid().frequency(),
@@ -227,11 +222,15 @@ impl BodyCirculant {
             self.interface = Some(interface);
         }
         let (structure, factors) = (&self.layout.structure, &self.factors);
-        let rooms = &mut Vec::new();
-        self.workers
-            .for_each(&mut self.lanes, rooms, Vec::new, |room, chunk, lanes| {
-                factors[chunk].backward(structure, lanes, room);
-            });
+        let workspaces = &mut Vec::new();
+        self.workers.for_each(
+            &mut self.lanes,
+            workspaces,
+            Vec::new,
+            |workspace, chunk, lanes| {
+                factors[chunk].backward(structure, lanes, workspace);
+            },
+        );
         self.transform_back(x);
         if !resultants.is_empty() {
             if self.resultants.damped() {
@@ -253,7 +252,7 @@ impl BodyCirculant {
         let new = || self.transform.clone();
         self.workers.for_each(
             &mut parts,
-            &mut self.rooms,
+            &mut self.workspaces,
             new,
             |transform, node, rates| {
                 let (row, first) = layout.node_at[node];
@@ -329,15 +328,19 @@ impl BodyCirculant {
             .map(|region| region.unknowns.len() * harmonics);
         let mut parts: Vec<_> = parts(&mut self.spectra, counts).collect();
         let new = || self.transform.clone();
-        self.workers
-            .for_each(&mut parts, &mut self.rooms, new, |transform, i, spectra| {
+        self.workers.for_each(
+            &mut parts,
+            &mut self.workspaces,
+            new,
+            |transform, i, spectra| {
                 let (region, count) = (regions[i].of(x), regions[i].unknowns.len());
                 for (component, spectrum) in spectra.chunks_exact_mut(harmonics).enumerate() {
                     let series = region[component..].iter().step_by(count);
                     transform.analysis.read(series.copied());
                     spectrum.copy_from_slice(&transform.analysis.spectrum);
                 }
-            });
+            },
+        );
     }
 
     /// Everything that is averaged, from its harmonics.
@@ -346,7 +349,7 @@ impl BodyCirculant {
         let mut parts = Region::split(regions, x);
         let new = || self.transform.clone();
         self.workers
-            .for_each(&mut parts, &mut self.rooms, new, |transform, i, x| {
+            .for_each(&mut parts, &mut self.workspaces, new, |transform, i, x| {
                 let count = regions[i].unknowns.len();
                 for (component, unknown) in regions[i].unknowns.clone().enumerate() {
                     let series = x[component..].iter_mut().step_by(count);

@@ -75,7 +75,7 @@ fn classify_alone(equations: &Collocation, tangent: &Tangent, joints: Joints) ->
     let elements = equations.system().elements().iter().enumerate();
     elements
         .map(|(index, placed)| {
-            if placed.element.multipliers() == 0 {
+            if placed.element.own_unknowns() == 0 {
                 return Class::None;
             }
             let gradients = scaled_gradients(equations, tangent, index);
@@ -104,7 +104,7 @@ fn classify_alone(equations: &Collocation, tangent: &Tangent, joints: Joints) ->
 pub(super) fn classify_at(equations: &Collocation, tangent: &Tangent, k: usize) -> Vec<Class> {
     let elements = equations.system().elements().iter().enumerate();
     elements
-        .map(|(index, placed)| match placed.element.multipliers() {
+        .map(|(index, placed)| match placed.element.own_unknowns() {
             0 => Class::None,
             _ => Class::Averaged(Average {
                 gradient: scaled_gradient(equations, tangent, index, k),
@@ -131,7 +131,7 @@ fn scaled_gradient(
     let system = equations.system();
     let placed = &system.elements()[index];
     let layout = equations.layout();
-    let count = placed.element.multipliers();
+    let count = placed.element.own_unknowns();
     let nodes = placed.element.nodes();
     let mut g =
         DMatrix::from_column_slice(count, 6 * nodes.len(), tangent.gradient(system, index, k));

@@ -43,7 +43,7 @@ pub(crate) struct GmresEnd {
 
 /// Memory for long vectors, kept from one solve to the next, as taking it takes time.
 #[derive(Default)]
-pub(crate) struct GmresRoom {
+pub(crate) struct GmresWorkspace {
     /// Orthonormal vectors, one behind the other.
     basis: Vec<f64>,
     /// The right-hand side.
@@ -60,22 +60,22 @@ pub(crate) trait Preconditioned {
     fn precondition(&mut self, y: &mut [f64]);
 }
 
-/// Solves `A x = b` from `x = 0`: `rhs` is `b` before and `x` after. What `room` holds does not
-/// matter.
+/// Solves `A x = b` from `x = 0`: `rhs` is `b` before and `x` after. What `workspace` holds does
+/// not matter.
 pub(crate) fn gmres(
     operator: &mut impl Preconditioned,
     rhs: &mut [f64],
     options: &GmresOptions,
     workers: &Workers,
-    room: &mut GmresRoom,
+    workspace: &mut GmresWorkspace,
 ) -> GmresEnd {
     let vectors = Vectors { workers };
-    for copy in [&mut room.b, &mut room.rest] {
+    for copy in [&mut workspace.b, &mut workspace.rest] {
         copy.clear();
         copy.extend_from_slice(rhs);
     }
-    operator.precondition(&mut room.rest);
-    let start = vectors.norm(&mut room.rest);
+    operator.precondition(&mut workspace.rest);
+    let start = vectors.norm(&mut workspace.rest);
     rhs.fill(0.0);
     let end = GmresEnd {
         iterations: 0,
@@ -86,19 +86,19 @@ pub(crate) fn gmres(
     }
     // Memory that is not written to is not taken.
     let vectors_kept = options.restart.min(options.iteration_limit) + 1;
-    if room.basis.len() < vectors_kept * rhs.len() {
-        room.basis = vec![0.0; vectors_kept * rhs.len()];
+    if workspace.basis.len() < vectors_kept * rhs.len() {
+        workspace.basis = vec![0.0; vectors_kept * rhs.len()];
     }
     let mut run = Run {
         operator,
         vectors,
         options,
-        room,
+        workspace,
         share: None,
         end,
     };
     while run.end.error > options.tolerance && run.end.iterations < options.iteration_limit {
-        let before = run.vectors.norm(&mut run.room.rest);
+        let before = run.vectors.norm(&mut run.workspace.rest);
         let progress = (run.cycle(rhs, before)).is_some_and(|left| left < STAGNATION * before);
         if !progress {
             break;
@@ -112,7 +112,7 @@ struct Run<'a, P> {
     operator: &'a mut P,
     vectors: Vectors<'a>,
     options: &'a GmresOptions,
-    room: &'a mut GmresRoom,
+    workspace: &'a mut GmresWorkspace,
     /// What the smaller part is of the solution, once that is known.
     share: Option<f64>,
     end: GmresEnd,
@@ -128,7 +128,7 @@ impl<P: Preconditioned> Run<'_, P> {
             options,
             ..
         } = self;
-        let GmresRoom { basis, b, rest } = &mut *self.room;
+        let GmresWorkspace { basis, b, rest } = &mut *self.workspace;
         let (size, found) = (x.len(), vectors.norm(x));
         let products = (options.restart).min(options.iteration_limit - self.end.iterations);
         vectors.sums(&mut basis[..size], 1, |first, v, _| {
@@ -466,7 +466,7 @@ mod tests {
                 &mut x,
                 &options,
                 &Workers::default(),
-                &mut GmresRoom::default(),
+                &mut GmresWorkspace::default(),
             );
             assert!(end.error <= 1e-10, "{end:?}");
             let error = x.iter().zip(&exact).map(|(x, e)| (x - e).abs());
@@ -496,7 +496,7 @@ mod tests {
             &mut x,
             &options,
             &Workers::default(),
-            &mut GmresRoom::default(),
+            &mut GmresWorkspace::default(),
         );
         assert!(end.error > 0.5 && x.iter().all(|x| x.is_finite()));
     }

@@ -194,7 +194,7 @@ impl Interface {
     }
 }
 
-/// Room for the forces by one free motion at one grid point.
+/// Memory for the forces by one free motion at one grid point.
 struct Forces {
     series: Vec<Vec<f64>>,
     projected: Vec<f64>,

@@ -192,7 +192,7 @@ fn regions(
 fn size_of(system: &System, member: Member) -> usize {
     match member {
         Member::Node(_) => 6,
-        Member::Own(index) => system.elements()[index].element.multipliers(),
+        Member::Own(index) => system.elements()[index].element.own_unknowns(),
     }
 }
 

@@ -224,7 +224,7 @@ impl Averages<'_> {
             let Class::Averaged(average) = class else {
                 continue;
             };
-            let count = placed.element.multipliers();
+            let count = placed.element.own_unknowns();
             if count == 0 {
                 continue;
             }
@@ -288,7 +288,7 @@ impl Averages<'_> {
         let system = self.equations.system();
         let points = self.equations.grid().points();
         let placed = &system.elements()[index];
-        let count = placed.element.multipliers();
+        let count = placed.element.own_unknowns();
         let first = self.equations.layout().element(placed).start;
         let mut means = [vec![0.0; count * count], vec![0.0; count * count]];
         for k in 0..points {

@@ -34,7 +34,7 @@ use crate::solve::linear::solver::{COARSE, LinearSolver};
 use crate::solve::report::{Timings, timed};
 use body_circulant::BodyCirculant;
 use constraints::Joints;
-pub(crate) use gmres::{GmresOptions, GmresRoom, Preconditioned, gmres};
+pub(crate) use gmres::{GmresOptions, GmresWorkspace, Preconditioned, gmres};
 pub(crate) use projected::Projected;
 use serde::{Deserialize, Serialize};
 use std::time::{Duration, Instant};
@@ -198,7 +198,7 @@ pub(crate) struct Iterative {
     first_products: Option<usize>,
     /// Products that a solve may take.
     limit: usize,
-    room: GmresRoom,
+    workspace: GmresWorkspace,
     pub record: IterativeRecord,
 }
 
@@ -232,7 +232,7 @@ impl Iterative {
             is_scaled: false,
             first_products: None,
             limit: ITERATION_LIMIT,
-            room: GmresRoom::default(),
+            workspace: GmresWorkspace::default(),
             record: IterativeRecord::default(),
         }
     }
@@ -379,7 +379,7 @@ impl LinearSolver for Iterative {
                 &mut unknowns,
                 &options,
                 workers,
-                &mut self.room,
+                &mut self.workspace,
             );
             self.record.products.push(end.iterations);
             self.count_bytes(end.iterations.min(options.restart), unknowns.len());

@@ -1,7 +1,7 @@
 //! Linear equations whose residual is sampled on a finer grid and projected: iteration on the exact
 //! Jacobian, with that of the grid's own points for a preconditioner.
 
-use super::gmres::{GmresOptions, GmresRoom, Preconditioned, gmres};
+use super::gmres::{GmresOptions, GmresWorkspace, Preconditioned, gmres};
 use crate::collocation::{Collocation, GridState, OversampledTangent};
 use crate::error::Result;
 use crate::solve::linear::diagnosis::Singularity;
@@ -22,7 +22,7 @@ pub(crate) struct Projected<L> {
     tangent: Option<Box<OversampledTangent>>,
     /// Whether the last solve was given up.
     failed: bool,
-    room: GmresRoom,
+    workspace: GmresWorkspace,
     /// Products of each linear solve.
     #[cfg(test)]
     products: Vec<usize>,
@@ -63,7 +63,7 @@ impl<L: LinearSolver> Projected<L> {
             sampled,
             tangent: tangent.map(Box::new),
             failed: false,
-            room: GmresRoom::default(),
+            workspace: GmresWorkspace::default(),
             #[cfg(test)]
             products: Vec::new(),
         }
@@ -121,7 +121,7 @@ impl<L: LinearSolver> LinearSolver for Projected<L> {
             timings,
             end: Ok(true),
         };
-        let end = gmres(&mut operator, rhs, &options, &workers, &mut self.room);
+        let end = gmres(&mut operator, rhs, &options, &workers, &mut self.workspace);
         #[cfg(test)]
         self.products.push(end.iterations);
         let sampled = operator.end;

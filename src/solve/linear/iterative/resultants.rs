@@ -4,8 +4,8 @@
 //! [S Bᵀ; L −1] [x; f] = [b; r]   ⇔   (S + Bᵀ L) x = b + Bᵀ r,   f = L x − r
 //! ```
 //!
-//! with `B` and `L` averaged over time. They are worth their room because averages of a bent beam's
-//! stiffness, `Bᵀ L`, would stretch it where it bends. See docs/theory.md, section 8.4.
+//! with `B` and `L` averaged over time. They are worth their memory because averages of a bent
+//! beam's stiffness, `Bᵀ L`, would stretch it where it bends. See docs/theory.md, section 8.4.
 
 use super::mean::MeanStrain;
 use crate::collocation::{Collocation, Station, Tangent};

@@ -15,7 +15,7 @@ pub(super) struct TimeLocal {
     workers: Workers,
     factors: Vec<BlockLanes<RealLanes>>,
     lanes: Vec<Vec<RealLanes>>,
-    rooms: Vec<Vec<RealLanes>>,
+    workspaces: Vec<Vec<RealLanes>>,
 }
 
 impl TimeLocal {
@@ -45,7 +45,7 @@ impl TimeLocal {
         Some(TimeLocal {
             points,
             lanes: vec![vec![RealLanes::zero(); layout.structure.unknowns()]; factors.len()],
-            rooms: Vec::new(),
+            workspaces: Vec::new(),
             workers,
             layout,
             factors,
@@ -63,9 +63,9 @@ impl TimeLocal {
         let given = &*x;
         self.workers.for_each(
             &mut self.lanes,
-            &mut self.rooms,
+            &mut self.workspaces,
             Vec::new,
-            |room, chunk, lanes| {
+            |workspace, chunk, lanes| {
                 for (number, &(first, stride)) in lanes.iter_mut().zip(&layout.places) {
                     for lane in 0..LANES {
                         number.set(
@@ -75,7 +75,7 @@ impl TimeLocal {
                     }
                 }
                 factors[chunk].forward(&layout.structure, lanes);
-                factors[chunk].backward(&layout.structure, lanes, room);
+                factors[chunk].backward(&layout.structure, lanes, workspace);
             },
         );
         let (regions, lanes) = (&self.layout.regions, &self.lanes);
