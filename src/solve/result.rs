@@ -136,7 +136,8 @@ pub struct MarchRecord {
     /// Whole periods marched.
     pub periods: usize,
     /// Largest difference of motions and velocities from those one period before, as in
-    /// [`MarchEnd::Periodic`]; infinite before the end of the first.
+    /// [`MarchEnd::Periodic`](crate::solve::MarchEnd::Periodic); infinite before the end of the
+    /// first.
     pub repetition: f64,
     /// Largest estimated error of a motion in one step.
     pub step_error: f64,

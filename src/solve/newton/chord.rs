@@ -75,7 +75,7 @@ impl<L: LinearSolver> Run<'_, L> {
         }
         let residual = largest(&self.residual);
         let (mut taken, mut ends) = (None, false);
-        while !ends && !self.is_contradicted() {
+        while !ends && !self.left().is_contradicted() {
             let change = match self.with_multipliers {
                 true => self.change_of_own(),
                 false => 0.0,

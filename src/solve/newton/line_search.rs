@@ -1,6 +1,6 @@
 //! The longest step along an increment that brings progress (docs/theory.md, section 7.2).
 
-use super::run::{Run, Trial};
+use super::run::{Line, Run, Test, Trial};
 use crate::collocation::{GridState, ResultantPath};
 use crate::error::Result;
 use crate::solve::linear::solver::COARSE;
@@ -11,29 +11,6 @@ use crate::solve::report::timed;
 const SHORTEST_STEP: f64 = 1.0 / 256.0;
 /// Largest turn of a node in one step; beyond it the linearisation means little.
 const LARGEST_TURN: f64 = 1.0;
-
-/// What a step was accepted by.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Test {
-    /// The simplified increment after it.
-    Increment,
-    /// The same with stress resultants as unknowns of their own.
-    IncrementWithResultants,
-    /// Nothing: the watchdog forces it.
-    None,
-}
-
-/// The increment along which a step is sought.
-pub(super) struct Line<'a> {
-    /// Not scaled.
-    pub increment: &'a [f64],
-    /// Its largest motion.
-    pub size: f64,
-    /// Its largest turn of a node.
-    pub turn: f64,
-    /// Whether it is so small that the full step is the last.
-    pub is_last: bool,
-}
 
 /// The longest step that `accept` gives something for, of one that turns nodes by `turn` at most
 /// and its half, quarter and so on; none if all are refused.

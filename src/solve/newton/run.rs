@@ -1,8 +1,7 @@
 //! One solve in progress: from one linearisation to the next.
 
-use super::line_search::{Line, Test};
 use super::norms::{change_of_own, largest_turn};
-use super::verdict::{Ending, SINGULAR_GROWTH, STALLED_GROWTH, Verdict};
+use super::verdict::{Ending, Left, SINGULAR_GROWTH, STALLED_GROWTH, Verdict};
 use super::watchdog::Watchdog;
 use super::{ERROR_LEFT, FINEST, FORCING, Newton};
 use crate::collocation::{GridState, ResultantPath};
@@ -44,6 +43,29 @@ pub(super) struct Start {
     state: GridState,
     residual: Vec<f64>,
     resultants: Vec<Vector6<f64>>,
+}
+
+/// What a step was accepted by.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Test {
+    /// The simplified increment after it.
+    Increment,
+    /// The same with stress resultants as unknowns of their own.
+    IncrementWithResultants,
+    /// Nothing: the watchdog forces it.
+    None,
+}
+
+/// The increment along which a step is sought.
+pub(super) struct Line<'a> {
+    /// Not scaled.
+    pub increment: &'a [f64],
+    /// Its largest motion.
+    pub size: f64,
+    /// Its largest turn of a node.
+    pub turn: f64,
+    /// Whether it is so small that the full step is the last.
+    pub is_last: bool,
 }
 
 /// A step that is accepted.
@@ -91,7 +113,7 @@ impl<'a, L: LinearSolver> Run<'a, L> {
                 return Ok(ending);
             }
         }
-        Ok(self.exhausted())
+        Ok(self.left().exhausted())
     }
 
     /// Linearises, takes a step, and those with the same matrix after it.
@@ -112,7 +134,7 @@ impl<'a, L: LinearSolver> Run<'a, L> {
         self.accuracy = (FORCING * size).clamp(FINEST, COARSE);
         let settled = size <= self.options.tolerance;
         // Multipliers that have no effect grow without bound, and nothing else moves.
-        if settled && let Some(ending) = self.contradiction() {
+        if settled && let Some(ending) = self.left().contradiction() {
             return Ok(ControlFlow::Break(ending));
         }
         // Forces that are still to change much are off by as much as the motions are.
@@ -183,6 +205,15 @@ impl<'a, L: LinearSolver> Run<'a, L> {
         change_of_own(layout, &self.increment, scales, &self.state.multipliers)
     }
 
+    /// What is left of the equations.
+    pub fn left(&self) -> Left<'_> {
+        Left {
+            equations: &self.newton.equations,
+            residual: &self.residual,
+            options: self.options,
+        }
+    }
+
     /// Keeps an iteration, and shows it. `false` if the solve is to end.
     pub fn record(&mut self, iteration: Iteration) -> bool {
         self.iterations.push(iteration);
@@ -248,6 +279,6 @@ impl<'a, L: LinearSolver> Run<'a, L> {
                 Verdict::Unknown(_) => {}
             }
         }
-        ControlFlow::Break(self.stalled(size))
+        ControlFlow::Break(self.left().stalled(size))
     }
 }

@@ -1,11 +1,10 @@
 //! How a solve ends, and why; singular equations among others (docs/theory.md, section 7.5).
 
 use super::Newton;
-use super::run::Run;
-use crate::collocation::GridState;
+use crate::collocation::{Collocation, GridState};
 use crate::solve::linear::diagnosis::{Singularity, describe_inconsistency, describe_open_joint};
 use crate::solve::linear::solver::LinearSolver;
-use crate::solve::report::{Outcome, timed};
+use crate::solve::report::{NewtonOptions, Outcome, timed};
 
 /// Growth that means a singular matrix.
 pub(crate) const SINGULAR_GROWTH: f64 = 1e15;
@@ -86,18 +85,24 @@ impl<L: LinearSolver> Newton<L> {
     }
 }
 
-impl<L: LinearSolver> Run<'_, L> {
+/// Equations whose solution ends, and what is left of them.
+pub(super) struct Left<'a> {
+    pub equations: &'a Collocation,
+    pub residual: &'a [f64],
+    pub options: &'a NewtonOptions,
+}
+
+impl Left<'_> {
     /// Whether constraints that depend on each other are left open.
     pub fn is_contradicted(&self) -> bool {
-        let equations = &self.newton.equations;
-        equations.is_regularised()
-            && equations.violation(&self.residual) > self.options.tolerance.max(VIOLATION)
+        self.equations.is_regularised()
+            && self.equations.violation(self.residual) > self.options.tolerance.max(VIOLATION)
     }
 
     /// The end where they are.
     pub fn contradiction(&self) -> Option<Ending> {
         self.is_contradicted().then(|| {
-            let why = describe_inconsistency(&self.newton.equations, &self.residual);
+            let why = describe_inconsistency(self.equations, self.residual);
             Ending::new(Outcome::Inconsistent, why)
         })
     }
@@ -108,7 +113,7 @@ impl<L: LinearSolver> Run<'_, L> {
             let why = format!(
                 "no step along the Newton direction brings progress; the last increment is \
                  {increment:.3e}{}",
-                describe_open_joint(&self.newton.equations, &self.residual)
+                describe_open_joint(self.equations, self.residual)
             );
             Ending::new(Outcome::Stalled, why)
         })
@@ -120,7 +125,7 @@ impl<L: LinearSolver> Run<'_, L> {
             let why = format!(
                 "not converged after {} iterations{}",
                 self.options.iteration_limit,
-                describe_open_joint(&self.newton.equations, &self.residual)
+                describe_open_joint(self.equations, self.residual)
             );
             Ending::new(Outcome::IterationLimit, why)
         })
@@ -130,12 +135,11 @@ impl<L: LinearSolver> Run<'_, L> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::collocation::Collocation;
     use crate::elements::{Coordinate, JointKind};
     use crate::fourier::TimeGrid;
     use crate::model::{JointCoordinate, Model, Signal};
     use crate::motion::Motion;
-    use crate::solve::report::{NewtonOptions, NewtonReport};
+    use crate::solve::report::NewtonReport;
     use crate::system::System;
     use nalgebra::{Matrix3, Vector3};
     use std::f64::consts::TAU;
