@@ -3,6 +3,7 @@
 use super::*;
 use crate::motion::{Motion, rotation_from_vector, skew};
 use nalgebra::{Matrix3, Vector3};
+use std::ops::AddAssign;
 
 /// Reproducible numbers in `[−1, 1]`.
 struct Random(u64);
@@ -35,6 +36,43 @@ impl Random {
     }
 }
 
+/// An element of one strain, as it would be added: a cable between the origins of two nodes.
+#[derive(Debug)]
+struct Cable {
+    length: f64,
+    stiffness: f64,
+}
+
+impl Element for Cable {
+    fn nodes(&self) -> &[usize] {
+        &[0, 1]
+    }
+
+    fn evaluate(&self, instant: &Instant, out: &mut Contribution) -> Result<()> {
+        let motions = [instant.nodes[0].motion, instant.nodes[1].motion];
+        let span = motions[1].position - motions[0].position;
+        let (now, along) = (span.norm(), span.normalize());
+        let strain = now / self.length - 1.0;
+        let tension = along * (self.stiffness * strain);
+        let across = (Matrix3::identity() - along * along.transpose()) / now;
+        let tangent = along * along.transpose() * (self.stiffness / self.length)
+            + across * (self.stiffness * strain);
+        for (a, sign) in [(0, -1.0), (1, 1.0)] {
+            let back = motions[a].rotation.transpose() * sign;
+            let force = back * tension;
+            out.force.fixed_rows_mut::<3>(6 * a).add_assign(force);
+            for (b, sign) in [(0, -1.0), (1, 1.0)] {
+                let block = back * tangent * motions[b].rotation * sign;
+                let mut view = out.stiffness.fixed_view_mut::<3, 3>(6 * a, 6 * b);
+                view.add_assign(block);
+            }
+            let mut turned = out.stiffness.fixed_view_mut::<3, 3>(6 * a, 6 * a + 3);
+            turned.add_assign(skew(&force));
+        }
+        Ok(())
+    }
+}
+
 /// An element with a state to test it in.
 struct Case {
     name: String,
@@ -63,6 +101,16 @@ fn cases() -> Vec<Case> {
         name: "rigid body".into(),
         element: Box::new(Inertia::rigid_body(0, &random.motion(), &inertia)),
         states: states(vec![random.motion()], &mut random),
+        coordinates: vec![],
+    });
+
+    cases.push(Case {
+        name: "cable".into(),
+        element: Box::new(Cable {
+            length: 1.7,
+            stiffness: 5.0,
+        }),
+        states: states(vec![random.motion(), random.motion()], &mut random),
         coordinates: vec![],
     });
 

@@ -1,4 +1,4 @@
-//! The solves: linear algebra, Newton's method, equilibria, starts, periodic motions, marching,
+//! The solves: linear algebra, Newton's method, starts, periodic motions, equilibria, marching,
 //! modes. Each uses only those named before it.
 
 mod equilibrium;
