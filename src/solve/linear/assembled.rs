@@ -145,7 +145,10 @@ impl Assembled {
             }
         }
         match &mut self.solver {
-            Some(solver) => solver.solve_refined(&self.values, rhs),
+            Some(solver) => {
+                let motions = equations.layout().motions().end;
+                solver.solve_refined(&self.values, rhs, (motions, accuracy))
+            }
             None => Ok(false),
         }
     }

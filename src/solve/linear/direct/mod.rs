@@ -11,6 +11,7 @@ use crate::solve::linear::dense::{largest, solve_unit_lower, solve_upper, subtra
 use crate::solve::linear::direct::analysis::Analysis;
 use crate::solve::linear::direct::factorisation::Factorisation;
 use crate::solve::linear::front::Front;
+use crate::solve::linear::solver::COARSE;
 use crate::workers::Workers;
 use faer::Mat;
 
@@ -23,6 +24,9 @@ const ACCURATE: f64 = 1e-10;
 /// Residual of a refined solve that calls for safer pivots, relative to the right-hand side or, if
 /// that is more, to the largest number that the product may add up.
 const INACCURATE: f64 = 1e-9;
+/// Change by an earlier refinement, relative to the accuracy that is asked for, that leaves none to
+/// be made.
+const UNREFINED: f64 = 0.1;
 /// Most refinements of a solve.
 const REFINEMENTS: usize = 4;
 
@@ -36,6 +40,8 @@ pub struct DirectSolver {
     largest_entry: f64,
     /// Whether solves with the present factors are known to need no refinement.
     accurate: bool,
+    /// Change of motions by the first refinement with these factors, relative to these.
+    correction: f64,
     smallest_pivot: f64,
     workers: Workers,
 }
@@ -51,6 +57,7 @@ impl DirectSolver {
             factored: false,
             largest_entry: 0.0,
             accurate: false,
+            correction: f64::INFINITY,
             smallest_pivot: SMALLEST_PIVOT,
         }
     }
@@ -66,6 +73,7 @@ impl DirectSolver {
     /// If memory runs out.
     pub fn factor(&mut self, values: &[f64]) -> Result<bool> {
         self.accurate = false;
+        self.correction = f64::INFINITY;
         self.factored = false;
         let regular = self.factor_fronts(values);
         for front in &mut self.fronts {
@@ -157,17 +165,27 @@ impl DirectSolver {
     /// sought within a front only: where that has cost too many digits, the matrix is factored
     /// again with more of them waiting.
     ///
+    /// Relative errors of the first unknowns, as many as `motions`, may be of the order of
+    /// `accuracy`: where that is coarse, and an earlier refinement changed them by far less, there
+    /// is none.
+    ///
     /// # Errors
     /// If memory runs out.
-    pub fn solve_refined(&mut self, values: &[f64], rhs: &mut [f64]) -> Result<bool> {
-        if self.accurate {
+    pub fn solve_refined(
+        &mut self,
+        values: &[f64],
+        rhs: &mut [f64],
+        (motions, accuracy): (usize, f64),
+    ) -> Result<bool> {
+        let is_enough = accuracy >= COARSE && self.correction <= UNREFINED * accuracy;
+        if self.accurate || is_enough {
             return Ok(self.solve(rhs));
         }
         let wanted = rhs.to_vec();
         if !self.solve(rhs) {
             return Ok(false);
         }
-        let left = self.refine(values, &wanted, rhs);
+        let left = self.refine(values, &wanted, rhs, motions);
         // What rounding of the product leaves, of a small right side much, is none of the factors'
         // fault.
         let size = largest(&wanted).max(self.largest_entry() * largest(rhs));
@@ -177,23 +195,26 @@ impl DirectSolver {
             if !self.factor(values)? || !self.solve(rhs) {
                 return Ok(false);
             }
-            self.refine(values, &wanted, rhs);
+            self.refine(values, &wanted, rhs, motions);
         }
         Ok(true)
     }
 
     /// Refines the solution `x` of `A x = b`; returns the largest residual that is left.
-    fn refine(&mut self, values: &[f64], b: &[f64], x: &mut [f64]) -> f64 {
+    fn refine(&mut self, values: &[f64], b: &[f64], x: &mut [f64], motions: usize) -> f64 {
         let mut rest = self.residual(values, b, x);
         let enough = ACCURATE * largest(b);
         self.accurate = largest(&rest) <= enough;
-        for _ in 0..REFINEMENTS {
+        for refinement in 0..REFINEMENTS {
             if largest(&rest) <= enough {
                 break;
             }
             let mut better = rest.clone();
             if !self.solve(&mut better) {
                 break;
+            }
+            if refinement == 0 {
+                self.correction = largest(&better[..motions]) / largest(&x[..motions]);
             }
             better.iter_mut().zip(&*x).for_each(|(b, x)| *b += x);
             let left = self.residual(values, b, &better);
@@ -401,10 +422,25 @@ mod tests {
             let minus = solver.residual(&values, &vec![0.0; count], &exact);
             let wanted: Vec<f64> = minus.iter().map(|b| -b).collect();
             let mut found = wanted.clone();
-            assert!(solver.solve_refined(&values, &mut found).unwrap());
+            let all = |accuracy| (count, accuracy);
+            assert!(
+                solver
+                    .solve_refined(&values, &mut found, all(1e-8))
+                    .unwrap()
+            );
             let left = largest(&solver.residual(&values, &wanted, &found));
             // What refinement leaves at most.
             assert!(left <= ACCURATE * largest(&wanted), "{left:e}");
+            // Another one, to few digits.
+            let mut roughly = wanted.clone();
+            assert!(
+                solver
+                    .solve_refined(&values, &mut roughly, all(COARSE))
+                    .unwrap()
+            );
+            let errors = roughly.iter().zip(&found).map(|(a, b)| a - b);
+            let errors: Vec<f64> = errors.collect();
+            assert!(largest(&errors) <= COARSE * largest(&found));
             solver.size_of_factors()
         };
         for throw in [0.0, 0.05] {
