@@ -104,16 +104,6 @@ fn cases() -> Vec<Case> {
         coordinates: vec![],
     });
 
-    cases.push(Case {
-        name: "cable".into(),
-        element: Box::new(Cable {
-            length: 1.7,
-            stiffness: 5.0,
-        }),
-        states: states(vec![random.motion(), random.motion()], &mut random),
-        coordinates: vec![],
-    });
-
     // Beams of 2 to 7 nodes, curved in the reference, bent and twisted, with full sections.
     for count in 2..=7 {
         let start = random.motion();
@@ -314,6 +304,15 @@ fn cases() -> Vec<Case> {
             coordinates: vec![],
         });
     }
+    cases.push(Case {
+        name: "cable".into(),
+        element: Box::new(Cable {
+            length: 1.7,
+            stiffness: 5.0,
+        }),
+        states: states(vec![random.motion(), random.motion()], &mut random),
+        coordinates: vec![],
+    });
     cases
 }
 
