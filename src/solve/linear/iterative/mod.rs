@@ -30,7 +30,7 @@ use crate::error::Result;
 use crate::solve::linear::dense::{largest, probe};
 use crate::solve::linear::diagnosis::Singularity;
 use crate::solve::linear::slender::SLENDER;
-use crate::solve::linear::solver::{COARSE, LinearSolver};
+use crate::solve::linear::solver::{COARSE, ESTIMATE, LinearSolver};
 use crate::solve::report::{Timings, timed};
 use body_circulant::BodyCirculant;
 use constraints::Joints;
@@ -361,11 +361,14 @@ impl LinearSolver for Iterative {
                 factors.scale_resultants(&mut self.tangent, &unknowns, rhs.len());
                 self.is_scaled = true;
             }
+            let motions = equations.layout().motions().end;
+            // Estimates are of motions alone.
+            let is_estimate = accuracy >= ESTIMATE;
             let options = GmresOptions {
                 tolerance: accuracy,
-                leading: equations.layout().motions().end,
+                leading: motions,
                 iteration_limit: self.limit,
-                essential: rhs.len(),
+                essential: if is_estimate { motions } else { rhs.len() },
                 restart: (KEPT / size_of_val(&unknowns[..])).clamp(RESTART, ITERATION_LIMIT),
             };
             let mut operator = Operator {
