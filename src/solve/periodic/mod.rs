@@ -91,7 +91,7 @@ impl FirstGrids {
 /// Without a given start, Newton begins at the quasi-static motion, in steady rotation of what
 /// hangs on drives, or, on a large grid or where inertial forces would displace that much, at a
 /// solution on a smaller grid if that resolves the motion. Where that does not lead to a solution,
-/// other starts are tried, see [`Start`].
+/// other starts are tried, see [`Start`](crate::solve::Start).
 ///
 /// `observe` sees each iteration and returns `false` to cancel.
 ///
