@@ -86,21 +86,21 @@ impl Differentiation {
 
     /// Writes `D x` and `T x`; all three slices have one entry for each grid point.
     pub fn apply(&mut self, x: &[f64], d_x: &mut [f64], t_x: &mut [f64]) {
-        if self.grid.points() <= DENSE_LIMIT {
-            self.apply_dense(1, x, [d_x, t_x]);
-        } else {
-            self.apply_fft(1, x, [d_x, t_x]);
-        }
+        self.differentiate(1, x, [d_x, t_x]);
     }
 
     /// Writes `D X` and then `T X` of grid functions that have `count` values together at each grid
     /// point, one point after the other. They should be of one size, as they share rounding.
     pub fn apply_to_many(&mut self, count: usize, x: &[f64], derivatives: &mut [f64]) {
         let (first, second) = derivatives.split_at_mut(count * self.grid.points());
+        self.differentiate(count, x, [first, second]);
+    }
+
+    fn differentiate(&mut self, count: usize, x: &[f64], out: [&mut [f64]; 2]) {
         if self.grid.points() <= DENSE_LIMIT {
-            self.apply_dense(count, x, [first, second]);
+            self.apply_dense(count, x, out);
         } else {
-            self.apply_fft(count, x, [first, second]);
+            self.apply_fft(count, x, out);
         }
     }
 

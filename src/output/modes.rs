@@ -122,14 +122,11 @@ impl Modes {
         state.track(system);
         let mut equations = Collocation::new(system.clone(), grid)?;
         equations.update_kinematics(&state);
-        let report = NewtonReport {
-            outcome: Outcome::Converged,
-            iterations: Vec::new(),
-            explanation: format!(
-                "mode {number} with the amplitude {amplitude}: s = {:.9e} {:+.9e} i",
-                s.re, s.im
-            ),
-        };
+        let what = format!(
+            "mode {number} with the amplitude {amplitude}: s = {:.9e} {:+.9e} i",
+            s.re, s.im
+        );
+        let report = NewtonReport::ended(Outcome::Converged, what);
         let states = (state, equations.node_states().to_vec());
         let solve = Solved::known(system, grid, states, report, Kind::SmallMotion);
         Solution::of(&self.model, solve)

@@ -142,13 +142,8 @@ impl Solution {
         Ok(carried)
     }
 
-    /// Checks that `model` has joints, forces and prescribed coordinates as this solution has.
-    pub fn require_same_mechanism(&self, model: &Model) -> Result<()> {
-        let shape = |m: &Model| {
-            let kinds: Vec<_> = m.joints.iter().map(|j| j.kind).collect();
-            (kinds, m.prescribed.len(), m.forces.len())
-        };
-        if shape(&self.model) == shape(model) {
+    fn require_same_mechanism(&self, model: &Model) -> Result<()> {
+        if self.is_of_mechanism(model) {
             return Ok(());
         }
         Err(Error::value(

@@ -133,11 +133,7 @@ impl Solution {
 
     /// Checks that `model` has the nodes and joints that this solution has.
     pub fn require_same_shape(&self, model: &Model) -> Result<()> {
-        let shape = |m: &Model| {
-            let kinds: Vec<_> = m.joints.iter().map(|j| j.kind).collect();
-            (m.nodes.len(), kinds, m.prescribed.len(), m.forces.len())
-        };
-        if shape(&self.model) == shape(model) {
+        if self.model.nodes.len() == model.nodes.len() && self.is_of_mechanism(model) {
             return Ok(());
         }
         Err(Error::value(
@@ -151,6 +147,15 @@ impl Solution {
                 model.joints.len()
             ),
         ))
+    }
+
+    /// Whether `model` has the joints, forces and prescribed coordinates that this solution has.
+    pub(super) fn is_of_mechanism(&self, model: &Model) -> bool {
+        let mechanism = |m: &Model| {
+            let kinds: Vec<_> = m.joints.iter().map(|j| j.kind).collect();
+            (kinds, m.prescribed.len(), m.forces.len())
+        };
+        mechanism(&self.model) == mechanism(model)
     }
 
     /// This solution at the points of another grid of the same period: where a solve may start. On

@@ -123,11 +123,9 @@ impl Tangent {
             .chunks_mut(points)
             .map(|stresses| (stresses, unbalances.next()))
             .collect();
-        equations.workers().for_each(
-            &mut stations,
-            &mut Vec::new(),
-            || (),
-            |(), index, (stresses, unbalance)| {
+        equations
+            .workers()
+            .each(&mut stations, |index, (stresses, unbalance)| {
                 let station = &self.layout.stations[index];
                 station.stresses(&self.unknowns, &self.strains, increment, stresses);
                 let Some(unbalance) = unbalance else {
@@ -141,8 +139,7 @@ impl Tangent {
                     unbalance.copy_from_slice(difference.as_slice());
                     *stress = DualVector::from_wrench(&given.component_mul(&scales));
                 }
-            },
-        );
+            });
     }
 
     /// Writes the scaled equations' change.
@@ -157,26 +154,21 @@ impl Tangent {
         let places = equations.layout();
         let size = places.motions().end;
         let mut rows: Vec<_> = y[..size].chunks_mut(places.of_node()).collect();
-        equations.workers().for_each(
-            &mut rows,
-            &mut Vec::new(),
-            || (),
-            |(), node, forces| {
-                forces.fill(0.0);
-                for &pair in layout.couplings.of_row(node) {
-                    self.add_coupling(pair, increment, forces);
+        equations.workers().each(&mut rows, |node, forces| {
+            forces.fill(0.0);
+            for &pair in layout.couplings.of_row(node) {
+                self.add_coupling(pair, increment, forces);
+            }
+            for &(station, strain) in &layout.acting[node] {
+                let stresses = &stresses[station * points..][..points];
+                let strains = &self.strains[strain * points..][..points];
+                let rows = forces.chunks_exact_mut(6);
+                for ((force, strain), stress) in rows.zip(strains).zip(stresses) {
+                    let sum = (strain.strain.transpose() * *stress).to_wrench();
+                    force.iter_mut().zip(&sum).for_each(|(y, f)| *y += f);
                 }
-                for &(station, strain) in &layout.acting[node] {
-                    let stresses = &stresses[station * points..][..points];
-                    let strains = &self.strains[strain * points..][..points];
-                    let rows = forces.chunks_exact_mut(6);
-                    for ((force, strain), stress) in rows.zip(strains).zip(stresses) {
-                        let sum = (strain.strain.transpose() * *stress).to_wrench();
-                        force.iter_mut().zip(&sum).for_each(|(y, f)| *y += f);
-                    }
-                }
-            },
-        );
+            }
+        });
         y[size..].fill(0.0);
         self.add_gradients(equations, &increment.x, y);
         self.add_states(equations, increment, &mut y[size..]);

@@ -168,7 +168,7 @@ pub(crate) fn find_equilibrium(
         guess_iterations += 1;
         observe(Stage::InitialGuess, iteration)
     };
-    let mut tracker = Tracker::new(&system, grid, &workers, &mut observe_steps)?;
+    let mut tracker = Tracker::new(&system, &workers, &mut observe_steps)?;
     let failure = begin(&mut tracker, &system, options, watching)?;
     let Tracker {
         mut newton,

@@ -15,11 +15,12 @@ use crate::collocation::{Collocation, GridState, Tangent};
 use crate::error::Result;
 use crate::solve::linear::dense::{largest, probe};
 use crate::solve::linear::diagnosis::Singularity;
-use crate::solve::linear::iterative::{GmresOptions, GmresWorkspace, Preconditioned, gmres};
+use crate::solve::linear::iterative::{
+    GmresOptions, GmresWorkspace, Outer, SHARPEST, solve_around,
+};
 use crate::solve::linear::solver::LinearSolver;
 use crate::solve::report::{Timings, timed};
 use nalgebra::{DMatrix, DVector};
-use std::time::Instant;
 
 /// Scaled stiffness of the nodes against the ground.
 const GROUNDING: f64 = 1e-7;
@@ -27,9 +28,6 @@ const GROUNDING: f64 = 1e-7;
 const SUSPECT: f64 = 1e12;
 /// Most products of a linear solve, and vectors that are kept.
 const ITERATION_LIMIT: usize = 60;
-/// Accuracy of elimination, relative to that of the solution, and the finest.
-const SHARPER: f64 = 0.1;
-const SHARPEST: f64 = 1e-9;
 /// Accuracy where only the size of the solution matters.
 const ROUGH: f64 = 1e-2;
 
@@ -159,27 +157,22 @@ impl<L: LinearSolver> Bordered<L> {
     }
 }
 
-struct Operator<'a, L> {
-    equations: &'a mut Collocation,
-    inner: &'a mut L,
+/// The whole equations, without the ground.
+struct Whole<'a> {
     tangent: &'a mut Tangent,
     borders: &'a Borders,
-    accuracy: f64,
-    timings: &'a mut Timings,
-    /// What went wrong: no solution, or an error.
-    end: Result<bool>,
 }
 
-impl<L: LinearSolver> Preconditioned for Operator<'_, L> {
-    fn product(&mut self, x: &[f64], y: &mut [f64]) {
-        let (equations, size) = (&*self.equations, self.equations.size());
+impl<L: LinearSolver> Outer<L> for Whole<'_> {
+    fn product(&mut self, equations: &Collocation, inner: &L, x: &[f64], y: &mut [f64]) {
+        let size = equations.size();
         let of_grid = &x[..size];
         self.tangent.apply(equations, of_grid, &mut y[..size]);
         let grounding = equations.grounding();
         for i in equations.layout().motions() {
             y[i] -= grounding * x[i];
         }
-        if equations.is_regularised() && !self.inner.has_compliance() {
+        if equations.is_regularised() && !inner.has_compliance() {
             let mut compliance = vec![0.0; size];
             equations.compliance_of(of_grid, &mut compliance);
             y.iter_mut().zip(&compliance).for_each(|(y, c)| *y -= c);
@@ -187,18 +180,8 @@ impl<L: LinearSolver> Preconditioned for Operator<'_, L> {
         self.borders.product(x, y);
     }
 
-    fn precondition(&mut self, y: &mut [f64]) {
-        let size = self.equations.size();
-        if matches!(self.end, Ok(true)) {
-            let (accuracy, timings) = (self.accuracy, &mut *self.timings);
-            let of_grid = &mut y[..size];
-            self.end = self.inner.solve(self.equations, of_grid, accuracy, timings);
-        }
-        match self.end {
-            Ok(true) => self.borders.substitute(y),
-            // Which ends the iteration.
-            _ => y.fill(0.0),
-        }
+    fn complete(&self, y: &mut [f64]) {
+        self.borders.substitute(y);
     }
 }
 
@@ -220,8 +203,6 @@ impl<L: LinearSolver> LinearSolver for Bordered<L> {
         accuracy: f64,
         timings: &mut Timings,
     ) -> Result<bool> {
-        let workers = equations.workers().clone();
-        let (began, before) = (Instant::now(), timings.sum());
         let options = GmresOptions {
             tolerance: accuracy,
             leading: equations.layout().motions().end,
@@ -229,24 +210,16 @@ impl<L: LinearSolver> LinearSolver for Bordered<L> {
             iteration_limit: ITERATION_LIMIT,
             restart: ITERATION_LIMIT,
         };
-        let mut operator = Operator {
-            equations,
-            inner: &mut self.inner,
+        let mut whole = Whole {
             tangent: &mut self.tangent,
             borders: &self.borders,
-            accuracy: (SHARPER * accuracy).max(SHARPEST),
-            timings,
-            end: Ok(true),
         };
-        let end = gmres(&mut operator, rhs, &options, &workers, &mut self.workspace);
-        let inner = operator.end;
-        // What elimination has not booked.
-        let booked = timings.sum() - before;
-        timings.substitution += began.elapsed().saturating_sub(booked);
-        workers.pulse()?;
+        let of_grid = (equations, &mut self.inner);
+        let workspace = &mut self.workspace;
+        let (inner, end) = solve_around(of_grid, &mut whole, rhs, &options, timings, workspace)?;
         // Written so that NaN fails too.
         let accurate = end.error <= accuracy;
-        Ok(inner? && accurate && rhs.iter().all(|x| x.is_finite()))
+        Ok(inner && accurate && rhs.iter().all(|x| x.is_finite()))
     }
 
     fn has_compliance(&self) -> bool {

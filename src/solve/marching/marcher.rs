@@ -1,11 +1,8 @@
 //! A march, step by step.
 
-use crate::collocation::{
-    AlphaStep, Collocation, Conditions, GeneralizedAlpha, GridState, MotionState,
-};
+use crate::collocation::{AlphaStep, Conditions, GeneralizedAlpha, GridState, MotionState};
 use crate::elements::Unknown;
 use crate::error::ErrorKind;
-use crate::fourier::TimeGrid;
 use crate::solve::marching::consistent::Initial;
 use crate::solve::marching::options::MarchOptions;
 use crate::solve::marching::{Stop, Tried};
@@ -39,10 +36,7 @@ impl Marcher {
         (start, states_given): (&mut MotionState, bool),
         workers: &Workers,
     ) -> Tried<Self> {
-        let instant = TimeGrid::new(1, system.period())?;
-        let mut equations = Collocation::new(system.clone(), instant)?;
-        equations.set_workers(workers.clone());
-        let mut newton = Newton::new(equations);
+        let mut newton = Newton::at_instant(system, workers)?;
         let method = GeneralizedAlpha::new(options.spectral_radius);
         let mut initial = Initial::new(&mut newton, step);
         let (moved, corrected) = initial.make_consistent(start, states_given, &method)?;

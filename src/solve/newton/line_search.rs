@@ -3,8 +3,7 @@
 use super::run::{Line, Run, Test, Trial};
 use crate::collocation::{GridState, ResultantPath};
 use crate::error::Result;
-use crate::solve::linear::solver::COARSE;
-use crate::solve::linear::solver::LinearSolver;
+use crate::solve::linear::solver::{COARSE, LinearSolver};
 use crate::solve::report::timed;
 
 /// Shortest step.

@@ -14,13 +14,17 @@ mod watchdog;
 
 use crate::collocation::{Collocation, GridState, TimeRule};
 use crate::error::Result;
+use crate::fourier::TimeGrid;
 use crate::solve::linear::assembled::Assembled;
 use crate::solve::linear::solver::{COARSE, ESTIMATE, LinearSolver};
 use crate::solve::newton::assembly::describe_turned_over;
 use crate::solve::report::{Iteration, NewtonOptions, NewtonReport, Outcome, Timings, timed};
+use crate::system::System;
+use crate::workers::Workers;
 use norms::{norm, remove_means};
 use run::Run;
 pub use scalars::solve_with_scalars;
+use std::sync::Arc;
 use verdict::Ending;
 pub(crate) use verdict::SINGULAR_GROWTH;
 
@@ -58,13 +62,17 @@ impl Newton {
         let mut timings = Timings::default();
         let linear = timed(&mut timings.analysis, || Assembled::new(&equations));
         Newton {
-            linear,
-            contraction: None,
-            patience: None,
-            iterations: 0,
-            equations,
             timings,
+            ..Newton::with(equations, linear)
         }
+    }
+
+    /// The same for a grid of one point: an equilibrium, or a step in time.
+    pub fn at_instant(system: &Arc<System>, workers: &Workers) -> Result<Self> {
+        let instant = TimeGrid::new(1, system.period())?;
+        let mut equations = Collocation::new(system.clone(), instant)?;
+        equations.set_workers(workers.clone());
+        Ok(Newton::new(equations))
     }
 
     /// Sign of the Jacobian's determinant at `state`, where the last solve ended, and logarithm of

@@ -143,9 +143,8 @@ impl<'a> OnGrid<'a> {
         };
         self.move_to(grid)?;
         let report = NewtonReport {
-            outcome: Outcome::Cancelled,
             iterations: report.iterations,
-            explanation: String::new(),
+            ..NewtonReport::ended(Outcome::Cancelled, String::new())
         };
         Ok((state, report))
     }

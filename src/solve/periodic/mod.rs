@@ -128,17 +128,14 @@ pub fn solve_periodic(
         oversampling: options.oversampling,
         workers: Workers::new(options.threads)?.telling(watching.pulse()),
     };
-    let mut observe_all = |stage: Stage, iteration: &Iteration| {
-        let goes_on = watching.iteration(stage, iteration);
-        observe(stage, iteration) && goes_on
-    };
+    let mut observe = watching.with(observe);
     let (given, chosen) = match &options.guess {
         InitialGuess::State(state) => (Some(state.clone()), None),
         InitialGuess::By(start) => (None, Some(*start)),
         InitialGuess::Default => (None, None),
     };
     let mut solve = Periodic {
-        on: OnGrid::new(&system, grid, means, watching.clone(), &mut observe_all)?,
+        on: OnGrid::new(&system, grid, means, watching.clone(), &mut observe)?,
         starts: Starts::new(&system, of_starts, chosen)?,
         loads,
         accepted: match &options.grid_points {
@@ -155,9 +152,9 @@ pub fn solve_periodic(
         GridPoints::Adaptive(adaptation) => solve.refine(&adaptation, given),
         GridPoints::Fixed(_) => solve.on_given_grid(wanted, given),
     };
-    let found = match found {
-        Err(error) if watching.cancels(&error) => solve.on.cancelled()?,
-        found => found?,
+    let found = match watching.unless_cancelled(found)? {
+        Some(found) => found,
+        None => solve.on.cancelled()?,
     };
     solve.finish(model, options, found, began)
 }
@@ -175,12 +172,10 @@ impl Periodic<'_> {
         let estimating = Instant::now();
         let wanted = options.estimate_mesh || model.beams.is_empty();
         let mesh_error = if wanted && sampled && report.outcome.is_solution() {
-            match mesh_error(model, &mut on.newton, &state) {
-                Err(error) if on.watching.cancels(&error) => f64::INFINITY,
-                found => found?,
-            }
+            let found = mesh_error(model, &mut on.newton, &state);
+            on.watching.unless_cancelled(found)?
         } else {
-            f64::INFINITY
+            None
         };
         on.timings.estimates += estimating.elapsed();
         let finishing = Instant::now();
@@ -213,7 +208,7 @@ impl Periodic<'_> {
                 attempts: self.starts.tried,
                 threads: options.threads,
                 assessment: assessment.map(|(_, assessment)| assessment),
-                mesh_error,
+                mesh_error: mesh_error.unwrap_or(f64::INFINITY),
             }),
         })
     }

@@ -2,7 +2,7 @@
 //! infinity). It serves as an initial guess only.
 //! See docs/theory.md, section 9.6.
 
-use crate::collocation::{Backward, BackwardWeights, Collocation, Conditions, GridState};
+use crate::collocation::{Backward, BackwardWeights, Conditions, GridState};
 use crate::error::{ErrorKind, Result};
 use crate::fourier::TimeGrid;
 use crate::solve::newton::Newton;
@@ -62,15 +62,12 @@ impl DissipativeMarch {
         start: Option<&GridState>,
         workers: &Workers,
     ) -> Result<Self> {
-        let instant = TimeGrid::new(1, grid.period())?;
-        let mut equations = Collocation::new(system.clone(), instant)?;
-        // Instants are too small to be shared.
-        equations.set_workers(workers.alone());
         let mut march = DissipativeMarch {
             system: system.clone(),
             grid,
             start: start.cloned(),
-            newton: Newton::new(equations),
+            // Instants are too small to be shared.
+            newton: Newton::at_instant(system, &workers.alone())?,
             step: StepLength::halved(1.0, SHORTEST..=1.0),
             past: VecDeque::new(),
             before: None,

@@ -1,7 +1,7 @@
 //! The default initial guess: quasi-static equilibrium, followed once around the period
 //! (docs/theory.md, section 9.1).
 
-use crate::collocation::{Collocation, Conditions, GivenRates, GridState, Steady};
+use crate::collocation::{Conditions, GivenRates, GridState, Steady};
 use crate::error::{ErrorKind, Result};
 use crate::fourier::TimeGrid;
 use crate::solve::newton::Newton;
@@ -67,15 +67,13 @@ impl<'a> Tracker<'a> {
     /// At rest in the reference configuration.
     pub fn new(
         system: &Arc<System>,
-        instant: TimeGrid,
         workers: &Workers,
         observe: &'a mut dyn FnMut(&Iteration) -> bool,
     ) -> Result<Self> {
-        let mut equations = Collocation::new(system.clone(), instant)?;
-        equations.set_workers(workers.clone());
+        let newton = Newton::at_instant(system, workers)?;
         Ok(Tracker {
-            newton: Newton::new(equations),
-            state: GridState::reference(system, instant),
+            state: GridState::reference(system, newton.equations.grid()),
+            newton,
             observe,
             failure: None,
             reached: 0.0,
@@ -259,8 +257,7 @@ pub(crate) fn quasi_static(
     workers: &Workers,
     observe: &mut dyn FnMut(&Iteration) -> bool,
 ) -> Result<Guess> {
-    let instant = TimeGrid::new(1, grid.period())?;
-    let mut tracker = Tracker::new(system, instant, workers, observe)?;
+    let mut tracker = Tracker::new(system, workers, observe)?;
     tracker.driven = driven.cloned();
     let mut state = GridState::reference(system, grid);
 
@@ -302,9 +299,7 @@ pub(crate) fn inertial_displacement(
 ) -> Result<f64> {
     let count = grid.points();
     let interval = grid.period() / count as f64;
-    let mut equations = Collocation::new(system.clone(), TimeGrid::new(1, grid.period())?)?;
-    equations.set_workers(workers.clone());
-    let mut newton = Newton::new(equations);
+    let mut newton = Newton::at_instant(system, workers)?;
     let mut at = GridState::at_points(system, 1);
     let mut most = 0.0f64;
     for part in LOOKED_AT {

@@ -1,19 +1,16 @@
 //! Linear equations whose residual is sampled on a finer grid and projected: iteration on the exact
 //! Jacobian, with that of the grid's own points for a preconditioner.
 
-use super::gmres::{GmresOptions, GmresWorkspace, Preconditioned, gmres};
+use super::gmres::{GmresOptions, GmresWorkspace};
+use super::outer::{Outer, solve_around};
 use crate::collocation::{Collocation, GridState, OversampledTangent};
 use crate::error::Result;
 use crate::solve::linear::diagnosis::Singularity;
 use crate::solve::linear::solver::LinearSolver;
 use crate::solve::report::{Timings, timed};
-use std::time::Instant;
 
 /// Most products of a linear solve, and vectors that are kept.
 const ITERATION_LIMIT: usize = 200;
-/// Accuracy of the preconditioner, relative to that of the solution, and the finest.
-const SHARPER: f64 = 0.1;
-const SHARPEST: f64 = 1e-9;
 
 /// Solves projected equations; those of the grid's own points as `sampled` does.
 pub(crate) struct Projected<L> {
@@ -28,30 +25,9 @@ pub(crate) struct Projected<L> {
     products: Vec<usize>,
 }
 
-struct Operator<'a, L> {
-    equations: &'a mut Collocation,
-    sampled: &'a mut L,
-    tangent: &'a mut OversampledTangent,
-    accuracy: f64,
-    timings: &'a mut Timings,
-    /// What went wrong: no solution, or an error.
-    end: Result<bool>,
-}
-
-impl<L: LinearSolver> Preconditioned for Operator<'_, L> {
-    fn product(&mut self, x: &[f64], y: &mut [f64]) {
-        self.tangent.apply(x, y);
-    }
-
-    fn precondition(&mut self, y: &mut [f64]) {
-        if matches!(self.end, Ok(true)) {
-            let (accuracy, timings) = (self.accuracy, &mut *self.timings);
-            self.end = self.sampled.solve(self.equations, y, accuracy, timings);
-        }
-        if !matches!(self.end, Ok(true)) {
-            // Which ends the iteration.
-            y.fill(0.0);
-        }
+impl<L> Outer<L> for OversampledTangent {
+    fn product(&mut self, _: &Collocation, _: &L, x: &[f64], y: &mut [f64]) {
+        self.apply(x, y);
     }
 }
 
@@ -104,8 +80,6 @@ impl<L: LinearSolver> LinearSolver for Projected<L> {
         let Some(tangent) = &mut self.tangent else {
             return self.sampled.solve(equations, rhs, accuracy, timings);
         };
-        let workers = equations.workers().clone();
-        let (began, before) = (Instant::now(), timings.sum());
         let options = GmresOptions {
             tolerance: accuracy,
             leading: rhs.len(),
@@ -113,23 +87,12 @@ impl<L: LinearSolver> LinearSolver for Projected<L> {
             iteration_limit: ITERATION_LIMIT,
             restart: ITERATION_LIMIT,
         };
-        let mut operator = Operator {
-            equations,
-            sampled: &mut self.sampled,
-            tangent,
-            accuracy: (SHARPER * accuracy).max(SHARPEST),
-            timings,
-            end: Ok(true),
-        };
-        let end = gmres(&mut operator, rhs, &options, &workers, &mut self.workspace);
+        let of_grid = (equations, &mut self.sampled);
+        let workspace = &mut self.workspace;
+        let (sampled, end) =
+            solve_around(of_grid, &mut **tangent, rhs, &options, timings, workspace)?;
         #[cfg(test)]
         self.products.push(end.iterations);
-        let sampled = operator.end;
-        // What the preconditioner has not booked.
-        let booked = timings.sum() - before;
-        timings.substitution += began.elapsed().saturating_sub(booked);
-        workers.pulse()?;
-        let sampled = sampled?;
         // Written so that NaN fails too.
         let accurate = end.error <= accuracy;
         self.failed = sampled && !accurate;
