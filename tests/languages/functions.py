@@ -1,5 +1,6 @@
-"""Every function that the library exports is in the header, called in periodyn.hpp, bound in module
-periodyn_c of periodyn.f90, and called in its module periodyn; and every constant is in both."""
+"""Every function that the library exports is in the header, called in periodyn.hpp and in Python,
+bound in module periodyn_c of periodyn.f90, and called in its module periodyn; and every constant
+is in all."""
 
 import re
 import sys
@@ -11,6 +12,17 @@ ROOT = Path(__file__).resolve().parents[2]
 def read(name, comment):
     """A file without its comments."""
     return re.sub(comment, "", (ROOT / name).read_text(), flags=re.S)
+
+
+def called_in_python():
+    """Functions that the package calls, and those that Python needs no name for: exceptions stand
+    for the message of an error, and are kept by the package itself."""
+    package = (ROOT / "python/periodyn").glob("*.py")
+    texts = [path.read_text() for path in package if path.name != "_abi.py"]
+    return set(re.findall(r"\b(?:lib|LIBRARY)\.(pdn_\w+)", "\n".join(texts))) | {
+        "pdn_set_callback_error", "pdn_last_callback_code", "pdn_set_panic_printing",
+        "pdn_version_check",
+    }
 
 
 def main():
@@ -36,6 +48,7 @@ def main():
         "tests/abi/symbols.txt": exported,
         "periodyn.h": set(re.findall(r"PDN_API\s+[\w ]+?\*?(pdn_\w+)\(", header)),
         "periodyn.hpp": exported & set(re.findall(r"\bpdn_\w+", cpp)),
+        "python/periodyn": exported & called_in_python(),
         "periodyn.f90, module periodyn_c": set(re.findall(r'bind\(C, name="(\w+)"\)', raw)),
         "periodyn.f90, module periodyn": exported & called,
     }
@@ -48,8 +61,11 @@ def main():
     not_wrapped = {
         name for name in constants if re.match(r"PDN_(OK$|ERR_|LINE_|SIGNAL_|VERSION_PATCH)", name)
     }
+    interface = (ROOT / "python/periodyn/_interface.py").read_text()
+    python = re.sub(r"^([A-Z]\w+) = -?\d+$", r"PDN_\1", interface, flags=re.M)
     for name, text, wanted in [("periodyn.hpp", cpp, constants - not_wrapped),
-                               ("periodyn.f90", raw, constants)]:
+                               ("periodyn.f90", raw, constants),
+                               ("python/periodyn", python, constants)]:
         missing = wanted - set(re.findall(r"\bPDN_\w+", text))
         if missing:
             wrong.append(f"constants not in {name}: {sorted(missing)}")

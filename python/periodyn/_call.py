@@ -1,0 +1,60 @@
+"""Calls of the library: its file, and exceptions for its statuses."""
+
+import pathlib
+import threading
+
+from ._abi import ffi
+
+_HERE = pathlib.Path(__file__).parent
+_FILES = [_HERE / name for name in ("libperiodyn.so", "libperiodyn.dylib", "periodyn.dll")]
+LIBRARY = ffi.dlopen(str(next((file for file in _FILES if file.exists()), _FILES[0])))
+
+
+class Error(Exception):
+    """A call that failed: `status` has its name, such as "PDN_ERR_VALUE"."""
+
+    def __init__(self, message, status="PDN_ERR_VALUE"):
+        super().__init__(message)
+        self.status = status
+
+
+class _Raised(threading.local):
+    """What callbacks on this thread have raised, until the call that needed them is over."""
+
+    exception = None
+
+
+RAISED = _Raised()
+
+
+def call(function, *arguments):
+    """Calls a function that returns a status.
+
+    Raises:
+        what a callback raised, or Error
+    """
+    RAISED.exception = None
+    status = function(*arguments)
+    raised, RAISED.exception = RAISED.exception, None
+    if raised is not None:
+        raise raised
+    if status != 0:
+        name = ffi.string(LIBRARY.pdn_status_name(status)).decode()
+        message = filled(LIBRARY.pdn_last_error)
+        raise Error(message or ffi.string(LIBRARY.pdn_status_message(status)).decode(), name)
+
+
+def filled(function, *first):
+    """The text that a function writes into a buffer."""
+    size = function(*first, ffi.NULL, 0) + 1
+    buffer = ffi.new("char[]", size)
+    function(*first, buffer, size)
+    return ffi.string(buffer).decode()
+
+
+def text(string):
+    """A text as an argument; None stands for NULL."""
+    return ffi.NULL if string is None else ffi.new("char[]", str(string).encode())
+
+
+text.of = filled

@@ -1,0 +1,132 @@
+"""Functions of Python that the library calls.
+
+Each kind has one function for C, which finds the one of Python by its `user_data`. What it raises
+is kept, and raised again by the call that needed it.
+"""
+
+from collections import namedtuple
+
+import numpy
+
+from ._abi import ffi
+from ._call import RAISED, Error
+
+Callback = namedtuple("Callback", "function data")
+
+
+def _failed(kind, value, _traceback):
+    """What to do with an exception; to C it is told as failure."""
+    RAISED.exception = value if isinstance(value, BaseException) else kind(value)
+
+
+def _taker(name, for_c):
+    """What makes a callback of a function of Python, and keeps it alive in a list."""
+
+    def take(function, kept):
+        if not callable(function):
+            raise Error(f"{name}: expected a function, got {function!r}")
+        handle = ffi.new_handle(function)
+        kept.append(handle)
+        return Callback(for_c, handle)
+
+    return take
+
+
+def view(pointer, *shape):
+    """The numbers behind a pointer, as long as the call lasts."""
+    if pointer == ffi.NULL:
+        return None
+    size = 8
+    for length in shape:
+        size *= length
+    return numpy.frombuffer(ffi.buffer(pointer, size)).reshape(shape)
+
+
+@ffi.callback("int32_t(double, double *, void *)", error=1, onerror=_failed)
+def _signal(time, value, data):
+    value[0] = ffi.from_handle(data)(time)
+    return 0
+
+
+@ffi.callback("int32_t(double, double *, double *, void *)", error=1, onerror=_failed)
+def _curve(fraction, position, axis_2, data):
+    place, axis = ffi.from_handle(data)(fraction)
+    view(position, 3)[:] = place
+    view(axis_2, 3)[:] = axis
+    return 0
+
+
+@ffi.callback("int32_t(double, double, double, double *, double *, void *)", error=1,
+              onerror=_failed)
+def _coordinate_law(time, coordinate, rate, effort, derivatives, data):
+    told = ffi.from_handle(data)(time, coordinate, rate)
+    if isinstance(told, tuple):
+        told, slopes = told
+        if derivatives != ffi.NULL:
+            view(derivatives, 2)[:] = slopes
+    effort[0] = told
+    return 0
+
+
+class ForceState:
+    """What forces on nodes may depend on: `time`, `positions` (nodes x 3), `rotations` (nodes x 3
+    x 3) and `velocities` (nodes x 6), along the axes that were asked for; during the call only."""
+
+    def __init__(self, c):
+        count = c.node_count
+        self.time = c.time
+        self.positions = view(c.positions, count, 3)
+        self.rotations = view(c.rotations, count, 3, 3).swapaxes(1, 2)
+        self.velocities = view(c.velocities, count, 6)
+
+
+class ForceValues:
+    """Where forces go: `forces` (nodes x 6), all zero at first; `by_motion` and `by_velocity`
+    (6 nodes x 6 nodes, row: force, column: motion), None where they are not wanted."""
+
+    def __init__(self, c, count):
+        self.forces = view(c.forces, count, 6)
+        self.by_motion, self.by_velocity = (
+            None if tangent == ffi.NULL else view(tangent, 6 * count, 6 * count).T
+            for tangent in (c.by_motion, c.by_velocity)
+        )
+
+
+@ffi.callback("int32_t(pdn_force_state *, pdn_force_values *, void *)", error=1, onerror=_failed)
+def _user_force(state, values, data):
+    ffi.from_handle(data)(ForceState(state), ForceValues(values, state.node_count))
+    return 0
+
+
+@ffi.callback("int32_t(pdn_progress *, void *)", error=1, onerror=_failed)
+def _progress(told, data):
+    return 1 if ffi.from_handle(data)(told) else 0
+
+
+signal = _taker("function", _signal)
+curve = _taker("curve", _curve)
+coordinate_law = _taker("function", _coordinate_law)
+user_force = _taker("function", _user_force)
+_told = _taker("progress", _progress)
+
+
+def progress(function, kept):
+    """Progress for nobody still lets a solve be interrupted by Ctrl-C; True prints it."""
+    if function is None or function is False:
+        return _told(_nobody, kept)
+    return _told(Printed() if function is True else function, kept)
+
+
+def _nobody(_told):
+    return False
+
+
+class Printed:
+    """Prints how far a solve is, on one line."""
+
+    def __call__(self, told):
+        line = f"{told.elapsed:7.1f} s  {told.grid_points:5d} points  "
+        line += f"iteration {told.iteration:3d}  increment {told.increment:8.1e}"
+        print(line, end="\r", flush=True)
+        return False
+

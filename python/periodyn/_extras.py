@@ -1,0 +1,114 @@
+"""What handles have in Python beyond the functions of C."""
+
+import os
+import pathlib
+
+import numpy
+
+from ._abi import ffi
+
+
+class Handle:
+    """What the library has made, freed with the object."""
+
+    _free = None
+
+    def __new__(cls, *_arguments, **_options):
+        handle = super().__new__(cls)
+        # Callbacks of the model, which whatever is made of it needs, too.
+        handle._kept = []
+        return handle
+
+    def _own(self, c):
+        self._c = ffi.gc(c, type(self)._free)
+
+    @classmethod
+    def _made(cls, c, kept):
+        handle = cls.__new__(cls)
+        handle._kept = kept
+        handle._own(c)
+        return handle
+
+
+class ModelExtras(Handle):
+    """A model, in Python."""
+
+    def __repr__(self):
+        return f"<periodyn.Model: {self.node_count()} nodes, {self.joint_count()} joints>"
+
+
+class Outcome:
+    """What solves have in common."""
+
+    @property
+    def converged(self):
+        """Whether this is a solution: converged, on the last grid tried at least."""
+        return self.outcome_name in ("CONVERGED", "TOLERANCE_NOT_MET")
+
+    @property
+    def outcome_name(self):
+        """Name of the outcome, such as "CONVERGED"."""
+        from ._interface import OUTCOMES
+
+        return OUTCOMES.get(self.outcome(), str(self.outcome()))
+
+    def __repr__(self):
+        return f"<periodyn.{type(self).__name__}: {self.outcome_name}>"
+
+    def __str__(self):
+        return self.report()
+
+
+class ModesExtras(Outcome, Handle):
+    """Modes, in Python: a sequence of Mode."""
+
+    def __len__(self):
+        return self.count()[0]
+
+    def __getitem__(self, mode):
+        if not 0 <= mode < len(self):
+            raise IndexError(mode)
+        return self.get(mode)
+
+    @property
+    def frequencies(self):
+        """Oscillations per unit of time of each mode."""
+        return numpy.array([mode.frequency for mode in self])
+
+
+class SolutionExtras(Outcome, Handle):
+    """A solution, in Python: it can be pickled, without the functions of its model."""
+
+    def __reduce__(self):
+        import tempfile  # loaded where it is needed, as it takes long
+
+        with tempfile.TemporaryDirectory() as directory:
+            path = os.path.join(directory, "solution")
+            self.save(path)
+            return _loaded, (pathlib.Path(path).read_bytes(),)
+
+
+def _loaded(saved):
+    import tempfile
+
+    from ._interface import Solution
+
+    with tempfile.TemporaryDirectory() as directory:
+        path = pathlib.Path(directory) / "solution"
+        path.write_bytes(saved)
+        return Solution.load(path)
+
+
+class TableExtras(Handle):
+    """A table, in Python."""
+
+    def to_frame(self):
+        """The table as a pandas.DataFrame."""
+        import tempfile
+
+        import pandas
+
+        with tempfile.TemporaryDirectory() as directory:
+            path = os.path.join(directory, "table.csv")
+            self.write_csv(path)
+            return pandas.read_csv(path)

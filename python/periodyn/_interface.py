@@ -1,0 +1,3693 @@
+"""The functions, structs and constants of periodyn.h as classes and methods.
+
+Written by script/python_interface; do not edit it.
+"""
+
+from . import _callbacks
+from ._abi import ffi
+from ._call import LIBRARY as lib
+from ._call import call, text
+from ._extras import ModelExtras, ModesExtras, SolutionExtras, TableExtras
+from ._numbers import ids, like, reals, together
+from ._structs import (
+    Array, Number, Reference, Struct, Structs, as_signal, as_signals, of_type, pointer,
+    points_of
+)
+
+VERSION_MAJOR = 0
+"""Version of this header, first number."""
+VERSION_MINOR = 1
+"""Version of this header, second number."""
+VERSION_PATCH = 0
+"""Version of this header, third number."""
+OK = 0
+"""The call did what it says."""
+ERR_NULL = -1
+"""A pointer that must not be None is None."""
+ERR_NOT_FINITE = -2
+"""A number is NaN or infinite."""
+ERR_SIZE = -3
+"""A length or count is not allowed."""
+ERR_ID = -4
+"""An id names nothing in this model."""
+ERR_VALUE = -5
+"""A value is not allowed."""
+ERR_STRUCT_SIZE = -6
+"""A struct was not initialised, or was made for another library."""
+ERR_NOT_AVAILABLE = -7
+"""The quantity does not exist for this object."""
+ERR_MODEL = -100
+"""The model cannot be solved as it stands."""
+ERR_NOT_PERIODIC = -101
+"""A prescribed motion or load does not repeat after one period."""
+ERR_GRID_TOO_COARSE = -200
+"""The grid is too coarse to interpolate this motion."""
+ERR_CALLBACK = -201
+"""A callback failed or returned a number that is not finite."""
+ERR_OVERFLOW = -202
+"""A result is too large to be a number."""
+ERR_IO = -300
+"""A file could not be read or written."""
+ERR_FORMAT = -301
+"""A file is damaged, or not of the format or version expected."""
+ERR_MEMORY = -900
+"""Out of memory."""
+ERR_PANIC = -901
+"""Internal error, a defect of the library."""
+ERR_POISONED = -902
+"""An internal error left this handle in an unknown state."""
+SIGNAL_HARMONICS = 0
+"""Kind of a signal: mean, rate and harmonics. Also what a constant is."""
+SIGNAL_SAMPLES = 1
+"""Kind of a signal: rate and samples over one period."""
+SIGNAL_FUNCTION = 2
+"""Kind of a signal: a function of the caller."""
+GROUND = -1
+"""In place of a node's id: the ground, which does not move."""
+JOINT_RIGID = 0
+"""Joint that allows no relative motion."""
+JOINT_REVOLUTE = 1
+"""Joint that allows a rotation about axis 3 of its frames."""
+JOINT_UNIVERSAL = 2
+"""Joint that allows a rotation about axis 1 of its first frame, then about axis 2 of its second.
+"""
+JOINT_SPHERICAL = 3
+"""Joint that allows all rotations."""
+JOINT_PRISMATIC = 4
+"""Joint that allows a displacement along axis 3 of its frames."""
+JOINT_CYLINDRICAL = 5
+"""Joint that allows a displacement along axis 3 of its frames and a rotation about it."""
+JOINT_PLANAR = 6
+"""Joint that allows displacements along axes 1 and 2 of its first frame and a rotation about axis
+3.
+"""
+JOINT_FREE = 7
+"""Joint that allows everything: it carries springs, prescribed coordinates and measures."""
+DISPLACEMENT = 0
+"""Joint coordinate: the displacement, or the first of several."""
+DISPLACEMENT_2 = 1
+"""Joint coordinate: second displacement of a planar or free joint."""
+DISPLACEMENT_3 = 2
+"""Joint coordinate: third displacement of a free joint."""
+ROTATION = 3
+"""Joint coordinate: the angle, or the first of several."""
+ROTATION_2 = 4
+"""Joint coordinate: second angle of a universal, spherical or free joint."""
+ROTATION_3 = 5
+"""Joint coordinate: third angle of a spherical or free joint."""
+LINE_STRAIGHT = 0
+"""Kind of a line: straight."""
+LINE_ARC = 1
+"""Kind of a line: circular arc."""
+LINE_CURVE = 2
+"""Kind of a line: a curve that the caller computes."""
+FRAME_SPACE = 0
+"""Directions of a load: the global axes."""
+FRAME_MATERIAL = 1
+"""Directions of a load: the axes of the node, which the load follows."""
+FRAME_UNTWISTED = 2
+"""Directions of a load along a beam: the axes that its sections have without twist, which follow
+the sections.
+"""
+FORCE_1 = 0
+"""Component of a load: force along axis 1."""
+FORCE_2 = 1
+"""Component of a load: force along axis 2."""
+FORCE_3 = 2
+"""Component of a load: force along axis 3."""
+MOMENT_1 = 3
+"""Component of a load: moment about axis 1."""
+MOMENT_2 = 4
+"""Component of a load: moment about axis 2."""
+MOMENT_3 = 5
+"""Component of a load: moment about axis 3."""
+TANGENTS_DIFFERENCED = 0
+"""Tangents of a user's function: it gives none, and the library finds them by differences of its
+forces.
+"""
+TANGENTS_GIVEN = 1
+"""Tangents of a user's function: it gives them."""
+TANGENT_MOTION = 0
+"""Which tangent: derivative by a motion or coordinate."""
+TANGENT_VELOCITY = 1
+"""Which tangent: derivative by a velocity or rate."""
+CONVERGED = 0
+"""Outcome: converged. With TOLERANCE_NOT_MET the only outcomes that are solutions."""
+ITERATION_LIMIT = 1
+"""Outcome: the iteration limit was reached."""
+STALLED = 2
+"""Outcome: no step along the Newton direction brings progress."""
+SINGULAR = 3
+"""Outcome: the Jacobian is singular; something is free to move, or in resonance without damping.
+"""
+CANCELLED = 4
+"""Outcome: the progress callback cancelled the solve."""
+NO_INITIAL_GUESS = 5
+"""Outcome: no initial guess could be found."""
+INCONSISTENT = 6
+"""Constraints that depend on each other contradict each other: the mechanism is locked, or cannot
+close.
+"""
+WRONG_ASSEMBLY = 7
+"""Outcome: a joint has closed turned over, its axes against each other; the report names it."""
+TOLERANCE_NOT_MET = 8
+"""Outcome: converged on the last grid tried, but the estimated error misses the tolerance, as the
+report explains; quantities are as good as Diagnostics.error_estimate says.
+"""
+DECAY_UNKNOWN = 0
+"""Decay of harmonics: not known, as there are too few or the solve has not converged."""
+DECAY_FAST = 1
+"""Decay of harmonics: fast, as of a smooth response that the grid resolves."""
+DECAY_SLOW = 2
+"""Decay of harmonics: no faster than the fourth power of their number. The response has a kink, or
+a peak too narrow for the grid; forces may oscillate about their values.
+"""
+DECAY_ROUNDING = 3
+"""Decay of harmonics: they have fallen to rounding; a finer grid gains nothing."""
+AXES_SPACE = 0
+"""Axes of a joint reaction: inertial."""
+AXES_FIRST = 1
+"""Axes of a joint reaction: the joint frame on the first body."""
+AXES_SECOND = 2
+"""Axes of a joint reaction: the joint frame on the second body."""
+NODE_POSITION = 0
+"""Quantity of a node: position, inertial frame; 3 components [length]."""
+NODE_ROTATION = 1
+"""Quantity of a node: rotation matrix, column by column; 9 components."""
+NODE_QUATERNION = 2
+"""Quantity of a node: unit quaternion (w, x, y, z) of continuous sign; 4 components."""
+NODE_VELOCITY = 3
+"""Quantity of a node: velocity and angular velocity, inertial frame; 6 components."""
+NODE_ACCELERATION = 4
+"""Quantity of a node: acceleration and angular acceleration, inertial frame; 6 components."""
+NODE_MATERIAL_VELOCITY = 5
+"""Quantity of a node: velocity and angular velocity along the node's axes; 6 components."""
+NODE_MATERIAL_ACCELERATION = 6
+"""Quantity of a node: time derivative of NODE_MATERIAL_VELOCITY; 6 components."""
+JOINT_COORDINATE = 0
+"""Quantity of a joint: coordinate, angles followed through whole turns; 1 component."""
+JOINT_RATE = 1
+"""Quantity of a joint: rate of a coordinate; 1 component."""
+JOINT_ACCELERATION = 2
+"""Quantity of a joint: second derivative of a coordinate; 1 component."""
+JOINT_DRIVING_EFFORT = 3
+"""Quantity of a joint: force or torque that drives a prescribed coordinate; 1 component."""
+JOINT_REACTION = 4
+"""Quantity of a joint: force and moment on the second body; 6 components."""
+BEAM_STRAIN = 0
+"""Quantity of a beam: strains and curvatures; 6 components."""
+BEAM_FORCE = 1
+"""Quantity of a beam: internal forces and moments; 6 components."""
+BEAM_FORCE_MEAN = 2
+"""Quantity of a beam: internal forces, at a node between two elements the mean of those of both.
+"""
+BEAM_FORCE_JUMP = 3
+"""Quantity of a beam: at a node between two elements, internal forces of the one beyond it less
+those of the one before it; zero elsewhere.
+"""
+FORCE_EFFORT = 0
+"""Quantity of a force on a joint coordinate: its effort; 1 component."""
+FORCE_BRANCH_EFFORT = 1
+"""Quantity of a viscoelastic element: effort of one of its branches; 1 component."""
+FORCE_BRANCH_ELONGATION = 2
+"""Quantity of a viscoelastic element: elongation of the dashpot of one of its branches; 1
+component.
+"""
+FORCE_ON_NODE = 3
+"""Quantity of a force: force and moment on one of its nodes, along the inertial axes; 6
+components.
+"""
+FORCE_ON_NODE_MATERIAL = 4
+"""Quantity of a force: force and moment on one of its nodes, along the node's own axes; 6
+components.
+"""
+FILTER_LANCZOS = 0
+"""Spectral filter: Lanczos' factors, (sin(x) / x)^order with x = pi j / (H + 1) for harmonic j of
+H. Of order 1 they are running means over two grid intervals; order 2 or 3 removes more.
+"""
+FILTER_EXPONENTIAL = 1
+"""Spectral filter: exp(-36 (j / (H + 1))^order) for harmonic j of H. Order 2 smooths most; a high
+order, as 8, spares all but the highest harmonics.
+"""
+STAGE_INITIAL_GUESS = 0
+"""Stage of a solve: finding the initial guess, each iteration at a single instant."""
+STAGE_NEWTON = 1
+"""Stage of a solve: Newton iterations of the periodic problem."""
+STAGE_MARCH = 2
+"""Stage of a march: a step, with the last of its iterations."""
+STAGE_MODES = 3
+"""Stage of a modal analysis: looking for modes about the equilibrium."""
+START_AUTOMATIC = 0
+"""Start of a periodic solve: the library tries those that suit, cheapest first."""
+START_QUASI_STATIC = 1
+"""Start of a periodic solve: equilibrium at each time, without velocities."""
+START_STEADY_ROTATION = 2
+"""Start of a periodic solve: equilibrium at each time of what turns steadily with its drives, with
+its centrifugal and gyroscopic forces.
+"""
+START_RIGID_ROTATION = 3
+"""Start of a periodic solve: all that hangs on drives turned with them, undeformed."""
+START_RAISED_INERTIA = 4
+"""Start of a periodic solve: the quasi-static motion, and inertial forces raised in steps."""
+START_MARCH = 5
+"""Start of a periodic solve: a march in time with strong numerical dissipation."""
+LINEAR_AUTOMATIC = 0
+"""Linear equations: solved directly where that is quick, by iteration otherwise."""
+LINEAR_DIRECT = 1
+"""Linear equations: solved by factors of the whole Jacobian. Time grows with the third power of
+the number of grid points, memory with the second.
+"""
+LINEAR_ITERATIVE = 2
+"""Linear equations: solved by iteration, with the preconditioner that suits; time and memory grow
+in proportion to nodes and grid points, or little more.
+"""
+LINEAR_BODY_CIRCULANT = 3
+"""Linear equations: solved by iteration; bodies are averaged over time for the preconditioner,
+joints are not.
+"""
+LINEAR_TIME_LOCAL = 4
+"""Linear equations: solved by iteration; the preconditioner is equilibrium at each grid point,
+without inertia.
+"""
+LINEAR_CIRCULANT = 5
+"""Linear equations: solved by iteration; everything is averaged over time for the preconditioner.
+"""
+
+OUTCOMES = {
+    0: "CONVERGED",
+    1: "ITERATION_LIMIT",
+    2: "STALLED",
+    3: "SINGULAR",
+    4: "CANCELLED",
+    5: "NO_INITIAL_GUESS",
+    7: "WRONG_ASSEMBLY",
+    8: "TOLERANCE_NOT_MET",
+}
+"""Names of the outcomes of a solve."""
+COMPONENTS = {
+    "node": {0: 3, 1: 9, 2: 4, 3: 6, 4: 6, 5: 6, 6: 6},
+    "joint": {0: 1, 1: 1, 2: 1, 3: 1, 4: 6},
+    "beam": {0: 6, 1: 6, 2: 6, 3: 6},
+    "force": {0: 1, 1: 1, 2: 1, 3: 6, 4: 6},
+}
+"""Components of each quantity."""
+
+
+class Section(Struct):
+    """Cross-section of a beam, per unit of length.
+
+    The matrices are 6 x 6, column-major, symmetric (damping need not be), and resolved in the
+    axes of the section: axis 1 is along the beam. Rows and columns are in the order force 1, 2,
+    3, moment 1, 2, 3, which is axial, shear 2, shear 3, torsion, bending about axis 2, bending
+    about axis 3. Any consistent set of units.
+
+    Start with `Section()`; then Section.set_diagonal, or write the matrices yourself. A section
+    without stiffness is refused where it is used.
+    """
+
+    _type = "pdn_section"
+    _initialise = lib.pdn_section_init
+    stiffness = Array("stiffness", (6, 6))
+    """Forces and moments for unit strains and curvatures; positive definite."""
+    mass = Array("mass", (6, 6))
+    """Momenta for unit velocities; positive semi-definite."""
+    damping = Array("damping", (6, 6))
+    """Forces and moments for unit rates of strain and curvature. It may be unsymmetric, as a
+    diagonal matrix of times times the stiffness is for coupled sections; its symmetric part is
+    positive semi-definite, so that no motion gains energy.
+    """
+
+    def set_diagonal(self, stiffness, mass):
+        """Describes a section without couplings: centroid, shear centre and centre of mass lie on
+        the beam's line, and axes 2 and 3 are principal.
+
+        Sets stiffness and mass, and takes the damping away: give that afterwards.
+
+        Args:
+            stiffness: array of shape (6): all positive: axial EA, shear 2, shear 3 [force],
+                torsion, bending about axis 2, bending about axis 3 [force * length^2]
+            mass: array of shape (4): none negative: mass [mass / length], and moments of
+                inertia m11 (about the beam's axis), m22, m33 [mass * length], all per unit of
+                length
+        """
+        stiffness = reals("stiffness", stiffness, (6,))
+        mass = reals("mass", mass, (4,))
+        call(lib.pdn_section_set_diagonal, self._c, pointer(stiffness), pointer(mass))
+        self._kept.append((stiffness, mass))
+        return self
+
+    def set_component_damping(self, seconds):
+        """Gives a section damping with one time for each force and moment: damping = diag(seconds)
+        * stiffness, which must have been set.
+
+        For coupled sections that is no symmetric matrix. It is taken if no motion gains energy
+        by it: if its symmetric part is positive semi-definite.
+
+        Args:
+            seconds: array of shape (6): times of axial force, shear 2, shear 3, torsion,
+                bending 2, bending 3; none negative [time]
+        """
+        seconds = reals("seconds", seconds, (6,))
+        call(lib.pdn_section_set_component_damping, self._c, pointer(seconds))
+        self._kept.append((seconds,))
+        return self
+
+    def set_proportional_damping(self, seconds):
+        """Gives a section damping in proportion to its stiffness, which must have been set.
+
+        A vibration of circular frequency w then has the damping ratio seconds * w / 2.
+
+        Args:
+            seconds: damping = seconds * stiffness; zero or more [time]
+        """
+        call(lib.pdn_section_set_proportional_damping, self._c, seconds)
+        return self
+
+
+class Signal(Struct):
+    """A scalar function of time: a load's component or a prescribed coordinate.
+
+    Start with `Signal()`, which makes it zero; then one of the `set_...`, each of which
+    replaces all that was set before. Leave the fields to them.
+
+    The signal only points to the caller's arrays: they must be there until the signal has been
+    given to the model, which copies them. It can be given any number of times.
+    """
+
+    _type = "pdn_signal"
+    _initialise = lib.pdn_signal_init
+
+    def set_constant(self, value):
+        """Makes a signal constant.
+
+        Args:
+            value: its value, in the unit of what it drives
+        """
+        call(lib.pdn_signal_set_constant, self._c, value)
+        return self
+
+    def set_harmonics(self, mean=0.0, rate=0.0, cosines=None, sines=None):
+        """Makes a signal of harmonics, mean and rate.
+
+        Its value is mean + rate t + the sum over j = 1 ... count of cosines[j-1] cos(j w t) +
+        sines[j-1] sin(j w t), with w = 2 pi / T and the period T that is given to the solve.
+        What drives a rotation may have a rate if it grows by whole turns in a period (rate * T
+        a multiple of 2 pi); all else must have rate zero.
+
+        Args:
+            mean: mean, in the unit of what the signal drives
+            rate: growth for a unit of time
+            cosines: array of shape (count)
+            sines: array of shape (count)
+        """
+        cosines, sines, _count = together(cosines=cosines, sines=sines)
+        call(
+            lib.pdn_signal_set_harmonics,
+            self._c,
+            mean,
+            rate,
+            pointer(cosines),
+            pointer(sines),
+            _count,
+        )
+        self._kept.append((cosines, sines))
+        return self
+
+    def set_samples(self, samples, rate=0.0):
+        """Makes a signal rate t plus the trigonometric interpolation of samples[k] at t = k T /
+        count.
+
+        The samples are equally spaced over one period T of the solve, the end of which is not
+        repeated.
+
+        Args:
+            rate: growth for a unit of time, as in Signal.set_harmonics
+            samples: array of shape (count): without the growth, in the unit of what the signal
+                drives
+        """
+        samples = reals("samples", samples, (None,))
+        _count = len(samples)
+        call(lib.pdn_signal_set_samples, self._c, rate, pointer(samples), _count)
+        self._kept.append((samples,))
+        return self
+
+    def set_function(self, function):
+        """Makes a signal a function of the caller.
+
+        Over a period it may grow by whole turns if it drives a rotation, and must not grow
+        otherwise.
+
+        Args:
+            function: the function
+        """
+        function = _callbacks.signal(function, self._kept)
+        call(lib.pdn_signal_set_function, self._c, function.function, function.data)
+        return self
+
+
+class Frame(Struct):
+    """Position and axes of a frame. This struct will never change."""
+
+    _type = "pdn_frame"
+    position = Array("position", (3,))
+    """Its origin, in global coordinates [length]."""
+    rotation = Array("rotation", (3, 3))
+    """Its axes, in global coordinates: a rotation matrix, 3 x 3, column by column, the columns
+    being axes 1, 2, 3. Rounding up to 1e-8 is tolerated, and removed.
+    """
+
+
+class Line(Struct):
+    """Reference line of a beam: a frame at each fraction of the span, with axis 1 along the line.
+
+    Start with `Line()`; then one of the `set_...`, each of which replaces all that was set
+    before. Leave the fields to them.
+    """
+
+    _type = "pdn_line"
+    _initialise = lib.pdn_line_init
+
+    def set_straight(self, start, end, axis_2):
+        """Makes a line straight. Its axes are the same all along.
+
+        Args:
+            start: array of shape (3): where it starts, global coordinates [length]
+            end: array of shape (3): where it ends, not at start
+            axis_2: array of shape (3): axis 2 is the part of this direction that is
+                perpendicular to the line; of any nonzero length, not along the line
+        """
+        start = reals("start", start, (3,))
+        end = reals("end", end, (3,))
+        axis_2 = reals("axis_2", axis_2, (3,))
+        call(lib.pdn_line_set_straight, self._c, pointer(start), pointer(end), pointer(axis_2))
+        self._kept.append((start, end, axis_2))
+        return self
+
+    def set_arc(self, start, point, end, axis_2):
+        """Makes a line the circular arc from start through point to end, of up to a whole turn.
+
+        Fractions are of its length. Its axes turn with it about the arc's own axis, so that
+        their curvature is constant.
+
+        Args:
+            start: array of shape (3): where it starts, global coordinates [length]
+            point: array of shape (3): a point between start and end; the three not on a
+                straight line
+            end: array of shape (3): where it ends, not at start
+            axis_2: array of shape (3): axis 2 at the start is the part of this direction that
+                is perpendicular to the arc there; of any nonzero length, not along the arc
+                there
+        """
+        start = reals("start", start, (3,))
+        point = reals("point", point, (3,))
+        end = reals("end", end, (3,))
+        axis_2 = reals("axis_2", axis_2, (3,))
+        call(
+            lib.pdn_line_set_arc,
+            self._c,
+            pointer(start),
+            pointer(point),
+            pointer(end),
+            pointer(axis_2),
+        )
+        self._kept.append((start, point, end, axis_2))
+        return self
+
+    def set_curve(self, curve):
+        """Makes a line a curve that the caller computes.
+
+        The curve must be smooth, and its fraction advance steadily: it is differentiated by the
+        library, to rounding if it turns by less than half a radian in each 1/16 of the
+        fraction. Join pieces that meet in a corner by Model.add_rigid_joint.
+
+        Args:
+            curve: the curve
+        """
+        curve = _callbacks.curve(curve, self._kept)
+        call(lib.pdn_line_set_curve, self._c, curve.function, curve.data)
+        return self
+
+
+class Stations(Struct):
+    """Cross-sections along a beam, at stations; linear in between, entry by entry.
+
+    Start with `Stations()`, then set the fields. The library reads the arrays during the call
+    that takes the stations.
+    """
+
+    _type = "pdn_stations"
+    _initialise = lib.pdn_stations_init
+    count = Number("count")
+    """Number of stations; one alone stands for all of the beam."""
+    fractions = Array("fractions", pointed=True, counted="count")
+    """Array of length [count]: places along the span, from 0 at the start to 1 at the end,
+    ascending; two stations at the same place make a jump. May be None if count is 1.
+    """
+    sections = Structs("sections", "Section", "count")
+    """Array of length [count]: the sections, each initialised."""
+    twists = Array("twists", pointed=True, counted="count")
+    """Array of length [count]: structural twist, the angles by which axes 2 and 3 of the sections
+    are turned about axis 1 from those of the line, right-handed, linear between stations
+    [radian]. None for none. It has no jumps.
+    """
+
+
+class Beam(Struct):
+    """What a beam was made of; written by the library. This struct will never change its size.
+
+    The nodes along the beam are first, first + 1, ... last; the elements are first_element, ...
+    first_element + elements - 1.
+    """
+
+    _type = "pdn_beam"
+    first = Number("first")
+    """Id of the node at the start."""
+    last = Number("last")
+    """Id of the node at the end."""
+    first_element = Number("first_element")
+    """Id of the element at the start."""
+    elements = Number("elements")
+    """Number of elements."""
+
+
+class TangentCheck(Struct):
+    """Where the tangents of a user's function differ most from differences of its forces.
+
+    Initialise with `TangentCheck()`.
+    """
+
+    _type = "pdn_tangent_check"
+    _initialise = lib.pdn_tangent_check_init
+    error = Number("error")
+    """Largest difference, relative to the largest tangent; lengths, angles and velocities are
+    taken relative to what is characteristic of the model and the period. Tangents that are
+    right leave about 1e-8.
+    """
+    time = Number("time")
+    """Time of the state it was found at."""
+    given = Number("given")
+    """The derivative that the function gives there."""
+    differenced = Number("differenced")
+    """What differences of its forces give."""
+    tangent = Number("tangent")
+    """TANGENT_MOTION or TANGENT_VELOCITY."""
+    row_node = Number("row_node")
+    """Node of the force that is differentiated; -1 for an effort on a joint coordinate."""
+    row_component = Number("row_component")
+    """Its component, FORCE_1, ... MOMENT_3; 0 for an effort."""
+    column_node = Number("column_node")
+    """Node of the motion or velocity that it is differentiated by; -1 for a joint coordinate."""
+    column_component = Number("column_component")
+    """Its component: 0, 1, 2 linear, 3, 4, 5 angular; 0 for a joint coordinate."""
+
+
+class Diagnostics(Struct):
+    """Figures of a solve. Initialise with `Diagnostics()`."""
+
+    _type = "pdn_diagnostics"
+    _initialise = lib.pdn_diagnostics_init
+    outcome = Number("outcome")
+    """Outcome, as Solution.outcome."""
+    iterations = Number("iterations")
+    """Newton iterations of the periodic problem."""
+    guess_iterations = Number("guess_iterations")
+    """Newton iterations of the initial guess, each at a single instant."""
+    redundant_constraints = Number("redundant_constraints")
+    """Constraints that depend on others, and are tolerated: the reactions given are those of least
+    norm.
+    """
+    grid_points = Number("grid_points")
+    """Number of grid points; of a march the number of times kept."""
+    unknowns = Number("unknowns")
+    """Number of unknowns of the periodic problem, or of a step."""
+    last_increment = Number("last_increment")
+    """Largest increment of the last iteration, as Progress."""
+    error_estimate = Number("error_estimate")
+    """Estimated error of the motions at all times: lengths relative to the size of the mechanism,
+    angles in radians; infinite if it cannot be had. From the decay of their harmonics, the
+    violation of constraints between grid points and, if several grids were tried, the
+    difference between two of them. Velocities and forces have larger errors: see
+    force_residual_between.
+    """
+    force_residual_between = Number("force_residual_between")
+    """Largest residual force between grid points, relative to the largest force that any element
+    exerts; infinite if the motion cannot be interpolated. Large values mean aliasing.
+    """
+    constraint_residual_between = Number("constraint_residual_between")
+    """Largest violation of a constraint between grid points: lengths relative to the size of the
+    mechanism, angles in radians; infinite if the motion cannot be interpolated.
+    """
+    guess_seconds = Number("guess_seconds")
+    """Seconds spent on the initial guess: quasi-static motions, marches, and what is carried from
+    grid to grid.
+    """
+    assembly_seconds = Number("assembly_seconds")
+    """Seconds spent on elements and assembly, on all grids and in all attempts, as all that
+    follows.
+    """
+    analysis_seconds = Number("analysis_seconds")
+    """Seconds spent on symbolic analysis."""
+    factorisation_seconds = Number("factorisation_seconds")
+    """Seconds spent on numeric factorisation of whole Jacobians."""
+    substitution_seconds = Number("substitution_seconds")
+    """Seconds spent on forward and backward substitution, or on iteration."""
+    decay = Number("decay")
+    """How the upper half of the harmonics of motions falls: DECAY_FAST, DECAY_SLOW, ..."""
+    grids = Number("grids")
+    """Number of grids that an adaptive solve tried; 0 if their number of points was given."""
+    decay_order = Number("decay_order")
+    """Exponent p of that fall, if harmonic j is as j^-p: 2 where velocities jump, 3 where
+    accelerations do; of a smooth response ever larger with more grid points. 0 if it is not
+    known.
+    """
+    least_resolved_time = Number("least_resolved_time")
+    """Time at which the upper half of the harmonics adds up to most: where a kink or narrow peak
+    is.
+    """
+    linear_solver = Number("linear_solver")
+    """How the linear equations of the last grid were solved: LINEAR_DIRECT, LINEAR_BODY_CIRCULANT,
+    ...
+    """
+    linear_iterations = Number("linear_iterations")
+    """Products with the Jacobian that iteration took, in all linear solves on that grid."""
+    linear_solves = Number("linear_solves")
+    """Linear solves by iteration on that grid."""
+    most_linear_iterations = Number("most_linear_iterations")
+    """Largest number of products of one of them."""
+    linear_bytes = Number("linear_bytes")
+    """Bytes that iteration took at most; 0 if there was none."""
+    preconditioner_seconds = Number("preconditioner_seconds")
+    """Seconds spent on preconditioners, without the dense system of joints that turn."""
+    interface_seconds = Number("interface_seconds")
+    """Seconds spent on that dense system."""
+    estimate_seconds = Number("estimate_seconds")
+    """Seconds spent on error estimates, and on why a Jacobian is singular."""
+    total_seconds = Number("total_seconds")
+    """Seconds of the whole solve: all of these, and the little that is none of them."""
+    total_iterations = Number("total_iterations")
+    """Newton iterations on all grids and in all attempts, without those of the initial guess."""
+    attempts = Number("attempts")
+    """Attempts, each from another start, as the report lists them; 0 where the start was given.
+    """
+    mesh_error = Number("mesh_error")
+    """Estimated error of the motions of nodes by the mesh of beams, measured as error_estimate,
+    which says nothing of the mesh: what elements of a higher degree would make of them. 0
+    without beams; infinite unless asked for, of a march, of modes, and where it cannot be had.
+    """
+
+
+class Progress(Struct):
+    """How far a solve is, as told to a the function."""
+
+    _type = "pdn_progress"
+    stage = Number("stage")
+    """STAGE_INITIAL_GUESS, STAGE_NEWTON, STAGE_MARCH or STAGE_MODES."""
+    iteration = Number("iteration")
+    """Number of the last iteration, from 1, or 0 before the first; starts again with each Newton
+    solve. In a march, number of the step.
+    """
+    residual = Number("residual")
+    """Largest residual before the step: forces relative to the characteristic force (the largest
+    stiffness times the size of the mechanism), lengths relative to its size, angles in radians.
+    """
+    increment = Number("increment")
+    """Largest increment of a motion: displacements relative to the size of the mechanism, turns in
+    radians.
+    """
+    step = Number("step")
+    """Fraction of the increment that was taken."""
+    time = Number("time")
+    """In a march the end of the step; otherwise 0."""
+    elapsed = Number("elapsed")
+    """Seconds since the solve began."""
+    grid_points = Number("grid_points")
+    """Number of points of the grid that is worked on; 1 of an equilibrium or a march."""
+    attempt = Number("attempt")
+    """Number of the attempt of a periodic solve, from 1, as the report lists them; 0 where the
+    start was given, and before the first, as on a coarse grid that is to give a start.
+    """
+    start = Number("start")
+    """What it starts from: START_QUASI_STATIC, ...; 0 where the start was given."""
+    iterated = Number("iterated")
+    """1 where an iteration, or a step of a march, has just ended; 0 while one lasts, or what comes
+    between them.
+    """
+
+
+class PeriodicOptions(Struct):
+    """Options of Model.solve_periodic. Set the defaults by `PeriodicOptions()`."""
+
+    _type = "pdn_periodic_options"
+    _initialise = lib.pdn_periodic_options_init
+    grid_points = Number("grid_points")
+    """Number N of grid points, odd: harmonics up to (N - 1) / 2 are resolved. 0 for as many as
+    error_tolerance needs. Default 0.
+    """
+    harmonics = Number("harmonics")
+    """If not 0, the number of harmonics that are resolved: grid_points is then 2 harmonics + 1.
+    Default 0.
+    """
+    tolerance = Number("tolerance")
+    """Newton's method has converged when the largest increment (lengths relative to the size of
+    the mechanism, angles in radians) is below this. Newton is quadratic: the error left in
+    motions is about its square, that in forces about it times their last change. Default 1e-9.
+    """
+    iteration_limit = Number("iteration_limit")
+    """Most Newton iterations on a grid. Default 30."""
+    initial = Reference("initial", pointer)
+    """Start from this solution, periodic or static, also on another grid or of another period, or
+    from the last period of this march; None to start otherwise. Its model is to have the same
+    bodies, joints, forces and prescribed coordinates, and the same beams, which may have other
+    meshes. If grid_points is 0, the first grid is that of this solution. Default None.
+    """
+    guess_positions = Array("guess_positions", pointed=True, turned=True)
+    """Start from these positions, 3 x N x nodes: coordinates fastest, then grid points, then
+    nodes; None to start otherwise. Needs guess_rotations, and grid_points or harmonics. Default
+    None.
+    """
+    guess_rotations = Array("guess_rotations", pointed=True, turned=True)
+    """Rotation matrices of the same start, 9 x N x nodes, each column by column. Default None."""
+    progress = Reference("progress", _callbacks.progress, "progress_data")
+    """Told of each iteration, and while one lasts, see progress_interval; may cancel. Default
+    None.
+    """
+    error_tolerance = Number("error_tolerance")
+    """If grid_points is 0, grid points are added until the estimated error of the motions is below
+    this: positions relative to the size of the mechanism, angles in radians. Default 1e-6,
+    which leaves about three digits to forces and accelerations, which are second derivatives.
+    """
+    largest_grid_points = Number("largest_grid_points")
+    """If grid_points is 0, the largest number of grid points, at least 3; if the tolerance would
+    need more, the outcome is TOLERANCE_NOT_MET. Default 511.
+    """
+    linear_solver = Number("linear_solver")
+    """How linear equations are solved: LINEAR_AUTOMATIC, LINEAR_DIRECT, ... Default
+    LINEAR_AUTOMATIC.
+    """
+    threads = Number("threads")
+    """Threads that share the work, of a pool that lasts as long as the call; 0 for as many as
+    there are processors. Signals' and other functions of yours are called on the calling thread
+    alone. Default 1.
+    """
+    oversampling = Number("oversampling")
+    """The equations are sampled at this many times as many points (or one more), from 1 to 16,
+    where motions and multipliers are interpolated; their virtual work, and the harmonics of the
+    constraints up to those of the grid, are to vanish. 1: at the grid points alone. Default 1.
+    """
+    response_tolerance = Number("response_tolerance")
+    """If grid_points is 0 and this is not, the estimated error of the motions is also to be below
+    this times the amplitude of the response: the largest deviation of a node from its mean or,
+    if it makes whole turns in a period, from a steady turn, in the measure of error_tolerance.
+    For responses that are small beside the mechanism. Default 0.
+    """
+    start = Number("start")
+    """Where the library starts, unless a start is given: START_AUTOMATIC, or one way alone:
+    START_QUASI_STATIC, ... START_STEADY_ROTATION and START_RIGID_ROTATION need a drive that
+    turns. Default START_AUTOMATIC.
+    """
+    estimate_mesh = Number("estimate_mesh")
+    """1 to estimate the error by the mesh of beams, too, Diagnostics.mesh_error, which takes about
+    as long as an iteration; not with oversampling. Default 0.
+    """
+    progress_interval = Number("progress_interval")
+    """Least time between two calls of progress while an iteration lasts, in seconds; 0 to be
+    called at any opportunity. Default 0.1.
+    """
+
+
+class StaticOptions(Struct):
+    """Options of Model.solve_static. Set the defaults by `StaticOptions()`."""
+
+    _type = "pdn_static_options"
+    _initialise = lib.pdn_static_options_init
+    time = Number("time")
+    """Loads and prescribed motions have their values at this time. Default 0."""
+    period = Number("period")
+    """Period that harmonics and samples of signals refer to; 0 if not given, as at time 0, where
+    it does not matter. Default 0.
+    """
+    load_steps = Number("load_steps")
+    """Load steps taken at least, from the unloaded reference configuration; a step that does not
+    converge is halved. More than one keeps to the branch that grows from the reference
+    configuration, where there are several. Not used with an initial solution. Default 1.
+    """
+    tolerance = Number("tolerance")
+    """As in PeriodicOptions. Default 1e-9."""
+    iteration_limit = Number("iteration_limit")
+    """Most Newton iterations at the full loads. Default 30."""
+    angular_velocity = Array("angular_velocity", (3,))
+    """Angular velocity of the frame that everything turns with steadily, the ground too, inertial
+    frame [angle/time]. Default 0.
+    """
+    axis_point = Array("axis_point", (3,))
+    """A point of the axis it turns about [length]. Default 0."""
+    initial = Reference("initial", pointer)
+    """Start from this solution, at `time`, of a model with the same nodes and joints; None to
+    start from the reference configuration. Default None.
+    """
+    progress = Reference("progress", _callbacks.progress, "progress_data")
+    """Told of each iteration, and about ten times a second while one lasts; may cancel. Default
+    None.
+    """
+
+
+class ModesOptions(Struct):
+    """Options of Model.solve_modes. Set the defaults by `ModesOptions()`."""
+
+    _type = "pdn_modes_options"
+    _initialise = lib.pdn_modes_options_init
+    equilibrium = Reference("equilibrium", of_type("StaticOptions"))
+    """The equilibrium, at rest or in steady rotation, how to find it, and who is told of the
+    iterations; None for the defaults of StaticOptions. Default None.
+    """
+    count = Number("count")
+    """Number of modes wanted. Default 10."""
+    near_frequency = Number("near_frequency")
+    """Angular frequency near which modes are wanted [angle/time]; 0 for those of the smallest
+    eigenvalues. Default 0.
+    """
+
+
+class Mode(Struct):
+    """A small motion `Re(x exp(s t))`. Initialise with `Mode()`."""
+
+    _type = "pdn_mode"
+    _initialise = lib.pdn_mode_init
+    eigenvalue_real = Number("eigenvalue_real")
+    """Real part of the eigenvalue s [1/time]; negative if the motion decays."""
+    eigenvalue_imaginary = Number("eigenvalue_imaginary")
+    """Imaginary part of s [angle/time], not negative."""
+    frequency = Number("frequency")
+    """Oscillations per unit of time, Im s / 2π."""
+    damping_ratio = Number("damping_ratio")
+    """Damping ratio, -Re s / |s|; 0 for a free motion."""
+    modal_mass = Number("modal_mass")
+    """Product of the shape with M and its own conjugate, with the shape as Modes.shape gives it.
+    """
+    residual = Number("residual")
+    """Largest entry of the equations of small motions, relative to the largest sum of the sizes of
+    their terms: rounding, if all is well.
+    """
+
+
+class MarchOptions(Struct):
+    """Options of Model.march. Set the defaults by `MarchOptions()`.
+
+    There is no default of how long to march and in which steps: set duration or
+    periodic_tolerance, and step or steps_per_period.
+    """
+
+    _type = "pdn_march_options"
+    _initialise = lib.pdn_march_options_init
+    start_time = Number("start_time")
+    """When the march starts. Default 0."""
+    duration = Number("duration")
+    """How long it is; leave it 0 to march until periodic. Default 0."""
+    period = Number("period")
+    """Period T that harmonics and samples of signals refer to, and that the motion may repeat
+    itself with; 0 if neither matters. Steps must not be longer, unless error_tolerance chooses
+    them. Default 0.
+    """
+    step = Number("step")
+    """Length of the steps, made shorter by what lets a whole number of them fit the duration or
+    the period. With error_tolerance the length of the first. Default 0.
+    """
+    steps_per_period = Number("steps_per_period")
+    """If not 0, the steps are period / steps_per_period. Default 0."""
+    spectral_radius = Number("spectral_radius")
+    """Spectral radius at infinite frequency, from 0 to 1: the numerical damping. With 1 no energy
+    is lost, but the reactions of joints oscillate; 0 removes at once what the steps do not
+    resolve. Default 0.5.
+    """
+    error_tolerance = Number("error_tolerance")
+    """If not 0, steps are chosen so that each has at most this estimated error of a motion
+    (lengths relative to the size of the mechanism, angles in radians). Default 0.
+    """
+    periodic_tolerance = Number("periodic_tolerance")
+    """If not 0, march until motions and velocities differ by at most this from the periodic ones,
+    by how the differences from each period to the next decay: displacements relative to the
+    size of the mechanism, entries of rotation matrices, velocities likewise in the time T / (2
+    pi). Default 0.
+    """
+    most_periods = Number("most_periods")
+    """Most periods of a march until periodic; then its outcome is ITERATION_LIMIT. Default 200.
+    """
+    stored_periods = Number("stored_periods")
+    """Keep the steps of only so many of the last periods; all steps if 0. Default 0."""
+    tolerance = Number("tolerance")
+    """Newton's method in a step has converged when the largest increment is below this, as in
+    PeriodicOptions. Default 1e-9.
+    """
+    iteration_limit = Number("iteration_limit")
+    """Most Newton iterations in a step. Default 20."""
+    initial = Reference("initial", pointer)
+    """Start from this solution of a model with the same nodes and joints, at start_time: an
+    equilibrium, a periodic motion or another march; None to start otherwise. Default None.
+    """
+    positions = Array("positions", pointed=True, turned=True)
+    """Start from these positions, 3 x nodes; None for those of the reference configuration. Needs
+    rotations. Default None.
+    """
+    rotations = Array("rotations", pointed=True, turned=True)
+    """Rotation matrices of the same start, 9 x nodes, each column by column. Default None."""
+    velocities = Array("velocities", pointed=True)
+    """Velocities of the same start, 6 x nodes: velocity of each node and its angular velocity,
+    inertial frame; None for none. Default None.
+    """
+    progress = Reference("progress", _callbacks.progress, "progress_data")
+    """Told of each step, and about ten times a second while one lasts; may cancel. Default None.
+    """
+
+
+class MarchDiagnostics(Struct):
+    """Figures of a march. Initialise with `MarchDiagnostics()`."""
+
+    _type = "pdn_march_diagnostics"
+    _initialise = lib.pdn_march_diagnostics_init
+    steps = Number("steps")
+    """Steps taken."""
+    rejected_steps = Number("rejected_steps")
+    """Steps that were given up for shorter ones."""
+    iterations = Number("iterations")
+    """Newton iterations over all steps."""
+    periods = Number("periods")
+    """Whole periods marched."""
+    first_time = Number("first_time")
+    """First time of the trajectory: the start, or the oldest step that was kept."""
+    last_time = Number("last_time")
+    """Last time of the trajectory."""
+    repetition = Number("repetition")
+    """How much the last period differs from the one before, as MarchOptions.periodic_tolerance;
+    infinite before the end of the first period.
+    """
+    step_error = Number("step_error")
+    """Largest estimated error of a motion in one step, as MarchOptions.error_tolerance."""
+    start_moved = Number("start_moved")
+    """How much motions were moved at the start to satisfy constraints and prescribed motions:
+    lengths relative to the size of the mechanism, entries of rotation matrices.
+    """
+    start_corrected = Number("start_corrected")
+    """How much velocities were changed at the start: lengths relative to the size of the
+    mechanism, or radians, in the unit of time.
+    """
+
+
+class ShootingOptions(Struct):
+    """Options of Model.solve_shooting. Set the defaults by `ShootingOptions()`."""
+
+    _type = "pdn_shooting_options"
+    _initialise = lib.pdn_shooting_options_init
+    steps_per_period = Number("steps_per_period")
+    """Number of equal steps to the period. Default 200."""
+    guess_periods = Number("guess_periods")
+    """Periods marched for the first guess. Default 1."""
+    spectral_radius = Number("spectral_radius")
+    """Spectral radius at infinite frequency, from 0 to less than 1, as in MarchOptions. Default
+    0.5.
+    """
+    tolerance = Number("tolerance")
+    """Converged when the largest increment of a motion or velocity at the start (lengths relative
+    to the size of the mechanism, angles in radians, velocities in the time T / (2 pi)) is below
+    this. Default 1e-8.
+    """
+    iteration_limit = Number("iteration_limit")
+    """Most Newton iterations. Default 30."""
+    initial = Reference("initial", pointer)
+    """Start the march from this solution of a model with the same nodes and joints, at its time 0
+    or, of a march, at its first time; None for the reference configuration at rest. Default
+    None.
+    """
+    progress = Reference("progress", _callbacks.progress, "progress_data")
+    """Told of each period of the guess and of each iteration, and about ten times a second while
+    one lasts; may cancel. Default None.
+    """
+
+
+class Summary(Struct):
+    """Counts, mass and mobility of a model. Initialise with `Summary()`."""
+
+    _type = "pdn_summary"
+    _initialise = lib.pdn_summary_init
+    nodes = Number("nodes")
+    """Number of nodes."""
+    beam_elements = Number("beam_elements")
+    """Number of beam elements."""
+    joints = Number("joints")
+    """Number of joints."""
+    prescribed = Number("prescribed")
+    """Number of prescribed joint coordinates."""
+    constraints = Number("constraints")
+    """Number of constraints: those of the joints, and one for each prescribed coordinate."""
+    redundant_constraints = Number("redundant_constraints")
+    """Number of these that depend on others in the reference configuration."""
+    degrees_of_freedom = Number("degrees_of_freedom")
+    """Degrees of freedom: six for each node, less the independent constraints."""
+    members = Number("members")
+    """Number of members: bodies, and connected beams, each taken as one rigid body."""
+    mobility = Number("mobility")
+    """Degrees of freedom that were left if all members were rigid: 0 is a structure, or a
+    mechanism whose motion is prescribed; 6 more for each free body.
+    """
+    redundant_if_rigid = Number("redundant_if_rigid")
+    """Constraints that would depend on others if all members were rigid."""
+    parts = Number("parts")
+    """Number of parts that nothing connects to each other, neither directly nor through the
+    ground.
+    """
+    warnings = Number("warnings")
+    """Number of warnings, which Model.describe writes out."""
+    mass = Number("mass")
+    """Total mass."""
+    centre = Array("centre", (3,))
+    """Centre of mass, in global coordinates; zero if there is no mass."""
+
+
+class Model(ModelExtras):
+    """A mechanism. Made by Model.new, freed by Model.free.
+
+    It is described in its reference configuration: points, directions and frames are those of
+    the undeformed, assembled mechanism, all in the global axes, which are fixed to the ground.
+    Any consistent set of units will do (such as metre, newton, kilogram, second); angles are in
+    radians.
+
+    Nodes, joints and beam elements are named by ids, each counted from 0 in the order they are
+    made. A call that fails leaves the model as it was.
+    """
+
+    _free = lib.pdn_model_free
+
+    def __init__(self):
+        """Makes an empty model."""
+        model = ffi.new("pdn_model **")
+        call(lib.pdn_model_new, model)
+        self._own(model[0])
+
+    def node_count(self):
+        """Number of nodes; their ids are 0 ... count - 1.
+
+        Returns:
+            count: the number
+        """
+        count = ffi.new("int32_t *")
+        call(lib.pdn_model_node_count, self._c, count)
+        return count[0]
+
+    def joint_count(self):
+        """Number of joints; their ids are 0 ... count - 1.
+
+        Returns:
+            count: the number
+        """
+        count = ffi.new("int32_t *")
+        call(lib.pdn_model_joint_count, self._c, count)
+        return count[0]
+
+    def element_count(self):
+        """Number of beam elements; their ids are 0 ... count - 1.
+
+        Returns:
+            count: the number
+        """
+        count = ffi.new("int32_t *")
+        call(lib.pdn_model_element_count, self._c, count)
+        return count[0]
+
+    def mass(self):
+        """Total mass and centre of mass in the reference configuration.
+
+        Returns:
+            mass: total mass of bodies, masses and beams [mass]
+            centre, of shape (3): centre of mass, global coordinates [length]
+        """
+        mass = ffi.new("double *")
+        centre = reals.empty((3,))
+        call(lib.pdn_model_mass, self._c, mass, pointer(centre))
+        return mass[0], centre
+
+    def node_frame(self, node):
+        """Frame of a node in the reference configuration.
+
+        Args:
+            node: id of the node
+
+        Returns:
+            Frame: its frame
+        """
+        frame = Frame()
+        call(lib.pdn_model_node_frame, self._c, node, frame._c)
+        return frame
+
+    def add_node(self, position, rotation=None):
+        """Adds a node: a frame that moves.
+
+        A node needs something that holds or moves it: mass, a beam or a joint.
+
+        Args:
+            position: array of shape (3): its position, global coordinates [length]
+            rotation: array of shape (3, 3): its axes, a rotation matrix column by column, the
+                columns being axes 1, 2, 3 in global coordinates; None for axes parallel to the
+                global ones
+
+        Returns:
+            node: the node's id
+        """
+        position = reals("position", position, (3,))
+        rotation = reals("rotation", rotation, (3, 3), turned=True)
+        node = ffi.new("int32_t *")
+        call(lib.pdn_model_add_node, self._c, pointer(position), pointer(rotation), node)
+        return node[0]
+
+    def add_rigid_body(self, mass, centre, inertia):
+        """Adds a rigid body: a node at its centre of mass, with axes parallel to the global ones.
+
+        Args:
+            mass: mass, positive [mass]
+            centre: array of shape (3): centre of mass, global coordinates [length]
+            inertia: array of shape (3, 3): moments of inertia about the centre of mass, in
+                global axes, 3 x 3, symmetric and positive semi-definite [mass * length^2]
+
+        Returns:
+            node: the node's id
+        """
+        centre = reals("centre", centre, (3,))
+        inertia = reals("inertia", inertia, (3, 3))
+        node = ffi.new("int32_t *")
+        call(lib.pdn_model_add_rigid_body, self._c, mass, pointer(centre), pointer(inertia), node)
+        return node[0]
+
+    def add_mass(self, node, mass, centre, inertia=None):
+        """Fixes a mass to a node, in addition to what the node has.
+
+        Args:
+            node: id of the node
+            mass: mass, zero or more [mass]
+            centre: array of shape (3): its centre, global coordinates; need not be at the node
+                [length]
+            inertia: array of shape (3, 3): moments of inertia about the centre, in global axes,
+                3 x 3, symmetric and positive semi-definite [mass * length^2]; None for a point
+                mass
+        """
+        centre = reals("centre", centre, (3,))
+        inertia = reals("inertia", inertia, (3, 3))
+        call(lib.pdn_model_add_mass, self._c, node, mass, pointer(centre), pointer(inertia))
+
+    def add_inertia(self, node, matrix, frame=None):
+        """Fixes an inertia of any kind to a node, in addition to what the node has.
+
+        A unit velocity of the frame (linear 1, 2, 3, angular 1, 2, 3) has the momentum (linear,
+        angular) of the matrix's column. A rigid body of mass m, with centre c and moments of
+        inertia J about the centre, both in the frame, has [m I, -m c~; m c~, J - m c~ c~],
+        where c~ b = c * b.
+
+        Args:
+            node: id of the node
+            frame: the frame that the matrix is about and resolved in; None for the node's own
+            matrix: array of shape (6, 6): 6 x 6, symmetric and positive semi-definite [mass,
+                mass * length, mass * length^2]
+        """
+        frame = of_type("Frame")(frame, self._kept)
+        matrix = reals("matrix", matrix, (6, 6), turned=True)
+        call(lib.pdn_model_add_inertia, self._c, node, frame, pointer(matrix))
+
+    def prescribe(self, joint, coordinate, signal):
+        """Makes a joint coordinate follow a signal. Each coordinate can be prescribed once.
+
+        The signal of an angle may grow by whole turns in a period, save that of a screw.
+
+        Args:
+            joint: id of the joint
+            coordinate: DISPLACEMENT ... ROTATION_3; one that the joint has
+            signal: the coordinate in time [length, or radian], copied; a number, a Signal, or a
+                function of time
+        """
+        signal = as_signal(signal, self._kept)
+        call(lib.pdn_model_prescribe, self._c, joint, coordinate, signal)
+
+    def add_rigid_joint(self, first, second, point):
+        """Fixes two bodies to each other.
+
+        Its frames are at the point, with axes parallel to the global ones in the reference
+        configuration. It has no coordinates.
+
+        Args:
+            first: id of the first node, or GROUND
+            second: id of the second node, or GROUND; not the same body
+            point: array of shape (3): where the reaction is reported, global coordinates
+                [length]
+
+        Returns:
+            joint: the joint's id
+        """
+        point = reals("point", point, (3,))
+        joint = ffi.new("int32_t *")
+        call(lib.pdn_model_add_rigid_joint, self._c, first, second, pointer(point), joint)
+        return joint[0]
+
+    def add_revolute(self, first, second, point, axis):
+        """Joins two bodies by a hinge.
+
+        Its frames are at the point, with axis 3 along the axis. Its coordinate ROTATION is the
+        angle by which the second body has turned relative to the first, about the axis by the
+        right-hand rule, since the reference configuration, where it is zero; it counts whole
+        turns.
+
+        Args:
+            first: id of the first node, or GROUND
+            second: id of the second node, or GROUND; not the same body
+            point: array of shape (3): a point of the axis, global coordinates [length]
+            axis: array of shape (3): direction of the axis, global coordinates, of any nonzero
+                length
+
+        Returns:
+            joint: the joint's id
+        """
+        point = reals("point", point, (3,))
+        axis = reals("axis", axis, (3,))
+        joint = ffi.new("int32_t *")
+        call(
+            lib.pdn_model_add_revolute,
+            self._c,
+            first,
+            second,
+            pointer(point),
+            pointer(axis),
+            joint,
+        )
+        return joint[0]
+
+    def add_prismatic(self, first, second, point, axis):
+        """Joins two bodies by a slider.
+
+        Its frames are at the point, with axis 3 along the axis. Its coordinate DISPLACEMENT is
+        the distance by which the second body has moved relative to the first, along the axis,
+        since the reference configuration, where it is zero. The bodies do not turn relative to
+        each other.
+
+        Args:
+            first: id of the first node, or GROUND
+            second: id of the second node, or GROUND; not the same body
+            point: array of shape (3): a point of the axis, global coordinates [length]
+            axis: array of shape (3): direction of the axis, global coordinates, of any nonzero
+                length
+
+        Returns:
+            joint: the joint's id
+        """
+        point = reals("point", point, (3,))
+        axis = reals("axis", axis, (3,))
+        joint = ffi.new("int32_t *")
+        call(
+            lib.pdn_model_add_prismatic,
+            self._c,
+            first,
+            second,
+            pointer(point),
+            pointer(axis),
+            joint,
+        )
+        return joint[0]
+
+    def add_cylindrical(self, first, second, point, axis):
+        """Joins two bodies by a shaft in a sleeve: one slides along the axis and turns about it.
+
+        Its frames are at the point, with axis 3 along the axis. Its coordinates DISPLACEMENT
+        and ROTATION are the distance and the angle by which the second body has moved relative
+        to the first, along the axis and about it by the right-hand rule, since the reference
+        configuration, where they are zero.
+
+        Args:
+            first: id of the first node, or GROUND
+            second: id of the second node, or GROUND; not the same body
+            point: array of shape (3): a point of the axis, global coordinates [length]
+            axis: array of shape (3): direction of the axis, global coordinates, of any nonzero
+                length
+
+        Returns:
+            joint: the joint's id
+        """
+        point = reals("point", point, (3,))
+        axis = reals("axis", axis, (3,))
+        joint = ffi.new("int32_t *")
+        call(
+            lib.pdn_model_add_cylindrical,
+            self._c,
+            first,
+            second,
+            pointer(point),
+            pointer(axis),
+            joint,
+        )
+        return joint[0]
+
+    def add_screw(self, first, second, point, axis, pitch):
+        """Joins two bodies by a screw: the second advances along the axis as it turns about it.
+
+        Its frames are at the point, with axis 3 along the axis. Its coordinates are those of a
+        cylindrical joint, and DISPLACEMENT = pitch ROTATION / (2 pi). The displacement tells
+        the whole turns of the angle, so that unlike other angles it cannot gain any in a
+        period.
+
+        Args:
+            first: id of the first node, or GROUND
+            second: id of the second node, or GROUND; not the same body
+            point: array of shape (3): a point of the axis, global coordinates [length]
+            axis: array of shape (3): direction of the axis, global coordinates, of any nonzero
+                length
+            pitch: advance for one turn [length]; positive for a right-handed thread, negative
+                for a left-handed one, not zero
+
+        Returns:
+            joint: the joint's id
+        """
+        point = reals("point", point, (3,))
+        axis = reals("axis", axis, (3,))
+        joint = ffi.new("int32_t *")
+        call(
+            lib.pdn_model_add_screw,
+            self._c,
+            first,
+            second,
+            pointer(point),
+            pointer(axis),
+            pitch,
+            joint,
+        )
+        return joint[0]
+
+    def add_planar(self, first, second, point, normal):
+        """Joins two bodies by a pair of planes that slide and turn on each other.
+
+        Its frames are at the point, with axis 3 along the normal; axes 1 and 2 are found by the
+        library, see Model.add_joint to choose them. Its coordinates are the displacements of
+        the second body along axes 1 and 2 of the first frame (DISPLACEMENT, DISPLACEMENT_2) and
+        the angle by which it has turned relative to the first, about the normal by the
+        right-hand rule (ROTATION), since the reference configuration, where they are zero.
+
+        Args:
+            first: id of the first node, or GROUND
+            second: id of the second node, or GROUND; not the same body
+            point: array of shape (3): a point of the plane, whose displacement is measured,
+                global coordinates [length]
+            normal: array of shape (3): normal of the plane, global coordinates, of any nonzero
+                length
+
+        Returns:
+            joint: the joint's id
+        """
+        point = reals("point", point, (3,))
+        normal = reals("normal", normal, (3,))
+        joint = ffi.new("int32_t *")
+        call(
+            lib.pdn_model_add_planar,
+            self._c,
+            first,
+            second,
+            pointer(point),
+            pointer(normal),
+            joint,
+        )
+        return joint[0]
+
+    def add_free_joint(self, first, second, point):
+        """Joins two bodies by nothing: a joint that constrains no motion, but has coordinates.
+
+        It carries springs and dampers, prescribed coordinates and measures between any two
+        bodies. Its frames are at the point, with axes parallel to the global ones in the
+        reference configuration. Its coordinates are the displacements of the second body along
+        axes 1, 2, 3 of the first frame (DISPLACEMENT, DISPLACEMENT_2, DISPLACEMENT_3), and the
+        angles of a spherical joint (ROTATION, ROTATION_2, ROTATION_3).
+
+        Args:
+            first: id of the first node, or GROUND
+            second: id of the second node, or GROUND; not the same body
+            point: array of shape (3): whose displacement is measured, global coordinates
+                [length]
+
+        Returns:
+            joint: the joint's id
+        """
+        point = reals("point", point, (3,))
+        joint = ffi.new("int32_t *")
+        call(lib.pdn_model_add_free_joint, self._c, first, second, pointer(point), joint)
+        return joint[0]
+
+    def add_spherical(self, first, second, point):
+        """Joins two bodies by a ball.
+
+        Its frames are at the point, with axes parallel to the global ones in the reference
+        configuration. Its coordinates ROTATION, ROTATION_2, ROTATION_3 are the angles by which
+        the second frame comes from the first by turning about axis 1, then about its own axis
+        2, then about its own axis 3; zero in the reference configuration. The second must stay
+        between -pi/2 and pi/2.
+
+        Args:
+            first: id of the first node, or GROUND
+            second: id of the second node, or GROUND; not the same body
+            point: array of shape (3): centre of the ball, global coordinates [length]
+
+        Returns:
+            joint: the joint's id
+        """
+        point = reals("point", point, (3,))
+        joint = ffi.new("int32_t *")
+        call(lib.pdn_model_add_spherical, self._c, first, second, pointer(point), joint)
+        return joint[0]
+
+    def add_universal(self, first, second, point, first_arm, second_arm):
+        """Joins two bodies by a cross (Cardan, Hooke).
+
+        One arm of the cross turns in the first body, the other in the second. Its frames are at
+        the point, with axis 1 along the first arm, axis 2 along the second, in the reference
+        configuration. Its coordinates are the angle of the cross relative to the first body
+        about first_arm (ROTATION), and of the second body relative to the cross about
+        second_arm (ROTATION_2), both by the right-hand rule and zero in the reference
+        configuration.
+
+        Args:
+            first: id of the first node, or GROUND
+            second: id of the second node, or GROUND; not the same body
+            point: array of shape (3): centre of the cross, global coordinates [length]
+            first_arm: array of shape (3): direction of the arm fixed to the first body, global
+                coordinates, of any nonzero length
+            second_arm: array of shape (3): that of the arm fixed to the second body,
+                perpendicular
+
+        Returns:
+            joint: the joint's id
+        """
+        point = reals("point", point, (3,))
+        first_arm = reals("first_arm", first_arm, (3,))
+        second_arm = reals("second_arm", second_arm, (3,))
+        joint = ffi.new("int32_t *")
+        call(
+            lib.pdn_model_add_universal,
+            self._c,
+            first,
+            second,
+            pointer(point),
+            pointer(first_arm),
+            pointer(second_arm),
+            joint,
+        )
+        return joint[0]
+
+    def add_strut(self, first, second, first_point, second_point):
+        """Adds a strut: the line between a point of each of two bodies. It constrains nothing.
+
+        Its coordinate DISPLACEMENT is the distance of the points. Springs, dampers, actuators
+        and other forces on that coordinate act along the line: an effort against its growth is
+        a tension, and the rest of a spring its free length. Prescribed, it is a rod without
+        mass, of constant or varying length. The points must not meet while a force acts.
+
+        Args:
+            first: id of the first node, or GROUND
+            second: id of the second node, or GROUND; not the same body
+            first_point: array of shape (3): the point of the first body in the reference
+                configuration, global coordinates [length]
+            second_point: array of shape (3): that of the second body, not the same
+
+        Returns:
+            joint: the joint's id
+        """
+        first_point = reals("first_point", first_point, (3,))
+        second_point = reals("second_point", second_point, (3,))
+        joint = ffi.new("int32_t *")
+        call(
+            lib.pdn_model_add_strut,
+            self._c,
+            first,
+            second,
+            pointer(first_point),
+            pointer(second_point),
+            joint,
+        )
+        return joint[0]
+
+    def add_joint(self, kind, first, second, first_frame, second_frame):
+        """Joins two bodies by a joint of any kind, between a frame fixed to each.
+
+        The frames need not fit each other in the reference configuration: the solver closes the
+        joint. With r = (r1, r2, r3) and R the position and rotation of the second frame
+        relative to the first, and resolved in it, the closed joint has
+
+        | kind | r | R | coordinates |
+        |---|---|---|---|
+        | JOINT_RIGID | 0 | I | none |
+        | JOINT_REVOLUTE | 0 | R3(a) | a = ROTATION |
+        | JOINT_PRISMATIC | (0, 0, z) | I | z = DISPLACEMENT |
+        | JOINT_CYLINDRICAL | (0, 0, z) | R3(a) | z = DISPLACEMENT, a = ROTATION |
+        | JOINT_PLANAR | (x, y, 0) | R3(a) | x = DISPLACEMENT, y = DISPLACEMENT_2, and a |
+        | JOINT_UNIVERSAL | 0 | R1(a) R2(b) | a = ROTATION, b = ROTATION_2 |
+        | JOINT_SPHERICAL | 0 | R1(a) R2(b) R3(c) | and c = ROTATION_3 |
+        | JOINT_FREE | (x, y, z) | R1(a) R2(b) R3(c) | all of these, z = DISPLACEMENT_3 |
+
+        where Rk(x) turns by x about axis k, right-handed. Angles count whole turns. A screw has
+        a pitch besides: Model.add_screw_between.
+
+        Args:
+            kind: JOINT_RIGID ... JOINT_FREE
+            first: id of the first node, or GROUND
+            second: id of the second node, or GROUND; not the same body
+            first_frame: frame fixed to the first body, where it is in the reference
+                configuration
+            second_frame: frame fixed to the second body,
+
+        Returns:
+            joint: the joint's id
+        """
+        first_frame = of_type("Frame")(first_frame, self._kept)
+        second_frame = of_type("Frame")(second_frame, self._kept)
+        joint = ffi.new("int32_t *")
+        call(
+            lib.pdn_model_add_joint,
+            self._c,
+            kind,
+            first,
+            second,
+            first_frame,
+            second_frame,
+            joint,
+        )
+        return joint[0]
+
+    def add_screw_between(self, first, second, first_frame, second_frame, pitch):
+        """Joins two bodies by a screw, between a frame fixed to each.
+
+        As Model.add_joint with frames: the closed joint has r = (0, 0, pitch a / (2 pi)) and R
+        = R3(a), with the coordinates DISPLACEMENT = r3 and ROTATION = a. Where the frames do
+        not fit each other in the reference configuration, the solver takes the thread's turn
+        that is nearest.
+
+        Args:
+            first: id of the first node, or GROUND
+            second: id of the second node, or GROUND; not the same body
+            first_frame: frame fixed to the first body, where it is in the reference
+                configuration
+            second_frame: frame fixed to the second body,
+            pitch: advance for one turn [length]; positive for a right-handed thread, negative
+                for a left-handed one, not zero
+
+        Returns:
+            joint: the joint's id
+        """
+        first_frame = of_type("Frame")(first_frame, self._kept)
+        second_frame = of_type("Frame")(second_frame, self._kept)
+        joint = ffi.new("int32_t *")
+        call(
+            lib.pdn_model_add_screw_between,
+            self._c,
+            first,
+            second,
+            first_frame,
+            second_frame,
+            pitch,
+            joint,
+        )
+        return joint[0]
+
+    def add_beam_element(self, nodes, section):
+        """Adds a beam element over nodes that are there; it may be curved and twisted.
+
+        The nodes stand, in order, at the Gauss-Lobatto points along the beam; two are its ends.
+        Axis 1 of each node is along the beam (to within 60 degrees, for curved ones), axes 2
+        and 3 are those of the section. The element's reference shape interpolates them, and is
+        free of stress.
+
+        Elements may share end nodes, in chains and where beams branch, but not otherwise;
+        elements that would lie on each other are refused.
+
+        Args:
+            nodes: array of length [count]: ids of the nodes, all different
+            section: cross-section, with positive-definite stiffness
+
+        Returns:
+            element: the element's id
+        """
+        nodes = ids("nodes", nodes)
+        _count = len(nodes)
+        section = of_type("Section")(section, self._kept)
+        element = ffi.new("int32_t *")
+        call(
+            lib.pdn_model_add_beam_element,
+            self._c,
+            ffi.from_buffer("int32_t[]", nodes),
+            _count,
+            section,
+            element,
+        )
+        return element[0]
+
+    def add_straight_beam(self, start, end, axis_2, section, elements, degree):
+        """Adds a straight beam: its nodes and elements.
+
+        Axis 1 of every node is along the beam, from start to end; axis 2 is the part of axis_2
+        that is perpendicular to it; axis 3 = axis 1 * axis 2. Beams are joined by joints
+        between their nodes, or by Model.add_rigid_joint.
+
+        Args:
+            start: array of shape (3): where the beam starts, global coordinates [length]
+            end: array of shape (3): where it ends, not at start
+            axis_2: array of shape (3): direction of axis 2 of the section, global coordinates,
+                of any nonzero length, not along the beam
+            section: cross-section, with positive-definite stiffness
+            elements: number of elements, 1 to 1000000
+            degree: polynomial degree of the elements, 1 to 24; an element has degree + 1 nodes
+
+        Returns:
+            Beam: ids of what was made
+        """
+        start = reals("start", start, (3,))
+        end = reals("end", end, (3,))
+        axis_2 = reals("axis_2", axis_2, (3,))
+        section = of_type("Section")(section, self._kept)
+        beam = Beam()
+        call(
+            lib.pdn_model_add_straight_beam,
+            self._c,
+            pointer(start),
+            pointer(end),
+            pointer(axis_2),
+            section,
+            elements,
+            degree,
+            beam._c,
+        )
+        return beam
+
+    def add_beam(self, line, stations, elements, degree):
+        """Adds a beam along a line, with sections that may vary: its nodes and elements.
+
+        Axis 1 of every node is along the line; axes 2 and 3 are those of the line, turned by
+        the twist. The mesh is even but for jumps of the section, where an element ends and the
+        next begins; so there must be more elements than jumps. Stations may lie anywhere:
+        elements are integrated from each to the next. Where slopes of section or twist jump
+        inside an element, degrees gain less accuracy all the same.
+
+        Beams are joined by joints between their nodes. To fix a beam's end to a body at a
+        distance, use Model.add_rigid_joint between the two nodes: they need not be at the same
+        place.
+
+        Args:
+            line: reference line
+            stations: cross-sections along it
+            elements: number of elements, 1 to 1000000
+            degree: polynomial degree of the elements, 1 to 24; an element has degree + 1 nodes
+
+        Returns:
+            Beam: ids of what was made
+        """
+        line = of_type("Line")(line, self._kept)
+        stations = of_type("Stations")(stations, self._kept)
+        beam = Beam()
+        call(lib.pdn_model_add_beam, self._c, line, stations, elements, degree, beam._c)
+        return beam
+
+    def add_beam_between(self, line, stations, boundaries, degree):
+        """Adds a beam along a line as Model.add_beam does, with elements between given places.
+
+        For meshes that follow the stations of a section, give their fractions, each once; an
+        element ends and the next begins at every jump of the section.
+
+        Args:
+            line: reference line
+            stations: cross-sections along it
+            boundaries: array of shape (elements + 1): places along the span where elements
+                begin and end, from 0 at the start to 1 at the end, ascending, with all jumps
+                among them
+            degree: polynomial degree of the elements, 1 to 24; an element has degree + 1 nodes
+
+        Returns:
+            Beam: ids of what was made
+        """
+        line = of_type("Line")(line, self._kept)
+        stations = of_type("Stations")(stations, self._kept)
+        boundaries = reals("boundaries", boundaries, (None,))
+        _elements = len(boundaries) - 1
+        beam = Beam()
+        call(
+            lib.pdn_model_add_beam_between,
+            self._c,
+            line,
+            stations,
+            pointer(boundaries),
+            _elements,
+            degree,
+            beam._c,
+        )
+        return beam
+
+    def add_load(self, node, frame, component, signal):
+        """Adds one component of a force or moment on a node, in addition to those that are there.
+
+        A force acts at the node's origin.
+
+        Args:
+            node: id of the node
+            frame: FRAME_SPACE: directions of the global axes; FRAME_MATERIAL: of the node's
+                axes, which the load follows
+            component: FORCE_1, FORCE_2, FORCE_3 [force], MOMENT_1, MOMENT_2 or MOMENT_3 [force
+                * length]
+            signal: the component in time, copied; a number, a Signal, or a function of time
+        """
+        signal = as_signal(signal, self._kept)
+        call(lib.pdn_model_add_load, self._c, node, frame, component, signal)
+
+    def set_gravity(self, acceleration):
+        """Sets the acceleration of gravity, in place of any set before. Without this call there is
+        none.
+
+        Args:
+            acceleration: array of shape (3): such as {0, 0, -9.81}, global axes [length /
+                time^2]
+        """
+        acceleration = reals("acceleration", acceleration, (3,))
+        call(lib.pdn_model_set_gravity, self._c, pointer(acceleration))
+
+    def set_gravity_signals(self, acceleration_1=None, acceleration_2=None, acceleration_3=None):
+        """Sets an acceleration of gravity that varies in time, in place of any set before.
+
+        So a shaking ground can be described in axes that shake with it.
+
+        Args:
+            acceleration_1: component along global axis 1 [length / time^2], copied; None for
+                none; a number, a Signal, or a function of time
+            acceleration_2: component along global axis 2, likewise; a number, a Signal, or a
+                function of time
+            acceleration_3: component along global axis 3, likewise; a number, a Signal, or a
+                function of time
+        """
+        acceleration_1 = as_signal(acceleration_1, self._kept)
+        acceleration_2 = as_signal(acceleration_2, self._kept)
+        acceleration_3 = as_signal(acceleration_3, self._kept)
+        call(
+            lib.pdn_model_set_gravity_signals,
+            self._c,
+            acceleration_1,
+            acceleration_2,
+            acceleration_3,
+        )
+
+    def add_distributed_load(
+        self,
+        first_element,
+        elements,
+        frame,
+        component,
+        signal,
+        fractions=None,
+        factors=None,
+    ):
+        """Adds one component of a force or moment distributed along beam elements, in addition to
+        those that are there.
+
+        It acts on the line of the beam, for each unit of its reference length, and moves with
+        the sections: signal times factor.
+
+        Args:
+            first_element: id of the first beam element, such as the first_element of a Beam
+            elements: number of elements, from the first on, such as the elements of a Beam; at
+                least 1
+            frame: FRAME_SPACE: directions of the global axes; FRAME_MATERIAL: of the sections'
+                axes, which the load follows
+            component: FORCE_1, FORCE_2, FORCE_3 [force / length], MOMENT_1, MOMENT_2 or
+                MOMENT_3 [force]
+            signal: the component in time, copied; a number, a Signal, or a function of time
+            fractions: array of shape (count): places, as fractions of the reference length of
+                these elements, ascending from 0 to 1; two at the same place make a jump. None
+                if count is 0
+            factors: array of shape (count): factors of the signal at these places, linear in
+                between; None if count is 0
+        """
+        signal = as_signal(signal, self._kept)
+        fractions, factors, _count = together(fractions=fractions, factors=factors)
+        call(
+            lib.pdn_model_add_distributed_load,
+            self._c,
+            first_element,
+            elements,
+            frame,
+            component,
+            signal,
+            pointer(fractions),
+            pointer(factors),
+            _count,
+        )
+
+    def add_load_at_places(self, first_element, elements, frame, fractions, signals, axis_2=None):
+        """Adds a force and moment distributed along beam elements, all components at all places at
+        once, in addition to those that are there: such as the air loads of a blade, at the
+        places where these are computed.
+
+        It acts on the line of the beam, for each unit of its reference length, and moves with
+        the sections. It is linear between neighbouring places. However many there are, the beam
+        is evaluated as for one.
+
+        Args:
+            first_element: id of the first beam element, such as the first_element of a Beam
+            elements: number of elements, from the first on, such as the elements of a Beam; at
+                least 1
+            frame: FRAME_SPACE: directions of the global axes; FRAME_MATERIAL: of the sections'
+                axes, twisted as they are; FRAME_UNTWISTED: axis 1 along the reference line,
+                axis 2 the part of axis_2 that is perpendicular to it, axis 3 = axis 1 * axis 2,
+                all in the reference configuration, and each section takes these axes with it
+            axis_2: array of shape (3): direction, global coordinates, of any nonzero length,
+                nowhere along the line; read for FRAME_UNTWISTED only, else it
+            fractions: array of shape (count): places, as fractions of the reference length of
+                these elements, ascending from 0 to 1; two at the same place make a jump
+            signals: array of length [6 count], each initialised, copied: those of the first
+                place, FORCE_1 to FORCE_3 [force / length] and MOMENT_1 to MOMENT_3 [force],
+                then those of the next. One that was only initialised is zero; numbers, Signals,
+                or functions of time
+        """
+        axis_2 = reals("axis_2", axis_2, (3,))
+        fractions = reals("fractions", fractions, (None,))
+        _count = len(fractions)
+        signals = as_signals(signals, (_count, 6), self._kept)
+        call(
+            lib.pdn_model_add_load_at_places,
+            self._c,
+            first_element,
+            elements,
+            frame,
+            pointer(axis_2),
+            pointer(fractions),
+            signals,
+            _count,
+        )
+
+    def force_count(self):
+        """Number of forces: springs, dampers, actuators and the like, but not loads; their ids are
+        0 ... count - 1.
+
+        Returns:
+            count: the number
+        """
+        count = ffi.new("int32_t *")
+        call(lib.pdn_model_force_count, self._c, count)
+        return count[0]
+
+    def add_spring_damper(self, joint, coordinate, stiffness, damping=0.0, rest=0.0):
+        """Adds a linear spring with a damper on a joint coordinate, in addition to those that are
+        there.
+
+        It resists with stiffness * (coordinate - rest) + damping * its rate: with a force on a
+        displacement, with a moment on an angle. Whole turns count.
+
+        Args:
+            joint: id of the joint
+            coordinate: DISPLACEMENT, ... or ROTATION, ...; one that the joint has
+            stiffness: effort for a unit of the coordinate [force / length, or force * length];
+                may be negative
+            damping: effort for a unit of its rate [force * time / length, or force * length *
+                time]; may be negative
+            rest: coordinate at which the spring is free of effort [length or radian]
+
+        Returns:
+            force: the force's id
+        """
+        force = ffi.new("int32_t *")
+        call(
+            lib.pdn_model_add_spring_damper,
+            self._c,
+            joint,
+            coordinate,
+            stiffness,
+            damping,
+            rest,
+            force,
+        )
+        return force[0]
+
+    def add_nonlinear_spring_damper(
+        self,
+        joint,
+        coordinate,
+        stiffness=None,
+        damping=None,
+        rest=0.0,
+    ):
+        """Adds a nonlinear spring with a damper on a joint coordinate: polynomials of the
+        coordinate and its rate.
+
+        With u = coordinate - rest it resists with stiffness[0] u + stiffness[1] u^2 + ... +
+        damping[0] u' + damping[1] u'^2 + ..., so that {k, 0, k3} is a cubic spring. Whole turns
+        count.
+
+        Args:
+            joint: id of the joint
+            coordinate: DISPLACEMENT, ... or ROTATION, ...; one that the joint has
+            stiffness: array of shape (stiffnesscount): copied; may be None if there are none
+            damping: array of shape (dampingcount): copied; may be None if there are none
+            rest: coordinate at which the spring is free of effort [length or radian]
+
+        Returns:
+            force: the force's id
+        """
+        stiffness, _stiffness_count = together(stiffness=stiffness)
+        damping, _damping_count = together(damping=damping)
+        force = ffi.new("int32_t *")
+        call(
+            lib.pdn_model_add_nonlinear_spring_damper,
+            self._c,
+            joint,
+            coordinate,
+            pointer(stiffness),
+            _stiffness_count,
+            pointer(damping),
+            _damping_count,
+            rest,
+            force,
+        )
+        return force[0]
+
+    def add_actuator(self, joint, coordinate, signal):
+        """Adds an actuator: a force on a displacement, or a torque on an angle, that follows a
+        signal.
+
+        It acts on the second body of the joint towards growth of the coordinate, and its
+        reaction on the first. To prescribe the coordinate itself, see Model.prescribe.
+
+        Args:
+            joint: id of the joint
+            coordinate: DISPLACEMENT, ... or ROTATION, ...; one that the joint has
+            signal: the effort in time [force, or force * length], copied; a number, a Signal,
+                or a function of time
+
+        Returns:
+            force: the force's id
+        """
+        signal = as_signal(signal, self._kept)
+        force = ffi.new("int32_t *")
+        call(lib.pdn_model_add_actuator, self._c, joint, coordinate, signal, force)
+        return force[0]
+
+    def add_viscoelastic(
+        self,
+        joint,
+        coordinate,
+        stiffness,
+        rest,
+        branch_stiffness,
+        relaxation_times,
+    ):
+        """Adds a viscoelastic element on a joint coordinate: a generalised Maxwell model.
+
+        A spring, and beside it branches of spring and dashpot in series. With coordinate q it
+        resists with stiffness * (q - rest) + the sum over the branches b of branch_stiffness[b]
+        a_b, where a_b, the elongation of the branch's spring, relaxes: t_b a_b' + a_b = t_b q',
+        with relaxation time t_b. One branch makes it a Zener element, or standard linear solid.
+        The internal states are solved for with the motion, at the same grid points. Whole turns
+        count; a coordinate that gains turns needs stiffness 0.
+
+        Args:
+            joint: id of the joint
+            coordinate: DISPLACEMENT, ... or ROTATION, ...; one that the joint has
+            stiffness: that of the spring alone, the long-term stiffness [force / length, or
+                force * length]; may be negative
+            rest: coordinate at which it is free of effort [length or radian]
+            branch_stiffness: array of shape (branches): stiffness of each branch's spring,
+                positive
+            relaxation_times: array of shape (branches): relaxation time of each branch,
+                positive [time]
+
+        Returns:
+            force: the force's id
+        """
+        branch_stiffness = reals("branch_stiffness", branch_stiffness, (None,))
+        _branches = len(branch_stiffness)
+        relaxation_times = reals("relaxation_times", relaxation_times, (_branches,))
+        force = ffi.new("int32_t *")
+        call(
+            lib.pdn_model_add_viscoelastic,
+            self._c,
+            joint,
+            coordinate,
+            stiffness,
+            rest,
+            pointer(branch_stiffness),
+            pointer(relaxation_times),
+            _branches,
+            force,
+        )
+        return force[0]
+
+    def add_viscous_damper(self, first, second, matrix, frame=None):
+        """Adds a viscous damper between two bodies, with a full matrix of coefficients.
+
+        It exerts -matrix * v on the second body, and the reaction on the first, where v is the
+        velocity (linear 1, 2, 3, angular 1, 2, 3) of the second body relative to the first, at
+        the origin of a frame that is fixed to the second body. Velocity, force and moment are
+        about and resolved in that frame, wherever it moves.
+
+        Args:
+            first: id of the first node, or GROUND
+            second: id of the second node, or GROUND; not the same body
+            frame: the frame, where it is in the reference configuration; None for the second
+                node's own
+            matrix: array of shape (6, 6): 6 x 6, symmetric and positive semi-definite [force *
+                time / length, force * time, force * length * time]
+
+        Returns:
+            force: the force's id
+        """
+        frame = of_type("Frame")(frame, self._kept)
+        matrix = reals("matrix", matrix, (6, 6), turned=True)
+        force = ffi.new("int32_t *")
+        call(
+            lib.pdn_model_add_viscous_damper,
+            self._c,
+            first,
+            second,
+            frame,
+            pointer(matrix),
+            force,
+        )
+        return force[0]
+
+    def add_coordinate_law(self, joint, coordinate, tangents, function):
+        """Adds a spring-damper on a joint coordinate whose law is a function of the caller.
+
+        Its effort, a force on a displacement or a moment on an angle, resists growth of the
+        coordinate as that of Model.add_spring_damper does. It may depend on coordinate, rate
+        and time.
+
+        Args:
+            joint: id of the joint
+            coordinate: DISPLACEMENT, ... or ROTATION, ...; one that the joint has
+            tangents: TANGENTS_GIVEN if the function writes derivatives, which
+                Model.check_tangents checks; TANGENTS_DIFFERENCED if the library is to find them
+                by differences
+            function: the law
+
+        Returns:
+            force: the force's id
+        """
+        function = _callbacks.coordinate_law(function, self._kept)
+        force = ffi.new("int32_t *")
+        call(
+            lib.pdn_model_add_coordinate_law,
+            self._c,
+            joint,
+            coordinate,
+            tangents,
+            function.function,
+            function.data,
+            ffi.NULL,
+            force,
+        )
+        return force[0]
+
+    def add_user_force(self, nodes, frame, tangents, function):
+        """Adds forces on nodes that a function of the caller computes.
+
+        Args:
+            nodes: array of length [count]: ids of the nodes, all different
+            frame: FRAME_SPACE: velocities, forces and tangents are along the global axes;
+                FRAME_MATERIAL: along those of each node
+            tangents: TANGENTS_GIVEN if the function writes tangents, which Model.check_tangents
+                checks; TANGENTS_DIFFERENCED if the library is to find them by differences, at
+                the price of 24 calls a node
+            function: the forces
+
+        Returns:
+            force: the force's id
+        """
+        nodes = ids("nodes", nodes)
+        _count = len(nodes)
+        function = _callbacks.user_force(function, self._kept)
+        force = ffi.new("int32_t *")
+        call(
+            lib.pdn_model_add_user_force,
+            self._c,
+            ffi.from_buffer("int32_t[]", nodes),
+            _count,
+            frame,
+            tangents,
+            function.function,
+            function.data,
+            ffi.NULL,
+            force,
+        )
+        return force[0]
+
+    def check_tangents(self, force, period):
+        """Compares the tangents that a user's function gives with differences of its forces.
+
+        At a few states: nodes near their reference configuration, or a coordinate near its own,
+        with velocities as they are in motions of the period; the same states in each call.
+        Wrong tangents do not make solutions wrong, but Newton's method slow, or fail.
+
+        Args:
+            force: id of a force by Model.add_coordinate_law or Model.add_user_force
+            period: the period that the model is to be solved for, positive [time]
+
+        Returns:
+            TangentCheck
+        """
+        check = TangentCheck()
+        call(lib.pdn_model_check_tangents, self._c, force, period, check._c)
+        return check
+
+    def solve_periodic(
+        self,
+        period,
+        *,
+        grid_points=None,
+        harmonics=None,
+        tolerance=None,
+        iteration_limit=None,
+        initial=None,
+        guess_positions=None,
+        guess_rotations=None,
+        progress=None,
+        error_tolerance=None,
+        largest_grid_points=None,
+        linear_solver=None,
+        threads=None,
+        oversampling=None,
+        response_tolerance=None,
+        start=None,
+        estimate_mesh=None,
+        progress_interval=None,
+    ):
+        """Finds the periodic response of a model directly, by Fourier spectral collocation.
+
+        Newton's method with the exact tangent on the equations of motion at N equispaced times,
+        from the quasi-static motion unless another start is given; where inertia takes the
+        response far from that, or N is large, from a solution on fewer points. Unless N is
+        given, it is raised, each solution starting the next, until the estimated error meets
+        the tolerance. Not converging is no error: OK says that the solve was carried out,
+        Solution.outcome how it ended, Solution.report why.
+
+        Args:
+            period: T, the period of the response; harmonics of signals are those of this period
+            grid_points: Number N of grid points, odd: harmonics up to (N - 1) / 2 are resolved.
+                0 for as many as error_tolerance needs. Default 0.
+            harmonics: If not 0, the number of harmonics that are resolved: grid_points is then
+                2 harmonics + 1. Default 0.
+            tolerance: Newton's method has converged when the largest increment (lengths
+                relative to the size of the mechanism, angles in radians) is below this. Newton
+                is quadratic: the error left in motions is about its square, that in forces
+                about it times their last change. Default 1e-9.
+            iteration_limit: Most Newton iterations on a grid. Default 30.
+            initial: Start from this solution, periodic or static, also on another grid or of
+                another period, or from the last period of this march; None to start otherwise.
+                Its model is to have the same bodies, joints, forces and prescribed coordinates,
+                and the same beams, which may have other meshes. If grid_points is 0, the first
+                grid is that of this solution. Default None.
+            guess_positions: Start from these positions, 3 x N x nodes: coordinates fastest,
+                then grid points, then nodes; None to start otherwise. Needs guess_rotations,
+                and grid_points or harmonics. Default None.
+            guess_rotations: Rotation matrices of the same start, 9 x N x nodes, each column by
+                column. Default None.
+            progress: Told of each iteration, and while one lasts, see progress_interval; may
+                cancel. Default None.
+            error_tolerance: If grid_points is 0, grid points are added until the estimated
+                error of the motions is below this: positions relative to the size of the
+                mechanism, angles in radians. Default 1e-6, which leaves about three digits to
+                forces and accelerations, which are second derivatives.
+            largest_grid_points: If grid_points is 0, the largest number of grid points, at
+                least 3; if the tolerance would need more, the outcome is TOLERANCE_NOT_MET.
+                Default 511.
+            linear_solver: How linear equations are solved: LINEAR_AUTOMATIC, LINEAR_DIRECT, ...
+                Default LINEAR_AUTOMATIC.
+            threads: Threads that share the work, of a pool that lasts as long as the call; 0
+                for as many as there are processors. Signals' and other functions of yours are
+                called on the calling thread alone. Default 1.
+            oversampling: The equations are sampled at this many times as many points (or one
+                more), from 1 to 16, where motions and multipliers are interpolated; their
+                virtual work, and the harmonics of the constraints up to those of the grid, are
+                to vanish. 1: at the grid points alone. Default 1.
+            response_tolerance: If grid_points is 0 and this is not, the estimated error of the
+                motions is also to be below this times the amplitude of the response: the
+                largest deviation of a node from its mean or, if it makes whole turns in a
+                period, from a steady turn, in the measure of error_tolerance. For responses
+                that are small beside the mechanism. Default 0.
+            start: Where the library starts, unless a start is given: START_AUTOMATIC, or one
+                way alone: START_QUASI_STATIC, ... START_STEADY_ROTATION and
+                START_RIGID_ROTATION need a drive that turns. Default START_AUTOMATIC.
+            estimate_mesh: 1 to estimate the error by the mesh of beams, too,
+                Diagnostics.mesh_error, which takes about as long as an iteration; not with
+                oversampling. Default 0.
+            progress_interval: Least time between two calls of progress while an iteration
+                lasts, in seconds; 0 to be called at any opportunity. Default 0.1.
+
+        Returns:
+            Solution: the solution, also if it has not converged
+        """
+        options = PeriodicOptions(
+            grid_points=grid_points,
+            harmonics=harmonics,
+            tolerance=tolerance,
+            iteration_limit=iteration_limit,
+            initial=initial,
+            guess_positions=guess_positions,
+            guess_rotations=guess_rotations,
+            progress=progress,
+            error_tolerance=error_tolerance,
+            largest_grid_points=largest_grid_points,
+            linear_solver=linear_solver,
+            threads=threads,
+            oversampling=oversampling,
+            response_tolerance=response_tolerance,
+            start=start,
+            estimate_mesh=estimate_mesh,
+            progress_interval=progress_interval,
+        )
+        like("guess_positions", guess_positions, (self.node_count(), points_of(options), 3))
+        like("guess_rotations", guess_rotations, (self.node_count(), points_of(options), 3, 3))
+        out = ffi.new("pdn_solution **")
+        call(lib.pdn_solve_periodic, self._c, period, options._c, out)
+        return Solution._made(out[0], self._kept)
+
+    def solve_static(
+        self,
+        *,
+        time=None,
+        period=None,
+        load_steps=None,
+        tolerance=None,
+        iteration_limit=None,
+        angular_velocity=None,
+        axis_point=None,
+        initial=None,
+        progress=None,
+    ):
+        """Finds an equilibrium at one time: of forces at rest, or in steady rotation.
+
+        Newton's method with the exact tangent, after load steps from the unloaded reference
+        configuration. Where these lead nowhere, as for a pendulum that is not in a position of
+        equilibrium yet, the masses creep downhill. Not converging is no error: OK says that the
+        solve was carried out, Solution.outcome how it ended, Solution.report why. A position
+        that nothing determines, such as that of a free body, is SINGULAR.
+
+        The solution has a grid of one point and the same values at any time.
+
+        With options.angular_velocity everything turns steadily, the ground too: the solution is
+        the equilibrium in the turning frame, under centrifugal and gyroscopic forces. Positions
+        and directions are those in that frame, at a moment at which its axes are the inertial
+        ones; velocities and accelerations of nodes are those in the inertial frame, in forces
+        of yours on nodes, too; rates of joints, and dampers, know the motion in the frame only.
+        Loads with FRAME_SPACE keep their directions in the turning frame, as the ground does.
+        Gravity must be along the axis.
+
+        Args:
+            time: Loads and prescribed motions have their values at this time. Default 0.
+            period: Period that harmonics and samples of signals refer to; 0 if not given, as at
+                time 0, where it does not matter. Default 0.
+            load_steps: Load steps taken at least, from the unloaded reference configuration; a
+                step that does not converge is halved. More than one keeps to the branch that
+                grows from the reference configuration, where there are several. Not used with
+                an initial solution. Default 1.
+            tolerance: As in PeriodicOptions. Default 1e-9.
+            iteration_limit: Most Newton iterations at the full loads. Default 30.
+            angular_velocity: Angular velocity of the frame that everything turns with steadily,
+                the ground too, inertial frame [angle/time]. Default 0.
+            axis_point: A point of the axis it turns about [length]. Default 0.
+            initial: Start from this solution, at `time`, of a model with the same nodes and
+                joints; None to start from the reference configuration. Default None.
+            progress: Told of each iteration, and about ten times a second while one lasts; may
+                cancel. Default None.
+
+        Returns:
+            Solution: the solution, also if it has not converged
+        """
+        options = StaticOptions(
+            time=time,
+            period=period,
+            load_steps=load_steps,
+            tolerance=tolerance,
+            iteration_limit=iteration_limit,
+            angular_velocity=angular_velocity,
+            axis_point=axis_point,
+            initial=initial,
+            progress=progress,
+        )
+        out = ffi.new("pdn_solution **")
+        call(lib.pdn_solve_static, self._c, options._c, out)
+        return Solution._made(out[0], self._kept)
+
+    def solve_modes(self, *, equilibrium=None, count=None, near_frequency=None):
+        """Finds an equilibrium and the modes of small motions `Re(x exp(s t))` about it.
+
+        The equations of motion with their exact tangents are linearised to `(s² M + s C + K) x
+        = 0`, constraints, internal states of viscoelastic forces, and in a turning frame
+        gyroscopic and centrifugal terms included. Of conjugate pairs of eigenvalues s one is
+        given; constraints make no modes. Each free motion is a mode whose s is exactly 0.
+
+        That there is no equilibrium is no error: Modes.outcome tells, and there are no modes.
+
+        Args:
+            equilibrium: The equilibrium, at rest or in steady rotation, how to find it, and who
+                is told of the iterations; None for the defaults of StaticOptions. Default None.
+            count: Number of modes wanted. Default 10.
+            near_frequency: Angular frequency near which modes are wanted [angle/time]; 0 for
+                those of the smallest eigenvalues. Default 0.
+
+        Returns:
+            Modes: the modes
+        """
+        options = ModesOptions(
+            equilibrium=equilibrium,
+            count=count,
+            near_frequency=near_frequency,
+        )
+        out = ffi.new("pdn_modes **")
+        call(lib.pdn_solve_modes, self._c, options._c, out)
+        return Modes._made(out[0], self._kept)
+
+    def march(
+        self,
+        *,
+        start_time=None,
+        duration=None,
+        period=None,
+        step=None,
+        steps_per_period=None,
+        spectral_radius=None,
+        error_tolerance=None,
+        periodic_tolerance=None,
+        most_periods=None,
+        stored_periods=None,
+        tolerance=None,
+        iteration_limit=None,
+        initial=None,
+        positions=None,
+        rotations=None,
+        velocities=None,
+        progress=None,
+    ):
+        """Marches a model in time, for a given duration or until its motion repeats itself.
+
+        The generalised-alpha method on SE(3) for the equations of index 3 (Arnold and Bruels
+        2007; Bruels, Cardona and Arnold 2012), of second order: motions are updated by the
+        exponential map, equilibrium and constraints hold at the end of each step. It starts in
+        the reference configuration at rest unless another start is given, but what hangs on a
+        prescribed rotation turns with it as one rigid body, if the joints let it: a blade is
+        not left behind a hub that spins. Then motions are moved and velocities changed by the
+        least, by inertia, that satisfies the constraints and prescribed motions, and
+        accelerations and reactions follow. Internal states of viscoelastic elements start
+        relaxed, or as they are in the initial solution.
+
+        The solution is a trajectory: the functions of solutions give its quantities at any
+        times from its first to its last. Between steps motions, velocities and joint
+        coordinates are interpolated by cubic polynomials, all else linearly. It has no
+        harmonics. Not reaching the end is no error: Solution.outcome tells, and the trajectory
+        is there as far as it came. It serves as `initial` of other solves; of a periodic one,
+        its last period does.
+
+        Args:
+            start_time: When the march starts. Default 0.
+            duration: How long it is; leave it 0 to march until periodic. Default 0.
+            period: Period T that harmonics and samples of signals refer to, and that the motion
+                may repeat itself with; 0 if neither matters. Steps must not be longer, unless
+                error_tolerance chooses them. Default 0.
+            step: Length of the steps, made shorter by what lets a whole number of them fit the
+                duration or the period. With error_tolerance the length of the first. Default 0.
+            steps_per_period: If not 0, the steps are period / steps_per_period. Default 0.
+            spectral_radius: Spectral radius at infinite frequency, from 0 to 1: the numerical
+                damping. With 1 no energy is lost, but the reactions of joints oscillate; 0
+                removes at once what the steps do not resolve. Default 0.5.
+            error_tolerance: If not 0, steps are chosen so that each has at most this estimated
+                error of a motion (lengths relative to the size of the mechanism, angles in
+                radians). Default 0.
+            periodic_tolerance: If not 0, march until motions and velocities differ by at most
+                this from the periodic ones, by how the differences from each period to the next
+                decay: displacements relative to the size of the mechanism, entries of rotation
+                matrices, velocities likewise in the time T / (2 pi). Default 0.
+            most_periods: Most periods of a march until periodic; then its outcome is
+                ITERATION_LIMIT. Default 200.
+            stored_periods: Keep the steps of only so many of the last periods; all steps if 0.
+                Default 0.
+            tolerance: Newton's method in a step has converged when the largest increment is
+                below this, as in PeriodicOptions. Default 1e-9.
+            iteration_limit: Most Newton iterations in a step. Default 20.
+            initial: Start from this solution of a model with the same nodes and joints, at
+                start_time: an equilibrium, a periodic motion or another march; None to start
+                otherwise. Default None.
+            positions: Start from these positions, 3 x nodes; None for those of the reference
+                configuration. Needs rotations. Default None.
+            rotations: Rotation matrices of the same start, 9 x nodes, each column by column.
+                Default None.
+            velocities: Velocities of the same start, 6 x nodes: velocity of each node and its
+                angular velocity, inertial frame; None for none. Default None.
+            progress: Told of each step, and about ten times a second while one lasts; may
+                cancel. Default None.
+
+        Returns:
+            Solution: the solution, also if the march ended early
+        """
+        options = MarchOptions(
+            start_time=start_time,
+            duration=duration,
+            period=period,
+            step=step,
+            steps_per_period=steps_per_period,
+            spectral_radius=spectral_radius,
+            error_tolerance=error_tolerance,
+            periodic_tolerance=periodic_tolerance,
+            most_periods=most_periods,
+            stored_periods=stored_periods,
+            tolerance=tolerance,
+            iteration_limit=iteration_limit,
+            initial=initial,
+            positions=positions,
+            rotations=rotations,
+            velocities=velocities,
+            progress=progress,
+        )
+        like("positions", positions, (self.node_count(), 3))
+        like("rotations", rotations, (self.node_count(), 3, 3))
+        like("velocities", velocities, (self.node_count(), 6))
+        out = ffi.new("pdn_solution **")
+        call(lib.pdn_march, self._c, options._c, out)
+        return Solution._made(out[0], self._kept)
+
+    def solve_shooting(
+        self,
+        period,
+        *,
+        steps_per_period=None,
+        guess_periods=None,
+        spectral_radius=None,
+        tolerance=None,
+        iteration_limit=None,
+        initial=None,
+        progress=None,
+    ):
+        """Finds the periodic response of a model by shooting: Newton's method on the period map of
+        Model.march.
+
+        What is found is the periodic motion of the marching scheme, of second order in its
+        step; the derivative of the map is exact. It needs time and memory that grow with the
+        square of the number of nodes; it is there to compare with, and for the Floquet
+        multipliers, which tell whether the motion is stable.
+
+        The solution is a trajectory over one period, from 0 to T. Not converging is no error:
+        Solution.outcome tells. A motion that may be shifted in time or space, as without a
+        drive or without damping, is SINGULAR.
+
+        Args:
+            period: T, the period of the response; harmonics of signals are those of this period
+            steps_per_period: Number of equal steps to the period. Default 200.
+            guess_periods: Periods marched for the first guess. Default 1.
+            spectral_radius: Spectral radius at infinite frequency, from 0 to less than 1, as in
+                MarchOptions. Default 0.5.
+            tolerance: Converged when the largest increment of a motion or velocity at the start
+                (lengths relative to the size of the mechanism, angles in radians, velocities in
+                the time T / (2 pi)) is below this. Default 1e-8.
+            iteration_limit: Most Newton iterations. Default 30.
+            initial: Start the march from this solution of a model with the same nodes and
+                joints, at its time 0 or, of a march, at its first time; None for the reference
+                configuration at rest. Default None.
+            progress: Told of each period of the guess and of each iteration, and about ten
+                times a second while one lasts; may cancel. Default None.
+
+        Returns:
+            Solution: the solution, also if it has not converged
+        """
+        options = ShootingOptions(
+            steps_per_period=steps_per_period,
+            guess_periods=guess_periods,
+            spectral_radius=spectral_radius,
+            tolerance=tolerance,
+            iteration_limit=iteration_limit,
+            initial=initial,
+            progress=progress,
+        )
+        out = ffi.new("pdn_solution **")
+        call(lib.pdn_solve_shooting, self._c, period, options._c, out)
+        return Solution._made(out[0], self._kept)
+
+    def summary(self):
+        """Counts, mass, degrees of freedom and mobility of a model in its reference configuration.
+
+        Returns:
+            Summary
+        """
+        out = Summary()
+        call(lib.pdn_model_summary, self._c, out._c)
+        return out
+
+    def describe(self):
+        """The same in readable lines, with warnings: parts that nothing connects or holds, ends of
+        beams without a joint, nodes without inertia, joints open in the reference configuration
+        or far from all else, impossible moments of inertia, sizes, masses and stiffnesses that
+        do not fit each other.
+        """
+        return text.of(lib.pdn_model_describe, self._c)
+
+
+class Modes(ModesExtras):
+    """An equilibrium and the modes about it. Made by Model.solve_modes, freed by Modes.free."""
+
+    _free = lib.pdn_modes_free
+
+    def outcome(self):
+        """How the search for the equilibrium ended."""
+        return lib.pdn_modes_outcome(self._c)
+
+    def report(self):
+        """A readable report: outcome of the equilibrium and why, and a table of the modes."""
+        return text.of(lib.pdn_modes_report, self._c)
+
+    def count(self):
+        """Number of modes: as many as were wanted, if there are and they were found.
+
+        Returns:
+            out: the number
+            complete: 1 if the wanted number was found, or all that there are, else 0
+        """
+        out = ffi.new("int32_t *")
+        complete = ffi.new("int32_t *")
+        call(lib.pdn_modes_count, self._c, out, complete)
+        return out[0], complete[0]
+
+    def get(self, mode):
+        """Eigenvalue, frequency and damping of a mode.
+
+        Args:
+            mode: number of the mode, from 0; the smallest eigenvalue, or the nearest to the
+                wanted frequency, is first
+
+        Returns:
+            Mode
+        """
+        out = Mode()
+        call(lib.pdn_modes_get, self._c, mode, out._c)
+        return out
+
+    def shape(self, mode, nodes):
+        """Shape x of a mode at some nodes.
+
+        For each node its small displacement and rotation along the node's own axes, as they are
+        in the equilibrium. The largest component of all nodes is 1, with displacements relative
+        to the size of the mechanism and rotations in radians.
+
+        Args:
+            mode: number of the mode, from 0
+            nodes: array of length [count]: ids of the nodes
+
+        Returns:
+            real, of shape (count, 6): real part, components fastest
+            imaginary, of shape (count, 6): imaginary part
+        """
+        nodes = ids("nodes", nodes)
+        _count = len(nodes)
+        real = reals.empty((_count, 6))
+        imaginary = reals.empty((_count, 6))
+        call(
+            lib.pdn_modes_shape,
+            self._c,
+            mode,
+            ffi.from_buffer("int32_t[]", nodes),
+            _count,
+            pointer(real),
+            pointer(imaginary),
+        )
+        return real, imaginary
+
+    def motion(self, mode, amplitude):
+        """The motion in a mode, to be looked at as any other solution.
+
+        From the equilibrium each node moves by the exponential of `amplitude Re(x exp(i ω t))`,
+        with ω = Im s: it neither decays nor grows, and repeats after 2π/ω. For a real s, ω is
+        its size; for a free motion the period is that of the options, or 1. The equations hold
+        but for the square of the amplitude.
+
+        Args:
+            mode: number of the mode, from 0
+            amplitude: factor of the shape
+
+        Returns:
+            Solution: the solution
+        """
+        out = ffi.new("pdn_solution **")
+        call(lib.pdn_modes_motion, self._c, mode, amplitude, out)
+        return Solution._made(out[0], self._kept)
+
+    def equilibrium(self):
+        """The equilibrium, as Model.solve_static gives it, converged or not.
+
+        Returns:
+            Solution: the solution
+        """
+        out = ffi.new("pdn_solution **")
+        call(lib.pdn_modes_equilibrium, self._c, out)
+        return Solution._made(out[0], self._kept)
+
+
+class Solution(SolutionExtras):
+    """A solution, converged or not. Made by Model.solve_periodic, Model.solve_static, Model.march
+    and Modes.motion, freed by Solution.free.
+
+    That of a march is a trajectory: the same functions give its quantities at times from its
+    first to its last (ERR_VALUE for any other), but it has no harmonics (ERR_NOT_AVAILABLE).
+    """
+
+    _free = lib.pdn_solution_free
+
+    def outcome(self):
+        """How the solve ended.
+
+        Unless it is CONVERGED or TOLERANCE_NOT_MET the solution's quantities are those of the
+        last iterate.
+        """
+        return lib.pdn_solution_outcome(self._c)
+
+    def report(self):
+        """A readable report: outcome and why, iterations, error estimates, time spent."""
+        return text.of(lib.pdn_solution_report, self._c)
+
+    def diagnostics(self):
+        """Figures of a solve: iterations, error estimates, residuals between grid points, time
+        spent.
+
+        Returns:
+            Diagnostics
+        """
+        out = Diagnostics()
+        call(lib.pdn_solution_diagnostics, self._c, out._c)
+        return out
+
+    def history(self):
+        """History of the Newton iterations of the periodic problem.
+
+        Returns:
+            residuals, of shape (count)
+            increments, of shape (count)
+            steps, of shape (count)
+        """
+        _count = self.diagnostics().iterations
+        residuals = reals.empty((_count,))
+        increments = reals.empty((_count,))
+        steps = reals.empty((_count,))
+        call(
+            lib.pdn_solution_history,
+            self._c,
+            pointer(residuals),
+            pointer(increments),
+            pointer(steps),
+            _count,
+        )
+        return residuals, increments, steps
+
+    def decay(self):
+        """Decay of the harmonics: largest amplitude of each over all nodes, of positions relative
+        to the size of the mechanism and of entries of rotation matrices.
+
+        Returns:
+            amplitudes, of shape (count): harmonics 0, 1, ..., (N - 1) / 2
+        """
+        _count = (self.diagnostics().grid_points + 1) // 2
+        amplitudes = reals.empty((_count,))
+        call(lib.pdn_solution_decay, self._c, pointer(amplitudes), _count)
+        return amplitudes
+
+    def grid_times(self):
+        """Grid times t_k = k T / N; of a march the times of its steps, from the start.
+
+        Returns:
+            times, of shape (count)
+        """
+        _count = self.diagnostics().grid_points
+        times = reals.empty((_count,))
+        call(lib.pdn_solution_grid_times, self._c, pointer(times), _count)
+        return times
+
+    def node_position(self, node, times):
+        """Position of a node at any times.
+
+        Interpolated over the whole period by dual polar decomposition: to rounding at the grid
+        points.
+
+        Args:
+            node: id of the node
+            times: array of shape (count): times, also outside the first period
+
+        Returns:
+            out, of shape (count, 3): coordinates of each time together, inertial frame [length]
+        """
+        times = reals("times", times, (None,))
+        _count = len(times)
+        out = reals.empty((_count, 3))
+        call(lib.pdn_solution_node_position, self._c, node, pointer(times), _count, pointer(out))
+        return out
+
+    def node_rotation(self, node, times):
+        """Rotation matrix of a node at any times.
+
+        Args:
+            node: id of the node
+            times: array of shape (count): times, also outside the first period
+
+        Returns:
+            out, of shape (count, 3, 3): of each time the three columns, which are the node's
+                axes in the inertial frame
+        """
+        times = reals("times", times, (None,))
+        _count = len(times)
+        out = reals.empty((_count, 3, 3))
+        call(lib.pdn_solution_node_rotation, self._c, node, pointer(times), _count, pointer(out))
+        return out.swapaxes(-1, -2)
+
+    def node_quaternion(self, node, times):
+        """Unit quaternion of a node at any times.
+
+        Args:
+            node: id of the node
+            times: array of shape (count): times, also outside the first period
+
+        Returns:
+            out, of shape (count, 4): (w, x, y, z) of each time, from the inertial to the node's
+                frame; w is not negative at the first time, and the sign is continuous from one
+                time to the next
+        """
+        times = reals("times", times, (None,))
+        _count = len(times)
+        out = reals.empty((_count, 4))
+        call(
+            lib.pdn_solution_node_quaternion,
+            self._c,
+            node,
+            pointer(times),
+            _count,
+            pointer(out),
+        )
+        return out
+
+    def node_velocity(self, node, frame, times):
+        """Velocity of a node at any times.
+
+        Args:
+            node: id of the node
+            frame: FRAME_SPACE: velocity of the node and angular velocity along the inertial
+                axes; FRAME_MATERIAL: along the node's own
+            times: array of shape (count): times, also outside the first period
+
+        Returns:
+            out, of shape (count, 6): linear, then angular velocity of each time
+        """
+        times = reals("times", times, (None,))
+        _count = len(times)
+        out = reals.empty((_count, 6))
+        call(
+            lib.pdn_solution_node_velocity,
+            self._c,
+            node,
+            frame,
+            pointer(times),
+            _count,
+            pointer(out),
+        )
+        return out
+
+    def node_acceleration(self, node, frame, times):
+        """Acceleration of a node at any times.
+
+        Args:
+            node: id of the node
+            frame: FRAME_SPACE: acceleration of the node and angular acceleration along the
+                inertial axes; FRAME_MATERIAL: time derivative of the velocity along the node's
+                own axes
+            times: array of shape (count): times, also outside the first period
+
+        Returns:
+            out, of shape (count, 6): linear, then angular acceleration of each time
+        """
+        times = reals("times", times, (None,))
+        _count = len(times)
+        out = reals.empty((_count, 6))
+        call(
+            lib.pdn_solution_node_acceleration,
+            self._c,
+            node,
+            frame,
+            pointer(times),
+            _count,
+            pointer(out),
+        )
+        return out
+
+    def joint_coordinate(self, joint, coordinate, times):
+        """Joint coordinate at any times: a displacement, or an angle, followed continuously
+        through whole turns.
+
+        Args:
+            joint: id of the joint
+            coordinate: DISPLACEMENT ... ROTATION_3; see the joint
+            times: array of shape (count): times, also outside the first period
+
+        Returns:
+            out, of shape (count): or rad]
+        """
+        times = reals("times", times, (None,))
+        _count = len(times)
+        out = reals.empty((_count,))
+        call(
+            lib.pdn_solution_joint_coordinate,
+            self._c,
+            joint,
+            coordinate,
+            pointer(times),
+            _count,
+            pointer(out),
+        )
+        return out
+
+    def joint_rate(self, joint, coordinate, times):
+        """Rate of a joint coordinate at any times.
+
+        Args:
+            joint: id of the joint
+            coordinate: DISPLACEMENT ... ROTATION_3; see the joint
+            times: array of shape (count): times, also outside the first period
+
+        Returns:
+            out, of shape (count)
+        """
+        times = reals("times", times, (None,))
+        _count = len(times)
+        out = reals.empty((_count,))
+        call(
+            lib.pdn_solution_joint_rate,
+            self._c,
+            joint,
+            coordinate,
+            pointer(times),
+            _count,
+            pointer(out),
+        )
+        return out
+
+    def joint_acceleration(self, joint, coordinate, times):
+        """Second derivative in time of a joint coordinate at any times.
+
+        Args:
+            joint: id of the joint
+            coordinate: DISPLACEMENT ... ROTATION_3; see the joint
+            times: array of shape (count): times, also outside the first period
+
+        Returns:
+            out, of shape (count)
+        """
+        times = reals("times", times, (None,))
+        _count = len(times)
+        out = reals.empty((_count,))
+        call(
+            lib.pdn_solution_joint_acceleration,
+            self._c,
+            joint,
+            coordinate,
+            pointer(times),
+            _count,
+            pointer(out),
+        )
+        return out
+
+    def joint_driving_effort(self, joint, coordinate, times):
+        """Force or torque that drives a prescribed coordinate, at any times.
+
+        It acts on the second body, and its reaction on the first; positive where it does work
+        on a growing coordinate. Interpolated from the multipliers at the grid points.
+
+        Args:
+            joint: id of the joint
+            coordinate: the prescribed coordinate, as given to Model.prescribe
+            times: array of shape (count): times, also outside the first period
+
+        Returns:
+            out, of shape (count): or force x length]
+        """
+        times = reals("times", times, (None,))
+        _count = len(times)
+        out = reals.empty((_count,))
+        call(
+            lib.pdn_solution_joint_driving_effort,
+            self._c,
+            joint,
+            coordinate,
+            pointer(times),
+            _count,
+            pointer(out),
+        )
+        return out
+
+    def joint_reaction(self, joint, axes, times):
+        """Reaction of a joint at any times: what its constraints exert on the second body.
+
+        Force, and moment about the origin of the joint frame on the second body. Springs,
+        dampers and the drives of prescribed coordinates are not part of it.
+
+        Args:
+            joint: id of the joint
+            axes: AXES_SPACE, AXES_FIRST or AXES_SECOND: axes of the components
+            times: array of shape (count): times, also outside the first period
+
+        Returns:
+            out, of shape (count, 6): force, then moment of each time
+        """
+        times = reals("times", times, (None,))
+        _count = len(times)
+        out = reals.empty((_count, 6))
+        call(
+            lib.pdn_solution_joint_reaction,
+            self._c,
+            joint,
+            axes,
+            pointer(times),
+            _count,
+            pointer(out),
+        )
+        return out
+
+    def beam_strain(self, element, station, times):
+        """Strains of a beam element at a station and any times.
+
+        Per unit of reference length, along the section's axes: axial and two shear strains,
+        twist and two curvatures. Along the element they are the polynomial through those at its
+        Gauss points; in time they are interpolated from their values at the grid points.
+
+        Args:
+            element: id of the beam element
+            station: place along the element, from -1 at its first to 1 at its last node
+            times: array of shape (count): times, also outside the first period
+
+        Returns:
+            out, of shape (count, 6)
+        """
+        times = reals("times", times, (None,))
+        _count = len(times)
+        out = reals.empty((_count, 6))
+        call(
+            lib.pdn_solution_beam_strain,
+            self._c,
+            element,
+            station,
+            pointer(times),
+            _count,
+            pointer(out),
+        )
+        return out
+
+    def beam_force(self, element, station, times):
+        """Internal forces of a beam element at a station and any times.
+
+        Along the section's axes: axial force and two shear forces, torque and two bending
+        moments, exerted by the part beyond the station. They are the polynomial through those
+        at the element's Gauss points (one fewer than nodes), where they are most accurate. At
+        its ends, as all along, errors fall with the power n - 1 of the element's length, for n
+        nodes. At a node, each of two elements has its own: their difference tells how fine the
+        mesh is.
+
+        Args:
+            element: id of the beam element
+            station: place along the element, from -1 at its first to 1 at its last node
+            times: array of shape (count): times, also outside the first period
+
+        Returns:
+            out, of shape (count, 6)
+        """
+        times = reals("times", times, (None,))
+        _count = len(times)
+        out = reals.empty((_count, 6))
+        call(
+            lib.pdn_solution_beam_force,
+            self._c,
+            element,
+            station,
+            pointer(times),
+            _count,
+            pointer(out),
+        )
+        return out
+
+    def beam_force_between(self, element, station, times):
+        """Internal forces of a beam at a node between two of its elements: the mean of those of
+        both, and how much they jump.
+
+        At any other station they are those of Solution.beam_force, and do not jump. Two
+        elements have a node between them if one ends and the other starts there, and nothing
+        else is at the node: no other element, no body, joint, load or force, whose own jump a
+        mean would hide. Errors of the mean fall, between elements of an odd degree and equal
+        length, with a power of their length that is higher by one.
+
+        Args:
+            element: id of the beam element
+            station: place along the element, from -1 at its first to 1 at its last node
+            times: array of shape (count): times, also outside the first period
+
+        Returns:
+            mean, of shape (count, 6)
+            jump, of shape (count, 6): of the element beyond the node less those of the one
+                before it
+        """
+        times = reals("times", times, (None,))
+        _count = len(times)
+        mean = reals.empty((_count, 6))
+        jump = reals.empty((_count, 6))
+        call(
+            lib.pdn_solution_beam_force_between,
+            self._c,
+            element,
+            station,
+            pointer(times),
+            _count,
+            pointer(mean),
+            pointer(jump),
+        )
+        return mean, jump
+
+    def node_harmonics(self, node, quantity, harmonics):
+        """Fourier coefficients of a node's quantity: mean + sum of cosines[j] cos jwt + sines[j]
+        sin jwt.
+
+        Those of the trigonometric polynomial through the values at the grid points.
+
+        Args:
+            node: id of the node
+            quantity: NODE_POSITION, ...; it has C components
+            harmonics: number of harmonics wanted; those above (N - 1) / 2 are zero
+
+        Returns:
+            mean, of shape (components)
+            cosines, of shape (harmonics, components): components of each harmonic together
+            sines, of shape (harmonics, components): components of each harmonic together
+        """
+        components = COMPONENTS["node"].get(quantity, 9)
+        mean = reals.empty((components,))
+        cosines = reals.empty((harmonics, components))
+        sines = reals.empty((harmonics, components))
+        call(
+            lib.pdn_solution_node_harmonics,
+            self._c,
+            node,
+            quantity,
+            harmonics,
+            pointer(mean),
+            pointer(cosines),
+            pointer(sines),
+        )
+        return (
+            mean[..., 0] if components == 1 else mean,
+            cosines[..., 0] if components == 1 else cosines,
+            sines[..., 0] if components == 1 else sines,
+        )
+
+    def joint_harmonics(self, joint, quantity, detail, harmonics):
+        """Fourier coefficients of a joint's quantity: mean + rate t + sum of cosines[j] cos jwt +
+        sines[j] sin jwt.
+
+        Args:
+            joint: id of the joint
+            quantity: JOINT_COORDINATE, ...; it has C components
+            detail: the coordinate (DISPLACEMENT, ...) or, for JOINT_REACTION, the axes
+                (AXES_SPACE, ...)
+            harmonics: number of harmonics wanted; those above (N - 1) / 2 are zero
+
+        Returns:
+            mean, of shape (components)
+            rate, of shape (components): growth per unit of time, of an angle that gains turns
+            cosines, of shape (harmonics, components): components of each harmonic together
+            sines, of shape (harmonics, components): components of each harmonic together
+        """
+        components = COMPONENTS["joint"].get(quantity, 9)
+        mean = reals.empty((components,))
+        rate = reals.empty((components,))
+        cosines = reals.empty((harmonics, components))
+        sines = reals.empty((harmonics, components))
+        call(
+            lib.pdn_solution_joint_harmonics,
+            self._c,
+            joint,
+            quantity,
+            detail,
+            harmonics,
+            pointer(mean),
+            pointer(rate),
+            pointer(cosines),
+            pointer(sines),
+        )
+        return (
+            mean[..., 0] if components == 1 else mean,
+            rate[..., 0] if components == 1 else rate,
+            cosines[..., 0] if components == 1 else cosines,
+            sines[..., 0] if components == 1 else sines,
+        )
+
+    def beam_harmonics(self, element, station, quantity, harmonics):
+        """Fourier coefficients of strains or internal forces of a beam element at a station.
+
+        Args:
+            element: id of the beam element
+            station: place along the element, from -1 at its first to 1 at its last node
+            quantity: BEAM_STRAIN, BEAM_FORCE, BEAM_FORCE_MEAN or BEAM_FORCE_JUMP
+            harmonics: number of harmonics wanted; those above (N - 1) / 2 are zero
+
+        Returns:
+            mean, of shape (6)
+            cosines, of shape (harmonics, 6): components of each harmonic together
+            sines, of shape (harmonics, 6): components of each harmonic together
+        """
+        mean = reals.empty((6,))
+        cosines = reals.empty((harmonics, 6))
+        sines = reals.empty((harmonics, 6))
+        call(
+            lib.pdn_solution_beam_harmonics,
+            self._c,
+            element,
+            station,
+            quantity,
+            harmonics,
+            pointer(mean),
+            pointer(cosines),
+            pointer(sines),
+        )
+        return mean, cosines, sines
+
+    def force_effort(self, force, times):
+        """Effort of a force on a joint coordinate, at any times.
+
+        The effort of an actuator is positive where it acts towards growth of the coordinate;
+        that of all others (springs, dampers, viscoelastic elements, the user's laws) where it
+        acts against. Interpolated from its values at the grid points.
+
+        Args:
+            force: id of the force
+            times: array of shape (count): times, also outside the first period
+
+        Returns:
+            out, of shape (count): force x length on an angle]
+        """
+        times = reals("times", times, (None,))
+        _count = len(times)
+        out = reals.empty((_count,))
+        call(lib.pdn_solution_force_effort, self._c, force, pointer(times), _count, pointer(out))
+        return out
+
+    def force_branch_effort(self, force, branch, times):
+        """Effort of one branch of a viscoelastic element, at any times: positive against growth.
+
+        Args:
+            force: id of the viscoelastic element
+            branch: number of the branch, from 0, in the order they were given
+            times: array of shape (count): times, also outside the first period
+
+        Returns:
+            out, of shape (count): force x length on an angle]
+        """
+        times = reals("times", times, (None,))
+        _count = len(times)
+        out = reals.empty((_count,))
+        call(
+            lib.pdn_solution_force_branch_effort,
+            self._c,
+            force,
+            branch,
+            pointer(times),
+            _count,
+            pointer(out),
+        )
+        return out
+
+    def force_branch_elongation(self, force, branch, times):
+        """Elongation of the dashpot of one branch of a viscoelastic element, at any times: its
+        internal state.
+
+        The branch's spring is elongated by the coordinate less this.
+
+        Args:
+            force: id of the viscoelastic element
+            branch: number of the branch, from 0, in the order they were given
+            times: array of shape (count): times, also outside the first period
+
+        Returns:
+            out, of shape (count)
+        """
+        times = reals("times", times, (None,))
+        _count = len(times)
+        out = reals.empty((_count,))
+        call(
+            lib.pdn_solution_force_branch_elongation,
+            self._c,
+            force,
+            branch,
+            pointer(times),
+            _count,
+            pointer(out),
+        )
+        return out
+
+    def force_on_node(self, force, node, frame, times):
+        """What a force exerts on one of its nodes, at any times: force, and moment about the node.
+
+        Interpolated from its values at the grid points. For forces of all kinds: those on a
+        joint coordinate act on the nodes of the joint.
+
+        Args:
+            force: id of the force
+            node: id of a node that it acts on
+            frame: FRAME_SPACE: components along the inertial axes; FRAME_MATERIAL: along the
+                node's own
+            times: array of shape (count): times, also outside the first period
+
+        Returns:
+            out, of shape (count, 6): force, then moment of each time
+        """
+        times = reals("times", times, (None,))
+        _count = len(times)
+        out = reals.empty((_count, 6))
+        call(
+            lib.pdn_solution_force_on_node,
+            self._c,
+            force,
+            node,
+            frame,
+            pointer(times),
+            _count,
+            pointer(out),
+        )
+        return out
+
+    def force_harmonics(self, force, quantity, detail, harmonics):
+        """Fourier coefficients of a force's quantity: mean + rate t + sum of cosines[j] cos jwt +
+        sines[j] sin jwt.
+
+        Those of the trigonometric polynomial through the values at the grid points.
+
+        Args:
+            force: id of the force
+            quantity: FORCE_EFFORT, ...; it has C components
+            detail: the branch (FORCE_BRANCH_...) or the node (FORCE_ON_NODE...); otherwise 0
+            harmonics: number of harmonics wanted; those above (N - 1) / 2 are zero
+
+        Returns:
+            mean, of shape (components)
+            rate, of shape (components): growth per unit of time, of a dashpot that gains turns
+            cosines, of shape (harmonics, components): components of each harmonic together
+            sines, of shape (harmonics, components): components of each harmonic together
+        """
+        components = COMPONENTS["force"].get(quantity, 9)
+        mean = reals.empty((components,))
+        rate = reals.empty((components,))
+        cosines = reals.empty((harmonics, components))
+        sines = reals.empty((harmonics, components))
+        call(
+            lib.pdn_solution_force_harmonics,
+            self._c,
+            force,
+            quantity,
+            detail,
+            harmonics,
+            pointer(mean),
+            pointer(rate),
+            pointer(cosines),
+            pointer(sines),
+        )
+        return (
+            mean[..., 0] if components == 1 else mean,
+            rate[..., 0] if components == 1 else rate,
+            cosines[..., 0] if components == 1 else cosines,
+            sines[..., 0] if components == 1 else sines,
+        )
+
+    def filtered(self, filter, order):
+        """A copy of a solution whose quantities are seen through a spectral filter.
+
+        Where a response has a kink or a narrow peak (DECAY_SLOW), forces oscillate about their
+        values over the whole period, as all Fourier sums do (Gibbs). A filter weakens the
+        harmonics towards the highest: the oscillations stay near the peak, which itself gets
+        lower and wider. Without one, nothing is filtered.
+
+        It acts on values at any time, on harmonics, tables and animations. The motions of nodes
+        are filtered as motions, and velocities follow from them. The solve, its diagnostics and
+        report, and what starts from the copy are those of the solution. A filter that the
+        solution has already is replaced.
+
+        Args:
+            filter: FILTER_LANCZOS or FILTER_EXPONENTIAL
+            order: from 1 to 32
+
+        Returns:
+            Solution: the copy
+        """
+        out = ffi.new("pdn_solution **")
+        call(lib.pdn_solution_filtered, self._c, filter, order, out)
+        return Solution._made(out[0], self._kept)
+
+    def march(self):
+        """Figures of a march: steps, periods, how much the last of them differ, how much the start
+        was changed.
+
+        Returns:
+            MarchDiagnostics
+        """
+        out = MarchDiagnostics()
+        call(lib.pdn_solution_march, self._c, out._c)
+        return out
+
+    def floquet_count(self):
+        """Number of Floquet multipliers of a solution: as many as the system has states, if
+        Model.solve_shooting found them.
+
+        Returns:
+            out: the number; zero of a march
+        """
+        out = ffi.new("size_t *")
+        call(lib.pdn_solution_floquet_count, self._c, out)
+        return out[0]
+
+    def floquet(self):
+        """Floquet multipliers: what disturbances of the motion are multiplied by in a period, the
+        largest first.
+
+        The motion is stable if all are smaller than 1 in magnitude. They are those of the
+        marching scheme, with its error and its numerical damping.
+
+        Returns:
+            real, of shape (count)
+            imaginary, of shape (count)
+        """
+        _count = self.floquet_count()
+        real = reals.empty((_count,))
+        imaginary = reals.empty((_count,))
+        call(lib.pdn_solution_floquet, self._c, pointer(real), pointer(imaginary), _count)
+        return real, imaginary
+
+    def write_vtk(self, times, points_per_element, path):
+        """Writes an animation of a solution that ParaView opens: VTK's XML files, and a list of
+        them.
+
+        `path` names the list; the files are put into a directory beside it that has its name
+        without `.pvd`. For each time there is one file for each of these parts that the model
+        has:
+
+        - `beams`: a line of `points_per_element` points for each beam element (draw it with the
+          filter Tube). Each point has displacement, axes of the section (axis_1, axis_2,
+          axis_3), and force, moment, strain, curvature along these axes; each line its element;
+        - `bodies`: the nodes that carry a rigid body or belong to no beam, with node,
+          displacement, axes, velocity, angular_velocity;
+        - `joints`: the origins of the joint frames on the second bodies, with joint,
+          displacement, axes, reaction_force, reaction_moment.
+
+        Displacements are from the reference configuration. Vectors are along the inertial axes,
+        but for the internal forces and strains of beams.
+
+        Args:
+            times: array of shape (count): times of the animation, ascending, also outside the
+                first period
+            points_per_element: points along each beam element, 2 to 1000
+            path: where to, UTF-8, ending in `.pvd`. Files of these names are replaced; if
+                writing fails, they stay as they were
+        """
+        times = reals("times", times, (None,))
+        _count = len(times)
+        call(
+            lib.pdn_solution_write_vtk,
+            self._c,
+            pointer(times),
+            _count,
+            points_per_element,
+            text(path),
+        )
+
+    def save(self, path):
+        """Saves a solution with its model, whether it has converged or not.
+
+        Solution.load gives it back, to the last bit. Callbacks cannot be saved: see there. The
+        format is the same on all platforms, and later versions of the library read it.
+
+        Args:
+            path: where to, UTF-8. A file that is there is replaced when all is written; if that
+                fails it stays as it was
+        """
+        call(lib.pdn_solution_save, self._c, text(path))
+
+    @staticmethod
+    def load(path):
+        """Loads a solution that Solution.save saved: its quantities, diagnostics and report are
+        what they were.
+
+        A solve may start from it (the option `initial`), of your model or of the one that
+        Solution.model gives. If the solved model had callbacks, in signals or forces, the
+        quantities of the solution are there all the same; but a solve of the model that was
+        loaded with it fails with ERR_CALLBACK, as its callbacks are not.
+
+        Args:
+            path: the file, UTF-8. It need not be trusted: its checksum and everything in it are
+                checked
+
+        Returns:
+            Solution: the solution
+        """
+        out = ffi.new("pdn_solution **")
+        call(lib.pdn_solution_load, text(path), out)
+        return Solution._made(out[0], [])
+
+    def model(self):
+        """A copy of the model that a solution is of, as it was when it was solved.
+
+        Returns:
+            Model: the model
+        """
+        out = ffi.new("pdn_model **")
+        call(lib.pdn_solution_model, self._c, out)
+        return Model._made(out[0], self._kept)
+
+
+class Table(TableExtras):
+    """Columns of numbers over the same times. Made by Table.new, freed by Table.free."""
+
+    _free = lib.pdn_table_free
+
+    def __init__(self, times):
+        """A table over these times, to choose columns for and to write as CSV.
+
+        Its first column, `t`, are the times. Columns come from one solution or from several,
+        which are sampled as they are added and may then be freed.
+
+        Args:
+            times: array of shape (count): times, also outside the first period, in any order
+        """
+        times = reals("times", times, (None,))
+        _count = len(times)
+        out = ffi.new("pdn_table **")
+        call(lib.pdn_table_new, pointer(times), _count, out)
+        self._own(out[0])
+
+    def add_node(self, solution, node, quantity, label=None):
+        """Adds the columns of a quantity of a node, named by the label and the component.
+
+        Components are x, y, z (position, and along the inertial axes), 1, 2, 3 (along the
+        node's own), 11, 21, 31, 12, ... (rotation matrix, row and column), w, x, y, z
+        (quaternion); angular_x, ... of velocities and accelerations.
+
+        Args:
+            solution: the solution
+            node: id of the node
+            quantity: NODE_POSITION, ...; one column for each component
+            label: columns are called `label.x` and so on; None for a name such as
+                `node3.position`
+        """
+        call(lib.pdn_table_add_node, self._c, pointer(solution), node, quantity, text(label))
+
+    def add_joint(self, solution, joint, quantity, detail, label=None):
+        """Adds the columns of a quantity of a joint: one of that name or, for reactions, six with
+        components force_x, ..., moment_x, ... (force_1, ... along joint frames).
+
+        Args:
+            solution: the solution
+            joint: id of the joint
+            quantity: JOINT_COORDINATE,
+            detail: the coordinate (DISPLACEMENT, ...) or, for JOINT_REACTION, the axes
+                (AXES_SPACE, ...)
+            label: name of the column or, followed by a dot and the component, of the columns;
+                None for a name such as `joint2.rotation_1.rate`
+        """
+        call(
+            lib.pdn_table_add_joint,
+            self._c,
+            pointer(solution),
+            joint,
+            quantity,
+            detail,
+            text(label),
+        )
+
+    def add_beam(self, solution, element, station, quantity, label=None):
+        """Adds the six columns of strains or internal forces of a beam element at a station.
+
+        Components are axial, shear_2, shear_3, and twist, curvature_2, curvature_3 of strains
+        or torque, bending_2, bending_3 of forces.
+
+        Args:
+            solution: the solution
+            element: id of the beam element
+            station: place along the element, from -1 at its first to 1 at its last node
+            quantity: BEAM_STRAIN, BEAM_FORCE, BEAM_FORCE_MEAN or BEAM_FORCE_JUMP
+            label: columns are called `label.axial` and so on; None for a name such as
+                `beam4(0.5).force`
+        """
+        call(
+            lib.pdn_table_add_beam,
+            self._c,
+            pointer(solution),
+            element,
+            station,
+            quantity,
+            text(label),
+        )
+
+    def add_force(self, solution, force, quantity, detail, label=None):
+        """Adds the columns of a quantity of a force: one of that name or, for what it exerts on a
+        node, six with components force_x, ..., moment_x, ... (force_1, ... along the node's own
+        axes).
+
+        Args:
+            solution: the solution
+            force: id of the force
+            quantity: FORCE_EFFORT,
+            detail: the branch (FORCE_BRANCH_...) or the node (FORCE_ON_NODE...); otherwise 0
+            label: name of the column or, followed by a dot and the component, of the columns;
+                None for a name such as `force1.effort`
+        """
+        call(
+            lib.pdn_table_add_force,
+            self._c,
+            pointer(solution),
+            force,
+            quantity,
+            detail,
+            text(label),
+        )
+
+    def add_values(self, label, values):
+        """Adds a column of values of your own, such as one computed from several quantities.
+
+        Args:
+            label: name of the column
+            values: array of shape (count): a value for each time
+        """
+        values = reals("values", values, (None,))
+        _count = len(values)
+        call(lib.pdn_table_add_values, self._c, text(label), pointer(values), _count)
+
+    def write_csv(self, path):
+        """Writes a table as a CSV file: a line of names, then a line for each time.
+
+        Columns are separated by commas, names with commas or quotes are quoted. Numbers have as
+        many digits as it takes to read them back exactly.
+
+        Args:
+            path: where to, UTF-8. A file that is there is replaced when all is written; if that
+                fails it stays as it was. A terminal or pipe, such as "/dev/stdout", is written
+                to directly
+        """
+        call(lib.pdn_table_write_csv, self._c, text(path))
+
+
+def version():
+    """Version of the library, such as "0.1.0"."""
+    return ffi.string(lib.pdn_version()).decode()
+
+
+def build_info():
+    """How the library was built: version, profile and platform, for reports of defects."""
+    return ffi.string(lib.pdn_build_info()).decode()
+
+
+def status_name(status):
+    """Name of a status, such as "ERR_None".
+
+    Args:
+        status: any number
+    """
+    return ffi.string(lib.pdn_status_name(status)).decode()
+
+
+def motion_interpolate(period, positions, rotations, times):
+    """Interpolates a periodic motion given at N equispaced times, by dual polar decomposition.
+
+    Exponentially accurate as N grows, for rotations and translations of any size (section 4 of
+    Han and Bauchau, Nonlinear Dynamics 92, 2018).
+
+    Args:
+        period: T, the period of the motion
+        positions: array of shape (points, 3): positions at t = k T / N
+        rotations: array of shape (points, 3, 3): rotation matrices, each column by column
+        times: array of shape (count): times wanted, anywhere
+
+    Returns:
+        position, of shape (count, 3)
+        rotation, of shape (count, 3, 3): each matrix column by column
+        velocity, of shape (count, 6): linear and angular velocity along the moving axes
+        acceleration, of shape (count, 6): time derivative of velocity
+    """
+    positions = reals("positions", positions, (None, 3))
+    _points = len(positions)
+    rotations = reals("rotations", rotations, (_points, 3, 3), turned=True)
+    times = reals("times", times, (None,))
+    _count = len(times)
+    position = reals.empty((_count, 3))
+    rotation = reals.empty((_count, 3, 3))
+    velocity = reals.empty((_count, 6))
+    acceleration = reals.empty((_count, 6))
+    call(
+        lib.pdn_motion_interpolate,
+        period,
+        pointer(positions),
+        pointer(rotations),
+        _points,
+        pointer(times),
+        _count,
+        pointer(position),
+        pointer(rotation),
+        pointer(velocity),
+        pointer(acceleration),
+    )
+    return position, rotation.swapaxes(-1, -2), velocity, acceleration
+
+
+def motion_grid_kinematics(period, positions, rotations):
+    """Velocities and accelerations of a motion at its own grid points, and their exact
+    linearisation.
+
+    With the material increments u = (R^T dr, dpsi) of the motions, ordered as 6 for each point,
+    d velocity = velocity_tangent u and d acceleration = acceleration_tangent u (eqs. 24 to 29
+    of the paper).
+
+    Args:
+        period: T, the period of the motion
+        positions: array of shape (points, 3): positions at t = k T / N
+        rotations: array of shape (points, 3, 3): rotation matrices, each column by column
+
+    Returns:
+        velocity, of shape (points, 6): linear and angular velocity along the moving axes
+        acceleration, of shape (points, 6): time derivative of velocity
+        velocity_tangent, of shape (6 * points, 6 * points)
+        acceleration_tangent, of shape (6 * points, 6 * points)
+    """
+    positions = reals("positions", positions, (None, 3))
+    _points = len(positions)
+    rotations = reals("rotations", rotations, (_points, 3, 3), turned=True)
+    velocity = reals.empty((_points, 6))
+    acceleration = reals.empty((_points, 6))
+    velocity_tangent = reals.empty((6 * _points, 6 * _points))
+    acceleration_tangent = reals.empty((6 * _points, 6 * _points))
+    call(
+        lib.pdn_motion_grid_kinematics,
+        period,
+        pointer(positions),
+        pointer(rotations),
+        _points,
+        pointer(velocity),
+        pointer(acceleration),
+        pointer(velocity_tangent),
+        pointer(acceleration_tangent),
+    )
+    return (
+        velocity,
+        acceleration,
+        velocity_tangent.swapaxes(-1, -2),
+        acceleration_tangent.swapaxes(-1, -2),
+    )

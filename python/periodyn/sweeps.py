@@ -1,0 +1,71 @@
+"""Many solves, on several processes."""
+
+import os
+import pathlib
+import pickle
+
+from ._call import Error
+
+
+def sweep(function, values, processes=None, store=None, progress=None):
+    """What `function` gives for each of `values`, in their order.
+
+    The function builds a model and solves it; it may return a Solution, or whatever else can be
+    pickled. It must be one that processes can import (of a module, not a lambda).
+
+    Args:
+        function: called with a value
+        values: the values, each of which can be pickled
+        processes: how many at a time; None for as many as there are processors, 1 for this one
+        store: directory where results are kept; a sweep that was cut off goes on from there
+        progress: called with the number of results that are there, and of all
+    """
+    values = list(values)
+    kept = _Kept(store, values)
+    open_places = [i for i in range(len(values)) if i not in kept.results]
+    told = progress or (lambda _done, _all: None)
+    told(len(kept.results), len(values))
+    if processes == 1:
+        for i in open_places:
+            kept.keep(i, values[i], function(values[i]))
+            told(len(kept.results), len(values))
+    elif open_places:
+        # Loaded here, as it takes longer than the rest of the package.
+        import concurrent.futures
+        import multiprocessing
+
+        # A process that was forked would share the threads of this one.
+        context = multiprocessing.get_context("spawn")
+        with concurrent.futures.ProcessPoolExecutor(processes, context) as pool:
+            tasks = {pool.submit(function, values[i]): i for i in open_places}
+            for task in concurrent.futures.as_completed(tasks):
+                i = tasks[task]
+                kept.keep(i, values[i], task.result())
+                told(len(kept.results), len(values))
+    return [kept.results[i] for i in range(len(values))]
+
+
+class _Kept:
+    """Results, in a directory if there is one."""
+
+    def __init__(self, store, values):
+        self.directory = None if store is None else pathlib.Path(store)
+        self.results = {}
+        if self.directory is None:
+            return
+        self.directory.mkdir(parents=True, exist_ok=True)
+        for i, value in enumerate(values):
+            path = self.directory / f"{i}.pickle"
+            if path.exists():
+                of, self.results[i] = pickle.loads(path.read_bytes())
+                if pickle.dumps(of) != pickle.dumps(value):
+                    raise Error(f"store: expected results of these values, got other values in "
+                                f"{path}: {of!r}, not {value!r}")
+
+    def keep(self, i, value, result):
+        self.results[i] = result
+        if self.directory is not None:
+            path = self.directory / f"{i}.pickle"
+            part = path.with_suffix(".part")
+            part.write_bytes(pickle.dumps((value, result)))
+            os.replace(part, path)

@@ -1,0 +1,134 @@
+"""Functions of Python that the library calls: their values, exceptions, lifetime and threads."""
+
+import gc
+import signal
+import threading
+import time
+
+import numpy as np
+import pytest
+from models import oscillator
+
+import periodyn as pdn
+
+
+def test_what_a_function_raises_comes_out_of_the_call():
+    def broken(_time):
+        raise ZeroDivisionError("no force today")
+
+    model, *_ = oscillator(force=broken)
+    with pytest.raises(ZeroDivisionError, match="no force today"):
+        model.solve_periodic(2 * np.pi)
+    # and the next error is another
+    with pytest.raises(pdn.Error, match="period"):
+        model.solve_periodic(-1.0)
+
+
+def test_a_function_that_gives_no_number():
+    model, *_ = oscillator(force=lambda _time: "one")
+    with pytest.raises(TypeError):
+        model.solve_periodic(2 * np.pi)
+
+
+def test_functions_live_as_long_as_they_are_needed():
+    model, body, *_ = oscillator(force=lambda time: np.cos(time))
+    solution = model.solve_periodic(2 * np.pi)
+    del model
+    gc.collect()
+    again = solution.model().solve_periodic(2 * np.pi)
+    assert again.node_position(body, 0.0)[0, 0] == solution.node_position(body, 0.0)[0, 0]
+
+
+def test_progress_sees_iterations_and_cancels():
+    model, *_ = oscillator()
+    numbers = []
+    model.solve_periodic(2 * np.pi, progress=lambda told: numbers.append(told.iteration))
+    assert max(numbers) >= 1
+    stopped = model.solve_periodic(2 * np.pi, progress=lambda _told: True)
+    assert stopped.outcome_name == "CANCELLED" and not stopped.converged
+
+    def broken(_told):
+        raise RuntimeError("in progress")
+
+    with pytest.raises(RuntimeError, match="in progress"):
+        model.solve_periodic(2 * np.pi, progress=broken)
+    with pytest.raises(pdn.Error, match="expected a function"):
+        model.solve_periodic(2 * np.pi, progress=3)
+
+
+def test_control_c_ends_a_solve():
+    model, *_ = oscillator()
+    timer = threading.Timer(0.3, signal.raise_signal, [signal.SIGINT])
+    timer.start()
+    began = time.monotonic()
+    with pytest.raises(KeyboardInterrupt):
+        model.march(duration=1e6, step=1e-2)
+    timer.join()
+    assert time.monotonic() - began < 30
+
+
+def test_forces_on_nodes_with_tangents():
+    """A spring of stiffness 5 with a damper of 0.2, written twice."""
+    def force(state, values):
+        values.forces[0, 0] = -5 * state.positions[0, 0] - 0.2 * state.velocities[0, 0]
+        if values.by_motion is not None:
+            values.by_motion[0, 0] = -5
+            values.by_velocity[0, 0] = -0.2
+
+    model, body, *_ = oscillator(stiffness=0.0, damping=0.0)
+    user = model.add_user_force([body], pdn.FRAME_SPACE, pdn.TANGENTS_GIVEN, force)
+    assert model.check_tangents(user, 2 * np.pi).error < 1e-6
+    expected, same, *_ = oscillator(stiffness=5.0, damping=0.2)
+    np.testing.assert_allclose(
+        model.solve_periodic(2 * np.pi).node_position(body, 1.0),
+        expected.solve_periodic(2 * np.pi).node_position(same, 1.0), atol=1e-12)
+
+
+def test_tangents_are_row_by_column():
+    """A force along axis 1 that a turn about axis 3 makes: row 0, column 5."""
+    def force(state, values):
+        values.forces[0, 0] = 2 * state.rotations[0, 1, 0]
+        if values.by_motion is not None:
+            values.by_motion[0, 3:] = [-2 * state.rotations[0, 2, 0], 0,
+                                       2 * state.rotations[0, 0, 0]]
+
+    model = pdn.Model()
+    body = model.add_rigid_body(1, [0, 0, 0], np.eye(3))
+    joint = model.add_free_joint(pdn.GROUND, body, [0, 0, 0])
+    for coordinate in range(6):
+        model.add_spring_damper(joint, coordinate, 10, 1, 0)
+    user = model.add_user_force([body], pdn.FRAME_SPACE, pdn.TANGENTS_GIVEN, force)
+    assert model.check_tangents(user, 1.0).error < 1e-6
+
+
+def test_laws_with_and_without_derivatives():
+    expected, node, *_ = oscillator()
+    wanted = expected.solve_periodic(2 * np.pi).node_position(node, 1.0)
+    laws = {
+        pdn.TANGENTS_DIFFERENCED: lambda _time, x, v: 3 * x,
+        pdn.TANGENTS_GIVEN: lambda _time, x, v: (3 * x, (3, 0)),
+    }
+    for tangents, law in laws.items():
+        model, body, joint, _ = oscillator(stiffness=1.0)
+        model.add_coordinate_law(joint, pdn.DISPLACEMENT, tangents, law)
+        found = model.solve_periodic(2 * np.pi).node_position(body, 1.0)
+        np.testing.assert_allclose(found, wanted, atol=1e-10)
+
+
+def test_solves_run_on_threads_at_once():
+    """A solve does not hold the interpreter: another thread counts on."""
+    model, *_ = oscillator(force=0.0, damping=0.0)
+    done = threading.Event()
+
+    def solve():
+        model.march(duration=300.0, step=1e-2)
+        done.set()
+
+    thread = threading.Thread(target=solve)
+    thread.start()
+    counted = 0
+    while not done.is_set() and counted < 10**6:
+        counted += 1
+        time.sleep(0.001)
+    thread.join()
+    assert counted > 3

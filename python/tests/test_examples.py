@@ -1,0 +1,37 @@
+"""The examples run, and show what they are to show."""
+
+import pathlib
+import re
+import subprocess
+import sys
+
+ROOT = pathlib.Path(__file__).parents[2]
+EXAMPLES = ROOT / "python/examples"
+
+
+def run(name, *arguments):
+    done = subprocess.run([sys.executable, EXAMPLES / name, *arguments], check=True,
+                          capture_output=True, text=True)
+    return done.stdout
+
+
+def test_pendulum():
+    assert "converged" in run("pendulum.py")
+
+
+def test_rotor_blade(tmp_path):
+    picture = tmp_path / "blade.png"
+    assert "converged" in run("rotor_blade.py", picture)
+    assert picture.read_bytes().startswith(b"\x89PNG")
+
+
+def test_spatial_four_bar():
+    # what c_examples/spatial_four_bar prints
+    assert run("spatial_four_bar.py").splitlines()[-1] == (
+        "Torque of the motor: -10.6654 N m at 0.718 T to 8.5642 N m at 0.390 T")
+
+
+def test_the_page_shows_the_examples():
+    shown = re.findall(r"```python\n(.*?)```", (ROOT / "docs/python.md").read_text(), re.S)
+    files = [(EXAMPLES / name).read_text() for name in ("pendulum.py", "rotor_blade.py")]
+    assert shown == [file.partition('"""\n\n')[2] for file in files]

@@ -1,0 +1,143 @@
+"""Results against closed forms, and their shapes."""
+
+import pickle
+
+import numpy as np
+import pytest
+from models import cantilever, oscillator, solution_for
+
+import periodyn as pdn
+
+TIMES = np.linspace(0, 2 * np.pi, 9)
+
+
+def exact(times, stiffness=4.0, damping=0.1):
+    return np.real(np.exp(1j * times) / (stiffness - 1 + 1j * damping))
+
+
+@pytest.mark.parametrize("force", [
+    np.cos,
+    pdn.Signal().set_harmonics(cosines=[1], sines=[0]),
+    pdn.Signal().set_harmonics(cosines=[1]),
+    pdn.Signal().set_samples(np.cos(2 * np.pi * np.arange(8) / 8)),
+], ids=["function", "harmonics", "cosines alone", "samples"])
+def test_an_oscillator_follows_its_force(force):
+    model, body, joint, spring = oscillator(force=force)
+    solution = model.solve_periodic(2 * np.pi)
+    assert solution.converged and solution.outcome_name == "CONVERGED"
+    assert "converged" in str(solution)
+    position = solution.node_position(body, TIMES)
+    assert position.shape == (9, 3)
+    np.testing.assert_allclose(position[:, 0], exact(TIMES), atol=1e-12)
+    coordinate = solution.joint_coordinate(joint, pdn.DISPLACEMENT, TIMES)
+    np.testing.assert_allclose(coordinate, exact(TIMES), atol=1e-12)
+    rate = solution.joint_rate(joint, pdn.DISPLACEMENT, TIMES)
+    np.testing.assert_allclose(solution.force_effort(spring, TIMES), 4 * coordinate + 0.1 * rate,
+                               atol=1e-12)
+    mean, cosines, sines = solution.node_harmonics(body, pdn.NODE_POSITION, 3)
+    assert mean.shape == (3,) and cosines.shape == sines.shape == (3, 3)
+    factor = 1 / (3 + 0.1j)
+    np.testing.assert_allclose([cosines[0, 0], sines[0, 0]], [factor.real, -factor.imag],
+                               atol=1e-12)
+    mean, rate, cosines, sines = solution.joint_harmonics(joint, pdn.JOINT_COORDINATE,
+                                                          pdn.DISPLACEMENT, 3)
+    assert mean.shape == () and cosines.shape == (3,)
+    assert len(solution.decay()) == (solution.diagnostics().grid_points + 1) // 2
+    assert len(solution.history()[0]) == solution.diagnostics().iterations
+
+
+def test_matrices_are_rows_by_columns():
+    model = pdn.Model()
+    turned = np.array([[0, -1, 0], [1, 0, 0], [0, 0, 1.0]])
+    node = model.add_node([1, 2, 3], turned)
+    frame = model.node_frame(node)
+    np.testing.assert_array_equal(frame.rotation, turned)
+    np.testing.assert_array_equal(frame.position, [1, 2, 3])
+    model.add_mass(node, 1, [1, 2, 3], np.eye(3))
+    model.add_joint(pdn.JOINT_RIGID, pdn.GROUND, node, frame, frame)
+    rotation = model.solve_static().node_rotation(node, [0.0, 1.0])
+    np.testing.assert_allclose(rotation, [turned, turned], atol=1e-12)
+
+    # A section whose damping couples axial rate to a moment only: row 0, column 4.
+    section = pdn.Section().set_diagonal([1] * 6, [1] * 4)
+    section.damping[0, 4] = 3
+    assert section._c.damping[4 * 6 + 0] == 3
+    assert section.damping[0, 4] == 3
+
+
+def test_a_turning_frame_is_found_again():
+    angles = 2 * np.pi * np.arange(5) / 5
+    rotations = np.array([[[np.cos(a), -np.sin(a), 0], [np.sin(a), np.cos(a), 0], [0, 0, 1]]
+                          for a in angles])
+    position, rotation, velocity, acceleration = pdn.motion_interpolate(
+        1.0, np.zeros((5, 3)), rotations, [0.3])
+    angle = 2 * np.pi * 0.3
+    np.testing.assert_allclose(rotation[0, :2, 0], [np.cos(angle), np.sin(angle)], atol=1e-12)
+    np.testing.assert_allclose(velocity[0], [0, 0, 0, 0, 0, 2 * np.pi], atol=1e-12)
+    # δω = dδψ/dt + ω × δψ, for δψ that is the same at all times, about axis 2 or 1
+    _, _, velocity_tangent, _ = pdn.motion_grid_kinematics(1.0, np.zeros((5, 3)), rotations)
+    assert velocity_tangent.shape == (30, 30)
+    assert velocity_tangent[3, 4::6].sum() == pytest.approx(-2 * np.pi)
+    assert velocity_tangent[4, 3::6].sum() == pytest.approx(2 * np.pi)
+
+
+def test_a_cantilever_bends_and_vibrates():
+    model, beam, bending = cantilever()
+    static = model.solve_static()
+    deflection = static.node_position(beam.last, 0.0)[0, 2]
+    assert deflection == pytest.approx(1 / (3 * bending), rel=1e-4)
+    modes = model.solve_modes(count=4)
+    assert len(modes) == 4 and modes.converged
+    first = 1.875104068711961**2 / (2 * np.pi) * np.sqrt(bending / 0.8)
+    np.testing.assert_allclose(modes.frequencies[:2], first, rtol=1e-3)
+    real, imaginary = modes.shape(0, [beam.first, beam.last])
+    assert real.shape == (2, 6) and abs(real[1]).max() > 0.5
+    with pytest.raises(IndexError):
+        modes[4]
+
+
+def test_stations_along_a_line():
+    root = pdn.Section().set_diagonal([2e7, 7e6, 7e6, 150, 200, 200], [0.8, 2e-5, 1e-5, 1e-5])
+    tip = pdn.Section().set_diagonal([1e7, 3e6, 3e6, 50, 60, 60], [0.4, 1e-5, 5e-6, 5e-6])
+    line = pdn.Line().set_curve(lambda x: ([x, 0, 0], [0, 1, 0]))
+    stations = pdn.Stations(fractions=[0, 1], sections=[root, tip], twists=[0, 0.1])
+    model = pdn.Model()
+    model.add_beam(line, stations, 4, 3)
+    mass, centre = model.mass()
+    assert mass == pytest.approx(0.6)
+    assert centre[0] == pytest.approx((0.8 / 2 - 0.4 / 3) / 0.6)
+    with pytest.raises(pdn.Error, match="fractions: expected an array of 2, got 3"):
+        wrong = pdn.Stations(fractions=[0, 0.5, 1], sections=[root, tip])
+        model.add_beam(line, wrong, 4, 3)
+
+
+def test_solutions_are_pickled_and_read_again(tmp_path):
+    solution = solution_for(4.0)
+    again = pickle.loads(pickle.dumps(solution))
+    np.testing.assert_array_equal(again.node_position(0, TIMES), solution.node_position(0, TIMES))
+    solution.save(tmp_path / "saved")
+    assert pdn.Solution.load(tmp_path / "saved").model().node_count() == 1
+
+
+def test_tables(tmp_path):
+    solution = solution_for(4.0)
+    table = pdn.Table(TIMES)
+    table.add_node(solution, 0, pdn.NODE_POSITION, "mass")
+    table.add_values("twice", 2 * TIMES)
+    table.write_csv(tmp_path / "table.csv")
+    read = np.genfromtxt(tmp_path / "table.csv", delimiter=",", names=True)
+    np.testing.assert_array_equal(read["t"], TIMES)
+    np.testing.assert_allclose(read["massx"], exact(TIMES), atol=1e-12)
+    frame = pytest.importorskip("pandas") and table.to_frame()
+    assert list(frame.columns) == ["t", "mass.x", "mass.y", "mass.z", "twice"]
+
+
+def test_marches_start_where_they_are_told():
+    model, body, *_ = oscillator(damping=0.0, force=0.0)
+    march = model.march(duration=1.0, step=0.01, positions=[[1, 0, 0]], rotations=[np.eye(3)],
+                        velocities=np.zeros((1, 6)))
+    assert march.march().steps == 100
+    end = march.node_position(body, 1.0)[0, 0]
+    assert end == pytest.approx(np.cos(2.0), abs=2e-3)
+    with pytest.raises(pdn.Error, match="positions: expected an array of 1 x 3, got 2 x 3"):
+        model.march(duration=1.0, step=0.01, positions=np.zeros((2, 3)))

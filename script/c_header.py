@@ -1,0 +1,72 @@
+"""What include/periodyn.h declares, as data: bindings of other languages are written from it."""
+
+import re
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parent.parent
+HEADER = ROOT / "include/periodyn.h"
+
+DOCUMENTED = r"/\*\*((?:(?!\*/).)*?)\*/\s*"
+ARGUMENTS = r"\(([^()]*)\);"
+
+
+def text_of(comment):
+    """The text of a comment, its lines without stars."""
+    return re.sub(r"^\s*\* ?", "", comment, flags=re.M).strip()
+
+
+class Header:
+    """What periodyn.h declares, in its order; `docs` has what it says of each name."""
+
+    def __init__(self, text):
+        self.constants = re.findall(r"^#define (PDN_[A-Z0-9_]+) (-?\d+)$", text, re.M)
+        self.opaque = re.findall(r"^typedef struct (\w+) \1;", text, re.M)
+        self.structs = {
+            name: [
+                {**self.declaration(declared), "said": " ".join(text_of(said).split())}
+                for said, declared in re.findall(DOCUMENTED + r"([^;/]+);", body, re.S)
+            ]
+            for name, body in re.findall(
+                r"^typedef struct (\w+) \{\n(.*?)^\} \1;", text, re.M | re.S)
+        }
+        named = r"(?:#define (PDN_\w+) -?\d+$|typedef struct (\w+)|" \
+            r"(?:PDN_API\s)?[\w ]*?[ *](pdn_\w+)\()"
+        self.docs = {
+            "".join(names): text_of(said)
+            for said, *names in re.findall(DOCUMENTED + named, text, re.S | re.M)
+        }
+        self.callbacks = [self.prototype(*found) for found in re.findall(
+            DOCUMENTED + r"typedef (\w+) \(\*(\w+)\)" + ARGUMENTS, text, re.S)]
+        self.functions = [
+            self.prototype(doc, kind + star, name, arguments)
+            for doc, kind, star, name, arguments in re.findall(
+                DOCUMENTED + r"PDN_API\s+((?:const )?\w+) (\*?)(\w+)" + ARGUMENTS, text, re.S
+            )
+        ]
+        self.callback_names = {function["name"] for function in self.callbacks}
+
+    @staticmethod
+    def declaration(text):
+        """Base type, number of stars, const, name, length of an array in a struct."""
+        text = " ".join(text.split())
+        const = text.startswith("const ")
+        text = re.sub(r"\b(const|struct) ", "", text)
+        base, stars, name, length = re.fullmatch(r"(\w+) (\**)(\w+)(?:\[(\d+)\])?", text).groups()
+        return {"base": base, "stars": len(stars), "const": const, "name": name, "length": length}
+
+    def prototype(self, doc, result, name, arguments):
+        doc = " ".join(text_of(doc).split())
+        told = dict(re.findall(r"@param (\w+) +(.*?)(?= @|$| Threads:)", doc))
+        parameters = []
+        for text in [] if arguments.strip() == "void" else arguments.split(","):
+            parameter = self.declaration(text)
+            said = told.get(parameter["name"], "")
+            inherited = parameters[-1]["optional"] if "likewise" in said and parameters else False
+            parameter["optional"] = inherited or ("NULL" in said and "not NULL" not in said)
+            parameter["structs"] = "array of" in said
+            parameter["array"] = "array of" in said or "likewise" in said or "as cosines" in said \
+                or "matrix of" in said or "same by" in said
+            parameter["said"] = said
+            parameters.append(parameter)
+        return {"name": name, "result": result, "summary": re.split(r"\.(?: |$)", doc)[0],
+                "doc": doc, "parameters": parameters}
