@@ -43,7 +43,7 @@
 //!
 //! Then `PDN_BLESS=1 cargo test --test header` rewrites the header, and
 //! `PDN_BLESS=1 ctest -R symbols` appends to `tests/abi/symbols.txt`. `script/fortran_interface`
-//! binds it in `include/periodyn.f90`; a method in `include/periodyn.hpp` and one in that file's
+//! and `script/python_interface` bind it in Fortran and Python; a method in `include/periodyn.hpp` and one in that file's
 //! module `periodyn` make it C++ and Fortran.
 //!
 //! * Read *every* argument, outputs included, before the core is called; set outputs last. So a
