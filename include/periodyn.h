@@ -2138,7 +2138,8 @@ pdn_status pdn_model_element_count(const struct pdn_model *model,
  * @param mass  total mass of bodies, masses and beams [mass]; written on success only
  * @param centre  array of length 3: centre of mass, global coordinates [length]; may be NULL if it
  *     is not wanted; written on success only
- * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_AVAILABLE (a centre is wanted, and the mass is zero)
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_AVAILABLE (a centre is wanted, and the mass is zero),
+ *     PDN_ERR_OVERFLOW
  *
  * Threads: `model` is `const`.
  * @since 0.1
@@ -4493,7 +4494,7 @@ void pdn_summary_init(struct pdn_summary *summary,
  * @param model  the model
  * @param out  initialised by PDN_INIT; filled on success only
  * @return PDN_OK; PDN_ERR_NULL; PDN_ERR_STRUCT_SIZE; PDN_ERR_MODEL (no node, a beam too
- *     distorted); PDN_ERR_CALLBACK (of a signal)
+ *     distorted); PDN_ERR_OVERFLOW (of the mass); PDN_ERR_CALLBACK (of a signal)
  *
  * Threads: like `const`. Signals' functions are called on this thread.
  * @since 0.1

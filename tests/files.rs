@@ -189,6 +189,16 @@ fn files_come_whole_or_not_at_all() {
             fs::read_to_string(at("target.csv")).unwrap(),
             "t,x\n0.0,1.0\n"
         );
+        // What a link leads to is made where it is not there yet.
+        symlink("later.csv", at("early.csv")).unwrap();
+        table.write_csv(&at("early.csv")).unwrap();
+        assert!(fs::symlink_metadata(at("early.csv")).unwrap().is_symlink());
+        assert!(fs::symlink_metadata(at("later.csv")).unwrap().is_file());
+        symlink("round.csv", at("round.csv")).unwrap();
+        let error = table.write_csv(&at("round.csv")).unwrap_err().to_string();
+        assert!(error.contains("too many"), "{error}");
+        // Names as long as the system allows.
+        table.write_csv(&at(&"x".repeat(255))).unwrap();
         // A new file has the permissions of new files.
         fs::File::create(at("plain")).unwrap();
         table.write_csv(&at("new.csv")).unwrap();

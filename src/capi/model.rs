@@ -216,7 +216,8 @@ pub unsafe extern "C" fn pdn_model_element_count(
 /// @param mass  total mass of bodies, masses and beams [mass]; written on success only
 /// @param centre  array of length 3: centre of mass, global coordinates [length]; may be NULL if it
 ///     is not wanted; written on success only
-/// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_AVAILABLE (a centre is wanted, and the mass is zero)
+/// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_AVAILABLE (a centre is wanted, and the mass is zero),
+///     PDN_ERR_OVERFLOW
 ///
 /// Threads: `model` is `const`.
 /// @since 0.1

@@ -68,7 +68,7 @@ pub unsafe extern "C" fn pdn_summary_init(summary: *mut pdn_summary, struct_size
 /// @param model  the model
 /// @param out  initialised by PDN_INIT; filled on success only
 /// @return PDN_OK; PDN_ERR_NULL; PDN_ERR_STRUCT_SIZE; PDN_ERR_MODEL (no node, a beam too
-///     distorted); PDN_ERR_CALLBACK (of a signal)
+///     distorted); PDN_ERR_OVERFLOW (of the mass); PDN_ERR_CALLBACK (of a signal)
 ///
 /// Threads: like `const`. Signals' functions are called on this thread.
 /// @since 0.1

@@ -3,7 +3,7 @@
 use super::Model;
 use super::validation::{require_motion, require_positive};
 use crate::elements::{Beam, Element, Inertia};
-use crate::error::{Error, Result, require_finite};
+use crate::error::{Error, ErrorKind, Result, require_finite};
 use crate::motion::Motion;
 use nalgebra::{Matrix3, Matrix6, Vector3};
 use serde::de::Error as _;
@@ -148,7 +148,7 @@ impl Model {
     /// Total mass and its first moment `Σ m r`, in the inertial frame.
     ///
     /// # Errors
-    /// If a beam is too distorted.
+    /// If a beam is too distorted, or [`ErrorKind::Overflow`].
     pub fn mass_and_moment(&self) -> Result<(f64, Vector3<f64>)> {
         let inertias = self.inertia_elements(&self.beam_elements()?)?;
         let mut total = (0.0, Vector3::zeros());
@@ -157,6 +157,10 @@ impl Model {
             let (mass, moment) = inertia.mass_and_moment(&motions);
             total.0 += mass;
             total.1 += moment;
+        }
+        if !(total.0.is_finite() && total.1.iter().all(|x| x.is_finite())) {
+            let message = "mass, or mass times distance, is too large to be a number in total";
+            return Err(Error::new(ErrorKind::Overflow, message));
         }
         Ok(total)
     }

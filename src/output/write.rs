@@ -1,11 +1,13 @@
 //! Files that come whole or not at all.
 
 use crate::error::{Error, ErrorKind, Result};
-use std::ffi::OsStr;
 use std::fs::{self, OpenOptions};
 use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};
 use tempfile::{Builder, NamedTempFile};
+
+/// Links that lead to links, at most.
+const MOST_LINKS: usize = 40;
 
 /// The system refused something that was tried with `path`.
 pub(super) fn refused(what: &str, path: &Path, error: &io::Error) -> Error {
@@ -44,11 +46,7 @@ fn attempt(path: &Path, write: impl FnOnce(&mut dyn Write) -> io::Result<()>) ->
         write(&mut buffer)?;
         return buffer.flush();
     }
-    // Through a link, what it leads to is replaced.
-    let target = match &existing {
-        Ok(_) => fs::canonicalize(path)?,
-        Err(_) => path.to_owned(),
-    };
+    let target = followed(path)?;
     let temporary = temporary_beside(&target)?;
     if let Ok(existing) = existing {
         // Whoever may not write the file may not replace it either.
@@ -63,6 +61,18 @@ fn attempt(path: &Path, write: impl FnOnce(&mut dyn Write) -> io::Result<()>) ->
     temporary.as_file().sync_all()?;
     temporary.persist(target).map_err(|e| e.error)?;
     Ok(())
+}
+
+/// What is replaced or made: that which a link leads to, whether it is there or not.
+fn followed(path: &Path) -> io::Result<PathBuf> {
+    let mut target = path.to_owned();
+    for _ in 0..MOST_LINKS {
+        match fs::read_link(&target) {
+            Ok(leads_to) => target = directory_of(&target).join(leads_to),
+            Err(_) => return Ok(target),
+        }
+    }
+    Err(io::Error::other("it is one of too many links"))
 }
 
 /// Directory that `path` is in.
@@ -81,11 +91,8 @@ fn temporary_beside(path: &Path) -> io::Result<NamedTempFile> {
         ));
     }
     let mut builder = Builder::new();
-    let prefix = format!(
-        ".{}.",
-        path.file_name().map_or("".into(), OsStr::to_string_lossy)
-    );
-    builder.prefix(&prefix);
+    // Not of the file's own name, which may be as long as names can be.
+    builder.prefix(".periodyn.");
     // With the permissions that a new file has; that of temporary files is less.
     #[cfg(unix)]
     builder.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o666));

@@ -163,6 +163,18 @@ static void spatial_mechanism(void)
     CHECK_MESSAGE("centre: expected a model that has mass");
     CHECK(mass == -1.0 && centre[0] == -1.0);
 
+    /* Masses that are numbers, with a sum that is none. */
+    const double far[3] = {0, 0, 0}, none[9] = {0};
+    pdn_model *heavy = NULL;
+    CHECK_STATUS(pdn_model_new(&heavy), PDN_OK);
+    for (int i = 0; i < 2; ++i) {
+        int32_t node;
+        CHECK_STATUS(pdn_model_add_rigid_body(heavy, 1e308, far, none, &node), PDN_OK);
+    }
+    CHECK_STATUS(pdn_model_mass(heavy, &mass, NULL), PDN_ERR_OVERFLOW);
+    CHECK(mass == -1.0);
+    pdn_model_free(heavy);
+
     CHECK_STATUS(pdn_model_add_straight_beam(model, A, B, i2, &section, 8, 1, &rocker), PDN_OK);
     CHECK(rocker.first == 0 && rocker.last == 8 && rocker.first_element == 0);
     CHECK(rocker.elements == 8 && rocker.reserved[0] == 0 && rocker.reserved[3] == 0);
