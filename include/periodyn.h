@@ -347,8 +347,8 @@
 #define PDN_NO_INITIAL_GUESS 5
 
 /**
- * Constraints that depend on each other contradict each other: the mechanism is locked, or cannot
- * close.
+ * Outcome: constraints that depend on each other contradict each other; the mechanism is locked,
+ * or cannot close.
  */
 #define PDN_INCONSISTENT 6
 

@@ -145,8 +145,8 @@ CANCELLED = 4
 NO_INITIAL_GUESS = 5
 """Outcome: no initial guess could be found."""
 INCONSISTENT = 6
-"""Constraints that depend on each other contradict each other: the mechanism is locked, or cannot
-close.
+"""Outcome: constraints that depend on each other contradict each other; the mechanism is locked,
+or cannot close.
 """
 WRONG_ASSEMBLY = 7
 """Outcome: a joint has closed turned over, its axes against each other; the report names it."""
@@ -280,6 +280,7 @@ OUTCOMES = {
     3: "SINGULAR",
     4: "CANCELLED",
     5: "NO_INITIAL_GUESS",
+    6: "INCONSISTENT",
     7: "WRONG_ASSEMBLY",
     8: "TOLERANCE_NOT_MET",
 }

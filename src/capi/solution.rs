@@ -40,8 +40,8 @@ pub const PDN_SINGULAR: i32 = 3;
 pub const PDN_CANCELLED: i32 = 4;
 /// Outcome: no initial guess could be found.
 pub const PDN_NO_INITIAL_GUESS: i32 = 5;
-/// Constraints that depend on each other contradict each other: the mechanism is locked, or cannot
-/// close.
+/// Outcome: constraints that depend on each other contradict each other; the mechanism is locked,
+/// or cannot close.
 pub const PDN_INCONSISTENT: i32 = 6;
 /// Outcome: a joint has closed turned over, its axes against each other; the report names it.
 pub const PDN_WRONG_ASSEMBLY: i32 = 7;

@@ -1,0 +1,35 @@
+"""The guide's blocks run in their order and print what it says."""
+
+import contextlib
+import io
+import pathlib
+import re
+
+GUIDE = pathlib.Path(__file__).parents[2] / "docs/guide.md"
+
+
+def masked(text):
+    """Lines without their numbers, and without repetitions: what differs by rounding and time."""
+    lines = []
+    for line in text.strip().splitlines():
+        line = " ".join(re.sub(r"-?\d[\d.]*(e[-+]?\d+)?", "#", line).split())
+        if line not in lines:
+            lines.append(line)
+    return lines
+
+
+def test_the_guide_tells_what_happens():
+    blocks = re.findall(r"```(\w+)\n(.*?)```", GUIDE.read_text(encoding="utf-8"), re.S)
+    names, printed, compared = {}, "", 0
+    for kind, block in blocks:
+        if kind == "python":
+            with contextlib.redirect_stdout(io.StringIO()) as out:
+                exec(compile(block, str(GUIDE), "exec"), names)  # the guide's own program
+            printed = out.getvalue()
+        elif kind == "text":
+            assert printed.rstrip() == block.rstrip()
+            compared += 1
+        elif kind == "report":
+            assert masked(printed) == masked(block)
+            compared += 1
+    assert compared == len([kind for kind, _ in blocks if kind != "python"]) > 8
