@@ -31,6 +31,14 @@ def test_spatial_four_bar():
         "Torque of the motor: -10.6654 N m at 0.718 T to 8.5642 N m at 0.390 T")
 
 
+def test_nrel_5mw_campbell(tmp_path):
+    printed = run("nrel_5mw_campbell.py", tmp_path / "campbell.png").splitlines()
+    at_rest = [float(word) for word in printed[1].split()]
+    # those of 48 elements of degree 3, and the same at rest
+    for found, wanted in zip(at_rest, [0, 0.68576, 1.08051, 1.94643]):
+        assert abs(found - wanted) <= 3e-3 * wanted
+
+
 def test_the_page_shows_the_examples():
     shown = re.findall(r"```python\n(.*?)```", (ROOT / "docs/python.md").read_text(), re.S)
     files = [(EXAMPLES / name).read_text() for name in ("pendulum.py", "rotor_blade.py")]
