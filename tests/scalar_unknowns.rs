@@ -48,14 +48,22 @@ impl ScalarEquations for Period {
         equations.set_period(values[0])
     }
 
-    fn residual(&self, equations: &Collocation, state: &GridState, out: &mut [f64]) {
+    fn residual(&self, equations: &Collocation, state: &GridState, out: &mut [f64]) -> Result<()> {
         let length = equations.system().scales().length;
         out[0] = state.node(0)[0].position.x / length;
+        Ok(())
     }
 
-    fn gradient(&self, equations: &Collocation, _: &GridState, _: usize, row: &mut [f64]) {
+    fn gradient(
+        &self,
+        equations: &Collocation,
+        _: &GridState,
+        _: usize,
+        row: &mut [f64],
+    ) -> Result<()> {
         // Nothing turns.
         row[equations.layout().motion(0, 0).start] = 1.0;
+        Ok(())
     }
 }
 
@@ -111,16 +119,24 @@ impl ScalarEquations for Trim {
         })
     }
 
-    fn residual(&self, equations: &Collocation, state: &GridState, out: &mut [f64]) {
+    fn residual(&self, equations: &Collocation, state: &GridState, out: &mut [f64]) -> Result<()> {
         let sum: f64 = state.node(0).iter().map(|m| m.position.x).sum();
         let length = equations.system().scales().length;
         out[0] = (sum / state.points() as f64 - self.0) / length;
+        Ok(())
     }
 
-    fn gradient(&self, equations: &Collocation, state: &GridState, _: usize, row: &mut [f64]) {
+    fn gradient(
+        &self,
+        equations: &Collocation,
+        state: &GridState,
+        _: usize,
+        row: &mut [f64],
+    ) -> Result<()> {
         for k in 0..state.points() {
             row[equations.layout().motion(0, k).start] = 1.0 / state.points() as f64;
         }
+        Ok(())
     }
 }
 
@@ -190,16 +206,24 @@ impl ScalarEquations for Hold {
         Ok(())
     }
 
-    fn residual(&self, _: &Collocation, state: &GridState, out: &mut [f64]) {
+    fn residual(&self, _: &Collocation, state: &GridState, out: &mut [f64]) -> Result<()> {
         let angles = state.node(0).iter();
         let angles = angles.map(|m| m.rotation[(1, 0)].atan2(m.rotation[(0, 0)]));
         out[0] = angles.sum::<f64>() / state.points() as f64 - self.mean;
+        Ok(())
     }
 
-    fn gradient(&self, equations: &Collocation, state: &GridState, _: usize, row: &mut [f64]) {
+    fn gradient(
+        &self,
+        equations: &Collocation,
+        state: &GridState,
+        _: usize,
+        row: &mut [f64],
+    ) -> Result<()> {
         for k in 0..state.points() {
             row[equations.layout().motion(0, k).start + 5] = 1.0 / state.points() as f64;
         }
+        Ok(())
     }
 }
 

@@ -42,7 +42,10 @@ fn together(system: &System) -> Vec<Together> {
         }
     }
     for (index, placed) in system.elements().iter().enumerate() {
-        let along = matches!(placed.role, ElementRole::Inertia | ElementRole::Load);
+        let along = matches!(
+            placed.role,
+            ElementRole::Inertia | ElementRole::Load | ElementRole::MassDamping
+        );
         if along && let Some(&beam) = by_nodes.get(placed.element.nodes()) {
             found[beam].others.push(index);
         }

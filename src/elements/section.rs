@@ -28,6 +28,15 @@ impl Section {
         }
     }
 
+    /// This section with factors of stiffness, mass and damping.
+    fn scaled(&self, [stiffness, mass, damping]: &[f64; 3]) -> Section {
+        Section {
+            stiffness: self.stiffness * *stiffness,
+            mass: self.mass * *mass,
+            damping: self.damping * *damping,
+        }
+    }
+
     /// This section in axes from which its own are turned by `angle` about axis 1.
     pub(super) fn turned(&self, angle: f64) -> Section {
         let both = turn_of_both(&rotation_from_vector(&(Vector3::x() * angle)));
@@ -73,6 +82,15 @@ impl SectionLine {
             places,
             twists: Vec::new(),
         }
+    }
+
+    /// The same with factors of stiffness, mass and damping.
+    pub fn scaled(&self, factors: &[f64; 3]) -> Self {
+        let mut scaled = self.clone();
+        for (_, section) in &mut scaled.places {
+            *section = section.scaled(factors);
+        }
+        scaled
     }
 
     /// Number of places inside the element, where the slope of the section may jump.

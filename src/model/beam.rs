@@ -20,6 +20,13 @@ pub struct BeamDefinition {
     /// Cross-sections along the element.
     #[serde(flatten)]
     pub sections: SectionLine,
+    /// Factors of stiffness, mass and damping of all of them.
+    #[serde(default = "no_factors")]
+    pub factors: [f64; 3],
+}
+
+fn no_factors() -> [f64; 3] {
+    [1.0; 3]
 }
 
 /// What a meshed beam consists of: its nodes and elements, in order and numbered consecutively.
@@ -241,7 +248,11 @@ impl Model {
     fn place_beam_element(&mut self, nodes: &[usize], sections: SectionLine) -> Result<usize> {
         self.require_axis_along(nodes)?;
         let nodes = nodes.to_vec();
-        let definition = BeamDefinition { nodes, sections };
+        let definition = BeamDefinition {
+            nodes,
+            sections,
+            factors: no_factors(),
+        };
         let beam = self.element_of(&definition)?;
         if beam.has_mass() {
             beam.inertia()?;
@@ -254,7 +265,8 @@ impl Model {
     /// The element of a beam.
     pub(super) fn element_of(&self, beam: &BeamDefinition) -> Result<Beam> {
         let reference = beam.nodes.iter().map(|&n| self.nodes[n]).collect();
-        Beam::new(beam.nodes.clone(), reference, beam.sections.clone())
+        let sections = beam.sections.scaled(&beam.factors);
+        Beam::new(beam.nodes.clone(), reference, sections)
     }
 
     /// The beam element of this number.

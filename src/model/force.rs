@@ -50,6 +50,9 @@ pub enum ForceDefinition {
         at: JointCoordinate,
         /// The law.
         law: UserFunction<CoordinateLaw>,
+        /// Whether it is told the phase in place of the time.
+        #[serde(default)]
+        of_phase: bool,
     },
     /// Generalised Maxwell model on a joint coordinate, see [`crate::elements::Viscoelastic`].
     Viscoelastic {
@@ -77,6 +80,9 @@ pub enum ForceDefinition {
         nodes: Vec<usize>,
         /// The law.
         law: UserFunction<NodeForceLaw>,
+        /// Whether it is told the phase in place of the time.
+        #[serde(default)]
+        of_phase: bool,
     },
 }
 
@@ -215,7 +221,11 @@ impl Model {
     /// id.
     pub fn add_coordinate_law(&mut self, at: JointCoordinate, law: CoordinateLaw) -> Result<usize> {
         let law = UserFunction::new(law);
-        self.add_force(ForceDefinition::CoordinateLaw { at, law })
+        self.add_force(ForceDefinition::CoordinateLaw {
+            at,
+            law,
+            of_phase: false,
+        })
     }
 
     /// Adds a generalised Maxwell model on a joint coordinate `q`, against growth: effort
@@ -275,7 +285,29 @@ impl Model {
     /// Adds forces on nodes that a user's function computes; returns the force's id.
     pub fn add_node_forces(&mut self, nodes: &[usize], law: NodeForceLaw) -> Result<usize> {
         let (nodes, law) = (nodes.to_vec(), UserFunction::new(law));
-        self.add_force(ForceDefinition::NodeForces { nodes, law })
+        self.add_force(ForceDefinition::NodeForces {
+            nodes,
+            law,
+            of_phase: false,
+        })
+    }
+
+    /// Declares the function of a force one of the phase `Ωt`, which it is then told, in radians,
+    /// in place of the time; so it is one for any period, as that of a force that does not depend
+    /// on time is, too.
+    pub fn declare_of_phase(&mut self, force: usize) -> Result<()> {
+        self.require_force("force", force)?;
+        match &mut self.forces[force] {
+            ForceDefinition::CoordinateLaw { of_phase, .. }
+            | ForceDefinition::NodeForces { of_phase, .. } => {
+                *of_phase = true;
+                Ok(())
+            }
+            _ => {
+                let message = format!("force: {force} has no function");
+                Err(Error::new(ErrorKind::NotAvailable, message))
+            }
+        }
     }
 }
 

@@ -21,7 +21,14 @@ pub enum InertiaDefinition {
         node: usize,
         /// 6×6 inertia about the node, along its axes.
         matrix: Box<Matrix6<f64>>,
+        /// Factor of the whole.
+        #[serde(default = "one")]
+        factor: f64,
     },
+}
+
+fn one() -> f64 {
+    1.0
 }
 
 /// As a file has it. In the first version of the format that of beams was written out, too.
@@ -43,6 +50,7 @@ pub(super) fn saved<'de, D: Deserializer<'de>>(
             (&[node], 36) => Ok(InertiaDefinition::Body {
                 node,
                 matrix: Box::new(Matrix6::from_column_slice(&mass)),
+                factor: 1.0,
             }),
             (&[_, _, ..], _) => Ok(InertiaDefinition::Beam),
             _ => Err(D::Error::custom(
@@ -83,8 +91,7 @@ impl Model {
         }
         require_finite("centre", centre.as_slice())?;
         let node = self.add_node(&Motion::new(Matrix3::identity(), *centre))?;
-        let matrix = Box::new(matrix);
-        self.inertias.push(InertiaDefinition::Body { node, matrix });
+        self.push_body(node, matrix);
         Ok(node)
     }
 
@@ -117,10 +124,18 @@ impl Model {
         };
         let matrix = require_positive("matrix", matrix, false)?;
         let carry = offset.inverse().adjoint();
-        let matrix = Box::new(carry.transpose() * matrix * carry);
+        let matrix = carry.transpose() * matrix * carry;
         require_finite("inertia about the node", matrix.as_slice())?;
-        self.inertias.push(InertiaDefinition::Body { node, matrix });
+        self.push_body(node, matrix);
         Ok(())
+    }
+
+    fn push_body(&mut self, node: usize, matrix: Matrix6<f64>) {
+        self.inertias.push(InertiaDefinition::Body {
+            node,
+            matrix: Box::new(matrix),
+            factor: 1.0,
+        });
     }
 
     /// The inertias of bodies and of beam elements, with the elements of these.
@@ -138,8 +153,13 @@ impl Model {
                     "more",
                 )),
             },
-            InertiaDefinition::Body { node, matrix } => {
-                Ok(Inertia::rigid_body(*node, &Motion::identity(), matrix))
+            InertiaDefinition::Body {
+                node,
+                matrix,
+                factor,
+            } => {
+                let matrix = **matrix * *factor;
+                Ok(Inertia::rigid_body(*node, &Motion::identity(), &matrix))
             }
         };
         self.inertias.iter().map(element).collect()

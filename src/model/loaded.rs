@@ -25,6 +25,7 @@ impl Model {
         let mut model = Model {
             nodes: self.nodes,
             gravity: self.gravity,
+            mass_damping: self.mass_damping,
             ..Model::new()
         };
         for (id, node) in model.nodes.iter().enumerate() {
@@ -34,13 +35,20 @@ impl Model {
             Self::require_element_size("nodes", beam.nodes.len())?;
             model.require_distinct_nodes(&beam.nodes)?;
             beam.sections.validate()?;
+            require_finite("factors", &beam.factors)?;
             model.element_of(&beam)?;
             model.beams.push(beam);
         }
         for inertia in self.inertias {
-            if let InertiaDefinition::Body { node, matrix } = &inertia {
+            if let InertiaDefinition::Body {
+                node,
+                matrix,
+                factor,
+            } = &inertia
+            {
                 model.require_node("inertia", *node)?;
                 require_finite("inertia", matrix.as_slice())?;
+                require_finite("inertia", &[*factor])?;
             }
             model.inertias.push(inertia);
         }
@@ -62,6 +70,10 @@ impl Model {
         }
         for load in self.distributed_loads {
             model.add_distributed_load(load)?;
+        }
+        require_finite("mass_damping", &[model.mass_damping])?;
+        for parameter in self.parameters {
+            model.take_parameter(parameter)?;
         }
         Ok(model)
     }

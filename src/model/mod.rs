@@ -10,6 +10,7 @@ mod joint;
 mod line;
 mod load;
 mod loaded;
+mod parameter;
 mod raised;
 mod section;
 mod signal;
@@ -22,6 +23,7 @@ pub use inertia::InertiaDefinition;
 pub use joint::{JointCoordinate, JointDefinition};
 pub use line::{circular_arc, smooth_curve, straight_line};
 pub use load::{DistributedLoadDefinition, LoadDefinition, LoadPlace};
+pub use parameter::{Parameter, SignalPart, SignalPlace, Target};
 pub use section::SectionInput;
 pub use signal::{BoundSignal, Signal};
 pub use user_function::UserFunction;
@@ -46,6 +48,11 @@ pub struct Model {
     pub(crate) loads: Vec<LoadDefinition>,
     pub(crate) distributed_loads: Vec<DistributedLoadDefinition>,
     pub(crate) gravity: Option<[Signal; 3]>,
+    /// Force against motion for a unit of momentum.
+    #[serde(default)]
+    pub(crate) mass_damping: f64,
+    #[serde(default)]
+    pub(crate) parameters: Vec<Parameter>,
 }
 
 impl Model {
@@ -65,6 +72,14 @@ impl Model {
     /// Sets the acceleration of gravity, in the inertial frame.
     pub fn set_gravity(&mut self, acceleration: [Signal; 3]) {
         self.gravity = Some(acceleration);
+    }
+
+    /// Gives everything with mass a force `factor · M V` against its motion, relative to the
+    /// inertial frame: a damping in proportion to mass, or an excitation where it is negative.
+    pub fn set_mass_damping(&mut self, factor: f64) -> Result<()> {
+        require_finite("factor", &[factor])?;
+        self.mass_damping = factor;
+        Ok(())
     }
 
     /// Number of nodes.

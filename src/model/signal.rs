@@ -4,26 +4,36 @@ use super::UserFunction;
 use crate::error::{Error, ErrorKind, Result, require_finite};
 use crate::fourier::PeriodicSeries;
 use serde::{Deserialize, Serialize};
+use std::f64::consts::TAU;
 use std::fmt;
 use std::sync::Arc;
 
-/// A user's function of time.
+/// A user's function of time, or of the phase.
 pub type SignalFunction = Arc<dyn Fn(f64) -> Result<f64> + Send + Sync>;
 
 #[derive(Clone, Serialize, Deserialize)]
 enum Shape {
-    Harmonics { cosines: Vec<f64>, sines: Vec<f64> },
+    Harmonics {
+        cosines: Vec<f64>,
+        sines: Vec<f64>,
+    },
     Samples(Vec<f64>),
     Function(UserFunction<SignalFunction>),
+    /// Of the phase, in radians.
+    OfPhase(UserFunction<SignalFunction>),
 }
 
-/// A scalar function of time: mean, secular rate, and harmonics of the period, samples over the
-/// period, or a function.
+/// A scalar function of time: mean, secular rate, and a shape: harmonics of the period, samples
+/// over the period, or a function.
 #[derive(Clone, Serialize, Deserialize)]
 #[serde(try_from = "SignalRecord")]
 pub struct Signal {
-    mean: f64,
-    rate: f64,
+    pub(super) mean: f64,
+    pub(super) rate: f64,
+    /// Factor of the shape.
+    pub(super) amplitude: f64,
+    /// Phase by which the shape is ahead.
+    pub(super) phase: f64,
     shape: Shape,
 }
 
@@ -32,14 +42,29 @@ pub struct Signal {
 struct SignalRecord {
     mean: f64,
     rate: f64,
+    #[serde(default = "one")]
+    amplitude: f64,
+    #[serde(default)]
+    phase: f64,
     shape: Shape,
+}
+
+fn one() -> f64 {
+    1.0
 }
 
 impl TryFrom<SignalRecord> for Signal {
     type Error = Error;
 
     fn try_from(record: SignalRecord) -> Result<Self> {
-        let SignalRecord { mean, rate, shape } = record;
+        let SignalRecord {
+            mean,
+            rate,
+            amplitude,
+            phase,
+            shape,
+        } = record;
+        require_finite("signal", &[amplitude, phase])?;
         match &shape {
             Shape::Harmonics { cosines, sines } => {
                 Signal::harmonics(mean, rate, cosines, sines)?;
@@ -48,9 +73,15 @@ impl TryFrom<SignalRecord> for Signal {
                 require_finite("mean", &[mean])?;
                 Signal::samples(rate, samples)?;
             }
-            Shape::Function(_) => require_finite("signal", &[mean, rate])?,
+            Shape::Function(_) | Shape::OfPhase(_) => require_finite("signal", &[mean, rate])?,
         }
-        Ok(Signal { mean, rate, shape })
+        Ok(Signal {
+            mean,
+            rate,
+            amplitude,
+            phase,
+            shape,
+        })
     }
 }
 
@@ -59,13 +90,23 @@ impl fmt::Debug for Signal {
         let shape = match &self.shape {
             Shape::Harmonics { cosines, .. } => format!("{} harmonics", cosines.len()),
             Shape::Samples(samples) => format!("{} samples", samples.len()),
-            Shape::Function(_) => "a function".into(),
+            Shape::Function(_) | Shape::OfPhase(_) => "a function".into(),
         };
         write!(f, "Signal({} + {} t, {shape})", self.mean, self.rate)
     }
 }
 
 impl Signal {
+    fn of(mean: f64, rate: f64, shape: Shape) -> Self {
+        Signal {
+            mean,
+            rate,
+            amplitude: 1.0,
+            phase: 0.0,
+            shape,
+        }
+    }
+
     /// `mean + rate t + Σ_j (cosines[j−1] cos jΩt + sines[j−1] sin jΩt)`, with `Ω` of the solve's
     /// period.
     pub fn harmonics(mean: f64, rate: f64, cosines: &[f64], sines: &[f64]) -> Result<Self> {
@@ -81,7 +122,7 @@ impl Signal {
             cosines: cosines.to_vec(),
             sines: sines.to_vec(),
         };
-        Ok(Signal { mean, rate, shape })
+        Ok(Signal::of(mean, rate, shape))
     }
 
     /// A constant.
@@ -96,7 +137,7 @@ impl Signal {
             && match &self.shape {
                 Shape::Harmonics { cosines, sines } => zero(cosines) && zero(sines),
                 Shape::Samples(samples) => zero(samples),
-                Shape::Function(_) => false,
+                Shape::Function(_) | Shape::OfPhase(_) => false,
             }
     }
 
@@ -107,48 +148,80 @@ impl Signal {
         if samples.is_empty() {
             return Err(Error::size("samples", "at least one sample", 0));
         }
-        Ok(Signal {
-            mean: 0.0,
-            rate,
-            shape: Shape::Samples(samples.to_vec()),
-        })
+        Ok(Signal::of(0.0, rate, Shape::Samples(samples.to_vec())))
     }
 
     /// A function of time, called with times within one period or, in a march, with its times.
     pub fn function(function: SignalFunction) -> Self {
-        Signal {
-            mean: 0.0,
-            rate: 0.0,
-            shape: Shape::Function(UserFunction::new(function)),
-        }
+        Signal::of(0.0, 0.0, Shape::Function(UserFunction::new(function)))
+    }
+
+    /// A function of the phase `Ωt`, in radians, for periods of any length.
+    pub fn function_of_phase(function: SignalFunction) -> Self {
+        Signal::of(0.0, 0.0, Shape::OfPhase(UserFunction::new(function)))
     }
 
     /// The signal over a given period.
     pub fn bind(&self, period: f64) -> BoundSignal {
-        let series = |cosines: &[f64], sines: &[f64]| {
-            PeriodicSeries::new(
-                period,
-                self.mean,
-                self.rate,
-                cosines.to_vec(),
-                sines.to_vec(),
-            )
-        };
-        match &self.shape {
-            Shape::Harmonics { cosines, sines } => BoundSignal::Series(series(cosines, sines)),
-            Shape::Samples(samples) => {
-                BoundSignal::Series(PeriodicSeries::from_samples(period, samples, self.rate))
-            }
-            Shape::Function(function) => BoundSignal::Function {
+        let rate = self.rate;
+        let of_function = |function: &UserFunction<SignalFunction>, of_phase: bool| {
+            BoundSignal::Function(BoundFunction {
                 function: function.clone(),
                 period,
-            },
+                of_phase,
+                ahead: self.phase / TAU * period,
+                amplitude: self.amplitude,
+                mean: self.mean,
+                rate,
+            })
+        };
+        match &self.shape {
+            Shape::Harmonics { cosines, sines } => {
+                let (cosines, sines) = self.shaped(cosines.clone(), sines.clone());
+                let series = PeriodicSeries::new(period, self.mean, rate, cosines, sines);
+                BoundSignal::Series(series)
+            }
+            Shape::Samples(samples) => {
+                let mut series = PeriodicSeries::from_samples(period, samples, rate);
+                series.mean = self.mean + self.amplitude * series.mean;
+                (series.cosines, series.sines) = self.shaped(series.cosines, series.sines);
+                BoundSignal::Series(series)
+            }
+            Shape::Function(function) => of_function(function, false),
+            Shape::OfPhase(function) => of_function(function, true),
         }
+    }
+
+    /// Harmonics with the amplitude and the phase of this signal.
+    fn shaped(&self, mut cosines: Vec<f64>, mut sines: Vec<f64>) -> (Vec<f64>, Vec<f64>) {
+        if (self.amplitude, self.phase) != (1.0, 0.0) {
+            for (j, (c, s)) in cosines.iter_mut().zip(&mut sines).enumerate() {
+                let (sin, cos) = ((j + 1) as f64 * self.phase).sin_cos();
+                (*c, *s) = (
+                    self.amplitude * (*c * cos + *s * sin),
+                    self.amplitude * (*s * cos - *c * sin),
+                );
+            }
+        }
+        (cosines, sines)
+    }
+
+    /// The same over a period `ratio` times as long as the one that its rate is of.
+    pub(super) fn stretch(&mut self, ratio: f64) {
+        self.rate /= ratio;
+    }
+
+    /// Whether it is a function of time, which knows of one period alone.
+    pub(crate) fn has_own_time(&self) -> bool {
+        matches!(self.shape, Shape::Function(_))
     }
 
     /// Whether it was a function of the user in a model that was loaded from a file.
     pub(crate) fn is_absent(&self) -> bool {
-        matches!(&self.shape, Shape::Function(function) if function.is_absent())
+        match &self.shape {
+            Shape::Function(function) | Shape::OfPhase(function) => function.is_absent(),
+            Shape::Harmonics { .. } | Shape::Samples(_) => false,
+        }
     }
 }
 
@@ -158,19 +231,45 @@ pub enum BoundSignal {
     /// Secular rate and harmonics.
     Series(PeriodicSeries),
     /// A user's function.
-    Function {
-        /// The function.
-        function: UserFunction<SignalFunction>,
-        /// The period.
-        period: f64,
-    },
+    Function(BoundFunction),
+}
+
+/// A user's function over a given period.
+#[derive(Clone)]
+pub struct BoundFunction {
+    function: UserFunction<SignalFunction>,
+    period: f64,
+    /// Whether the function is told the phase, not the time.
+    of_phase: bool,
+    /// Time by which it is ahead.
+    ahead: f64,
+    amplitude: f64,
+    mean: f64,
+    rate: f64,
+}
+
+impl BoundFunction {
+    fn value(&self, time: f64) -> Result<f64> {
+        let unit = if self.of_phase {
+            TAU / self.period
+        } else {
+            1.0
+        };
+        let value = self.function.get()?((time + self.ahead) * unit)?;
+        if value.is_finite() {
+            return Ok(self.mean + self.rate * time + self.amplitude * value);
+        }
+        let message =
+            format!("signal callback: expected a finite number at t = {time}, got {value}");
+        Err(Error::new(ErrorKind::Callback, message))
+    }
 }
 
 impl fmt::Debug for BoundSignal {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             BoundSignal::Series(series) => series.fmt(f),
-            BoundSignal::Function { .. } => f.write_str("a function"),
+            BoundSignal::Function(_) => f.write_str("a function"),
         }
     }
 }
@@ -189,7 +288,7 @@ impl BoundSignal {
                 .iter()
                 .chain(&series.sines)
                 .any(|c| *c != 0.0),
-            BoundSignal::Function { .. } => false,
+            BoundSignal::Function(function) => function.of_phase,
         }
     }
 
@@ -197,19 +296,7 @@ impl BoundSignal {
     pub fn value(&self, time: f64) -> Result<f64> {
         match self {
             BoundSignal::Series(series) => Ok(series.value(time)),
-            BoundSignal::Function { function, .. } => {
-                let value = function.get()?(time)?;
-                if value.is_finite() {
-                    Ok(value)
-                } else {
-                    Err(Error::new(
-                        ErrorKind::Callback,
-                        format!(
-                            "signal callback: expected a finite number at t = {time}, got {value}"
-                        ),
-                    ))
-                }
-            }
+            BoundSignal::Function(function) => function.value(time),
         }
     }
 
@@ -220,7 +307,7 @@ impl BoundSignal {
             BoundSignal::Series(series) => {
                 Ok([0, 1, 2].map(|order| series.derivative(time, order)))
             }
-            BoundSignal::Function { .. } => {
+            BoundSignal::Function(_) => {
                 // Of the fourth and third order in the step.
                 const FIRST: [f64; 5] = [-25.0 / 12.0, 4.0, -3.0, 4.0 / 3.0, -0.25];
                 const SECOND: [f64; 5] = [35.0 / 12.0, -26.0 / 3.0, 9.5, -14.0 / 3.0, 11.0 / 12.0];
@@ -243,7 +330,7 @@ impl BoundSignal {
     pub fn period(&self) -> f64 {
         match self {
             BoundSignal::Series(series) => series.period(),
-            BoundSignal::Function { period, .. } => *period,
+            BoundSignal::Function(function) => function.period,
         }
     }
 
@@ -251,7 +338,7 @@ impl BoundSignal {
     pub fn growth(&self) -> Result<f64> {
         match self {
             BoundSignal::Series(series) => Ok(series.rate * series.period()),
-            BoundSignal::Function { period, .. } => Ok(self.value(*period)? - self.value(0.0)?),
+            BoundSignal::Function(function) => Ok(self.value(function.period)? - self.value(0.0)?),
         }
     }
 }

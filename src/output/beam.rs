@@ -50,7 +50,9 @@ impl Neighbours {
             let nodes = placed.element.nodes();
             let along_beam = match placed.role {
                 ElementRole::Beam(_) => true,
-                ElementRole::Inertia | ElementRole::Load => nodes.len() > 1,
+                ElementRole::Inertia | ElementRole::Load | ElementRole::MassDamping => {
+                    nodes.len() > 1
+                }
                 _ => false,
             };
             if !along_beam {

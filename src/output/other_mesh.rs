@@ -131,7 +131,10 @@ impl Solution {
                 other.role == placed.role
                     && other.element.own_unknowns() == placed.element.own_unknowns()
             };
-            let kept = !matches!(placed.role, ElementRole::Beam(_) | ElementRole::Inertia);
+            let kept = !matches!(
+                placed.role,
+                ElementRole::Beam(_) | ElementRole::Inertia | ElementRole::MassDamping
+            );
             if let Some(other) = old.elements().iter().find(is_same).filter(|_| kept) {
                 for k in 0..points {
                     let values = state.own_of(other, k);

@@ -8,11 +8,12 @@ use crate::error::{Error, ErrorKind, Result};
 use crate::fourier::{PeriodicSeries, SpectralFilter, TimeGrid};
 use crate::model::Model;
 use crate::solve::{
-    Iteration, Kind, Outcome, PeriodicOptions, Solved, Stage, StaticOptions, solve_periodic,
-    solve_static,
+    Condition, Free, Iteration, Kind, Outcome, PeriodicOptions, Solved, Stage, StaticOptions,
+    solve_conditioned, solve_periodic, solve_static,
 };
 use crate::system::{Driven, Regime, System};
 use crate::workers::Workers;
+use std::sync::Arc;
 
 /// Result of a periodic or static solve or of a march, converged or not; otherwise it holds the
 /// last iterate, or the march as far as it came.
@@ -53,6 +54,20 @@ impl Solution {
         observe: &mut dyn FnMut(Stage, &Iteration) -> bool,
     ) -> Result<Self> {
         let solution = Self::of(model, solve_periodic(model, period, options, observe)?)?;
+        solution.require_periodic_forces()?;
+        Ok(solution)
+    }
+
+    /// Finds a periodic response under conditions, see [`solve_conditioned`].
+    pub fn solve_conditioned(
+        model: &Model,
+        period: f64,
+        conditions: (&[Free], &[Arc<dyn Condition>]),
+        options: &PeriodicOptions,
+        observe: &mut dyn FnMut(Stage, &Iteration) -> bool,
+    ) -> Result<Self> {
+        let (found, solve) = solve_conditioned(model, period, conditions, options, observe)?;
+        let solution = Self::of(&found, solve)?;
         solution.require_periodic_forces()?;
         Ok(solution)
     }

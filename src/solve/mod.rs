@@ -1,6 +1,7 @@
 //! The solves: linear algebra, Newton's method, starts, periodic motions, equilibria, marching,
 //! modes. Each uses only those named before it.
 
+mod conditions;
 mod equilibrium;
 mod linear;
 mod marching;
@@ -16,6 +17,7 @@ mod step_length;
 pub(crate) mod test_models;
 mod watch;
 
+pub use conditions::{Condition, Free, Given, JointCoordinateIs, Phase};
 pub use equilibrium::{StaticOptions, solve_static};
 pub use linear::diagnosis::describe_dependencies;
 pub use linear::direct::DirectSolver;
@@ -27,6 +29,7 @@ pub use marching::{MarchEnd, MarchOptions, MarchStart, StartState, march};
 pub use modes::{Mode, ModesOptions, ModesSolve, solve_modes};
 pub use newton::solve_with_scalars;
 pub use periodic::adaptive::Adaptation;
+pub use periodic::conditioned::solve_conditioned;
 pub use periodic::options::{GridPoints, PeriodicOptions};
 pub use periodic::solve_periodic;
 pub use report::{Iteration, NewtonOptions, NewtonReport, Outcome, Timings};

@@ -3,13 +3,14 @@
 use super::driven::Drive;
 use super::{ElementRole, Placed, Regime, Scales, System};
 use crate::elements::{
-    ActedCoordinate, Coordinate, CoordinateForce, CoordinateLaw, Effort, Element, JointKind, Law,
-    LoadFrame, Measure, NodalLoad, NodeForceLaw, Prescribed, UserForce, Viscoelastic,
-    ViscousDamper,
+    ActedCoordinate, Coordinate, CoordinateForce, CoordinateLaw, CoordinateState, Effort, Element,
+    JointKind, Law, LoadFrame, MassDamping, Measure, NodalLoad, NodeForceInput, NodeForceLaw,
+    Prescribed, UserForce, Viscoelastic, ViscousDamper,
 };
 use crate::error::{Error, ErrorKind, Result, require_positive_number};
 use crate::model::{
-    BoundSignal, ForceDefinition, JointCoordinate, JointDefinition, Model, Signal, UserFunction,
+    BoundSignal, ForceDefinition, JointCoordinate, JointDefinition, Model, Parameter, Signal,
+    UserFunction,
 };
 use crate::workers::no_threads_unasked;
 use std::collections::BTreeMap;
@@ -32,7 +33,16 @@ impl System {
     /// does not repeat after one period; at one time and in a march, if the period is needed and
     /// not given; if gravity is across the axis of a turning frame.
     pub fn in_regime(model: &Model, regime: Regime) -> Result<Self> {
-        Builder::new(model, regime, false)?.build()
+        Builder::new(model, regime, false, None)?.build(None)
+    }
+
+    /// The same for a model whose parameters have other values. What those do not touch is shared;
+    /// characteristic scales stay as they are, so that equations of both are of the same size.
+    ///
+    /// # Errors
+    /// As [`System::in_regime`].
+    pub fn with_values_of(&self, model: &Model) -> Result<Self> {
+        Builder::new(model, self.regime, false, Some(self))?.build(Some(self))
     }
 
     /// The system of a solution that is known. Functions of the user may be absent; then nothing
@@ -41,7 +51,7 @@ impl System {
     /// # Errors
     /// As [`System::in_regime`].
     pub(crate) fn of_known_solution(model: &Model, regime: Regime) -> Result<Self> {
-        Builder::new(model, regime, true)?.build()
+        Builder::new(model, regime, true, None)?.build(None)
     }
 }
 
@@ -56,15 +66,23 @@ struct Builder<'a> {
 }
 
 impl<'a> Builder<'a> {
-    fn new(model: &'a Model, regime: Regime, known: bool) -> Result<Self> {
+    /// Begins, maybe with bodies and beams `like` those of another system of the same model.
+    fn new(model: &'a Model, regime: Regime, known: bool, like: Option<&System>) -> Result<Self> {
         no_threads_unasked();
         if model.nodes.is_empty() {
             let message = "model: expected at least one node, got none";
             return Err(Error::new(ErrorKind::Model, message));
         }
         require_positive_number("period", regime.period())?;
-        let beams = model.beam_elements()?;
-        let inertias = model.inertia_elements(&beams)?;
+        let moved = model.parameters().iter().any(Parameter::moves_bodies);
+        let (beams, inertias) = match like.filter(|_| !moved) {
+            Some(like) => (like.beams.clone(), like.inertias.clone()),
+            None => {
+                let beams = model.beam_elements()?;
+                let inertias = model.inertia_elements(&beams)?;
+                (beams, inertias.into_iter().map(Arc::new).collect())
+            }
+        };
         let system = System {
             regime,
             reference: model.nodes.clone(),
@@ -73,7 +91,7 @@ impl<'a> Builder<'a> {
             own_unknowns: Vec::new(),
             signals: Vec::new(),
             gravity: None,
-            inertias: inertias.into_iter().map(Arc::new).collect(),
+            inertias,
             beams,
             joints: model.joints.iter().map(JointDefinition::element).collect(),
             counted_turns: Vec::new(),
@@ -95,11 +113,16 @@ impl<'a> Builder<'a> {
         })
     }
 
-    fn build(mut self) -> Result<System> {
+    /// Goes on to the end. Scales, and constraints that depend on others, are those of a system
+    /// `like` this, if there is one.
+    fn build(mut self, like: Option<&System>) -> Result<System> {
         self.place_bodies_and_joints();
         self.place_prescribed()?;
         // Of inertias, beams and joints, which give it; forces only need its order.
-        let length = Scales::of(&self.system)?.length;
+        let length = match like {
+            Some(like) => like.scales.length,
+            None => Scales::of(&self.system)?.length,
+        };
         for (index, force) in self.model.forces.iter().enumerate() {
             let element = self.force(index, force, length)?;
             self.system.place(element, ElementRole::Force(index));
@@ -108,8 +131,15 @@ impl<'a> Builder<'a> {
         self.track_other_angles();
         self.place_loads()?;
         self.add_gravity()?;
+        self.add_mass_damping();
         let (mut system, lacks_functions) = (self.system, self.lacks_functions);
         system.add_turning()?;
+        if let Some(like) = like {
+            system.scales = like.scales;
+            system.loops.clone_from(&like.loops);
+            system.dependencies.clone_from(&like.dependencies);
+            return Ok(system);
+        }
         system.scales = Scales::of(&system)?;
         let Scales { length, force, .. } = system.scales;
         if !(length.is_finite() && force.is_finite() && force * length < f64::MAX) {
@@ -199,6 +229,17 @@ impl<'a> Builder<'a> {
         Ok(())
     }
 
+    fn add_mass_damping(&mut self) {
+        if !self.model.has_mass_damping() {
+            return;
+        }
+        for inertia in self.system.inertias.clone() {
+            let element = MassDamping::new(inertia, self.model.mass_damping);
+            let role = ElementRole::MassDamping;
+            self.system.place(Arc::new(element), role);
+        }
+    }
+
     /// A signal over the period.
     fn bind(&mut self, signal: &Signal) -> BoundSignal {
         if self.known && signal.is_absent() {
@@ -262,13 +303,21 @@ impl<'a> Builder<'a> {
                 let law = Law::Actuator { signal };
                 Arc::new(CoordinateForce::new(self.acted_on(at), law))
             }
-            ForceDefinition::CoordinateLaw { at, law } => {
+            ForceDefinition::CoordinateLaw { at, law, of_phase } => {
                 let zero = CoordinateLaw {
                     function: Arc::new(|_| Ok(Effort::default())),
                     gives_derivatives: true,
                 };
+                let mut law = self.function(law, zero).map_err(within)?;
+                if *of_phase {
+                    let (unit, function) = (self.phase_unit().map_err(within)?, law.function);
+                    law.function = Arc::new(move |state| {
+                        let time = state.time * unit;
+                        function(&CoordinateState { time, ..*state })
+                    });
+                }
                 let law = Law::Function {
-                    law: self.function(law, zero).map_err(within)?,
+                    law,
                     scales: coordinate_scales(at.coordinate, length, frequency),
                 };
                 Arc::new(CoordinateForce::new(self.acted_on(at), law))
@@ -292,16 +341,41 @@ impl<'a> Builder<'a> {
                 second,
                 matrix,
             } => Arc::new(ViscousDamper::new(*first, *second, **matrix)),
-            ForceDefinition::NodeForces { nodes, law } => {
+            ForceDefinition::NodeForces {
+                nodes,
+                law,
+                of_phase,
+            } => {
                 let zero = NodeForceLaw {
                     function: Arc::new(|_, _| Ok(())),
                     gives_tangents: true,
                     frame: LoadFrame::Space,
                 };
-                let law = self.function(law, zero).map_err(within)?;
+                let mut law = self.function(law, zero).map_err(within)?;
+                if *of_phase {
+                    let (unit, function) = (self.phase_unit().map_err(within)?, law.function);
+                    law.function = Arc::new(move |state, out| {
+                        let time = state.time * unit;
+                        function(&NodeForceInput { time, ..*state }, out)
+                    });
+                }
                 Arc::new(UserForce::new(nodes.clone(), law, length, frequency))
             }
         })
+    }
+
+    /// Phase in a unit of time, for functions of it.
+    fn phase_unit(&self) -> Result<f64> {
+        let regime = &self.system.regime;
+        let is_known = match regime.standstill() {
+            Some(standstill) => standstill.time == 0.0 || standstill.period.is_some(),
+            None => regime.knows_period(),
+        };
+        if is_known {
+            return Ok(TAU / regime.period());
+        }
+        let expected = "the period that its phase is of";
+        Err(Error::value("options.period", expected, "none"))
     }
 
     /// A joint coordinate that a force acts on, whose whole turns are followed.

@@ -123,10 +123,10 @@ pub fn check_tangents(model: &Model, force: usize, period: f64) -> Result<Tangen
         largest: 0.0,
     };
     let checked = match definition {
-        ForceDefinition::CoordinateLaw { at, law } => {
+        ForceDefinition::CoordinateLaw { at, law, .. } => {
             law.get().and_then(|law| check.coordinate_law(at, law))
         }
-        ForceDefinition::NodeForces { nodes, law } => {
+        ForceDefinition::NodeForces { nodes, law, .. } => {
             law.get().and_then(|law| check.node_forces(nodes, law))
         }
         _ => Err(unavailable("it is not a function of the user")),

@@ -134,7 +134,7 @@ impl System {
             let is_known = self.regime.knows_period();
             let turns = match self.signals[s].signal {
                 // Whether it goes on and on is not known.
-                BoundSignal::Function { .. } if !is_known => {
+                BoundSignal::Function(_) if !is_known => {
                     drive.coordinate.measure() == Measure::Angle
                 }
                 _ => self.mean_rate(s)? != 0.0,
@@ -192,8 +192,8 @@ impl System {
         let is_known = self.regime.knows_period();
         Ok(match signal {
             BoundSignal::Series(series) => series.rate,
-            BoundSignal::Function { period, .. } if is_known => signal.growth()? / period,
-            BoundSignal::Function { .. } => 0.0,
+            BoundSignal::Function(_) if is_known => signal.growth()? / signal.period(),
+            BoundSignal::Function(_) => 0.0,
         })
     }
 

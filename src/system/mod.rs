@@ -53,6 +53,8 @@ pub enum ElementRole {
     Force(usize),
     /// Load.
     Load,
+    /// Damping in proportion to mass.
+    MassDamping,
 }
 
 /// An element with the place of its own unknowns.

@@ -48,24 +48,31 @@ fn require_repeating_forces(
     for (index, force) in model.forces.iter().enumerate() {
         let mut probe = Probe::new(length, frequency);
         match force {
-            ForceDefinition::CoordinateLaw { at, law } => {
+            ForceDefinition::CoordinateLaw { at, law, of_phase } => {
                 let law = law.get()?;
                 let scales = coordinate_scales(at.coordinate, length, frequency);
                 let reference = model.reference_coordinate(at);
                 let state = probe.coordinate(reference, scales);
+                let unit = if *of_phase { frequency } else { 1.0 };
                 let effort = |time: f64| {
+                    let time = time * unit;
                     let state = CoordinateState { time, ..state };
                     Ok(vec![law.call(&state)?.value])
                 };
                 require_repeating(effort, times, period)
                     .map_err(|e| e.within(format!("force {index} on joint {}", at.joint)))?;
             }
-            ForceDefinition::NodeForces { nodes, law } => {
+            ForceDefinition::NodeForces {
+                nodes,
+                law,
+                of_phase,
+            } => {
                 let law = law.get()?;
                 let states = probe.nodes(model, nodes);
                 let element = UserForce::new(nodes.clone(), law.clone(), length, frequency);
+                let unit = if *of_phase { frequency } else { 1.0 };
                 let forces = |time: f64| {
-                    let forces = element.forces(time, &states)?;
+                    let forces = element.forces(time * unit, &states)?;
                     Ok(forces.iter().flatten().copied().collect())
                 };
                 require_repeating(forces, times, period)

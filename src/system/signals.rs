@@ -119,7 +119,7 @@ impl System {
         let spectrum = |signal: &BoundSignal| -> Result<PeriodicSeries> {
             match signal {
                 BoundSignal::Series(series) => Ok(series.clone()),
-                BoundSignal::Function { .. } => {
+                BoundSignal::Function(_) => {
                     let values = grid.times().map(|time| signal.value(time));
                     let rate = signal.growth()? / self.period();
                     let values = values.collect::<Result<Vec<f64>>>()?;

@@ -65,7 +65,7 @@ fn warn_of_parts(parts: &[Option<usize>], warnings: &mut Vec<String>) {
 /// Whether an element constrains or resists motions of its nodes, not only their velocities.
 fn holds(model: &Model, placed: &Placed) -> bool {
     match placed.role {
-        ElementRole::Inertia | ElementRole::Load => false,
+        ElementRole::Inertia | ElementRole::Load | ElementRole::MassDamping => false,
         ElementRole::Beam(_) | ElementRole::Prescribed(_) => true,
         ElementRole::Joint(index) => model.joints[index].kind.constraints() > 0,
         ElementRole::Force(index) => match &model.forces[index] {

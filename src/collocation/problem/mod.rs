@@ -49,6 +49,8 @@ pub struct Collocation {
     workers: Workers,
     layout: Layout,
     scalars: Option<Arc<dyn ScalarEquations>>,
+    /// Values of the scalar unknowns that all else has now.
+    applied: Vec<f64>,
     pub(super) division: Division,
     /// Where the residual is taken from instead, if not from the grid's own points.
     oversampled: Option<Box<Oversampled>>,
@@ -138,6 +140,7 @@ impl Collocation {
             division: Division::new(&system, points, &Workers::default()),
             layout: system.layout(points),
             scalars: None,
+            applied: Vec::new(),
             grounding: 0.0,
             system,
             grid,
@@ -181,6 +184,17 @@ impl Collocation {
         Ok(())
     }
 
+    /// Takes the elements and signals of another system, which has the same nodes and elements, as
+    /// that of the same model with other values of its parameters.
+    ///
+    /// # Errors
+    /// Those of signals.
+    pub fn set_system(&mut self, system: Arc<System>) -> Result<()> {
+        self.instants.system = system.clone();
+        self.system = system;
+        self.set_conditions(Conditions::at(0.0))
+    }
+
     /// Places of the unknowns and of the equations.
     pub fn layout(&self) -> Layout {
         self.layout
@@ -208,9 +222,11 @@ impl Collocation {
     pub fn set_conditions(&mut self, conditions: Conditions) -> Result<()> {
         let count = self.system.signals();
         self.instants.inertia_factor = conditions.inertia_factor;
+        // Of another period signals are the same functions of the phase.
+        let stretch = self.system.period() / self.grid.period();
         for k in 0..self.grid.points() {
             let values = &mut self.instants.signals[k * count..][..count];
-            let time = conditions.start + self.grid.time(k);
+            let time = conditions.start + self.grid.time(k) * stretch;
             self.instants.times[k] = time;
             self.system
                 .signal_values(time, conditions.load_factor, values)?;
@@ -396,8 +412,7 @@ impl Collocation {
         self.apply_scalars(state)?;
         let size = self.size();
         self.residual_of_grid(state, &mut out[..size])?;
-        self.scalar_residual(state, out);
-        Ok(())
+        self.scalar_residual(state, out)
     }
 
     fn residual_of_grid(&mut self, state: &GridState, out: &mut [f64]) -> Result<()> {

@@ -4,6 +4,7 @@
 use super::Collocation;
 use crate::collocation::state::GridState;
 use crate::error::{Error, Result};
+use nalgebra::DVector;
 use std::fmt::Debug;
 use std::sync::Arc;
 
@@ -21,13 +22,50 @@ pub trait ScalarEquations: Debug + Send + Sync {
     /// If a value is impossible.
     fn apply(&self, values: &[f64], equations: &mut Collocation) -> Result<()>;
 
+    /// Derivatives of the scaled residual of the grid by the scaled unknown `index`, where they are
+    /// known; otherwise they are differenced.
+    ///
+    /// # Errors
+    /// Those of the residual.
+    fn column(
+        &self,
+        equations: &mut Collocation,
+        state: &GridState,
+        index: usize,
+    ) -> Result<Option<Vec<f64>>> {
+        let _ = (equations, state, index);
+        Ok(None)
+    }
+
     /// Writes what is left of the scalar equations at `state`, in numbers of the order of scaled
     /// motions. Kinematics of `equations` are those of the state.
-    fn residual(&self, equations: &Collocation, state: &GridState, out: &mut [f64]);
+    ///
+    /// # Errors
+    /// If one cannot be evaluated there.
+    fn residual(&self, equations: &Collocation, state: &GridState, out: &mut [f64]) -> Result<()>;
 
     /// Writes the derivatives of scalar equation `index` by all scaled unknowns into `row`, which
     /// is zero, at the places of [`Collocation::layout`].
-    fn gradient(&self, equations: &Collocation, state: &GridState, index: usize, row: &mut [f64]);
+    ///
+    /// # Errors
+    /// If it cannot be evaluated there.
+    fn gradient(
+        &self,
+        equations: &Collocation,
+        state: &GridState,
+        index: usize,
+        row: &mut [f64],
+    ) -> Result<()>;
+
+    /// What an unknown is called in messages.
+    fn describe_unknown(&self, index: usize) -> String {
+        format!("scalar unknown {index}")
+    }
+
+    /// What an equation is called in messages.
+    fn describe_equation(&self, index: usize) -> String {
+        format!("scalar equation {index}")
+    }
 }
 
 impl Collocation {
@@ -40,6 +78,17 @@ impl Collocation {
         self.layout = self.layout.with_scalars(scales.len());
         self.column_scale.extend(scales);
         self.scalars = Some(scalars);
+        self.applied.clear();
+    }
+
+    /// The scalar unknowns and equations.
+    pub fn scalars(&self) -> Option<&Arc<dyn ScalarEquations>> {
+        self.scalars.as_ref()
+    }
+
+    /// Values of the scalar unknowns that the equations have; none before the first.
+    pub fn applied_scalars(&self) -> &[f64] {
+        &self.applied
     }
 
     /// Gives the equations of the grid the scalar unknowns of `state`.
@@ -51,13 +100,18 @@ impl Collocation {
         if state.scalars.len() != count {
             return Err(Error::size("state.scalars", count, state.scalars.len()));
         }
-        scalars.apply(&state.scalars, self)
+        if self.applied != state.scalars {
+            scalars.apply(&state.scalars, self)?;
+            self.applied.clone_from(&state.scalars);
+        }
+        Ok(())
     }
 
     /// Writes what is left of the scalar equations behind the residual of the grid.
-    pub(super) fn scalar_residual(&self, state: &GridState, out: &mut [f64]) {
-        if let Some(scalars) = &self.scalars {
-            scalars.residual(self, state, &mut out[self.layout.scalars()]);
+    pub(super) fn scalar_residual(&self, state: &GridState, out: &mut [f64]) -> Result<()> {
+        match &self.scalars {
+            Some(scalars) => scalars.residual(self, state, &mut out[self.layout.scalars()]),
+            None => Ok(()),
         }
     }
 
@@ -66,27 +120,75 @@ impl Collocation {
     /// # Errors
     /// Those of the residual.
     pub fn by_scalar(&mut self, state: &GridState, index: usize) -> Result<Vec<f64>> {
-        let size = self.layout.size();
+        if let Some(scalars) = self.scalars.clone()
+            && let Some(column) = scalars.column(self, state, index)?
+        {
+            return Ok(column);
+        }
+        let size = self.size();
         let step = STEP * self.column_scale[self.layout.scalars().start + index];
         let mut beside = state.clone();
         let mut sides = [vec![0.0; size], vec![0.0; size]];
         for (side, sign) in sides.iter_mut().zip([1.0, -1.0]) {
             beside.scalars[index] = state.scalars[index] + sign * step;
-            self.residual(&beside, side)?;
+            self.apply_scalars(&beside)?;
+            self.residual_of_grid(&beside, side)?;
         }
         let [mut column, other] = sides;
-        column.truncate(self.size());
         let pairs = column.iter_mut().zip(&other);
         pairs.for_each(|(x, y)| *x = (*x - y) / (2.0 * STEP));
         Ok(column)
     }
 
     /// Derivatives of the scalar equation `index` by all scaled unknowns.
-    pub fn of_scalar_equation(&self, state: &GridState, index: usize) -> Vec<f64> {
+    ///
+    /// # Errors
+    /// If it cannot be evaluated there.
+    pub fn of_scalar_equation(&self, state: &GridState, index: usize) -> Result<Vec<f64>> {
         let mut row = vec![0.0; self.layout.size()];
         if let Some(scalars) = &self.scalars {
-            scalars.gradient(self, state, index, &mut row);
+            scalars.gradient(self, state, index, &mut row)?;
         }
-        row
+        Ok(row)
+    }
+
+    /// Derivatives of the scaled residual of the grid by the logarithm of the frequency: rates are
+    /// in proportion to it, accelerations to its square. Signals keep their values at the grid
+    /// points.
+    ///
+    /// # Errors
+    /// Those of the residual.
+    pub fn by_log_frequency(&mut self, state: &GridState) -> Result<Vec<f64>> {
+        self.update_kinematics(state);
+        let mut out = vec![0.0; self.size()];
+        let points = self.grid.points();
+        for placed in self.system.elements() {
+            let nodes = placed.element.nodes();
+            for k in 0..points {
+                let workspace = &mut self.with_tangents;
+                let tangents = self.instants.evaluate(placed, k, state, workspace)?;
+                let mut rates = DVector::zeros(6 * nodes.len());
+                let mut accelerations = rates.clone();
+                for (b, &node) in nodes.iter().enumerate() {
+                    let at = &self.instants.states[node * points + k];
+                    rates.fixed_rows_mut::<6>(6 * b).copy_from(&at.twist);
+                    let mut rows = accelerations.fixed_rows_mut::<6>(6 * b);
+                    rows.copy_from(&at.twist_rate);
+                }
+                let forces = &tangents.damping * rates + &tangents.mass * accelerations * 2.0;
+                for (force, &node) in forces.as_slice().chunks_exact(6).zip(nodes) {
+                    let rows = &mut out[self.layout.motion(node, k)];
+                    rows.iter_mut().zip(force).for_each(|(row, f)| *row += f);
+                }
+                if placed.has_states {
+                    let own = &self.instants.rates[placed.own_at(points, k)];
+                    let own = &tangents.own_rate * DVector::from_column_slice(own);
+                    out[self.layout.element_at(placed, k)].copy_from_slice(own.as_slice());
+                }
+            }
+        }
+        let scaled = out.iter_mut().zip(&self.row_scale);
+        scaled.for_each(|(x, scale)| *x *= scale);
+        Ok(out)
     }
 }

@@ -26,6 +26,8 @@ use nalgebra::{DMatrix, DVector};
 const GROUNDING: f64 = 1e-7;
 /// Growth of `J` that asks for it.
 const SUSPECT: f64 = 1e12;
+/// Pivot of the Schur complement, relative to others, that is rounding.
+const NO_PIVOT: f64 = 1e-11;
 /// Most products of a linear solve, and vectors that are kept.
 const ITERATION_LIMIT: usize = 60;
 /// Accuracy where only the size of the solution matters.
@@ -42,6 +44,8 @@ struct Borders {
     eliminated: Vec<Vec<f64>>,
     /// `(D − C J⁻¹ B)⁻¹`.
     inverse: DMatrix<f64>,
+    /// Equation and unknown that it leaves undetermined.
+    undetermined: Option<[usize; 2]>,
 }
 
 impl Borders {
@@ -55,7 +59,7 @@ impl Borders {
             columns,
             rows: all
                 .map(|i| equations.of_scalar_equation(state, i))
-                .collect(),
+                .collect::<Result<_>>()?,
             ..Borders::default()
         })
     }
@@ -72,6 +76,10 @@ impl Borders {
             let row = &self.rows[i];
             row[self.columns[j].len() + j] - dot(row, &self.eliminated[j])
         });
+        self.undetermined = smallest_pivot(&complement);
+        if self.undetermined.is_some() {
+            return Ok(false);
+        }
         let inverse = complement.try_inverse();
         let found = inverse.filter(|inverse| inverse.iter().all(|x| x.is_finite()));
         Ok(found.map(|inverse| self.inverse = inverse).is_some())
@@ -98,6 +106,41 @@ impl Borders {
         }
         p.copy_from_slice(found.as_slice());
     }
+}
+
+/// Row and column of a pivot that is none beside the others, where rows and columns are of equal
+/// size.
+fn smallest_pivot(matrix: &DMatrix<f64>) -> Option<[usize; 2]> {
+    let mut left = matrix.clone();
+    for mut column in left.column_iter_mut() {
+        let size = column.amax();
+        column /= if size > 0.0 { size } else { 1.0 };
+    }
+    for mut row in left.row_iter_mut() {
+        let size = row.amax();
+        row /= if size > 0.0 { size } else { 1.0 };
+    }
+    let (mut rows, mut columns): (Vec<_>, Vec<_>) = (0..matrix.nrows()).map(|i| (i, i)).unzip();
+    while !rows.is_empty() {
+        let places = rows
+            .iter()
+            .flat_map(|&i| columns.iter().map(move |&j| [i, j]));
+        let size = |at: &[usize; 2]| left[(at[0], at[1])].abs();
+        let [i, j] = places.max_by(|a, b| size(a).total_cmp(&size(b)))?;
+        // Written so that NaN is none.
+        if !(left[(i, j)].abs() > NO_PIVOT) {
+            return Some([i, j]);
+        }
+        rows.retain(|&other| other != i);
+        columns.retain(|&other| other != j);
+        for &row in &rows {
+            let factor = left[(row, j)] / left[(i, j)];
+            for &column in &columns {
+                left[(row, column)] -= factor * left[(i, column)];
+            }
+        }
+    }
+    None
 }
 
 /// `Σ a b`, as far as both go.
@@ -241,8 +284,16 @@ impl<L: LinearSolver> LinearSolver for Bordered<L> {
         if self.determined {
             return self.inner.explain(equations, state);
         }
-        let why = "the scalar equations do not determine the scalar unknowns";
-        Singularity::Unsolved(why.to_string())
+        let why = match (self.borders.undetermined, equations.scalars()) {
+            (Some([equation, unknown]), Some(scalars)) => format!(
+                "the conditions do not determine all that is free: {} is insensitive, or redundant \
+                 with other conditions, to what is left, as {}",
+                scalars.describe_equation(equation),
+                scalars.describe_unknown(unknown)
+            ),
+            _ => "the scalar equations do not determine the scalar unknowns".to_string(),
+        };
+        Singularity::Unsolved(why)
     }
 }
 
@@ -276,9 +327,13 @@ mod tests {
             Ok(())
         }
 
-        fn residual(&self, _: &Collocation, _: &GridState, _: &mut [f64]) {}
+        fn residual(&self, _: &Collocation, _: &GridState, _: &mut [f64]) -> Result<()> {
+            Ok(())
+        }
 
-        fn gradient(&self, _: &Collocation, _: &GridState, _: usize, _: &mut [f64]) {}
+        fn gradient(&self, _: &Collocation, _: &GridState, _: usize, _: &mut [f64]) -> Result<()> {
+            Ok(())
+        }
     }
 
     fn wave(seed: usize) -> impl Fn(usize) -> f64 {

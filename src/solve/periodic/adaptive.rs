@@ -127,7 +127,7 @@ impl Adaptation {
     }
 
     /// Points of the grid after one of `points` with this estimate.
-    fn next(&self, points: usize, found: &Assessment, loads: &Loads) -> usize {
+    pub(crate) fn next(&self, points: usize, found: &Assessment, loads: &Loads) -> usize {
         let [least, largest, unresolved] = GROWTH;
         let most = match found.decay.kind {
             DecayKind::Fast if found.error.is_finite() => largest,

@@ -4,10 +4,12 @@
 //! * `options.rs`: what the user may choose;
 //! * `given.rs`: a solve on a given grid, which may begin on a coarser one;
 //! * `adaptive.rs`: grids made finer until the estimated error meets a tolerance;
+//! * `conditioned.rs`: motions under conditions that determine free parameters;
 //! * `estimate.rs`, `waves.rs`, `loads.rs`: that error: of the motions at the grid points, by
 //!   harmonics above the grid's, of loads that the grid cannot hold.
 
 pub(crate) mod adaptive;
+pub(crate) mod conditioned;
 pub(crate) mod estimate;
 mod given;
 mod loads;

@@ -1,0 +1,51 @@
+//! Damping in proportion to mass. See docs/theory.md, section 6.12.
+
+use super::{Contribution, Element, Inertia, Instant};
+use crate::error::Result;
+use nalgebra::Vector6;
+use std::sync::Arc;
+
+/// Forces `factor · M V` against the motion of what has this inertia, relative to the inertial
+/// frame.
+#[derive(Debug, Clone)]
+pub struct MassDamping {
+    inertia: Arc<Inertia>,
+    factor: f64,
+}
+
+impl MassDamping {
+    /// Of an inertia.
+    pub fn new(inertia: Arc<Inertia>, factor: f64) -> Self {
+        MassDamping { inertia, factor }
+    }
+}
+
+impl Element for MassDamping {
+    fn nodes(&self) -> &[usize] {
+        self.inertia.nodes()
+    }
+
+    fn has_damping(&self) -> bool {
+        true
+    }
+
+    fn knows_inertial_frame(&self) -> bool {
+        true
+    }
+
+    fn evaluate(&self, instant: &Instant, out: &mut Contribution) -> Result<()> {
+        let mass = self.inertia.mass();
+        for a in 0..instant.nodes.len() {
+            let mut force = Vector6::zeros();
+            for (b, other) in instant.nodes.iter().enumerate() {
+                let block = mass.fixed_view::<6, 6>(6 * a, 6 * b) * self.factor;
+                force += block * other.twist;
+                if out.with_tangents {
+                    out.add_damping(a, b, &block);
+                }
+            }
+            out.add_force(a, &force);
+        }
+        Ok(())
+    }
+}

@@ -1,0 +1,65 @@
+//! Free parameters, and as many conditions that determine them. See docs/theory.md, section 12.
+//!
+//! A condition is a scalar equation of the motion over the period and of the parameters. A new one
+//! is a file here that implements [`Condition`].
+
+mod arc_length;
+mod equations;
+mod given;
+mod inner_product;
+mod joint_coordinate;
+mod phase;
+
+pub(crate) use arc_length::ArcLength;
+pub(crate) use equations::Conditioned;
+pub use equations::Free;
+pub use given::Given;
+pub(crate) use inner_product::InnerProduct;
+pub use joint_coordinate::JointCoordinateIs;
+pub use phase::Phase;
+
+use crate::collocation::{Collocation, GridState};
+use crate::error::Result;
+use std::fmt::Debug;
+use std::sync::Arc;
+
+/// A scalar equation that takes the place of what a free parameter leaves open.
+///
+/// It looks at the motions, multipliers and internal states of `state` at all grid points, at the
+/// free parameters, which are its `scalars`, and at what `equations` knows of them: the kinematics
+/// of the nodes ([`Collocation::node_states`]) are those of the state, the system is that of the
+/// parameters.
+pub trait Condition: Debug + Send + Sync {
+    /// What it is called in messages: "the mean of ...".
+    fn name(&self) -> String;
+
+    /// What counts as 1 in its value, a positive number.
+    fn scale(&self, equations: &Collocation) -> f64;
+
+    /// What is left of it: zero where it is met.
+    ///
+    /// # Errors
+    /// If it cannot be evaluated there.
+    fn value(&self, equations: &Collocation, state: &GridState) -> Result<f64>;
+
+    /// Adds the derivatives of the value by all unknowns to `row`, at the places of
+    /// [`Collocation::layout`]: by material increments `[Δr; Δψ]` of motions, own unknowns and free
+    /// parameters, none of them scaled.
+    ///
+    /// # Errors
+    /// If it cannot be evaluated there.
+    fn gradient(&self, equations: &Collocation, state: &GridState, row: &mut [f64]) -> Result<()>;
+
+    /// What takes its place in a solve that starts at `state`, if that depends on it.
+    ///
+    /// # Errors
+    /// If it cannot be met from there.
+    fn at_start(
+        &self,
+        equations: &Collocation,
+        state: &GridState,
+    ) -> Result<Option<Arc<dyn Condition>>> {
+        let _ = (equations, state);
+        Ok(None)
+    }
+}
