@@ -1,6 +1,7 @@
 //! The solves: linear algebra, Newton's method, starts, periodic motions, equilibria, marching,
 //! modes. Each uses only those named before it.
 
+mod branches;
 mod conditions;
 mod equilibrium;
 mod linear;
@@ -17,6 +18,7 @@ mod step_length;
 pub(crate) mod test_models;
 mod watch;
 
+pub use branches::{Branch, BranchEnd, BranchOptions, BranchPoint, Event, follow_branch};
 pub use conditions::{Condition, Free, Given, JointCoordinateIs, Phase};
 pub use equilibrium::{StaticOptions, solve_static};
 pub use linear::diagnosis::describe_dependencies;

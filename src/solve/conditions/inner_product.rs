@@ -38,6 +38,14 @@ impl InnerProduct {
         terms.sum()
     }
 
+    /// Writes what `to` is away from `from`, motion by motion.
+    pub fn write_difference(from: &GridState, to: &GridState, out: &mut [f64]) {
+        let pairs = from.motions.iter().zip(&to.motions);
+        for (out, (from, to)) in out.chunks_exact_mut(6).zip(pairs) {
+            out.copy_from_slice(difference(from, to).as_slice());
+        }
+    }
+
     /// `⟨a, Δ⟩` of what `state` is away from `from`.
     pub fn along(&self, layout: Layout, a: &[f64], from: &GridState, state: &GridState) -> f64 {
         let weights = self.weights(layout);

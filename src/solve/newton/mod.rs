@@ -145,7 +145,7 @@ impl<L: LinearSolver> Newton<L> {
     }
 
     /// A multiple of a scaled increment, not scaled.
-    fn unscaled(&self, scaled: &[f64], factor: f64) -> Vec<f64> {
+    pub(crate) fn unscaled(&self, scaled: &[f64], factor: f64) -> Vec<f64> {
         let scales = self.equations.column_scale();
         let pairs = scaled.iter().zip(scales);
         pairs.map(|(x, s)| factor * x * s).collect()
@@ -221,7 +221,7 @@ impl<L: LinearSolver> Newton<L> {
     /// Where constraints have a compliance, takes back what that lets them open: motions are then
     /// those of the exact Jacobian, and the line search, which looks at motions only, does not take
     /// compliance for distance.
-    fn solve_linear(&mut self, rhs: &mut [f64], accuracy: f64) -> Result<bool> {
+    pub(crate) fn solve_linear(&mut self, rhs: &mut [f64], accuracy: f64) -> Result<bool> {
         let (equations, timings) = (&mut self.equations, &mut self.timings);
         let solved = self.linear.solve(equations, rhs, accuracy, timings)?;
         equations.workers().pulse()?;

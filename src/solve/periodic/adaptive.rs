@@ -126,6 +126,16 @@ impl Adaptation {
         }
     }
 
+    /// Points of the grid after one of `points` on which harmonics fall like this.
+    pub(crate) fn next_by_decay(&self, points: usize, decay: &Decay) -> usize {
+        let [least, _, most] = GROWTH;
+        let reduction = (AIM * self.error_tolerance / decay.tail).ln();
+        let wanted = points as f64 + 2.0 * reduction / decay.ratio.ln();
+        let wanted = if wanted.is_finite() { wanted } else { f64::MAX };
+        let next = wanted.clamp(least * points as f64, most * points as f64);
+        quick(next.ceil() as usize).min(self.largest_odd())
+    }
+
     /// Points of the grid after one of `points` with this estimate.
     pub(crate) fn next(&self, points: usize, found: &Assessment, loads: &Loads) -> usize {
         let [least, largest, unresolved] = GROWTH;

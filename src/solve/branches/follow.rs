@@ -1,0 +1,304 @@
+//! A branch from its first point to its end (docs/theory.md, section 13).
+
+use super::events::locate_fold;
+use super::walk::{Place, Stepped, Walk};
+use super::{Branch, BranchEnd, BranchOptions, BranchPoint, Event};
+use crate::collocation::{Decay, DecayKind, GridState};
+use crate::error::{Error, Result};
+use crate::model::Model;
+use crate::solve::conditions::{Conditioned, Free};
+use crate::solve::periodic::conditioned::solve_conditioned;
+use crate::solve::periodic::options::GridPoints;
+use crate::solve::watch::Stage;
+use crate::workers::Workers;
+
+/// Fewest points before the first is looked for.
+const LEAST_LOOP: usize = 4;
+/// Distance of a closed loop from its first point, over the step.
+const CLOSED: f64 = 0.2;
+
+/// Follows periodic motions of `model` along a parameter, from the solution at its value in the
+/// model, which is the first point: a tangent predicts the next point, Newton's method with the
+/// condition of a length along the branch finds it.
+///
+/// `observe` is told of each point and returns `false` to cancel: what there is then is kept, as it
+/// is where the branch can go on no further.
+///
+/// # Errors
+/// As [`solve_conditioned`]; if the parameter is outside its range at the start.
+pub fn follow_branch(
+    model: &Model,
+    period: f64,
+    parameter: Free,
+    options: &BranchOptions,
+    observe: &mut dyn FnMut(usize, &BranchPoint) -> bool,
+) -> Result<Branch> {
+    options.validate()?;
+    let mut free = options.free.clone();
+    free.push(parameter);
+    if options.conditions.len() + 1 != free.len() {
+        let expected = format!("as many as there are free parameters ({})", free.len() - 1);
+        let got = options.conditions.len();
+        return Err(Error::size("options.conditions", expected, got));
+    }
+    let conditioned = Conditioned::new(model, period, &free)?;
+    let [low, high] = options.range;
+    let start = parameter.value(model, period)?;
+    // A frequency is that of a period that was given.
+    let slack = 1e-12 * (high - low).max(start.abs());
+    if !(low - slack..=high + slack).contains(&start) {
+        let expected = format!("{} between {low} and {high}", parameter.name(model));
+        return Err(Error::value("options.range", expected, start));
+    }
+    let mut branch = Branch {
+        conditioned,
+        period,
+        points: Vec::new(),
+        end: BranchEnd::NoStart,
+        explanation: String::new(),
+        rejected: 0,
+        iterations: 0,
+        threads: options.periodic.threads,
+    };
+    let given = (&options.free[..], &options.conditions[..]);
+    let first = &options.periodic;
+    let (found, solved) = solve_conditioned(model, period, given, first, &mut |_, _| true)?;
+    branch.iterations = solved.total_iterations;
+    if !solved.report.outcome.is_solution() {
+        branch.explanation = format!(
+            "no first point was found: {}; {}",
+            solved.report.outcome.describe(),
+            solved.report.explanation
+        );
+        return Ok(branch);
+    }
+    let grid = solved.grid;
+    branch.period = grid.period();
+    branch.conditioned = Conditioned::new(&found, grid.period(), &free)?;
+    let mut state = solved.state;
+    state.scalars = branch.conditioned.values(grid.period())?;
+    let watching = options.periodic.watch.begin(Stage::Newton, grid.points());
+    let workers = Workers::new(options.periodic.threads)?.telling(watching.pulse());
+    let walk = Walk::new(&found, grid, &free, (options, workers, watching))?;
+    let mut follow = Follow {
+        walk,
+        branch,
+        observe,
+    };
+    follow.from(state)?;
+    follow.branch.iterations += follow.walk.iterations();
+    Ok(follow.branch)
+}
+
+struct Follow<'a, 'o> {
+    walk: Walk<'a>,
+    branch: Branch,
+    observe: &'o mut dyn FnMut(usize, &BranchPoint) -> bool,
+}
+
+impl Follow<'_, '_> {
+    fn ends(&mut self, end: BranchEnd, why: impl Into<String>) {
+        (self.branch.end, self.branch.explanation) = (end, why.into());
+    }
+
+    /// Keeps a point. `false` if the branch is to end there.
+    fn keep(&mut self, place: &Place, [step, angle]: [f64; 2], iterations: usize) -> bool {
+        let mut state = place.state.clone();
+        let scalars = std::mem::take(&mut state.scalars);
+        let last = scalars.len() - 1;
+        let mut values = vec![scalars[last]];
+        values.extend_from_slice(&scalars[..last]);
+        let point = BranchPoint {
+            values,
+            slope: self.walk.slope(place),
+            grid: self.walk.newton.equations.grid(),
+            state,
+            step,
+            angle,
+            iterations,
+            event: None,
+        };
+        self.branch.points.push(point);
+        let (number, point) = (self.branch.points.len(), self.branch.points.last());
+        let goes_on = point.is_none_or(|point| (self.observe)(number, point));
+        if !goes_on || self.walk.watching.is_stopped() {
+            self.ends(BranchEnd::Cancelled, "");
+            return false;
+        }
+        if number >= self.walk.options.point_limit {
+            self.ends(BranchEnd::PointLimit, "");
+            return false;
+        }
+        true
+    }
+
+    /// Follows the branch from a solution.
+    fn from(&mut self, state: GridState) -> Result<()> {
+        let value = self.walk.parameter(&state);
+        let (state, report) = self.walk.at_parameter(state, value)?;
+        if !report.outcome.is_solution() {
+            let why = format!(
+                "no first point was found: {}; {}",
+                report.outcome.describe(),
+                report.explanation
+            );
+            self.ends(BranchEnd::NoStart, why);
+            return Ok(());
+        }
+        let iterations = report.iterations.len();
+        let Some(mut place) = self.walk.first_tangent(state)? else {
+            let why = "the branch has no tangent along the parameter where it starts, as at a fold";
+            self.ends(BranchEnd::NoStart, why);
+            return Ok(());
+        };
+        let first = place.clone();
+        if !self.keep(&place, [0.0; 2], iterations) {
+            return Ok(());
+        }
+        let mut step = self.walk.options.first_step;
+        loop {
+            let length = step;
+            let Some((taken, stepped)) = self.step_from(&place, length)? else {
+                return Ok(());
+            };
+            if let Some(at_end) = self.beyond(&place, &stepped.to)? {
+                if let Some((end, iterations)) = at_end {
+                    self.keep_between(&place, (&end, taken))?;
+                    let angle = self.angle(&place, &end);
+                    self.keep(&end, [taken, angle], iterations);
+                }
+                self.ends(BranchEnd::Range, "");
+                return Ok(());
+            }
+            if !self.keep_between(&place, (&stepped.to, taken))? {
+                return Ok(());
+            }
+            let closed = self.closes(&first, &place, &stepped.to, taken);
+            let shown = stepped.shown;
+            let (goes_on, last) = (
+                self.keep(&stepped.to, [taken, shown.angle], stepped.iterations),
+                stepped.to,
+            );
+            if !goes_on {
+                return Ok(());
+            }
+            if closed {
+                self.ends(BranchEnd::Closed, "");
+                return Ok(());
+            }
+            step = shown.next(taken, self.walk.options);
+            place = self.on_fine_enough_grid(last)?;
+        }
+    }
+
+    fn angle(&self, from: &Place, to: &Place) -> f64 {
+        let cosine = self.walk.inner(&from.tangent, &to.tangent);
+        cosine.clamp(-1.0, 1.0).acos()
+    }
+
+    /// The next point, and the length of the step to it; none where the branch ends.
+    fn step_from(&mut self, place: &Place, first: f64) -> Result<Option<(f64, Stepped)>> {
+        let mut length = first;
+        loop {
+            let why = match self.walk.step(place, length)? {
+                Ok(stepped) if !stepped.shown.is_too_far(self.walk.options) => {
+                    return Ok(Some((length, stepped)));
+                }
+                Ok(_) => "the branch turns too sharply".to_string(),
+                Err(report) if self.walk.watching.is_stopped() => {
+                    self.ends(BranchEnd::Cancelled, report.explanation);
+                    return Ok(None);
+                }
+                Err(report) => format!("{}; {}", report.outcome.describe(), report.explanation),
+            };
+            self.branch.rejected += 1;
+            length *= 0.5;
+            if length < self.walk.options.smallest_step {
+                let value = self.walk.parameter(&place.state);
+                let why = format!(
+                    "no step of {:.1e} or more leads on from {value}: {why}",
+                    self.walk.options.smallest_step
+                );
+                self.ends(BranchEnd::SmallestStep, why);
+                return Ok(None);
+            }
+        }
+    }
+
+    /// Where a step leads out of the range: the solution at its end, if it is found.
+    #[allow(clippy::type_complexity)]
+    fn beyond(&mut self, from: &Place, to: &Place) -> Result<Option<Option<(Place, usize)>>> {
+        let [low, high] = self.walk.options.range;
+        let (here, there) = (
+            self.walk.parameter(&from.state),
+            self.walk.parameter(&to.state),
+        );
+        let bound = match there {
+            there if there > high => high,
+            there if there < low => low,
+            _ => return Ok(None),
+        };
+        let share = ((bound - here) / (there - here)).clamp(0.0, 1.0);
+        let away = self.walk.away(&from.state, &to.state);
+        let system = self.walk.newton.equations.system().clone();
+        let start = from.state.incremented(&system, &away, share);
+        let (state, report) = self.walk.at_parameter(start, bound)?;
+        if !report.outcome.is_solution() {
+            return Ok(Some(None));
+        }
+        let mut place = match self.walk.first_tangent(state)? {
+            Some(place) => place,
+            None => return Ok(Some(None)),
+        };
+        if self.walk.inner(&place.tangent, &from.tangent) < 0.0 {
+            place.tangent.iter_mut().for_each(|x| *x = -*x);
+        }
+        Ok(Some(Some((place, report.iterations.len()))))
+    }
+
+    /// Keeps what happens between a point and the next. `false` if the branch is to end there.
+    fn keep_between(&mut self, from: &Place, (to, length): (&Place, f64)) -> Result<bool> {
+        let (here, there) = (self.walk.slope(from), self.walk.slope(to));
+        if here * there >= 0.0 {
+            return Ok(true);
+        }
+        let Some((fold, at)) = locate_fold(&mut self.walk, from, (length, there))? else {
+            return Ok(true);
+        };
+        let goes_on = self.keep(&fold.to, [at, fold.shown.angle], fold.iterations);
+        if let Some(point) = self.branch.points.last_mut() {
+            point.event = Some(Event::Fold);
+        }
+        Ok(goes_on)
+    }
+
+    /// Whether a step passes by the first point.
+    fn closes(&self, first: &Place, from: &Place, to: &Place, length: f64) -> bool {
+        if self.branch.points.len() < LEAST_LOOP || first.state.points() != from.state.points() {
+            return false;
+        }
+        let away = self.walk.away(&from.state, &first.state);
+        let along = self.walk.inner(&away, &from.tangent);
+        let aside = self.walk.inner(&away, &away) - along * along;
+        let forwards = self.walk.inner(&to.tangent, &first.tangent) > 0.0;
+        forwards && (0.0..=length).contains(&along) && aside < (CLOSED * length).powi(2)
+    }
+
+    /// Goes on with more grid points where the estimated error asks for it.
+    fn on_fine_enough_grid(&mut self, place: Place) -> Result<Place> {
+        let GridPoints::Adaptive(adaptation) = self.walk.options.periodic.grid_points else {
+            return Ok(place);
+        };
+        let equations = &self.walk.newton.equations;
+        let (system, grid) = (equations.system(), equations.grid());
+        let decay = Decay::of(system, grid, &place.state);
+        if decay.tail <= adaptation.error_tolerance || decay.kind == DecayKind::Rounding {
+            return Ok(place);
+        }
+        let next = adaptation.next_by_decay(grid.points(), &decay);
+        if next <= grid.points() {
+            return Ok(place);
+        }
+        Ok(self.walk.refine(&place, next)?.unwrap_or(place))
+    }
+}

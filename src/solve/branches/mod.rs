@@ -1,0 +1,199 @@
+//! Branches: periodic motions followed along a parameter, through folds.
+//! See docs/theory.md, section 13.
+//!
+//! * `walk.rs`: a point and its tangent, the next point;
+//! * `step.rs`: how long the next step is;
+//! * `follow.rs`: from the first point to the end;
+//! * `events.rs`: what lies between two points, located.
+
+mod events;
+mod follow;
+mod step;
+mod walk;
+
+pub use follow::follow_branch;
+
+use crate::collocation::GridState;
+use crate::error::{Error, Result, require_finite, require_positive_number};
+use crate::fourier::TimeGrid;
+use crate::model::Model;
+use crate::solve::conditions::{Condition, Conditioned, Free};
+use crate::solve::periodic::conditioned::known;
+use crate::solve::periodic::options::PeriodicOptions;
+use crate::solve::report::{NewtonReport, Outcome};
+use crate::solve::result::Solved;
+use std::sync::Arc;
+
+/// How a branch is followed.
+#[derive(Debug, Clone)]
+pub struct BranchOptions {
+    /// Grid, tolerance, linear solver, threads, and where the first solve starts.
+    pub periodic: PeriodicOptions,
+    /// What else is free along the branch, and as many conditions.
+    pub free: Vec<Free>,
+    /// Those conditions.
+    pub conditions: Vec<Arc<dyn Condition>>,
+    /// The parameter stays from the first to the second: the branch ends there.
+    pub range: [f64; 2],
+    /// Whether the parameter decreases at first.
+    pub downwards: bool,
+    /// What counts as 1 in motions, relative to the size of the mechanism and in radians: less
+    /// makes steps shorter where motions change, more where the parameter does.
+    pub motion_scale: f64,
+    /// Length of the first step, of which 1 is the range of the parameter or a motion of
+    /// `motion_scale`.
+    pub first_step: f64,
+    /// Shortest step: where that fails the branch ends.
+    pub smallest_step: f64,
+    /// Longest step.
+    pub largest_step: f64,
+    /// Angle between tangents of neighbouring points that steps aim at, in radians. Steps by four
+    /// thirds of it are taken again by half.
+    pub angle: f64,
+    /// Most points.
+    pub point_limit: usize,
+}
+
+impl Default for BranchOptions {
+    fn default() -> Self {
+        BranchOptions {
+            periodic: PeriodicOptions::default(),
+            free: Vec::new(),
+            conditions: Vec::new(),
+            range: [f64::NEG_INFINITY, f64::INFINITY],
+            downwards: false,
+            motion_scale: 1.0,
+            first_step: 0.02,
+            smallest_step: 1e-6,
+            largest_step: 0.25,
+            angle: 0.3,
+            point_limit: 1000,
+        }
+    }
+}
+
+impl BranchOptions {
+    fn validate(&self) -> Result<()> {
+        self.periodic.validate()?;
+        require_finite("options.range", &self.range)?;
+        let [low, high] = self.range;
+        if low >= high {
+            let expected = format!("more than {low} for its end");
+            return Err(Error::value("options.range", expected, high));
+        }
+        for (name, value) in [
+            ("options.motion_scale", self.motion_scale),
+            ("options.first_step", self.first_step),
+            ("options.smallest_step", self.smallest_step),
+            ("options.largest_step", self.largest_step),
+            ("options.angle", self.angle),
+        ] {
+            require_positive_number(name, value)?;
+        }
+        if self.smallest_step > self.first_step || self.first_step > self.largest_step {
+            let expected = "from smallest_step to largest_step";
+            return Err(Error::value(
+                "options.first_step",
+                expected,
+                self.first_step,
+            ));
+        }
+        if self.point_limit == 0 {
+            return Err(Error::size("options.point_limit", "at least 1", 0));
+        }
+        Ok(())
+    }
+}
+
+/// What happens at a point of a branch.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Event {
+    /// The parameter turns back.
+    Fold,
+}
+
+impl Event {
+    /// What it is, for people.
+    pub fn describe(self) -> &'static str {
+        match self {
+            Event::Fold => "fold",
+        }
+    }
+}
+
+/// A periodic motion on a branch.
+#[derive(Debug, Clone)]
+pub struct BranchPoint {
+    /// The parameter that is followed, then those that are free beside it.
+    pub values: Vec<f64>,
+    /// Derivative of the parameter by the arc length, over the parameter's range: zero at a fold.
+    pub slope: f64,
+    /// Grid of the motion, with its period.
+    pub grid: TimeGrid,
+    /// The motion.
+    pub state: GridState,
+    /// Length of the step from the point before.
+    pub step: f64,
+    /// Angle between the tangents here and at the point before.
+    pub angle: f64,
+    /// Newton iterations.
+    pub iterations: usize,
+    /// What happens here.
+    pub event: Option<Event>,
+}
+
+/// Why a branch ended.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum BranchEnd {
+    /// The parameter reached an end of its range.
+    Range,
+    /// It came back to its first point.
+    Closed,
+    /// There are as many points as are allowed.
+    PointLimit,
+    /// The shortest step led to no solution.
+    SmallestStep,
+    /// It was cancelled.
+    Cancelled,
+    /// There is no first point.
+    NoStart,
+}
+
+/// Periodic motions along a parameter.
+#[derive(Debug, Clone)]
+pub struct Branch {
+    pub(super) conditioned: Conditioned,
+    pub(super) period: f64,
+    /// The points, in order.
+    pub points: Vec<BranchPoint>,
+    /// Why it ended.
+    pub end: BranchEnd,
+    /// More on that.
+    pub explanation: String,
+    /// Steps that were taken again by half.
+    pub rejected: usize,
+    /// Newton iterations, with those of steps that were rejected and of events.
+    pub iterations: usize,
+    threads: usize,
+}
+
+impl Branch {
+    /// The model and the motion of a point.
+    ///
+    /// # Errors
+    /// If there is no such point.
+    pub fn solved(&self, index: usize) -> Result<(Model, Solved)> {
+        let Some(point) = self.points.get(index) else {
+            let expected = format!("a point below {}", self.points.len());
+            return Err(Error::value("index", expected, index));
+        };
+        let mut scalars = point.values[1..].to_vec();
+        scalars.push(point.values[0]);
+        let (model, period) = self.conditioned.model_at(&scalars, self.period)?;
+        let grid = TimeGrid::new(point.grid.points(), period)?;
+        let report = NewtonReport::ended(Outcome::Converged, String::new());
+        let motion = (grid, point.state.clone());
+        let solved = known(&model, motion, report, self.threads, Vec::new())?;
+        Ok((model, solved))
+    }
+}

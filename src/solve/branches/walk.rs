@@ -1,0 +1,327 @@
+//! A point of a branch with its tangent, and the next one (docs/theory.md, section 13.1).
+
+use super::BranchOptions;
+use super::step::Shown;
+use crate::collocation::{Collocation, GridState};
+use crate::error::{ErrorKind, Result};
+use crate::fourier::{Resampling, TimeGrid};
+use crate::model::Model;
+use crate::solve::conditions::{ArcLength, Condition, Conditioned, Free, Given, InnerProduct};
+use crate::solve::linear::bordered::Bordered;
+use crate::solve::linear::method::Linear;
+use crate::solve::newton::Newton;
+use crate::solve::report::{Iteration, NewtonOptions, NewtonReport, Outcome};
+use crate::solve::watch::{Stage, Watching};
+use crate::system::System;
+use crate::workers::Workers;
+use std::sync::Arc;
+
+/// Most Newton iterations of a step.
+const ITERATION_LIMIT: usize = 8;
+/// Accuracy of tangents.
+const TANGENT: f64 = 1e-9;
+
+/// A solution and the direction in which the branch goes on.
+#[derive(Debug, Clone)]
+pub(super) struct Place {
+    /// With all free parameters as its scalars, that which is followed last.
+    pub state: GridState,
+    /// Of unit length; not scaled.
+    pub tangent: Vec<f64>,
+}
+
+/// A step that led to a solution.
+pub(super) struct Stepped {
+    pub to: Place,
+    pub shown: Shown,
+    pub iterations: usize,
+}
+
+/// Goes from one point to the next.
+pub(super) struct Walk<'a> {
+    pub options: &'a BranchOptions,
+    pub conditioned: Conditioned,
+    pub newton: Newton<Bordered<Linear>>,
+    /// What counts as 1 in the free parameters, for lengths along the branch.
+    pub scales: Vec<f64>,
+    pub workers: Workers,
+    pub watching: Watching,
+    pub product: InnerProduct,
+    /// Newton iterations on earlier grids.
+    before: usize,
+}
+
+impl<'a> Walk<'a> {
+    pub fn new(
+        model: &Model,
+        grid: TimeGrid,
+        free: &[Free],
+        (options, workers, watching): (&'a BranchOptions, Workers, Watching),
+    ) -> Result<Self> {
+        let conditioned = Conditioned::new(model, grid.period(), free)?;
+        let system = Arc::new(System::new(model, grid.period())?);
+        let newton = solver(&system, grid, &conditioned, options, &workers)?;
+        let equations = &newton.equations;
+        let mut scales = equations.column_scale()[equations.layout().scalars()].to_vec();
+        let [low, high] = options.range;
+        *scales.last_mut().unwrap_or(&mut 1.0) = high - low;
+        Ok(Walk {
+            product: InnerProduct::new(equations, options.motion_scale),
+            options,
+            conditioned,
+            newton,
+            scales,
+            workers,
+            watching,
+            before: 0,
+        })
+    }
+
+    /// Newton iterations on all grids.
+    pub fn iterations(&self) -> usize {
+        self.before + self.newton.iterations
+    }
+
+    /// The value of the parameter that is followed.
+    pub fn parameter(&self, state: &GridState) -> f64 {
+        state.scalars[self.scales.len() - 1]
+    }
+
+    /// Derivative of that by the arc length, over its scale.
+    pub fn slope(&self, place: &Place) -> f64 {
+        let last = place.tangent.len() - 1;
+        place.tangent[last] / self.scales[self.scales.len() - 1]
+    }
+
+    /// Takes `last` for the condition on the parameter that is followed, in a solve from `state`.
+    fn set_condition(&mut self, last: Arc<dyn Condition>, state: &GridState) -> Result<()> {
+        let equations = &mut self.newton.equations;
+        equations.apply_scalars(state)?;
+        equations.update_kinematics(state);
+        let mut conditions = self.options.conditions.clone();
+        conditions.push(last);
+        let conditioned = self.conditioned.under(&conditions, equations, state)?;
+        equations.set_scalars(Arc::new(conditioned));
+        if self.options.conditions.is_empty() {
+            // Near a fold alone it is singular.
+            equations.ground(0.0);
+        }
+        Ok(())
+    }
+
+    /// Solves from `state`; what cannot be evaluated there is no solution.
+    fn solve(&mut self, state: &mut GridState, limit: usize) -> Result<NewtonReport> {
+        let options = NewtonOptions {
+            iteration_limit: limit.min(self.options.periodic.newton.iteration_limit),
+            ..self.options.periodic.newton
+        };
+        let watching = self.watching.clone();
+        let mut observe = |iteration: &Iteration| watching.iteration(Stage::Newton, iteration);
+        match self.newton.solve(state, &options, &mut observe) {
+            Err(e) if self.watching.cancels(&e) => {
+                Ok(NewtonReport::ended(Outcome::Cancelled, String::new()))
+            }
+            Err(e) if !matches!(e.kind(), ErrorKind::Callback | ErrorKind::OutOfMemory) => {
+                Ok(NewtonReport::ended(Outcome::Stalled, e.to_string()))
+            }
+            end => end,
+        }
+    }
+
+    /// The solution at a value of the parameter, near `state`.
+    pub fn at_parameter(
+        &mut self,
+        mut state: GridState,
+        value: f64,
+    ) -> Result<(GridState, NewtonReport)> {
+        let free = self.scales.len() - 1;
+        self.set_condition(Arc::new(Given { free, value }), &state)?;
+        state.scalars[free] = value;
+        let report = self.solve(&mut state, ITERATION_LIMIT)?;
+        Ok((state, report))
+    }
+
+    /// The first tangent, at a solution where the parameter was given; none if the branch does not
+    /// go on along the parameter there.
+    pub fn first_tangent(&mut self, state: GridState) -> Result<Option<Place>> {
+        let found = self.tangent(&state, None)?;
+        let Some(mut tangent) = found else {
+            return Ok(None);
+        };
+        let last = tangent.len() - 1;
+        let wanted = if self.options.downwards { -1.0 } else { 1.0 };
+        if tangent[last] * wanted < 0.0 {
+            tangent.iter_mut().for_each(|x| *x = -*x);
+        }
+        Ok(Some(Place { state, tangent }))
+    }
+
+    /// The tangent at a solution, along the one `before` if there is one; none if the equations are
+    /// singular.
+    fn tangent(&mut self, state: &GridState, before: Option<&[f64]>) -> Result<Option<Vec<f64>>> {
+        if !self.newton.linearise(state)? {
+            return Ok(None);
+        }
+        let layout = self.newton.equations.layout();
+        let mut rows = vec![0.0; layout.size()];
+        rows[layout.size() - 1] = 1.0;
+        if !self.newton.solve_linear(&mut rows, TANGENT)? {
+            return Ok(None);
+        }
+        let mut tangent = self.newton.unscaled(&rows, 1.0);
+        let mut length = self.inner(&tangent, &tangent).sqrt();
+        if before.is_some_and(|before| self.inner(&tangent, before) < 0.0) {
+            length = -length;
+        }
+        tangent.iter_mut().for_each(|x| *x /= length);
+        Ok(tangent.iter().all(|x| x.is_finite()).then_some(tangent))
+    }
+
+    /// `⟨a, b⟩` of motions and free parameters.
+    pub fn inner(&self, a: &[f64], b: &[f64]) -> f64 {
+        let layout = self.newton.equations.layout();
+        let scalars = a[layout.scalars()].iter().zip(&b[layout.scalars()]);
+        let scalars = scalars.zip(&self.scales);
+        let scalars: f64 = scalars.map(|((a, b), s)| a * b / (s * s)).sum();
+        self.product.of(layout, a, b) + scalars
+    }
+
+    /// What a state is away from another, on the same grid.
+    pub fn away(&self, from: &GridState, to: &GridState) -> Vec<f64> {
+        let layout = self.newton.equations.layout();
+        let mut away = vec![0.0; layout.size()];
+        InnerProduct::write_difference(from, to, &mut away[layout.motions()]);
+        let scalars = to.scalars.iter().zip(&from.scalars);
+        for (x, (to, from)) in away[layout.scalars()].iter_mut().zip(scalars) {
+            *x = to - from;
+        }
+        away
+    }
+
+    /// The point at `length` along the branch from a place; none, and why, where there is no
+    /// solution.
+    pub fn step(
+        &mut self,
+        from: &Place,
+        length: f64,
+    ) -> Result<std::result::Result<Stepped, NewtonReport>> {
+        let arc = ArcLength {
+            from: from.state.clone(),
+            tangent: from.tangent.clone(),
+            product: self.product,
+            scales: self.scales.clone(),
+            length,
+        };
+        self.set_condition(Arc::new(arc), &from.state)?;
+        let system = self.newton.equations.system().clone();
+        let predicted = from.state.incremented(&system, &from.tangent, length);
+        let mut state = predicted.clone();
+        let report = self.solve(&mut state, ITERATION_LIMIT)?;
+        if report.outcome != Outcome::Converged {
+            return Ok(Err(report));
+        }
+        let Some(tangent) = self.tangent(&state, Some(&from.tangent))? else {
+            let why = "no tangent of the branch could be found".to_string();
+            return Ok(Err(NewtonReport::ended(Outcome::Singular, why)));
+        };
+        let error = self.away(&predicted, &state);
+        let cosine = self.inner(&tangent, &from.tangent).clamp(-1.0, 1.0);
+        Ok(Ok(Stepped {
+            shown: Shown {
+                angle: cosine.acos(),
+                prediction: self.inner(&error, &error).sqrt() / length.abs(),
+            },
+            to: Place { state, tangent },
+            iterations: report.iterations.len(),
+        }))
+    }
+
+    /// Goes on with another number of grid points; none where the motion cannot be interpolated, or
+    /// is no longer a solution.
+    pub fn refine(&mut self, place: &Place, points: usize) -> Result<Option<Place>> {
+        let equations = &self.newton.equations;
+        let (system, grid) = (equations.system().clone(), equations.grid());
+        let finer = TimeGrid::new(points, grid.period())?;
+        let state = match place
+            .state
+            .resampled(&system, grid, 0.0, finer, &self.workers)
+        {
+            Ok(state) => state,
+            Err(e) if e.kind() == ErrorKind::GridTooCoarse => return Ok(None),
+            Err(e) => return Err(e),
+        };
+        let tangent = resampled(&place.tangent, &system, grid, points, self.scales.len());
+        let nominal = TimeGrid::new(points, system.period())?;
+        let model_system = system.clone();
+        let next = solver(
+            &model_system,
+            nominal,
+            &self.conditioned,
+            self.options,
+            &self.workers,
+        )?;
+        let coarse = std::mem::replace(&mut self.newton, next);
+        self.before += coarse.iterations;
+        let place = Place { state, tangent };
+        match self.step(&place, 0.0)? {
+            Ok(found) => Ok(Some(found.to)),
+            Err(_) => {
+                self.before += self.newton.iterations;
+                self.newton = coarse;
+                self.before -= self.newton.iterations;
+                Ok(None)
+            }
+        }
+    }
+}
+
+/// Newton's method with free parameters.
+fn solver(
+    system: &Arc<System>,
+    grid: TimeGrid,
+    conditioned: &Conditioned,
+    options: &BranchOptions,
+    workers: &Workers,
+) -> Result<Newton<Bordered<Linear>>> {
+    let mut equations = Collocation::new(system.clone(), grid)?;
+    equations.set_workers(workers.clone());
+    equations.set_scalars(Arc::new(conditioned.clone()));
+    let linear = Bordered::new(&equations, Linear::new(&equations, options.periodic.linear));
+    Ok(Newton::with(equations, linear))
+}
+
+/// An increment on another grid.
+fn resampled(
+    increment: &[f64],
+    system: &System,
+    grid: TimeGrid,
+    points: usize,
+    scalars: usize,
+) -> Vec<f64> {
+    let from = system.layout(grid.points()).with_scalars(scalars);
+    let to = system.layout(points).with_scalars(scalars);
+    let mut result = vec![0.0; to.size()];
+    let mut resampling = Resampling::new(grid, 0.0, points);
+    let mut values = vec![0.0; points];
+    let mut carry = |read: &dyn Fn(usize) -> usize, write: &dyn Fn(usize) -> usize| {
+        resampling.read((0..grid.points()).map(|k| increment[read(k)]));
+        resampling.write(0, 0, &mut values);
+        for (k, value) in values.iter().enumerate() {
+            result[write(k)] = *value;
+        }
+    };
+    for node in 0..system.nodes() {
+        for i in 0..6 {
+            let read = |k: usize| from.motion(node, k).start + i;
+            carry(&read, &|k| to.motion(node, k).start + i);
+        }
+    }
+    for placed in system.elements() {
+        for row in 0..placed.element.own_unknowns() {
+            let read = |k: usize| from.element_at(placed, k).start + row;
+            carry(&read, &|k| to.element_at(placed, k).start + row);
+        }
+    }
+    result[to.scalars()].copy_from_slice(&increment[from.scalars()]);
+    result
+}
