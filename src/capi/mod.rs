@@ -71,7 +71,9 @@
 #![allow(rustdoc::broken_intra_doc_links, rustdoc::private_intra_doc_links)]
 
 pub mod beam;
+pub mod branch;
 pub mod callback;
+pub mod condition;
 pub mod files;
 pub mod filter;
 pub mod force;
@@ -86,6 +88,7 @@ pub mod march;
 pub mod model;
 pub mod modes;
 pub mod motion;
+pub mod parameter;
 pub mod periodic;
 pub mod section;
 pub mod shooting;

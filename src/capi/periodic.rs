@@ -319,7 +319,7 @@ fn read_start(value: i32) -> Result<InitialGuess> {
     }))
 }
 
-fn read_options(
+pub(super) fn read_options(
     call: &Call,
     given: &pdn_periodic_options,
     model: &Model,

@@ -20,6 +20,9 @@ pub const PDN_SIGNAL_SAMPLES: i32 = 1;
 /// Kind of a signal: a function of the caller.
 pub const PDN_SIGNAL_FUNCTION: i32 = 2;
 
+/// Kind of a signal: a function of the caller, of the phase.
+pub const PDN_SIGNAL_FUNCTION_OF_PHASE: i32 = 3;
+
 /// A function of time, to be written by the caller.
 ///
 /// Called on the thread that solves, with times from 0 to the period T of the solve, or with the
@@ -49,7 +52,8 @@ type Function = unsafe extern "C" fn(f64, *mut f64, *mut c_void) -> i32;
 pub struct pdn_signal {
     /// Set by the initialiser.
     pub struct_size: usize,
-    /// PDN_SIGNAL_HARMONICS, PDN_SIGNAL_SAMPLES or PDN_SIGNAL_FUNCTION.
+    /// PDN_SIGNAL_HARMONICS, PDN_SIGNAL_SAMPLES, PDN_SIGNAL_FUNCTION or
+    /// PDN_SIGNAL_FUNCTION_OF_PHASE.
     pub kind: i32,
     /// Leave it zero.
     pub reserved: i32,
@@ -119,10 +123,14 @@ impl pdn_signal {
                 self.rate,
                 call.numbers(self.samples, self.sample_count, "samples")?,
             ),
-            PDN_SIGNAL_FUNCTION => {
+            PDN_SIGNAL_FUNCTION | PDN_SIGNAL_FUNCTION_OF_PHASE => {
                 let function = self.function.ok_or_else(|| null("function"))?;
                 let callback = Callback::<Function>::new(function, self.user_data, None);
-                Ok(Signal::function(Arc::new(move |time| {
+                let signal = match self.kind {
+                    PDN_SIGNAL_FUNCTION => Signal::function,
+                    _ => Signal::function_of_phase,
+                };
+                Ok(signal(Arc::new(move |time| {
                     // What the function leaves unwritten is found out.
                     let mut value = f64::NAN;
                     callback.invoke("signal", |function, user_data| {
@@ -135,7 +143,7 @@ impl pdn_signal {
             }
             other => Err(Error::value(
                 "kind",
-                "PDN_SIGNAL_HARMONICS, PDN_SIGNAL_SAMPLES or PDN_SIGNAL_FUNCTION",
+                "PDN_SIGNAL_HARMONICS, PDN_SIGNAL_SAMPLES or PDN_SIGNAL_FUNCTION, ..._OF_PHASE",
                 other,
             )),
         }
@@ -291,6 +299,39 @@ pub unsafe extern "C" fn pdn_signal_set_function(
             call.function(function, "function")?;
             signal.replace(pdn_signal {
                 kind: PDN_SIGNAL_FUNCTION,
+                function,
+                user_data,
+                ..pdn_signal::defaults()
+            });
+            Ok(())
+        })
+    })
+}
+
+/// Makes a signal a function of the caller, of the phase 2 pi t / T \[radians\], which it is told in
+/// place of the time: it holds for any period T.
+///
+/// Over a period it may grow by whole turns if it drives a rotation, and must not grow otherwise.
+///
+/// @param signal  an initialised signal; not NULL
+/// @param function  the function, see ::pdn_signal_fn for when it is called; not NULL
+/// @param user_data  handed to the function; may be NULL. Must be valid until each model that was
+///     given the signal, and each solution of it, has been freed
+/// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_STRUCT_SIZE
+///
+/// Threads: exclusive use of `signal`.
+/// @since 0.1
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn pdn_signal_set_function_of_phase(
+    signal: *mut pdn_signal,
+    function: pdn_signal_fn,
+    user_data: *mut c_void,
+) -> pdn_status {
+    guard(|call| {
+        update_struct(call, signal, "signal", |signal| {
+            call.function(function, "function")?;
+            signal.replace(pdn_signal {
+                kind: PDN_SIGNAL_FUNCTION_OF_PHASE,
                 function,
                 user_data,
                 ..pdn_signal::defaults()

@@ -2,6 +2,7 @@
 //! estimates.
 
 mod beam;
+mod branch;
 mod diagnostics;
 mod file;
 mod force;
@@ -20,6 +21,7 @@ mod vtk;
 mod write;
 
 pub use beam::BeamQuantity;
+pub use branch::BranchOutput;
 pub use diagnostics::Diagnostics;
 pub use force::ForceQuantity;
 pub use joint::{JointQuantity, ResolvedIn};

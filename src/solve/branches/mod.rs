@@ -65,7 +65,7 @@ impl Default for BranchOptions {
             motion_scale: 1.0,
             first_step: 0.02,
             smallest_step: 1e-6,
-            largest_step: 0.25,
+            largest_step: 1.0,
             angle: 0.3,
             point_limit: 1000,
         }
@@ -178,6 +178,24 @@ pub struct Branch {
 }
 
 impl Branch {
+    /// What the parameter that is followed is called in messages.
+    pub fn parameter_name(&self) -> String {
+        let names = self.conditioned.unknown_names();
+        names.last().cloned().unwrap_or_default()
+    }
+
+    /// The model, with the values of its first point.
+    pub fn model(&self) -> &Model {
+        self.conditioned.model()
+    }
+
+    /// Names of [`BranchPoint::values`] for tables.
+    pub fn value_names(&self) -> Vec<String> {
+        let mut names = self.conditioned.short_names();
+        names.rotate_right(1);
+        names
+    }
+
     /// The model and the motion of a point.
     ///
     /// # Errors

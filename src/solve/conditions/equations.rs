@@ -113,6 +113,28 @@ impl Conditioned {
         values.collect()
     }
 
+    /// The model, with the values that it began with.
+    pub fn model(&self) -> &Model {
+        &self.model
+    }
+
+    /// What the free parameters are called in messages.
+    pub fn unknown_names(&self) -> Vec<String> {
+        self.free
+            .iter()
+            .map(|free| free.name(&self.model))
+            .collect()
+    }
+
+    /// What they are called in tables.
+    pub fn short_names(&self) -> Vec<String> {
+        let short = |free: &Free| match *free {
+            Free::Frequency => "frequency".to_string(),
+            Free::Parameter(id) => self.model.parameters()[id].name.clone(),
+        };
+        self.free.iter().map(short).collect()
+    }
+
     /// The model and the period with these values of the free parameters, where those of the
     /// system are of `period`.
     ///

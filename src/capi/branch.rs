@@ -1,0 +1,503 @@
+//! Branches: periodic motions along a parameter.
+
+use super::call::Call;
+use super::condition::{free_parameter, pdn_conditions};
+use super::guard::{free, guard, guard_or, init};
+use super::handle::Handle;
+use super::last_error::copy_message;
+use super::model::{index, node, pdn_model};
+use super::options::Options;
+use super::periodic::{pdn_periodic_options, read_options};
+use super::solution::pdn_solution;
+use super::status::pdn_status;
+use crate::error::{Error, Result};
+use crate::model::Model;
+use crate::output::BranchOutput;
+use crate::solve::{Branch, BranchEnd, BranchOptions, BranchPoint, Event, Free, follow_branch};
+use libc::{c_char, c_void};
+use std::f64::consts::TAU;
+use std::path::Path;
+
+/// A branch ended at an end of the parameter's range.
+pub const PDN_BRANCH_RANGE: i32 = 0;
+/// A branch ended as it came back to its first point.
+pub const PDN_BRANCH_CLOSED: i32 = 1;
+/// A branch ended as it has as many points as are allowed.
+pub const PDN_BRANCH_POINT_LIMIT: i32 = 2;
+/// A branch ended where the shortest step leads to no solution.
+pub const PDN_BRANCH_SMALLEST_STEP: i32 = 3;
+/// A branch ended as it was cancelled.
+pub const PDN_BRANCH_CANCELLED: i32 = 4;
+/// A branch has no points, as there is no solution to start from.
+pub const PDN_BRANCH_NO_START: i32 = 5;
+
+/// Nothing happens at a point of a branch.
+pub const PDN_EVENT_NONE: i32 = 0;
+/// The parameter turns back at a point of a branch: a fold.
+pub const PDN_EVENT_FOLD: i32 = 1;
+
+/// Periodic motions along a parameter. Made by ::pdn_follow_branch, freed by ::pdn_branch_free.
+pub struct pdn_branch {
+    _private: [u8; 0],
+}
+
+impl Handle for pdn_branch {
+    type Core = Branch;
+}
+
+/// A point of a branch. Initialise with `PDN_INIT(pdn_branch_point, &point)`.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct pdn_branch_point {
+    /// Set by the initialiser.
+    pub struct_size: usize,
+    /// Value of the parameter that is followed.
+    pub parameter: f64,
+    /// Its derivative by the length along the branch, over its range: zero at a fold.
+    pub slope: f64,
+    /// Period of the motion.
+    pub period: f64,
+    /// Length of the step from the point before.
+    pub step: f64,
+    /// Angle between the branch here and at the point before \[radians\].
+    pub angle: f64,
+    /// Number of grid points.
+    pub grid_points: usize,
+    /// Number of Newton iterations.
+    pub iterations: i32,
+    /// PDN_EVENT_NONE or PDN_EVENT_FOLD.
+    pub event: i32,
+}
+
+// SAFETY: all fields are plain numbers, `struct_size` is the first, no padding.
+unsafe impl Options for pdn_branch_point {
+    const SIZES: &'static [usize] = &[64];
+}
+
+/// Sets a point to zero; use `PDN_INIT(pdn_branch_point, &point)`.
+///
+/// @param point  the point; not NULL
+/// @param struct_size  `sizeof *point`
+///
+/// Threads: any.
+/// @since 0.1
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn pdn_branch_point_init(point: *mut pdn_branch_point, struct_size: usize) {
+    init(point, struct_size, "point");
+}
+
+impl pdn_branch_point {
+    fn of(point: &BranchPoint) -> Self {
+        pdn_branch_point {
+            parameter: point.values[0],
+            slope: point.slope,
+            period: point.grid.period(),
+            step: point.step,
+            angle: point.angle,
+            grid_points: point.grid.points(),
+            iterations: i32::try_from(point.iterations).unwrap_or(i32::MAX),
+            event: match point.event {
+                None => PDN_EVENT_NONE,
+                Some(Event::Fold) => PDN_EVENT_FOLD,
+            },
+            ..Self::blank()
+        }
+    }
+}
+
+/// Called with each point of a branch, on the thread that follows it; `number` counts from 1.
+///
+/// `point` is valid during the call only. Return 0 to go on, anything else to end the branch there.
+pub type pdn_branch_fn = Option<
+    unsafe extern "C" fn(
+        point: *const pdn_branch_point,
+        number: i32,
+        user_data: *mut c_void,
+    ) -> i32,
+>;
+
+/// Options of ::pdn_follow_branch. Set the defaults by `PDN_INIT(pdn_branch_options, &options)`.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct pdn_branch_options {
+    /// Set by the initialiser.
+    pub struct_size: usize,
+    /// Grid, tolerance and linear solver, where the first solve starts, and who is told of the
+    /// iterations; NULL for the defaults. Default NULL.
+    pub periodic: *const pdn_periodic_options,
+    /// What else is free along the branch, and as many conditions; NULL for nothing. Default NULL.
+    pub conditions: *const pdn_conditions,
+    /// Least value of the parameter, where the branch ends.
+    pub from: f64,
+    /// Largest value of the parameter, where the branch ends; more than `from`.
+    pub to: f64,
+    /// What counts as 1 in motions, relative to the size of the mechanism and in radians; as the
+    /// whole range does in the parameter. Default 1.
+    pub motion_scale: f64,
+    /// Length of the first step: 1 is the whole range, or a motion of motion_scale. Default 0.02.
+    pub first_step: f64,
+    /// Shortest step. Default 1e-6.
+    pub smallest_step: f64,
+    /// Longest step. Default 1.
+    pub largest_step: f64,
+    /// Angle between the branch at neighbouring points that steps aim at \[radians\]; steps by four
+    /// thirds of it are taken again by half. Default 0.3.
+    pub angle: f64,
+    /// Most points. Default 1000.
+    pub point_limit: usize,
+    /// Told of each point; may end the branch. Default NULL.
+    pub progress: pdn_branch_fn,
+    /// Handed to progress.
+    pub progress_data: *mut c_void,
+    /// 1 if the parameter decreases at first. Default 0.
+    pub downwards: i32,
+    /// Leave it zero.
+    pub reserved: i32,
+}
+
+// SAFETY: all fields are plain numbers or pointers, `struct_size` is the first, no padding.
+unsafe impl Options for pdn_branch_options {
+    const SIZES: &'static [usize] = &[112];
+
+    fn defaults() -> Self {
+        let core = BranchOptions::default();
+        pdn_branch_options {
+            motion_scale: core.motion_scale,
+            first_step: core.first_step,
+            smallest_step: core.smallest_step,
+            largest_step: core.largest_step,
+            angle: core.angle,
+            point_limit: core.point_limit,
+            ..Self::blank()
+        }
+    }
+}
+
+/// Sets default options; use `PDN_INIT(pdn_branch_options, &options)`.
+///
+/// @param options  the options; not NULL
+/// @param struct_size  `sizeof *options`
+///
+/// Threads: any.
+/// @since 0.1
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn pdn_branch_options_init(
+    options: *mut pdn_branch_options,
+    struct_size: usize,
+) {
+    init(options, struct_size, "options");
+}
+
+fn core_options(
+    call: &Call,
+    given: &pdn_branch_options,
+    model: &Model,
+    period: f64,
+) -> Result<BranchOptions> {
+    for (name, value) in [
+        ("options.motion_scale", given.motion_scale),
+        ("options.first_step", given.first_step),
+        ("options.smallest_step", given.smallest_step),
+        ("options.largest_step", given.largest_step),
+        ("options.angle", given.angle),
+    ] {
+        call.number(value, name)?;
+    }
+    let periodic = call.options(given.periodic, "options.periodic")?;
+    let (free, conditions) = if given.conditions.is_null() {
+        (Vec::new(), Vec::new())
+    } else {
+        let conditions = call.shared(given.conditions, "options.conditions")?;
+        conditions.of(model)?
+    };
+    if given.reserved != 0 {
+        return Err(Error::value("options.reserved", "zero", given.reserved));
+    }
+    Ok(BranchOptions {
+        periodic: read_options(call, &periodic, model, period)?,
+        free,
+        conditions,
+        range: [
+            call.number(given.from, "options.from")?,
+            call.number(given.to, "options.to")?,
+        ],
+        downwards: match given.downwards {
+            0 => false,
+            1 => true,
+            other => return Err(Error::value("options.downwards", "0 or 1", other)),
+        },
+        motion_scale: given.motion_scale,
+        first_step: given.first_step,
+        smallest_step: given.smallest_step,
+        largest_step: given.largest_step,
+        angle: given.angle,
+        point_limit: given.point_limit,
+    })
+}
+
+/// Follows a branch, and tells the caller of its points.
+fn follow(
+    model: &Model,
+    (period, parameter): (f64, Free),
+    options: &BranchOptions,
+    (progress, data): (pdn_branch_fn, *mut c_void),
+) -> Result<Branch> {
+    let mut observe = |number: usize, point: &BranchPoint| {
+        let Some(function) = progress else {
+            return true;
+        };
+        let point = pdn_branch_point::of(point);
+        let number = i32::try_from(number).unwrap_or(i32::MAX);
+        // SAFETY: the caller gave the function for this data; `point` outlives the call.
+        unsafe { function(&raw const point, number, data) == 0 }
+    };
+    follow_branch(model, period, parameter, options, &mut observe)
+}
+
+/// Follows periodic motions along a parameter, through folds, from the response at its value in the
+/// model.
+///
+/// Steps are as long as the branch allows: they aim at `options.angle` between the tangents of
+/// neighbouring points. Folds are located exactly, and are points of their own. Unless a number of
+/// grid points is given it grows along the branch. That the branch ends early is no error:
+/// ::pdn_branch_end tells, and all its points are kept.
+///
+/// @param model  the model; it is copied, so that later changes do not touch the branch
+/// @param period  T of the first response, or a guess of it where the frequency is free
+/// @param parameter  id of the parameter to be followed, or PDN_FREQUENCY
+/// @param options  the range of the parameter, at least; not NULL
+/// @param out  the branch; free it with ::pdn_branch_free; written on success only
+/// @return as ::pdn_solve_conditioned; PDN_ERR_VALUE also if the parameter is not in its range
+///
+/// Threads: like a `const` use of `model` and of what `options` points to. Functions of yours are
+/// called on this thread.
+/// @since 0.1
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn pdn_follow_branch(
+    model: *const pdn_model,
+    period: f64,
+    parameter: i32,
+    options: *const pdn_branch_options,
+    out: *mut *mut pdn_branch,
+) -> pdn_status {
+    guard(|call| {
+        let model = call.shared(model, "model")?;
+        let period = call.number(period, "period")?;
+        let given = call.options(options, "options")?;
+        let out = call.out(out, "out")?;
+        let options = core_options(call, &given, &model, period)?;
+        let parameter = free_parameter(&model, parameter)?;
+        let told = (given.progress, given.progress_data);
+        out.give(follow(&model, (period, parameter), &options, told)?);
+        Ok(())
+    })
+}
+
+/// Finds the response over a range of frequencies, through folds: ::pdn_follow_branch along
+/// PDN_FREQUENCY.
+///
+/// @param model  the model, whose loads and prescribed motions are functions of the phase; rates
+///     are those at the frequency `first`, and remain as many turns a period
+/// @param first  circular frequency 2 pi / T at which it begins
+/// @param last  circular frequency at which it ends, more or less than `first`
+/// @param options  may be NULL for the defaults; its range, direction and conditions are not used
+/// @param out  the branch; free it with ::pdn_branch_free; written on success only
+/// @return as ::pdn_follow_branch
+///
+/// Threads: as ::pdn_follow_branch.
+/// @since 0.1
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn pdn_solve_frequency_response(
+    model: *const pdn_model,
+    first: f64,
+    last: f64,
+    options: *const pdn_branch_options,
+    out: *mut *mut pdn_branch,
+) -> pdn_status {
+    guard(|call| {
+        let model = call.shared(model, "model")?;
+        let first = positive(call, first, "first")?;
+        let last = positive(call, last, "last")?;
+        let mut given = call.options(options, "options")?;
+        let out = call.out(out, "out")?;
+        given.conditions = std::ptr::null();
+        (given.from, given.to) = (first.min(last), first.max(last));
+        given.downwards = i32::from(last < first);
+        let period = TAU / first;
+        let options = core_options(call, &given, &model, period)?;
+        let told = (given.progress, given.progress_data);
+        out.give(follow(&model, (period, Free::Frequency), &options, told)?);
+        Ok(())
+    })
+}
+
+fn positive(call: &Call, value: f64, name: &str) -> Result<f64> {
+    match call.number(value, name)? {
+        value if value > 0.0 => Ok(value),
+        value => Err(Error::value(name, "a positive number", value)),
+    }
+}
+
+/// Frees a branch; NULL does nothing. Solutions made from it stay.
+///
+/// @param branch  the branch, not to be used any more
+///
+/// Threads: exclusive use of `branch`.
+/// @since 0.1
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn pdn_branch_free(branch: *mut pdn_branch) {
+    free(branch);
+}
+
+/// Why a branch ended.
+///
+/// @param branch  the branch; not NULL
+/// @return PDN_BRANCH_RANGE, ...; or PDN_ERR_NULL
+///
+/// Threads: like `const`.
+/// @since 0.1
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn pdn_branch_end(branch: *const pdn_branch) -> i32 {
+    let mut end = 0;
+    let status = guard(|call| {
+        end = match call.shared(branch, "branch")?.end {
+            BranchEnd::Range => PDN_BRANCH_RANGE,
+            BranchEnd::Closed => PDN_BRANCH_CLOSED,
+            BranchEnd::PointLimit => PDN_BRANCH_POINT_LIMIT,
+            BranchEnd::SmallestStep => PDN_BRANCH_SMALLEST_STEP,
+            BranchEnd::Cancelled => PDN_BRANCH_CANCELLED,
+            BranchEnd::NoStart => PDN_BRANCH_NO_START,
+        };
+        Ok(())
+    });
+    if status < 0 { status } else { end }
+}
+
+/// A readable report: points, events, and why the branch ended.
+///
+/// @param branch  the branch; not NULL
+/// @param buffer  array of length [capacity] for the text, UTF-8, always ended by NUL; may be NULL
+/// @param capacity  bytes in the buffer
+/// @return bytes of the whole text, without the NUL; 0 if an error occurred
+///
+/// Threads: like `const`.
+/// @since 0.1
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn pdn_branch_report(
+    branch: *const pdn_branch,
+    buffer: *mut c_char,
+    capacity: usize,
+) -> usize {
+    guard_or(0, |call| {
+        let report = call.shared(branch, "branch")?.report();
+        copy_message(&report, buffer, capacity);
+        Ok(report.len())
+    })
+}
+
+/// Number of points of a branch.
+///
+/// @param branch  the branch; not NULL
+/// @param out  the number; written on success only
+/// @return PDN_OK, PDN_ERR_NULL
+///
+/// Threads: like `const`.
+/// @since 0.1
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn pdn_branch_count(branch: *const pdn_branch, out: *mut i32) -> pdn_status {
+    guard(|call| {
+        let branch = call.shared(branch, "branch")?;
+        let out = call.out(out, "out")?;
+        out.set(i32::try_from(branch.points.len()).unwrap_or(i32::MAX));
+        Ok(())
+    })
+}
+
+/// A point of a branch.
+///
+/// @param branch  the branch; not NULL
+/// @param point  its number, from 0
+/// @param out  the point, initialised; not NULL
+/// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_ID, PDN_ERR_STRUCT_SIZE
+///
+/// Threads: like `const`.
+/// @since 0.1
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn pdn_branch_get(
+    branch: *const pdn_branch,
+    point: i32,
+    out: *mut pdn_branch_point,
+) -> pdn_status {
+    guard(|call| {
+        let branch = call.shared(branch, "branch")?;
+        let point = index(point, branch.points.len(), "point", "a point")?;
+        let out = call.out_struct(out, "out")?;
+        out.set(pdn_branch_point::of(&branch.points[point]));
+        Ok(())
+    })
+}
+
+/// The solution at a point of a branch.
+///
+/// @param branch  the branch; not NULL
+/// @param point  its number, from 0
+/// @param out  the solution; free it with ::pdn_solution_free; written on success only
+/// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_ID, PDN_ERR_CALLBACK, PDN_ERR_MEMORY
+///
+/// Threads: like `const`. Functions of the model may be called on this thread.
+/// @since 0.1
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn pdn_branch_solution(
+    branch: *const pdn_branch,
+    point: i32,
+    out: *mut *mut pdn_solution,
+) -> pdn_status {
+    guard(|call| {
+        let branch = call.shared(branch, "branch")?;
+        let point = index(point, branch.points.len(), "point", "a point")?;
+        let out = call.out(out, "out")?;
+        out.give(branch.solution(point)?);
+        Ok(())
+    })
+}
+
+/// Writes a branch as CSV: a line for each point, with the parameter, how the step went, what
+/// happens there and, of components of positions, the mean, the size of the first harmonic, the
+/// least and the largest value over the period. `script/plot.py` draws it.
+///
+/// @param branch  the branch; not NULL
+/// @param nodes  array of length [count]: ids of nodes; may be NULL if count is 0
+/// @param components  array of length [count]: components of their positions, 0, 1 or 2; likewise
+/// @param count  number of components
+/// @param path  name of the file, UTF-8; an existing file is replaced
+/// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_ID, PDN_ERR_VALUE, PDN_ERR_NOT_AVAILABLE (there are no
+///     points), PDN_ERR_IO
+///
+/// Threads: like `const`. Functions of the model may be called on this thread.
+/// @since 0.1
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn pdn_branch_write_csv(
+    branch: *const pdn_branch,
+    nodes: *const i32,
+    components: *const i32,
+    count: usize,
+    path: *const c_char,
+) -> pdn_status {
+    guard(|call| {
+        let branch = call.shared(branch, "branch")?;
+        let nodes = call.slice(nodes, count, "nodes")?;
+        let components = call.slice(components, count, "components")?;
+        let path = Path::new(call.text(path, "path")?);
+        let outputs = nodes.iter().zip(components).map(|(&id, &component)| {
+            Ok(BranchOutput::Position {
+                node: node(branch.model(), id, "nodes")?,
+                component: match component {
+                    0..=2 => component as usize,
+                    other => return Err(Error::value("components", "0, 1 or 2", other)),
+                },
+            })
+        });
+        let outputs = outputs.collect::<Result<Vec<_>>>()?;
+        branch.write_csv(path, &outputs)
+    })
+}

@@ -1,0 +1,204 @@
+//! Free parameters, and conditions that determine them.
+
+use super::guard::{free, guard};
+use super::handle::Handle;
+use super::joint::coordinate;
+use super::model::pdn_model;
+use super::parameter::{PDN_FREQUENCY, parameter};
+use super::periodic::{pdn_periodic_options, read_options};
+use super::solution::pdn_solution;
+use super::status::pdn_status;
+use crate::error::{Error, Result};
+use crate::model::{JointCoordinate, Model};
+use crate::output::Solution;
+use crate::solve::{Condition, Free, JointCoordinateIs, Phase};
+use std::sync::Arc;
+
+/// Free parameters, and as many conditions. Made by ::pdn_conditions_new, freed by
+/// ::pdn_conditions_free.
+pub struct pdn_conditions {
+    _private: [u8; 0],
+}
+
+/// What a ::pdn_conditions holds.
+#[derive(Debug, Clone, Default)]
+pub struct Conditions {
+    parameters: Vec<i32>,
+    conditions: Vec<Arc<dyn Condition>>,
+}
+
+impl Handle for pdn_conditions {
+    type Core = Conditions;
+}
+
+impl Conditions {
+    /// The free parameters of a model, and the conditions.
+    pub(super) fn of(&self, model: &Model) -> Result<(Vec<Free>, Vec<Arc<dyn Condition>>)> {
+        let all = self.parameters.iter().map(|&id| free_parameter(model, id));
+        Ok((all.collect::<Result<_>>()?, self.conditions.clone()))
+    }
+}
+
+/// The free parameter of an id, or the frequency.
+pub(super) fn free_parameter(model: &Model, id: i32) -> Result<Free> {
+    Ok(match id {
+        PDN_FREQUENCY => Free::Frequency,
+        id => Free::Parameter(parameter(model, id, "parameter")?),
+    })
+}
+
+/// Makes an empty list: no parameter is free.
+///
+/// It belongs to no model; ids are looked up when it is used.
+///
+/// @param out  the list; free it with ::pdn_conditions_free; written on success only
+/// @return PDN_OK, PDN_ERR_NULL
+///
+/// Threads: any.
+/// @since 0.1
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn pdn_conditions_new(out: *mut *mut pdn_conditions) -> pdn_status {
+    guard(|call| {
+        let out = call.out(out, "out")?;
+        out.give(Conditions::default());
+        Ok(())
+    })
+}
+
+/// Frees a list; NULL does nothing.
+///
+/// @param conditions  the list, not to be used any more
+///
+/// Threads: exclusive use of `conditions`.
+/// @since 0.1
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn pdn_conditions_free(conditions: *mut pdn_conditions) {
+    free(conditions);
+}
+
+/// Makes a parameter free: its value in the model is that to start from.
+///
+/// @param conditions  the list; not NULL
+/// @param parameter  id of a parameter, or PDN_FREQUENCY for an unknown period
+/// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_ID
+///
+/// Threads: exclusive use of `conditions`.
+/// @since 0.1
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn pdn_conditions_release(
+    conditions: *mut pdn_conditions,
+    parameter: i32,
+) -> pdn_status {
+    guard(|call| {
+        let mut conditions = call.exclusive(conditions, "conditions")?;
+        if parameter < PDN_FREQUENCY {
+            let expected = "a parameter id or PDN_FREQUENCY";
+            return Err(Error::value("parameter", expected, parameter));
+        }
+        conditions.parameters.push(parameter);
+        Ok(())
+    })
+}
+
+/// Adds the condition on the phase: the motion is not ahead of that which the solve starts from.
+///
+/// For motions whose time nothing else tells: limit cycles, and free motions of a conservative
+/// system.
+///
+/// @param conditions  the list; not NULL
+/// @return PDN_OK, PDN_ERR_NULL
+///
+/// Threads: exclusive use of `conditions`.
+/// @since 0.1
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn pdn_conditions_add_phase(conditions: *mut pdn_conditions) -> pdn_status {
+    guard(|call| {
+        let mut conditions = call.exclusive(conditions, "conditions")?;
+        conditions.conditions.push(Arc::new(Phase));
+        Ok(())
+    })
+}
+
+/// Adds the condition that a joint coordinate has a value at the start of the period.
+///
+/// With ::pdn_conditions_add_phase, and a start that turns back at time zero, it is the amplitude
+/// of a free motion.
+///
+/// @param conditions  the list; not NULL
+/// @param joint  id of the joint
+/// @param coordinate  PDN_DISPLACEMENT, ... or PDN_ROTATION, ...
+/// @param value  the value
+/// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_ID, PDN_ERR_VALUE
+///
+/// Threads: exclusive use of `conditions`.
+/// @since 0.1
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn pdn_conditions_add_joint_coordinate(
+    conditions: *mut pdn_conditions,
+    joint: i32,
+    coordinate: i32,
+    value: f64,
+) -> pdn_status {
+    guard(|call| {
+        let mut conditions = call.exclusive(conditions, "conditions")?;
+        let joint =
+            usize::try_from(joint).map_err(|_| Error::value("joint", "a joint id", joint))?;
+        let at = JointCoordinate {
+            joint,
+            coordinate: self::coordinate(coordinate, "coordinate")?,
+        };
+        let value = call.number(value, "value")?;
+        let condition = JointCoordinateIs { at, value };
+        conditions.conditions.push(Arc::new(condition));
+        Ok(())
+    })
+}
+
+/// Finds a periodic response that meets conditions, and the values of as many free parameters.
+///
+/// Newton's method for motions and parameters together starts at a given solution or motion
+/// (`options.initial`, `options.guess_positions`), or else at the response with the parameters as
+/// they are. Where the period is free, `period` is the guess of it; loads and prescribed motions
+/// are then functions of the phase: harmonics and samples are, rates are for whole turns, functions
+/// must be declared such (::pdn_signal_set_function_of_phase, ::pdn_model_declare_of_phase).
+///
+/// @param model  the model; it is copied, so that later changes do not touch the solution
+/// @param period  T, or a guess of it
+/// @param conditions  free parameters and as many conditions; not NULL
+/// @param options  may be NULL for the defaults
+/// @param out  the solution, also if it has not converged: ::pdn_solution_parameter tells the
+///     values found; free it with ::pdn_solution_free; written on success only
+/// @return as ::pdn_solve_periodic; PDN_ERR_SIZE also if there are not as many conditions as free
+///     parameters, PDN_ERR_VALUE if one is free twice, moves nothing, or if the phase is that of a
+///     start at rest, PDN_ERR_NOT_PERIODIC if something has a frequency of its own
+///
+/// Threads: like a `const` use of `model`, `conditions` and `options.initial`. Functions of yours
+/// are called on this thread.
+/// @since 0.1
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn pdn_solve_conditioned(
+    model: *const pdn_model,
+    period: f64,
+    conditions: *const pdn_conditions,
+    options: *const pdn_periodic_options,
+    out: *mut *mut pdn_solution,
+) -> pdn_status {
+    guard(|call| {
+        let model = call.shared(model, "model")?;
+        let period = call.number(period, "period")?;
+        let conditions = call.shared(conditions, "conditions")?;
+        let given = call.options(options, "options")?;
+        let out = call.out(out, "out")?;
+        let options = read_options(call, &given, &model, period)?;
+        let (free, conditions) = conditions.of(&model)?;
+        let lists = (&free[..], &conditions[..]);
+        out.give(Solution::solve_conditioned(
+            &model,
+            period,
+            lists,
+            &options,
+            &mut |_, _| true,
+        )?);
+        Ok(())
+    })
+}

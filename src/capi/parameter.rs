@@ -1,0 +1,277 @@
+//! Parameters of a model.
+
+use super::guard::guard;
+use super::model::{choose, index, next_id, pdn_model};
+use super::solution::pdn_solution;
+use super::status::pdn_status;
+use crate::error::{Error, Result};
+use crate::model::{Model, SignalPart, SignalPlace, Target};
+use libc::c_char;
+
+/// A parameter moves the coefficient of a power, from 1, of the growth of a spring-damper, or with
+/// power 1 the long-term stiffness of a viscoelastic force.
+pub const PDN_NUMBER_STIFFNESS: i32 = 0;
+/// A parameter moves the coefficient of a power, from 1, of the rate of a spring-damper.
+pub const PDN_NUMBER_DAMPING: i32 = 1;
+/// A parameter moves the coordinate at which a spring-damper or viscoelastic force is free of
+/// effort.
+pub const PDN_NUMBER_REST: i32 = 2;
+/// A parameter moves a factor of the inertia of a body: of the bodies, masses and inertias that
+/// were given, in their order.
+pub const PDN_NUMBER_INERTIA: i32 = 3;
+/// A parameter moves a factor of the sections' stiffness along a beam element.
+pub const PDN_NUMBER_BEAM_STIFFNESS: i32 = 4;
+/// A parameter moves a factor of the sections' mass along a beam element.
+pub const PDN_NUMBER_BEAM_MASS: i32 = 5;
+/// A parameter moves a factor of the sections' damping along a beam element.
+pub const PDN_NUMBER_BEAM_DAMPING: i32 = 6;
+/// A parameter moves the damping in proportion to mass, ::pdn_model_set_mass_damping.
+pub const PDN_NUMBER_MASS_DAMPING: i32 = 7;
+
+/// The signal of an actuator, by its force id.
+pub const PDN_SIGNAL_OF_ACTUATOR: i32 = 0;
+/// The signal of a prescribed coordinate, in the order in which they were prescribed.
+pub const PDN_SIGNAL_OF_PRESCRIBED: i32 = 1;
+/// The signal of a component of a load on a node, in the order in which these were added.
+pub const PDN_SIGNAL_OF_LOAD: i32 = 2;
+/// The signal of a component of a load along beams, in the order in which these were added.
+pub const PDN_SIGNAL_OF_BEAM_LOAD: i32 = 3;
+/// The signal of a component of gravity; its index is 0.
+pub const PDN_SIGNAL_OF_GRAVITY: i32 = 4;
+
+/// Part of a signal: the mean that is added to its shape.
+pub const PDN_PART_MEAN: i32 = 0;
+/// Part of a signal: growth in a unit of time.
+pub const PDN_PART_RATE: i32 = 1;
+/// Part of a signal: the factor of its shape, which is its harmonics, its samples or its function.
+pub const PDN_PART_AMPLITUDE: i32 = 2;
+/// Part of a signal: the phase by which its shape is ahead \[radians\].
+pub const PDN_PART_PHASE: i32 = 3;
+
+/// A parameter: the circular frequency 2 pi / T, which every model has.
+pub const PDN_FREQUENCY: i32 = -1;
+
+/// Adds a parameter: a named number that moves what ::pdn_model_move_number and
+/// ::pdn_model_move_signal say. At first it moves nothing.
+///
+/// A model can be solved at other values (::pdn_model_set_parameter), values can be found so that
+/// conditions are met (::pdn_solve_conditioned), and followed (::pdn_follow_branch). They are saved
+/// with the model.
+///
+/// @param model  the model; not NULL
+/// @param name  text in UTF-8 that no other parameter of the model has; not NULL, not empty
+/// @param value  its value
+/// @param scale  what counts as 1 in it, positive: its range, about
+/// @param out  the parameter's id; written on success only
+/// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_VALUE
+///
+/// Threads: exclusive use of `model`.
+/// @since 0.1
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn pdn_model_add_parameter(
+    model: *mut pdn_model,
+    name: *const c_char,
+    value: f64,
+    scale: f64,
+    out: *mut i32,
+) -> pdn_status {
+    guard(|call| {
+        let mut model = call.exclusive(model, "model")?;
+        let name = call.text(name, "name")?;
+        let out = call.out(out, "out")?;
+        let id = next_id(model.parameters().len(), 1, "parameters")?;
+        model.add_parameter(name, value, scale)?;
+        out.set(id);
+        Ok(())
+    })
+}
+
+/// The parameter of an id.
+pub(super) fn parameter(model: &Model, id: i32, name: &str) -> Result<usize> {
+    index(id, model.parameters().len(), name, "a parameter id")
+}
+
+/// A number of an argument that counts something.
+fn count(value: i32, name: &str) -> Result<usize> {
+    usize::try_from(value).map_err(|_| Error::value(name, "zero or more", value))
+}
+
+/// Lets a parameter move a number of the model: it becomes `factor` times the parameter's value,
+/// now and whenever that changes.
+///
+/// @param model  the model; not NULL
+/// @param parameter  id of the parameter
+/// @param number  PDN_NUMBER_STIFFNESS, ...
+/// @param index  of the force, the body or the beam element; 0 for PDN_NUMBER_MASS_DAMPING
+/// @param power  power, from 1, of a stiffness or damping; 0 for all else
+/// @param factor  the number for a unit of the parameter, not zero
+/// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_ID (no such parameter or number),
+///     PDN_ERR_VALUE (another parameter moves it already)
+///
+/// Threads: exclusive use of `model`.
+/// @since 0.1
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn pdn_model_move_number(
+    model: *mut pdn_model,
+    parameter: i32,
+    number: i32,
+    index: i32,
+    power: i32,
+    factor: f64,
+) -> pdn_status {
+    guard(|call| {
+        let mut model = call.exclusive(model, "model")?;
+        let id = self::parameter(&model, parameter, "parameter")?;
+        let (at, power) = (count(index, "index")?, count(power, "power")?);
+        let target = match number {
+            PDN_NUMBER_STIFFNESS => Target::Stiffness(at, power),
+            PDN_NUMBER_DAMPING => Target::Damping(at, power),
+            PDN_NUMBER_REST => Target::Rest(at),
+            PDN_NUMBER_INERTIA => Target::Inertia(at),
+            PDN_NUMBER_BEAM_STIFFNESS => Target::BeamStiffness(at),
+            PDN_NUMBER_BEAM_MASS => Target::BeamMass(at),
+            PDN_NUMBER_BEAM_DAMPING => Target::BeamDamping(at),
+            PDN_NUMBER_MASS_DAMPING => Target::MassDamping,
+            other => return Err(Error::value("number", "a constant PDN_NUMBER_...", other)),
+        };
+        model.move_by_parameter(id, target, factor)
+    })
+}
+
+/// Lets a parameter move a part of a signal: it becomes `factor` times the parameter's value, now
+/// and whenever that changes.
+///
+/// @param model  the model; not NULL
+/// @param parameter  id of the parameter
+/// @param place  what has the signal: PDN_SIGNAL_OF_ACTUATOR, ...
+/// @param index  which of them
+/// @param component  of a load from 0 to 5, of gravity from 0 to 2; 0 for all else
+/// @param part  PDN_PART_MEAN, PDN_PART_RATE, PDN_PART_AMPLITUDE or PDN_PART_PHASE
+/// @param factor  the part for a unit of the parameter, not zero
+/// @return as ::pdn_model_move_number
+///
+/// Threads: exclusive use of `model`.
+/// @since 0.1
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn pdn_model_move_signal(
+    model: *mut pdn_model,
+    parameter: i32,
+    place: i32,
+    index: i32,
+    component: i32,
+    part: i32,
+    factor: f64,
+) -> pdn_status {
+    guard(|call| {
+        let mut model = call.exclusive(model, "model")?;
+        let id = self::parameter(&model, parameter, "parameter")?;
+        let (at, component) = (count(index, "index")?, count(component, "component")?);
+        let place = match place {
+            PDN_SIGNAL_OF_ACTUATOR => SignalPlace::Actuator(at),
+            PDN_SIGNAL_OF_PRESCRIBED => SignalPlace::Prescribed(at),
+            PDN_SIGNAL_OF_LOAD => SignalPlace::Load(at, component),
+            PDN_SIGNAL_OF_BEAM_LOAD => SignalPlace::DistributedLoad(at, component),
+            PDN_SIGNAL_OF_GRAVITY => SignalPlace::Gravity(component),
+            other => return Err(Error::value("place", "a constant PDN_SIGNAL_OF_...", other)),
+        };
+        let parts = [
+            (PDN_PART_MEAN, SignalPart::Mean),
+            (PDN_PART_RATE, SignalPart::Rate),
+            (PDN_PART_AMPLITUDE, SignalPart::Amplitude),
+            (PDN_PART_PHASE, SignalPart::Phase),
+        ];
+        let part = choose(&parts, part, "part", "a constant PDN_PART_...")?;
+        model.move_by_parameter(id, Target::Signal(place, part), factor)
+    })
+}
+
+/// Gives a parameter another value, and all that it moves.
+///
+/// @param model  the model; not NULL
+/// @param parameter  id of the parameter
+/// @param value  the value
+/// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_ID
+///
+/// Threads: exclusive use of `model`.
+/// @since 0.1
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn pdn_model_set_parameter(
+    model: *mut pdn_model,
+    parameter: i32,
+    value: f64,
+) -> pdn_status {
+    guard(|call| {
+        let mut model = call.exclusive(model, "model")?;
+        let id = self::parameter(&model, parameter, "parameter")?;
+        model.set_parameter(id, value)
+    })
+}
+
+/// Gives everything with mass a force against its motion relative to the inertial frame, `factor`
+/// times its momentum: damping in proportion to mass.
+///
+/// @param model  the model; not NULL
+/// @param factor  force for a unit of momentum \[1/time\]; negative to excite
+/// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE
+///
+/// Threads: exclusive use of `model`.
+/// @since 0.1
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn pdn_model_set_mass_damping(
+    model: *mut pdn_model,
+    factor: f64,
+) -> pdn_status {
+    guard(|call| call.exclusive(model, "model")?.set_mass_damping(factor))
+}
+
+/// Declares that the function of a force is one of the phase, 2 pi t / T, which it is then told in
+/// place of the time: it holds for any period T, as it must where that is unknown.
+///
+/// A function that does not depend on time is one of the phase, too.
+///
+/// @param model  the model; not NULL
+/// @param force  id of a force that has a function
+/// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_ID, PDN_ERR_NOT_AVAILABLE (it has none)
+///
+/// Threads: exclusive use of `model`.
+/// @since 0.1
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn pdn_model_declare_of_phase(
+    model: *mut pdn_model,
+    force: i32,
+) -> pdn_status {
+    guard(|call| {
+        let mut model = call.exclusive(model, "model")?;
+        let force = index(force, model.force_count(), "force", "a force id")?;
+        model.declare_of_phase(force)
+    })
+}
+
+/// Value of a parameter in a solution: given, or found.
+///
+/// @param solution  the solution; not NULL
+/// @param parameter  id of the parameter, or PDN_FREQUENCY
+/// @param out  the value; written on success only
+/// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_ID
+///
+/// Threads: like `const`.
+/// @since 0.1
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn pdn_solution_parameter(
+    solution: *const pdn_solution,
+    parameter: i32,
+    out: *mut f64,
+) -> pdn_status {
+    guard(|call| {
+        let solution = call.shared(solution, "solution")?;
+        let out = call.out(out, "out")?;
+        out.set(match parameter {
+            PDN_FREQUENCY => std::f64::consts::TAU / solution.grid().period(),
+            id => {
+                let model = solution.model();
+                model.parameters()[self::parameter(model, id, "parameter")?].value
+            }
+        });
+        Ok(())
+    })
+}

@@ -1,0 +1,308 @@
+//! Branches of periodic motions along a parameter.
+
+mod common;
+
+use common::*;
+use nalgebra::Vector3;
+use periodyn::model::{Model, SignalPart, SignalPlace, Target};
+use periodyn::output::{BranchOutput, Solution};
+use periodyn::solve::{
+    Adaptation, Branch, BranchEnd, BranchOptions, Event, Free, GridPoints, InitialGuess,
+    LinearMethod, Outcome, follow_branch,
+};
+use std::f64::consts::TAU;
+
+/// `x'' + 0.05 x' + x + 0.1 x³ = 0.18 cos Ωt`.
+fn duffing() -> Model {
+    let (mut model, at) = mass_on_a_slide(1.0, &Vector3::x());
+    model
+        .add_polynomial_spring_damper(at, &[1.0, 0.0, 0.1], &[0.05], 0.0)
+        .unwrap();
+    model.add_actuator(at, &cosine(0.18)).unwrap();
+    model
+}
+
+/// Folds of it, and the size of the first harmonic there, by a prototype in reduced coordinates.
+const FOLDS: [[f64; 2]; 2] = [
+    [1.269_601_955_546, 2.825_016_712_9],
+    [1.115_700_251_771, 1.081_870_323_4],
+];
+
+fn response(points: usize) -> BranchOptions {
+    BranchOptions {
+        periodic: options(points),
+        range: [0.5, 1.6],
+        ..BranchOptions::default()
+    }
+}
+
+fn follow(model: &Model, start: f64, options: &BranchOptions) -> Branch {
+    let frequency = Free::Frequency;
+    follow_branch(model, TAU / start, frequency, options, &mut |_, _| true).unwrap()
+}
+
+/// Size of the first harmonic of the position of node 0 along x.
+fn first_harmonic(branch: &Branch, index: usize) -> f64 {
+    let state = &branch.points[index].state;
+    let count = state.points() as f64;
+    let sum = |f: &dyn Fn(f64) -> f64| {
+        let all = state.node(0).iter().enumerate();
+        let terms = all.map(|(k, m)| m.position.x * f(TAU * k as f64 / count));
+        2.0 / count * terms.sum::<f64>()
+    };
+    sum(&f64::cos).hypot(sum(&f64::sin))
+}
+
+#[test]
+fn a_duffing_oscillator_is_followed_through_both_folds() {
+    let model = duffing();
+    for scale in [0.1, 1.0, 10.0] {
+        let options = BranchOptions {
+            motion_scale: scale,
+            ..response(41)
+        };
+        let branch = follow(&model, 0.5, &options);
+        let angles = branch.points.iter().map(|p| p.angle);
+        let largest_angle = angles.fold(0.0, f64::max);
+        println!(
+            "{scale}: {} points, {} iterations, {} rejected, largest angle {largest_angle:.2}",
+            branch.points.len(),
+            branch.iterations,
+            branch.rejected
+        );
+        assert_eq!(branch.end, BranchEnd::Range, "{}", branch.explanation);
+        assert!(largest_angle <= 0.4);
+        let last = branch.points.last().unwrap();
+        assert!((last.values[0] - 1.6).abs() < 1e-15);
+        // No jump: neighbours are as near as the step is long.
+        for pair in branch.points.windows(2) {
+            let moved = pair[1].state.distance(&pair[0].state, 1.0);
+            let away = if pair[0].event.is_some() {
+                pair[1].step
+            } else {
+                pair[1].step.max(pair[0].step)
+            };
+            assert!(moved < 3.0 * away * scale, "{moved} {away}");
+        }
+        let folds: Vec<usize> = (0..branch.points.len())
+            .filter(|&i| branch.points[i].event == Some(Event::Fold))
+            .collect();
+        assert_eq!(folds.len(), 2);
+        for (i, [frequency, size]) in folds.into_iter().zip(FOLDS) {
+            let off = branch.points[i].values[0] - frequency;
+            let off_size = first_harmonic(&branch, i) - size;
+            println!("fold off by {off:e}, harmonic by {off_size:e}");
+            assert!(off.abs() < 2e-12 && off_size.abs() < 1e-9);
+        }
+    }
+}
+
+#[test]
+fn points_of_a_branch_are_solutions_by_either_linear_solver() {
+    let model = duffing();
+    let direct = follow(&model, 0.5, &response(31));
+    let mut options = response(31);
+    options.periodic.linear = LinearMethod::Iterative(None);
+    let iterative = follow(&model, 0.5, &options);
+    // Where the parameter determines the motion well, by the other solver from there.
+    let well = iterative.points.iter().enumerate();
+    for (index, point) in well.filter(|(_, point)| point.slope.abs() > 0.1) {
+        let (found, solved) = iterative.solved(index).unwrap();
+        let mut options = common::options(31);
+        options.guess = InitialGuess::State(solved.state.clone());
+        options.linear = LinearMethod::Direct;
+        let period = solved.grid.period();
+        let again = Solution::solve(&found, period, &options, &mut |_, _| true).unwrap();
+        let distance = again.details().state.distance(&point.state, 1.0);
+        assert!(distance < 1e-10, "{index}: {distance:e}");
+    }
+    let folds = |branch: &Branch| -> Vec<f64> {
+        let folds = branch.points.iter().filter(|p| p.event.is_some());
+        folds.map(|p| p.values[0]).collect()
+    };
+    for (a, b) in folds(&direct).into_iter().zip(folds(&iterative)) {
+        assert!((a - b).abs() < 1e-11, "{a} {b}");
+    }
+    // On the upper part, from the solution there; elsewhere from the library's own start.
+    for (index, own) in [(3, true), (12, false)] {
+        let (found, solved) = direct.solved(index).unwrap();
+        assert_eq!(solved.report.outcome, Outcome::Converged);
+        let period = solved.grid.period();
+        assert!((TAU / period - direct.points[index].values[0]).abs() < 1e-14);
+        let mut options = common::options(31);
+        if !own {
+            options.guess = InitialGuess::State(solved.state.clone());
+        }
+        let again = Solution::solve(&found, period, &options, &mut |_, _| true);
+        let again = again.unwrap();
+        let distance = again.details().state.distance(&solved.state, 1.0);
+        assert!(distance < 1e-10, "{index}: {distance:e}");
+        assert!(own || again.details().report.iterations.len() == 1);
+    }
+}
+
+#[test]
+fn a_load_is_followed_through_folds_too() {
+    // At Ω = 1.2 the amplitude of the load goes up, down, and up again.
+    let mut model = duffing();
+    let amplitude = model.add_parameter("load", 0.05, 0.3).unwrap();
+    let target = Target::Signal(SignalPlace::Actuator(1), SignalPart::Amplitude);
+    model
+        .move_by_parameter(amplitude, target, 1.0 / 0.18)
+        .unwrap();
+    let options = BranchOptions {
+        range: [0.05, 0.6],
+        ..response(31)
+    };
+    let free = Free::Parameter(amplitude);
+    let branch = follow_branch(&model, TAU / 1.2, free, &options, &mut |_, _| true).unwrap();
+    assert_eq!(branch.end, BranchEnd::Range, "{}", branch.explanation);
+    let folds: Vec<f64> = branch
+        .points
+        .iter()
+        .filter(|p| p.event.is_some())
+        .map(|p| p.values[0])
+        .collect();
+    println!("{} points, folds at {folds:?}", branch.points.len());
+    assert!(folds.len() == 2 && folds[0] > 0.18 && folds[1] < 0.18);
+    // The model of a point has that load.
+    let (found, _) = branch.solved(5).unwrap();
+    assert_eq!(
+        found.parameters()[amplitude].value,
+        branch.points[5].values[0]
+    );
+}
+
+#[test]
+fn the_grid_grows_along_a_branch() {
+    let model = duffing();
+    let mut options = response(7);
+    options.periodic.grid_points = GridPoints::Adaptive(Adaptation {
+        error_tolerance: 1e-7,
+        ..Adaptation::default()
+    });
+    let branch = follow(&model, 0.9, &options);
+    assert_eq!(branch.end, BranchEnd::Range, "{}", branch.explanation);
+    let counts: Vec<usize> = branch.points.iter().map(|p| p.grid.points()).collect();
+    println!("{counts:?}");
+    assert!(counts.last() > counts.first());
+    let fold = branch.points.iter().find(|p| p.event.is_some()).unwrap();
+    assert!((fold.values[0] - FOLDS[0][0]).abs() < 1e-7);
+}
+
+#[test]
+fn a_branch_that_ends_early_keeps_its_points() {
+    let model = duffing();
+    let limited = BranchOptions {
+        point_limit: 4,
+        ..response(21)
+    };
+    let branch = follow(&model, 0.5, &limited);
+    assert_eq!(
+        (branch.end, branch.points.len()),
+        (BranchEnd::PointLimit, 4)
+    );
+    // It goes downwards at once.
+    let downwards = BranchOptions {
+        downwards: true,
+        ..response(21)
+    };
+    let branch = follow(&model, 0.7, &downwards);
+    assert_eq!(branch.end, BranchEnd::Range);
+    assert_eq!(branch.points.last().unwrap().values[0], 0.5);
+    let cancelled = follow_branch(
+        &model,
+        TAU / 0.5,
+        Free::Frequency,
+        &response(21),
+        &mut |n, _| n < 3,
+    );
+    let cancelled = cancelled.unwrap();
+    assert_eq!(
+        (cancelled.end, cancelled.points.len()),
+        (BranchEnd::Cancelled, 3)
+    );
+    // Steps that are never short enough.
+    let coarse = BranchOptions {
+        angle: 1e-4,
+        smallest_step: 0.01,
+        ..response(21)
+    };
+    let branch = follow(&model, 0.5, &coarse);
+    assert_eq!(branch.end, BranchEnd::SmallestStep);
+    assert!(
+        !branch.points.is_empty() && branch.explanation.contains("1.0e-2"),
+        "{}",
+        branch.explanation
+    );
+    // No solution to start from.
+    let mut hopeless = response(21);
+    hopeless.periodic.newton.iteration_limit = 1;
+    let branch = follow(&model, 1.25, &hopeless);
+    assert_eq!((branch.end, branch.points.len()), (BranchEnd::NoStart, 0));
+    assert!(branch.solved(0).is_err());
+}
+
+#[test]
+fn options_that_make_no_sense_are_refused() {
+    let model = duffing();
+    let refused = |start: f64, options: BranchOptions, why: &str| {
+        let end = follow_branch(
+            &model,
+            TAU / start,
+            Free::Frequency,
+            &options,
+            &mut |_, _| true,
+        );
+        let error = end.unwrap_err().to_string();
+        assert!(error.contains(why), "{error}");
+    };
+    refused(0.4, response(21), "the frequency between 0.5 and 1.6");
+    let with = |change: &dyn Fn(&mut BranchOptions)| {
+        let mut options = response(21);
+        change(&mut options);
+        options
+    };
+    refused(1.0, with(&|o| o.range = [1.0, 0.5]), "options.range");
+    refused(1.0, with(&|o| o.range[1] = f64::INFINITY), "options.range");
+    refused(1.0, with(&|o| o.angle = 0.0), "options.angle");
+    refused(1.0, with(&|o| o.first_step = 1.0), "options.first_step");
+    refused(
+        1.0,
+        with(&|o| o.free = vec![Free::Parameter(0)]),
+        "options.conditions",
+    );
+    refused(1.0, with(&|o| o.point_limit = 0), "options.point_limit");
+}
+
+#[test]
+fn a_branch_is_reported_and_written() {
+    let branch = follow(&duffing(), 0.9, &response(21));
+    let report = branch.report();
+    assert!(
+        report.contains("along the frequency") && report.contains("fold at 1.269"),
+        "{report}"
+    );
+    let path = std::env::temp_dir().join(format!("pdn_branch_{}.csv", std::process::id()));
+    let output = BranchOutput::Position {
+        node: 0,
+        component: 0,
+    };
+    branch.write_csv(&path, &[output]).unwrap();
+    let text = std::fs::read_to_string(&path).unwrap();
+    std::fs::remove_file(&path).unwrap();
+    let lines: Vec<Vec<&str>> = text.lines().map(|l| l.split(',').collect()).collect();
+    assert_eq!(lines.len(), branch.points.len() + 1);
+    let names = "frequency,period,slope,step,angle,grid_points,event,node0.position.x.mean,\
+                 node0.position.x.harmonic1,node0.position.x.min,node0.position.x.max";
+    assert_eq!(lines[0], names.split(',').collect::<Vec<_>>());
+    let fold = branch
+        .points
+        .iter()
+        .position(|p| p.event.is_some())
+        .unwrap();
+    let row = &lines[fold + 1];
+    assert_eq!(row[6], "fold");
+    let size: f64 = row[8].parse().unwrap();
+    assert!((size - first_harmonic(&branch, fold)).abs() < 1e-12);
+}
