@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """Draws the columns of CSV files against their first column: a panel for each, a curve for each
-file.
+file. Of branches, which have a column "event", those of the motions only, with events marked.
 
     script/plot.py output/rotor_blade.csv output/rotor_blade.png
     script/plot.py output/rigid.csv output/flexible.csv output/both.png
@@ -17,6 +17,8 @@ import matplotlib
 matplotlib.use("Agg")  # no display needed
 import matplotlib.pyplot as plt
 
+# Columns of a branch that tell of its steps.
+STEPS = {"slope", "step", "angle", "grid_points"}
 # Distinct also in grey and to the colour-blind (Okabe and Ito's colours).
 STYLES = [("#0072B2", "-"), ("#D55E00", "--"), ("#009E73", "-."), ("#CC79A7", ":")]
 
@@ -34,21 +36,32 @@ def read_columns(path):
             raise ValueError(
                 f"{path}, line {number}: expected {len(rows[0])} columns, got {len(row)}"
             )
-    return rows[0], [[float(text) for text in column] for column in zip(*rows[1:])]
+    names, columns, events = [], [], []
+    for name, column in zip(rows[0], zip(*rows[1:])):
+        if name == "event":
+            events = [(row, text) for row, text in enumerate(column) if text]
+        elif "event" not in rows[0] or name not in STEPS:
+            names.append(name)
+            columns.append([float(text) for text in column])
+    return names, columns, events
 
 
 def draw(files, image):
-    """Draws {label: (names, columns)} to an image file."""
+    """Draws {label: (names, columns, events)} to an image file."""
     names = next(iter(files.values()))[0]
-    for label, (others, _) in files.items():
+    for label, (others, _, _) in files.items():
         if others != names:
             raise ValueError(f"{label}: its columns are {others}, not {names}")
     panels = names[1:]
     figure, axes = plt.subplots(len(panels), 1, figsize=(7.2, 0.8 + 1.7 * len(panels)), sharex=True,
                                 squeeze=False, layout="constrained")
     for i, (axis, name) in enumerate(zip(axes[:, 0], panels), start=1):
-        for (label, (_, columns)), (colour, line) in zip(files.items(), STYLES):
+        for (label, (_, columns, events)), (colour, line) in zip(files.items(), STYLES):
             axis.plot(columns[0], columns[i], line, color=colour, linewidth=1.8, label=label)
+            for row, event in events:
+                at = (columns[0][row], columns[i][row])
+                axis.plot(*at, "o", color=colour, markersize=4)
+                axis.annotate(event, at, xytext=(4, 4), textcoords="offset points", fontsize=8)
         axis.set_title(name, loc="left", fontsize=10.5)
         axis.margins(x=0)
         axis.grid(True, color="#e4e4e4", linewidth=0.8)

@@ -4,13 +4,19 @@ mod common;
 
 use common::*;
 use nalgebra::Vector3;
-use periodyn::model::{Model, SignalPart, SignalPlace, Target};
+use periodyn::collocation::GridState;
+use periodyn::elements::{Coordinate, JointKind};
+use periodyn::fourier::TimeGrid;
+use periodyn::model::{JointCoordinate, Model, SignalPart, SignalPlace, Target};
+use periodyn::motion::Motion;
 use periodyn::output::{BranchOutput, Solution};
 use periodyn::solve::{
     Adaptation, Branch, BranchEnd, BranchOptions, Event, Free, GridPoints, InitialGuess,
-    LinearMethod, Outcome, follow_branch,
+    LinearMethod, Outcome, Phase, follow_branch,
 };
+use periodyn::system::System;
 use std::f64::consts::TAU;
+use std::sync::Arc;
 
 /// `x'' + 0.05 x' + x + 0.1 x³ = 0.18 cos Ωt`.
 fn duffing() -> Model {
@@ -243,6 +249,157 @@ fn a_branch_that_ends_early_keeps_its_points() {
     assert!(branch.solved(0).is_err());
 }
 
+/// The events of a branch.
+fn events(branch: &Branch) -> Vec<(Event, f64)> {
+    let points = branch.points.iter();
+    let found = points.filter_map(|p| p.event.map(|event| (event, p.values[0])));
+    found.collect()
+}
+
+#[test]
+fn an_escape_oscillator_folds_and_doubles_its_period() {
+    // x'' + 0.1 x' + x − x² = F cos 0.85 t.
+    let (mut model, at) = mass_on_a_slide(1.0, &Vector3::x());
+    model
+        .add_polynomial_spring_damper(at, &[1.0, -1.0], &[0.1], 0.0)
+        .unwrap();
+    model.add_actuator(at, &cosine(1.0)).unwrap();
+    let load = model.add_parameter("load", 0.01, 0.1).unwrap();
+    let target = Target::Signal(SignalPlace::Actuator(1), SignalPart::Amplitude);
+    model.move_by_parameter(load, target, 1.0).unwrap();
+    let options = BranchOptions {
+        range: [0.0, 0.105],
+        motion_scale: 0.5,
+        events: true,
+        ..response(31)
+    };
+    let free = Free::Parameter(load);
+    let branch = follow_branch(&model, TAU / 0.85, free, &options, &mut |_, _| true).unwrap();
+    let found = events(&branch);
+    println!(
+        "{} points, {found:?}, {:?}",
+        branch.points.len(),
+        branch.end
+    );
+    let kinds: Vec<Event> = found.iter().map(|event| event.0).collect();
+    assert_eq!(kinds, [Event::Fold, Event::Fold, Event::PeriodDoubling]);
+    assert!((found[0].1 - 0.069).abs() < 1e-3 && (found[1].1 - 0.048).abs() < 1e-3);
+    let off = found[2].1 - 0.100_501_010_278;
+    println!("period doubling off by {off:e}");
+    assert!(off.abs() < 2e-12);
+}
+
+#[test]
+fn a_shaken_pendulum_loses_its_rest_where_mathieu_says() {
+    // Of length 1 on a pivot at 0.5 cos 2t, under gravity g: a = g and q = 1.
+    let mut model = Model::new();
+    let up = Vector3::z();
+    let pivot = ball(&mut model, 1.0, 1.0, &Vector3::zeros());
+    let bob = model.add_rigid_body(1.0, &-up, &nalgebra::Matrix3::zeros());
+    let slide = join(
+        &mut model,
+        JointKind::Prismatic,
+        [None, Some(pivot)],
+        &Vector3::zeros(),
+        &up,
+    );
+    let y = Vector3::y();
+    revolute(
+        &mut model,
+        Some(pivot),
+        Some(bob.unwrap()),
+        &Vector3::zeros(),
+        &y,
+    );
+    let at = JointCoordinate {
+        joint: slide,
+        coordinate: Coordinate::Displacement1,
+    };
+    model.prescribe(at, &cosine(0.5)).unwrap();
+    gravity(&mut model, [0.0, 0.0, 0.0]);
+    let strength = model.add_parameter("gravity", 1.0, 1.0).unwrap();
+    let target = Target::Signal(SignalPlace::Gravity(2), SignalPart::Mean);
+    model.move_by_parameter(strength, target, -1.0).unwrap();
+    let exact = [
+        (Event::BranchPoint, -0.455_138_604_107),
+        (Event::PeriodDoubling, -0.110_248_816_992),
+        (Event::PeriodDoubling, 1.859_108_072_514),
+    ];
+    let mut found = Vec::new();
+    for downwards in [true, false] {
+        let options = BranchOptions {
+            range: [-0.6, 2.2],
+            downwards,
+            events: true,
+            largest_step: 0.05,
+            ..response(15)
+        };
+        let free = Free::Parameter(strength);
+        let branch = follow_branch(&model, TAU / 2.0, free, &options, &mut |_, _| true).unwrap();
+        assert_eq!(branch.end, BranchEnd::Range, "{}", branch.explanation);
+        found.extend(events(&branch));
+    }
+    println!("{found:?}");
+    found.sort_by(|a, b| a.1.total_cmp(&b.1));
+    assert_eq!(found.len(), exact.len());
+    for ((event, value), (expected, exact)) in found.into_iter().zip(exact) {
+        println!("{event:?} off by {:e}", value - exact);
+        assert!(event == expected && (value - exact).abs() < 2e-12);
+    }
+}
+
+#[test]
+fn a_free_pendulum_is_followed_over_its_frequency() {
+    // A point mass on a rod of length 1; periods by the arithmetic-geometric mean.
+    let bob = Vector3::new(0.0, 0.0, -1.0);
+    let inertia = nalgebra::Matrix3::zeros();
+    let (mut model, _) = hinged_body(1.0, &bob, &inertia, &Vector3::y());
+    gravity(&mut model, [0.0, 0.0, -9.81]);
+    let unfolding = model.add_parameter("unfolding", 0.0, 1.0).unwrap();
+    model
+        .move_by_parameter(unfolding, Target::MassDamping, 1.0)
+        .unwrap();
+    let (points, small) = (81, 0.5);
+    let start = 9.81_f64.sqrt() * (1.0 - small * small / 16.0);
+    let grid = TimeGrid::new(points, TAU / start).unwrap();
+    let mut state = GridState::reference(&System::new(&model, TAU / start).unwrap(), grid);
+    for (k, motion) in state.motions.iter_mut().enumerate() {
+        let angle = small * (TAU * k as f64 / points as f64).cos();
+        let turn = nalgebra::Rotation3::new(Vector3::y() * angle).into_inner();
+        *motion = Motion::new(turn, turn * bob);
+    }
+    let mut options = BranchOptions {
+        free: vec![Free::Parameter(unfolding)],
+        conditions: vec![Arc::new(Phase)],
+        range: [2.2, 3.1],
+        downwards: true,
+        ..response(points)
+    };
+    options.periodic.guess = InitialGuess::State(state);
+    let branch = follow_branch(
+        &model,
+        TAU / start,
+        Free::Frequency,
+        &options,
+        &mut |_, _| true,
+    );
+    let branch = branch.unwrap();
+    assert_eq!(branch.end, BranchEnd::Range, "{}", branch.explanation);
+    assert!(branch.points.len() > 5);
+    for point in &branch.points {
+        assert!(point.values[1].abs() < 1e-10, "{:e}", point.values[1]);
+        let lowest = point.state.node(0)[0].position;
+        let amplitude = f64::atan2(lowest.x.hypot(lowest.y), -lowest.z);
+        let (mut a, mut b) = (1.0, (amplitude / 2.0).cos());
+        for _ in 0..8 {
+            (a, b) = (0.5 * (a + b), f64::sqrt(a * b));
+        }
+        let exact = 9.81_f64.sqrt() * a;
+        println!("{amplitude:.3}: {:e}", point.values[0] - exact);
+        assert!((point.values[0] - exact).abs() < 1e-9);
+    }
+}
+
 #[test]
 fn options_that_make_no_sense_are_refused() {
     let model = duffing();
@@ -266,7 +423,7 @@ fn options_that_make_no_sense_are_refused() {
     refused(1.0, with(&|o| o.range = [1.0, 0.5]), "options.range");
     refused(1.0, with(&|o| o.range[1] = f64::INFINITY), "options.range");
     refused(1.0, with(&|o| o.angle = 0.0), "options.angle");
-    refused(1.0, with(&|o| o.first_step = 1.0), "options.first_step");
+    refused(1.0, with(&|o| o.first_step = 2.0), "options.first_step");
     refused(
         1.0,
         with(&|o| o.free = vec![Free::Parameter(0)]),

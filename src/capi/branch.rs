@@ -35,6 +35,10 @@ pub const PDN_BRANCH_NO_START: i32 = 5;
 pub const PDN_EVENT_NONE: i32 = 0;
 /// The parameter turns back at a point of a branch: a fold.
 pub const PDN_EVENT_FOLD: i32 = 1;
+/// Another branch passes through a point of a branch.
+pub const PDN_EVENT_BRANCH_POINT: i32 = 2;
+/// A branch of twice the period begins at a point of a branch.
+pub const PDN_EVENT_PERIOD_DOUBLING: i32 = 3;
 
 /// Periodic motions along a parameter. Made by ::pdn_follow_branch, freed by ::pdn_branch_free.
 pub struct pdn_branch {
@@ -65,7 +69,7 @@ pub struct pdn_branch_point {
     pub grid_points: usize,
     /// Number of Newton iterations.
     pub iterations: i32,
-    /// PDN_EVENT_NONE or PDN_EVENT_FOLD.
+    /// PDN_EVENT_NONE, PDN_EVENT_FOLD, ...
     pub event: i32,
 }
 
@@ -99,6 +103,8 @@ impl pdn_branch_point {
             event: match point.event {
                 None => PDN_EVENT_NONE,
                 Some(Event::Fold) => PDN_EVENT_FOLD,
+                Some(Event::BranchPoint) => PDN_EVENT_BRANCH_POINT,
+                Some(Event::PeriodDoubling) => PDN_EVENT_PERIOD_DOUBLING,
             },
             ..Self::blank()
         }
@@ -151,8 +157,9 @@ pub struct pdn_branch_options {
     pub progress_data: *mut c_void,
     /// 1 if the parameter decreases at first. Default 0.
     pub downwards: i32,
-    /// Leave it zero.
-    pub reserved: i32,
+    /// 1 to look for branch points (where there are no conditions) and period doublings, too, by
+    /// two more factorisations of the whole Jacobian a point. Default 0.
+    pub events: i32,
 }
 
 // SAFETY: all fields are plain numbers or pointers, `struct_size` is the first, no padding.
@@ -210,9 +217,11 @@ fn core_options(
         let conditions = call.shared(given.conditions, "options.conditions")?;
         conditions.of(model)?
     };
-    if given.reserved != 0 {
-        return Err(Error::value("options.reserved", "zero", given.reserved));
-    }
+    let flag = |value: i32, name: &str| match value {
+        0 => Ok(false),
+        1 => Ok(true),
+        other => Err(Error::value(name, "0 or 1", other)),
+    };
     Ok(BranchOptions {
         periodic: read_options(call, &periodic, model, period)?,
         free,
@@ -221,11 +230,8 @@ fn core_options(
             call.number(given.from, "options.from")?,
             call.number(given.to, "options.to")?,
         ],
-        downwards: match given.downwards {
-            0 => false,
-            1 => true,
-            other => return Err(Error::value("options.downwards", "0 or 1", other)),
-        },
+        downwards: flag(given.downwards, "options.downwards")?,
+        events: flag(given.events, "options.events")?,
         motion_scale: given.motion_scale,
         first_step: given.first_step,
         smallest_step: given.smallest_step,

@@ -28,7 +28,7 @@ pub use pattern::{Panel, Pattern};
 pub use problem::{Collocation, Conditions, Oversampled, OversampledTangent, ScalarEquations};
 pub use resampled::{ResampledNodes, too_coarse};
 pub use rule::{
-    Aliasing, AlphaStep, Backward, BackwardWeights, GeneralizedAlpha, GivenRates,
+    Aliasing, AlphaStep, Antiperiodic, Backward, BackwardWeights, GeneralizedAlpha, GivenRates,
     KinematicsScratch, MotionState, NodeKinematics, Spectral, Steady, StepVariation, TimeRule,
     Variation, VariationScales,
 };

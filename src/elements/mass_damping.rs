@@ -1,4 +1,4 @@
-//! Damping in proportion to mass. See docs/theory.md, section 6.12.
+//! Damping in proportion to mass. See docs/theory.md, section 6.13.
 
 use super::{Contribution, Element, Inertia, Instant};
 use crate::error::Result;

@@ -25,14 +25,24 @@ class Columns(unittest.TestCase):
 
     def test_draws_an_image_of_several_files(self):
         names = ["t [s]", "a [m]", "b [N]"]
-        files = {"one": (names, [[0, 1], [2, 3], [4, 5]]), "two": (names, [[0, 1], [3, 2], [5, 4]])}
+        files = {
+            "one": (names, [[0, 1], [2, 3], [4, 5]], []),
+            "two": (names, [[0, 1], [3, 2], [5, 4]], [(1, "fold")]),
+        }
         image = self.directory / "figure.png"
         plot.draw(files, image)
         self.assertEqual(image.read_bytes()[:8], b"\x89PNG\r\n\x1a\n")
 
     def test_reads_names_and_numbers(self):
         self.assertEqual(
-            plot.read_columns(self.written("t,x\n0,2\n1,3\n")), (["t", "x"], [[0, 1], [2, 3]])
+            plot.read_columns(self.written("t,x\n0,2\n1,3\n")), (["t", "x"], [[0, 1], [2, 3]], [])
+        )
+
+    def test_reads_motions_and_events_of_branches(self):
+        text = "frequency,period,slope,step,angle,grid_points,event,x.max\n1,6,1,0,0,7,,2\n2,3,0,1,1,7,fold,3\n"
+        self.assertEqual(
+            plot.read_columns(self.written(text)),
+            (["frequency", "period", "x.max"], [[1, 2], [6, 3], [2, 3]], [(1, "fold")]),
         )
 
     def test_refuses_what_cannot_be_drawn(self):
@@ -44,7 +54,8 @@ class Columns(unittest.TestCase):
                 plot.read_columns(self.written(text))
         with self.assertRaisesRegex(ValueError, "its columns are"):
             plot.draw(
-                {"one": (["t", "x"], [[0, 1]] * 2), "two": (["t", "y"], [[0, 1]] * 2)}, "unused"
+                {"one": (["t", "x"], [[0, 1]] * 2, []), "two": (["t", "y"], [[0, 1]] * 2, [])},
+                "unused",
             )
 
 

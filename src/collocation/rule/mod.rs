@@ -3,6 +3,7 @@
 
 mod aliasing;
 mod alpha;
+mod antiperiodic;
 mod backward;
 mod given;
 mod kinematics;
@@ -15,6 +16,7 @@ pub use aliasing::Aliasing;
 pub use alpha::{
     AlphaStep, GeneralizedAlpha, MotionState, StepVariation, Variation, VariationScales,
 };
+pub use antiperiodic::Antiperiodic;
 pub use backward::Backward;
 pub use given::GivenRates;
 pub use kinematics::{BackwardWeights, KinematicsScratch, NodeKinematics};

@@ -35,6 +35,13 @@ impl Spectral {
     }
 }
 
+impl Spectral {
+    /// The motion of a node over the grid.
+    pub(super) fn node(&self, node: usize) -> &NodeKinematics {
+        &self.nodes[node]
+    }
+}
+
 impl RuleWorkspace {
     /// Operators of its own, like these, and scratch.
     fn of(

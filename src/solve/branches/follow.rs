@@ -1,6 +1,6 @@
-//! A branch from its first point to its end (docs/theory.md, section 13).
+//! A branch from its first point to its end (docs/theory.md, section 13.3).
 
-use super::events::locate_fold;
+use super::events::Tests;
 use super::walk::{Place, Stepped, Walk};
 use super::{Branch, BranchEnd, BranchOptions, BranchPoint, Event};
 use crate::collocation::{Decay, DecayKind, GridState};
@@ -102,7 +102,12 @@ impl Follow<'_, '_> {
     }
 
     /// Keeps a point. `false` if the branch is to end there.
-    fn keep(&mut self, place: &Place, [step, angle]: [f64; 2], iterations: usize) -> bool {
+    fn keep(
+        &mut self,
+        (place, event): (&Place, Option<Event>),
+        [step, angle]: [f64; 2],
+        iterations: usize,
+    ) -> bool {
         let mut state = place.state.clone();
         let scalars = std::mem::take(&mut state.scalars);
         let last = scalars.len() - 1;
@@ -116,7 +121,7 @@ impl Follow<'_, '_> {
             step,
             angle,
             iterations,
-            event: None,
+            event,
         };
         self.branch.points.push(point);
         let (number, point) = (self.branch.points.len(), self.branch.points.last());
@@ -152,9 +157,10 @@ impl Follow<'_, '_> {
             return Ok(());
         };
         let first = place.clone();
-        if !self.keep(&place, [0.0; 2], iterations) {
+        if !self.keep((&place, None), [0.0; 2], iterations) {
             return Ok(());
         }
+        let mut tests = self.walk.tests(&place)?;
         let mut step = self.walk.options.first_step;
         loop {
             let length = step;
@@ -163,20 +169,32 @@ impl Follow<'_, '_> {
             };
             if let Some(at_end) = self.beyond(&place, &stepped.to)? {
                 if let Some((end, iterations)) = at_end {
-                    self.keep_between(&place, (&end, taken))?;
+                    let away = self.walk.away(&place.state, &end.state);
+                    let length = self.walk.inner(&away, &place.tangent);
+                    if self
+                        .keep_between((&place, &tests), (&end, length))?
+                        .is_none()
+                    {
+                        return Ok(());
+                    }
                     let angle = self.angle(&place, &end);
-                    self.keep(&end, [taken, angle], iterations);
+                    self.keep((&end, None), [length, angle], iterations);
                 }
                 self.ends(BranchEnd::Range, "");
                 return Ok(());
             }
-            if !self.keep_between(&place, (&stepped.to, taken))? {
+            let between = self.keep_between((&place, &tests), (&stepped.to, taken))?;
+            let Some(there) = between else {
                 return Ok(());
-            }
+            };
             let closed = self.closes(&first, &place, &stepped.to, taken);
             let shown = stepped.shown;
             let (goes_on, last) = (
-                self.keep(&stepped.to, [taken, shown.angle], stepped.iterations),
+                self.keep(
+                    (&stepped.to, None),
+                    [taken, shown.angle],
+                    stepped.iterations,
+                ),
                 stepped.to,
             );
             if !goes_on {
@@ -187,7 +205,12 @@ impl Follow<'_, '_> {
                 return Ok(());
             }
             step = shown.next(taken, self.walk.options);
+            let points = last.state.points();
             place = self.on_fine_enough_grid(last)?;
+            tests = match place.state.points() == points {
+                true => there,
+                false => self.walk.tests(&place)?,
+            };
         }
     }
 
@@ -256,20 +279,24 @@ impl Follow<'_, '_> {
         Ok(Some(Some((place, report.iterations.len()))))
     }
 
-    /// Keeps what happens between a point and the next. `false` if the branch is to end there.
-    fn keep_between(&mut self, from: &Place, (to, length): (&Place, f64)) -> Result<bool> {
-        let (here, there) = (self.walk.slope(from), self.walk.slope(to));
-        if here * there >= 0.0 {
-            return Ok(true);
+    /// Keeps what happens between a point and the next, and gives what tells of events there; none
+    /// if the branch is to end there.
+    fn keep_between(
+        &mut self,
+        from: (&Place, &Tests),
+        (to, length): (&Place, f64),
+    ) -> Result<Option<Tests>> {
+        let there = self.walk.tests(to)?;
+        let mut before = 0.0;
+        for (event, stepped, at) in self.walk.events(from, (&there, length))? {
+            let step = [at - before, stepped.shown.angle];
+            let event = (&stepped.to, Some(event));
+            if !self.keep(event, step, stepped.iterations) {
+                return Ok(None);
+            }
+            before = at;
         }
-        let Some((fold, at)) = locate_fold(&mut self.walk, from, (length, there))? else {
-            return Ok(true);
-        };
-        let goes_on = self.keep(&fold.to, [at, fold.shown.angle], fold.iterations);
-        if let Some(point) = self.branch.points.last_mut() {
-            point.event = Some(Event::Fold);
-        }
-        Ok(goes_on)
+        Ok(Some(there))
     }
 
     /// Whether a step passes by the first point.

@@ -1,5 +1,5 @@
 //! Branches: periodic motions followed along a parameter, through folds.
-//! See docs/theory.md, section 13.
+//! See docs/theory.md, section 13.3.
 //!
 //! * `walk.rs`: a point and its tangent, the next point;
 //! * `step.rs`: how long the next step is;
@@ -52,6 +52,9 @@ pub struct BranchOptions {
     pub angle: f64,
     /// Most points.
     pub point_limit: usize,
+    /// Whether branch points and period doublings are looked for, too: two more factorisations of
+    /// the whole Jacobian a point. Branch points only where there are no conditions.
+    pub events: bool,
 }
 
 impl Default for BranchOptions {
@@ -68,6 +71,7 @@ impl Default for BranchOptions {
             largest_step: 1.0,
             angle: 0.3,
             point_limit: 1000,
+            events: false,
         }
     }
 }
@@ -110,6 +114,10 @@ impl BranchOptions {
 pub enum Event {
     /// The parameter turns back.
     Fold,
+    /// Another branch passes through.
+    BranchPoint,
+    /// A multiplier is −1: a branch of twice the period begins.
+    PeriodDoubling,
 }
 
 impl Event {
@@ -117,6 +125,8 @@ impl Event {
     pub fn describe(self) -> &'static str {
         match self {
             Event::Fold => "fold",
+            Event::BranchPoint => "branch point",
+            Event::PeriodDoubling => "period doubling",
         }
     }
 }

@@ -1,4 +1,4 @@
-//! Lengths of steps along a branch (docs/theory.md, section 13.2).
+//! Lengths of steps along a branch (docs/theory.md, section 13.4).
 
 use super::BranchOptions;
 

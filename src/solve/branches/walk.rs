@@ -1,6 +1,7 @@
-//! A point of a branch with its tangent, and the next one (docs/theory.md, section 13.1).
+//! A point of a branch with its tangent, and the next one (docs/theory.md, section 13.3).
 
 use super::BranchOptions;
+use super::events::Determinants;
 use super::step::Shown;
 use crate::collocation::{Collocation, GridState};
 use crate::error::{ErrorKind, Result};
@@ -47,6 +48,7 @@ pub(super) struct Walk<'a> {
     pub workers: Workers,
     pub watching: Watching,
     pub product: InnerProduct,
+    pub determinants: Option<Determinants>,
     /// Newton iterations on earlier grids.
     before: usize,
 }
@@ -67,6 +69,7 @@ impl<'a> Walk<'a> {
         *scales.last_mut().unwrap_or(&mut 1.0) = high - low;
         Ok(Walk {
             product: InnerProduct::new(equations, options.motion_scale),
+            determinants: Determinants::wanted(options, equations),
             options,
             conditioned,
             newton,
@@ -252,15 +255,16 @@ impl<'a> Walk<'a> {
         };
         let tangent = resampled(&place.tangent, &system, grid, points, self.scales.len());
         let nominal = TimeGrid::new(points, system.period())?;
-        let model_system = system.clone();
         let next = solver(
-            &model_system,
+            &system,
             nominal,
             &self.conditioned,
             self.options,
             &self.workers,
         )?;
         let coarse = std::mem::replace(&mut self.newton, next);
+        let determinants = Determinants::wanted(self.options, &self.newton.equations);
+        let of_coarse = std::mem::replace(&mut self.determinants, determinants);
         self.before += coarse.iterations;
         let place = Place { state, tangent };
         match self.step(&place, 0.0)? {
@@ -268,6 +272,7 @@ impl<'a> Walk<'a> {
             Err(_) => {
                 self.before += self.newton.iterations;
                 self.newton = coarse;
+                self.determinants = of_coarse;
                 self.before -= self.newton.iterations;
                 Ok(None)
             }

@@ -1,4 +1,4 @@
-//! Free parameters, and as many conditions that determine them. See docs/theory.md, section 12.
+//! Free parameters, and as many conditions that determine them. See docs/theory.md, section 13.2.
 //!
 //! A condition is a scalar equation of the motion over the period and of the parameters. A new one
 //! is a file here that implements [`Condition`].

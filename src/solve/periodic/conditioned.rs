@@ -1,4 +1,4 @@
-//! Periodic motions with free parameters, and as many conditions. See docs/theory.md, section 12.
+//! Periodic motions with free parameters, and as many conditions. See docs/theory.md, section 13.2.
 
 use super::adaptive::Adaptation;
 use super::estimate::assess;
