@@ -15,7 +15,7 @@
 int main(int argc, char **argv)
 {
     check_options(argc, argv, "--force --elements --grid --out");
-    const double size = option_number(argc, argv, "--force", 0.4);
+    const double size = option_number(argc, argv, "--force", 0.08);
     const size_t elements = option_count(argc, argv, "--elements", 4); /* even */
     const size_t grid = option_count(argc, argv, "--grid", 15);
     const char *out = option_text(argc, argv, "--out", NULL);
@@ -34,6 +34,7 @@ int main(int argc, char **argv)
     const double none[1] = {0};
     const double first_mode = 22.3733 * sqrt(young * thin / (density * area * pow(0.5, 4)));
 
+    int32_t clamp;
     pdn_section strip;
     pdn_beam beam;
     pdn_signal push;
@@ -44,8 +45,8 @@ int main(int argc, char **argv)
     /* A damping ratio of 0.5 % at the first mode. */
     TRY(pdn_section_set_proportional_damping(&strip, 2 * 0.005 / first_mode));
     TRY(pdn_model_add_straight_beam(model, left, right, i2, &strip, elements, 3, &beam));
-    TRY(pdn_model_add_rigid_joint(model, PDN_GROUND, beam.first, left, NULL));
-    TRY(pdn_model_add_rigid_joint(model, PDN_GROUND, beam.last, right, NULL));
+    TRY(pdn_model_add_rigid_joint(model, PDN_GROUND, beam.first, left, &clamp));
+    TRY(pdn_model_add_rigid_joint(model, PDN_GROUND, beam.last, right, &clamp));
     TRY(pdn_signal_set_harmonics(&push, 0, 0, &size, none, 1));
     const int32_t middle = (beam.first + beam.last) / 2;
     TRY(pdn_model_add_load(model, middle, PDN_FRAME_SPACE, PDN_FORCE_2, &push));
@@ -58,7 +59,7 @@ int main(int argc, char **argv)
     options.periodic = &periodic;
     /* Motions of some millimetres count as much as the range of frequencies. */
     options.motion_scale = 0.01;
-    TRY(pdn_solve_frequency_response(model, 0.8 * first_mode, 1.5 * first_mode, &options, &branch));
+    TRY(pdn_solve_frequency_response(model, 0.9 * first_mode, 1.25 * first_mode, &options, &branch));
     char report[2048];
     pdn_branch_report(branch, report, sizeof report);
     printf("%s", report);

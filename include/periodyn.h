@@ -159,6 +159,11 @@
 #define PDN_SIGNAL_FUNCTION 2
 
 /**
+ * Kind of a signal: a function of the caller, of the phase.
+ */
+#define PDN_SIGNAL_FUNCTION_OF_PHASE 3
+
+/**
  * In place of a node's id: the ground, which does not move.
  */
 #define PDN_GROUND -1
@@ -606,6 +611,160 @@
 #define PDN_LINEAR_CIRCULANT 5
 
 /**
+ * A parameter moves the coefficient of a power, from 1, of the growth of a spring-damper, or with
+ * power 1 the long-term stiffness of a viscoelastic force.
+ */
+#define PDN_NUMBER_STIFFNESS 0
+
+/**
+ * A parameter moves the coefficient of a power, from 1, of the rate of a spring-damper.
+ */
+#define PDN_NUMBER_DAMPING 1
+
+/**
+ * A parameter moves the coordinate at which a spring-damper or viscoelastic force is free of
+ * effort.
+ */
+#define PDN_NUMBER_REST 2
+
+/**
+ * A parameter moves a factor of the inertia of a body: of the bodies, masses and inertias that
+ * were given, in their order.
+ */
+#define PDN_NUMBER_INERTIA 3
+
+/**
+ * A parameter moves a factor of the sections' stiffness along a beam element.
+ */
+#define PDN_NUMBER_BEAM_STIFFNESS 4
+
+/**
+ * A parameter moves a factor of the sections' mass along a beam element.
+ */
+#define PDN_NUMBER_BEAM_MASS 5
+
+/**
+ * A parameter moves a factor of the sections' damping along a beam element.
+ */
+#define PDN_NUMBER_BEAM_DAMPING 6
+
+/**
+ * A parameter moves the damping in proportion to mass, ::pdn_model_set_mass_damping.
+ */
+#define PDN_NUMBER_MASS_DAMPING 7
+
+/**
+ * The signal of an actuator, by its force id.
+ */
+#define PDN_SIGNAL_OF_ACTUATOR 0
+
+/**
+ * The signal of a prescribed coordinate, in the order in which they were prescribed.
+ */
+#define PDN_SIGNAL_OF_PRESCRIBED 1
+
+/**
+ * The signal of a component of a load on a node, in the order in which these were added.
+ */
+#define PDN_SIGNAL_OF_LOAD 2
+
+/**
+ * The signal of a component of a load along beams, in the order in which these were added.
+ */
+#define PDN_SIGNAL_OF_BEAM_LOAD 3
+
+/**
+ * The signal of a component of gravity; its index is 0.
+ */
+#define PDN_SIGNAL_OF_GRAVITY 4
+
+/**
+ * Part of a signal: the mean that is added to its shape.
+ */
+#define PDN_PART_MEAN 0
+
+/**
+ * Part of a signal: growth in a unit of time.
+ */
+#define PDN_PART_RATE 1
+
+/**
+ * Part of a signal: the factor of its shape, which is its harmonics, its samples or its function.
+ */
+#define PDN_PART_AMPLITUDE 2
+
+/**
+ * Part of a signal: the phase by which its shape is ahead \[radians\].
+ */
+#define PDN_PART_PHASE 3
+
+/**
+ * A parameter: the circular frequency 2 pi / T, which every model has.
+ */
+#define PDN_FREQUENCY -1
+
+/**
+ * A branch ended at an end of the parameter's range.
+ */
+#define PDN_BRANCH_RANGE 0
+
+/**
+ * A branch ended as it came back to its first point.
+ */
+#define PDN_BRANCH_CLOSED 1
+
+/**
+ * A branch ended as it has as many points as are allowed.
+ */
+#define PDN_BRANCH_POINT_LIMIT 2
+
+/**
+ * A branch ended where the shortest step leads to no solution.
+ */
+#define PDN_BRANCH_SMALLEST_STEP 3
+
+/**
+ * A branch ended as it was cancelled.
+ */
+#define PDN_BRANCH_CANCELLED 4
+
+/**
+ * A branch has no points, as there is no solution to start from.
+ */
+#define PDN_BRANCH_NO_START 5
+
+/**
+ * Nothing happens at a point of a branch.
+ */
+#define PDN_EVENT_NONE 0
+
+/**
+ * The parameter turns back at a point of a branch: a fold.
+ */
+#define PDN_EVENT_FOLD 1
+
+/**
+ * Another branch passes through a point of a branch.
+ */
+#define PDN_EVENT_BRANCH_POINT 2
+
+/**
+ * A branch of twice the period begins at a point of a branch.
+ */
+#define PDN_EVENT_PERIOD_DOUBLING 3
+
+/**
+ * Periodic motions along a parameter. Made by ::pdn_follow_branch, freed by ::pdn_branch_free.
+ */
+typedef struct pdn_branch pdn_branch;
+
+/**
+ * Free parameters, and as many conditions. Made by ::pdn_conditions_new, freed by
+ * ::pdn_conditions_free.
+ */
+typedef struct pdn_conditions pdn_conditions;
+
+/**
  * A mechanism. Made by ::pdn_model_new, freed by ::pdn_model_free.
  *
  * It is described in its reference configuration: points, directions and frames are those of the
@@ -708,7 +867,8 @@ typedef struct pdn_signal {
      */
     size_t struct_size;
     /**
-     * PDN_SIGNAL_HARMONICS, PDN_SIGNAL_SAMPLES or PDN_SIGNAL_FUNCTION.
+     * PDN_SIGNAL_HARMONICS, PDN_SIGNAL_SAMPLES, PDN_SIGNAL_FUNCTION or
+     * PDN_SIGNAL_FUNCTION_OF_PHASE.
      */
     int32_t kind;
     /**
@@ -1396,6 +1556,127 @@ typedef struct pdn_periodic_options {
 } pdn_periodic_options;
 
 /**
+ * A point of a branch. Initialise with `PDN_INIT(pdn_branch_point, &point)`.
+ */
+typedef struct pdn_branch_point {
+    /**
+     * Set by the initialiser.
+     */
+    size_t struct_size;
+    /**
+     * Value of the parameter that is followed.
+     */
+    double parameter;
+    /**
+     * Its derivative by the length along the branch, over its range: zero at a fold.
+     */
+    double slope;
+    /**
+     * Period of the motion.
+     */
+    double period;
+    /**
+     * Length of the step from the point before.
+     */
+    double step;
+    /**
+     * Angle between the branch here and at the point before \[radians\].
+     */
+    double angle;
+    /**
+     * Number of grid points.
+     */
+    size_t grid_points;
+    /**
+     * Number of Newton iterations.
+     */
+    int32_t iterations;
+    /**
+     * PDN_EVENT_NONE, PDN_EVENT_FOLD, ...
+     */
+    int32_t event;
+} pdn_branch_point;
+
+/**
+ * Called with each point of a branch, on the thread that follows it; `number` counts from 1.
+ *
+ * `point` is valid during the call only. Return 0 to go on, anything else to end the branch there.
+ */
+typedef int32_t (*pdn_branch_fn)(const struct pdn_branch_point *point,
+                                 int32_t number,
+                                 void *user_data);
+
+/**
+ * Options of ::pdn_follow_branch. Set the defaults by `PDN_INIT(pdn_branch_options, &options)`.
+ */
+typedef struct pdn_branch_options {
+    /**
+     * Set by the initialiser.
+     */
+    size_t struct_size;
+    /**
+     * Grid, tolerance and linear solver, where the first solve starts, and who is told of the
+     * iterations; NULL for the defaults. Default NULL.
+     */
+    const struct pdn_periodic_options *periodic;
+    /**
+     * What else is free along the branch, and as many conditions; NULL for nothing. Default NULL.
+     */
+    const struct pdn_conditions *conditions;
+    /**
+     * Least value of the parameter, where the branch ends.
+     */
+    double from;
+    /**
+     * Largest value of the parameter, where the branch ends; more than `from`.
+     */
+    double to;
+    /**
+     * What counts as 1 in motions, relative to the size of the mechanism and in radians; as the
+     * whole range does in the parameter. Default 1.
+     */
+    double motion_scale;
+    /**
+     * Length of the first step: 1 is the whole range, or a motion of motion_scale. Default 0.02.
+     */
+    double first_step;
+    /**
+     * Shortest step. Default 1e-6.
+     */
+    double smallest_step;
+    /**
+     * Longest step. Default 1.
+     */
+    double largest_step;
+    /**
+     * Angle between the branch at neighbouring points that steps aim at \[radians\]; steps by four
+     * thirds of it are taken again by half. Default 0.3.
+     */
+    double angle;
+    /**
+     * Most points. Default 1000.
+     */
+    size_t point_limit;
+    /**
+     * Told of each point; may end the branch. Default NULL.
+     */
+    pdn_branch_fn progress;
+    /**
+     * Handed to progress.
+     */
+    void *progress_data;
+    /**
+     * 1 if the parameter decreases at first. Default 0.
+     */
+    int32_t downwards;
+    /**
+     * 1 to look for branch points (where there are no conditions) and period doublings, too, by
+     * two more factorisations of the whole Jacobian a point. Default 0.
+     */
+    int32_t events;
+} pdn_branch_options;
+
+/**
  * Options of ::pdn_solve_static. Set the defaults by `PDN_INIT(pdn_static_options, &options)`.
  */
 typedef struct pdn_static_options {
@@ -2065,6 +2346,26 @@ PDN_API
 pdn_status pdn_signal_set_function(struct pdn_signal *signal,
                                    pdn_signal_fn function,
                                    void *user_data);
+
+/**
+ * Makes a signal a function of the caller, of the phase 2 pi t / T \[radians\], which it is told
+ * in place of the time: it holds for any period T.
+ *
+ * Over a period it may grow by whole turns if it drives a rotation, and must not grow otherwise.
+ *
+ * @param signal  an initialised signal; not NULL
+ * @param function  the function, see ::pdn_signal_fn for when it is called; not NULL
+ * @param user_data  handed to the function; may be NULL. Must be valid until each model that was
+ *     given the signal, and each solution of it, has been freed
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_STRUCT_SIZE
+ *
+ * Threads: exclusive use of `signal`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_signal_set_function_of_phase(struct pdn_signal *signal,
+                                            pdn_signal_fn function,
+                                            void *user_data);
 
 /**
  * Makes an empty model.
@@ -4002,6 +4303,450 @@ pdn_status pdn_solve_periodic(const struct pdn_model *model,
                               double period,
                               const struct pdn_periodic_options *options,
                               struct pdn_solution **out);
+
+/**
+ * Adds a parameter: a named number that moves what ::pdn_model_move_number and
+ * ::pdn_model_move_signal say. At first it moves nothing.
+ *
+ * A model can be solved at other values (::pdn_model_set_parameter), values can be found so that
+ * conditions are met (::pdn_solve_conditioned), and followed (::pdn_follow_branch). They are saved
+ * with the model.
+ *
+ * @param model  the model; not NULL
+ * @param name  text in UTF-8 that no other parameter of the model has; not NULL, not empty
+ * @param value  its value
+ * @param scale  what counts as 1 in it, positive: its range, about
+ * @param out  the parameter's id; written on success only
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_VALUE
+ *
+ * Threads: exclusive use of `model`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_model_add_parameter(struct pdn_model *model,
+                                   const char *name,
+                                   double value,
+                                   double scale,
+                                   int32_t *out);
+
+/**
+ * Lets a parameter move a number of the model: it becomes `factor` times the parameter's value,
+ * now and whenever that changes.
+ *
+ * @param model  the model; not NULL
+ * @param parameter  id of the parameter
+ * @param number  PDN_NUMBER_STIFFNESS, ...
+ * @param index  of the force, the body or the beam element; 0 for PDN_NUMBER_MASS_DAMPING
+ * @param power  power, from 1, of a stiffness or damping; 0 for all else
+ * @param factor  the number for a unit of the parameter, not zero
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_ID (no such parameter or number),
+ *     PDN_ERR_VALUE (another parameter moves it already)
+ *
+ * Threads: exclusive use of `model`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_model_move_number(struct pdn_model *model,
+                                 int32_t parameter,
+                                 int32_t number,
+                                 int32_t index,
+                                 int32_t power,
+                                 double factor);
+
+/**
+ * Lets a parameter move a part of a signal: it becomes `factor` times the parameter's value, now
+ * and whenever that changes.
+ *
+ * @param model  the model; not NULL
+ * @param parameter  id of the parameter
+ * @param place  what has the signal: PDN_SIGNAL_OF_ACTUATOR, ...
+ * @param index  which of them
+ * @param component  of a load from 0 to 5, of gravity from 0 to 2; 0 for all else
+ * @param part  PDN_PART_MEAN, PDN_PART_RATE, PDN_PART_AMPLITUDE or PDN_PART_PHASE
+ * @param factor  the part for a unit of the parameter, not zero
+ * @return as ::pdn_model_move_number
+ *
+ * Threads: exclusive use of `model`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_model_move_signal(struct pdn_model *model,
+                                 int32_t parameter,
+                                 int32_t place,
+                                 int32_t index,
+                                 int32_t component,
+                                 int32_t part,
+                                 double factor);
+
+/**
+ * Gives a parameter another value, and all that it moves.
+ *
+ * @param model  the model; not NULL
+ * @param parameter  id of the parameter
+ * @param value  the value
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_ID
+ *
+ * Threads: exclusive use of `model`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_model_set_parameter(struct pdn_model *model,
+                                   int32_t parameter,
+                                   double value);
+
+/**
+ * Gives everything with mass a force against its motion relative to the inertial frame, `factor`
+ * times its momentum: damping in proportion to mass.
+ *
+ * @param model  the model; not NULL
+ * @param factor  force for a unit of momentum \[1/time\]; negative to excite
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE
+ *
+ * Threads: exclusive use of `model`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_model_set_mass_damping(struct pdn_model *model,
+                                      double factor);
+
+/**
+ * Declares that the function of a force is one of the phase, 2 pi t / T, which it is then told in
+ * place of the time: it holds for any period T, as it must where that is unknown.
+ *
+ * A function that does not depend on time is one of the phase, too.
+ *
+ * @param model  the model; not NULL
+ * @param force  id of a force that has a function
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_ID, PDN_ERR_NOT_AVAILABLE (it has none)
+ *
+ * Threads: exclusive use of `model`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_model_declare_of_phase(struct pdn_model *model,
+                                      int32_t force);
+
+/**
+ * Value of a parameter in a solution: given, or found.
+ *
+ * @param solution  the solution; not NULL
+ * @param parameter  id of the parameter, or PDN_FREQUENCY
+ * @param out  the value; written on success only
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_ID
+ *
+ * Threads: like `const`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_solution_parameter(const struct pdn_solution *solution,
+                                  int32_t parameter,
+                                  double *out);
+
+/**
+ * Makes an empty list: no parameter is free.
+ *
+ * It belongs to no model; ids are looked up when it is used.
+ *
+ * @param out  the list; free it with ::pdn_conditions_free; written on success only
+ * @return PDN_OK, PDN_ERR_NULL
+ *
+ * Threads: any.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_conditions_new(struct pdn_conditions **out);
+
+/**
+ * Frees a list; NULL does nothing.
+ *
+ * @param conditions  the list, not to be used any more
+ *
+ * Threads: exclusive use of `conditions`.
+ * @since 0.1
+ */
+PDN_API
+void pdn_conditions_free(struct pdn_conditions *conditions);
+
+/**
+ * Makes a parameter free: its value in the model is that to start from.
+ *
+ * @param conditions  the list; not NULL
+ * @param parameter  id of a parameter, or PDN_FREQUENCY for an unknown period
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_ID
+ *
+ * Threads: exclusive use of `conditions`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_conditions_release(struct pdn_conditions *conditions,
+                                  int32_t parameter);
+
+/**
+ * Adds the condition on the phase: the motion is not ahead of that which the solve starts from.
+ *
+ * For motions whose time nothing else tells: limit cycles, and free motions of a conservative
+ * system.
+ *
+ * @param conditions  the list; not NULL
+ * @return PDN_OK, PDN_ERR_NULL
+ *
+ * Threads: exclusive use of `conditions`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_conditions_add_phase(struct pdn_conditions *conditions);
+
+/**
+ * Adds the condition that a joint coordinate has a value at the start of the period.
+ *
+ * With ::pdn_conditions_add_phase, and a start that turns back at time zero, it is the amplitude
+ * of a free motion.
+ *
+ * @param conditions  the list; not NULL
+ * @param joint  id of the joint
+ * @param coordinate  PDN_DISPLACEMENT, ... or PDN_ROTATION, ...
+ * @param value  the value
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_ID, PDN_ERR_VALUE
+ *
+ * Threads: exclusive use of `conditions`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_conditions_add_joint_coordinate(struct pdn_conditions *conditions,
+                                               int32_t joint,
+                                               int32_t coordinate,
+                                               double value);
+
+/**
+ * Adds the condition that the mean of the kinetic and the potential energy over the period is a
+ * value.
+ *
+ * Weights have no energy at the origin. The energy of weights, of springs on joint coordinates and
+ * of beams is known; a model with other forces is refused.
+ *
+ * @param conditions  the list; not NULL
+ * @param energy  the value \[force * length\]
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE
+ *
+ * Threads: exclusive use of `conditions`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_conditions_add_energy(struct pdn_conditions *conditions,
+                                     double energy);
+
+/**
+ * Finds a periodic response that meets conditions, and the values of as many free parameters.
+ *
+ * Newton's method for motions and parameters together starts at a given solution or motion
+ * (`options.initial`, `options.guess_positions`), or else at the response with the parameters as
+ * they are. Where the period is free, `period` is the guess of it; loads and prescribed motions
+ * are then functions of the phase: harmonics and samples are, rates are for whole turns, functions
+ * must be declared such (::pdn_signal_set_function_of_phase, ::pdn_model_declare_of_phase).
+ *
+ * @param model  the model; it is copied, so that later changes do not touch the solution
+ * @param period  T, or a guess of it
+ * @param conditions  free parameters and as many conditions; not NULL
+ * @param options  may be NULL for the defaults
+ * @param out  the solution, also if it has not converged: ::pdn_solution_parameter tells the
+ *     values found; free it with ::pdn_solution_free; written on success only
+ * @return as ::pdn_solve_periodic; PDN_ERR_SIZE also if there are not as many conditions as free
+ *     parameters, PDN_ERR_VALUE if one is free twice, moves nothing, or if the phase is that of a
+ *     start at rest, PDN_ERR_NOT_PERIODIC if something has a frequency of its own
+ *
+ * Threads: like a `const` use of `model`, `conditions` and `options.initial`. Functions of yours
+ * are called on this thread.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_solve_conditioned(const struct pdn_model *model,
+                                 double period,
+                                 const struct pdn_conditions *conditions,
+                                 const struct pdn_periodic_options *options,
+                                 struct pdn_solution **out);
+
+/**
+ * Sets a point to zero; use `PDN_INIT(pdn_branch_point, &point)`.
+ *
+ * @param point  the point; not NULL
+ * @param struct_size  `sizeof *point`
+ *
+ * Threads: any.
+ * @since 0.1
+ */
+PDN_API
+void pdn_branch_point_init(struct pdn_branch_point *point,
+                           size_t struct_size);
+
+/**
+ * Sets default options; use `PDN_INIT(pdn_branch_options, &options)`.
+ *
+ * @param options  the options; not NULL
+ * @param struct_size  `sizeof *options`
+ *
+ * Threads: any.
+ * @since 0.1
+ */
+PDN_API
+void pdn_branch_options_init(struct pdn_branch_options *options,
+                             size_t struct_size);
+
+/**
+ * Follows periodic motions along a parameter, through folds, from the response at its value in the
+ * model.
+ *
+ * Steps are as long as the branch allows: they aim at `options.angle` between the tangents of
+ * neighbouring points. Folds are located exactly, and are points of their own. Unless a number of
+ * grid points is given it grows along the branch. That the branch ends early is no error:
+ * ::pdn_branch_end tells, and all its points are kept.
+ *
+ * @param model  the model; it is copied, so that later changes do not touch the branch
+ * @param period  T of the first response, or a guess of it where the frequency is free
+ * @param parameter  id of the parameter to be followed, or PDN_FREQUENCY
+ * @param options  the range of the parameter, at least; not NULL
+ * @param out  the branch; free it with ::pdn_branch_free; written on success only
+ * @return as ::pdn_solve_conditioned; PDN_ERR_VALUE also if the parameter is not in its range
+ *
+ * Threads: like a `const` use of `model` and of what `options` points to. Functions of yours are
+ * called on this thread.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_follow_branch(const struct pdn_model *model,
+                             double period,
+                             int32_t parameter,
+                             const struct pdn_branch_options *options,
+                             struct pdn_branch **out);
+
+/**
+ * Finds the response over a range of frequencies, through folds: ::pdn_follow_branch along
+ * PDN_FREQUENCY.
+ *
+ * @param model  the model, whose loads and prescribed motions are functions of the phase; rates
+ *     are those at the frequency `first`, and remain as many turns a period
+ * @param first  circular frequency 2 pi / T at which it begins
+ * @param last  circular frequency at which it ends, more or less than `first`
+ * @param options  may be NULL for the defaults; its range, direction and conditions are not used
+ * @param out  the branch; free it with ::pdn_branch_free; written on success only
+ * @return as ::pdn_follow_branch
+ *
+ * Threads: as ::pdn_follow_branch.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_solve_frequency_response(const struct pdn_model *model,
+                                        double first,
+                                        double last,
+                                        const struct pdn_branch_options *options,
+                                        struct pdn_branch **out);
+
+/**
+ * Frees a branch; NULL does nothing. Solutions made from it stay.
+ *
+ * @param branch  the branch, not to be used any more
+ *
+ * Threads: exclusive use of `branch`.
+ * @since 0.1
+ */
+PDN_API
+void pdn_branch_free(struct pdn_branch *branch);
+
+/**
+ * Why a branch ended.
+ *
+ * @param branch  the branch; not NULL
+ * @return PDN_BRANCH_RANGE, ...; or PDN_ERR_NULL
+ *
+ * Threads: like `const`.
+ * @since 0.1
+ */
+PDN_API
+int32_t pdn_branch_end(const struct pdn_branch *branch);
+
+/**
+ * A readable report: points, events, and why the branch ended.
+ *
+ * @param branch  the branch; not NULL
+ * @param buffer  array of length [capacity] for the text, UTF-8, always ended by NUL; may be NULL
+ * @param capacity  bytes in the buffer
+ * @return bytes of the whole text, without the NUL; 0 if an error occurred
+ *
+ * Threads: like `const`.
+ * @since 0.1
+ */
+PDN_API
+size_t pdn_branch_report(const struct pdn_branch *branch,
+                         char *buffer,
+                         size_t capacity);
+
+/**
+ * Number of points of a branch.
+ *
+ * @param branch  the branch; not NULL
+ * @param out  the number; written on success only
+ * @return PDN_OK, PDN_ERR_NULL
+ *
+ * Threads: like `const`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_branch_count(const struct pdn_branch *branch,
+                            int32_t *out);
+
+/**
+ * A point of a branch.
+ *
+ * @param branch  the branch; not NULL
+ * @param point  its number, from 0
+ * @param out  the point, initialised; not NULL
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_ID, PDN_ERR_STRUCT_SIZE
+ *
+ * Threads: like `const`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_branch_get(const struct pdn_branch *branch,
+                          int32_t point,
+                          struct pdn_branch_point *out);
+
+/**
+ * The solution at a point of a branch.
+ *
+ * @param branch  the branch; not NULL
+ * @param point  its number, from 0
+ * @param out  the solution; free it with ::pdn_solution_free; written on success only
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_ID, PDN_ERR_CALLBACK, PDN_ERR_MEMORY
+ *
+ * Threads: like `const`. Functions of the model may be called on this thread.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_branch_solution(const struct pdn_branch *branch,
+                               int32_t point,
+                               struct pdn_solution **out);
+
+/**
+ * Writes a branch as CSV: a line for each point, with the parameter, how the step went, what
+ * happens there and, of components of positions, the mean, the size of the first harmonic, the
+ * least and the largest value over the period. `script/plot.py` draws it.
+ *
+ * @param branch  the branch; not NULL
+ * @param nodes  array of length [count]: ids of nodes; may be NULL if count is 0
+ * @param components  array of length [count]: components of their positions, 0, 1 or 2; likewise
+ * @param count  number of components
+ * @param path  name of the file, UTF-8; an existing file is replaced
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_ID, PDN_ERR_VALUE, PDN_ERR_NOT_AVAILABLE (there are no
+ *     points), PDN_ERR_IO
+ *
+ * Threads: like `const`. Functions of the model may be called on this thread.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_branch_write_csv(const struct pdn_branch *branch,
+                                const int32_t *nodes,
+                                const int32_t *components,
+                                size_t count,
+                                const char *path);
 
 /**
  * Sets default options; use `PDN_INIT(pdn_static_options, &options)`.

@@ -11,8 +11,8 @@ use periodyn::model::{JointCoordinate, Model, SignalPart, SignalPlace, Target};
 use periodyn::motion::Motion;
 use periodyn::output::{BranchOutput, Solution};
 use periodyn::solve::{
-    Adaptation, Branch, BranchEnd, BranchOptions, Event, Free, GridPoints, InitialGuess,
-    LinearMethod, Outcome, Phase, follow_branch,
+    Adaptation, Branch, BranchEnd, BranchOptions, BranchPoint, Event, Free, GridPoints,
+    InitialGuess, LinearMethod, Outcome, Phase, follow_branch, switch_branch,
 };
 use periodyn::system::System;
 use std::f64::consts::TAU;
@@ -287,6 +287,63 @@ fn an_escape_oscillator_folds_and_doubles_its_period() {
     let off = found[2].1 - 0.100_501_010_278;
     println!("period doubling off by {off:e}");
     assert!(off.abs() < 2e-12);
+}
+
+#[test]
+fn a_doubled_branch_is_followed_from_where_it_begins() {
+    let (mut model, at) = mass_on_a_slide(1.0, &Vector3::x());
+    model
+        .add_polynomial_spring_damper(at, &[1.0, -1.0], &[0.1], 0.0)
+        .unwrap();
+    model.add_actuator(at, &cosine(1.0)).unwrap();
+    let load = model.add_parameter("load", 0.01, 0.1).unwrap();
+    let target = Target::Signal(SignalPlace::Actuator(1), SignalPart::Amplitude);
+    model.move_by_parameter(load, target, 1.0).unwrap();
+    let options = BranchOptions {
+        range: [0.0, 0.105],
+        motion_scale: 0.5,
+        events: true,
+        ..response(31)
+    };
+    let (free, period) = (Free::Parameter(load), TAU / 0.85);
+    let branch = follow_branch(&model, period, free, &options, &mut |_, _| true).unwrap();
+    let is_doubling = |p: &BranchPoint| p.event == Some(Event::PeriodDoubling);
+    let at = branch.points.iter().position(is_doubling).unwrap();
+    let begins = branch.points[at].values[0];
+    let away = [0.02, 0.04].map(|amplitude| {
+        let limited = BranchOptions {
+            point_limit: 5,
+            events: false,
+            ..options.clone()
+        };
+        let other = switch_branch(&branch, at, amplitude, &limited, &mut |_, _| true).unwrap();
+        assert_eq!(other.end, BranchEnd::PointLimit, "{}", other.explanation);
+        // Of twice the period, and towards larger loads.
+        assert!((other.points[0].grid.period() / period - 2.0).abs() < 1e-12);
+        assert_eq!(other.points[0].grid.points(), 61);
+        assert!(other.points[4].values[0] > other.points[0].values[0]);
+        // A solution on its own.
+        let (found, solved) = other.solved(4).unwrap();
+        let mut options = common::options(61);
+        options.guess = InitialGuess::State(solved.state.clone());
+        let again = Solution::solve(&found, 2.0 * period, &options, &mut |_, _| true).unwrap();
+        assert!(again.details().state.distance(&solved.state, 1.0) < 1e-10);
+        let x = |k: f64| {
+            let position = periodyn::output::NodeQuantity::Position;
+            again.node(0, position, &[k * period]).unwrap()[0]
+        };
+        assert!((x(0.0) - x(1.0)).abs() > 0.01 && (x(0.0) - x(2.0)).abs() < 1e-9);
+        other.points[0].values[0] - begins
+    });
+    println!("{away:?}");
+    assert!(away[0] > 0.0 && (away[1] / away[0] - 4.0).abs() < 0.1);
+    // Nothing begins elsewhere.
+    let end = switch_branch(&branch, 0, 0.02, &options, &mut |_, _| true);
+    assert!(
+        end.unwrap_err()
+            .to_string()
+            .contains("no other branch begins")
+    );
 }
 
 #[test]

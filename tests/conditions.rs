@@ -12,8 +12,8 @@ use periodyn::model::{JointCoordinate, Model, Signal, SignalPart, SignalPlace, T
 use periodyn::motion::Motion;
 use periodyn::output::Solution;
 use periodyn::solve::{
-    Condition, Free, InitialGuess, JointCoordinateIs, LinearMethod, Outcome, PeriodicOptions,
-    Phase, solve_conditioned,
+    Condition, Energy, Free, InitialGuess, JointCoordinateIs, LinearMethod, Outcome,
+    PeriodicOptions, Phase, solve_conditioned,
 };
 use periodyn::system::System;
 use std::f64::consts::TAU;
@@ -210,6 +210,43 @@ fn a_pendulum_has_the_periods_of_its_amplitudes() {
         assert!(off.abs() < 2e-11 && unfolding.abs() < 1e-11);
         before = Some((found, amplitude));
     }
+}
+
+#[test]
+fn it_has_them_at_given_energies_too() {
+    let (mut model, at) = pendulum();
+    let unfolding = model.add_parameter("unfolding", 0.0, 1.0).unwrap();
+    model
+        .move_by_parameter(unfolding, Target::MassDamping, 1.0)
+        .unwrap();
+    let free = [Free::Frequency, Free::Parameter(unfolding)];
+    for (degrees, exact) in [(30.0, 2.040_989_889_519), (60.0, 2.152_874_666_881)] {
+        let amplitude = f64::to_radians(degrees);
+        let value = -9.81 * amplitude.cos();
+        let conditions: [Arc<dyn Condition>; 2] = [Arc::new(Phase), Arc::new(Energy { value })];
+        let options = from(&model, (41, 2.0), |t| swung(0.9 * amplitude * t.cos()));
+        let found = solve_for(&model, 2.0, &free, &conditions, &options);
+        let off = found.grid().period() - exact;
+        println!("{degrees}: {off:e}, {:?}", increments(&found));
+        assert!(off.abs() < 2e-11);
+    }
+    // Of a user's law it is not known.
+    let law = CoordinateLaw {
+        function: Arc::new(|_| Ok(Effort::default())),
+        gives_derivatives: true,
+    };
+    let force = model.add_coordinate_law(at, law).unwrap();
+    model.declare_of_phase(force).unwrap();
+    let conditions: [Arc<dyn Condition>; 2] = [Arc::new(Phase), Arc::new(Energy { value: -9.0 })];
+    let options = from(&model, (11, 2.0), |t| swung(0.4 * t.cos()));
+    let end = solve_conditioned(&model, 2.0, (&free, &conditions), &options, &mut |_, _| {
+        true
+    });
+    let error = end.unwrap_err().to_string();
+    assert!(
+        error.contains("the energy: force 0 has no energy"),
+        "{error}"
+    );
 }
 
 /// The mean of the position of node 0 along x: a condition of the user.

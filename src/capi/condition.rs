@@ -11,7 +11,7 @@ use super::status::pdn_status;
 use crate::error::{Error, Result};
 use crate::model::{JointCoordinate, Model};
 use crate::output::Solution;
-use crate::solve::{Condition, Free, JointCoordinateIs, Phase};
+use crate::solve::{Condition, Energy, Free, JointCoordinateIs, Phase};
 use std::sync::Arc;
 
 /// Free parameters, and as many conditions. Made by ::pdn_conditions_new, freed by
@@ -150,6 +150,31 @@ pub unsafe extern "C" fn pdn_conditions_add_joint_coordinate(
         let value = call.number(value, "value")?;
         let condition = JointCoordinateIs { at, value };
         conditions.conditions.push(Arc::new(condition));
+        Ok(())
+    })
+}
+
+/// Adds the condition that the mean of the kinetic and the potential energy over the period is a
+/// value.
+///
+/// Weights have no energy at the origin. The energy of weights, of springs on joint coordinates and
+/// of beams is known; a model with other forces is refused.
+///
+/// @param conditions  the list; not NULL
+/// @param energy  the value \[force * length\]
+/// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE
+///
+/// Threads: exclusive use of `conditions`.
+/// @since 0.1
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn pdn_conditions_add_energy(
+    conditions: *mut pdn_conditions,
+    energy: f64,
+) -> pdn_status {
+    guard(|call| {
+        let mut conditions = call.exclusive(conditions, "conditions")?;
+        let value = call.number(energy, "energy")?;
+        conditions.conditions.push(Arc::new(Energy { value }));
         Ok(())
     })
 }

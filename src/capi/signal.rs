@@ -143,7 +143,7 @@ impl pdn_signal {
             }
             other => Err(Error::value(
                 "kind",
-                "PDN_SIGNAL_HARMONICS, PDN_SIGNAL_SAMPLES or PDN_SIGNAL_FUNCTION, ..._OF_PHASE",
+                "PDN_SIGNAL_HARMONICS, PDN_SIGNAL_SAMPLES or PDN_SIGNAL_FUNCTION, _OF_PHASE",
                 other,
             )),
         }
@@ -308,8 +308,8 @@ pub unsafe extern "C" fn pdn_signal_set_function(
     })
 }
 
-/// Makes a signal a function of the caller, of the phase 2 pi t / T \[radians\], which it is told in
-/// place of the time: it holds for any period T.
+/// Makes a signal a function of the caller, of the phase 2 pi t / T \[radians\], which it is told
+/// in place of the time: it holds for any period T.
 ///
 /// Over a period it may grow by whole turns if it drives a rotation, and must not grow otherwise.
 ///

@@ -30,7 +30,7 @@ pub use resampled::{ResampledNodes, too_coarse};
 pub use rule::{
     Aliasing, AlphaStep, Antiperiodic, Backward, BackwardWeights, GeneralizedAlpha, GivenRates,
     KinematicsScratch, MotionState, NodeKinematics, Spectral, Steady, StepVariation, TimeRule,
-    Variation, VariationScales,
+    Variation, VariationScales, antiperiodic_at,
 };
 pub use state::GridState;
 pub use tangent::{Coupling, Increment, Linearisation, PairTangent, Station, Tangent};

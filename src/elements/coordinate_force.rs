@@ -315,6 +315,20 @@ impl Element for CoordinateForce {
         self.law.depends_on_rate()
     }
 
+    /// Of springs.
+    fn potential(&self, instant: &Instant, _: &mut Contribution) -> Result<Option<f64>> {
+        let Law::Polynomial {
+            stiffness, rest, ..
+        } = &self.law
+        else {
+            return Ok(None);
+        };
+        let growth = self.at.state(instant)?.q.value - rest;
+        let terms = stiffness.iter().enumerate();
+        let terms = terms.map(|(i, k)| k * growth.powi(i as i32 + 2) / (i + 2) as f64);
+        Ok(Some(terms.sum()))
+    }
+
     fn evaluate(&self, instant: &Instant, out: &mut Contribution) -> Result<()> {
         let state = self.at.state(instant)?;
         let effort = self.effort(&state, instant, out.with_tangents)?;

@@ -33,6 +33,10 @@ impl Element for ViscousDamper {
         true
     }
 
+    fn potential(&self, _: &Instant, _: &mut Contribution) -> Result<Option<f64>> {
+        Ok(Some(0.0))
+    }
+
     fn evaluate(&self, instant: &Instant, out: &mut Contribution) -> Result<()> {
         let state = self.pair.state(instant.nodes);
         let c = &self.matrix;

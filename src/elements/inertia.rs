@@ -1,7 +1,7 @@
 //! Inertia that is constant in the material frames of its nodes: rigid bodies and beams
 //! (docs/theory.md, section 6.1).
 
-use super::{Contribution, Element, Instant};
+use super::{Contribution, Element, Instant, NodeState};
 use crate::error::Result;
 use crate::motion::{Motion, halves, joined, product, skew, transposed_product};
 use nalgebra::{DMatrix, DVector, Matrix3, Matrix6, Matrix6x3, Vector3, Vector6};
@@ -111,6 +111,19 @@ impl Element for Inertia {
 
     fn has_damping(&self) -> bool {
         true
+    }
+
+    /// Of the weight: zero at the origin.
+    fn potential(&self, instant: &Instant, _: &mut Contribution) -> Result<Option<f64>> {
+        let all = instant.nodes.iter().zip(&self.shares);
+        let of_node = |(node, share): (&NodeState, &Matrix6x3<f64>)| {
+            // The mass, and its first moment in the node's frame.
+            let mass = share.fixed_view::<3, 3>(0, 0).trace() / 3.0;
+            let moment = Vector3::new(share[(5, 1)], share[(3, 2)], share[(4, 0)]);
+            let place = node.motion.position * mass + node.motion.rotation * moment;
+            -instant.gravity.dot(&place)
+        };
+        Ok(Some(all.map(of_node).sum()))
     }
 
     fn evaluate(&self, instant: &Instant, out: &mut Contribution) -> Result<()> {

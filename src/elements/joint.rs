@@ -264,6 +264,10 @@ impl Element for Joint {
         Unknown::Multiplier(self.kind.measure(index))
     }
 
+    fn potential(&self, _: &Instant, _: &mut Contribution) -> Result<Option<f64>> {
+        Ok(Some(0.0))
+    }
+
     fn evaluate(&self, instant: &Instant, out: &mut Contribution) -> Result<()> {
         let state = self.pair.state(instant.nodes);
         let functions = (0..self.own_unknowns()).map(|row| self.kind.constraint(row, &state.z));
@@ -304,6 +308,10 @@ impl Element for Prescribed {
 
     fn unknown(&self, _index: usize) -> Unknown {
         Unknown::Multiplier(self.coordinate.measure())
+    }
+
+    fn potential(&self, _: &Instant, _: &mut Contribution) -> Result<Option<f64>> {
+        Ok(Some(0.0))
     }
 
     fn evaluate(&self, instant: &Instant, out: &mut Contribution) -> Result<()> {

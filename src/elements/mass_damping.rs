@@ -33,6 +33,10 @@ impl Element for MassDamping {
         true
     }
 
+    fn potential(&self, _: &Instant, _: &mut Contribution) -> Result<Option<f64>> {
+        Ok(Some(0.0))
+    }
+
     fn evaluate(&self, instant: &Instant, out: &mut Contribution) -> Result<()> {
         let mass = self.inertia.mass();
         for a in 0..instant.nodes.len() {

@@ -259,6 +259,15 @@ pub trait Element: Send + Sync + std::fmt::Debug {
     /// If the element is too distorted for its strains to be defined.
     fn evaluate(&self, instant: &Instant, out: &mut Contribution) -> Result<()>;
 
+    /// Energy that the element has at these motions, whose derivatives are its forces at rest; none
+    /// if it has none that is known. `scratch` is scratch.
+    ///
+    /// # Errors
+    /// As [`Element::evaluate`].
+    fn potential(&self, _instant: &Instant, _scratch: &mut Contribution) -> Result<Option<f64>> {
+        Ok(None)
+    }
+
     /// Appends what can be read of the element besides its forces, such as its effort.
     ///
     /// # Errors

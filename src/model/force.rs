@@ -50,9 +50,9 @@ pub enum ForceDefinition {
         at: JointCoordinate,
         /// The law.
         law: UserFunction<CoordinateLaw>,
-        /// Whether it is told the phase in place of the time.
+        /// How often the phase that it is told repeats itself in a period; 0 if it is told the time.
         #[serde(default)]
-        of_phase: bool,
+        cycles: usize,
     },
     /// Generalised Maxwell model on a joint coordinate, see [`crate::elements::Viscoelastic`].
     Viscoelastic {
@@ -80,9 +80,9 @@ pub enum ForceDefinition {
         nodes: Vec<usize>,
         /// The law.
         law: UserFunction<NodeForceLaw>,
-        /// Whether it is told the phase in place of the time.
+        /// How often the phase that it is told repeats itself in a period; 0 if it is told the time.
         #[serde(default)]
-        of_phase: bool,
+        cycles: usize,
     },
 }
 
@@ -221,11 +221,7 @@ impl Model {
     /// id.
     pub fn add_coordinate_law(&mut self, at: JointCoordinate, law: CoordinateLaw) -> Result<usize> {
         let law = UserFunction::new(law);
-        self.add_force(ForceDefinition::CoordinateLaw {
-            at,
-            law,
-            of_phase: false,
-        })
+        self.add_force(ForceDefinition::CoordinateLaw { at, law, cycles: 0 })
     }
 
     /// Adds a generalised Maxwell model on a joint coordinate `q`, against growth: effort
@@ -288,7 +284,7 @@ impl Model {
         self.add_force(ForceDefinition::NodeForces {
             nodes,
             law,
-            of_phase: false,
+            cycles: 0,
         })
     }
 
@@ -298,9 +294,9 @@ impl Model {
     pub fn declare_of_phase(&mut self, force: usize) -> Result<()> {
         self.require_force("force", force)?;
         match &mut self.forces[force] {
-            ForceDefinition::CoordinateLaw { of_phase, .. }
-            | ForceDefinition::NodeForces { of_phase, .. } => {
-                *of_phase = true;
+            ForceDefinition::CoordinateLaw { cycles, .. }
+            | ForceDefinition::NodeForces { cycles, .. } => {
+                *cycles = 1;
                 Ok(())
             }
             _ => {

@@ -199,6 +199,24 @@ impl Model {
         Ok(model)
     }
 
+    /// The same model over so many of its periods.
+    pub(crate) fn repeated(&self, times: usize) -> Model {
+        let mut model = self.clone();
+        for place in self.signal_places() {
+            if let Some(signal) = model.signal_mut(place) {
+                signal.repeat(times);
+            }
+        }
+        for force in &mut model.forces {
+            if let ForceDefinition::CoordinateLaw { cycles, .. }
+            | ForceDefinition::NodeForces { cycles, .. } = force
+            {
+                *cycles = cycles.saturating_mul(times);
+            }
+        }
+        model
+    }
+
     /// Checks that the model is one for any period.
     pub(crate) fn require_functions_of_phase(&self) -> Result<()> {
         let refuse = |what: String| {
@@ -214,9 +232,8 @@ impl Model {
             }
         }
         for (index, force) in self.forces.iter().enumerate() {
-            if let ForceDefinition::CoordinateLaw { of_phase, .. }
-            | ForceDefinition::NodeForces { of_phase, .. } = force
-                && !of_phase
+            if let ForceDefinition::CoordinateLaw { cycles: 0, .. }
+            | ForceDefinition::NodeForces { cycles: 0, .. } = force
             {
                 return refuse(format!("the function of force {index}"));
             }

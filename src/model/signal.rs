@@ -34,6 +34,8 @@ pub struct Signal {
     pub(super) amplitude: f64,
     /// Phase by which the shape is ahead.
     pub(super) phase: f64,
+    /// How often the shape, but for a function of time, repeats itself in a period.
+    cycles: usize,
     shape: Shape,
 }
 
@@ -46,12 +48,21 @@ struct SignalRecord {
     amplitude: f64,
     #[serde(default)]
     phase: f64,
+    #[serde(default = "once")]
+    cycles: usize,
     shape: Shape,
 }
 
 fn one() -> f64 {
     1.0
 }
+
+fn once() -> usize {
+    1
+}
+
+/// Most cycles of a shape in a period.
+const MOST_CYCLES: usize = 1 << 16;
 
 impl TryFrom<SignalRecord> for Signal {
     type Error = Error;
@@ -62,9 +73,14 @@ impl TryFrom<SignalRecord> for Signal {
             rate,
             amplitude,
             phase,
+            cycles,
             shape,
         } = record;
         require_finite("signal", &[amplitude, phase])?;
+        if !(1..=MOST_CYCLES).contains(&cycles) {
+            let expected = format!("from 1 to {MOST_CYCLES}");
+            return Err(Error::value("cycles", expected, cycles));
+        }
         match &shape {
             Shape::Harmonics { cosines, sines } => {
                 Signal::harmonics(mean, rate, cosines, sines)?;
@@ -80,6 +96,7 @@ impl TryFrom<SignalRecord> for Signal {
             rate,
             amplitude,
             phase,
+            cycles,
             shape,
         })
     }
@@ -103,6 +120,7 @@ impl Signal {
             rate,
             amplitude: 1.0,
             phase: 0.0,
+            cycles: 1,
             shape,
         }
     }
@@ -169,7 +187,8 @@ impl Signal {
                 function: function.clone(),
                 period,
                 of_phase,
-                ahead: self.phase / TAU * period,
+                cycles: self.cycles as f64,
+                ahead: self.phase / TAU * period / self.cycles as f64,
                 amplitude: self.amplitude,
                 mean: self.mean,
                 rate,
@@ -203,7 +222,23 @@ impl Signal {
                 );
             }
         }
-        (cosines, sines)
+        (self.spread(cosines), self.spread(sines))
+    }
+
+    /// Harmonics of a shape as those of the period.
+    fn spread(&self, harmonics: Vec<f64>) -> Vec<f64> {
+        if self.cycles == 1 {
+            return harmonics;
+        }
+        let mut spread = vec![0.0; harmonics.len() * self.cycles];
+        let places = spread.iter_mut().skip(self.cycles - 1).step_by(self.cycles);
+        places.zip(harmonics).for_each(|(x, h)| *x = h);
+        spread
+    }
+
+    /// The same over a period that is so many times as long, and rates as they are.
+    pub(super) fn repeat(&mut self, times: usize) {
+        self.cycles = self.cycles.saturating_mul(times);
     }
 
     /// The same over a period `ratio` times as long as the one that its rate is of.
@@ -241,6 +276,8 @@ pub struct BoundFunction {
     period: f64,
     /// Whether the function is told the phase, not the time.
     of_phase: bool,
+    /// Of that phase in a period.
+    cycles: f64,
     /// Time by which it is ahead.
     ahead: f64,
     amplitude: f64,
@@ -250,10 +287,9 @@ pub struct BoundFunction {
 
 impl BoundFunction {
     fn value(&self, time: f64) -> Result<f64> {
-        let unit = if self.of_phase {
-            TAU / self.period
-        } else {
-            1.0
+        let unit = match self.of_phase {
+            true => TAU * self.cycles / self.period,
+            false => 1.0,
         };
         let value = self.function.get()?((time + self.ahead) * unit)?;
         if value.is_finite() {

@@ -18,8 +18,10 @@ mod step_length;
 pub(crate) mod test_models;
 mod watch;
 
-pub use branches::{Branch, BranchEnd, BranchOptions, BranchPoint, Event, follow_branch};
-pub use conditions::{Condition, Free, Given, JointCoordinateIs, Phase};
+pub use branches::{
+    Branch, BranchEnd, BranchOptions, BranchPoint, Event, follow_branch, switch_branch,
+};
+pub use conditions::{Condition, Energy, Free, Given, JointCoordinateIs, Phase};
 pub use equilibrium::{StaticOptions, solve_static};
 pub use linear::diagnosis::describe_dependencies;
 pub use linear::direct::DirectSolver;

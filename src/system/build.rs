@@ -303,21 +303,9 @@ impl<'a> Builder<'a> {
                 let law = Law::Actuator { signal };
                 Arc::new(CoordinateForce::new(self.acted_on(at), law))
             }
-            ForceDefinition::CoordinateLaw { at, law, of_phase } => {
-                let zero = CoordinateLaw {
-                    function: Arc::new(|_| Ok(Effort::default())),
-                    gives_derivatives: true,
-                };
-                let mut law = self.function(law, zero).map_err(within)?;
-                if *of_phase {
-                    let (unit, function) = (self.phase_unit().map_err(within)?, law.function);
-                    law.function = Arc::new(move |state| {
-                        let time = state.time * unit;
-                        function(&CoordinateState { time, ..*state })
-                    });
-                }
+            ForceDefinition::CoordinateLaw { at, law, cycles } => {
                 let law = Law::Function {
-                    law,
+                    law: self.coordinate_law(law, *cycles).map_err(within)?,
                     scales: coordinate_scales(at.coordinate, length, frequency),
                 };
                 Arc::new(CoordinateForce::new(self.acted_on(at), law))
@@ -341,27 +329,54 @@ impl<'a> Builder<'a> {
                 second,
                 matrix,
             } => Arc::new(ViscousDamper::new(*first, *second, **matrix)),
-            ForceDefinition::NodeForces {
-                nodes,
-                law,
-                of_phase,
-            } => {
-                let zero = NodeForceLaw {
-                    function: Arc::new(|_, _| Ok(())),
-                    gives_tangents: true,
-                    frame: LoadFrame::Space,
-                };
-                let mut law = self.function(law, zero).map_err(within)?;
-                if *of_phase {
-                    let (unit, function) = (self.phase_unit().map_err(within)?, law.function);
-                    law.function = Arc::new(move |state, out| {
-                        let time = state.time * unit;
-                        function(&NodeForceInput { time, ..*state }, out)
-                    });
-                }
+            ForceDefinition::NodeForces { nodes, law, cycles } => {
+                let law = self.node_law(law, *cycles).map_err(within)?;
                 Arc::new(UserForce::new(nodes.clone(), law, length, frequency))
             }
         })
+    }
+
+    /// A user's law on a joint coordinate, that is told the time.
+    fn coordinate_law(
+        &mut self,
+        law: &UserFunction<CoordinateLaw>,
+        cycles: usize,
+    ) -> Result<CoordinateLaw> {
+        let zero = CoordinateLaw {
+            function: Arc::new(|_| Ok(Effort::default())),
+            gives_derivatives: true,
+        };
+        let mut law = self.function(law, zero)?;
+        if cycles > 0 {
+            let (unit, function) = (self.phase_unit()? * cycles as f64, law.function);
+            law.function = Arc::new(move |state| {
+                let time = state.time * unit;
+                function(&CoordinateState { time, ..*state })
+            });
+        }
+        Ok(law)
+    }
+
+    /// A user's law on nodes, that is told the time.
+    fn node_law(
+        &mut self,
+        law: &UserFunction<NodeForceLaw>,
+        cycles: usize,
+    ) -> Result<NodeForceLaw> {
+        let zero = NodeForceLaw {
+            function: Arc::new(|_, _| Ok(())),
+            gives_tangents: true,
+            frame: LoadFrame::Space,
+        };
+        let mut law = self.function(law, zero)?;
+        if cycles > 0 {
+            let (unit, function) = (self.phase_unit()? * cycles as f64, law.function);
+            law.function = Arc::new(move |state, out| {
+                let time = state.time * unit;
+                function(&NodeForceInput { time, ..*state }, out)
+            });
+        }
+        Ok(law)
     }
 
     /// Phase in a unit of time, for functions of it.

@@ -160,6 +160,29 @@ impl System {
         self.evaluate(placed, state, &conditions, own, workspace)
     }
 
+    /// Energy of one element at motions at rest, without multipliers; none if it has none that is
+    /// known.
+    ///
+    /// # Errors
+    /// If the element is too distorted.
+    pub fn potential(
+        &self,
+        placed: &Placed,
+        state: impl Fn(usize) -> NodeState,
+        conditions: &Conditions,
+        workspace: &mut Workspace,
+    ) -> Result<Option<f64>> {
+        workspace.set_states(placed, state);
+        let scratch = &mut workspace.contributions[placed.shape];
+        let own = OwnValues {
+            values: &[],
+            rates: &[],
+            resultants: &[],
+        };
+        let instant = self.instant(&workspace.states, conditions, own);
+        placed.element.potential(&instant, scratch)
+    }
+
     /// Writes the stress resultants of one element.
     ///
     /// # Errors

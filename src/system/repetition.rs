@@ -48,12 +48,12 @@ fn require_repeating_forces(
     for (index, force) in model.forces.iter().enumerate() {
         let mut probe = Probe::new(length, frequency);
         match force {
-            ForceDefinition::CoordinateLaw { at, law, of_phase } => {
+            ForceDefinition::CoordinateLaw { at, law, cycles } => {
                 let law = law.get()?;
                 let scales = coordinate_scales(at.coordinate, length, frequency);
                 let reference = model.reference_coordinate(at);
                 let state = probe.coordinate(reference, scales);
-                let unit = if *of_phase { frequency } else { 1.0 };
+                let unit = unit_of_time(*cycles, frequency);
                 let effort = |time: f64| {
                     let time = time * unit;
                     let state = CoordinateState { time, ..state };
@@ -62,15 +62,11 @@ fn require_repeating_forces(
                 require_repeating(effort, times, period)
                     .map_err(|e| e.within(format!("force {index} on joint {}", at.joint)))?;
             }
-            ForceDefinition::NodeForces {
-                nodes,
-                law,
-                of_phase,
-            } => {
+            ForceDefinition::NodeForces { nodes, law, cycles } => {
                 let law = law.get()?;
                 let states = probe.nodes(model, nodes);
                 let element = UserForce::new(nodes.clone(), law.clone(), length, frequency);
-                let unit = if *of_phase { frequency } else { 1.0 };
+                let unit = unit_of_time(*cycles, frequency);
                 let forces = |time: f64| {
                     let forces = element.forces(time * unit, &states)?;
                     Ok(forces.iter().flatten().copied().collect())
@@ -82,6 +78,14 @@ fn require_repeating_forces(
         }
     }
     Ok(())
+}
+
+/// What a function is told of a unit of time.
+fn unit_of_time(cycles: usize, frequency: f64) -> f64 {
+    match cycles {
+        0 => 1.0,
+        cycles => cycles as f64 * frequency,
+    }
 }
 
 /// Compares the values at times with those of the same time again and, if there is one, a period

@@ -39,7 +39,8 @@ class Columns(unittest.TestCase):
         )
 
     def test_reads_motions_and_events_of_branches(self):
-        text = "frequency,period,slope,step,angle,grid_points,event,x.max\n1,6,1,0,0,7,,2\n2,3,0,1,1,7,fold,3\n"
+        names = "frequency,period,slope,step,angle,grid_points,event,x.max\n"
+        text = names + "1,6,1,0,0,7,,2\n2,3,0,1,1,7,fold,3\n"
         self.assertEqual(
             plot.read_columns(self.written(text)),
             (["frequency", "period", "x.max"], [[1, 2], [6, 3], [2, 3]], [(1, "fold")]),

@@ -1,5 +1,6 @@
 //! Residual of the governing equations at all grid points (docs/theory.md, section 5.2).
 
+mod energy;
 mod oversampled;
 mod resultants;
 mod scalars;

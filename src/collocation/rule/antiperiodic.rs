@@ -57,6 +57,17 @@ impl Antiperiodic {
     }
 }
 
+/// Weights of the values at `count` grid points in a function that changes sign after a period, so
+/// many periods after the first point.
+pub fn antiperiodic_at(count: usize, periods: f64) -> Vec<f64> {
+    let weight = |k: usize| {
+        let angle = 2.0 * PI * (periods - k as f64 / count as f64);
+        let below = (0..count / 2).map(|j| 2.0 * ((j as f64 + 0.5) * angle).cos());
+        (below.sum::<f64>() + (0.5 * count as f64 * angle).cos()) / count as f64
+    };
+    (0..count).map(weight).collect()
+}
+
 impl TimeRule for Antiperiodic {
     fn evaluate(&mut self, state: &GridState, workers: &Workers, nodes: &mut [NodeState]) {
         self.motion.evaluate(state, workers, nodes);
@@ -102,6 +113,13 @@ mod tests {
                 let wave = |k: usize| (q * TAU * k as f64 / count as f64 + 0.3).sin();
                 let slope = |k: usize| rate * (q * TAU * k as f64 / count as f64 + 0.3).cos();
                 let is_highest = 2 * j + 1 == count;
+                let weights = antiperiodic_at(count, 1.4).into_iter().enumerate();
+                let value: f64 = weights.map(|(k, w)| w * wave(k)).sum();
+                let exact = (q * TAU * 1.4 + 0.3).sin();
+                assert!(
+                    is_highest || (value - exact).abs() < 1e-13,
+                    "{value} {exact}"
+                );
                 for l in 0..count {
                     let (mut d, mut t) = (0.0, 0.0);
                     for k in 0..count {

@@ -16,7 +16,7 @@ pub use aliasing::Aliasing;
 pub use alpha::{
     AlphaStep, GeneralizedAlpha, MotionState, StepVariation, Variation, VariationScales,
 };
-pub use antiperiodic::Antiperiodic;
+pub use antiperiodic::{Antiperiodic, antiperiodic_at};
 pub use backward::Backward;
 pub use given::GivenRates;
 pub use kinematics::{BackwardWeights, KinematicsScratch, NodeKinematics};

@@ -68,6 +68,18 @@ impl Element for Beam {
         Ok(())
     }
 
+    fn potential(&self, instant: &Instant, scratch: &mut Contribution) -> Result<Option<f64>> {
+        let scratch = &mut scratch.beam;
+        self.find_strains(instant.nodes, scratch)?;
+        scratch.rates.fill(Vector6::zeros());
+        let of_station = |(i, station): (usize, &Station)| {
+            let stress = self.resultants(i, &scratch.strains, &scratch.rates);
+            0.5 * station.weight * scratch.strains[i].dot(&stress)
+        };
+        let all = self.stations.iter().enumerate();
+        Ok(Some(all.map(of_station).sum()))
+    }
+
     fn extrapolate_resultants(
         &self,
         nodes: &[NodeState],

@@ -1,10 +1,9 @@
 //! What lies between two points of a branch, located along the arc (docs/theory.md, section 13.5).
 
+use super::Event;
 use super::walk::{Place, Stepped, Walk};
-use super::{BranchOptions, Event};
-use crate::collocation::{Antiperiodic, Collocation, GridState, Spectral, TimeRule};
+use crate::collocation::{Antiperiodic, Spectral};
 use crate::error::Result;
-use crate::solve::newton::Newton;
 
 /// Most points on the way to an event.
 const MOST: usize = 30;
@@ -49,22 +48,6 @@ impl Tests {
     }
 }
 
-/// Determinants at points of a branch.
-pub(super) struct Determinants(Newton);
-
-impl Determinants {
-    /// Of equations like these, if they are wanted.
-    pub fn wanted(options: &BranchOptions, equations: &Collocation) -> Option<Self> {
-        let of = || Determinants(Newton::new(equations.clone()));
-        options.events.then(of)
-    }
-
-    fn with(&mut self, rule: Box<dyn TimeRule>, state: &GridState) -> Result<Option<(f64, f64)>> {
-        self.0.equations.set_rule(rule);
-        self.0.determinant(state)
-    }
-}
-
 impl Walk<'_> {
     /// What tells of events at a place.
     pub fn tests(&mut self, place: &Place) -> Result<Tests> {
@@ -76,7 +59,7 @@ impl Walk<'_> {
                 ..Tests::default()
             });
         };
-        let equations = &mut determinants.0.equations;
+        let equations = determinants.equations();
         equations.apply_scalars(&place.state)?;
         let (grid, nodes) = (equations.grid(), equations.system().nodes());
         let antiperiodic = Box::new(Antiperiodic::new(grid, nodes));
@@ -88,7 +71,7 @@ impl Walk<'_> {
                 .with(spectral, &place.state)?
                 .map(|(sign, size)| (sign * slope.signum(), size - slope.abs().ln())),
             false => {
-                determinants.0.equations.set_rule(spectral);
+                determinants.equations().set_rule(spectral);
                 None
             }
         };

@@ -5,6 +5,7 @@ use super::walk::{Place, Stepped, Walk};
 use super::{Branch, BranchEnd, BranchOptions, BranchPoint, Event};
 use crate::collocation::{Decay, DecayKind, GridState};
 use crate::error::{Error, Result};
+use crate::fourier::TimeGrid;
 use crate::model::Model;
 use crate::solve::conditions::{Conditioned, Free};
 use crate::solve::periodic::conditioned::solve_conditioned;
@@ -50,38 +51,40 @@ pub fn follow_branch(
         let expected = format!("{} between {low} and {high}", parameter.name(model));
         return Err(Error::value("options.range", expected, start));
     }
-    let mut branch = Branch {
-        conditioned,
-        period,
-        points: Vec::new(),
-        end: BranchEnd::NoStart,
-        explanation: String::new(),
-        rejected: 0,
-        iterations: 0,
-        threads: options.periodic.threads,
-    };
     let given = (&options.free[..], &options.conditions[..]);
     let first = &options.periodic;
     let (found, solved) = solve_conditioned(model, period, given, first, &mut |_, _| true)?;
-    branch.iterations = solved.total_iterations;
     if !solved.report.outcome.is_solution() {
-        branch.explanation = format!(
-            "no first point was found: {}; {}",
-            solved.report.outcome.describe(),
-            solved.report.explanation
-        );
+        let report = &solved.report;
+        let why = format!("{}; {}", report.outcome.describe(), report.explanation);
+        let mut branch = Branch::without_points(conditioned, period, why);
+        branch.iterations = solved.total_iterations;
         return Ok(branch);
     }
-    let grid = solved.grid;
-    branch.period = grid.period();
-    branch.conditioned = Conditioned::new(&found, grid.period(), &free)?;
-    let mut state = solved.state;
-    state.scalars = branch.conditioned.values(grid.period())?;
+    let motion = (solved.grid, solved.state);
+    let mut branch = follow_from(&found, motion, &free, options, observe)?;
+    branch.iterations += solved.total_iterations;
+    Ok(branch)
+}
+
+/// Follows a branch from a solution of `model`, where the last of the free parameters is followed.
+pub(super) fn follow_from(
+    model: &Model,
+    (grid, mut state): (TimeGrid, GridState),
+    free: &[Free],
+    options: &BranchOptions,
+    observe: &mut dyn FnMut(usize, &BranchPoint) -> bool,
+) -> Result<Branch> {
+    let conditioned = Conditioned::new(model, grid.period(), free)?;
+    state.scalars = conditioned.values(grid.period())?;
+    let branch = Branch {
+        threads: options.periodic.threads,
+        ..Branch::without_points(conditioned, grid.period(), String::new())
+    };
     let watching = options.periodic.watch.begin(Stage::Newton, grid.points());
     let workers = Workers::new(options.periodic.threads)?.telling(watching.pulse());
-    let walk = Walk::new(&found, grid, &free, (options, workers, watching))?;
     let mut follow = Follow {
-        walk,
+        walk: Walk::new(model, grid, free, (options, workers, watching))?,
         branch,
         observe,
     };
@@ -110,13 +113,20 @@ impl Follow<'_, '_> {
     ) -> bool {
         let mut state = place.state.clone();
         let scalars = std::mem::take(&mut state.scalars);
+        // The equations may be at another point.
+        let nominal = self.walk.newton.equations.system().period();
+        let period = self.walk.conditioned.period_at(&scalars, nominal);
+        let Ok(grid) = TimeGrid::new(state.points(), period) else {
+            self.ends(BranchEnd::SmallestStep, "the period is none");
+            return false;
+        };
         let last = scalars.len() - 1;
         let mut values = vec![scalars[last]];
         values.extend_from_slice(&scalars[..last]);
         let point = BranchPoint {
             values,
             slope: self.walk.slope(place),
-            grid: self.walk.newton.equations.grid(),
+            grid,
             state,
             step,
             angle,

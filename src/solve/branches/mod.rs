@@ -4,14 +4,18 @@
 //! * `walk.rs`: a point and its tangent, the next point;
 //! * `step.rs`: how long the next step is;
 //! * `follow.rs`: from the first point to the end;
-//! * `events.rs`: what lies between two points, located.
+//! * `events.rs`, `determinants.rs`: what lies between two points, located;
+//! * `switch.rs`: the other branch at such a point.
 
+mod determinants;
 mod events;
 mod follow;
 mod step;
+mod switch;
 mod walk;
 
 pub use follow::follow_branch;
+pub use switch::switch_branch;
 
 use crate::collocation::GridState;
 use crate::error::{Error, Result, require_finite, require_positive_number};
@@ -188,6 +192,20 @@ pub struct Branch {
 }
 
 impl Branch {
+    /// One that has no first point, and why.
+    fn without_points(conditioned: Conditioned, period: f64, why: String) -> Self {
+        Branch {
+            conditioned,
+            period,
+            points: Vec::new(),
+            end: BranchEnd::NoStart,
+            explanation: format!("no first point was found: {why}"),
+            rejected: 0,
+            iterations: 0,
+            threads: 1,
+        }
+    }
+
     /// What the parameter that is followed is called in messages.
     pub fn parameter_name(&self) -> String {
         let names = self.conditioned.unknown_names();

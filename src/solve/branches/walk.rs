@@ -1,7 +1,7 @@
 //! A point of a branch with its tangent, and the next one (docs/theory.md, section 13.3).
 
 use super::BranchOptions;
-use super::events::Determinants;
+use super::determinants::Determinants;
 use super::step::Shown;
 use crate::collocation::{Collocation, GridState};
 use crate::error::{ErrorKind, Result};
@@ -141,6 +141,33 @@ impl<'a> Walk<'a> {
         self.set_condition(Arc::new(Given { free, value }), &state)?;
         state.scalars[free] = value;
         let report = self.solve(&mut state, ITERATION_LIMIT)?;
+        Ok((state, report))
+    }
+
+    /// The solution that is `length` away from `from` in a direction of motions, where the free
+    /// parameters are near `values`.
+    pub fn aside(
+        &mut self,
+        mut from: GridState,
+        values: Vec<f64>,
+        (mut direction, length): (Vec<f64>, f64),
+    ) -> Result<(GridState, NewtonReport)> {
+        from.scalars = values;
+        let layout = self.newton.equations.layout();
+        direction.resize(layout.size(), 0.0);
+        let size = self.product.of(layout, &direction, &direction).sqrt();
+        direction.iter_mut().for_each(|x| *x /= size);
+        let system = self.newton.equations.system().clone();
+        let mut state = from.incremented(&system, &direction, length);
+        let aside = ArcLength {
+            from: from.clone(),
+            tangent: direction,
+            product: self.product,
+            scales: self.scales.clone(),
+            length,
+        };
+        self.set_condition(Arc::new(aside), &from)?;
+        let report = self.solve(&mut state, usize::MAX)?;
         Ok((state, report))
     }
 

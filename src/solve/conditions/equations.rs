@@ -113,6 +113,11 @@ impl Conditioned {
         values.collect()
     }
 
+    /// The free parameters.
+    pub fn free(&self) -> &[Free] {
+        &self.free
+    }
+
     /// The model, with the values that it began with.
     pub fn model(&self) -> &Model {
         &self.model
@@ -133,6 +138,13 @@ impl Conditioned {
             Free::Parameter(id) => self.model.parameters()[id].name.clone(),
         };
         self.free.iter().map(short).collect()
+    }
+
+    /// The period with these values of the free parameters, where that of the system is `period`.
+    pub fn period_at(&self, values: &[f64], period: f64) -> f64 {
+        let mut all = self.free.iter().zip(values);
+        let frequency = all.find(|(free, _)| **free == Free::Frequency);
+        frequency.map_or(period, |(_, frequency)| TAU / frequency)
     }
 
     /// The model and the period with these values of the free parameters, where those of the

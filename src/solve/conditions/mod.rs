@@ -4,6 +4,7 @@
 //! is a file here that implements [`Condition`].
 
 mod arc_length;
+mod energy;
 mod equations;
 mod given;
 mod inner_product;
@@ -11,6 +12,7 @@ mod joint_coordinate;
 mod phase;
 
 pub(crate) use arc_length::ArcLength;
+pub use energy::Energy;
 pub(crate) use equations::Conditioned;
 pub use equations::Free;
 pub use given::Given;

@@ -195,6 +195,14 @@ impl<L: LinearSolver> Bordered<L> {
             timed(&mut timings.assembly, || {
                 self.tangent.evaluate(equations, state)
             })?;
+            if !(regular && self.determined) {
+                eprintln!(
+                    "DBG factor {regular} {} grounded {:e} {:?}",
+                    self.determined,
+                    equations.grounding(),
+                    self.borders.undetermined
+                );
+            }
             return Ok(regular && self.determined);
         }
     }
@@ -262,6 +270,9 @@ impl<L: LinearSolver> LinearSolver for Bordered<L> {
         let (inner, end) = solve_around(of_grid, &mut whole, rhs, &options, timings, workspace)?;
         // Written so that NaN fails too.
         let accurate = end.error <= accuracy;
+        if !accurate || !inner {
+            eprintln!("DBG solve {:e} {accuracy:e} {inner}", end.error);
+        }
         Ok(inner && accurate && rhs.iter().all(|x| x.is_finite()))
     }
 
@@ -274,7 +285,8 @@ impl<L: LinearSolver> LinearSolver for Bordered<L> {
         let mut product = vec![0.0; equations.size()];
         let of_grid = &probe[..product.len()];
         self.tangent.apply(equations, of_grid, &mut product);
-        match self.solve(equations, &mut probe, ROUGH, &mut Timings::default()) {
+        let found = self.solve(equations, &mut probe, ROUGH, &mut Timings::default());
+        match found {
             Ok(true) => largest(&probe) * largest(&product),
             _ => f64::INFINITY,
         }

@@ -1,0 +1,116 @@
+//! Kinetic and potential energy over the period, and its gradient.
+
+use super::Collocation;
+use crate::collocation::rule::RuleWorkspace;
+use crate::collocation::state::GridState;
+use crate::elements::{Element, Inertia, NodeState};
+use crate::error::{Error, ErrorKind, Result};
+use crate::system::{Conditions, ElementRole, OwnValues, Placed};
+use nalgebra::{DVector, Vector6};
+
+impl Collocation {
+    /// Momenta of an inertia's nodes at grid point `k`.
+    fn momenta(&self, inertia: &Inertia, k: usize) -> (DVector<f64>, DVector<f64>) {
+        let nodes = inertia.nodes();
+        let mut twists = DVector::zeros(6 * nodes.len());
+        for (a, &node) in nodes.iter().enumerate() {
+            let at = &self.instants.states[node * self.grid.points() + k];
+            twists.fixed_rows_mut::<6>(6 * a).copy_from(&at.twist);
+        }
+        (inertia.mass() * &twists, twists)
+    }
+
+    /// What an element is looked at under at grid point `k`, at rest and without multipliers.
+    fn conditions_at<'a>(&'a self, state: &'a GridState, k: usize) -> Conditions<'a> {
+        let count = self.system.signals();
+        Conditions {
+            time: self.instants.times[k],
+            signals: &self.instants.signals[k * count..][..count],
+            coordinates: state.tracked(&self.system, k),
+            inertia_factor: 1.0,
+        }
+    }
+
+    fn at_rest(&self, node: usize, k: usize) -> NodeState {
+        NodeState::at_rest(self.instants.states[node * self.grid.points() + k].motion)
+    }
+
+    /// Mean over the grid of the kinetic and the potential energy; kinematics are those of `state`.
+    /// Weights have none at the origin.
+    ///
+    /// # Errors
+    /// [`ErrorKind::NotAvailable`], naming it, if a force has no energy that is known.
+    pub fn mean_energy(&self, state: &GridState) -> Result<f64> {
+        let (points, system) = (self.grid.points(), &self.system);
+        let mut workspace = system.workspace(false);
+        let mut sum = 0.0;
+        for k in 0..points {
+            for inertia in system.inertias() {
+                let (momenta, twists) = self.momenta(inertia, k);
+                sum += 0.5 * momenta.dot(&twists);
+            }
+            let conditions = self.conditions_at(state, k);
+            for placed in system.elements() {
+                let at_rest = |node: usize| self.at_rest(node, k);
+                let found = system.potential(placed, at_rest, &conditions, &mut workspace)?;
+                sum += found.ok_or_else(|| unknown(placed))?;
+            }
+        }
+        Ok(sum / points as f64)
+    }
+
+    /// Adds its derivatives by material increments of the motions to `row`.
+    ///
+    /// # Errors
+    /// If a beam is too distorted.
+    pub fn add_energy_gradient(&self, state: &GridState, row: &mut [f64]) -> Result<()> {
+        let (points, system) = (self.grid.points(), &self.system);
+        let share = 1.0 / points as f64;
+        let mut workspace = system.workspace(false);
+        for placed in system.elements() {
+            let zeros = vec![0.0; placed.element.own_unknowns()];
+            let own = OwnValues {
+                values: &zeros,
+                rates: &zeros,
+                resultants: &[],
+            };
+            for k in 0..points {
+                let conditions = self.conditions_at(state, k);
+                let at_rest = |node: usize| self.at_rest(node, k);
+                let out = system.evaluate(placed, at_rest, &conditions, own, &mut workspace)?;
+                let forces = out.force.as_slice().chunks_exact(6);
+                for (force, &node) in forces.zip(placed.element.nodes()) {
+                    let row = &mut row[self.layout.motion(node, k)];
+                    row.iter_mut().zip(force).for_each(|(x, f)| *x += share * f);
+                }
+            }
+        }
+        let mut by_rates = vec![[Vector6::zeros(); 2]; points * system.nodes()];
+        for inertia in system.inertias() {
+            for k in 0..points {
+                let (momenta, _) = self.momenta(inertia, k);
+                for (a, &node) in inertia.nodes().iter().enumerate() {
+                    let momentum = momenta.fixed_rows::<6>(6 * a);
+                    by_rates[node * points + k][0] += momentum * share;
+                }
+            }
+        }
+        let mut workspace = RuleWorkspace::default();
+        for (node, by_rates) in by_rates.chunks_exact(points).enumerate() {
+            let out = &mut row[self.layout.node(node)];
+            self.rule
+                .vary_transposed(node, by_rates, &mut workspace, out);
+        }
+        Ok(())
+    }
+}
+
+fn unknown(placed: &Placed) -> Error {
+    let what = match placed.role {
+        ElementRole::Force(index) => format!("force {index}"),
+        ElementRole::Load => "a load".into(),
+        _ => "an element".into(),
+    };
+    let message = format!("{what} has no energy that is known");
+    Error::new(ErrorKind::NotAvailable, message)
+}
