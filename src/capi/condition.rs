@@ -20,6 +20,9 @@ pub struct pdn_conditions {
     _private: [u8; 0],
 }
 
+/// Free parameters, and the conditions.
+type Lists = (Vec<Free>, Vec<Arc<dyn Condition>>);
+
 /// What a ::pdn_conditions holds.
 #[derive(Debug, Clone, Default)]
 pub struct Conditions {
@@ -33,7 +36,7 @@ impl Handle for pdn_conditions {
 
 impl Conditions {
     /// The free parameters of a model, and the conditions.
-    pub(super) fn of(&self, model: &Model) -> Result<(Vec<Free>, Vec<Arc<dyn Condition>>)> {
+    pub(super) fn of(&self, model: &Model) -> Result<Lists> {
         let all = self.parameters.iter().map(|&id| free_parameter(model, id));
         Ok((all.collect::<Result<_>>()?, self.conditions.clone()))
     }

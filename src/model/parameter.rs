@@ -333,14 +333,14 @@ impl Model {
                 _ => None,
             },
             Target::Inertia(body) => {
-                let bodies = self
+                let mut bodies = self
                     .inertias
                     .iter_mut()
                     .filter_map(|inertia| match inertia {
                         InertiaDefinition::Body { factor, .. } => Some(factor),
                         InertiaDefinition::Beam => None,
                     });
-                bodies.skip(body).next()
+                bodies.nth(body)
             }
             Target::BeamStiffness(element) => Some(&mut self.beams.get_mut(element)?.factors[0]),
             Target::BeamMass(element) => Some(&mut self.beams.get_mut(element)?.factors[1]),

@@ -35,7 +35,7 @@ impl Antiperiodic {
         let first = |m| -frequency * sum(m, &|q, angle| 2.0 * q * angle.sin());
         let second = |m: usize| {
             let below = sum(m, &|q, angle| 2.0 * q * q * angle.cos());
-            let sign = if m % 2 == 0 { 1.0 } else { -1.0 };
+            let sign = if m.is_multiple_of(2) { 1.0 } else { -1.0 };
             -frequency * frequency * (below + 0.25 * size * sign)
         };
         Antiperiodic {

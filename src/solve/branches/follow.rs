@@ -93,6 +93,9 @@ pub(super) fn follow_from(
     Ok(follow.branch)
 }
 
+/// What is found at an end of the range: a place, if any, and the iterations that it took.
+struct Bound(Option<(Place, usize)>);
+
 struct Follow<'a, 'o> {
     walk: Walk<'a>,
     branch: Branch,
@@ -177,7 +180,7 @@ impl Follow<'_, '_> {
             let Some((taken, stepped)) = self.step_from(&place, length)? else {
                 return Ok(());
             };
-            if let Some(at_end) = self.beyond(&place, &stepped.to)? {
+            if let Some(Bound(at_end)) = self.beyond(&place, &stepped.to)? {
                 if let Some((end, iterations)) = at_end {
                     let away = self.walk.away(&place.state, &end.state);
                     let length = self.walk.inner(&away, &place.tangent);
@@ -259,8 +262,7 @@ impl Follow<'_, '_> {
     }
 
     /// Where a step leads out of the range: the solution at its end, if it is found.
-    #[allow(clippy::type_complexity)]
-    fn beyond(&mut self, from: &Place, to: &Place) -> Result<Option<Option<(Place, usize)>>> {
+    fn beyond(&mut self, from: &Place, to: &Place) -> Result<Option<Bound>> {
         let [low, high] = self.walk.options.range;
         let (here, there) = (
             self.walk.parameter(&from.state),
@@ -277,16 +279,16 @@ impl Follow<'_, '_> {
         let start = from.state.incremented(&system, &away, share);
         let (state, report) = self.walk.at_parameter(start, bound)?;
         if !report.outcome.is_solution() {
-            return Ok(Some(None));
+            return Ok(Some(Bound(None)));
         }
         let mut place = match self.walk.first_tangent(state)? {
             Some(place) => place,
-            None => return Ok(Some(None)),
+            None => return Ok(Some(Bound(None))),
         };
         if self.walk.inner(&place.tangent, &from.tangent) < 0.0 {
             place.tangent.iter_mut().for_each(|x| *x = -*x);
         }
-        Ok(Some(Some((place, report.iterations.len()))))
+        Ok(Some(Bound(Some((place, report.iterations.len())))))
     }
 
     /// Keeps what happens between a point and the next, and gives what tells of events there; none

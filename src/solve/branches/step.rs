@@ -22,7 +22,8 @@ impl Shown {
     /// Whether the step is to be taken again, shorter.
     pub fn is_too_far(&self, options: &BranchOptions) -> bool {
         // Written so that NaN is, too.
-        !(self.angle <= TOO_FAR * options.angle)
+        let is_near = self.angle <= TOO_FAR * options.angle;
+        !is_near
     }
 
     /// Length of the next step.

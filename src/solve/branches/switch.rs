@@ -19,6 +19,9 @@ use std::sync::Arc;
 /// Inverse iterations to a null vector.
 const INVERSE_ITERATIONS: usize = 4;
 
+/// Scaled stiffness of the nodes against the ground, small beside what else resists them.
+const GROUNDING: f64 = 1e-8;
+
 /// Where another branch begins: its model and grid, the motion there, and the direction in which it
 /// leaves, of motions at the grid points.
 struct Crossing {
@@ -143,6 +146,8 @@ fn null_vector(
     let mut equations = Collocation::new(system.clone(), grid)?;
     let mut linear = Assembled::new(&equations);
     equations.set_rule(rule);
+    // Singular to rounding it could not be factored.
+    equations.ground(GROUNDING);
     linear.assemble(&mut equations, state)?;
     let singular = || {
         let message = "the equations could not be factored where the other branch begins";

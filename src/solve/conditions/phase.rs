@@ -53,7 +53,8 @@ impl Condition for Phase {
         let product = InnerProduct::new(equations, 1.0);
         let square = product.of(equations.layout(), &course, &course);
         // Written so that NaN is none either.
-        if !(square.sqrt() > STANDSTILL) {
+        let moves = square.sqrt() > STANDSTILL;
+        if !moves {
             let message = "the phase: the motion that the solve starts from stands still, so that \
                 nothing tells its phase: expected one that moves";
             return Err(Error::new(ErrorKind::Value, message));

@@ -128,7 +128,8 @@ fn smallest_pivot(matrix: &DMatrix<f64>) -> Option<[usize; 2]> {
         let size = |at: &[usize; 2]| left[(at[0], at[1])].abs();
         let [i, j] = places.max_by(|a, b| size(a).total_cmp(&size(b)))?;
         // Written so that NaN is none.
-        if !(left[(i, j)].abs() > NO_PIVOT) {
+        let is_pivot = left[(i, j)].abs() > NO_PIVOT;
+        if !is_pivot {
             return Some([i, j]);
         }
         rows.retain(|&other| other != i);
@@ -195,14 +196,6 @@ impl<L: LinearSolver> Bordered<L> {
             timed(&mut timings.assembly, || {
                 self.tangent.evaluate(equations, state)
             })?;
-            if !(regular && self.determined) {
-                eprintln!(
-                    "DBG factor {regular} {} grounded {:e} {:?}",
-                    self.determined,
-                    equations.grounding(),
-                    self.borders.undetermined
-                );
-            }
             return Ok(regular && self.determined);
         }
     }
@@ -270,9 +263,6 @@ impl<L: LinearSolver> LinearSolver for Bordered<L> {
         let (inner, end) = solve_around(of_grid, &mut whole, rhs, &options, timings, workspace)?;
         // Written so that NaN fails too.
         let accurate = end.error <= accuracy;
-        if !accurate || !inner {
-            eprintln!("DBG solve {:e} {accuracy:e} {inner}", end.error);
-        }
         Ok(inner && accurate && rhs.iter().all(|x| x.is_finite()))
     }
 
