@@ -38,6 +38,7 @@ module periodyn_c
     integer(c_int32_t), parameter :: PDN_SIGNAL_HARMONICS = 0
     integer(c_int32_t), parameter :: PDN_SIGNAL_SAMPLES = 1
     integer(c_int32_t), parameter :: PDN_SIGNAL_FUNCTION = 2
+    integer(c_int32_t), parameter :: PDN_SIGNAL_FUNCTION_OF_PHASE = 3
     integer(c_int32_t), parameter :: PDN_GROUND = -1
     integer(c_int32_t), parameter :: PDN_JOINT_RIGID = 0
     integer(c_int32_t), parameter :: PDN_JOINT_REVOLUTE = 1
@@ -124,6 +125,34 @@ module periodyn_c
     integer(c_int32_t), parameter :: PDN_LINEAR_BODY_CIRCULANT = 3
     integer(c_int32_t), parameter :: PDN_LINEAR_TIME_LOCAL = 4
     integer(c_int32_t), parameter :: PDN_LINEAR_CIRCULANT = 5
+    integer(c_int32_t), parameter :: PDN_NUMBER_STIFFNESS = 0
+    integer(c_int32_t), parameter :: PDN_NUMBER_DAMPING = 1
+    integer(c_int32_t), parameter :: PDN_NUMBER_REST = 2
+    integer(c_int32_t), parameter :: PDN_NUMBER_INERTIA = 3
+    integer(c_int32_t), parameter :: PDN_NUMBER_BEAM_STIFFNESS = 4
+    integer(c_int32_t), parameter :: PDN_NUMBER_BEAM_MASS = 5
+    integer(c_int32_t), parameter :: PDN_NUMBER_BEAM_DAMPING = 6
+    integer(c_int32_t), parameter :: PDN_NUMBER_MASS_DAMPING = 7
+    integer(c_int32_t), parameter :: PDN_SIGNAL_OF_ACTUATOR = 0
+    integer(c_int32_t), parameter :: PDN_SIGNAL_OF_PRESCRIBED = 1
+    integer(c_int32_t), parameter :: PDN_SIGNAL_OF_LOAD = 2
+    integer(c_int32_t), parameter :: PDN_SIGNAL_OF_BEAM_LOAD = 3
+    integer(c_int32_t), parameter :: PDN_SIGNAL_OF_GRAVITY = 4
+    integer(c_int32_t), parameter :: PDN_PART_MEAN = 0
+    integer(c_int32_t), parameter :: PDN_PART_RATE = 1
+    integer(c_int32_t), parameter :: PDN_PART_AMPLITUDE = 2
+    integer(c_int32_t), parameter :: PDN_PART_PHASE = 3
+    integer(c_int32_t), parameter :: PDN_FREQUENCY = -1
+    integer(c_int32_t), parameter :: PDN_BRANCH_RANGE = 0
+    integer(c_int32_t), parameter :: PDN_BRANCH_CLOSED = 1
+    integer(c_int32_t), parameter :: PDN_BRANCH_POINT_LIMIT = 2
+    integer(c_int32_t), parameter :: PDN_BRANCH_SMALLEST_STEP = 3
+    integer(c_int32_t), parameter :: PDN_BRANCH_CANCELLED = 4
+    integer(c_int32_t), parameter :: PDN_BRANCH_NO_START = 5
+    integer(c_int32_t), parameter :: PDN_EVENT_NONE = 0
+    integer(c_int32_t), parameter :: PDN_EVENT_FOLD = 1
+    integer(c_int32_t), parameter :: PDN_EVENT_BRANCH_POINT = 2
+    integer(c_int32_t), parameter :: PDN_EVENT_PERIOD_DOUBLING = 3
 
     type, bind(C) :: pdn_section
         integer(c_size_t) :: struct_size = 0
@@ -283,6 +312,36 @@ module periodyn_c
         real(c_double) :: progress_interval
     end type pdn_periodic_options
 
+    type, bind(C) :: pdn_branch_point
+        integer(c_size_t) :: struct_size = 0
+        real(c_double) :: parameter
+        real(c_double) :: slope
+        real(c_double) :: period
+        real(c_double) :: step
+        real(c_double) :: angle
+        integer(c_size_t) :: grid_points
+        integer(c_int32_t) :: iterations
+        integer(c_int32_t) :: event
+    end type pdn_branch_point
+
+    type, bind(C) :: pdn_branch_options
+        integer(c_size_t) :: struct_size = 0
+        type(c_ptr) :: periodic = c_null_ptr
+        type(c_ptr) :: conditions = c_null_ptr
+        real(c_double) :: from
+        real(c_double) :: to
+        real(c_double) :: motion_scale
+        real(c_double) :: first_step
+        real(c_double) :: smallest_step
+        real(c_double) :: largest_step
+        real(c_double) :: angle
+        integer(c_size_t) :: point_limit
+        type(c_funptr) :: progress = c_null_funptr
+        type(c_ptr) :: progress_data = c_null_ptr
+        integer(c_int32_t) :: downwards
+        integer(c_int32_t) :: events
+    end type pdn_branch_options
+
     type, bind(C) :: pdn_static_options
         integer(c_size_t) :: struct_size = 0
         real(c_double) :: time
@@ -435,6 +494,15 @@ module periodyn_c
             type(c_ptr), value :: user_data
             integer(c_int32_t) :: pdn_progress_fn
         end function pdn_progress_fn
+
+        ! Called with each point of a branch, on the thread that follows it; `number` counts from 1
+        function pdn_branch_fn(point, number, user_data) bind(C)
+            import
+            type(pdn_branch_point), intent(in) :: point
+            integer(c_int32_t), value :: number
+            type(c_ptr), value :: user_data
+            integer(c_int32_t) :: pdn_branch_fn
+        end function pdn_branch_fn
     end interface
 
     interface
@@ -579,6 +647,16 @@ module periodyn_c
             type(c_ptr), value :: user_data
             integer(c_int32_t) :: pdn_signal_set_function
         end function pdn_signal_set_function
+
+        ! Makes a signal a function of the caller, of the phase 2 pi t / T \[radians\], which it is told in place of ...
+        function pdn_signal_set_function_of_phase(signal, function, &
+            user_data) bind(C, name="pdn_signal_set_function_of_phase")
+            import
+            type(pdn_signal), intent(inout) :: signal
+            type(c_funptr), value :: function
+            type(c_ptr), value :: user_data
+            integer(c_int32_t) :: pdn_signal_set_function_of_phase
+        end function pdn_signal_set_function_of_phase
 
         ! Makes an empty model
         function pdn_model_new(model) bind(C, name="pdn_model_new")
@@ -1505,6 +1583,235 @@ module periodyn_c
             type(c_ptr), intent(inout) :: out
             integer(c_int32_t) :: pdn_solve_periodic
         end function pdn_solve_periodic
+
+        ! Adds a parameter: a named number that moves what ::pdn_model_move_number and ::pdn_model_move_signal say
+        function pdn_model_add_parameter(model, name, value, scale, &
+            out) bind(C, name="pdn_model_add_parameter")
+            import
+            type(c_ptr), value :: model
+            character(kind=c_char), intent(in) :: name(*)
+            real(c_double), value :: value
+            real(c_double), value :: scale
+            integer(c_int32_t), intent(inout) :: out
+            integer(c_int32_t) :: pdn_model_add_parameter
+        end function pdn_model_add_parameter
+
+        ! Lets a parameter move a number of the model: it becomes `factor` times the parameter's value, now and ...
+        function pdn_model_move_number(model, parameter, number, index, power, &
+            factor) bind(C, name="pdn_model_move_number")
+            import
+            type(c_ptr), value :: model
+            integer(c_int32_t), value :: parameter
+            integer(c_int32_t), value :: number
+            integer(c_int32_t), value :: index
+            integer(c_int32_t), value :: power
+            real(c_double), value :: factor
+            integer(c_int32_t) :: pdn_model_move_number
+        end function pdn_model_move_number
+
+        ! Lets a parameter move a part of a signal: it becomes `factor` times the parameter's value, now and ...
+        function pdn_model_move_signal(model, parameter, place, index, component, part, &
+            factor) bind(C, name="pdn_model_move_signal")
+            import
+            type(c_ptr), value :: model
+            integer(c_int32_t), value :: parameter
+            integer(c_int32_t), value :: place
+            integer(c_int32_t), value :: index
+            integer(c_int32_t), value :: component
+            integer(c_int32_t), value :: part
+            real(c_double), value :: factor
+            integer(c_int32_t) :: pdn_model_move_signal
+        end function pdn_model_move_signal
+
+        ! Gives a parameter another value, and all that it moves
+        function pdn_model_set_parameter(model, parameter, value) bind(C, name="pdn_model_set_parameter")
+            import
+            type(c_ptr), value :: model
+            integer(c_int32_t), value :: parameter
+            real(c_double), value :: value
+            integer(c_int32_t) :: pdn_model_set_parameter
+        end function pdn_model_set_parameter
+
+        ! Gives everything with mass a force against its motion relative to the inertial frame, `factor` times its ...
+        function pdn_model_set_mass_damping(model, factor) bind(C, name="pdn_model_set_mass_damping")
+            import
+            type(c_ptr), value :: model
+            real(c_double), value :: factor
+            integer(c_int32_t) :: pdn_model_set_mass_damping
+        end function pdn_model_set_mass_damping
+
+        ! Declares that the function of a force is one of the phase, 2 pi t / T, which it is then told in place of ...
+        function pdn_model_declare_of_phase(model, force) bind(C, name="pdn_model_declare_of_phase")
+            import
+            type(c_ptr), value :: model
+            integer(c_int32_t), value :: force
+            integer(c_int32_t) :: pdn_model_declare_of_phase
+        end function pdn_model_declare_of_phase
+
+        ! Value of a parameter in a solution: given, or found
+        function pdn_solution_parameter(solution, parameter, out) bind(C, name="pdn_solution_parameter")
+            import
+            type(c_ptr), value :: solution
+            integer(c_int32_t), value :: parameter
+            real(c_double), intent(inout) :: out
+            integer(c_int32_t) :: pdn_solution_parameter
+        end function pdn_solution_parameter
+
+        ! Makes an empty list: no parameter is free
+        function pdn_conditions_new(out) bind(C, name="pdn_conditions_new")
+            import
+            type(c_ptr), intent(inout) :: out
+            integer(c_int32_t) :: pdn_conditions_new
+        end function pdn_conditions_new
+
+        ! Frees a list; NULL does nothing
+        subroutine pdn_conditions_free(conditions) bind(C, name="pdn_conditions_free")
+            import
+            type(c_ptr), value :: conditions
+        end subroutine pdn_conditions_free
+
+        ! Makes a parameter free: its value in the model is that to start from
+        function pdn_conditions_release(conditions, parameter) bind(C, name="pdn_conditions_release")
+            import
+            type(c_ptr), value :: conditions
+            integer(c_int32_t), value :: parameter
+            integer(c_int32_t) :: pdn_conditions_release
+        end function pdn_conditions_release
+
+        ! Adds the condition on the phase: the motion is not ahead of that which the solve starts from
+        function pdn_conditions_add_phase(conditions) bind(C, name="pdn_conditions_add_phase")
+            import
+            type(c_ptr), value :: conditions
+            integer(c_int32_t) :: pdn_conditions_add_phase
+        end function pdn_conditions_add_phase
+
+        ! Adds the condition that a joint coordinate has a value at the start of the period
+        function pdn_conditions_add_joint_coordinate(conditions, joint, coordinate, &
+            value) bind(C, name="pdn_conditions_add_joint_coordinate")
+            import
+            type(c_ptr), value :: conditions
+            integer(c_int32_t), value :: joint
+            integer(c_int32_t), value :: coordinate
+            real(c_double), value :: value
+            integer(c_int32_t) :: pdn_conditions_add_joint_coordinate
+        end function pdn_conditions_add_joint_coordinate
+
+        ! Adds the condition that the mean of the kinetic and the potential energy over the period is a value
+        function pdn_conditions_add_energy(conditions, energy) bind(C, name="pdn_conditions_add_energy")
+            import
+            type(c_ptr), value :: conditions
+            real(c_double), value :: energy
+            integer(c_int32_t) :: pdn_conditions_add_energy
+        end function pdn_conditions_add_energy
+
+        ! Finds a periodic response that meets conditions, and the values of as many free parameters
+        function pdn_solve_conditioned(model, period, conditions, options, &
+            out) bind(C, name="pdn_solve_conditioned")
+            import
+            type(c_ptr), value :: model
+            real(c_double), value :: period
+            type(c_ptr), value :: conditions
+            type(pdn_periodic_options), intent(in), optional :: options
+            type(c_ptr), intent(inout) :: out
+            integer(c_int32_t) :: pdn_solve_conditioned
+        end function pdn_solve_conditioned
+
+        ! Sets a point to zero; use `PDN_INIT(pdn_branch_point, &point)`
+        subroutine pdn_branch_point_init(point, struct_size) bind(C, name="pdn_branch_point_init")
+            import
+            type(pdn_branch_point), intent(inout) :: point
+            integer(c_size_t), value :: struct_size
+        end subroutine pdn_branch_point_init
+
+        ! Sets default options; use `PDN_INIT(pdn_branch_options, &options)`
+        subroutine pdn_branch_options_init(options, struct_size) bind(C, name="pdn_branch_options_init")
+            import
+            type(pdn_branch_options), intent(inout) :: options
+            integer(c_size_t), value :: struct_size
+        end subroutine pdn_branch_options_init
+
+        ! Follows periodic motions along a parameter, through folds, from the response at its value in the model
+        function pdn_follow_branch(model, period, parameter, options, out) bind(C, name="pdn_follow_branch")
+            import
+            type(c_ptr), value :: model
+            real(c_double), value :: period
+            integer(c_int32_t), value :: parameter
+            type(pdn_branch_options), intent(in) :: options
+            type(c_ptr), intent(inout) :: out
+            integer(c_int32_t) :: pdn_follow_branch
+        end function pdn_follow_branch
+
+        ! Finds the response over a range of frequencies, through folds: ::pdn_follow_branch along PDN_FREQUENCY
+        function pdn_solve_frequency_response(model, first, last, options, &
+            out) bind(C, name="pdn_solve_frequency_response")
+            import
+            type(c_ptr), value :: model
+            real(c_double), value :: first
+            real(c_double), value :: last
+            type(pdn_branch_options), intent(in), optional :: options
+            type(c_ptr), intent(inout) :: out
+            integer(c_int32_t) :: pdn_solve_frequency_response
+        end function pdn_solve_frequency_response
+
+        ! Frees a branch; NULL does nothing
+        subroutine pdn_branch_free(branch) bind(C, name="pdn_branch_free")
+            import
+            type(c_ptr), value :: branch
+        end subroutine pdn_branch_free
+
+        ! Why a branch ended
+        function pdn_branch_end(branch) bind(C, name="pdn_branch_end")
+            import
+            type(c_ptr), value :: branch
+            integer(c_int32_t) :: pdn_branch_end
+        end function pdn_branch_end
+
+        ! A readable report: points, events, and why the branch ended
+        function pdn_branch_report(branch, buffer, capacity) bind(C, name="pdn_branch_report")
+            import
+            type(c_ptr), value :: branch
+            character(kind=c_char), intent(inout), optional :: buffer(*)
+            integer(c_size_t), value :: capacity
+            integer(c_size_t) :: pdn_branch_report
+        end function pdn_branch_report
+
+        ! Number of points of a branch
+        function pdn_branch_count(branch, out) bind(C, name="pdn_branch_count")
+            import
+            type(c_ptr), value :: branch
+            integer(c_int32_t), intent(inout) :: out
+            integer(c_int32_t) :: pdn_branch_count
+        end function pdn_branch_count
+
+        ! A point of a branch
+        function pdn_branch_get(branch, point, out) bind(C, name="pdn_branch_get")
+            import
+            type(c_ptr), value :: branch
+            integer(c_int32_t), value :: point
+            type(pdn_branch_point), intent(inout) :: out
+            integer(c_int32_t) :: pdn_branch_get
+        end function pdn_branch_get
+
+        ! The solution at a point of a branch
+        function pdn_branch_solution(branch, point, out) bind(C, name="pdn_branch_solution")
+            import
+            type(c_ptr), value :: branch
+            integer(c_int32_t), value :: point
+            type(c_ptr), intent(inout) :: out
+            integer(c_int32_t) :: pdn_branch_solution
+        end function pdn_branch_solution
+
+        ! Writes a branch as CSV: a line for each point, with the parameter, how the step went, what happens there ...
+        function pdn_branch_write_csv(branch, nodes, components, count, &
+            path) bind(C, name="pdn_branch_write_csv")
+            import
+            type(c_ptr), value :: branch
+            integer(c_int32_t), intent(in), optional :: nodes(*)
+            integer(c_int32_t), intent(in), optional :: components(*)
+            integer(c_size_t), value :: count
+            character(kind=c_char), intent(in) :: path(*)
+            integer(c_int32_t) :: pdn_branch_write_csv
+        end function pdn_branch_write_csv
 
         ! Sets default options; use `PDN_INIT(pdn_static_options, &options)`
         subroutine pdn_static_options_init(options, struct_size) bind(C, name="pdn_static_options_init")
