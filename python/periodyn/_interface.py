@@ -7,7 +7,7 @@ from . import _callbacks
 from ._abi import ffi
 from ._call import LIBRARY as lib
 from ._call import call, text
-from ._extras import ModelExtras, ModesExtras, SolutionExtras, TableExtras
+from ._extras import Handle, ModelExtras, ModesExtras, SolutionExtras, TableExtras
 from ._numbers import ids, like, reals, together
 from ._structs import (
     Array, Number, Reference, Struct, Structs, as_signal, as_signals, of_type, pointer,
@@ -62,6 +62,8 @@ SIGNAL_SAMPLES = 1
 """Kind of a signal: rate and samples over one period."""
 SIGNAL_FUNCTION = 2
 """Kind of a signal: a function of the caller."""
+SIGNAL_FUNCTION_OF_PHASE = 3
+"""Kind of a signal: a function of the caller, of the phase."""
 GROUND = -1
 """In place of a node's id: the ground, which does not move."""
 JOINT_RIGID = 0
@@ -272,6 +274,69 @@ without inertia.
 LINEAR_CIRCULANT = 5
 """Linear equations: solved by iteration; everything is averaged over time for the preconditioner.
 """
+NUMBER_STIFFNESS = 0
+"""A parameter moves the coefficient of a power, from 1, of the growth of a spring-damper, or with
+power 1 the long-term stiffness of a viscoelastic force.
+"""
+NUMBER_DAMPING = 1
+"""A parameter moves the coefficient of a power, from 1, of the rate of a spring-damper."""
+NUMBER_REST = 2
+"""A parameter moves the coordinate at which a spring-damper or viscoelastic force is free of
+effort.
+"""
+NUMBER_INERTIA = 3
+"""A parameter moves a factor of the inertia of a body: of the bodies, masses and inertias that
+were given, in their order.
+"""
+NUMBER_BEAM_STIFFNESS = 4
+"""A parameter moves a factor of the sections' stiffness along a beam element."""
+NUMBER_BEAM_MASS = 5
+"""A parameter moves a factor of the sections' mass along a beam element."""
+NUMBER_BEAM_DAMPING = 6
+"""A parameter moves a factor of the sections' damping along a beam element."""
+NUMBER_MASS_DAMPING = 7
+"""A parameter moves the damping in proportion to mass, Model.set_mass_damping."""
+SIGNAL_OF_ACTUATOR = 0
+"""The signal of an actuator, by its force id."""
+SIGNAL_OF_PRESCRIBED = 1
+"""The signal of a prescribed coordinate, in the order in which they were prescribed."""
+SIGNAL_OF_LOAD = 2
+"""The signal of a component of a load on a node, in the order in which these were added."""
+SIGNAL_OF_BEAM_LOAD = 3
+"""The signal of a component of a load along beams, in the order in which these were added."""
+SIGNAL_OF_GRAVITY = 4
+"""The signal of a component of gravity; its index is 0."""
+PART_MEAN = 0
+"""Part of a signal: the mean that is added to its shape."""
+PART_RATE = 1
+"""Part of a signal: growth in a unit of time."""
+PART_AMPLITUDE = 2
+"""Part of a signal: the factor of its shape, which is its harmonics, its samples or its function.
+"""
+PART_PHASE = 3
+"""Part of a signal: the phase by which its shape is ahead [radians]."""
+FREQUENCY = -1
+"""A parameter: the circular frequency 2 pi / T, which every model has."""
+BRANCH_RANGE = 0
+"""A branch ended at an end of the parameter's range."""
+BRANCH_CLOSED = 1
+"""A branch ended as it came back to its first point."""
+BRANCH_POINT_LIMIT = 2
+"""A branch ended as it has as many points as are allowed."""
+BRANCH_SMALLEST_STEP = 3
+"""A branch ended where the shortest step leads to no solution."""
+BRANCH_CANCELLED = 4
+"""A branch ended as it was cancelled."""
+BRANCH_NO_START = 5
+"""A branch has no points, as there is no solution to start from."""
+EVENT_NONE = 0
+"""Nothing happens at a point of a branch."""
+EVENT_FOLD = 1
+"""The parameter turns back at a point of a branch: a fold."""
+EVENT_BRANCH_POINT = 2
+"""Another branch passes through a point of a branch."""
+EVENT_PERIOD_DOUBLING = 3
+"""A branch of twice the period begins at a point of a branch."""
 
 OUTCOMES = {
     0: "CONVERGED",
@@ -443,6 +508,20 @@ class Signal(Struct):
         """
         function = _callbacks.signal(function, self._kept)
         call(lib.pdn_signal_set_function, self._c, function.function, function.data)
+        return self
+
+    def set_function_of_phase(self, function):
+        """Makes a signal a function of the caller, of the phase 2 pi t / T [radians], which it is
+        told in place of the time: it holds for any period T.
+
+        Over a period it may grow by whole turns if it drives a rotation, and must not grow
+        otherwise.
+
+        Args:
+            function: the function
+        """
+        function = _callbacks.signal(function, self._kept)
+        call(lib.pdn_signal_set_function_of_phase, self._c, function.function, function.data)
         return self
 
 
@@ -816,6 +895,70 @@ class PeriodicOptions(Struct):
     """
 
 
+class BranchPoint(Struct):
+    """A point of a branch. Initialise with `BranchPoint()`."""
+
+    _type = "pdn_branch_point"
+    _initialise = lib.pdn_branch_point_init
+    parameter = Number("parameter")
+    """Value of the parameter that is followed."""
+    slope = Number("slope")
+    """Its derivative by the length along the branch, over its range: zero at a fold."""
+    period = Number("period")
+    """Period of the motion."""
+    step = Number("step")
+    """Length of the step from the point before."""
+    angle = Number("angle")
+    """Angle between the branch here and at the point before [radians]."""
+    grid_points = Number("grid_points")
+    """Number of grid points."""
+    iterations = Number("iterations")
+    """Number of Newton iterations."""
+    event = Number("event")
+    """EVENT_NONE, EVENT_FOLD, ..."""
+
+
+class BranchOptions(Struct):
+    """Options of FollowBranch. Set the defaults by `BranchOptions()`."""
+
+    _type = "pdn_branch_options"
+    _initialise = lib.pdn_branch_options_init
+    periodic = Reference("periodic", of_type("PeriodicOptions"))
+    """Grid, tolerance and linear solver, where the first solve starts, and who is told of the
+    iterations; None for the defaults. Default None.
+    """
+    conditions = Reference("conditions", pointer)
+    """What else is free along the branch, and as many conditions; None for nothing. Default None.
+    """
+    from = Number("from")
+    """Least value of the parameter, where the branch ends."""
+    to = Number("to")
+    """Largest value of the parameter, where the branch ends; more than `from`."""
+    motion_scale = Number("motion_scale")
+    """What counts as 1 in motions, relative to the size of the mechanism and in radians; as the
+    whole range does in the parameter. Default 1.
+    """
+    first_step = Number("first_step")
+    """Length of the first step: 1 is the whole range, or a motion of motion_scale. Default 0.02.
+    """
+    smallest_step = Number("smallest_step")
+    """Shortest step. Default 1e-6."""
+    largest_step = Number("largest_step")
+    """Longest step. Default 1."""
+    angle = Number("angle")
+    """Angle between the branch at neighbouring points that steps aim at [radians]; steps by four
+    thirds of it are taken again by half. Default 0.3.
+    """
+    point_limit = Number("point_limit")
+    """Most points. Default 1000."""
+    downwards = Number("downwards")
+    """1 if the parameter decreases at first. Default 0."""
+    events = Number("events")
+    """1 to look for branch points (where there are no conditions) and period doublings, too, by
+    two more factorisations of the whole Jacobian a point. Default 0.
+    """
+
+
 class StaticOptions(Struct):
     """Options of Model.solve_static. Set the defaults by `StaticOptions()`."""
 
@@ -1061,6 +1204,136 @@ class Summary(Struct):
     """Total mass."""
     centre = Array("centre", (3,))
     """Centre of mass, in global coordinates; zero if there is no mass."""
+
+
+class Branch(Handle):
+    """Periodic motions along a parameter. Made by FollowBranch, freed by BranchFree."""
+
+    _free = lib.pdn_branch_free
+
+    def end(self):
+        """Why a branch ended."""
+        return lib.pdn_branch_end(self._c)
+
+    def report(self):
+        """A readable report: points, events, and why the branch ended."""
+        return text.of(lib.pdn_branch_report, self._c)
+
+    def count(self):
+        """Number of points of a branch.
+
+        Returns:
+            out: the number
+        """
+        out = ffi.new("int32_t *")
+        call(lib.pdn_branch_count, self._c, out)
+        return out[0]
+
+    def get(self, point):
+        """A point of a branch.
+
+        Args:
+            point: its number, from 0
+
+        Returns:
+            BranchPoint: the point, initialised
+        """
+        out = BranchPoint()
+        call(lib.pdn_branch_get, self._c, point, out._c)
+        return out
+
+    def solution(self, point):
+        """The solution at a point of a branch.
+
+        Args:
+            point: its number, from 0
+
+        Returns:
+            Solution: the solution
+        """
+        out = ffi.new("pdn_solution **")
+        call(lib.pdn_branch_solution, self._c, point, out)
+        return Solution._made(out[0], self._kept)
+
+    def write_csv(self, path, nodes=None, components=None):
+        """Writes a branch as CSV: a line for each point, with the parameter, how the step went,
+        what happens there and, of components of positions, the mean, the size of the first
+        harmonic, the least and the largest value over the period. `script/plot.py` draws it.
+
+        Args:
+            nodes: array of length [count]: ids of nodes
+            components: array of length [count]: ids of nodes
+            path: name of the file, UTF-8; an existing file is replaced
+        """
+        nodes = ids("nodes", nodes)
+        _count = len(nodes)
+        components = ids("components", components)
+        _count = len(components)
+        call(
+            lib.pdn_branch_write_csv,
+            self._c,
+            ffi.from_buffer("int32_t[]", nodes),
+            ffi.from_buffer("int32_t[]", components),
+            _count,
+            text(path),
+        )
+
+
+class Conditions(Handle):
+    """Free parameters, and as many conditions. Made by ConditionsNew, freed by ConditionsFree."""
+
+    _free = lib.pdn_conditions_free
+
+    def __init__(self):
+        """Makes an empty list: no parameter is free.
+
+        It belongs to no model; ids are looked up when it is used.
+        """
+        out = ffi.new("pdn_conditions **")
+        call(lib.pdn_conditions_new, out)
+        self._own(out[0])
+
+    def release(self, parameter):
+        """Makes a parameter free: its value in the model is that to start from.
+
+        Args:
+            parameter: id of a parameter, or FREQUENCY for an unknown period
+        """
+        call(lib.pdn_conditions_release, self._c, parameter)
+
+    def add_phase(self):
+        """Adds the condition on the phase: the motion is not ahead of that which the solve starts
+        from.
+
+        For motions whose time nothing else tells: limit cycles, and free motions of a
+        conservative system.
+        """
+        call(lib.pdn_conditions_add_phase, self._c)
+
+    def add_joint_coordinate(self, joint, coordinate, value):
+        """Adds the condition that a joint coordinate has a value at the start of the period.
+
+        With ConditionsAddPhase, and a start that turns back at time zero, it is the amplitude
+        of a free motion.
+
+        Args:
+            joint: id of the joint
+            coordinate: DISPLACEMENT, ... or ROTATION,
+            value: the value
+        """
+        call(lib.pdn_conditions_add_joint_coordinate, self._c, joint, coordinate, value)
+
+    def add_energy(self, energy):
+        """Adds the condition that the mean of the kinetic and the potential energy over the period
+        is a value.
+
+        Weights have no energy at the origin. The energy of weights, of springs on joint
+        coordinates and of beams is known; a model with other forces is refused.
+
+        Args:
+            energy: the value [force * length]
+        """
+        call(lib.pdn_conditions_add_energy, self._c, energy)
 
 
 class Model(ModelExtras):
@@ -2261,6 +2534,333 @@ class Model(ModelExtras):
         call(lib.pdn_solve_periodic, self._c, period, options._c, out)
         return Solution._made(out[0], self._kept)
 
+    def add_parameter(self, name, value, scale):
+        """Adds a parameter: a named number that moves what Model.move_number and Model.move_signal
+        say. At first it moves nothing.
+
+        A model can be solved at other values (Model.set_parameter), values can be found so that
+        conditions are met (Model.solve_conditioned), and followed (FollowBranch). They are
+        saved with the model.
+
+        Args:
+            name: text in UTF-8 that no other parameter of the model has, not empty
+            value: its value
+            scale: what counts as 1 in it, positive: its range, about
+
+        Returns:
+            out: the parameter's id
+        """
+        out = ffi.new("int32_t *")
+        call(lib.pdn_model_add_parameter, self._c, text(name), value, scale, out)
+        return out[0]
+
+    def move_number(self, parameter, number, index, power, factor):
+        """Lets a parameter move a number of the model: it becomes `factor` times the parameter's
+        value, now and whenever that changes.
+
+        Args:
+            parameter: id of the parameter
+            number: NUMBER_STIFFNESS,
+            index: of the force, the body or the beam element; 0 for NUMBER_MASS_DAMPING
+            power: power, from 1, of a stiffness or damping; 0 for all else
+            factor: the number for a unit of the parameter, not zero
+        """
+        call(lib.pdn_model_move_number, self._c, parameter, number, index, power, factor)
+
+    def move_signal(self, parameter, place, index, component, part, factor):
+        """Lets a parameter move a part of a signal: it becomes `factor` times the parameter's
+        value, now and whenever that changes.
+
+        Args:
+            parameter: id of the parameter
+            place: what has the signal: SIGNAL_OF_ACTUATOR,
+            index: which of them
+            component: of a load from 0 to 5, of gravity from 0 to 2; 0 for all else
+            part: PART_MEAN, PART_RATE, PART_AMPLITUDE or PART_PHASE
+            factor: the part for a unit of the parameter, not zero
+        """
+        call(lib.pdn_model_move_signal, self._c, parameter, place, index, component, part, factor)
+
+    def set_parameter(self, parameter, value):
+        """Gives a parameter another value, and all that it moves.
+
+        Args:
+            parameter: id of the parameter
+            value: the value
+        """
+        call(lib.pdn_model_set_parameter, self._c, parameter, value)
+
+    def set_mass_damping(self, factor):
+        """Gives everything with mass a force against its motion relative to the inertial frame,
+        `factor` times its momentum: damping in proportion to mass.
+
+        Args:
+            factor: force for a unit of momentum [1/time]; negative to excite
+        """
+        call(lib.pdn_model_set_mass_damping, self._c, factor)
+
+    def declare_of_phase(self, force):
+        """Declares that the function of a force is one of the phase, 2 pi t / T, which it is then
+        told in place of the time: it holds for any period T, as it must where that is unknown.
+
+        A function that does not depend on time is one of the phase, too.
+
+        Args:
+            force: id of a force that has a function
+        """
+        call(lib.pdn_model_declare_of_phase, self._c, force)
+
+    def solve_conditioned(
+        self,
+        period,
+        conditions,
+        *,
+        grid_points=None,
+        harmonics=None,
+        tolerance=None,
+        iteration_limit=None,
+        initial=None,
+        guess_positions=None,
+        guess_rotations=None,
+        progress=None,
+        error_tolerance=None,
+        largest_grid_points=None,
+        linear_solver=None,
+        threads=None,
+        oversampling=None,
+        response_tolerance=None,
+        start=None,
+        estimate_mesh=None,
+        progress_interval=None,
+    ):
+        """Finds a periodic response that meets conditions, and the values of as many free
+        parameters.
+
+        Newton's method for motions and parameters together starts at a given solution or motion
+        (`options.initial`, `options.guess_positions`), or else at the response with the
+        parameters as they are. Where the period is free, `period` is the guess of it; loads and
+        prescribed motions are then functions of the phase: harmonics and samples are, rates are
+        for whole turns, functions must be declared such (Signal.set_function_of_phase,
+        Model.declare_of_phase).
+
+        Args:
+            period: T, or a guess of it
+            conditions: free parameters and as many conditions
+            grid_points: Number N of grid points, odd: harmonics up to (N - 1) / 2 are resolved.
+                0 for as many as error_tolerance needs. Default 0.
+            harmonics: If not 0, the number of harmonics that are resolved: grid_points is then
+                2 harmonics + 1. Default 0.
+            tolerance: Newton's method has converged when the largest increment (lengths
+                relative to the size of the mechanism, angles in radians) is below this. Newton
+                is quadratic: the error left in motions is about its square, that in forces
+                about it times their last change. Default 1e-9.
+            iteration_limit: Most Newton iterations on a grid. Default 30.
+            initial: Start from this solution, periodic or static, also on another grid or of
+                another period, or from the last period of this march; None to start otherwise.
+                Its model is to have the same bodies, joints, forces and prescribed coordinates,
+                and the same beams, which may have other meshes. If grid_points is 0, the first
+                grid is that of this solution. Default None.
+            guess_positions: Start from these positions, 3 x N x nodes: coordinates fastest,
+                then grid points, then nodes; None to start otherwise. Needs guess_rotations,
+                and grid_points or harmonics. Default None.
+            guess_rotations: Rotation matrices of the same start, 9 x N x nodes, each column by
+                column. Default None.
+            progress: Told of each iteration, and while one lasts, see progress_interval; may
+                cancel. Default None.
+            error_tolerance: If grid_points is 0, grid points are added until the estimated
+                error of the motions is below this: positions relative to the size of the
+                mechanism, angles in radians. Default 1e-6, which leaves about three digits to
+                forces and accelerations, which are second derivatives.
+            largest_grid_points: If grid_points is 0, the largest number of grid points, at
+                least 3; if the tolerance would need more, the outcome is TOLERANCE_NOT_MET.
+                Default 511.
+            linear_solver: How linear equations are solved: LINEAR_AUTOMATIC, LINEAR_DIRECT, ...
+                Default LINEAR_AUTOMATIC.
+            threads: Threads that share the work, of a pool that lasts as long as the call; 0
+                for as many as there are processors. Signals' and other functions of yours are
+                called on the calling thread alone. Default 1.
+            oversampling: The equations are sampled at this many times as many points (or one
+                more), from 1 to 16, where motions and multipliers are interpolated; their
+                virtual work, and the harmonics of the constraints up to those of the grid, are
+                to vanish. 1: at the grid points alone. Default 1.
+            response_tolerance: If grid_points is 0 and this is not, the estimated error of the
+                motions is also to be below this times the amplitude of the response: the
+                largest deviation of a node from its mean or, if it makes whole turns in a
+                period, from a steady turn, in the measure of error_tolerance. For responses
+                that are small beside the mechanism. Default 0.
+            start: Where the library starts, unless a start is given: START_AUTOMATIC, or one
+                way alone: START_QUASI_STATIC, ... START_STEADY_ROTATION and
+                START_RIGID_ROTATION need a drive that turns. Default START_AUTOMATIC.
+            estimate_mesh: 1 to estimate the error by the mesh of beams, too,
+                Diagnostics.mesh_error, which takes about as long as an iteration; not with
+                oversampling. Default 0.
+            progress_interval: Least time between two calls of progress while an iteration
+                lasts, in seconds; 0 to be called at any opportunity. Default 0.1.
+
+        Returns:
+            Solution: the solution, also if it has not converged: Solution.parameter tells the
+                values found
+        """
+        options = PeriodicOptions(
+            grid_points=grid_points,
+            harmonics=harmonics,
+            tolerance=tolerance,
+            iteration_limit=iteration_limit,
+            initial=initial,
+            guess_positions=guess_positions,
+            guess_rotations=guess_rotations,
+            progress=progress,
+            error_tolerance=error_tolerance,
+            largest_grid_points=largest_grid_points,
+            linear_solver=linear_solver,
+            threads=threads,
+            oversampling=oversampling,
+            response_tolerance=response_tolerance,
+            start=start,
+            estimate_mesh=estimate_mesh,
+            progress_interval=progress_interval,
+        )
+        like("guess_positions", guess_positions, (self.node_count(), points_of(options), 3))
+        like("guess_rotations", guess_rotations, (self.node_count(), points_of(options), 3, 3))
+        out = ffi.new("pdn_solution **")
+        call(lib.pdn_solve_conditioned, self._c, period, pointer(conditions), options._c, out)
+        return Solution._made(out[0], self._kept)
+
+    def follow_branch(
+        self,
+        period,
+        parameter,
+        *,
+        periodic=None,
+        conditions=None,
+        from=None,
+        to=None,
+        motion_scale=None,
+        first_step=None,
+        smallest_step=None,
+        largest_step=None,
+        angle=None,
+        point_limit=None,
+        downwards=None,
+        events=None,
+    ):
+        """Follows periodic motions along a parameter, through folds, from the response at its
+        value in the model.
+
+        Steps are as long as the branch allows: they aim at `options.angle` between the tangents
+        of neighbouring points. Folds are located exactly, and are points of their own. Unless a
+        number of grid points is given it grows along the branch. That the branch ends early is
+        no error: BranchEnd tells, and all its points are kept.
+
+        Args:
+            period: T of the first response, or a guess of it where the frequency is free
+            parameter: id of the parameter to be followed, or FREQUENCY
+            periodic: Grid, tolerance and linear solver, where the first solve starts, and who
+                is told of the iterations; None for the defaults. Default None.
+            conditions: What else is free along the branch, and as many conditions; None for
+                nothing. Default None.
+            from: Least value of the parameter, where the branch ends.
+            to: Largest value of the parameter, where the branch ends; more than `from`.
+            motion_scale: What counts as 1 in motions, relative to the size of the mechanism and
+                in radians; as the whole range does in the parameter. Default 1.
+            first_step: Length of the first step: 1 is the whole range, or a motion of
+                motion_scale. Default 0.02.
+            smallest_step: Shortest step. Default 1e-6.
+            largest_step: Longest step. Default 1.
+            angle: Angle between the branch at neighbouring points that steps aim at [radians];
+                steps by four thirds of it are taken again by half. Default 0.3.
+            point_limit: Most points. Default 1000.
+            downwards: 1 if the parameter decreases at first. Default 0.
+            events: 1 to look for branch points (where there are no conditions) and period
+                doublings, too, by two more factorisations of the whole Jacobian a point.
+                Default 0.
+
+        Returns:
+            Branch: the branch
+        """
+        options = BranchOptions(
+            periodic=periodic,
+            conditions=conditions,
+            from=from,
+            to=to,
+            motion_scale=motion_scale,
+            first_step=first_step,
+            smallest_step=smallest_step,
+            largest_step=largest_step,
+            angle=angle,
+            point_limit=point_limit,
+            downwards=downwards,
+            events=events,
+        )
+        out = ffi.new("pdn_branch **")
+        call(lib.pdn_follow_branch, self._c, period, parameter, options._c, out)
+        return Branch._made(out[0], self._kept)
+
+    def solve_frequency_response(
+        self,
+        first,
+        last,
+        *,
+        periodic=None,
+        conditions=None,
+        from=None,
+        to=None,
+        motion_scale=None,
+        first_step=None,
+        smallest_step=None,
+        largest_step=None,
+        angle=None,
+        point_limit=None,
+        downwards=None,
+        events=None,
+    ):
+        """Finds the response over a range of frequencies, through folds: FollowBranch along
+        FREQUENCY.
+
+        Args:
+            first: circular frequency 2 pi / T at which it begins
+            last: circular frequency at which it ends, more or less than `first`
+            periodic: Grid, tolerance and linear solver, where the first solve starts, and who
+                is told of the iterations; None for the defaults. Default None.
+            conditions: What else is free along the branch, and as many conditions; None for
+                nothing. Default None.
+            from: Least value of the parameter, where the branch ends.
+            to: Largest value of the parameter, where the branch ends; more than `from`.
+            motion_scale: What counts as 1 in motions, relative to the size of the mechanism and
+                in radians; as the whole range does in the parameter. Default 1.
+            first_step: Length of the first step: 1 is the whole range, or a motion of
+                motion_scale. Default 0.02.
+            smallest_step: Shortest step. Default 1e-6.
+            largest_step: Longest step. Default 1.
+            angle: Angle between the branch at neighbouring points that steps aim at [radians];
+                steps by four thirds of it are taken again by half. Default 0.3.
+            point_limit: Most points. Default 1000.
+            downwards: 1 if the parameter decreases at first. Default 0.
+            events: 1 to look for branch points (where there are no conditions) and period
+                doublings, too, by two more factorisations of the whole Jacobian a point.
+                Default 0.
+
+        Returns:
+            Branch: the branch
+        """
+        options = BranchOptions(
+            periodic=periodic,
+            conditions=conditions,
+            from=from,
+            to=to,
+            motion_scale=motion_scale,
+            first_step=first_step,
+            smallest_step=smallest_step,
+            largest_step=largest_step,
+            angle=angle,
+            point_limit=point_limit,
+            downwards=downwards,
+            events=events,
+        )
+        out = ffi.new("pdn_branch **")
+        call(lib.pdn_solve_frequency_response, self._c, first, last, options._c, out)
+        return Branch._made(out[0], self._kept)
+
     def solve_static(
         self,
         *,
@@ -3335,6 +3935,19 @@ class Solution(SolutionExtras):
         out = ffi.new("pdn_solution **")
         call(lib.pdn_solution_filtered, self._c, filter, order, out)
         return Solution._made(out[0], self._kept)
+
+    def parameter(self, parameter):
+        """Value of a parameter in a solution: given, or found.
+
+        Args:
+            parameter: id of the parameter, or FREQUENCY
+
+        Returns:
+            out: the value
+        """
+        out = ffi.new("double *")
+        call(lib.pdn_solution_parameter, self._c, parameter, out)
+        return out[0]
 
     def march(self):
         """Figures of a march: steps, periods, how much the last of them differ, how much the start
