@@ -295,6 +295,14 @@ struct Free {
     {
         pdn_modes_free(modes);
     }
+    void operator()(pdn_conditions *conditions) const noexcept
+    {
+        pdn_conditions_free(conditions);
+    }
+    void operator()(pdn_branch *branch) const noexcept
+    {
+        pdn_branch_free(branch);
+    }
     void operator()(pdn_table *table) const noexcept
     {
         pdn_table_free(table);
@@ -500,6 +508,16 @@ class Signal
         auto kept = std::make_shared<std::function<double(double)>>(std::move(function));
         detail::check(pdn_signal_set_function(&signal_, &evaluate, kept.get()));
         kept_ = std::move(kept);
+    }
+    /** A function double(double phase) of 2 pi t / T, for any period T. */
+    template <class F> static Signal of_phase(F function)
+    {
+        auto kept = std::make_shared<std::function<double(double)>>(std::move(function));
+        Signal signal;
+        detail::check(
+            pdn_signal_set_function_of_phase(&signal.signal_, &evaluate, kept.get()));
+        signal.kept_ = std::move(kept);
+        return signal;
     }
     /** mean + rate t + sum of cosines[j-1] cos(j w t) + sines[j-1] sin(j w t), w = 2 pi / period.
      */
@@ -946,6 +964,38 @@ class Model
                                                 fractions.size());
         });
     }
+    /** Adds a parameter, which moves nothing yet. */
+    Id add_parameter(const std::string &name, double value, double scale)
+    {
+        return id([&](Id *out) {
+            return pdn_model_add_parameter(get(), name.c_str(), value, scale, out);
+        });
+    }
+    /** Lets a parameter move PDN_NUMBER_... of the force, body or beam element `index`. */
+    void move_number(Id parameter, std::int32_t number, Id index, std::int32_t power, double factor)
+    {
+        detail::check(pdn_model_move_number(get(), parameter, number, index, power, factor));
+    }
+    /** Lets a parameter move PDN_PART_... of the signal of PDN_SIGNAL_OF_... `index`. */
+    void move_signal(Id parameter, std::int32_t place, Id index, std::int32_t component,
+                     std::int32_t part, double factor)
+    {
+        detail::check(
+            pdn_model_move_signal(get(), parameter, place, index, component, part, factor));
+    }
+    void set_parameter(Id parameter, double value)
+    {
+        detail::check(pdn_model_set_parameter(get(), parameter, value));
+    }
+    void set_mass_damping(double factor)
+    {
+        detail::check(pdn_model_set_mass_damping(get(), factor));
+    }
+    /** Declares the function of a force one of the phase, which it is then told. */
+    void declare_of_phase(Id force)
+    {
+        detail::check(pdn_model_declare_of_phase(get(), force));
+    }
     void set_gravity(const Vector3 &acceleration)
     {
         detail::check(pdn_model_set_gravity(get(), acceleration.data()));
@@ -1060,7 +1110,8 @@ class Model
     {
         const std::size_t before = kept_.size();
         for (const Signal *signal : signals) {
-            if (signal->get().kind == PDN_SIGNAL_FUNCTION) {
+            const std::int32_t kind = signal->get().kind;
+            if (kind == PDN_SIGNAL_FUNCTION || kind == PDN_SIGNAL_FUNCTION_OF_PHASE) {
                 kept_.push_back(signal->kept());
             }
         }
@@ -1161,6 +1212,12 @@ class Solution
             return pdn_solution_filtered(get(), static_cast<std::int32_t>(filter), order, out);
         });
         return Solution(handle.release(), kept_);
+    }
+    /** Value of a parameter, or of PDN_FREQUENCY. */
+    double parameter(std::int32_t parameter) const
+    {
+        return detail::number<double>(
+            [&](double *out) { return pdn_solution_parameter(get(), parameter, out); });
     }
     pdn_diagnostics diagnostics() const
     {
@@ -1518,12 +1575,14 @@ inline const pdn_solution *initial(const Solution *solution)
 
 } // namespace detail
 
-/** Finds the periodic response directly; whether it converged is told by Solution::outcome. */
-inline Solution solve_periodic(const Model &model, double period,
-                               const PeriodicOptions &options = {})
+namespace detail
+{
+
+/** Options as the library takes them, but for progress. */
+inline pdn_periodic_options plain(const Model &model, const PeriodicOptions &options)
 {
     pdn_periodic_options plain = options;
-    plain.initial = detail::initial(options.initial);
+    plain.initial = initial(options.initial);
     if (!options.guess_positions.empty() || !options.guess_rotations.empty()) {
         const std::size_t points =
             options.harmonics != 0 ? 2 * options.harmonics + 1 : options.grid_points;
@@ -1534,14 +1593,185 @@ inline Solution solve_periodic(const Model &model, double period,
                 PDN_ERR_SIZE,
                 "options.guess: expected positions and rotations for each grid point and node");
         }
-        plain.guess_positions = detail::flat(options.guess_positions);
-        plain.guess_rotations = detail::flat(options.guess_rotations);
+        plain.guess_positions = flat(options.guess_positions);
+        plain.guess_rotations = flat(options.guess_rotations);
     }
+    return plain;
+}
+
+} // namespace detail
+
+/** Finds the periodic response directly; whether it converged is told by Solution::outcome. */
+inline Solution solve_periodic(const Model &model, double period,
+                               const PeriodicOptions &options = {})
+{
+    pdn_periodic_options plain = detail::plain(model, options);
     detail::Watch watch(options.progress, plain);
     auto handle = detail::make<pdn_solution>(
         [&](pdn_solution **out) { return pdn_solve_periodic(model.get(), period, &plain, out); });
     watch.rethrow();
     return Solution(handle.release(), model.kept());
+}
+
+/** Free parameters, and as many conditions that determine them. */
+class Conditions
+{
+  public:
+    Conditions()
+        : handle_(detail::make<pdn_conditions>(
+              [](pdn_conditions **out) { return pdn_conditions_new(out); }))
+    {
+    }
+    /** The handle, for functions of periodyn.h; NULL if moved from. */
+    pdn_conditions *get() const noexcept
+    {
+        return handle_.get();
+    }
+    /** Makes a parameter, or PDN_FREQUENCY, free. */
+    void release(std::int32_t parameter)
+    {
+        detail::check(pdn_conditions_release(get(), parameter));
+    }
+    void add_phase()
+    {
+        detail::check(pdn_conditions_add_phase(get()));
+    }
+    /** A joint coordinate at the start of the period. */
+    void add_joint_coordinate(std::int32_t joint, Coordinate coordinate, double value)
+    {
+        detail::check(
+            pdn_conditions_add_joint_coordinate(get(), joint, detail::c(coordinate), value));
+    }
+    void add_energy(double energy)
+    {
+        detail::check(pdn_conditions_add_energy(get(), energy));
+    }
+
+  private:
+    std::unique_ptr<pdn_conditions, detail::Free> handle_;
+};
+
+/** Finds a periodic response that meets conditions, and as many free parameters. */
+inline Solution solve_conditioned(const Model &model, double period, const Conditions &conditions,
+                                  const PeriodicOptions &options = {})
+{
+    pdn_periodic_options plain = detail::plain(model, options);
+    detail::Watch watch(options.progress, plain);
+    auto handle = detail::make<pdn_solution>([&](pdn_solution **out) {
+        return pdn_solve_conditioned(model.get(), period, conditions.get(), &plain, out);
+    });
+    watch.rethrow();
+    return Solution(handle.release(), model.kept());
+}
+
+/** Options of follow_branch, with the fields of ::pdn_branch_options and these in place of pointers.
+ */
+struct BranchOptions : pdn_branch_options {
+    BranchOptions()
+    {
+        pdn_branch_options_init(this, sizeof(pdn_branch_options));
+    }
+    /** Grid, and where the first solve starts. */
+    PeriodicOptions periodic;
+    /** What else is free. */
+    const Conditions *conditions = nullptr;
+};
+
+/** Periodic motions along a parameter: points counted from 0. */
+class Branch
+{
+  public:
+    /** Takes over a handle of periodyn.h; keeps the functions that it may call. */
+    explicit Branch(pdn_branch *handle, detail::Kept kept = {})
+        : kept_(std::move(kept)), handle_(handle)
+    {
+    }
+    /** The handle, for functions of periodyn.h; NULL if moved from. */
+    const pdn_branch *get() const noexcept
+    {
+        return handle_.get();
+    }
+    /** PDN_BRANCH_RANGE, ... */
+    std::int32_t end() const
+    {
+        const std::int32_t end = pdn_branch_end(get());
+        detail::check(end);
+        return end;
+    }
+    std::string report() const
+    {
+        end(); // throws if there is nothing to report
+        return detail::text([&](char *buffer, std::size_t capacity) {
+            return pdn_branch_report(get(), buffer, capacity);
+        });
+    }
+    std::int32_t count() const
+    {
+        return detail::number<std::int32_t>(
+            [&](std::int32_t *out) { return pdn_branch_count(get(), out); });
+    }
+    pdn_branch_point point(std::int32_t point) const
+    {
+        pdn_branch_point out;
+        pdn_branch_point_init(&out, sizeof out);
+        detail::check(pdn_branch_get(get(), point, &out));
+        return out;
+    }
+    Solution solution(std::int32_t point) const
+    {
+        auto handle = detail::make<pdn_solution>(
+            [&](pdn_solution **out) { return pdn_branch_solution(get(), point, out); });
+        return Solution(handle.release(), kept_);
+    }
+    /** With components, 0, 1 or 2, of the positions of nodes. */
+    void write_csv(const std::string &path, Ids nodes = {}, Ids components = {}) const
+    {
+        if (nodes.size() != components.size()) {
+            throw error(PDN_ERR_SIZE, "components: expected as many as nodes");
+        }
+        detail::check(pdn_branch_write_csv(get(), nodes.data(), components.data(), nodes.size(),
+                                           path.c_str()));
+    }
+
+  private:
+    detail::Kept kept_; // outlives the handle
+    std::unique_ptr<pdn_branch, detail::Free> handle_;
+};
+
+namespace detail
+{
+
+template <class Follow>
+Branch follow(const Model &model, const BranchOptions &options, Follow function)
+{
+    pdn_periodic_options periodic = plain(model, options.periodic);
+    Watch watch(options.periodic.progress, periodic);
+    pdn_branch_options chosen = options;
+    chosen.periodic = &periodic;
+    chosen.conditions = options.conditions ? options.conditions->get() : nullptr;
+    auto handle = make<pdn_branch>([&](pdn_branch **out) { return function(&chosen, out); });
+    watch.rethrow();
+    return Branch(handle.release(), model.kept());
+}
+
+} // namespace detail
+
+/** Follows periodic motions along a parameter, or PDN_FREQUENCY, through folds. */
+inline Branch follow_branch(const Model &model, double period, std::int32_t parameter,
+                            const BranchOptions &options)
+{
+    return detail::follow(model, options, [&](const pdn_branch_options *chosen, pdn_branch **out) {
+        return pdn_follow_branch(model.get(), period, parameter, chosen, out);
+    });
+}
+
+/** Finds the response over a range of circular frequencies, through folds. */
+inline Branch solve_frequency_response(const Model &model, double first, double last,
+                                       const BranchOptions &options = {})
+{
+    return detail::follow(model, options, [&](const pdn_branch_options *chosen, pdn_branch **out) {
+        return pdn_solve_frequency_response(model.get(), first, last, chosen, out);
+    });
 }
 
 /** Finds an equilibrium at one time, at rest or in steady rotation. */
