@@ -147,6 +147,56 @@ enum class Decay : std::int32_t {
     slow = PDN_DECAY_SLOW,
     rounding = PDN_DECAY_ROUNDING,
 };
+/** The parameter that every model has: the circular frequency. */
+constexpr std::int32_t frequency = PDN_FREQUENCY;
+
+/** A number of the model that a parameter moves. */
+enum class Number : std::int32_t {
+    stiffness = PDN_NUMBER_STIFFNESS,
+    damping = PDN_NUMBER_DAMPING,
+    rest = PDN_NUMBER_REST,
+    inertia = PDN_NUMBER_INERTIA,
+    beam_stiffness = PDN_NUMBER_BEAM_STIFFNESS,
+    beam_mass = PDN_NUMBER_BEAM_MASS,
+    beam_damping = PDN_NUMBER_BEAM_DAMPING,
+    mass_damping = PDN_NUMBER_MASS_DAMPING,
+};
+
+/** What has a signal that a parameter moves. */
+enum class SignalOf : std::int32_t {
+    actuator = PDN_SIGNAL_OF_ACTUATOR,
+    prescribed = PDN_SIGNAL_OF_PRESCRIBED,
+    load = PDN_SIGNAL_OF_LOAD,
+    beam_load = PDN_SIGNAL_OF_BEAM_LOAD,
+    gravity = PDN_SIGNAL_OF_GRAVITY,
+};
+
+/** The part of a signal that a parameter moves. */
+enum class SignalPart : std::int32_t {
+    mean = PDN_PART_MEAN,
+    rate = PDN_PART_RATE,
+    amplitude = PDN_PART_AMPLITUDE,
+    phase = PDN_PART_PHASE,
+};
+
+/** Why a branch ended. */
+enum class BranchEnd : std::int32_t {
+    range = PDN_BRANCH_RANGE,
+    closed = PDN_BRANCH_CLOSED,
+    point_limit = PDN_BRANCH_POINT_LIMIT,
+    smallest_step = PDN_BRANCH_SMALLEST_STEP,
+    cancelled = PDN_BRANCH_CANCELLED,
+    no_start = PDN_BRANCH_NO_START,
+};
+
+/** What happens at a point of a branch: values of pdn_branch_point.event. */
+enum class BranchEvent : std::int32_t {
+    none = PDN_EVENT_NONE,
+    fold = PDN_EVENT_FOLD,
+    branch_point = PDN_EVENT_BRANCH_POINT,
+    period_doubling = PDN_EVENT_PERIOD_DOUBLING,
+};
+
 /** How linear equations are solved, as pdn_periodic_options.linear_solver asks for and pdn_diagnostics tells. */
 enum class Linear : std::int32_t {
     automatic = PDN_LINEAR_AUTOMATIC,
@@ -971,17 +1021,18 @@ class Model
             return pdn_model_add_parameter(get(), name.c_str(), value, scale, out);
         });
     }
-    /** Lets a parameter move PDN_NUMBER_... of the force, body or beam element `index`. */
-    void move_number(Id parameter, std::int32_t number, Id index, std::int32_t power, double factor)
-    {
-        detail::check(pdn_model_move_number(get(), parameter, number, index, power, factor));
-    }
-    /** Lets a parameter move PDN_PART_... of the signal of PDN_SIGNAL_OF_... `index`. */
-    void move_signal(Id parameter, std::int32_t place, Id index, std::int32_t component,
-                     std::int32_t part, double factor)
+    /** Lets a parameter move a number of the force, body or beam element `index`. */
+    void move_number(Id parameter, Number number, Id index, std::int32_t power, double factor)
     {
         detail::check(
-            pdn_model_move_signal(get(), parameter, place, index, component, part, factor));
+            pdn_model_move_number(get(), parameter, detail::c(number), index, power, factor));
+    }
+    /** Lets a parameter move a part of the signal of what has this `index`. */
+    void move_signal(Id parameter, SignalOf place, Id index, std::int32_t component,
+                     SignalPart part, double factor)
+    {
+        detail::check(pdn_model_move_signal(get(), parameter, detail::c(place), index, component,
+                                            detail::c(part), factor));
     }
     void set_parameter(Id parameter, double value)
     {
@@ -1213,7 +1264,7 @@ class Solution
         });
         return Solution(handle.release(), kept_);
     }
-    /** Value of a parameter, or of PDN_FREQUENCY. */
+    /** Value of a parameter, or of the frequency. */
     double parameter(std::int32_t parameter) const
     {
         return detail::number<double>(
@@ -1627,7 +1678,7 @@ class Conditions
     {
         return handle_.get();
     }
-    /** Makes a parameter, or PDN_FREQUENCY, free. */
+    /** Makes a parameter, or the frequency, free. */
     void release(std::int32_t parameter)
     {
         detail::check(pdn_conditions_release(get(), parameter));
@@ -1691,12 +1742,11 @@ class Branch
     {
         return handle_.get();
     }
-    /** PDN_BRANCH_RANGE, ... */
-    std::int32_t end() const
+    BranchEnd end() const
     {
         const std::int32_t end = pdn_branch_end(get());
         detail::check(end);
-        return end;
+        return static_cast<BranchEnd>(end);
     }
     std::string report() const
     {
@@ -1756,7 +1806,7 @@ Branch follow(const Model &model, const BranchOptions &options, Follow function)
 
 } // namespace detail
 
-/** Follows periodic motions along a parameter, or PDN_FREQUENCY, through folds. */
+/** Follows periodic motions along a parameter, or the frequency, through folds. */
 inline Branch follow_branch(const Model &model, double period, std::int32_t parameter,
                             const BranchOptions &options)
 {
