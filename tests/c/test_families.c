@@ -120,7 +120,47 @@ static void free_motion(void)
     CHECK_NEAR(2 * PI / frequency, 2.152874666881, 2e-12);
     CHECK_STATUS(pdn_solution_parameter(solution, unfolding, &value), PDN_OK);
     CHECK_NEAR(value, 0, 1e-12);
+
+    /* Followed to larger amplitudes: periods by the arithmetic-geometric mean. */
+    int32_t count;
+    double at[3], start[1] = {0};
+    pdn_branch_options along;
+    pdn_branch *branch;
+    pdn_conditions_free(conditions);
+    CHECK_STATUS(pdn_conditions_new(&conditions), PDN_OK);
+    CHECK_STATUS(pdn_conditions_release(conditions, unfolding), PDN_OK);
+    CHECK_STATUS(pdn_conditions_add_phase(conditions), PDN_OK);
+    PDN_INIT(pdn_branch_options, &along);
+    PDN_INIT(pdn_periodic_options, &options);
+    options.grid_points = 81;
+    options.initial = solution;
+    along.periodic = &options;
+    along.conditions = conditions;
+    along.from = 2.4;
+    along.to = 3;
+    along.downwards = 1;
+    CHECK_STATUS(pdn_follow_branch(model, 2 * PI / frequency, PDN_FREQUENCY, &along, &branch),
+                 PDN_OK);
     pdn_solution_free(solution);
+    CHECK(pdn_branch_end(branch) == PDN_BRANCH_RANGE);
+    CHECK_STATUS(pdn_branch_count(branch, &count), PDN_OK);
+    CHECK(count > 3);
+    for (int32_t i = 0; i < count; ++i) {
+        CHECK_STATUS(pdn_branch_solution(branch, i, &solution), PDN_OK);
+        CHECK_STATUS(pdn_solution_parameter(solution, unfolding, &value), PDN_OK);
+        CHECK_STATUS(pdn_solution_parameter(solution, PDN_FREQUENCY, &frequency), PDN_OK);
+        CHECK_STATUS(pdn_solution_node_position(solution, body, start, 1, at), PDN_OK);
+        double a = 1, b = cos(atan2(hypot(at[0], at[1]), -at[2]) / 2);
+        for (int k = 0; k < 8; ++k) {
+            const double mean = (a + b) / 2;
+            b = sqrt(a * b);
+            a = mean;
+        }
+        CHECK_NEAR(value, 0, 1e-11);
+        CHECK_NEAR(frequency, sqrt(9.81) * a, 1e-10);
+        pdn_solution_free(solution);
+    }
+    pdn_branch_free(branch);
     pdn_conditions_free(conditions);
     pdn_model_free(model);
 }
