@@ -1856,6 +1856,30 @@ module periodyn_c
             type(c_ptr), intent(inout) :: out
             integer(c_int32_t) :: pdn_solution_model
         end function pdn_solution_model
+
+        ! A copy of a model, which may be changed and solved apart from it
+        function pdn_model_copy(model, out) bind(C, name="pdn_model_copy")
+            import
+            type(c_ptr), value :: model
+            type(c_ptr), intent(inout) :: out
+            integer(c_int32_t) :: pdn_model_copy
+        end function pdn_model_copy
+
+        ! Saves a model
+        function pdn_model_save(model, path) bind(C, name="pdn_model_save")
+            import
+            type(c_ptr), value :: model
+            character(kind=c_char), intent(in) :: path(*)
+            integer(c_int32_t) :: pdn_model_save
+        end function pdn_model_save
+
+        ! Loads a model that ::pdn_model_save saved; its ids are what they were
+        function pdn_model_load(path, out) bind(C, name="pdn_model_load")
+            import
+            character(kind=c_char), intent(in) :: path(*)
+            type(c_ptr), intent(inout) :: out
+            integer(c_int32_t) :: pdn_model_load
+        end function pdn_model_load
     end interface
 end module periodyn_c
 ! END OF WHAT script/fortran_interface WRITES
@@ -1971,6 +1995,9 @@ module periodyn
         procedure, public :: node_frame => model_node_frame
         procedure, public :: summary => model_summary
         procedure, public :: describe => model_describe
+        procedure, public :: copy => model_copy
+        procedure, public :: save => model_save
+        procedure, public :: load => model_load
         procedure, public :: add_node => model_add_node
         procedure, public :: add_rigid_body => model_add_rigid_body
         procedure, public :: add_mass => model_add_mass
@@ -3862,6 +3889,44 @@ contains
         if (status == PDN_OK) call self%adopt(c, pdn_solution_free)
         call report(status, stat, errmsg)
     end subroutine solution_load
+
+    ! A copy, which may be changed and solved apart from it.
+    subroutine model_copy(self, copy, stat, errmsg)
+        class(pdn_model), intent(in) :: self
+        type(pdn_model), intent(inout) :: copy
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        type(c_ptr) :: c
+        integer(c_int32_t) :: status
+
+        status = pdn_model_copy(self%c, c)
+        if (status == PDN_OK) call copy%adopt(c, pdn_model_free)
+        call report(status, stat, errmsg)
+    end subroutine model_copy
+
+    ! Saves the model, without the functions it may call, for load.
+    subroutine model_save(self, path, stat, errmsg)
+        class(pdn_model), intent(in) :: self
+        character(*), intent(in) :: path
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+
+        call report(pdn_model_save(self%c, c_text(path)), stat, errmsg)
+    end subroutine model_save
+
+    ! A model that was saved, in place of what was held.
+    subroutine model_load(self, path, stat, errmsg)
+        class(pdn_model), intent(inout) :: self
+        character(*), intent(in) :: path
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        type(c_ptr) :: c
+        integer(c_int32_t) :: status
+
+        status = pdn_model_load(c_text(path), c)
+        if (status == PDN_OK) call self%adopt(c, pdn_model_free)
+        call report(status, stat, errmsg)
+    end subroutine model_load
 
     ! A copy of the model, as it was when it was solved.
     subroutine solution_model(self, model, stat, errmsg)

@@ -4786,6 +4786,58 @@ PDN_API
 pdn_status pdn_solution_model(const struct pdn_solution *solution,
                               struct pdn_model **out);
 
+/**
+ * A copy of a model, which may be changed and solved apart from it.
+ *
+ * @param model  the model; not NULL
+ * @param out  the copy; free it with ::pdn_model_free; written on success only. It shares the
+ *     callbacks of the model and their user_data
+ * @return PDN_OK, PDN_ERR_NULL
+ *
+ * Threads: `model` is `const`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_model_copy(const struct pdn_model *model,
+                          struct pdn_model **out);
+
+/**
+ * Saves a model.
+ *
+ * ::pdn_model_load gives it back. Callbacks cannot be saved: see there. The format is the same on
+ * all platforms, and later versions of the library read it.
+ *
+ * @param model  the model; not NULL
+ * @param path  where to, UTF-8. A file that is there is replaced when all is written; if that
+ *     fails it stays as it was
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_VALUE (text that is not UTF-8), PDN_ERR_IO
+ *
+ * Threads: `model` is `const`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_model_save(const struct pdn_model *model,
+                          const char *path);
+
+/**
+ * Loads a model that ::pdn_model_save saved; its ids are what they were.
+ *
+ * If it had callbacks, in signals or forces, a solve of it fails with PDN_ERR_CALLBACK, as they
+ * are not there.
+ *
+ * @param path  the file, UTF-8. It need not be trusted: its checksum and everything in it are
+ *     checked
+ * @param out  the model; free it with ::pdn_model_free; written on success only
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_VALUE (text that is not UTF-8), PDN_ERR_IO, PDN_ERR_FORMAT
+ *     (not a saved model, cut off, damaged, or of a newer version), PDN_ERR_MEMORY
+ *
+ * Threads: any.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_model_load(const char *path,
+                          struct pdn_model **out);
+
 #ifdef __cplusplus
 }  // extern "C"
 #endif  // __cplusplus

@@ -689,6 +689,25 @@ class Model
         return kept_;
     }
 
+    /** A copy, which may be changed and solved apart from it. */
+    Model copy() const
+    {
+        auto handle =
+            detail::make<pdn_model>([&](pdn_model **out) { return pdn_model_copy(get(), out); });
+        return Model(handle.release(), kept_);
+    }
+    /** Saves the model, without the functions it may call. */
+    void save(const std::string &path) const
+    {
+        detail::check(pdn_model_save(get(), path.c_str()));
+    }
+    static Model load(const std::string &path)
+    {
+        auto handle = detail::make<pdn_model>(
+            [&](pdn_model **out) { return pdn_model_load(path.c_str(), out); });
+        return Model(handle.release());
+    }
+
     /** @name What there is */
     ///@{
     Id node_count() const

@@ -2538,6 +2538,46 @@ class Model(ModelExtras):
         """
         return text.of(lib.pdn_model_describe, self._c)
 
+    def copy(self):
+        """A copy of a model, which may be changed and solved apart from it.
+
+        Returns:
+            Model: the copy. It shares the callbacks of the model and their user_data
+        """
+        out = ffi.new("pdn_model **")
+        call(lib.pdn_model_copy, self._c, out)
+        return Model._made(out[0], self._kept)
+
+    def save(self, path):
+        """Saves a model.
+
+        Model.load gives it back. Callbacks cannot be saved: see there. The format is the same
+        on all platforms, and later versions of the library read it.
+
+        Args:
+            path: where to, UTF-8. A file that is there is replaced when all is written; if that
+                fails it stays as it was
+        """
+        call(lib.pdn_model_save, self._c, text(path))
+
+    @staticmethod
+    def load(path):
+        """Loads a model that Model.save saved; its ids are what they were.
+
+        If it had callbacks, in signals or forces, a solve of it fails with ERR_CALLBACK, as
+        they are not there.
+
+        Args:
+            path: the file, UTF-8. It need not be trusted: its checksum and everything in it are
+                checked
+
+        Returns:
+            Model: the model
+        """
+        out = ffi.new("pdn_model **")
+        call(lib.pdn_model_load, text(path), out)
+        return Model._made(out[0], [])
+
 
 class Modes(ModesExtras):
     """An equilibrium and the modes about it. Made by Model.solve_modes, freed by Modes.free."""
