@@ -107,7 +107,7 @@ fn tables_hold_what_the_solution_gives_to_the_last_bit() {
         (4, coarse.node(b, NodeQuantity::Quaternion, &times)),
         (1, solution.joint(motor, rate, &times)),
         (6, solution.joint(motor, reaction, &times)),
-        (6, solution.beam(bar, -0.5, strain, &times)),
+        (6, solution.sample(strain, &times)),
         (1, solution.force(0, ForceQuantity::Effort, &times)),
         (6, solution.force(0, on_node, &times)),
         (1, Ok(own)),

@@ -3,7 +3,7 @@
 
 use super::joint::{FramePair, Joint, RelativeState};
 use super::relative::{Coordinate, JointKind, ScalarFunction};
-use super::{Contribution, Element, Instant, OutputVariation, Unknown};
+use super::{Contribution, Element, Instant, Measure, OutputVariation, Unknown};
 use crate::error::{Error, ErrorKind, Result};
 use crate::motion::transposed_product;
 use nalgebra::RowVector6;
@@ -53,10 +53,14 @@ impl ActedCoordinate {
         self.pair.nodes()
     }
 
+    pub(super) fn measure(&self) -> Measure {
+        self.coordinate.measure()
+    }
+
     /// An internal state that measures what the coordinate does.
     pub(super) fn internal_state(&self) -> Unknown {
         Unknown::State {
-            measure: self.coordinate.measure(),
+            measure: self.measure(),
             tracked: self.tracked,
         }
     }
@@ -347,6 +351,10 @@ impl Element for CoordinateForce {
             _ => effort,
         });
         Ok(())
+    }
+
+    fn acted_measure(&self) -> Option<Measure> {
+        Some(self.at.measure())
     }
 
     fn vary_output(&self, instant: &Instant, _: usize, out: &mut OutputVariation) -> Result<()> {

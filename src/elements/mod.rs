@@ -284,6 +284,11 @@ pub trait Element: Send + Sync + std::fmt::Debug {
         Ok(())
     }
 
+    /// What the joint coordinate measures that it acts on, if it acts on one.
+    fn acted_measure(&self) -> Option<Measure> {
+        None
+    }
+
     /// Adds what output `index` varies by to `out`, which is zero.
     ///
     /// # Errors

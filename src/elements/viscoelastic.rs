@@ -2,7 +2,7 @@
 //! series. See docs/theory.md, section 6.10.
 
 use super::coordinate_force::{ActedCoordinate, ActedState, Effort};
-use super::{Contribution, Element, Instant, OutputVariation, Unknown};
+use super::{Contribution, Element, Instant, Measure, OutputVariation, Unknown};
 use crate::error::Result;
 use serde::{Deserialize, Serialize};
 
@@ -100,6 +100,10 @@ impl Element for Viscoelastic {
             out.extend([branch.stiffness * (state.q.value - beta), *beta]);
         }
         Ok(())
+    }
+
+    fn acted_measure(&self) -> Option<Measure> {
+        Some(self.at.measure())
     }
 
     fn vary_output(

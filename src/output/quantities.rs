@@ -36,7 +36,7 @@ impl Solution {
     /// motion of a node cannot be interpolated.
     pub fn sample(&self, what: impl Into<Selection>, times: &[f64]) -> Result<Vec<f64>> {
         let selection = what.into();
-        let probe = selection.quantity.probe(&self.model, &self.solve.system)?;
+        let probe = selection.quantity.probe(&self.solve.system)?;
         let values = match selection.quantity {
             Quantity::Node(node, quantity) => self.sample_node(node, quantity, times),
             _ => self.sample_probe(&*probe, times),
@@ -131,7 +131,7 @@ impl Solution {
 
     fn all_series(&self, quantity: Quantity) -> Result<Vec<PeriodicSeries>> {
         self.require_harmonics()?;
-        let probe = quantity.probe(&self.model, &self.solve.system)?;
+        let probe = quantity.probe(&self.solve.system)?;
         let (Quantity::Node(node, of_node), Some(_)) = (quantity, &self.filter) else {
             let samples = probe.samples(&self.history())?;
             return Ok(samples.series(self.grid(), self.filter.as_ref()));
@@ -161,7 +161,7 @@ impl Solution {
         if !self.is_trajectory() {
             return Ok(self.series(selection)?.iter().map(Extremes::of).collect());
         }
-        let probe = selection.quantity.probe(&self.model, &self.solve.system)?;
+        let probe = selection.quantity.probe(&self.solve.system)?;
         let times = self.solve.times();
         let samples = probe.samples(&self.history())?;
         let of = |values: &Vec<f64>| {

@@ -1,11 +1,11 @@
 //! Strains and internal forces of beams.
 
-use super::Probe;
 use super::history::History;
 use super::samples::Samples;
 use super::variation::Variation;
+use super::{Probe, require_id};
 use crate::elements::{Beam, Element};
-use crate::error::{Error, ErrorKind, Result, require_finite};
+use crate::error::{Error, Result, require_finite};
 use crate::system::{ElementRole, System};
 use nalgebra::Vector6;
 
@@ -90,12 +90,8 @@ pub(crate) fn require_station(system: &System, element: usize, station: f64) -> 
         return Err(Error::value("station", "a number from −1 to 1", station));
     }
     let beams = system.beams();
-    let beam = beams.get(element).ok_or_else(|| {
-        let count = beams.len();
-        let message = format!("element: expected a beam element id below {count}, got {element}");
-        Error::new(ErrorKind::Identifier, message)
-    })?;
-    Ok(beam)
+    require_id("element", "beam element", beams.len(), element)?;
+    Ok(&beams[element])
 }
 
 /// An element and the next along the beam, where nothing else is at the node between them.

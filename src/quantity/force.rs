@@ -1,16 +1,16 @@
 //! What forces do: efforts, and what they exert on nodes.
 
-use super::Probe;
 use super::history::{Forces, History};
 use super::samples::Samples;
 use super::variation::Variation;
+use super::{Probe, require_id};
 use crate::elements::{LoadFrame, OutputVariation};
 use crate::error::{Error, ErrorKind, Result};
-use crate::model::Model;
 use crate::motion::{halves, joined, turned};
 use crate::system::{Conditions, ElementRole, OwnValues, Placed, System};
 use nalgebra::{Matrix3, Vector3, Vector6};
 use serde::{Deserialize, Serialize};
+use std::ops::Range;
 
 /// What can be asked of a force.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -80,6 +80,18 @@ impl ForceRecord {
             .collect()
     }
 
+    /// Some of its values at time `k`; they may come from a file.
+    ///
+    /// # Errors
+    /// If the file does not hold them.
+    fn part<'a>(&self, all: &'a [Vec<f64>], k: usize, places: Range<usize>) -> Result<&'a [f64]> {
+        all.get(k).and_then(|row| row.get(places)).ok_or_else(|| {
+            let nodes = self.nodes.len();
+            let message = format!("forces: not as many values as a force on {nodes} nodes needs");
+            Error::new(ErrorKind::Format, message)
+        })
+    }
+
     /// Whether its values are as many as so many times need.
     pub(crate) fn fits(&self, points: usize) -> bool {
         let outputs = self.outputs.first().map_or(0, Vec::len);
@@ -137,19 +149,19 @@ impl ForceQuantity {
         }
     }
 
-    pub(super) fn probe(
-        self,
-        model: &Model,
-        system: &System,
-        force: usize,
-    ) -> Result<Box<dyn Probe>> {
-        let definition = model.require_force("force", force)?;
-        let elements = system.elements();
-        let element = elements
-            .iter()
-            .position(|placed| placed.role == ElementRole::Force(force))
+    pub(super) fn probe(self, system: &System, force: usize) -> Result<Box<dyn Probe>> {
+        let elements = system.elements().iter();
+        let is_force = |placed: &&Placed| matches!(placed.role, ElementRole::Force(_));
+        require_id(
+            "force",
+            "force",
+            elements.clone().filter(is_force).count(),
+            force,
+        )?;
+        let mut elements = elements.enumerate();
+        let (element, placed) = elements
+            .find(|(_, placed)| placed.role == ElementRole::Force(force))
             .ok_or_else(|| Error::new(ErrorKind::NotAvailable, "the solution has no such force"))?;
-        let placed = &elements[element];
         let branches = if placed.has_states {
             placed.element.own_unknowns()
         } else {
@@ -165,7 +177,7 @@ impl ForceQuantity {
         };
         let part = match self {
             ForceQuantity::Effort => {
-                if definition.at().is_none() {
+                if placed.element.acted_measure().is_none() {
                     let message =
                         format!("force {force} is not on a joint coordinate: it has no effort");
                     return Err(Error::new(ErrorKind::NotAvailable, message));
@@ -175,7 +187,7 @@ impl ForceQuantity {
             ForceQuantity::BranchEffort(branch) => Part::Output(branch_output(branch)?),
             ForceQuantity::BranchElongation(branch) => Part::Dashpot(branch_output(branch)? + 1),
             ForceQuantity::OnNode(node, frame) => {
-                model.require_node("node", node)?;
+                require_id("node", "node", system.nodes(), node)?;
                 let local = placed.element.nodes().iter().position(|&n| n == node);
                 let local = local.ok_or_else(|| {
                     let message = format!("force {force} does not act on node {node}");
@@ -222,20 +234,25 @@ impl Probe for ForceProbe {
             }
         };
         match self.part {
-            Part::Output(place) => Samples::at_each(history, 1, |k, row| {
-                row.push(record.outputs[k][place]);
-                Ok(())
-            }),
-            // A dashpot on an angle that gains turns gains them too.
-            Part::Dashpot(place) => Ok(Samples {
-                rate: history.grid.map_or(0.0, |grid| record.gain / grid.period()),
-                ..Samples::at_each(history, 1, |k, row| {
-                    row.push(record.outputs[k][place]);
+            Part::Output(place) | Part::Dashpot(place) => {
+                let samples = Samples::at_each(history, 1, |k, row| {
+                    row.push(record.part(&record.outputs, k, place..place + 1)?[0]);
                     Ok(())
-                })?
-            }),
+                })?;
+                // A dashpot on an angle that gains turns gains them too.
+                let gain = match self.part {
+                    Part::Dashpot(_) => record.gain,
+                    _ => 0.0,
+                };
+                Ok(Samples {
+                    rate: history.grid.map_or(0.0, |grid| gain / grid.period()),
+                    ..samples
+                })
+            }
             Part::OnNode(local, frame) => Samples::at_each(history, 6, |k, row| {
-                let own = Vector6::from_column_slice(&record.on_nodes[k][6 * local..][..6]);
+                let places = 6 * local..6 * local + 6;
+                let own = record.part(&record.on_nodes, k, places)?;
+                let own = Vector6::from_column_slice(own);
                 let node = placed.element.nodes()[local];
                 let turn = match frame {
                     LoadFrame::Space => history.node(node, k).motion.rotation,

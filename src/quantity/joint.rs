@@ -1,13 +1,13 @@
 //! Joint coordinates, their rates, driving efforts and reactions.
 
-use super::Probe;
 use super::history::History;
 use super::samples::Samples;
 use super::variation::Variation;
+use super::{Probe, require_id};
 use crate::elements::{Coordinate, Element, Joint, NodeState, nearest_turn};
 use crate::error::{Error, ErrorKind, Result};
 use crate::fourier::{CardinalWeights, TimeGrid};
-use crate::model::{JointCoordinate, Model};
+use crate::model::JointCoordinate;
 use crate::motion::{PeriodicMotion, halves, joined, turned};
 use crate::system::{ElementRole, System};
 use nalgebra::{Matrix3, Vector3, Vector6};
@@ -48,20 +48,19 @@ impl JointQuantity {
         }
     }
 
-    pub(super) fn probe(
-        self,
-        model: &Model,
-        system: &System,
-        joint: usize,
-    ) -> Result<Box<dyn Probe>> {
-        let at = |coordinate| JointCoordinate { joint, coordinate };
+    pub(super) fn probe(self, system: &System, joint: usize) -> Result<Box<dyn Probe>> {
+        require_id("joint", "joint", system.joints().len(), joint)?;
+        let kind = system.joints()[joint].kind();
+        let at = |coordinate| -> Result<JointCoordinate> {
+            kind.require_coordinate(coordinate)?;
+            Ok(JointCoordinate { joint, coordinate })
+        };
         let of_coordinate = |coordinate, order| -> Result<Box<dyn Probe>> {
-            let at = at(coordinate);
-            model.require_coordinate(&at)?;
+            let at = at(coordinate)?;
             Ok(Box::new(CoordinateProbe {
                 at,
                 order,
-                prescribed: model.prescribed_index(&at),
+                prescribed: system.prescribed_place(&at),
                 tracked: system.tracked_place(&at),
             }))
         };
@@ -70,9 +69,7 @@ impl JointQuantity {
             JointQuantity::Rate(coordinate) => of_coordinate(coordinate, 1),
             JointQuantity::Acceleration(coordinate) => of_coordinate(coordinate, 2),
             JointQuantity::DrivingEffort(coordinate) => {
-                let at = at(coordinate);
-                model.require_coordinate(&at)?;
-                let index = model.prescribed_index(&at).ok_or_else(|| {
+                let index = system.prescribed_place(&at(coordinate)?).ok_or_else(|| {
                     let message =
                         format!("coordinate: {coordinate} of joint {joint} is not prescribed");
                     Error::new(ErrorKind::NotAvailable, message)
@@ -81,7 +78,6 @@ impl JointQuantity {
                 Ok(Box::new(DrivingEffort { element }))
             }
             JointQuantity::Reaction(axes) => {
-                model.require_joint("joint", joint)?;
                 let element = place_of(system, ElementRole::Joint(joint))?;
                 Ok(Box::new(Reaction {
                     joint,

@@ -1,9 +1,9 @@
 //! Numbers that a motion has: features of one component of a quantity.
 
 use super::{Feature, History, Probe, Quantity, Variation};
+use crate::collocation::{Collocation, GridState};
 use crate::error::{Error, ErrorKind, Result};
 use crate::fourier::TimeGrid;
-use crate::model::Model;
 use crate::system::System;
 use std::fmt;
 
@@ -17,7 +17,7 @@ pub struct Measurement {
 }
 
 impl Measurement {
-    /// Of a quantity in a system, which was made of `model`.
+    /// Of a quantity in a system.
     ///
     /// # Errors
     /// If it is not there, or has no such component.
@@ -25,14 +25,14 @@ impl Measurement {
         quantity: Quantity,
         component: usize,
         feature: Feature,
-        (model, system): (&Model, &System),
+        system: &System,
     ) -> Result<Self> {
         quantity.require_component(component)?;
         Ok(Measurement {
             quantity,
             component,
             feature,
-            probe: quantity.probe(model, system)?,
+            probe: quantity.probe(system)?,
         })
     }
 
@@ -60,6 +60,23 @@ impl Measurement {
             self.probe
                 .vary(history, at, &samples, factor * weight, out)?;
         }
+        Ok(())
+    }
+
+    /// Adds its derivatives by the unknowns of the grid, which are not scaled, to the row of an
+    /// equation, at a state whose kinematics `equations` have evaluated last.
+    ///
+    /// # Errors
+    /// As [`Measurement::value`].
+    pub fn add_gradient(
+        &self,
+        equations: &Collocation,
+        state: &GridState,
+        row: &mut [f64],
+    ) -> Result<()> {
+        let mut variation = Variation::new(equations.system(), state.points());
+        self.vary(&History::of(equations, state), 1.0, &mut variation)?;
+        variation.add_to_row(equations, row);
         Ok(())
     }
 

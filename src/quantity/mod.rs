@@ -1,4 +1,4 @@
-//! Quantities: what can be asked of a mechanism in motion (docs/theory.md, section 10.4).
+//! Quantities: what can be asked of a mechanism in motion (docs/theory.md, section 13).
 //!
 //! Each has values at the times of a motion, a [`History`], and a first variation there, exact,
 //! with respect to motions, velocities, accelerations and own unknowns. Of these are made series,
@@ -15,6 +15,7 @@ mod measurement;
 mod names;
 mod node;
 mod samples;
+mod scale;
 mod variation;
 #[cfg(test)]
 mod variation_test;
@@ -34,8 +35,7 @@ pub use samples::Samples;
 pub(crate) use samples::require_numbers;
 pub use variation::Variation;
 
-use crate::error::{Error, Result};
-use crate::model::Model;
+use crate::error::{Error, ErrorKind, Result};
 use crate::system::System;
 use std::fmt::Debug;
 
@@ -152,14 +152,14 @@ impl Quantity {
         Err(Error::value("component", expected, component))
     }
 
-    /// Finds it in a system, which was made of `model`.
+    /// Finds it in a system.
     ///
     /// # Errors
     /// If it is not there.
-    pub fn probe(self, model: &Model, system: &System) -> Result<Box<dyn Probe>> {
+    pub fn probe(self, system: &System) -> Result<Box<dyn Probe>> {
         Ok(match self {
-            Quantity::Node(node, quantity) => quantity.probe(model, node)?,
-            Quantity::Joint(joint, quantity) => quantity.probe(model, system, joint)?,
+            Quantity::Node(node, quantity) => quantity.probe(system, node)?,
+            Quantity::Joint(joint, quantity) => quantity.probe(system, joint)?,
             Quantity::Beam {
                 element,
                 station,
@@ -168,7 +168,16 @@ impl Quantity {
                 let neighbours = quantity.needs_neighbours().then(|| Neighbours::of(system));
                 quantity.probe(system, neighbours.as_ref(), element, station)?
             }
-            Quantity::Force(force, quantity) => quantity.probe(model, system, force)?,
+            Quantity::Force(force, quantity) => quantity.probe(system, force)?,
         })
     }
+}
+
+/// Checks that an id is one of so many.
+fn require_id(name: &str, what: &str, count: usize, id: usize) -> Result<()> {
+    if id < count {
+        return Ok(());
+    }
+    let message = format!("{name}: expected a {what} id below {count}, got {id}");
+    Err(Error::new(ErrorKind::Identifier, message))
 }

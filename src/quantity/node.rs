@@ -1,13 +1,13 @@
 //! Motions, velocities and accelerations of nodes.
 
-use super::Probe;
 use super::history::History;
 use super::samples::Samples;
 use super::variation::Variation;
+use super::{Probe, require_id};
 use crate::elements::NodeState;
 use crate::error::{Error, ErrorKind, Result};
-use crate::model::Model;
 use crate::motion::{halves, joined, quaternion_from_rotation};
+use crate::system::System;
 use nalgebra::{Vector3, Vector6};
 
 /// What can be asked of a node.
@@ -40,8 +40,8 @@ impl NodeQuantity {
         }
     }
 
-    pub(super) fn probe(self, model: &Model, node: usize) -> Result<Box<dyn Probe>> {
-        model.require_node("node", node)?;
+    pub(super) fn probe(self, system: &System, node: usize) -> Result<Box<dyn Probe>> {
+        require_id("node", "node", system.nodes(), node)?;
         Ok(Box::new(NodeProbe {
             node,
             quantity: self,

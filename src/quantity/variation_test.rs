@@ -4,7 +4,7 @@ use super::*;
 use crate::collocation::{Collocation, GridState};
 use crate::elements::LoadFrame;
 use crate::fourier::TimeGrid;
-use crate::model::Signal;
+use crate::model::{Model, Signal};
 use crate::system::{ElementRole, Regime, Standstill};
 use crate::test_models::beams::rotor_blade;
 use crate::test_models::elements::all_elements;
@@ -65,7 +65,7 @@ fn all(model: &Model, system: &System) -> Vec<Quantity> {
             continue;
         };
         let mut of_force = |quantity| all.push(Quantity::Force(force, quantity));
-        if model.forces[force].at().is_some() {
+        if placed.element.acted_measure().is_some() {
             of_force(ForceQuantity::Effort);
         }
         for branch in 0..placed.element.own_unknowns() {
@@ -142,7 +142,7 @@ fn variations_are_derivatives() {
             equations.update_kinematics(state);
             let history = History::of(equations, state);
             let of = |quantity: &Quantity| {
-                let probe = quantity.probe(&model, &system).unwrap();
+                let probe = quantity.probe(&system).unwrap();
                 let series = probe.samples(&history).unwrap().series(grid, None);
                 let values = series.iter().map(|s| features.iter().map(|f| f.of(s)));
                 values.flatten().collect()
@@ -156,18 +156,17 @@ fn variations_are_derivatives() {
         };
         let [a, b, c, d] = [at(h), at(-h), at(2.0 * h), at(-2.0 * h)];
         equations.update_kinematics(&here);
-        let history = History::of(&equations, &here);
         for (q, quantity) in quantities.iter().enumerate() {
             let largest = a[q].iter().fold(0.0f64, |m, x| m.max(x.abs()));
             let mut place = 0;
             for component in 0..quantity.components() {
                 for feature in features {
-                    let of = (&model, &*system);
-                    let measurement = Measurement::new(*quantity, component, *feature, of).unwrap();
-                    let mut variation = Variation::new(&system, grid.points());
-                    measurement.vary(&history, 1.0, &mut variation).unwrap();
+                    let measurement =
+                        Measurement::new(*quantity, component, *feature, &system).unwrap();
                     let mut row = vec![0.0; equations.size()];
-                    variation.add_to_row(&equations, &mut row);
+                    measurement
+                        .add_gradient(&equations, &here, &mut row)
+                        .unwrap();
                     let terms = row.iter().zip(&direction).map(|(x, y)| x * y);
                     let (found, size) = terms.fold((0.0, 0.0), |(sum, size): (f64, f64), x| {
                         (sum + x, size + x.abs())
