@@ -151,8 +151,8 @@ impl Solution {
         Ok(samples.series(self.grid(), None))
     }
 
-    /// Smallest and largest value of each component of a quantity, or of one: of its series over the period,
-    /// or among the times of a trajectory.
+    /// Smallest and largest value of each component of a quantity, or of one: of its series over a
+    /// period, or among the times of a trajectory.
     ///
     /// # Errors
     /// As [`Solution::series`], but for trajectories.

@@ -5,7 +5,7 @@ use crate::collocation::GridState;
 use crate::error::{Error, Result};
 use crate::fourier::{SpectralFilter, TimeGrid};
 use crate::model::Model;
-use crate::quantity::ForceRecord;
+use crate::quantity::{ForceRecord, record_forces};
 use crate::solve::{
     Iteration, Kind, Outcome, PeriodicOptions, Solved, Stage, StaticOptions, solve_periodic,
     solve_static,
@@ -77,7 +77,7 @@ impl Solution {
             filter: None,
         };
         let signals = solution.solve.signals()?;
-        solution.forces = ForceRecord::all(&solution.history(), &signals);
+        solution.forces = record_forces(&solution.history(), &signals);
         Ok(solution)
     }
 

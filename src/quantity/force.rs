@@ -1,6 +1,7 @@
 //! What forces do: efforts, and what they exert on nodes.
 
 use super::history::{Forces, History};
+use super::record::ForceRecord;
 use super::samples::Samples;
 use super::variation::Variation;
 use super::{Probe, require_id};
@@ -9,8 +10,6 @@ use crate::error::{Error, ErrorKind, Result};
 use crate::motion::{halves, joined, turned};
 use crate::system::{Conditions, ElementRole, OwnValues, Placed, System};
 use nalgebra::{Matrix3, Vector3, Vector6};
-use serde::{Deserialize, Serialize};
-use std::ops::Range;
 
 /// What can be asked of a force.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -26,83 +25,38 @@ pub enum ForceQuantity {
     OnNode(usize, LoadFrame),
 }
 
-/// What a force does at the times of a motion.
-#[derive(Debug, Clone, Serialize, Deserialize)]
-pub struct ForceRecord {
-    nodes: Vec<usize>,
-    /// Forces on the nodes, in their own axes.
-    on_nodes: Vec<Vec<f64>>,
-    /// The element's outputs.
-    outputs: Vec<Vec<f64>>,
-    /// What its internal states gain in a period.
-    gain: f64,
+/// What one element does at all times of a motion, with these values of all signals, time by time.
+///
+/// # Errors
+/// Those of functions of the user.
+fn recorded(history: &History, placed: &Placed, signals: &[f64]) -> Result<ForceRecord> {
+    let mut record = ForceRecord {
+        nodes: placed.element.nodes().to_vec(),
+        on_nodes: Vec::new(),
+        outputs: Vec::new(),
+        gain: match history.grid {
+            Some(_) => state_gain(history, placed),
+            None => 0.0,
+        },
+    };
+    let count = history.system.signals();
+    for k in 0..history.points() {
+        let coordinates = history.state.tracked(history.system, k);
+        let (signals, own) = (&signals[k * count..][..count], history.own_of(placed, k));
+        let (on_nodes, outputs) = exerted(history, placed, k, coordinates, signals, own)?;
+        record.on_nodes.push(on_nodes);
+        record.outputs.push(outputs);
+    }
+    Ok(record)
 }
 
-impl ForceRecord {
-    /// Of one element at all times of a motion.
-    ///
-    /// # Errors
-    /// Those of functions of the user.
-    fn of(history: &History, placed: &Placed, signals: &[f64]) -> Result<Self> {
-        let mut record = ForceRecord {
-            nodes: placed.element.nodes().to_vec(),
-            on_nodes: Vec::new(),
-            outputs: Vec::new(),
-            gain: match history.grid {
-                Some(_) => state_gain(history, placed),
-                None => 0.0,
-            },
-        };
-        let count = history.system.signals();
-        for k in 0..history.points() {
-            let signals = &signals[k * count..][..count];
-            let (on_nodes, outputs) = exerted(
-                history,
-                placed,
-                k,
-                history.state.tracked(history.system, k),
-                signals,
-                history.own_of(placed, k),
-            )?;
-            record.on_nodes.push(on_nodes);
-            record.outputs.push(outputs);
-        }
-        Ok(record)
-    }
-
-    /// All forces at the times of a motion, with these values of all signals, time by time; those
-    /// that cannot be evaluated there tell why.
-    pub(crate) fn all(history: &History, signals: &[f64]) -> Vec<Result<Self>> {
-        let elements = history.system.elements().iter();
-        elements
-            .filter(|placed| matches!(placed.role, ElementRole::Force(_)))
-            .map(|placed| Self::of(history, placed, signals))
-            .collect()
-    }
-
-    /// Some of its values at time `k`; they may come from a file.
-    ///
-    /// # Errors
-    /// If the file does not hold them.
-    fn part<'a>(&self, all: &'a [Vec<f64>], k: usize, places: Range<usize>) -> Result<&'a [f64]> {
-        all.get(k).and_then(|row| row.get(places)).ok_or_else(|| {
-            let nodes = self.nodes.len();
-            let message = format!("forces: not as many values as a force on {nodes} nodes needs");
-            Error::new(ErrorKind::Format, message)
-        })
-    }
-
-    /// Whether its values are as many as so many times need.
-    pub(crate) fn fits(&self, points: usize) -> bool {
-        let outputs = self.outputs.first().map_or(0, Vec::len);
-        self.on_nodes.len() == points
-            && self.outputs.len() == points
-            && self
-                .on_nodes
-                .iter()
-                .all(|x| x.len() / 6 == self.nodes.len())
-            && self.outputs.iter().all(|x| x.len() == outputs)
-    }
+/// The same of all forces; those that cannot be evaluated there tell why.
+pub(crate) fn record_forces(history: &History, signals: &[f64]) -> Vec<Result<ForceRecord>> {
+    let elements = history.system.elements().iter();
+    elements
+        .filter(|placed| matches!(placed.role, ElementRole::Force(_)))
+        .map(|placed| recorded(history, placed, signals))
+        .collect()
 }
 
 /// What the internal states of an element gain in a period.
@@ -222,6 +176,31 @@ struct ForceProbe {
     part: Part,
 }
 
+impl ForceProbe {
+    /// What is by the force on a node along axes that is by it along its own; adds what comes with
+    /// the turn of these, ψ, as `Δ(R f) = R (Δf + ψ × f)`.
+    fn by_own_force(
+        &self,
+        (history, k): (&History, usize),
+        (node, frame): (usize, LoadFrame),
+        by_force: &Vector6<f64>,
+        samples: &Samples,
+        out: &mut Variation,
+    ) -> Vector6<f64> {
+        if frame == LoadFrame::Follower {
+            return *by_force;
+        }
+        let back = history.node(node, k).motion.rotation.transpose();
+        let force = Vector6::from_fn(|i, _| samples.columns[i][k]);
+        let (f, m) = halves(&turned(&back, &force));
+        let by_force = turned(&back, by_force);
+        let (by_f, by_m) = halves(&by_force);
+        let turn = joined(&Vector3::zeros(), &(f.cross(&by_f) + m.cross(&by_m)));
+        out.add(node, k, &[turn, Vector6::zeros(), Vector6::zeros()]);
+        by_force
+    }
+}
+
 impl Probe for ForceProbe {
     fn samples(&self, history: &History) -> Result<Samples> {
         let placed = &history.system.elements()[self.element];
@@ -229,7 +208,7 @@ impl Probe for ForceProbe {
         let record = match history.forces {
             Forces::Recorded(records) => records[self.force].as_ref().map_err(Error::clone)?,
             Forces::Evaluated(signals) => {
-                found = ForceRecord::of(history, placed, signals)?;
+                found = recorded(history, placed, signals)?;
                 &found
             }
         };
@@ -307,22 +286,8 @@ impl Probe for ForceProbe {
                 return Ok(());
             }
         };
-        let node = nodes[local];
-        // Of `eᵀ R f`: by `f`, and by the node's turn ψ, as Δ(R f) = R (Δf + ψ × f).
         let unit = Vector6::ith(component, weight);
-        let by_force = match frame {
-            LoadFrame::Follower => unit,
-            LoadFrame::Space => {
-                let back = history.node(node, k).motion.rotation.transpose();
-                let force = Vector6::from_fn(|i, _| samples.columns[i][k]);
-                let (f, m) = halves(&turned(&back, &force));
-                let by_force = turned(&back, &unit);
-                let (by_f, by_m) = halves(&by_force);
-                let turn = joined(&Vector3::zeros(), &(f.cross(&by_f) + m.cross(&by_m)));
-                out.add(node, k, &[turn, Vector6::zeros(), Vector6::zeros()]);
-                by_force
-            }
-        };
+        let by_force = self.by_own_force((history, k), (nodes[local], frame), &unit, samples, out);
         let mut workspace = std::mem::take(&mut out.workspace);
         let node_state = |node: usize| *history.node(node, k);
         let evaluated = system.evaluate(placed, node_state, &conditions, own, &mut workspace);

@@ -1,6 +1,6 @@
 //! A motion at a number of times, which quantities are taken of.
 
-use super::force::ForceRecord;
+use super::record::ForceRecord;
 use crate::collocation::{Collocation, GridState};
 use crate::elements::{Element, NodeState};
 use crate::error::Result;
