@@ -1132,6 +1132,35 @@ struct Harmonics {
     std::vector<double> cosines, sines;
 };
 
+/** What is asked of a solution, with the fields of ::pdn_quantity. */
+struct Quantity : pdn_quantity {
+    /** Of one of the kinds PDN_QUANTITY_..., of a node, joint, beam element or force. */
+    Quantity(std::int32_t of_kind, std::int32_t of_object)
+    {
+        pdn_quantity_init(this, sizeof(pdn_quantity));
+        kind = of_kind;
+        object = of_object;
+    }
+    /** A coordinate of a joint, its rate or acceleration, or what drives it. */
+    Quantity(std::int32_t of_kind, std::int32_t joint, Coordinate coordinate)
+        : Quantity(of_kind, joint)
+    {
+        component = detail::c(coordinate);
+    }
+    /** Number of components that are asked for. */
+    std::size_t components() const
+    {
+        const std::int32_t count = pdn_quantity_components(this);
+        detail::check(count);
+        return static_cast<std::size_t>(count);
+    }
+};
+
+/** Smallest and largest values of each component, and their times. */
+struct Extremes {
+    std::vector<double> smallest, time_of_smallest, largest, time_of_largest;
+};
+
 /** Newton iterations of the periodic problem. */
 struct History {
     std::vector<double> residuals, increments, steps;
@@ -1327,6 +1356,28 @@ class Solution
 
     /** @name Harmonics */
     ///@{
+    /** Values of a quantity, components of each time together. */
+    std::vector<double> sample(const Quantity &quantity, Reals times) const
+    {
+        std::vector<double> out(quantity.components() * times.size());
+        detail::check(pdn_solution_sample_quantity(get(), &quantity, times.data(), times.size(),
+                                                   out.data()));
+        return out;
+    }
+    Harmonics harmonics(const Quantity &quantity, std::size_t harmonics) const
+    {
+        return with_rate(quantity.components(), harmonics, pdn_solution_quantity_harmonics,
+                         static_cast<const pdn_quantity *>(&quantity));
+    }
+    Extremes extremes(const Quantity &quantity) const
+    {
+        const std::vector<double> zero(quantity.components());
+        Extremes out{zero, zero, zero, zero};
+        detail::check(pdn_solution_quantity_extremes(
+            get(), &quantity, out.smallest.data(), out.time_of_smallest.data(),
+            out.largest.data(), out.time_of_largest.data()));
+        return out;
+    }
     Harmonics node_harmonics(Id node, NodeQuantity quantity, std::size_t harmonics) const
     {
         return without_rate(components(quantity), harmonics, pdn_solution_node_harmonics, node,
@@ -1794,6 +1845,11 @@ class Table
     {
         detail::check(
             pdn_table_add_force(get(), solution.get(), force, detail::c(quantity), of, c(label)));
+    }
+    /** A quantity, or one of its components. */
+    void add(const Solution &solution, const Quantity &quantity, const std::string &label = {})
+    {
+        detail::check(pdn_table_add_quantity(get(), solution.get(), &quantity, c(label)));
     }
     /** Values of your own, one for each time. */
     void add_values(const std::string &label, Reals values)

@@ -20,6 +20,7 @@ const FILES: &[&str] = &[
     "force",
     "user_force",
     "solution",
+    "quantity",
     "force_solution",
     "filter",
     "periodic",

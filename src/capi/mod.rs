@@ -87,6 +87,7 @@ pub mod model;
 pub mod modes;
 pub mod motion;
 pub mod periodic;
+pub mod quantity;
 pub mod section;
 pub mod shooting;
 pub mod signal;

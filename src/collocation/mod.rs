@@ -29,8 +29,8 @@ pub use problem::{Collocation, Conditions, Oversampled, OversampledTangent, Scal
 pub use resampled::{ResampledNodes, too_coarse};
 pub use rule::{
     Aliasing, AlphaStep, Backward, BackwardWeights, GeneralizedAlpha, GivenRates,
-    KinematicsScratch, MotionState, NodeKinematics, Spectral, Steady, StepVariation, TimeRule,
-    Variation, VariationScales,
+    KinematicsScratch, MotionState, NodeKinematics, RuleWorkspace, Spectral, Steady, StepVariation,
+    TimeRule, Variation, VariationScales,
 };
 pub use state::GridState;
 pub use tangent::{Coupling, Increment, Linearisation, PairTangent, Station, Tangent};

@@ -63,6 +63,16 @@ AT(pdn_stations, fractions, 16);
 AT(pdn_stations, sections, 24);
 AT(pdn_stations, twists, 32);
 
+SIZE(pdn_quantity, 40);
+AT(pdn_quantity, struct_size, 0);
+AT(pdn_quantity, kind, 8);
+AT(pdn_quantity, object, 12);
+AT(pdn_quantity, component, 16);
+AT(pdn_quantity, frame, 20);
+AT(pdn_quantity, node, 24);
+AT(pdn_quantity, branch, 28);
+AT(pdn_quantity, station, 32);
+
 SIZE(pdn_diagnostics, 208);
 AT(pdn_diagnostics, struct_size, 0);
 AT(pdn_diagnostics, outcome, 8);

@@ -250,6 +250,11 @@ impl Collocation {
         &*self.rule
     }
 
+    /// Times of the grid points.
+    pub fn times(&self) -> &[f64] {
+        &self.instants.times
+    }
+
     /// Values of all signals, grid point by grid point.
     pub fn signals(&self) -> &[f64] {
         &self.instants.signals
