@@ -101,6 +101,25 @@ module periodyn_c
     integer(c_int32_t), parameter :: PDN_BEAM_FORCE = 1
     integer(c_int32_t), parameter :: PDN_BEAM_FORCE_MEAN = 2
     integer(c_int32_t), parameter :: PDN_BEAM_FORCE_JUMP = 3
+    integer(c_int32_t), parameter :: PDN_QUANTITY_POSITION = 100
+    integer(c_int32_t), parameter :: PDN_QUANTITY_ROTATION = 101
+    integer(c_int32_t), parameter :: PDN_QUANTITY_QUATERNION = 102
+    integer(c_int32_t), parameter :: PDN_QUANTITY_VELOCITY = 103
+    integer(c_int32_t), parameter :: PDN_QUANTITY_ACCELERATION = 104
+    integer(c_int32_t), parameter :: PDN_QUANTITY_COORDINATE = 200
+    integer(c_int32_t), parameter :: PDN_QUANTITY_COORDINATE_RATE = 201
+    integer(c_int32_t), parameter :: PDN_QUANTITY_COORDINATE_ACCELERATION = 202
+    integer(c_int32_t), parameter :: PDN_QUANTITY_DRIVING_EFFORT = 203
+    integer(c_int32_t), parameter :: PDN_QUANTITY_REACTION = 204
+    integer(c_int32_t), parameter :: PDN_QUANTITY_STRAIN = 300
+    integer(c_int32_t), parameter :: PDN_QUANTITY_BEAM_FORCE = 301
+    integer(c_int32_t), parameter :: PDN_QUANTITY_BEAM_FORCE_MEAN = 302
+    integer(c_int32_t), parameter :: PDN_QUANTITY_BEAM_FORCE_JUMP = 303
+    integer(c_int32_t), parameter :: PDN_QUANTITY_EFFORT = 400
+    integer(c_int32_t), parameter :: PDN_QUANTITY_BRANCH_EFFORT = 401
+    integer(c_int32_t), parameter :: PDN_QUANTITY_BRANCH_ELONGATION = 402
+    integer(c_int32_t), parameter :: PDN_QUANTITY_FORCE_ON_NODE = 403
+    integer(c_int32_t), parameter :: PDN_ALL_COMPONENTS = -1
     integer(c_int32_t), parameter :: PDN_FORCE_EFFORT = 0
     integer(c_int32_t), parameter :: PDN_FORCE_BRANCH_EFFORT = 1
     integer(c_int32_t), parameter :: PDN_FORCE_BRANCH_ELONGATION = 2
@@ -244,6 +263,17 @@ module periodyn_c
         integer(c_int32_t) :: attempts
         real(c_double) :: mesh_error
     end type pdn_diagnostics
+
+    type, bind(C) :: pdn_quantity
+        integer(c_size_t) :: struct_size = 0
+        integer(c_int32_t) :: kind
+        integer(c_int32_t) :: object
+        integer(c_int32_t) :: component
+        integer(c_int32_t) :: frame
+        integer(c_int32_t) :: node
+        integer(c_int32_t) :: branch
+        real(c_double) :: station
+    end type pdn_quantity
 
     type, bind(C) :: pdn_progress
         integer(c_size_t) :: struct_size = 0
@@ -1410,6 +1440,70 @@ module periodyn_c
             real(c_double), intent(inout), optional :: sines(*)
             integer(c_int32_t) :: pdn_solution_beam_harmonics
         end function pdn_solution_beam_harmonics
+
+        ! Prepares a struct that tells a quantity; use `PDN_INIT(pdn_quantity, &quantity)`
+        subroutine pdn_quantity_init(quantity, struct_size) bind(C, name="pdn_quantity_init")
+            import
+            type(pdn_quantity), intent(inout) :: quantity
+            integer(c_size_t), value :: struct_size
+        end subroutine pdn_quantity_init
+
+        ! Number of components that are asked for: of values at a time, of means and of harmonics
+        function pdn_quantity_components(quantity) bind(C, name="pdn_quantity_components")
+            import
+            type(pdn_quantity), intent(in) :: quantity
+            integer(c_int32_t) :: pdn_quantity_components
+        end function pdn_quantity_components
+
+        ! A quantity of a solution at any times
+        function pdn_solution_sample_quantity(solution, quantity, times, count, &
+            out) bind(C, name="pdn_solution_sample_quantity")
+            import
+            type(c_ptr), value :: solution
+            type(pdn_quantity), intent(in) :: quantity
+            real(c_double), intent(in) :: times(*)
+            integer(c_size_t), value :: count
+            real(c_double), intent(inout) :: out(*)
+            integer(c_int32_t) :: pdn_solution_sample_quantity
+        end function pdn_solution_sample_quantity
+
+        ! Fourier coefficients of a quantity: mean + rate t + sum of cosines[j] cos jwt + sines[j] sin jwt
+        function pdn_solution_quantity_harmonics(solution, quantity, harmonics, mean, rate, cosines, &
+            sines) bind(C, name="pdn_solution_quantity_harmonics")
+            import
+            type(c_ptr), value :: solution
+            type(pdn_quantity), intent(in) :: quantity
+            integer(c_size_t), value :: harmonics
+            real(c_double), intent(inout), optional :: mean(*)
+            real(c_double), intent(inout), optional :: rate(*)
+            real(c_double), intent(inout), optional :: cosines(*)
+            real(c_double), intent(inout), optional :: sines(*)
+            integer(c_int32_t) :: pdn_solution_quantity_harmonics
+        end function pdn_solution_quantity_harmonics
+
+        ! Smallest and largest values of a quantity, and their times
+        function pdn_solution_quantity_extremes(solution, quantity, smallest, time_of_smallest, largest, &
+            time_of_largest) bind(C, name="pdn_solution_quantity_extremes")
+            import
+            type(c_ptr), value :: solution
+            type(pdn_quantity), intent(in) :: quantity
+            real(c_double), intent(inout), optional :: smallest(*)
+            real(c_double), intent(inout), optional :: time_of_smallest(*)
+            real(c_double), intent(inout), optional :: largest(*)
+            real(c_double), intent(inout), optional :: time_of_largest(*)
+            integer(c_int32_t) :: pdn_solution_quantity_extremes
+        end function pdn_solution_quantity_extremes
+
+        ! Adds the columns of a quantity of a solution, named by the label and the component; or that of one ...
+        function pdn_table_add_quantity(table, solution, quantity, &
+            label) bind(C, name="pdn_table_add_quantity")
+            import
+            type(c_ptr), value :: table
+            type(c_ptr), value :: solution
+            type(pdn_quantity), intent(in) :: quantity
+            character(kind=c_char), intent(in), optional :: label(*)
+            integer(c_int32_t) :: pdn_table_add_quantity
+        end function pdn_table_add_quantity
 
         ! Effort of a force on a joint coordinate, at any times
         function pdn_solution_force_effort(solution, force, times, count, &
