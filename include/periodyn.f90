@@ -1968,7 +1968,7 @@ module periodyn
     use, intrinsic :: iso_fortran_env, only: error_unit
     implicit none
     public
-    private :: report, refuse, fits, components, count_of, joined, text_at, c_text, error_unit
+    private :: report, refuse, fits, components, of_quantity, count_of, joined, text_at, c_text, error_unit
 
     ! In every procedure: without stat, a failure ends the program with the message. With it, stat is 0 or the
     ! negative status (PDN_ERR_VALUE, ...), and errmsg, blank-padded, tells which argument was wrong, what was
@@ -2043,6 +2043,9 @@ module periodyn
         procedure, public :: force_branch_effort => solution_force_branch_effort
         procedure, public :: force_branch_elongation => solution_force_branch_elongation
         procedure, public :: force_on_node => solution_force_on_node
+        procedure, public :: sample => solution_sample
+        procedure, public :: harmonics => solution_harmonics
+        procedure, public :: extremes => solution_extremes
         procedure, public :: node_harmonics => solution_node_harmonics
         procedure, public :: joint_harmonics => solution_joint_harmonics
         procedure, public :: beam_harmonics => solution_beam_harmonics
@@ -2127,6 +2130,7 @@ module periodyn
         procedure, public :: add_joint => table_add_joint
         procedure, public :: add_beam => table_add_beam
         procedure, public :: add_force => table_add_force
+        procedure, public :: add => table_add
         procedure, public :: add_values => table_add_values
         procedure, public :: write_csv => table_write_csv
     end type pdn_table
@@ -3538,6 +3542,84 @@ contains
             out), stat, errmsg)
     end subroutine solution_force_on_node
 
+    ! What is asked of a solution, of one of the kinds PDN_QUANTITY_..., of a node, joint, beam element or force;
+    ! other fields of ::pdn_quantity may then be set.
+    function pdn_quantity_of(kind, object, component, frame, node, branch, station) result(quantity)
+        integer(c_int32_t), intent(in) :: kind, object
+        integer(c_int32_t), intent(in), optional :: component, frame, node, branch
+        real(c_double), intent(in), optional :: station
+        type(pdn_quantity) :: quantity
+
+        call pdn_quantity_init(quantity, c_sizeof(quantity))
+        quantity%kind = kind
+        quantity%object = object
+        if (present(component)) quantity%component = component
+        if (present(frame)) quantity%frame = frame
+        if (present(node)) quantity%node = node
+        if (present(branch)) quantity%branch = branch
+        if (present(station)) quantity%station = station
+    end function pdn_quantity_of
+
+    ! Values of a quantity; out has one row for each component that is asked for.
+    subroutine solution_sample(self, quantity, times, out, stat, errmsg)
+        class(pdn_solution), intent(in) :: self
+        type(pdn_quantity), intent(in) :: quantity
+        real(c_double), intent(in) :: times(:)
+        real(c_double), intent(inout) :: out(:, :)
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+
+        if (.not. fits('out', shape(out), [of_quantity(quantity, size(out, 1)), size(times)], stat, errmsg)) return
+        call report(pdn_solution_sample_quantity(self%c, quantity, times, size(times, kind=c_size_t), &
+            out), stat, errmsg)
+    end subroutine solution_sample
+
+    ! Fourier coefficients; cosines and sines have one column for each harmonic that is wanted.
+    subroutine solution_harmonics(self, quantity, mean, cosines, sines, rate, stat, errmsg)
+        class(pdn_solution), intent(in) :: self
+        type(pdn_quantity), intent(in) :: quantity
+        real(c_double), intent(inout) :: mean(:), cosines(:, :), sines(:, :)
+        real(c_double), intent(inout), optional, contiguous :: rate(:)
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+
+        if (.not. fits('mean', shape(mean), [of_quantity(quantity, size(mean))], stat, errmsg)) return
+        if (.not. fits('cosines', shape(cosines), [size(mean), size(cosines, 2)], stat, errmsg)) return
+        if (.not. fits('sines', shape(sines), shape(cosines), stat, errmsg)) return
+        if (present(rate)) then
+            if (.not. fits('rate', shape(rate), shape(mean), stat, errmsg)) return
+        end if
+        call report(pdn_solution_quantity_harmonics(self%c, quantity, size(cosines, 2, c_size_t), mean, rate, &
+            cosines, sines), stat, errmsg)
+    end subroutine solution_harmonics
+
+    ! Smallest and largest values of a quantity, and their times.
+    subroutine solution_extremes(self, quantity, smallest, time_of_smallest, largest, time_of_largest, stat, errmsg)
+        class(pdn_solution), intent(in) :: self
+        type(pdn_quantity), intent(in) :: quantity
+        real(c_double), intent(inout) :: smallest(:), time_of_smallest(:), largest(:), time_of_largest(:)
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        integer :: wanted(1)
+
+        wanted = of_quantity(quantity, size(smallest))
+        if (.not. fits('smallest', shape(smallest), wanted, stat, errmsg)) return
+        if (.not. fits('time_of_smallest', shape(time_of_smallest), wanted, stat, errmsg)) return
+        if (.not. fits('largest', shape(largest), wanted, stat, errmsg)) return
+        if (.not. fits('time_of_largest', shape(time_of_largest), wanted, stat, errmsg)) return
+        call report(pdn_solution_quantity_extremes(self%c, quantity, smallest, time_of_smallest, largest, &
+            time_of_largest), stat, errmsg)
+    end subroutine solution_extremes
+
+    ! Number of components of a quantity; what was given of one that is none, which the call then tells.
+    integer function of_quantity(quantity, given)
+        type(pdn_quantity), intent(in) :: quantity
+        integer, intent(in) :: given
+
+        of_quantity = pdn_quantity_components(quantity)
+        if (of_quantity < 0) of_quantity = given
+    end function of_quantity
+
     ! Fourier coefficients; cosines and sines have one column for each harmonic that is wanted.
     subroutine solution_node_harmonics(self, node, quantity, mean, cosines, sines, stat, errmsg)
         class(pdn_solution), intent(in) :: self
@@ -4040,6 +4122,20 @@ contains
         if (present(label)) allocate (name, source=c_text(label))
         call report(pdn_table_add_force(self%c, solution%c, force, quantity, detail, name), stat, errmsg)
     end subroutine table_add_force
+
+    ! A quantity, or one of its components.
+    subroutine table_add(self, solution, quantity, label, stat, errmsg)
+        class(pdn_table), intent(inout) :: self
+        type(pdn_solution), intent(in) :: solution
+        type(pdn_quantity), intent(in) :: quantity
+        character(*), intent(in), optional :: label
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        character(kind=c_char), allocatable :: name(:)
+
+        if (present(label)) allocate (name, source=c_text(label))
+        call report(pdn_table_add_quantity(self%c, solution%c, quantity, name), stat, errmsg)
+    end subroutine table_add
 
     ! Values of your own, one for each time.
     subroutine table_add_values(self, label, values, stat, errmsg)

@@ -331,7 +331,6 @@ COMPONENTS = {
     "node": {0: 3, 1: 9, 2: 4, 3: 6, 4: 6, 5: 6, 6: 6},
     "joint": {0: 1, 1: 1, 2: 1, 3: 1, 4: 6},
     "beam": {0: 6, 1: 6, 2: 6, 3: 6},
-    "quantity": {100: 3, 101: 9, 102: 4, 103: 6, 104: 6, 204: 6, 300: 6, 301: 6, 303: 6, 403: 6},
     "force": {0: 1, 1: 1, 2: 1, 3: 6, 4: 6},
 }
 """Components of each quantity."""
@@ -3252,7 +3251,7 @@ class Solution(SolutionExtras):
         quantity = of_type("Quantity")(quantity, self._kept)
         times = reals("times", times, (None,))
         _count = len(times)
-        components = COMPONENTS["sample"].get(quantity, 9)
+        components = max(lib.pdn_quantity_components(quantity), 1)
         out = reals.empty((_count, components))
         call(
             lib.pdn_solution_sample_quantity,
@@ -3281,7 +3280,7 @@ class Solution(SolutionExtras):
             sines, of shape (harmonics, components): components of each harmonic together
         """
         quantity = of_type("Quantity")(quantity, self._kept)
-        components = COMPONENTS["quantity"].get(quantity, 9)
+        components = max(lib.pdn_quantity_components(quantity), 1)
         mean = reals.empty((components,))
         rate = reals.empty((components,))
         cosines = reals.empty((harmonics, components))
@@ -3319,7 +3318,7 @@ class Solution(SolutionExtras):
             time_of_largest, of shape (components)
         """
         quantity = of_type("Quantity")(quantity, self._kept)
-        components = COMPONENTS["quantity"].get(quantity, 9)
+        components = max(lib.pdn_quantity_components(quantity), 1)
         smallest = reals.empty((components,))
         time_of_smallest = reals.empty((components,))
         largest = reals.empty((components,))
