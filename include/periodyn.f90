@@ -101,6 +101,25 @@ module periodyn_c
     integer(c_int32_t), parameter :: PDN_BEAM_FORCE = 1
     integer(c_int32_t), parameter :: PDN_BEAM_FORCE_MEAN = 2
     integer(c_int32_t), parameter :: PDN_BEAM_FORCE_JUMP = 3
+    integer(c_int32_t), parameter :: PDN_QUANTITY_POSITION = 100
+    integer(c_int32_t), parameter :: PDN_QUANTITY_ROTATION = 101
+    integer(c_int32_t), parameter :: PDN_QUANTITY_QUATERNION = 102
+    integer(c_int32_t), parameter :: PDN_QUANTITY_VELOCITY = 103
+    integer(c_int32_t), parameter :: PDN_QUANTITY_ACCELERATION = 104
+    integer(c_int32_t), parameter :: PDN_QUANTITY_COORDINATE = 200
+    integer(c_int32_t), parameter :: PDN_QUANTITY_COORDINATE_RATE = 201
+    integer(c_int32_t), parameter :: PDN_QUANTITY_COORDINATE_ACCELERATION = 202
+    integer(c_int32_t), parameter :: PDN_QUANTITY_DRIVING_EFFORT = 203
+    integer(c_int32_t), parameter :: PDN_QUANTITY_REACTION = 204
+    integer(c_int32_t), parameter :: PDN_QUANTITY_STRAIN = 300
+    integer(c_int32_t), parameter :: PDN_QUANTITY_BEAM_FORCE = 301
+    integer(c_int32_t), parameter :: PDN_QUANTITY_BEAM_FORCE_MEAN = 302
+    integer(c_int32_t), parameter :: PDN_QUANTITY_BEAM_FORCE_JUMP = 303
+    integer(c_int32_t), parameter :: PDN_QUANTITY_EFFORT = 400
+    integer(c_int32_t), parameter :: PDN_QUANTITY_BRANCH_EFFORT = 401
+    integer(c_int32_t), parameter :: PDN_QUANTITY_BRANCH_ELONGATION = 402
+    integer(c_int32_t), parameter :: PDN_QUANTITY_FORCE_ON_NODE = 403
+    integer(c_int32_t), parameter :: PDN_ALL_COMPONENTS = -1
     integer(c_int32_t), parameter :: PDN_FORCE_EFFORT = 0
     integer(c_int32_t), parameter :: PDN_FORCE_BRANCH_EFFORT = 1
     integer(c_int32_t), parameter :: PDN_FORCE_BRANCH_ELONGATION = 2
@@ -244,6 +263,17 @@ module periodyn_c
         integer(c_int32_t) :: attempts
         real(c_double) :: mesh_error
     end type pdn_diagnostics
+
+    type, bind(C) :: pdn_quantity
+        integer(c_size_t) :: struct_size = 0
+        integer(c_int32_t) :: kind
+        integer(c_int32_t) :: object
+        integer(c_int32_t) :: component
+        integer(c_int32_t) :: frame
+        integer(c_int32_t) :: node
+        integer(c_int32_t) :: branch
+        real(c_double) :: station
+    end type pdn_quantity
 
     type, bind(C) :: pdn_progress
         integer(c_size_t) :: struct_size = 0
@@ -1411,6 +1441,70 @@ module periodyn_c
             integer(c_int32_t) :: pdn_solution_beam_harmonics
         end function pdn_solution_beam_harmonics
 
+        ! Prepares a struct that tells a quantity; use `PDN_INIT(pdn_quantity, &quantity)`
+        subroutine pdn_quantity_init(quantity, struct_size) bind(C, name="pdn_quantity_init")
+            import
+            type(pdn_quantity), intent(inout) :: quantity
+            integer(c_size_t), value :: struct_size
+        end subroutine pdn_quantity_init
+
+        ! Number of components that are asked for: of values at a time, of means and of harmonics
+        function pdn_quantity_components(quantity) bind(C, name="pdn_quantity_components")
+            import
+            type(pdn_quantity), intent(in) :: quantity
+            integer(c_int32_t) :: pdn_quantity_components
+        end function pdn_quantity_components
+
+        ! A quantity of a solution at any times
+        function pdn_solution_sample_quantity(solution, quantity, times, count, &
+            out) bind(C, name="pdn_solution_sample_quantity")
+            import
+            type(c_ptr), value :: solution
+            type(pdn_quantity), intent(in) :: quantity
+            real(c_double), intent(in) :: times(*)
+            integer(c_size_t), value :: count
+            real(c_double), intent(inout) :: out(*)
+            integer(c_int32_t) :: pdn_solution_sample_quantity
+        end function pdn_solution_sample_quantity
+
+        ! Fourier coefficients of a quantity: mean + rate t + sum of cosines[j] cos jwt + sines[j] sin jwt
+        function pdn_solution_quantity_harmonics(solution, quantity, harmonics, mean, rate, cosines, &
+            sines) bind(C, name="pdn_solution_quantity_harmonics")
+            import
+            type(c_ptr), value :: solution
+            type(pdn_quantity), intent(in) :: quantity
+            integer(c_size_t), value :: harmonics
+            real(c_double), intent(inout), optional :: mean(*)
+            real(c_double), intent(inout), optional :: rate(*)
+            real(c_double), intent(inout), optional :: cosines(*)
+            real(c_double), intent(inout), optional :: sines(*)
+            integer(c_int32_t) :: pdn_solution_quantity_harmonics
+        end function pdn_solution_quantity_harmonics
+
+        ! Smallest and largest values of a quantity, and their times
+        function pdn_solution_quantity_extremes(solution, quantity, smallest, time_of_smallest, largest, &
+            time_of_largest) bind(C, name="pdn_solution_quantity_extremes")
+            import
+            type(c_ptr), value :: solution
+            type(pdn_quantity), intent(in) :: quantity
+            real(c_double), intent(inout), optional :: smallest(*)
+            real(c_double), intent(inout), optional :: time_of_smallest(*)
+            real(c_double), intent(inout), optional :: largest(*)
+            real(c_double), intent(inout), optional :: time_of_largest(*)
+            integer(c_int32_t) :: pdn_solution_quantity_extremes
+        end function pdn_solution_quantity_extremes
+
+        ! Adds the columns of a quantity of a solution, named by the label and the component; or that of one ...
+        function pdn_table_add_quantity(table, solution, quantity, &
+            label) bind(C, name="pdn_table_add_quantity")
+            import
+            type(c_ptr), value :: table
+            type(c_ptr), value :: solution
+            type(pdn_quantity), intent(in) :: quantity
+            character(kind=c_char), intent(in), optional :: label(*)
+            integer(c_int32_t) :: pdn_table_add_quantity
+        end function pdn_table_add_quantity
+
         ! Effort of a force on a joint coordinate, at any times
         function pdn_solution_force_effort(solution, force, times, count, &
             out) bind(C, name="pdn_solution_force_effort")
@@ -1898,7 +1992,7 @@ module periodyn
     use, intrinsic :: iso_fortran_env, only: error_unit
     implicit none
     public
-    private :: report, refuse, fits, components, count_of, joined, text_at, c_text, error_unit
+    private :: report, refuse, fits, components, of_quantity, count_of, joined, text_at, c_text, error_unit
 
     ! In every procedure: without stat, a failure ends the program with the message. With it, stat is 0 or the
     ! negative status (PDN_ERR_VALUE, ...), and errmsg, blank-padded, tells which argument was wrong, what was
@@ -1973,6 +2067,9 @@ module periodyn
         procedure, public :: force_branch_effort => solution_force_branch_effort
         procedure, public :: force_branch_elongation => solution_force_branch_elongation
         procedure, public :: force_on_node => solution_force_on_node
+        procedure, public :: sample => solution_sample
+        procedure, public :: harmonics => solution_harmonics
+        procedure, public :: extremes => solution_extremes
         procedure, public :: node_harmonics => solution_node_harmonics
         procedure, public :: joint_harmonics => solution_joint_harmonics
         procedure, public :: beam_harmonics => solution_beam_harmonics
@@ -2060,6 +2157,7 @@ module periodyn
         procedure, public :: add_joint => table_add_joint
         procedure, public :: add_beam => table_add_beam
         procedure, public :: add_force => table_add_force
+        procedure, public :: add => table_add
         procedure, public :: add_values => table_add_values
         procedure, public :: write_csv => table_write_csv
     end type pdn_table
@@ -3471,6 +3569,84 @@ contains
             out), stat, errmsg)
     end subroutine solution_force_on_node
 
+    ! What is asked of a solution, of one of the kinds PDN_QUANTITY_..., of a node, joint, beam element or force;
+    ! other fields of ::pdn_quantity may then be set.
+    function pdn_quantity_of(kind, object, component, frame, node, branch, station) result(quantity)
+        integer(c_int32_t), intent(in) :: kind, object
+        integer(c_int32_t), intent(in), optional :: component, frame, node, branch
+        real(c_double), intent(in), optional :: station
+        type(pdn_quantity) :: quantity
+
+        call pdn_quantity_init(quantity, c_sizeof(quantity))
+        quantity%kind = kind
+        quantity%object = object
+        if (present(component)) quantity%component = component
+        if (present(frame)) quantity%frame = frame
+        if (present(node)) quantity%node = node
+        if (present(branch)) quantity%branch = branch
+        if (present(station)) quantity%station = station
+    end function pdn_quantity_of
+
+    ! Values of a quantity; out has one row for each component that is asked for.
+    subroutine solution_sample(self, quantity, times, out, stat, errmsg)
+        class(pdn_solution), intent(in) :: self
+        type(pdn_quantity), intent(in) :: quantity
+        real(c_double), intent(in) :: times(:)
+        real(c_double), intent(inout) :: out(:, :)
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+
+        if (.not. fits('out', shape(out), [of_quantity(quantity, size(out, 1)), size(times)], stat, errmsg)) return
+        call report(pdn_solution_sample_quantity(self%c, quantity, times, size(times, kind=c_size_t), &
+            out), stat, errmsg)
+    end subroutine solution_sample
+
+    ! Fourier coefficients; cosines and sines have one column for each harmonic that is wanted.
+    subroutine solution_harmonics(self, quantity, mean, cosines, sines, rate, stat, errmsg)
+        class(pdn_solution), intent(in) :: self
+        type(pdn_quantity), intent(in) :: quantity
+        real(c_double), intent(inout) :: mean(:), cosines(:, :), sines(:, :)
+        real(c_double), intent(inout), optional, contiguous :: rate(:)
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+
+        if (.not. fits('mean', shape(mean), [of_quantity(quantity, size(mean))], stat, errmsg)) return
+        if (.not. fits('cosines', shape(cosines), [size(mean), size(cosines, 2)], stat, errmsg)) return
+        if (.not. fits('sines', shape(sines), shape(cosines), stat, errmsg)) return
+        if (present(rate)) then
+            if (.not. fits('rate', shape(rate), shape(mean), stat, errmsg)) return
+        end if
+        call report(pdn_solution_quantity_harmonics(self%c, quantity, size(cosines, 2, c_size_t), mean, rate, &
+            cosines, sines), stat, errmsg)
+    end subroutine solution_harmonics
+
+    ! Smallest and largest values of a quantity, and their times.
+    subroutine solution_extremes(self, quantity, smallest, time_of_smallest, largest, time_of_largest, stat, errmsg)
+        class(pdn_solution), intent(in) :: self
+        type(pdn_quantity), intent(in) :: quantity
+        real(c_double), intent(inout) :: smallest(:), time_of_smallest(:), largest(:), time_of_largest(:)
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        integer :: wanted(1)
+
+        wanted = of_quantity(quantity, size(smallest))
+        if (.not. fits('smallest', shape(smallest), wanted, stat, errmsg)) return
+        if (.not. fits('time_of_smallest', shape(time_of_smallest), wanted, stat, errmsg)) return
+        if (.not. fits('largest', shape(largest), wanted, stat, errmsg)) return
+        if (.not. fits('time_of_largest', shape(time_of_largest), wanted, stat, errmsg)) return
+        call report(pdn_solution_quantity_extremes(self%c, quantity, smallest, time_of_smallest, largest, &
+            time_of_largest), stat, errmsg)
+    end subroutine solution_extremes
+
+    ! Number of components of a quantity; what was given of one that is none, which the call then tells.
+    integer function of_quantity(quantity, given)
+        type(pdn_quantity), intent(in) :: quantity
+        integer, intent(in) :: given
+
+        of_quantity = pdn_quantity_components(quantity)
+        if (of_quantity < 0) of_quantity = given
+    end function of_quantity
+
     ! Fourier coefficients; cosines and sines have one column for each harmonic that is wanted.
     subroutine solution_node_harmonics(self, node, quantity, mean, cosines, sines, stat, errmsg)
         class(pdn_solution), intent(in) :: self
@@ -4011,6 +4187,20 @@ contains
         if (present(label)) allocate (name, source=c_text(label))
         call report(pdn_table_add_force(self%c, solution%c, force, quantity, detail, name), stat, errmsg)
     end subroutine table_add_force
+
+    ! A quantity, or one of its components.
+    subroutine table_add(self, solution, quantity, label, stat, errmsg)
+        class(pdn_table), intent(inout) :: self
+        type(pdn_solution), intent(in) :: solution
+        type(pdn_quantity), intent(in) :: quantity
+        character(*), intent(in), optional :: label
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        character(kind=c_char), allocatable :: name(:)
+
+        if (present(label)) allocate (name, source=c_text(label))
+        call report(pdn_table_add_quantity(self%c, solution%c, quantity, name), stat, errmsg)
+    end subroutine table_add
 
     ! Values of your own, one for each time.
     subroutine table_add_values(self, label, values, stat, errmsg)

@@ -481,6 +481,103 @@
 #define PDN_BEAM_FORCE_JUMP 3
 
 /**
+ * Kind of quantity: position of a node; 3 components \[length\].
+ */
+#define PDN_QUANTITY_POSITION 100
+
+/**
+ * Kind of quantity: rotation matrix of a node, column by column; 9 components.
+ */
+#define PDN_QUANTITY_ROTATION 101
+
+/**
+ * Kind of quantity: unit quaternion (w, x, y, z) of a node, of continuous sign; 4 components.
+ */
+#define PDN_QUANTITY_QUATERNION 102
+
+/**
+ * Kind of quantity: velocity and angular velocity of a node, in a frame; 6 components.
+ */
+#define PDN_QUANTITY_VELOCITY 103
+
+/**
+ * Kind of quantity: acceleration and angular acceleration of a node, in a frame; 6 components.
+ */
+#define PDN_QUANTITY_ACCELERATION 104
+
+/**
+ * Kind of quantity: a coordinate of a joint, angles followed through whole turns.
+ */
+#define PDN_QUANTITY_COORDINATE 200
+
+/**
+ * Kind of quantity: rate of a coordinate of a joint.
+ */
+#define PDN_QUANTITY_COORDINATE_RATE 201
+
+/**
+ * Kind of quantity: second derivative in time of a coordinate of a joint.
+ */
+#define PDN_QUANTITY_COORDINATE_ACCELERATION 202
+
+/**
+ * Kind of quantity: force or torque that drives a prescribed coordinate of a joint.
+ */
+#define PDN_QUANTITY_DRIVING_EFFORT 203
+
+/**
+ * Kind of quantity: force and moment of a joint on its second body, along axes; 6 components.
+ */
+#define PDN_QUANTITY_REACTION 204
+
+/**
+ * Kind of quantity: strains and curvatures of a beam element; 6 components.
+ */
+#define PDN_QUANTITY_STRAIN 300
+
+/**
+ * Kind of quantity: internal forces and moments of a beam element; 6 components.
+ */
+#define PDN_QUANTITY_BEAM_FORCE 301
+
+/**
+ * Kind of quantity: the same, at a node between two elements the mean of those of both.
+ */
+#define PDN_QUANTITY_BEAM_FORCE_MEAN 302
+
+/**
+ * Kind of quantity: at a node between two elements, internal forces of the one beyond it less
+ * those of the one before it; zero elsewhere; 6 components.
+ */
+#define PDN_QUANTITY_BEAM_FORCE_JUMP 303
+
+/**
+ * Kind of quantity: effort of a force on its joint coordinate.
+ */
+#define PDN_QUANTITY_EFFORT 400
+
+/**
+ * Kind of quantity: effort of a branch of a viscoelastic element.
+ */
+#define PDN_QUANTITY_BRANCH_EFFORT 401
+
+/**
+ * Kind of quantity: elongation of the dashpot of a branch of a viscoelastic element.
+ */
+#define PDN_QUANTITY_BRANCH_ELONGATION 402
+
+/**
+ * Kind of quantity: what a force exerts on one of its nodes, in a frame: force and moment; 6
+ * components.
+ */
+#define PDN_QUANTITY_FORCE_ON_NODE 403
+
+/**
+ * All components of a quantity.
+ */
+#define PDN_ALL_COMPONENTS -1
+
+/**
  * Quantity of a force on a joint coordinate: its effort; 1 component.
  */
 #define PDN_FORCE_EFFORT 0
@@ -1214,6 +1311,47 @@ typedef struct pdn_diagnostics {
      */
     double mesh_error;
 } pdn_diagnostics;
+
+/**
+ * What is asked of a solution: of a node, a joint, a beam or a force. Initialise with
+ * `PDN_INIT(pdn_quantity, &quantity)`; fields that its kind does not have stay as they are.
+ */
+typedef struct pdn_quantity {
+    /**
+     * Set by the initialiser.
+     */
+    size_t struct_size;
+    /**
+     * PDN_QUANTITY_POSITION, ...; there is no default.
+     */
+    int32_t kind;
+    /**
+     * Id of the node, joint, beam element or force that it is of.
+     */
+    int32_t object;
+    /**
+     * The component, from 0, or PDN_ALL_COMPONENTS, the default. Of coordinates and driving
+     * efforts, the coordinate: PDN_DISPLACEMENT, ..., PDN_ROTATION_3.
+     */
+    int32_t component;
+    /**
+     * PDN_FRAME_SPACE, the default, or PDN_FRAME_MATERIAL; of reactions PDN_AXES_SPACE,
+     * PDN_AXES_FIRST or PDN_AXES_SECOND.
+     */
+    int32_t frame;
+    /**
+     * Of what a force exerts on one of its nodes, the node.
+     */
+    int32_t node;
+    /**
+     * Of viscoelastic elements, the branch, from 0.
+     */
+    int32_t branch;
+    /**
+     * Of beams, the place along the element, from -1 at its first to 1 at its last node.
+     */
+    double station;
+} pdn_quantity;
 
 /**
  * How far a solve is, as told to a ::pdn_progress_fn.
@@ -3792,6 +3930,134 @@ pdn_status pdn_solution_beam_harmonics(const struct pdn_solution *solution,
                                        double *mean,
                                        double *cosines,
                                        double *sines);
+
+/**
+ * Prepares a struct that tells a quantity; use `PDN_INIT(pdn_quantity, &quantity)`.
+ *
+ * @param quantity  the struct; not NULL
+ * @param struct_size  `sizeof *quantity`
+ *
+ * Threads: any.
+ * @since 0.1
+ */
+PDN_API
+void pdn_quantity_init(struct pdn_quantity *quantity,
+                       size_t struct_size);
+
+/**
+ * Number of components that are asked for: of values at a time, of means and of harmonics.
+ *
+ * @param quantity  initialised by PDN_INIT; not NULL
+ * @return the number; negative, as a ::pdn_status (PDN_ERR_NULL, PDN_ERR_STRUCT_SIZE, PDN_ERR_ID,
+ *     PDN_ERR_VALUE), if there is no such quantity
+ *
+ * Threads: any.
+ * @since 0.1
+ */
+PDN_API
+int32_t pdn_quantity_components(const struct pdn_quantity *quantity);
+
+/**
+ * A quantity of a solution at any times.
+ *
+ * Motions of nodes are interpolated over the whole period by dual polar decomposition, all else
+ * from its values at the grid points.
+ *
+ * @param solution  the solution; not NULL
+ * @param quantity  what is asked for, C components; initialised by PDN_INIT; not NULL
+ * @param times  array of length [count]: times, also outside the first period
+ * @param count  number of times
+ * @param out  array of shape C x [count], components of each time together
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_STRUCT_SIZE, PDN_ERR_NOT_FINITE, PDN_ERR_ID,
+ *     PDN_ERR_VALUE, PDN_ERR_NOT_AVAILABLE, PDN_ERR_GRID_TOO_COARSE, PDN_ERR_OVERFLOW
+ *
+ * Threads: like `const`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_solution_sample_quantity(const struct pdn_solution *solution,
+                                        const struct pdn_quantity *quantity,
+                                        const double *times,
+                                        size_t count,
+                                        double *out);
+
+/**
+ * Fourier coefficients of a quantity: mean + rate t + sum of cosines[j] cos jwt + sines[j] sin
+ * jwt.
+ *
+ * Those of the trigonometric polynomial through the values at the grid points.
+ *
+ * @param solution  the solution; not NULL
+ * @param quantity  what is asked for, C components; initialised by PDN_INIT; not NULL
+ * @param harmonics  number of harmonics wanted; those above (N - 1) / 2 are zero
+ * @param mean  array of length C; may be NULL
+ * @param rate  array of length C: growth per unit of time, of what gains turns; may be NULL
+ * @param cosines  array of shape C x [harmonics], components of each harmonic together; may be
+ *     NULL
+ * @param sines  as cosines; may be NULL
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_STRUCT_SIZE, PDN_ERR_SIZE, PDN_ERR_NOT_FINITE, PDN_ERR_ID,
+ *     PDN_ERR_VALUE, PDN_ERR_NOT_AVAILABLE (of a trajectory; the quaternion of a node that makes
+ *     an odd number of turns), PDN_ERR_OVERFLOW
+ *
+ * Threads: like `const`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_solution_quantity_harmonics(const struct pdn_solution *solution,
+                                           const struct pdn_quantity *quantity,
+                                           size_t harmonics,
+                                           double *mean,
+                                           double *rate,
+                                           double *cosines,
+                                           double *sines);
+
+/**
+ * Smallest and largest values of a quantity, and their times.
+ *
+ * Over the period, of the trigonometric polynomial through the values at the grid points; of a
+ * trajectory, among its times.
+ *
+ * @param solution  the solution; not NULL
+ * @param quantity  what is asked for, C components; initialised by PDN_INIT; not NULL
+ * @param smallest  array of length C; may be NULL
+ * @param time_of_smallest  array of length C; may be NULL
+ * @param largest  array of length C; may be NULL
+ * @param time_of_largest  array of length C; may be NULL
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_STRUCT_SIZE, PDN_ERR_NOT_FINITE, PDN_ERR_ID,
+ *     PDN_ERR_VALUE, PDN_ERR_NOT_AVAILABLE, PDN_ERR_OVERFLOW
+ *
+ * Threads: like `const`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_solution_quantity_extremes(const struct pdn_solution *solution,
+                                          const struct pdn_quantity *quantity,
+                                          double *smallest,
+                                          double *time_of_smallest,
+                                          double *largest,
+                                          double *time_of_largest);
+
+/**
+ * Adds the columns of a quantity of a solution, named by the label and the component; or that of
+ * one component, named by the label alone.
+ *
+ * @param table  the table; not NULL
+ * @param solution  the solution; not NULL
+ * @param quantity  what is asked for; one column for each component; initialised by PDN_INIT; not
+ *     NULL
+ * @param label  columns are called `label.x` and so on; NULL for a name such as `node3.position`
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_STRUCT_SIZE, PDN_ERR_NOT_FINITE, PDN_ERR_ID,
+ *     PDN_ERR_VALUE (also of a name that a column has already), PDN_ERR_NOT_AVAILABLE,
+ *     PDN_ERR_GRID_TOO_COARSE, PDN_ERR_OVERFLOW
+ *
+ * Threads: exclusive use of `table`; like `const` of `solution`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_table_add_quantity(struct pdn_table *table,
+                                  const struct pdn_solution *solution,
+                                  const struct pdn_quantity *quantity,
+                                  const char *label);
 
 /**
  * Effort of a force on a joint coordinate, at any times.

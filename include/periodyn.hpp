@@ -184,6 +184,26 @@ enum class NodeQuantity : std::int32_t {
     material_velocity = PDN_NODE_MATERIAL_VELOCITY,
     material_acceleration = PDN_NODE_MATERIAL_ACCELERATION,
 };
+enum class Kind : std::int32_t {
+    position = PDN_QUANTITY_POSITION,
+    rotation = PDN_QUANTITY_ROTATION,
+    quaternion = PDN_QUANTITY_QUATERNION,
+    velocity = PDN_QUANTITY_VELOCITY,
+    acceleration = PDN_QUANTITY_ACCELERATION,
+    coordinate = PDN_QUANTITY_COORDINATE,
+    coordinate_rate = PDN_QUANTITY_COORDINATE_RATE,
+    coordinate_acceleration = PDN_QUANTITY_COORDINATE_ACCELERATION,
+    driving_effort = PDN_QUANTITY_DRIVING_EFFORT,
+    reaction = PDN_QUANTITY_REACTION,
+    strain = PDN_QUANTITY_STRAIN,
+    beam_force = PDN_QUANTITY_BEAM_FORCE,
+    beam_force_mean = PDN_QUANTITY_BEAM_FORCE_MEAN,
+    beam_force_jump = PDN_QUANTITY_BEAM_FORCE_JUMP,
+    effort = PDN_QUANTITY_EFFORT,
+    branch_effort = PDN_QUANTITY_BRANCH_EFFORT,
+    branch_elongation = PDN_QUANTITY_BRANCH_ELONGATION,
+    force_on_node = PDN_QUANTITY_FORCE_ON_NODE,
+};
 enum class JointQuantity : std::int32_t {
     coordinate = PDN_JOINT_COORDINATE,
     rate = PDN_JOINT_RATE,
@@ -1132,20 +1152,25 @@ struct Harmonics {
     std::vector<double> cosines, sines;
 };
 
-/** What is asked of a solution, with the fields of ::pdn_quantity. */
+/** What is asked of a solution, with the fields of ::pdn_quantity; `component` is PDN_ALL_COMPONENTS
+ * at first. */
 struct Quantity : pdn_quantity {
-    /** Of one of the kinds PDN_QUANTITY_..., of a node, joint, beam element or force. */
-    Quantity(std::int32_t of_kind, std::int32_t of_object)
+    /** Of a node, joint, beam element or force. */
+    Quantity(Kind of_kind, std::int32_t of_object)
     {
         pdn_quantity_init(this, sizeof(pdn_quantity));
-        kind = of_kind;
+        kind = detail::c(of_kind);
         object = of_object;
     }
     /** A coordinate of a joint, its rate or acceleration, or what drives it. */
-    Quantity(std::int32_t of_kind, std::int32_t joint, Coordinate coordinate)
-        : Quantity(of_kind, joint)
+    Quantity(Kind of_kind, std::int32_t joint, Coordinate coordinate) : Quantity(of_kind, joint)
     {
         component = detail::c(coordinate);
+    }
+    /** Whether all components are asked for. */
+    bool is_whole() const noexcept
+    {
+        return component == PDN_ALL_COMPONENTS;
     }
     /** Number of components that are asked for. */
     std::size_t components() const

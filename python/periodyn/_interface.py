@@ -205,6 +205,48 @@ BEAM_FORCE_JUMP = 3
 """Quantity of a beam: at a node between two elements, internal forces of the one beyond it less
 those of the one before it; zero elsewhere.
 """
+QUANTITY_POSITION = 100
+"""Kind of quantity: position of a node; 3 components [length]."""
+QUANTITY_ROTATION = 101
+"""Kind of quantity: rotation matrix of a node, column by column; 9 components."""
+QUANTITY_QUATERNION = 102
+"""Kind of quantity: unit quaternion (w, x, y, z) of a node, of continuous sign; 4 components."""
+QUANTITY_VELOCITY = 103
+"""Kind of quantity: velocity and angular velocity of a node, in a frame; 6 components."""
+QUANTITY_ACCELERATION = 104
+"""Kind of quantity: acceleration and angular acceleration of a node, in a frame; 6 components."""
+QUANTITY_COORDINATE = 200
+"""Kind of quantity: a coordinate of a joint, angles followed through whole turns."""
+QUANTITY_COORDINATE_RATE = 201
+"""Kind of quantity: rate of a coordinate of a joint."""
+QUANTITY_COORDINATE_ACCELERATION = 202
+"""Kind of quantity: second derivative in time of a coordinate of a joint."""
+QUANTITY_DRIVING_EFFORT = 203
+"""Kind of quantity: force or torque that drives a prescribed coordinate of a joint."""
+QUANTITY_REACTION = 204
+"""Kind of quantity: force and moment of a joint on its second body, along axes; 6 components."""
+QUANTITY_STRAIN = 300
+"""Kind of quantity: strains and curvatures of a beam element; 6 components."""
+QUANTITY_BEAM_FORCE = 301
+"""Kind of quantity: internal forces and moments of a beam element; 6 components."""
+QUANTITY_BEAM_FORCE_MEAN = 302
+"""Kind of quantity: the same, at a node between two elements the mean of those of both."""
+QUANTITY_BEAM_FORCE_JUMP = 303
+"""Kind of quantity: at a node between two elements, internal forces of the one beyond it less
+those of the one before it; zero elsewhere; 6 components.
+"""
+QUANTITY_EFFORT = 400
+"""Kind of quantity: effort of a force on its joint coordinate."""
+QUANTITY_BRANCH_EFFORT = 401
+"""Kind of quantity: effort of a branch of a viscoelastic element."""
+QUANTITY_BRANCH_ELONGATION = 402
+"""Kind of quantity: elongation of the dashpot of a branch of a viscoelastic element."""
+QUANTITY_FORCE_ON_NODE = 403
+"""Kind of quantity: what a force exerts on one of its nodes, in a frame: force and moment; 6
+components.
+"""
+ALL_COMPONENTS = -1
+"""All components of a quantity."""
 FORCE_EFFORT = 0
 """Quantity of a force on a joint coordinate: its effort; 1 component."""
 FORCE_BRANCH_EFFORT = 1
@@ -695,6 +737,33 @@ class Diagnostics(Struct):
     which says nothing of the mesh: what elements of a higher degree would make of them. 0
     without beams; infinite unless asked for, of a march, of modes, and where it cannot be had.
     """
+
+
+class Quantity(Struct):
+    """What is asked of a solution: of a node, a joint, a beam or a force. Initialise with
+    `Quantity()`; fields that its kind does not have stay as they are.
+    """
+
+    _type = "pdn_quantity"
+    _initialise = lib.pdn_quantity_init
+    kind = Number("kind")
+    """QUANTITY_POSITION, ...; there is no default."""
+    object = Number("object")
+    """Id of the node, joint, beam element or force that it is of."""
+    component = Number("component")
+    """The component, from 0, or ALL_COMPONENTS, the default. Of coordinates and driving efforts,
+    the coordinate: DISPLACEMENT, ..., ROTATION_3.
+    """
+    frame = Number("frame")
+    """FRAME_SPACE, the default, or FRAME_MATERIAL; of reactions AXES_SPACE, AXES_FIRST or
+    AXES_SECOND.
+    """
+    node = Number("node")
+    """Of what a force exerts on one of its nodes, the node."""
+    branch = Number("branch")
+    """Of viscoelastic elements, the branch, from 0."""
+    station = Number("station")
+    """Of beams, the place along the element, from -1 at its first to 1 at its last node."""
 
 
 class Progress(Struct):
@@ -3206,6 +3275,110 @@ class Solution(SolutionExtras):
         )
         return mean, cosines, sines
 
+    def sample_quantity(self, quantity, times):
+        """A quantity of a solution at any times.
+
+        Motions of nodes are interpolated over the whole period by dual polar decomposition, all
+        else from its values at the grid points.
+
+        Args:
+            quantity: what is asked for, C components
+            times: array of shape (count): times, also outside the first period
+
+        Returns:
+            out, of shape (count, components): components of each time together
+        """
+        quantity = of_type("Quantity")(quantity, self._kept)
+        times = reals("times", times, (None,))
+        _count = len(times)
+        components = max(lib.pdn_quantity_components(quantity), 1)
+        out = reals.empty((_count, components))
+        call(
+            lib.pdn_solution_sample_quantity,
+            self._c,
+            quantity,
+            pointer(times),
+            _count,
+            pointer(out),
+        )
+        return out[..., 0] if components == 1 else out
+
+    def quantity_harmonics(self, quantity, harmonics):
+        """Fourier coefficients of a quantity: mean + rate t + sum of cosines[j] cos jwt + sines[j]
+        sin jwt.
+
+        Those of the trigonometric polynomial through the values at the grid points.
+
+        Args:
+            quantity: what is asked for, C components
+            harmonics: number of harmonics wanted; those above (N - 1) / 2 are zero
+
+        Returns:
+            mean, of shape (components)
+            rate, of shape (components): growth per unit of time, of what gains turns
+            cosines, of shape (harmonics, components): components of each harmonic together
+            sines, of shape (harmonics, components): components of each harmonic together
+        """
+        quantity = of_type("Quantity")(quantity, self._kept)
+        components = max(lib.pdn_quantity_components(quantity), 1)
+        mean = reals.empty((components,))
+        rate = reals.empty((components,))
+        cosines = reals.empty((harmonics, components))
+        sines = reals.empty((harmonics, components))
+        call(
+            lib.pdn_solution_quantity_harmonics,
+            self._c,
+            quantity,
+            harmonics,
+            pointer(mean),
+            pointer(rate),
+            pointer(cosines),
+            pointer(sines),
+        )
+        return (
+            mean[..., 0] if components == 1 else mean,
+            rate[..., 0] if components == 1 else rate,
+            cosines[..., 0] if components == 1 else cosines,
+            sines[..., 0] if components == 1 else sines,
+        )
+
+    def quantity_extremes(self, quantity):
+        """Smallest and largest values of a quantity, and their times.
+
+        Over the period, of the trigonometric polynomial through the values at the grid points;
+        of a trajectory, among its times.
+
+        Args:
+            quantity: what is asked for, C components
+
+        Returns:
+            smallest, of shape (components)
+            time_of_smallest, of shape (components)
+            largest, of shape (components)
+            time_of_largest, of shape (components)
+        """
+        quantity = of_type("Quantity")(quantity, self._kept)
+        components = max(lib.pdn_quantity_components(quantity), 1)
+        smallest = reals.empty((components,))
+        time_of_smallest = reals.empty((components,))
+        largest = reals.empty((components,))
+        time_of_largest = reals.empty((components,))
+        call(
+            lib.pdn_solution_quantity_extremes,
+            self._c,
+            quantity,
+            pointer(smallest),
+            pointer(time_of_smallest),
+            pointer(largest),
+            pointer(time_of_largest),
+        )
+        return (
+            smallest[..., 0] if components == 1 else smallest,
+            time_of_smallest[..., 0] if components == 1 else time_of_smallest,
+            largest[..., 0] if components == 1 else largest,
+            time_of_largest[..., 0] if components == 1 else time_of_largest,
+        )
+
     def force_effort(self, force, times):
         """Effort of a force on a joint coordinate, at any times.
 
@@ -3500,6 +3673,19 @@ class Table(TableExtras):
     """Columns of numbers over the same times. Made by Table.new, freed by Table.free."""
 
     _free = lib.pdn_table_free
+
+    def add_quantity(self, solution, quantity, label=None):
+        """Adds the columns of a quantity of a solution, named by the label and the component; or
+        that of one component, named by the label alone.
+
+        Args:
+            solution: the solution
+            quantity: what is asked for; one column for each component
+            label: columns are called `label.x` and so on; None for a name such as
+                `node3.position`
+        """
+        quantity = of_type("Quantity")(quantity, self._kept)
+        call(lib.pdn_table_add_quantity, self._c, pointer(solution), quantity, text(label))
 
     def __init__(self, times):
         """A table over these times, to choose columns for and to write as CSV.
