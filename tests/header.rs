@@ -28,6 +28,7 @@ const FILES: &[&str] = &[
     "modes",
     "march",
     "shooting",
+    "stability",
     "motion",
     "summary",
     "table",

@@ -14,6 +14,7 @@ mod poly_data;
 mod report;
 mod saved;
 mod solution;
+mod stability;
 mod table;
 mod trajectory;
 mod vtk;

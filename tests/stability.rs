@@ -1,0 +1,496 @@
+//! Multipliers of periodic solutions: closed forms, and values of integration in minimal coordinates
+//! at rounding.
+
+mod common;
+
+use common::*;
+use nalgebra::{Complex, Vector3};
+use periodyn::collocation::{Collocation, GridState, ScalarEquations};
+use periodyn::elements::{Coordinate, CoordinateLaw, Effort, JointKind, LoadFrame, NodeForceLaw};
+use periodyn::error::{ErrorKind, Result};
+use periodyn::fourier::TimeGrid;
+use periodyn::model::*;
+use periodyn::motion::Motion;
+use periodyn::output::Solution;
+use periodyn::solve::*;
+use periodyn::system::System;
+use std::f64::consts::TAU;
+use std::sync::Arc;
+
+type C64 = Complex<f64>;
+
+fn analyse(solve: &Solved) -> Stability {
+    let stability = solve_stability(solve, &StabilityOptions::default()).unwrap();
+    print(&stability);
+    stability
+}
+
+fn print(stability: &Stability) {
+    println!(
+        "{:?}, {:?} up to {:.1} in {} steps, {} of {}, {:?}",
+        stability.outcome,
+        stability.verdict,
+        stability.frequency_limit,
+        stability.steps,
+        stability.multipliers.len(),
+        stability.states,
+        stability.time
+    );
+    for m in &stability.multipliers {
+        println!(
+            "  {:.13} {:+.13}i  size {:.9}  frequency {:.6}  error {:.1e} {}",
+            m.value.re,
+            m.value.im,
+            m.value.norm(),
+            m.frequency,
+            m.error,
+            if m.trivial { "trivial" } else { "" }
+        );
+    }
+}
+
+/// All multipliers are known and are these, to within `error`, and so their estimates say.
+fn assert_multipliers(stability: &Stability, expected: &[C64], error: f64) {
+    assert_eq!(stability.outcome, Outcome::Converged);
+    assert_eq!(stability.frequency_limit, f64::INFINITY);
+    assert_eq!(stability.states, expected.len());
+    let mut left: Vec<&Multiplier> = stability.multipliers.iter().collect();
+    assert_eq!(left.len(), expected.len());
+    for value in expected {
+        let distance = |m: &Multiplier| (m.value - value).norm();
+        let nearest = (0..left.len())
+            .min_by(|&a, &b| distance(left[a]).total_cmp(&distance(left[b])))
+            .unwrap();
+        let found = left.remove(nearest);
+        println!(
+            "{value}: off by {:.1e}, estimate {:.1e}",
+            distance(found),
+            found.error
+        );
+        assert!(distance(found) < error, "{value}: {}", found.value);
+    }
+}
+
+fn pair(re: f64, im: f64) -> [C64; 2] {
+    [C64::new(re, im), C64::new(re, -im)]
+}
+
+/// A pendulum about y that hangs down from the origin or `support`, `r` of its mass times its
+/// length and `j` its moment of inertia about the hinge; and the hinge.
+fn hang(model: &mut Model, support: Option<usize>, at: Vector3<f64>, r: f64, j: f64) -> [usize; 2] {
+    // As a mass on a massless rod, but with half of the moment of inertia in the body.
+    let (mass, length) = (2.0 * r * r / j, j / (2.0 * r));
+    let centre = at - Vector3::z() * length;
+    let body = ball(model, mass, j / 2.0, &centre);
+    let hinge = revolute(model, support, Some(body), &at, &Vector3::y());
+    [body, hinge]
+}
+
+#[test]
+fn an_oscillator_has_its_closed_form() {
+    let (model, _) = oscillator();
+    let [m, k, c, _] = OSCILLATOR;
+    let period = TAU / 3.0;
+    let s = C64::new(-c / (2.0 * m), (k / m - (c / (2.0 * m)).powi(2)).sqrt());
+    let stability = analyse(solve(&model, period, 5).details());
+    let rho = (s * period).exp();
+    assert_multipliers(&stability, &[rho, rho.conj()], 1e-12);
+    assert_eq!(stability.verdict, Verdict::Stable);
+    let first = &stability.multipliers[0];
+    assert!((first.exponent - s).norm() < 1e-12, "{}", first.exponent);
+    assert!((first.frequency - s.im).abs() < 1e-3);
+}
+
+#[test]
+fn a_shaken_pendulum_grows_within_the_tongue() {
+    let mut model = Model::new();
+    let support = ball(&mut model, 1.0, 1.0, &Vector3::zeros());
+    let origin = Vector3::zeros();
+    let slide = [None, Some(support)];
+    let joint = join(
+        &mut model,
+        JointKind::Prismatic,
+        slide,
+        &origin,
+        &Vector3::z(),
+    );
+    let coordinate = Coordinate::Displacement1;
+    let shaken = JointCoordinate { joint, coordinate };
+    model.prescribe(shaken, &cosine(0.2)).unwrap();
+    let [_, hinge] = hang(&mut model, Some(support), origin, 1.0, 1.0);
+    spring(&mut model, rotation1(hinge), 0.0, 0.05);
+    gravity(&mut model, [0.0, 0.0, -1.0]);
+    let stability = analyse(solve(&model, TAU / 2.0, 15).details());
+    let expected = [-1.71366905359, -0.49871706405].map(C64::from);
+    assert_multipliers(&stability, &expected, 1e-11);
+    assert_eq!(stability.verdict, Verdict::Unstable);
+}
+
+#[test]
+fn a_double_pendulum_has_a_close_pair() {
+    let mut model = Model::new();
+    // Masses 1 and 0.5 on massless rods: the lower as one of 1 with a moment of inertia of its own,
+    // which the upper makes up for.
+    let [upper, shoulder] = hang(&mut model, None, Vector3::zeros(), 0.5, 0.5);
+    let elbow = -Vector3::z();
+    let [_, elbow] = hang(&mut model, Some(upper), elbow, 0.5, 0.5);
+    for joint in [shoulder, elbow] {
+        spring(&mut model, rotation1(joint), 0.0, 0.1);
+    }
+    model
+        .add_actuator(rotation1(shoulder), &cosine(4.0))
+        .unwrap();
+    gravity(&mut model, [0.0, 0.0, -9.81]);
+    let stability = analyse(solve(&model, TAU / 5.0, 41).details());
+    let mut expected = pair(-0.001179792816, 0.718076889344).to_vec();
+    expected.extend(pair(-0.971344211321, 0.013370958555));
+    assert_multipliers(&stability, &expected, 2e-11);
+    assert_eq!(stability.verdict, Verdict::Stable);
+}
+
+#[test]
+fn a_pendulum_on_a_slider_crank_has_redundant_constraints_and_a_nearly_defective_pair() {
+    let mut model = Model::new();
+    let (y, at) = (Vector3::y(), |x: f64| Vector3::new(x, 0.0, 0.0));
+    let crank = ball(&mut model, 0.4, 0.1, &at(0.15));
+    let rod = ball(&mut model, 0.7, 0.1, &at(0.8));
+    let slider = ball(&mut model, 0.9, 0.1, &at(1.3));
+    let shaft = revolute(&mut model, None, Some(crank), &at(0.0), &y);
+    revolute(&mut model, Some(crank), Some(rod), &at(0.3), &y);
+    revolute(&mut model, Some(rod), Some(slider), &at(1.3), &y);
+    let slide = [None, Some(slider)];
+    join(
+        &mut model,
+        JointKind::Prismatic,
+        slide,
+        &at(1.3),
+        &Vector3::x(),
+    );
+    let period = TAU / 6.0;
+    drive(&mut model, shaft, period);
+    let [_, hinge] = hang(&mut model, Some(slider), at(1.3), 0.4, 0.32);
+    spring(&mut model, rotation1(hinge), 0.0, 0.05);
+    gravity(&mut model, [0.0, 0.0, -9.81]);
+    let solution = solve(&model, period, 41);
+    assert!(solution.details().system.redundant_constraints() > 0);
+    let stability = analyse(solution.details());
+    assert_eq!(stability.multipliers.len(), 2);
+    let [a, b] = [0, 1].map(|i| stability.multipliers[i].value);
+    println!("sum {:e}", (a + b).re + 1.8428518487);
+    println!(
+        "product {:e}",
+        (a * b).re - (-0.05_f64 * period / 0.32).exp()
+    );
+    assert!((a + b + 1.8428518487).norm() < 1e-10);
+    assert!((a * b - (-0.05_f64 * period / 0.32).exp()).norm() < 1e-11);
+}
+
+/// A body that moves in the plane x, y without turning, with forces by its position and velocity.
+fn planar(law: impl Fn(&[f64; 2], &[f64; 2]) -> [f64; 2] + Send + Sync + 'static) -> Model {
+    let mut model = Model::new();
+    let body = ball(&mut model, 1.0, 1.0, &Vector3::zeros());
+    let plane = [None, Some(body)];
+    let origin = Vector3::zeros();
+    let joint = join(&mut model, JointKind::Planar, plane, &origin, &Vector3::z());
+    let still = Signal::constant(0.0).unwrap();
+    model.prescribe(rotation1(joint), &still).unwrap();
+    let function = NodeForceLaw {
+        function: Arc::new(move |state, out| {
+            let (x, v) = (state.positions[0], state.velocities[0]);
+            let force = law(&[x[0], x[1]], &[v[0], v[1]]);
+            out.forces[0][0] = force[0];
+            out.forces[0][1] = force[1];
+            Ok(())
+        }),
+        gives_tangents: false,
+        frame: LoadFrame::Space,
+    };
+    model.add_node_forces(&[body], function).unwrap();
+    push(&mut model, body, 0, cosine(0.01));
+    model
+}
+
+#[test]
+fn a_rotor_with_rotating_damping_whirls_above_its_critical_speed() {
+    let (c, rotating, speed) = (0.05, 0.04, 2.5);
+    let model = planar(move |x, v| {
+        [
+            -x[0] - c * v[0] - rotating * (v[0] + speed * x[1]),
+            -x[1] - c * v[1] - rotating * (v[1] - speed * x[0]),
+        ]
+    });
+    let period = TAU / speed;
+    let stability = analyse(solve(&model, period, 3).details());
+    let mut expected = Vec::new();
+    for [re, im] in [
+        [0.00498815880722, 1.00023687995441],
+        [-0.09498815880722, 1.00023687995441],
+    ] {
+        let rho = (C64::new(re, im) * period).exp();
+        expected.extend([rho, rho.conj()]);
+    }
+    // The model's forces are differenced.
+    assert_multipliers(&stability, &expected, 1e-9);
+    assert_eq!(stability.verdict, Verdict::Unstable);
+}
+
+/// A spring with the energy `stiffness (1 − cos q)`.
+fn sine_spring(stiffness: f64) -> CoordinateLaw {
+    CoordinateLaw {
+        function: Arc::new(move |at| {
+            Ok(Effort {
+                value: stiffness * at.value.sin(),
+                by_coordinate: stiffness * at.value.cos(),
+                by_rate: 0.0,
+            })
+        }),
+        gives_derivatives: true,
+    }
+}
+
+/// A rotor of three blades in its plane, on a hub on springs, at this speed.
+fn rotor_on_springs(speed: f64) -> Model {
+    let mut model = Model::new();
+    // Blades are masses of 1 on massless rods of 2: as masses of 2 with moments of inertia, which
+    // the hub makes up for.
+    let hub = ball(&mut model, 3.0, 1.0, &Vector3::zeros());
+    let plane = [None, Some(hub)];
+    let axis = Vector3::z();
+    let frame = Motion::identity();
+    let joint = model
+        .add_joint(JointKind::Planar, plane[0], plane[1], &frame, &frame)
+        .unwrap();
+    model.prescribe(rotation1(joint), &steady(speed)).unwrap();
+    let coordinates = [Coordinate::Displacement1, Coordinate::Displacement2];
+    for (coordinate, [stiffness, damping]) in
+        coordinates.into_iter().zip([[900.0, 4.0], [1300.0, 6.0]])
+    {
+        spring(
+            &mut model,
+            JointCoordinate { joint, coordinate },
+            stiffness,
+            damping,
+        );
+    }
+    for k in 0..3 {
+        let angle = TAU * f64::from(k) / 3.0;
+        let out = Vector3::new(angle.cos(), angle.sin(), 0.0);
+        let blade = ball(&mut model, 2.0, 2.0, &(out * 1.3));
+        let hinge = revolute(&mut model, Some(hub), Some(blade), &(out * 0.3), &axis);
+        let lag = rotation1(hinge);
+        spring(&mut model, lag, 0.0, 0.6);
+        model.add_coordinate_law(lag, sine_spring(25.0)).unwrap();
+    }
+    gravity(&mut model, [0.0, -9.81, 0.0]);
+    push(&mut model, hub, 1, Signal::constant(6.0 * 9.81).unwrap());
+    model
+}
+
+#[test]
+fn a_rotor_on_springs_has_ground_resonance() {
+    let speed = 9.0;
+    let model = rotor_on_springs(speed);
+    let period = TAU / speed;
+    let stability = analyse(solve(&model, period, 33).details());
+    let mut expected = Vec::new();
+    for [re, im] in [
+        [0.1023582061, 4.4770746319],
+        [-0.0550912574, 8.1769043299],
+        [-0.2730539834, 4.4959992252],
+        [-0.2966142735, 11.4562525875],
+        [-0.3994589975, 7.6743674740],
+    ] {
+        let rho = (C64::new(re, im) * period).exp();
+        expected.extend([rho, rho.conj()]);
+    }
+    assert_multipliers(&stability, &expected, 1e-9);
+    assert_eq!(stability.verdict, Verdict::Unstable);
+}
+
+#[test]
+fn a_trimmed_pendulum_has_its_multipliers() {
+    let mut model = Model::new();
+    let [_, hinge] = hang(&mut model, None, Vector3::zeros(), 1.0, 1.0);
+    spring(&mut model, rotation1(hinge), 0.0, 0.2);
+    let torque = Signal::harmonics(2.943, 0.0, &[3.0], &[0.0]).unwrap();
+    model.add_actuator(rotation1(hinge), &torque).unwrap();
+    gravity(&mut model, [0.0, 0.0, -9.81]);
+    let stability = analyse(solve(&model, TAU / 4.5, 41).details());
+    assert_multipliers(&stability, &pair(-0.4102855093, 0.7668210779), 1e-10);
+    assert_eq!(stability.verdict, Verdict::Stable);
+}
+
+#[test]
+fn a_zener_pendulum_has_three_multipliers_as_shooting_has() {
+    let (model, _, _) = zener_pendulum();
+    let period = TAU / 3.0;
+    let stability = analyse(solve(&model, period, 61).details());
+    assert_eq!(stability.multipliers.len(), 3);
+    assert_eq!(stability.frequency_limit, f64::INFINITY);
+    assert_shooting(&stability, &model, period, 400);
+}
+
+/// Multipliers of shooting come nearer to these with the square of its steps.
+fn assert_shooting(stability: &Stability, model: &Model, period: f64, steps: usize) {
+    let errors = [steps, 2 * steps].map(|steps| {
+        let options = ShootingOptions {
+            steps,
+            ..ShootingOptions::default()
+        };
+        let shot = Solution::solve_shooting(model, period, &options, &mut |_, _| true).unwrap();
+        assert_eq!(shot.outcome(), Outcome::Converged, "{}", shot.report());
+        let Kind::Shooting { floquet, .. } = &shot.details().kind else {
+            panic!("{}", shot.report());
+        };
+        let found = floquet.iter().map(|z| C64::new(z[0], z[1]));
+        let distance = |z: C64| {
+            let all = stability.multipliers.iter().map(|m| (m.value - z).norm());
+            all.fold(f64::INFINITY, f64::min)
+        };
+        found.map(distance).fold(0.0, f64::max)
+    });
+    let order = (errors[0] / errors[1]).log2();
+    println!(
+        "shooting: {:.2e}, {:.2e}, order {order:.3}",
+        errors[0], errors[1]
+    );
+    assert!((1.8..2.2).contains(&order));
+}
+
+/// `x = 0` at the first grid point in place of the time of a motion that is not forced, with its
+/// period.
+#[derive(Debug)]
+struct Period;
+
+impl ScalarEquations for Period {
+    fn scales(&self) -> Vec<f64> {
+        vec![TAU]
+    }
+
+    fn apply(&self, values: &[f64], equations: &mut Collocation) -> Result<()> {
+        equations.set_period(values[0])
+    }
+
+    fn residual(&self, equations: &Collocation, state: &GridState, out: &mut [f64]) {
+        out[0] = state.node(0)[0].position.x / equations.system().scales().length;
+    }
+
+    fn gradient(&self, equations: &Collocation, _: &GridState, _: usize, row: &mut [f64]) {
+        row[equations.layout().motion(0, 0).start] = 1.0;
+    }
+}
+
+/// Van der Pol's limit cycle, on so many points.
+fn van_der_pol(mu: f64, guess: f64, points: usize) -> Solved {
+    let (mut model, _) = mass_on_a_slide(1.0, &Vector3::x());
+    let law = NodeForceLaw {
+        function: Arc::new(move |state, out| {
+            let (x, v) = (state.positions[0].x, state.velocities[0][0]);
+            out.forces[0][0] = mu * (1.0 - x * x) * v - x;
+            if let Some((by_motion, by_velocity)) = &mut out.tangents {
+                by_motion[(0, 0)] = -2.0 * mu * x * v - 1.0;
+                by_velocity[(0, 0)] = mu * (1.0 - x * x);
+            }
+            Ok(())
+        }),
+        gives_tangents: true,
+        frame: LoadFrame::Space,
+    };
+    model.add_node_forces(&[0], law).unwrap();
+    let system = Arc::new(System::new(&model, guess).unwrap());
+    let grid = TimeGrid::new(points, guess).unwrap();
+    let mut equations = Collocation::new(system.clone(), grid).unwrap();
+    equations.set_scalars(Arc::new(Period));
+    let mut state = GridState::reference(&system, grid);
+    for (k, motion) in state.motions.iter_mut().enumerate() {
+        motion.position.x = 2.0 * (TAU * k as f64 / points as f64).sin();
+    }
+    state.scalars = vec![guess];
+    let newton = options(points).newton;
+    let direct = LinearMethod::Direct;
+    let report = solve_with_scalars(equations, &mut state, direct, &newton, &mut |_| true).unwrap();
+    assert_eq!(report.outcome, Outcome::Converged);
+    let grid = TimeGrid::new(points, state.scalars[0]).unwrap();
+    let mut equations = Collocation::new(system.clone(), grid).unwrap();
+    equations.update_kinematics(&state);
+    let states = (state, equations.node_states().to_vec());
+    let record = PeriodicRecord {
+        grids: Vec::new(),
+        coarse_start: None,
+        attempts: Vec::new(),
+        iterative: None,
+        threads: 1,
+        assessment: None,
+        mesh_error: f64::INFINITY,
+    };
+    Solved::known(&system, grid, states, report, Kind::Periodic(record))
+}
+
+#[test]
+fn limit_cycles_have_a_trivial_multiplier() {
+    for (mu, period, points, rho) in [
+        (0.1, 6.287111272289, 31, 0.5330692592),
+        (1.0, 6.663286859323, 51, 8.59695063604e-4),
+    ] {
+        let solved = van_der_pol(mu, 6.5, points);
+        assert!((solved.grid.period() - period).abs() < 1e-11);
+        let stability = analyse(&solved);
+        assert_multipliers(&stability, &[C64::from(1.0), C64::from(rho)], 1e-10);
+        assert!(stability.multipliers[0].trivial && !stability.multipliers[1].trivial);
+        assert_eq!(stability.verdict, Verdict::Stable);
+        assert!((stability.largest() - rho).abs() < 1e-10);
+    }
+}
+
+#[test]
+fn undamped_motions_are_not_called_stable() {
+    let (mut model, at) = mass_on_a_slide(2.0, &Vector3::x());
+    spring(&mut model, at, 50.0, 0.0);
+    model.add_actuator(at, &cosine(1.0)).unwrap();
+    let stability = analyse(solve(&model, TAU / 3.0, 5).details());
+    let rho = C64::new(0.0, 5.0 * TAU / 3.0).exp();
+    assert_multipliers(&stability, &[rho, rho.conj()], 1e-11);
+    assert_eq!(stability.verdict, Verdict::NotKnown);
+}
+
+#[test]
+fn what_cannot_be_analysed_is_refused() {
+    let (model, _) = oscillator();
+    let still = Solution::solve_static(&model, &StaticOptions::default(), &mut |_, _| true);
+    let error = solve_stability(still.unwrap().details(), &StabilityOptions::default());
+    assert_eq!(error.unwrap_err().kind(), ErrorKind::NotAvailable);
+    let solution = solve(&model, TAU / 3.0, 5);
+    for wrong in [0.0, -1.0, f64::NAN] {
+        let tolerance = StabilityOptions {
+            tolerance: wrong,
+            ..StabilityOptions::default()
+        };
+        let frequency = StabilityOptions {
+            highest_frequency: Some(wrong),
+            ..StabilityOptions::default()
+        };
+        for (options, name) in [(tolerance, "tolerance"), (frequency, "highest_frequency")] {
+            let error = solve_stability(solution.details(), &options).unwrap_err();
+            assert!(error.to_string().contains(name), "{error}");
+        }
+    }
+    let stability = analyse(solution.details());
+    assert_eq!(
+        stability.shape(2, 0).unwrap_err().kind(),
+        ErrorKind::Identifier
+    );
+    assert_eq!(
+        stability.shape(0, 1).unwrap_err().kind(),
+        ErrorKind::Identifier
+    );
+    // Cancelled as soon as it is told.
+    let watch = Watch::with_interval(0.0, |_| false).unwrap();
+    let options = StabilityOptions {
+        watch,
+        ..StabilityOptions::default()
+    };
+    let cancelled = solve_stability(solution.details(), &options).unwrap();
+    assert_eq!(cancelled.outcome, Outcome::Cancelled);
+    assert_eq!(cancelled.verdict, Verdict::NotKnown);
+    assert!(cancelled.multipliers.is_empty());
+}
