@@ -111,6 +111,7 @@ pub unsafe extern "C" fn pdn_solve_stability(
             highest_frequency: (highest != 0.0).then_some(highest),
             tolerance: call.number(given.tolerance, "options.tolerance")?,
             watch: watch(given.progress, given.progress_data, PROGRESS_INTERVAL)?,
+            ..StabilityOptions::default()
         };
         out.give(solve_stability(solution.details(), &options)?);
         Ok(())

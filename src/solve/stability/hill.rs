@@ -16,6 +16,8 @@ const MOST: usize = 2000;
 /// Distance from each shift, in frequencies of the period, up to which all eigenvalues are to be
 /// found.
 const REACH: f64 = 1.0;
+/// Shifts are as far apart as one of so many of the harmonics of the grid.
+const APART: usize = 3;
 /// The highest harmonics, one of so many, by which it is judged how well a mode is resolved.
 const EDGE: usize = 8;
 /// Share of a mode in these of one that is not resolved.
@@ -60,7 +62,10 @@ pub(super) fn exponents(solve: &Solved, highest: f64, workers: &Workers) -> Resu
         complete: true,
     };
     let mut candidates = Vec::new();
-    for harmonic in 0..=(highest / grid.frequency()).ceil() as usize {
+    let last = (highest / grid.frequency()).ceil() as usize;
+    // A mode has copies about each shift; those with few harmonics are well resolved.
+    let apart = (grid.harmonics() / APART).max(1);
+    for harmonic in (0..last + apart).step_by(apart) {
         // Off the axis of real exponents, where both of a pair would be as near.
         let shift = (harmonic as f64).max(0.25) * grid.frequency();
         let (pairs, complete) = about(&search, shift, grid)?;

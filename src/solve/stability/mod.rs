@@ -11,10 +11,10 @@ use crate::error::{Error, ErrorKind, Result, require_finite};
 use crate::solve::report::Outcome;
 use crate::solve::result::{Kind, Solved};
 use crate::solve::stability::hill::exponents;
-use crate::solve::stability::judgement::{judge, judge_exponents};
+use crate::solve::stability::judgement::{Judgement, judge, judge_exponents};
 use crate::solve::stability::period_map::PeriodMap;
 use crate::solve::stability::resolution::{resolved_frequency, steps_for};
-use crate::solve::stability::spectrum::{Spectrum, spectrum};
+use crate::solve::stability::spectrum::{Rough, Spectrum, spectrum};
 use crate::solve::watch::{Stage, Watch, Watching};
 use crate::workers::Workers;
 use nalgebra::Complex;
@@ -24,12 +24,11 @@ use std::time::{Duration, Instant};
 /// Frequencies that matter unless others are asked for, in those of the period.
 const HARMONICS: f64 = 20.0;
 /// Steps of the first try at least.
-const FEWEST_STEPS: usize = 11;
+const FEWEST_STEPS: usize = 7;
+/// All disturbances of a system of no more states are followed.
+const ALL: usize = 24;
 /// More steps to a period are not tried.
 const MOST_STEPS: usize = 3001;
-/// Errors of multipliers fall by more than this from one number of steps to twice as many, where
-/// these resolve them: by 2⁹ in the end.
-const GAIN: f64 = 30.0;
 
 /// How multipliers are found.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -247,34 +246,62 @@ fn find(solve: &Solved, options: &StabilityOptions, watching: &Watching) -> Resu
     let workers = Workers::default().telling(watching.pulse());
     let period = solve.grid.period();
     let highest = options.highest(period);
-    let wanted = steps_for(highest * period, options.tolerance)
-        .max(solve.grid.points() / 2)
-        .clamp(2 * FEWEST_STEPS, MOST_STEPS);
     let states = state_count(solve);
-    let mut steps = (wanted / 2) | 1;
-    let mut before: Option<Spectrum> = None;
+    let mut steps = (solve.grid.points() / 4).max(FEWEST_STEPS) | 1;
+    if states > ALL {
+        // Those that are left out are to be far above the highest frequency.
+        let wanted = steps_for(highest * period, options.tolerance);
+        steps = steps.max((wanted / 2) | 1).min((MOST_STEPS / 2 - 1) | 1);
+    }
+    let mut before: Vec<Rough> = Vec::new();
+    let mut best: Option<Found> = None;
     loop {
         watching.grid(steps);
         let mut map = PeriodMap::new(solve, steps, &workers)?;
-        let guess = before.as_ref().map_or(0, Spectrum::count);
-        let Some(mut now) = spectrum(&mut map, states, guess, solve)? else {
+        let Some(mut now) = spectrum(&mut map, states, before.len().max(ALL), solve)? else {
             return Ok(Stability::unknown(solve, Outcome::Singular));
         };
-        let next = (2 * steps + 1) | 1;
-        if let Some(before) = &before {
-            now.compare(before, TAU / period, GAIN);
-            let limit = match now.count() == states {
+        let rough = now.rough();
+        if !before.is_empty() {
+            let all_resolved = now.compare(&before, TAU / period, options.tolerance);
+            let resolved = resolved_frequency(steps, options.tolerance) / period;
+            let limit = match all_resolved && now.count() == states {
                 true => f64::INFINITY,
-                false => resolved_frequency(steps, options.tolerance) / period,
+                false => resolved,
             };
-            let judged = judge(&now, limit, highest, options.tolerance);
-            if judged.resolved || next > MOST_STEPS {
-                return Ok(judged.stability(solve, now, states, steps));
+            let judgement = judge(&now, limit, highest, options.tolerance);
+            let error = now.worst(highest);
+            // Rounding grows with the number of steps.
+            let stands = |best: &Found| error > 0.5 * best.error && resolved >= highest;
+            let is_last = judgement.resolved || best.as_ref().is_some_and(stands);
+            if best.as_ref().is_none_or(|best| error < best.error) {
+                best = Some(Found {
+                    judgement,
+                    spectrum: now,
+                    steps,
+                    error,
+                });
+            }
+            if (is_last || 2 * steps + 1 > MOST_STEPS)
+                && let Some(best) = best.take()
+            {
+                return Ok(best
+                    .judgement
+                    .stability(solve, best.spectrum, states, best.steps));
             }
         }
-        before = Some(now);
-        steps = next;
+        before = rough;
+        steps = 2 * steps + 1;
     }
+}
+
+/// What came with some number of steps.
+struct Found {
+    judgement: Judgement,
+    spectrum: Spectrum,
+    steps: usize,
+    /// Largest error that counts.
+    error: f64,
 }
 
 /// Finds exponents from the equations on the grid.

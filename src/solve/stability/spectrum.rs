@@ -1,6 +1,6 @@
 //! Multipliers and modes of the period map, for one number of steps.
 
-use crate::error::Result;
+use crate::error::{Error, ErrorKind, Result};
 use crate::solve::linear::eigenvalues::eigenvectors;
 use crate::solve::modes::krylov::Random;
 use crate::solve::result::Solved;
@@ -9,15 +9,21 @@ use faer::linalg::solvers::{PartialPivLu, Solve};
 use faer::{Mat, c64};
 use nalgebra::{Complex, DMatrix, Vector6};
 
-/// Disturbances tried at first, where the system has more states.
-const FIRST: usize = 24;
 /// Part of the period after which disturbances that have died away are left out: one in so many.
 const PART: usize = 4;
 /// Steps that make any disturbance obey the constraints.
 const CLEANING: usize = 4;
-/// What is left of a disturbance that has died away.
-const DEAD: f64 = 1e-13;
-/// Rounding of a product.
+/// What is left of a disturbance that has died away in that part, and of one that never was.
+const DEAD: f64 = 1e-10;
+const NOTHING: f64 = 1e-13;
+/// Errors of multipliers fall by more than this from one number of steps to twice as many, where
+/// these resolve them: by 2⁹ in the end.
+const GAIN: f64 = 100.0;
+/// Most memory for the shapes of modes, in bytes.
+const MOST_MEMORY: usize = 1 << 32;
+/// Relative difference of multipliers that the steps resolve from those by half as many.
+const ALIKE: f64 = 0.1;
+/// Rounding of a step.
 const ROUNDING: f64 = 1e-14;
 /// Share of a mode outside the motions in time and space of one that is such a motion.
 const OUTSIDE: f64 = 1e-4;
@@ -26,6 +32,9 @@ const OUTSIDE: f64 = 1e-4;
 const NEAR_ONE: f64 = 1e-3;
 /// Size of a direction that is none.
 const FLAT: f64 = 1e-9;
+
+/// A multiplier and its frequency.
+pub(super) type Rough = (Complex<f64>, f64);
 
 /// Multipliers of the modes that the steps do not kill at once.
 #[derive(Debug, Clone, Default)]
@@ -56,6 +65,13 @@ pub(super) fn spectrum(
     let mut columns: Vec<Vec<f64>> = (0..count).map(|j| basis.col_as_slice(j).to_vec()).collect();
     let mut samples = Vec::with_capacity(steps);
     let nodes = solve.system.nodes();
+    if 6 * nodes * count * steps * size_of::<f64>() > MOST_MEMORY {
+        let message = format!(
+            "stability: no memory for {count} modes of {nodes} nodes at {steps} times; a lower \
+             highest_frequency takes less"
+        );
+        return Err(Error::new(ErrorKind::OutOfMemory, message));
+    }
     let regular = map.sweep(0..steps, &mut columns, |_, columns| {
         let increments = |column: &Vec<f64>| -> Vec<f64> {
             let of_nodes = column[..12 * nodes].chunks_exact(12);
@@ -72,7 +88,7 @@ pub(super) fn spectrum(
         return Ok(None);
     };
     let mut found = Spectrum {
-        errors: rounding(&square, &vectors),
+        errors: rounding(&square, &vectors, steps),
         vectors: (0..count)
             .map(|j| (0..count).map(|i| vectors[(i, j)]).collect())
             .collect(),
@@ -96,13 +112,12 @@ pub(super) fn spectrum(
 /// a part of the period, at its start.
 fn basis(map: &mut PeriodMap, states: usize, guess: usize) -> Result<Option<Mat<f64>>> {
     let steps = map.steps();
-    let mut count = (guess + guess / 4).max(FIRST).min(states);
+    let mut count = (guess + guess / 4).min(states);
     loop {
         // All that there are need only obey the constraints.
-        let part = if count == states {
-            CLEANING
-        } else {
-            steps / PART
+        let (part, dead) = match count == states {
+            true => (CLEANING, NOTHING),
+            false => (steps / PART, DEAD),
         };
         let mut random = Random::new(count);
         let mut columns: Vec<Vec<f64>> = (0..count)
@@ -115,7 +130,7 @@ fn basis(map: &mut PeriodMap, states: usize, guess: usize) -> Result<Option<Mat<
         let factors = matrix.col_piv_qr();
         let triangle = factors.thin_R();
         let largest = triangle.get(0, 0).abs();
-        let alive = |j: &usize| triangle[(*j, *j)].abs() > DEAD * largest;
+        let alive = |j: &usize| triangle[(*j, *j)].abs() > dead * largest;
         let rank = (0..count).take_while(alive).count();
         if rank < count || count == states {
             let basis = factors.compute_thin_Q();
@@ -126,11 +141,11 @@ fn basis(map: &mut PeriodMap, states: usize, guess: usize) -> Result<Option<Mat<
 }
 
 /// What rounding may do to each eigenvalue of a matrix.
-fn rounding(square: &Mat<f64>, vectors: &Mat<c64>) -> Vec<f64> {
+fn rounding(square: &Mat<f64>, vectors: &Mat<c64>, steps: usize) -> Vec<f64> {
     let count = square.nrows();
     let identity = Mat::<c64>::identity(count, count);
     let left = PartialPivLu::new(vectors.as_ref()).solve(&identity);
-    let size = square.norm_l2().max(1.0);
+    let size = square.norm_l2().max(1.0) * steps as f64;
     // Eigenvalues that are nearly double with one vector move by the root.
     let most = (ROUNDING * size).sqrt();
     let each = |j: usize| {
@@ -229,27 +244,51 @@ impl Spectrum {
         angle.copysign(product.im) / length
     }
 
-    /// Estimates errors by what came with half as many steps.
-    pub fn compare(&mut self, before: &Spectrum, harmonic: f64, gain: f64) {
-        let mut taken = vec![false; before.count()];
+    /// The multipliers with their frequencies.
+    pub fn rough(&self) -> Vec<Rough> {
+        let all = self.values.iter().zip(&self.frequencies);
+        all.map(|(value, frequency)| (*value, frequency.abs()))
+            .collect()
+    }
+
+    /// Largest error of modes of up to this frequency.
+    pub fn worst(&self, highest: f64) -> f64 {
+        let counts = |j: &usize| !self.shifts[*j] && self.frequencies[*j].abs() <= highest;
+        let errors = (0..self.count()).filter(counts).map(|j| {
+            let size = self.values[j].norm().max(1.0);
+            self.errors[j] / size
+        });
+        errors.fold(0.0, f64::max)
+    }
+
+    /// Estimates errors by what came with half as many steps. Whether all are so alike that the
+    /// steps resolve them.
+    pub fn compare(&mut self, before: &[Rough], harmonic: f64, tolerance: f64) -> bool {
+        let mut taken = vec![false; before.len()];
+        let mut all = true;
         for j in 0..self.count() {
             let (value, frequency) = (self.values[j], self.frequencies[j].abs());
             let near = |i: &usize| {
-                let difference = (before.frequencies[*i].abs() - frequency).abs();
+                let difference = (before[*i].1 - frequency).abs();
                 !taken[*i] && difference < 0.5 * harmonic + 0.2 * frequency
             };
-            let distance = |i: usize| (before.values[i] - value).norm();
-            let nearest = (0..before.count())
+            let distance = |i: usize| (before[i].0 - value).norm();
+            let nearest = (0..before.len())
                 .filter(near)
                 .min_by(|&a, &b| distance(a).total_cmp(&distance(b)));
+            let difference = nearest.map_or(f64::INFINITY, distance);
+            all &= difference <= ALIKE * value.norm();
             match nearest {
+                // Of what dies within the period nothing is known but that.
+                _ if value.norm() < tolerance => self.errors[j] += value.norm(),
                 Some(i) => {
                     taken[i] = true;
-                    self.errors[j] += distance(i) / gain;
+                    self.errors[j] += difference / GAIN;
                 }
                 None => self.errors[j] += 1.0,
             }
         }
+        all
     }
 }
 
