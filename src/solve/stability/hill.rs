@@ -17,7 +17,7 @@ const MOST: usize = 2000;
 /// found.
 const REACH: f64 = 1.0;
 /// Shifts are as far apart as one of so many of the harmonics of the grid.
-const APART: usize = 3;
+const APART: usize = 2;
 /// The highest harmonics, one of so many, by which it is judged how well a mode is resolved.
 const EDGE: usize = 8;
 /// Share of a mode in these of one that is not resolved.

@@ -24,9 +24,9 @@ pub(super) fn judge(spectrum: &Spectrum, limit: f64, highest: f64, tolerance: f6
     let mut limit = limit;
     for j in 0..spectrum.count() {
         let size = spectrum.values[j].norm();
-        // Shifts are known to be 1. Written so that NaN fails too.
+        // Written so that NaN fails too.
         let known = spectrum.errors[j] <= tolerance * size.max(1.0);
-        if !known && !spectrum.shifts[j] {
+        if !known && spectrum.counts(j) {
             limit = limit.min(spectrum.frequencies[j].abs());
         }
     }

@@ -251,7 +251,9 @@ fn find(solve: &Solved, options: &StabilityOptions, watching: &Watching) -> Resu
     if states > ALL {
         // Those that are left out are to be far above the highest frequency.
         let wanted = steps_for(highest * period, options.tolerance);
-        steps = steps.max((wanted / 2) | 1).min((MOST_STEPS / 2 - 1) | 1);
+        steps = steps
+            .max((wanted / 2 + 1) | 1)
+            .min((MOST_STEPS / 2 - 1) | 1);
     }
     let mut before: Vec<Rough> = Vec::new();
     let mut best: Option<Found> = None;
@@ -274,7 +276,10 @@ fn find(solve: &Solved, options: &StabilityOptions, watching: &Watching) -> Resu
             // Rounding grows with the number of steps.
             let stands = |best: &Found| error > 0.5 * best.error && resolved >= highest;
             let is_last = judgement.resolved || best.as_ref().is_some_and(stands);
-            if best.as_ref().is_none_or(|best| error < best.error) {
+            if best
+                .as_ref()
+                .is_none_or(|best| judgement.resolved || error < best.error)
+            {
                 best = Some(Found {
                     judgement,
                     spectrum: now,

@@ -251,9 +251,15 @@ impl Spectrum {
             .collect()
     }
 
+    /// Whether the error of a multiplier counts: not that of a shift, which is 1, where there are
+    /// several, whose multipliers differ by the roots of their errors.
+    pub fn counts(&self, j: usize) -> bool {
+        !self.shifts[j] || self.shifts.iter().filter(|shift| **shift).count() == 1
+    }
+
     /// Largest error of modes of up to this frequency.
     pub fn worst(&self, highest: f64) -> f64 {
-        let counts = |j: &usize| !self.shifts[*j] && self.frequencies[*j].abs() <= highest;
+        let counts = |j: &usize| self.counts(*j) && self.frequencies[*j].abs() <= highest;
         let errors = (0..self.count()).filter(counts).map(|j| {
             let size = self.values[j].norm().max(1.0);
             self.errors[j] / size
