@@ -2,11 +2,11 @@
  *
  * The hub moves in its plane on springs that differ in axes 1 and 2; the blades are hinged to it
  * and swing in that plane (lag), held up by the rotation and by weak springs, with dampers too weak
- * for some speeds. The plane is upright, so that weight shakes the blades once a turn: the motion
- * is periodic, and its stability a matter of Floquet multipliers. Metres, newtons, kilograms,
+ * for some speeds. If the plane is upright, weight shakes the blades once a turn: the motion is
+ * periodic, and its stability a matter of Floquet multipliers. Metres, newtons, kilograms,
  * seconds, radians.
  *
- *   stability [--grid N] [--speeds COUNT] [--damper NMS] [--out FILE]
+ *   stability [--grid N] [--speeds COUNT] [--damper NMS] [--weight G] [--out FILE]
  *
  * FILE gets speeds, rates of growth and frequencies of the five pairs of modes; plot it by
  *
@@ -23,9 +23,9 @@ static const double PI = 3.14159265358979323846;
 static const double SLOWEST = 3, FASTEST = 13; /* rad/s */
 
 /* A rotor that turns at this speed; NULL if it cannot be built. */
-static pdn_model *rotor(double speed, double lag_damper)
+static pdn_model *rotor(double speed, double lag_damper, double weight)
 {
-    const double centre[3] = {0, 0, 0}, shaft[3] = {0, 0, 1}, gravity[3] = {0, -9.81, 0};
+    const double centre[3] = {0, 0, 0}, shaft[3] = {0, 0, 1}, gravity[3] = {0, -weight, 0};
     const double ball[9] = {0.1, 0, 0, 0, 0.1, 0, 0, 0, 0.1};
     const double hinge_at = 0.3, mass_at = 2.3; /* from the shaft */
     pdn_model *model = NULL;
@@ -82,10 +82,11 @@ static int modes_of(const pdn_stability *stability, double growth[MODES], double
 
 int main(int argc, char **argv)
 {
-    check_options(argc, argv, "--grid --speeds --damper --out");
+    check_options(argc, argv, "--grid --speeds --damper --weight --out");
     const size_t grid = option_count(argc, argv, "--grid", 0); /* 0: as many as needed */
     const size_t speeds = option_count(argc, argv, "--speeds", 21);
     const double damper = option_number(argc, argv, "--damper", 0.6);
+    const double weight = option_number(argc, argv, "--weight", 9.81); /* 0: the plane is level */
     FILE *file = open_out(argc, argv);
     int failed = 1;
     pdn_model *model = NULL;
@@ -108,7 +109,7 @@ int main(int argc, char **argv)
         pdn_periodic_options options;
         PDN_INIT(pdn_periodic_options, &options);
         options.grid_points = grid;
-        if (!(model = rotor(speed, damper))) {
+        if (!(model = rotor(speed, damper, weight))) {
             goto done;
         }
         TRY(pdn_solve_periodic(model, 2 * PI / speed, &options, &solution));

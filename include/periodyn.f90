@@ -112,6 +112,7 @@ module periodyn_c
     integer(c_int32_t), parameter :: PDN_STAGE_NEWTON = 1
     integer(c_int32_t), parameter :: PDN_STAGE_MARCH = 2
     integer(c_int32_t), parameter :: PDN_STAGE_MODES = 3
+    integer(c_int32_t), parameter :: PDN_STAGE_STABILITY = 4
     integer(c_int32_t), parameter :: PDN_START_AUTOMATIC = 0
     integer(c_int32_t), parameter :: PDN_START_QUASI_STATIC = 1
     integer(c_int32_t), parameter :: PDN_START_STEADY_ROTATION = 2
@@ -124,6 +125,9 @@ module periodyn_c
     integer(c_int32_t), parameter :: PDN_LINEAR_BODY_CIRCULANT = 3
     integer(c_int32_t), parameter :: PDN_LINEAR_TIME_LOCAL = 4
     integer(c_int32_t), parameter :: PDN_LINEAR_CIRCULANT = 5
+    integer(c_int32_t), parameter :: PDN_STABILITY_NOT_KNOWN = 0
+    integer(c_int32_t), parameter :: PDN_STABLE = 1
+    integer(c_int32_t), parameter :: PDN_UNSTABLE = 2
 
     type, bind(C) :: pdn_section
         integer(c_size_t) :: struct_size = 0
@@ -361,6 +365,26 @@ module periodyn_c
         type(c_funptr) :: progress = c_null_funptr
         type(c_ptr) :: progress_data = c_null_ptr
     end type pdn_shooting_options
+
+    type, bind(C) :: pdn_stability_options
+        integer(c_size_t) :: struct_size = 0
+        real(c_double) :: highest_frequency
+        real(c_double) :: tolerance
+        type(c_funptr) :: progress = c_null_funptr
+        type(c_ptr) :: progress_data = c_null_ptr
+    end type pdn_stability_options
+
+    type, bind(C) :: pdn_multiplier
+        integer(c_size_t) :: struct_size = 0
+        real(c_double) :: real
+        real(c_double) :: imaginary
+        real(c_double) :: exponent_real
+        real(c_double) :: exponent_imaginary
+        real(c_double) :: frequency
+        real(c_double) :: error
+        integer(c_int32_t) :: trivial
+        integer(c_int32_t) :: reserved
+    end type pdn_multiplier
 
     type, bind(C) :: pdn_summary
         integer(c_size_t) :: struct_size = 0
@@ -1681,6 +1705,102 @@ module periodyn_c
             integer(c_size_t), value :: count
             integer(c_int32_t) :: pdn_solution_floquet
         end function pdn_solution_floquet
+
+        ! Sets default options; use `PDN_INIT(pdn_stability_options, &options)`
+        subroutine pdn_stability_options_init(options, struct_size) bind(C, name="pdn_stability_options_init")
+            import
+            type(pdn_stability_options), intent(inout) :: options
+            integer(c_size_t), value :: struct_size
+        end subroutine pdn_stability_options_init
+
+        ! Finds the Floquet multipliers of a periodic solution: what small disturbances are multiplied by in a period
+        function pdn_solve_stability(solution, options, out) bind(C, name="pdn_solve_stability")
+            import
+            type(c_ptr), value :: solution
+            type(pdn_stability_options), intent(in), optional :: options
+            type(c_ptr), intent(inout) :: out
+            integer(c_int32_t) :: pdn_solve_stability
+        end function pdn_solve_stability
+
+        ! Frees multipliers; NULL does nothing
+        subroutine pdn_stability_free(stability) bind(C, name="pdn_stability_free")
+            import
+            type(c_ptr), value :: stability
+        end subroutine pdn_stability_free
+
+        ! How the analysis ended
+        function pdn_stability_outcome(stability) bind(C, name="pdn_stability_outcome")
+            import
+            type(c_ptr), value :: stability
+            integer(c_int32_t) :: pdn_stability_outcome
+        end function pdn_stability_outcome
+
+        ! What the multipliers say
+        function pdn_stability_verdict(stability, verdict, &
+            frequency_limit) bind(C, name="pdn_stability_verdict")
+            import
+            type(c_ptr), value :: stability
+            integer(c_int32_t), intent(inout) :: verdict
+            real(c_double), intent(inout), optional :: frequency_limit
+            integer(c_int32_t) :: pdn_stability_verdict
+        end function pdn_stability_verdict
+
+        ! Number of multipliers that are known, and of those that the system has, one for each state
+        function pdn_stability_count(stability, out, states) bind(C, name="pdn_stability_count")
+            import
+            type(c_ptr), value :: stability
+            integer(c_size_t), intent(inout) :: out
+            integer(c_size_t), intent(inout), optional :: states
+            integer(c_int32_t) :: pdn_stability_count
+        end function pdn_stability_count
+
+        ! Prepares a struct for ::pdn_stability_get; use `PDN_INIT(pdn_multiplier, &multiplier)`
+        subroutine pdn_multiplier_init(multiplier, struct_size) bind(C, name="pdn_multiplier_init")
+            import
+            type(pdn_multiplier), intent(inout) :: multiplier
+            integer(c_size_t), value :: struct_size
+        end subroutine pdn_multiplier_init
+
+        ! A multiplier
+        function pdn_stability_get(stability, number, out) bind(C, name="pdn_stability_get")
+            import
+            type(c_ptr), value :: stability
+            integer(c_int32_t), value :: number
+            type(pdn_multiplier), intent(inout) :: out
+            integer(c_int32_t) :: pdn_stability_get
+        end function pdn_stability_get
+
+        ! Times of the shapes of modes: ends of equal steps over the period, the last is the period
+        function pdn_stability_times(stability, times, count, steps) bind(C, name="pdn_stability_times")
+            import
+            type(c_ptr), value :: stability
+            real(c_double), intent(inout), optional :: times(*)
+            integer(c_size_t), value :: count
+            integer(c_size_t), intent(inout), optional :: steps
+            integer(c_int32_t) :: pdn_stability_times
+        end function pdn_stability_times
+
+        ! The mode phi of a multiplier at a node over the period
+        function pdn_stability_shape(stability, number, node, steps, real, &
+            imaginary) bind(C, name="pdn_stability_shape")
+            import
+            type(c_ptr), value :: stability
+            integer(c_int32_t), value :: number
+            integer(c_int32_t), value :: node
+            integer(c_size_t), value :: steps
+            real(c_double), intent(inout) :: real(*)
+            real(c_double), intent(inout), optional :: imaginary(*)
+            integer(c_int32_t) :: pdn_stability_shape
+        end function pdn_stability_shape
+
+        ! A readable report: the verdict, how far it holds, and a table of the multipliers
+        function pdn_stability_report(stability, buffer, capacity) bind(C, name="pdn_stability_report")
+            import
+            type(c_ptr), value :: stability
+            character(kind=c_char), intent(inout), optional :: buffer(*)
+            integer(c_size_t), value :: capacity
+            integer(c_size_t) :: pdn_stability_report
+        end function pdn_stability_report
 
         ! Interpolates a periodic motion given at N equispaced times, by dual polar decomposition
         function pdn_motion_interpolate(period, positions, rotations, points, times, count, position, &

@@ -8,14 +8,18 @@ use crate::motion::{DualMatrix, DualVector};
 use crate::workers::Workers;
 
 /// Stages of a step.
-pub const STAGES: usize = 5;
+pub const STAGES: usize = 9;
 
 /// Their places in a step of length 1; the last is its end.
 pub const PLACES: [f64; STAGES] = [
-    0.057_104_196_114_517_68,
-    0.276_843_013_638_123_8,
-    0.583_590_432_368_916_8,
-    0.860_240_135_656_219_5,
+    0.017_779_915_147_363_45,
+    0.091_323_607_899_793_96,
+    0.214_308_479_395_630_76,
+    0.371_932_164_583_272_30,
+    0.545_186_684_803_426_65,
+    0.713_175_242_855_569_48,
+    0.855_633_742_957_854_43,
+    0.955_366_044_710_030_15,
     1.0,
 ];
 
@@ -122,7 +126,7 @@ mod tests {
 
     #[test]
     fn the_stages_are_radaus_and_polynomials_are_differentiated_exactly() {
-        // P_5 − P_4 vanishes at them.
+        // P_9 − P_8 vanishes at them.
         for place in PLACES {
             let x = 2.0 * place - 1.0;
             let (mut before, mut now) = (1.0, x);
@@ -130,7 +134,7 @@ mod tests {
                 let n = n as f64;
                 (before, now) = (now, ((2.0 * n + 1.0) * x * now - n * before) / (n + 1.0));
             }
-            assert!((now - before).abs() < 1e-14, "{place}: {:e}", now - before);
+            assert!((now - before).abs() < 1e-13, "{place}: {:e}", now - before);
         }
         let length = 0.3;
         let weights = RadauWeights::new(length);
@@ -145,7 +149,7 @@ mod tests {
                 let n = power as f64;
                 let first = n * t.powi(power as i32 - 1);
                 let found = by(&weights.first[i], weights.start[i]);
-                assert!((found - first).abs() < 1e-12, "{power}: {found} {first}");
+                assert!((found - first).abs() < 1e-11, "{power}: {found} {first}");
             }
         }
     }

@@ -13,8 +13,8 @@ use crate::solve::result::{Kind, Solved};
 use crate::solve::stability::hill::exponents;
 use crate::solve::stability::judgement::{Judgement, judge, judge_exponents};
 use crate::solve::stability::period_map::PeriodMap;
-use crate::solve::stability::resolution::{resolved_frequency, steps_for};
-use crate::solve::stability::spectrum::{Rough, Spectrum, spectrum};
+use crate::solve::stability::resolution::Resolution;
+use crate::solve::stability::spectrum::{FIRST, Rough, Spectrum, spectrum};
 use crate::solve::watch::{Stage, Watch, Watching};
 use crate::workers::Workers;
 use nalgebra::Complex;
@@ -24,9 +24,7 @@ use std::time::{Duration, Instant};
 /// Frequencies that matter unless others are asked for, in those of the period.
 const HARMONICS: f64 = 20.0;
 /// Steps of the first try at least.
-const FEWEST_STEPS: usize = 7;
-/// All disturbances of a system of no more states are followed.
-const ALL: usize = 24;
+const FEWEST_STEPS: usize = 5;
 /// More steps to a period are not tried.
 const MOST_STEPS: usize = 3001;
 
@@ -247,10 +245,11 @@ fn find(solve: &Solved, options: &StabilityOptions, watching: &Watching) -> Resu
     let period = solve.grid.period();
     let highest = options.highest(period);
     let states = state_count(solve);
-    let mut steps = (solve.grid.points() / 4).max(FEWEST_STEPS) | 1;
-    if states > ALL {
+    let resolution = Resolution::new();
+    let mut steps = (solve.grid.points() / 8).max(FEWEST_STEPS) | 1;
+    if states > FIRST {
         // Those that are left out are to be far above the highest frequency.
-        let wanted = steps_for(highest * period, options.tolerance);
+        let wanted = resolution.steps(highest * period, options.tolerance);
         steps = steps
             .max((wanted / 2 + 1) | 1)
             .min((MOST_STEPS / 2 - 1) | 1);
@@ -260,13 +259,13 @@ fn find(solve: &Solved, options: &StabilityOptions, watching: &Watching) -> Resu
     loop {
         watching.grid(steps);
         let mut map = PeriodMap::new(solve, steps, &workers)?;
-        let Some(mut now) = spectrum(&mut map, states, before.len().max(ALL), solve)? else {
+        let Some(mut now) = spectrum(&mut map, states, before.len(), solve)? else {
             return Ok(Stability::unknown(solve, Outcome::Singular));
         };
         let rough = now.rough();
         if !before.is_empty() {
             let all_resolved = now.compare(&before, TAU / period, options.tolerance);
-            let resolved = resolved_frequency(steps, options.tolerance) / period;
+            let resolved = resolution.angle(steps, options.tolerance) / period;
             let limit = match all_resolved && now.count() == states {
                 true => f64::INFINITY,
                 false => resolved,

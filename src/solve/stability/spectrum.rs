@@ -9,6 +9,9 @@ use faer::linalg::solvers::{PartialPivLu, Solve};
 use faer::{Mat, c64};
 use nalgebra::{Complex, DMatrix, Vector6};
 
+/// Disturbances tried at first, and more than were found with fewer steps.
+pub(super) const FIRST: usize = 24;
+const MORE: usize = 6;
 /// Part of the period after which disturbances that have died away are left out: one in so many.
 const PART: usize = 4;
 /// Steps that make any disturbance obey the constraints.
@@ -17,8 +20,8 @@ const CLEANING: usize = 4;
 const DEAD: f64 = 1e-10;
 const NOTHING: f64 = 1e-13;
 /// Errors of multipliers fall by more than this from one number of steps to twice as many, where
-/// these resolve them: by 2⁹ in the end.
-const GAIN: f64 = 100.0;
+/// these resolve them: by 2¹⁷ in the end.
+const GAIN: f64 = 1000.0;
 /// Most memory for the shapes of modes, in bytes.
 const MOST_MEMORY: usize = 1 << 32;
 /// Relative difference of multipliers that the steps resolve from those by half as many.
@@ -112,7 +115,11 @@ pub(super) fn spectrum(
 /// a part of the period, at its start.
 fn basis(map: &mut PeriodMap, states: usize, guess: usize) -> Result<Option<Mat<f64>>> {
     let steps = map.steps();
-    let mut count = (guess + guess / 4).min(states);
+    let mut count = match guess {
+        0 => FIRST.min(states),
+        _ if states <= FIRST => states,
+        _ => (guess + MORE).min(states),
+    };
     loop {
         // All that there are need only obey the constraints.
         let (part, dead) = match count == states {
