@@ -20,7 +20,7 @@
 enum { BLADES = 3, MODES = 5 };
 
 static const double PI = 3.14159265358979323846;
-static const double SLOWEST = 3, FASTEST = 13; /* rad/s */
+static const double SLOWEST = 3, FASTEST = 20; /* rad/s */
 
 /* A rotor that turns at this speed; NULL if it cannot be built. */
 static pdn_model *rotor(double speed, double lag_damper, double weight)
@@ -84,7 +84,7 @@ int main(int argc, char **argv)
 {
     check_options(argc, argv, "--grid --speeds --damper --weight --out");
     const size_t grid = option_count(argc, argv, "--grid", 0); /* 0: as many as needed */
-    const size_t speeds = option_count(argc, argv, "--speeds", 21);
+    const size_t speeds = option_count(argc, argv, "--speeds", 35);
     const double damper = option_number(argc, argv, "--damper", 0.6);
     const double weight = option_number(argc, argv, "--weight", 9.81); /* 0: the plane is level */
     FILE *file = open_out(argc, argv);
