@@ -1,5 +1,5 @@
-//! Multipliers of periodic solutions: closed forms, and values of integration in minimal coordinates
-//! at rounding.
+//! Multipliers of periodic solutions: closed forms, and values of integration in minimal
+//! coordinates at rounding.
 
 mod common;
 

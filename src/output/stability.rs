@@ -48,8 +48,8 @@ impl Stability {
         if !self.multipliers.is_empty() {
             writeln!(
                 text,
-                "  mode            |rho|           Re rho           Im rho            Re mu            \
-                 Im mu  frequency    error"
+                "  mode            |rho|           Re rho           Im rho            Re mu\
+                 \u{20}           Im mu  frequency    error"
             )?;
         }
         for (number, m) in self.multipliers.iter().enumerate() {

@@ -50,6 +50,11 @@ pub(super) fn judge(spectrum: &Spectrum, limit: f64, highest: f64, tolerance: f6
 }
 
 impl Judgement {
+    /// Frequency up to which multipliers are known, of those up to `highest`.
+    pub fn reach(&self, highest: f64) -> f64 {
+        self.limit.min(highest)
+    }
+
     /// The result.
     pub fn stability(
         self,

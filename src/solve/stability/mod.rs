@@ -271,18 +271,20 @@ fn find(solve: &Solved, options: &StabilityOptions, watching: &Watching) -> Resu
                 false => resolved,
             };
             let judgement = judge(&now, limit, highest, options.tolerance);
-            let error = now.worst(highest);
+            let (reach, error) = (judgement.reach(highest), now.worst(highest));
+            let better =
+                |best: &Found| reach > best.reach || reach == best.reach && error < best.error;
             // Rounding grows with the number of steps.
-            let stands = |best: &Found| error > 0.5 * best.error && resolved >= highest;
+            let stands = |best: &Found| {
+                reach <= best.reach && error > 0.5 * best.error && resolved >= highest
+            };
             let is_last = judgement.resolved || best.as_ref().is_some_and(stands);
-            if best
-                .as_ref()
-                .is_none_or(|best| judgement.resolved || error < best.error)
-            {
+            if best.as_ref().is_none_or(better) {
                 best = Some(Found {
                     judgement,
                     spectrum: now,
                     steps,
+                    reach,
                     error,
                 });
             }
@@ -304,6 +306,8 @@ struct Found {
     judgement: Judgement,
     spectrum: Spectrum,
     steps: usize,
+    /// Frequency up to which multipliers are known, of that which was asked for.
+    reach: f64,
     /// Largest error that counts.
     error: f64,
 }
