@@ -21,6 +21,8 @@ const CORRECTIONS: usize = 12;
 const CORRECTED: f64 = 1e-13;
 /// Accuracy that is asked of linear solves.
 const ACCURACY: f64 = 1e-12;
+/// Change of a solution by refinement that makes the next ones do without.
+const UNREFINED: f64 = 1e-11;
 
 /// What the period map needs of a periodic solution, for one number of steps.
 pub(super) struct PeriodMap {
@@ -213,6 +215,9 @@ impl PeriodMap {
     fn solve(&mut self) -> Result<bool> {
         let motions = self.equations.layout().motions().end;
         let asked = (motions, ACCURACY);
+        if !self.equations.is_regularised() && self.solver.is_accurate_to(UNREFINED) {
+            return Ok(self.solver.solve(&mut self.rhs));
+        }
         if !(self.solver).solve_refined(&self.values, &mut self.rhs, asked)? {
             return Ok(false);
         }
