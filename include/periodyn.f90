@@ -131,6 +131,7 @@ module periodyn_c
     integer(c_int32_t), parameter :: PDN_STAGE_NEWTON = 1
     integer(c_int32_t), parameter :: PDN_STAGE_MARCH = 2
     integer(c_int32_t), parameter :: PDN_STAGE_MODES = 3
+    integer(c_int32_t), parameter :: PDN_STAGE_STABILITY = 4
     integer(c_int32_t), parameter :: PDN_START_AUTOMATIC = 0
     integer(c_int32_t), parameter :: PDN_START_QUASI_STATIC = 1
     integer(c_int32_t), parameter :: PDN_START_STEADY_ROTATION = 2
@@ -143,6 +144,9 @@ module periodyn_c
     integer(c_int32_t), parameter :: PDN_LINEAR_BODY_CIRCULANT = 3
     integer(c_int32_t), parameter :: PDN_LINEAR_TIME_LOCAL = 4
     integer(c_int32_t), parameter :: PDN_LINEAR_CIRCULANT = 5
+    integer(c_int32_t), parameter :: PDN_STABILITY_NOT_KNOWN = 0
+    integer(c_int32_t), parameter :: PDN_STABLE = 1
+    integer(c_int32_t), parameter :: PDN_UNSTABLE = 2
 
     type, bind(C) :: pdn_section
         integer(c_size_t) :: struct_size = 0
@@ -391,6 +395,26 @@ module periodyn_c
         type(c_funptr) :: progress = c_null_funptr
         type(c_ptr) :: progress_data = c_null_ptr
     end type pdn_shooting_options
+
+    type, bind(C) :: pdn_stability_options
+        integer(c_size_t) :: struct_size = 0
+        real(c_double) :: highest_frequency
+        real(c_double) :: tolerance
+        type(c_funptr) :: progress = c_null_funptr
+        type(c_ptr) :: progress_data = c_null_ptr
+    end type pdn_stability_options
+
+    type, bind(C) :: pdn_multiplier
+        integer(c_size_t) :: struct_size = 0
+        real(c_double) :: real
+        real(c_double) :: imaginary
+        real(c_double) :: exponent_real
+        real(c_double) :: exponent_imaginary
+        real(c_double) :: frequency
+        real(c_double) :: error
+        integer(c_int32_t) :: trivial
+        integer(c_int32_t) :: reserved
+    end type pdn_multiplier
 
     type, bind(C) :: pdn_summary
         integer(c_size_t) :: struct_size = 0
@@ -1776,6 +1800,102 @@ module periodyn_c
             integer(c_int32_t) :: pdn_solution_floquet
         end function pdn_solution_floquet
 
+        ! Sets default options; use `PDN_INIT(pdn_stability_options, &options)`
+        subroutine pdn_stability_options_init(options, struct_size) bind(C, name="pdn_stability_options_init")
+            import
+            type(pdn_stability_options), intent(inout) :: options
+            integer(c_size_t), value :: struct_size
+        end subroutine pdn_stability_options_init
+
+        ! Finds the Floquet multipliers of a periodic solution: what small disturbances are multiplied by in a period
+        function pdn_solve_stability(solution, options, out) bind(C, name="pdn_solve_stability")
+            import
+            type(c_ptr), value :: solution
+            type(pdn_stability_options), intent(in), optional :: options
+            type(c_ptr), intent(inout) :: out
+            integer(c_int32_t) :: pdn_solve_stability
+        end function pdn_solve_stability
+
+        ! Frees multipliers; NULL does nothing
+        subroutine pdn_stability_free(stability) bind(C, name="pdn_stability_free")
+            import
+            type(c_ptr), value :: stability
+        end subroutine pdn_stability_free
+
+        ! How the analysis ended
+        function pdn_stability_outcome(stability) bind(C, name="pdn_stability_outcome")
+            import
+            type(c_ptr), value :: stability
+            integer(c_int32_t) :: pdn_stability_outcome
+        end function pdn_stability_outcome
+
+        ! What the multipliers say
+        function pdn_stability_verdict(stability, verdict, &
+            frequency_limit) bind(C, name="pdn_stability_verdict")
+            import
+            type(c_ptr), value :: stability
+            integer(c_int32_t), intent(inout) :: verdict
+            real(c_double), intent(inout), optional :: frequency_limit
+            integer(c_int32_t) :: pdn_stability_verdict
+        end function pdn_stability_verdict
+
+        ! Number of multipliers that are known, and of those that the system has, one for each state
+        function pdn_stability_count(stability, out, states) bind(C, name="pdn_stability_count")
+            import
+            type(c_ptr), value :: stability
+            integer(c_size_t), intent(inout) :: out
+            integer(c_size_t), intent(inout), optional :: states
+            integer(c_int32_t) :: pdn_stability_count
+        end function pdn_stability_count
+
+        ! Prepares a struct for ::pdn_stability_get; use `PDN_INIT(pdn_multiplier, &multiplier)`
+        subroutine pdn_multiplier_init(multiplier, struct_size) bind(C, name="pdn_multiplier_init")
+            import
+            type(pdn_multiplier), intent(inout) :: multiplier
+            integer(c_size_t), value :: struct_size
+        end subroutine pdn_multiplier_init
+
+        ! A multiplier
+        function pdn_stability_get(stability, number, out) bind(C, name="pdn_stability_get")
+            import
+            type(c_ptr), value :: stability
+            integer(c_int32_t), value :: number
+            type(pdn_multiplier), intent(inout) :: out
+            integer(c_int32_t) :: pdn_stability_get
+        end function pdn_stability_get
+
+        ! Times of the shapes of modes: ends of equal steps over the period, the last is the period
+        function pdn_stability_times(stability, times, count, steps) bind(C, name="pdn_stability_times")
+            import
+            type(c_ptr), value :: stability
+            real(c_double), intent(inout), optional :: times(*)
+            integer(c_size_t), value :: count
+            integer(c_size_t), intent(inout), optional :: steps
+            integer(c_int32_t) :: pdn_stability_times
+        end function pdn_stability_times
+
+        ! The mode phi of a multiplier at a node over the period
+        function pdn_stability_shape(stability, number, node, steps, real, &
+            imaginary) bind(C, name="pdn_stability_shape")
+            import
+            type(c_ptr), value :: stability
+            integer(c_int32_t), value :: number
+            integer(c_int32_t), value :: node
+            integer(c_size_t), value :: steps
+            real(c_double), intent(inout) :: real(*)
+            real(c_double), intent(inout), optional :: imaginary(*)
+            integer(c_int32_t) :: pdn_stability_shape
+        end function pdn_stability_shape
+
+        ! A readable report: the verdict, how far it holds, and a table of the multipliers
+        function pdn_stability_report(stability, buffer, capacity) bind(C, name="pdn_stability_report")
+            import
+            type(c_ptr), value :: stability
+            character(kind=c_char), intent(inout), optional :: buffer(*)
+            integer(c_size_t), value :: capacity
+            integer(c_size_t) :: pdn_stability_report
+        end function pdn_stability_report
+
         ! Interpolates a periodic motion given at N equispaced times, by dual polar decomposition
         function pdn_motion_interpolate(period, positions, rotations, points, times, count, position, &
             rotation, velocity, acceleration) bind(C, name="pdn_motion_interpolate")
@@ -2046,6 +2166,7 @@ module periodyn
         procedure, public :: diagnostics => solution_diagnostics
         procedure, public :: march => solution_march
         procedure, public :: floquet => solution_floquet
+        procedure, public :: solve_stability => solution_solve_stability
         procedure, public :: history => solution_history
         procedure, public :: decay => solution_decay
         procedure, public :: filtered => solution_filtered
@@ -2149,6 +2270,18 @@ module periodyn
         procedure, public :: equilibrium => modes_equilibrium
     end type pdn_modes
 
+    ! Floquet multipliers of a periodic solution, the largest first, counted from 0.
+    type, extends(pdn_handle) :: pdn_stability
+    contains
+        procedure, public :: report => stability_report
+        procedure, public :: outcome => stability_outcome
+        procedure, public :: verdict => stability_verdict
+        procedure, public :: count => stability_count
+        procedure, public :: get => stability_get
+        procedure, public :: times => stability_times
+        procedure, public :: shape => stability_shape
+    end type pdn_stability
+
     ! Quantities of solutions at many times, to be written as CSV. Without labels columns have names of their own.
     type, extends(pdn_handle) :: pdn_table
     contains
@@ -2165,7 +2298,7 @@ module periodyn
     ! Sets the defaults of options.
     interface pdn_init
         procedure init_section, init_periodic_options, init_static_options, init_modes_options, &
-            init_march_options, init_shooting_options
+            init_march_options, init_shooting_options, init_stability_options
     end interface pdn_init
 
     ! These have texts and arrays in place of those of periodyn_c, which are c_version and so on here.
@@ -2437,6 +2570,12 @@ contains
 
         call pdn_shooting_options_init(options, c_sizeof(options))
     end subroutine init_shooting_options
+
+    subroutine init_stability_options(options)
+        type(pdn_stability_options), intent(out) :: options
+
+        call pdn_stability_options_init(options, c_sizeof(options))
+    end subroutine init_stability_options
 
     ! A section without couplings: six stiffnesses; mass and three moments of inertia for each unit of length.
     ! damping_time gives it damping = damping_time * stiffness, damping_times each component a time of its own.
@@ -3891,6 +4030,129 @@ contains
         if (status == PDN_OK) multipliers = cmplx(real_part, imaginary_part, c_double)
         call report(status, stat, errmsg)
     end subroutine solution_floquet
+
+    ! Stability -----------------------------------------------------------------------------------------------
+
+    ! Finds what small disturbances of a periodic solution are multiplied by in a period.
+    subroutine solution_solve_stability(self, stability, options, stat, errmsg)
+        class(pdn_solution), intent(in) :: self
+        type(pdn_stability), intent(inout) :: stability
+        type(pdn_stability_options), intent(in), optional :: options
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        type(c_ptr) :: c
+        integer(c_int32_t) :: status
+
+        status = pdn_solve_stability(self%c, options, c)
+        if (status == PDN_OK) call stability%adopt(c, pdn_stability_free)
+        call report(status, stat, errmsg)
+    end subroutine solution_solve_stability
+
+    ! The verdict, and a table of the multipliers.
+    function stability_report(self) result(text)
+        class(pdn_stability), intent(in) :: self
+        character(:), allocatable :: text
+        character(kind=c_char), allocatable :: buffer(:)
+        integer(c_size_t) :: length
+
+        allocate (buffer(pdn_stability_report(self%c, capacity=0_c_size_t) + 1))
+        length = pdn_stability_report(self%c, buffer, size(buffer, kind=c_size_t))
+        text = joined(buffer(:length))
+    end function stability_report
+
+    ! PDN_CONVERGED, or why multipliers are not known.
+    subroutine stability_outcome(self, outcome, stat, errmsg)
+        class(pdn_stability), intent(in) :: self
+        integer(c_int32_t), intent(inout) :: outcome
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        integer(c_int32_t) :: found
+
+        found = pdn_stability_outcome(self%c)
+        if (found >= 0) outcome = found
+        call report(min(found, PDN_OK), stat, errmsg)
+    end subroutine stability_outcome
+
+    ! PDN_STABLE, PDN_UNSTABLE or PDN_STABILITY_NOT_KNOWN, and the frequency up to which that holds.
+    subroutine stability_verdict(self, verdict, frequency_limit, stat, errmsg)
+        class(pdn_stability), intent(in) :: self
+        integer(c_int32_t), intent(inout) :: verdict
+        real(c_double), intent(inout), optional :: frequency_limit
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+
+        call report(pdn_stability_verdict(self%c, verdict, frequency_limit), stat, errmsg)
+    end subroutine stability_verdict
+
+    ! Number of multipliers that are known, and of those that the system has.
+    subroutine stability_count(self, count, states, stat, errmsg)
+        class(pdn_stability), intent(in) :: self
+        integer(c_int32_t), intent(inout) :: count
+        integer(c_int32_t), intent(inout), optional :: states
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        integer(c_size_t) :: known, all
+        integer(c_int32_t) :: status
+
+        status = pdn_stability_count(self%c, known, all)
+        if (status == PDN_OK) then
+            count = int(known, c_int32_t)
+            if (present(states)) states = int(all, c_int32_t)
+        end if
+        call report(status, stat, errmsg)
+    end subroutine stability_count
+
+    ! A multiplier, its exponent, frequency and error.
+    subroutine stability_get(self, number, multiplier, stat, errmsg)
+        class(pdn_stability), intent(in) :: self
+        integer(c_int32_t), intent(in) :: number
+        type(pdn_multiplier), intent(inout) :: multiplier
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        type(pdn_multiplier) :: found
+        integer(c_int32_t) :: status
+
+        call pdn_multiplier_init(found, c_sizeof(found))
+        status = pdn_stability_get(self%c, number, found)
+        if (status == PDN_OK) multiplier = found
+        call report(status, stat, errmsg)
+    end subroutine stability_get
+
+    ! Times of the shapes of modes.
+    subroutine stability_times(self, times, stat, errmsg)
+        class(pdn_stability), intent(in) :: self
+        real(c_double), allocatable, intent(inout) :: times(:)
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        real(c_double), allocatable :: found(:)
+        integer(c_size_t) :: steps
+        integer(c_int32_t) :: status
+
+        status = pdn_stability_times(self%c, count=0_c_size_t, steps=steps)
+        if (status == PDN_OK) then
+            allocate (found(steps))
+            status = pdn_stability_times(self%c, found, steps)
+        end if
+        if (status == PDN_OK) call move_alloc(found, times)
+        call report(status, stat, errmsg)
+    end subroutine stability_times
+
+    ! Displacement and rotation of a node along its own axes, at all times: 6 x times.
+    subroutine stability_shape(self, number, node, real, imaginary, stat, errmsg)
+        class(pdn_stability), intent(in) :: self
+        integer(c_int32_t), intent(in) :: number, node
+        real(c_double), intent(inout) :: real(:, :)
+        real(c_double), intent(inout), optional, contiguous :: imaginary(:, :)
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+
+        if (.not. fits('real', shape(real), [6, size(real, 2)], stat, errmsg)) return
+        if (present(imaginary)) then
+            if (.not. fits('imaginary', shape(imaginary), shape(real), stat, errmsg)) return
+        end if
+        call report(pdn_stability_shape(self%c, number, node, size(real, 2, kind=c_size_t), real, imaginary), &
+            stat, errmsg)
+    end subroutine stability_shape
 
     ! Modes ---------------------------------------------------------------------------------------------------
 

@@ -638,6 +638,11 @@
 #define PDN_STAGE_MODES 3
 
 /**
+ * Following disturbances of a periodic solution.
+ */
+#define PDN_STAGE_STABILITY 4
+
+/**
  * Start of a periodic solve: the library tries those that suit, cheapest first.
  */
 #define PDN_START_AUTOMATIC 0
@@ -703,6 +708,23 @@
 #define PDN_LINEAR_CIRCULANT 5
 
 /**
+ * Verdict on stability: it cannot be told, as multipliers are on the unit circle or not known well
+ * enough.
+ */
+#define PDN_STABILITY_NOT_KNOWN 0
+
+/**
+ * Verdict on stability: disturbances die away, but for those that only move the solution in time
+ * or space.
+ */
+#define PDN_STABLE 1
+
+/**
+ * Verdict on stability: a disturbance grows.
+ */
+#define PDN_UNSTABLE 2
+
+/**
  * A mechanism. Made by ::pdn_model_new, freed by ::pdn_model_free.
  *
  * It is described in its reference configuration: points, directions and frames are those of the
@@ -728,6 +750,12 @@ typedef struct pdn_modes pdn_modes;
  * to its last (PDN_ERR_VALUE for any other), but it has no harmonics (PDN_ERR_NOT_AVAILABLE).
  */
 typedef struct pdn_solution pdn_solution;
+
+/**
+ * Floquet multipliers of a periodic solution. Made by ::pdn_solve_stability, freed by
+ * ::pdn_stability_free.
+ */
+typedef struct pdn_stability pdn_stability;
 
 /**
  * Columns of numbers over the same times. Made by ::pdn_table_new, freed by ::pdn_table_free.
@@ -1362,7 +1390,8 @@ typedef struct pdn_progress {
      */
     size_t struct_size;
     /**
-     * PDN_STAGE_INITIAL_GUESS, PDN_STAGE_NEWTON, PDN_STAGE_MARCH or PDN_STAGE_MODES.
+     * PDN_STAGE_INITIAL_GUESS, PDN_STAGE_NEWTON, PDN_STAGE_MARCH, PDN_STAGE_MODES or
+     * PDN_STAGE_STABILITY.
      */
     int32_t stage;
     /**
@@ -1848,6 +1877,80 @@ typedef struct pdn_shooting_options {
      */
     void *progress_data;
 } pdn_shooting_options;
+
+/**
+ * Options of ::pdn_solve_stability. Set the defaults by `PDN_INIT(pdn_stability_options,
+ * &options)`.
+ */
+typedef struct pdn_stability_options {
+    /**
+     * Set by the initialiser.
+     */
+    size_t struct_size;
+    /**
+     * Modes of up to this angular frequency matter \[angle/time\]; 0 for 20 times that of the
+     * period. Default 0.
+     */
+    double highest_frequency;
+    /**
+     * Estimated error of the multipliers of these modes, in units of 1 or of the multiplier where
+     * that is more. Default 1e-8.
+     */
+    double tolerance;
+    /**
+     * Told about ten times a second that work goes on; may cancel. Default NULL.
+     */
+    pdn_progress_fn progress;
+    /**
+     * Handed to progress.
+     */
+    void *progress_data;
+} pdn_stability_options;
+
+/**
+ * A disturbance `exp(mu t) phi(t)` of a periodic solution, where phi has its period. Initialise
+ * with `PDN_INIT(pdn_multiplier, &multiplier)`.
+ */
+typedef struct pdn_multiplier {
+    /**
+     * Set by the initialiser.
+     */
+    size_t struct_size;
+    /**
+     * Real part of the multiplier rho = exp(mu T).
+     */
+    double real;
+    /**
+     * Imaginary part of rho.
+     */
+    double imaginary;
+    /**
+     * Real part of the exponent mu \[1/time\]; negative if the disturbance dies away.
+     */
+    double exponent_real;
+    /**
+     * Imaginary part of mu \[angle/time\]: of the many that give rho that nearest to the frequency
+     * of the mode.
+     */
+    double exponent_imaginary;
+    /**
+     * Angular frequency of the mode over the period, in the nodes' own axes.
+     */
+    double frequency;
+    /**
+     * Estimated error of rho, for this periodic solution.
+     */
+    double error;
+    /**
+     * 1 if rho is 1 because the disturbance only moves the solution in time, or all of the
+     * mechanism in space; else 0.
+     */
+    int32_t trivial;
+    /**
+     * Zero.
+     */
+    int32_t reserved;
+} pdn_multiplier;
 
 /**
  * Counts, mass and mobility of a model. Initialise with `PDN_INIT(pdn_summary, &summary)`.
@@ -4674,6 +4777,197 @@ pdn_status pdn_solution_floquet(const struct pdn_solution *solution,
                                 double *real,
                                 double *imaginary,
                                 size_t count);
+
+/**
+ * Sets default options; use `PDN_INIT(pdn_stability_options, &options)`.
+ *
+ * @param options  the options; not NULL
+ * @param struct_size  `sizeof *options`
+ *
+ * Threads: any.
+ * @since 0.1
+ */
+PDN_API
+void pdn_stability_options_init(struct pdn_stability_options *options,
+                                size_t struct_size);
+
+/**
+ * Finds the Floquet multipliers of a periodic solution: what small disturbances are multiplied by
+ * in a period.
+ *
+ * Disturbances obey the exact linearised equations, constraints, redundant ones too, and internal
+ * states included, about the solution interpolated between its grid points. They are integrated
+ * over the period in steps that are halved until the multipliers of modes up to the highest
+ * frequency stand still. The error of the periodic solution itself comes with theirs.
+ *
+ * @param solution  a converged solution of ::pdn_solve_periodic or one like it; not NULL
+ * @param options  may be NULL for the defaults
+ * @param out  the multipliers; free them with ::pdn_stability_free; written on success only
+ * @return PDN_OK; PDN_ERR_NULL; PDN_ERR_NOT_FINITE; PDN_ERR_VALUE; PDN_ERR_STRUCT_SIZE;
+ *     PDN_ERR_NOT_AVAILABLE (no periodic solution, or one that has not converged);
+ *     PDN_ERR_GRID_TOO_COARSE (a motion that cannot be interpolated); PDN_ERR_CALLBACK (of a
+ *     signal or force); PDN_ERR_MEMORY
+ *
+ * Threads: like a `const` use of `solution`. Signals' functions, forces and `progress` are called
+ * on this thread.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_solve_stability(const struct pdn_solution *solution,
+                               const struct pdn_stability_options *options,
+                               struct pdn_stability **out);
+
+/**
+ * Frees multipliers; NULL does nothing.
+ *
+ * @param stability  the multipliers, not to be used any more
+ *
+ * Threads: exclusive use of `stability`.
+ * @since 0.1
+ */
+PDN_API
+void pdn_stability_free(struct pdn_stability *stability);
+
+/**
+ * How the analysis ended.
+ *
+ * @param stability  the multipliers; not NULL
+ * @return PDN_CONVERGED; PDN_TOLERANCE_NOT_MET (not all multipliers up to the highest frequency
+ *     that was asked for are known to the tolerance); PDN_SINGULAR or PDN_CANCELLED (there are no
+ *     multipliers); or an error as ::pdn_solution_outcome
+ *
+ * Threads: like `const`.
+ * @since 0.1
+ */
+PDN_API
+int32_t pdn_stability_outcome(const struct pdn_stability *stability);
+
+/**
+ * What the multipliers say.
+ *
+ * @param stability  the multipliers; not NULL
+ * @param verdict  PDN_STABLE, PDN_UNSTABLE or PDN_STABILITY_NOT_KNOWN; written on success only
+ * @param frequency_limit  angular frequency of modes up to which the verdict holds; infinite if
+ *     all multipliers are known; may be NULL; written on success only
+ * @return PDN_OK, PDN_ERR_NULL
+ *
+ * Threads: like `const`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_stability_verdict(const struct pdn_stability *stability,
+                                 int32_t *verdict,
+                                 double *frequency_limit);
+
+/**
+ * Number of multipliers that are known, and of those that the system has, one for each state.
+ *
+ * Multipliers of modes far above the highest frequency that was asked for may be left out.
+ *
+ * @param stability  the multipliers; not NULL
+ * @param out  the number that are known; written on success only
+ * @param states  the number that the system has; may be NULL; written on success only
+ * @return PDN_OK, PDN_ERR_NULL
+ *
+ * Threads: like `const`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_stability_count(const struct pdn_stability *stability,
+                               size_t *out,
+                               size_t *states);
+
+/**
+ * Prepares a struct for ::pdn_stability_get; use `PDN_INIT(pdn_multiplier, &multiplier)`.
+ *
+ * @param multiplier  the struct; not NULL
+ * @param struct_size  `sizeof *multiplier`
+ *
+ * Threads: any.
+ * @since 0.1
+ */
+PDN_API
+void pdn_multiplier_init(struct pdn_multiplier *multiplier,
+                         size_t struct_size);
+
+/**
+ * A multiplier.
+ *
+ * @param stability  the multipliers; not NULL
+ * @param number  its number, from 0: the largest is first, of a conjugate pair that with the
+ *     positive imaginary part
+ * @param out  initialised by PDN_INIT; filled on success only
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_ID, PDN_ERR_STRUCT_SIZE
+ *
+ * Threads: like `const`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_stability_get(const struct pdn_stability *stability,
+                             int32_t number,
+                             struct pdn_multiplier *out);
+
+/**
+ * Times of the shapes of modes: ends of equal steps over the period, the last is the period.
+ *
+ * @param stability  the multipliers; not NULL
+ * @param times  array of length [count]; may be NULL if count is 0
+ * @param count  number of times to be written, no more than there are
+ * @param steps  the number of times that there are; may be NULL; written on success only
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_SIZE
+ *
+ * Threads: like `const`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_stability_times(const struct pdn_stability *stability,
+                               double *times,
+                               size_t count,
+                               size_t *steps);
+
+/**
+ * The mode phi of a multiplier at a node over the period.
+ *
+ * Small displacements and rotations along the node's own axes, at the times of
+ * ::pdn_stability_times. The largest component of all nodes over the period is 1, with
+ * displacements relative to the size of the mechanism and rotations in radians.
+ *
+ * @param stability  the multipliers; not NULL
+ * @param number  number of the multiplier, from 0
+ * @param node  id of the node
+ * @param steps  number of times, as ::pdn_stability_times tells
+ * @param real  array of length [6 x steps]: real part, components fastest
+ * @param imaginary  array of length [6 x steps]: imaginary part; may be NULL
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_ID, PDN_ERR_SIZE
+ *
+ * Threads: like `const`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_stability_shape(const struct pdn_stability *stability,
+                               int32_t number,
+                               int32_t node,
+                               size_t steps,
+                               double *real,
+                               double *imaginary);
+
+/**
+ * A readable report: the verdict, how far it holds, and a table of the multipliers.
+ *
+ * @param stability  the multipliers; not NULL
+ * @param buffer  array of length [capacity] for the text, UTF-8, always ended by NUL; may be NULL
+ *     if capacity is 0
+ * @param capacity  size of buffer in bytes
+ * @return length of the whole report without the NUL, as snprintf does; 0 if the handle is not
+ *     valid
+ *
+ * Threads: like `const`.
+ * @since 0.1
+ */
+PDN_API
+size_t pdn_stability_report(const struct pdn_stability *stability,
+                            char *buffer,
+                            size_t capacity);
 
 /**
  * Interpolates a periodic motion given at N equispaced times, by dual polar decomposition.

@@ -165,6 +165,12 @@ enum class Stage : std::int32_t {
     newton = PDN_STAGE_NEWTON,
     march = PDN_STAGE_MARCH,
     modes = PDN_STAGE_MODES,
+    stability = PDN_STAGE_STABILITY,
+};
+enum class Verdict : std::int32_t {
+    not_known = PDN_STABILITY_NOT_KNOWN,
+    stable = PDN_STABLE,
+    unstable = PDN_UNSTABLE,
 };
 /** Where a periodic solve starts, as pdn_periodic_options.start asks for and pdn_progress tells. */
 enum class Start : std::int32_t {
@@ -314,6 +320,10 @@ struct Free {
     void operator()(pdn_modes *modes) const noexcept
     {
         pdn_modes_free(modes);
+    }
+    void operator()(pdn_stability *stability) const noexcept
+    {
+        pdn_stability_free(stability);
     }
     void operator()(pdn_table *table) const noexcept
     {
@@ -1713,6 +1723,115 @@ inline Solution solve_shooting(const Model &model, double period,
         [&](pdn_solution **out) { return pdn_solve_shooting(model.get(), period, &plain, out); });
     watch.rethrow();
     return Solution(handle.release(), model.kept());
+}
+
+/** Options of solve_stability, with the fields of ::pdn_stability_options and this in place of
+ * pointers. */
+struct StabilityOptions : pdn_stability_options {
+    StabilityOptions()
+    {
+        pdn_stability_options_init(this, sizeof(pdn_stability_options));
+    }
+    Progress progress;
+};
+
+/** Mode of a multiplier at a node over the period, along the node's own axes. */
+struct FloquetMode {
+    Series<6> real, imaginary;
+};
+
+/** Floquet multipliers of a periodic solution, the largest first. */
+class Stability
+{
+  public:
+    /** Takes over a handle of periodyn.h. */
+    explicit Stability(pdn_stability *handle) : handle_(handle)
+    {
+    }
+    /** The handle, for functions of periodyn.h; NULL if moved from. */
+    const pdn_stability *get() const noexcept
+    {
+        return handle_.get();
+    }
+    Outcome outcome() const
+    {
+        const std::int32_t outcome = pdn_stability_outcome(get());
+        detail::check(outcome);
+        return static_cast<Outcome>(outcome);
+    }
+    Verdict verdict() const
+    {
+        std::int32_t out = 0;
+        detail::check(pdn_stability_verdict(get(), &out, nullptr));
+        return static_cast<Verdict>(out);
+    }
+    /** Angular frequency up to which the verdict holds; infinite if all multipliers are known. */
+    double frequency_limit() const
+    {
+        std::int32_t verdict = 0;
+        double out = 0;
+        detail::check(pdn_stability_verdict(get(), &verdict, &out));
+        return out;
+    }
+    /** Number of multipliers that are known. */
+    std::size_t count() const
+    {
+        return detail::number<std::size_t>(
+            [&](std::size_t *out) { return pdn_stability_count(get(), out, nullptr); });
+    }
+    /** Number of multipliers that the system has. */
+    std::size_t states() const
+    {
+        std::size_t count = 0, states = 0;
+        detail::check(pdn_stability_count(get(), &count, &states));
+        return states;
+    }
+    pdn_multiplier multiplier(std::int32_t number) const
+    {
+        pdn_multiplier out;
+        pdn_multiplier_init(&out, sizeof out);
+        detail::check(pdn_stability_get(get(), number, &out));
+        return out;
+    }
+    /** Times of modes. */
+    std::vector<double> times() const
+    {
+        std::size_t steps = 0;
+        detail::check(pdn_stability_times(get(), nullptr, 0, &steps));
+        std::vector<double> out(steps);
+        detail::check(pdn_stability_times(get(), out.data(), steps, nullptr));
+        return out;
+    }
+    FloquetMode mode(std::int32_t number, std::int32_t node) const
+    {
+        std::size_t steps = 0;
+        detail::check(pdn_stability_times(get(), nullptr, 0, &steps));
+        FloquetMode out{Series<6>(steps), Series<6>(steps)};
+        detail::check(pdn_stability_shape(get(), number, node, steps, detail::flat(out.real),
+                                          detail::flat(out.imaginary)));
+        return out;
+    }
+    std::string report() const
+    {
+        outcome(); // throws if there is nothing to report
+        return detail::text([&](char *buffer, std::size_t capacity) {
+            return pdn_stability_report(get(), buffer, capacity);
+        });
+    }
+
+  private:
+    std::unique_ptr<pdn_stability, detail::Free> handle_;
+};
+
+/** Finds what small disturbances of a periodic solution are multiplied by in a period. */
+inline Stability solve_stability(const Solution &solution, const StabilityOptions &options = {})
+{
+    pdn_stability_options plain = options;
+    detail::Watch watch(options.progress, plain);
+    auto handle = detail::make<pdn_stability>(
+        [&](pdn_stability **out) { return pdn_solve_stability(solution.get(), &plain, out); });
+    watch.rethrow();
+    return Stability(handle.release());
 }
 
 /** Options of solve_modes, with the fields of ::pdn_modes_options and this in place of the pointer.

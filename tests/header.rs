@@ -29,6 +29,7 @@ const FILES: &[&str] = &[
     "modes",
     "march",
     "shooting",
+    "stability",
     "motion",
     "summary",
     "table",

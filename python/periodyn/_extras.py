@@ -97,6 +97,23 @@ class ModesExtras(Outcome, Handle):
         return numpy.array([mode.frequency for mode in self])
 
 
+class StabilityExtras(Outcome, Handle):
+    """Floquet multipliers, in Python: a sequence of Multiplier."""
+
+    def __len__(self):
+        return self.count()[0]
+
+    def __getitem__(self, number):
+        if not 0 <= number < len(self):
+            raise IndexError(number)
+        return self.get(number)
+
+    @property
+    def multipliers(self):
+        """The multipliers as complex numbers."""
+        return numpy.array([complex(m.real, m.imaginary) for m in self])
+
+
 class SolutionExtras(Outcome, Saved):
     """A solution, in Python."""
 

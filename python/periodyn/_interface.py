@@ -7,7 +7,7 @@ from . import _callbacks
 from ._abi import ffi
 from ._call import LIBRARY as lib
 from ._call import call, text
-from ._extras import ModelExtras, ModesExtras, SolutionExtras, TableExtras
+from ._extras import ModelExtras, ModesExtras, SolutionExtras, StabilityExtras, TableExtras
 from ._numbers import ids, like, reals, together
 from ._structs import (
     Array, Number, Reference, Struct, Structs, as_signal, as_signals, of_type, pointer,
@@ -279,6 +279,8 @@ STAGE_MARCH = 2
 """Stage of a march: a step, with the last of its iterations."""
 STAGE_MODES = 3
 """Stage of a modal analysis: looking for modes about the equilibrium."""
+STAGE_STABILITY = 4
+"""Following disturbances of a periodic solution."""
 START_AUTOMATIC = 0
 """Start of a periodic solve: the library tries those that suit, cheapest first."""
 START_QUASI_STATIC = 1
@@ -314,6 +316,16 @@ without inertia.
 LINEAR_CIRCULANT = 5
 """Linear equations: solved by iteration; everything is averaged over time for the preconditioner.
 """
+STABILITY_NOT_KNOWN = 0
+"""Verdict on stability: it cannot be told, as multipliers are on the unit circle or not known well
+enough.
+"""
+STABLE = 1
+"""Verdict on stability: disturbances die away, but for those that only move the solution in time
+or space.
+"""
+UNSTABLE = 2
+"""Verdict on stability: a disturbance grows."""
 
 OUTCOMES = {
     0: "CONVERGED",
@@ -771,7 +783,7 @@ class Progress(Struct):
 
     _type = "pdn_progress"
     stage = Number("stage")
-    """STAGE_INITIAL_GUESS, STAGE_NEWTON, STAGE_MARCH or STAGE_MODES."""
+    """STAGE_INITIAL_GUESS, STAGE_NEWTON, STAGE_MARCH, STAGE_MODES or STAGE_STABILITY."""
     iteration = Number("iteration")
     """Number of the last iteration, from 1, or 0 before the first; starts again with each Newton
     solve. In a march, number of the step.
@@ -1090,6 +1102,50 @@ class ShootingOptions(Struct):
     progress = Reference("progress", _callbacks.progress, "progress_data")
     """Told of each period of the guess and of each iteration, and about ten times a second while
     one lasts; may cancel. Default None.
+    """
+
+
+class StabilityOptions(Struct):
+    """Options of Solution.solve_stability. Set the defaults by `StabilityOptions()`."""
+
+    _type = "pdn_stability_options"
+    _initialise = lib.pdn_stability_options_init
+    highest_frequency = Number("highest_frequency")
+    """Modes of up to this angular frequency matter [angle/time]; 0 for 20 times that of the
+    period. Default 0.
+    """
+    tolerance = Number("tolerance")
+    """Estimated error of the multipliers of these modes, in units of 1 or of the multiplier where
+    that is more. Default 1e-8.
+    """
+    progress = Reference("progress", _callbacks.progress, "progress_data")
+    """Told about ten times a second that work goes on; may cancel. Default None."""
+
+
+class Multiplier(Struct):
+    """A disturbance `exp(mu t) phi(t)` of a periodic solution, where phi has its period.
+    Initialise with `Multiplier()`.
+    """
+
+    _type = "pdn_multiplier"
+    _initialise = lib.pdn_multiplier_init
+    real = Number("real")
+    """Real part of the multiplier rho = exp(mu T)."""
+    imaginary = Number("imaginary")
+    """Imaginary part of rho."""
+    exponent_real = Number("exponent_real")
+    """Real part of the exponent mu [1/time]; negative if the disturbance dies away."""
+    exponent_imaginary = Number("exponent_imaginary")
+    """Imaginary part of mu [angle/time]: of the many that give rho that nearest to the frequency
+    of the mode.
+    """
+    frequency = Number("frequency")
+    """Angular frequency of the mode over the period, in the nodes' own axes."""
+    error = Number("error")
+    """Estimated error of rho, for this periodic solution."""
+    trivial = Number("trivial")
+    """1 if rho is 1 because the disturbance only moves the solution in time, or all of the
+    mechanism in space; else 0.
     """
 
 
@@ -3588,6 +3644,35 @@ class Solution(SolutionExtras):
         call(lib.pdn_solution_floquet, self._c, pointer(real), pointer(imaginary), _count)
         return real, imaginary
 
+    def solve_stability(self, *, highest_frequency=None, tolerance=None, progress=None):
+        """Finds the Floquet multipliers of a periodic solution: what small disturbances are
+        multiplied by in a period.
+
+        Disturbances obey the exact linearised equations, constraints, redundant ones too, and
+        internal states included, about the solution interpolated between its grid points. They
+        are integrated over the period in steps that are halved until the multipliers of modes
+        up to the highest frequency stand still. The error of the periodic solution itself comes
+        with theirs.
+
+        Args:
+            highest_frequency: Modes of up to this angular frequency matter [angle/time]; 0 for
+                20 times that of the period. Default 0.
+            tolerance: Estimated error of the multipliers of these modes, in units of 1 or of
+                the multiplier where that is more. Default 1e-8.
+            progress: Told about ten times a second that work goes on; may cancel. Default None.
+
+        Returns:
+            Stability: the multipliers
+        """
+        options = StabilityOptions(
+            highest_frequency=highest_frequency,
+            tolerance=tolerance,
+            progress=progress,
+        )
+        out = ffi.new("pdn_stability **")
+        call(lib.pdn_solve_stability, self._c, options._c, out)
+        return Stability._made(out[0], self._kept)
+
     def write_vtk(self, times, points_per_element, path):
         """Writes an animation of a solution that ParaView opens: VTK's XML files, and a list of
         them.
@@ -3667,6 +3752,109 @@ class Solution(SolutionExtras):
         out = ffi.new("pdn_model **")
         call(lib.pdn_solution_model, self._c, out)
         return Model._made(out[0], self._kept)
+
+
+class Stability(StabilityExtras):
+    """Floquet multipliers of a periodic solution. Made by Solution.solve_stability, freed by
+    Stability.free.
+    """
+
+    _free = lib.pdn_stability_free
+
+    def outcome(self):
+        """How the analysis ended."""
+        return lib.pdn_stability_outcome(self._c)
+
+    def verdict(self):
+        """What the multipliers say.
+
+        Returns:
+            verdict: STABLE, UNSTABLE or STABILITY_NOT_KNOWN
+            frequency_limit: angular frequency of modes up to which the verdict holds; infinite
+                if all multipliers are known
+        """
+        verdict = ffi.new("int32_t *")
+        frequency_limit = ffi.new("double *")
+        call(lib.pdn_stability_verdict, self._c, verdict, frequency_limit)
+        return verdict[0], frequency_limit[0]
+
+    def count(self):
+        """Number of multipliers that are known, and of those that the system has, one for each
+        state.
+
+        Multipliers of modes far above the highest frequency that was asked for may be left out.
+
+        Returns:
+            out: the number that are known
+            states: the number that the system has
+        """
+        out = ffi.new("size_t *")
+        states = ffi.new("size_t *")
+        call(lib.pdn_stability_count, self._c, out, states)
+        return out[0], states[0]
+
+    def get(self, number):
+        """A multiplier.
+
+        Args:
+            number: its number, from 0: the largest is first, of a conjugate pair that with the
+                positive imaginary part
+
+        Returns:
+            Multiplier
+        """
+        out = Multiplier()
+        call(lib.pdn_stability_get, self._c, number, out._c)
+        return out
+
+    def times(self, count):
+        """Times of the shapes of modes: ends of equal steps over the period, the last is the
+        period.
+
+        Args:
+            count: number of times to be written, no more than there are
+
+        Returns:
+            times, of shape (count)
+            steps: the number of times that there are
+        """
+        times = reals.empty((count,))
+        steps = ffi.new("size_t *")
+        call(lib.pdn_stability_times, self._c, pointer(times), count, steps)
+        return times, steps[0]
+
+    def shape(self, number, node, steps):
+        """The mode phi of a multiplier at a node over the period.
+
+        Small displacements and rotations along the node's own axes, at the times of
+        Stability.times. The largest component of all nodes over the period is 1, with
+        displacements relative to the size of the mechanism and rotations in radians.
+
+        Args:
+            number: number of the multiplier, from 0
+            node: id of the node
+            steps: number of times, as Stability.times tells
+
+        Returns:
+            real, of shape (steps, 6): real part, components fastest
+            imaginary, of shape (steps, 6): imaginary part
+        """
+        real = reals.empty((steps, 6))
+        imaginary = reals.empty((steps, 6))
+        call(
+            lib.pdn_stability_shape,
+            self._c,
+            number,
+            node,
+            steps,
+            pointer(real),
+            pointer(imaginary),
+        )
+        return real, imaginary
+
+    def report(self):
+        """A readable report: the verdict, how far it holds, and a table of the multipliers."""
+        return text.of(lib.pdn_stability_report, self._c)
 
 
 class Table(TableExtras):

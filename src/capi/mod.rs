@@ -92,6 +92,7 @@ pub mod section;
 pub mod shooting;
 pub mod signal;
 pub mod solution;
+pub mod stability;
 pub mod statics;
 pub mod status;
 pub mod summary;

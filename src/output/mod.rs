@@ -11,6 +11,7 @@ mod quantities;
 mod report;
 mod saved;
 mod solution;
+mod stability;
 mod table;
 mod trajectory;
 mod vtk;

@@ -6,6 +6,7 @@ mod alpha;
 mod backward;
 mod given;
 mod kinematics;
+mod radau;
 mod spectral;
 mod steady;
 #[cfg(test)]
@@ -18,6 +19,7 @@ pub use alpha::{
 pub use backward::Backward;
 pub use given::GivenRates;
 pub use kinematics::{BackwardWeights, KinematicsScratch, NodeKinematics};
+pub use radau::{PLACES, RadauStep, RadauWeights, STAGES};
 pub use spectral::Spectral;
 pub use steady::Steady;
 
