@@ -160,8 +160,8 @@ impl DirectSolver {
         sizes.sum()
     }
 
-    /// Whether errors of motions, relative to the largest, are known to be no more than this without
-    /// refinement.
+    /// Whether errors of motions, relative to the largest, are known to be no more than this
+    /// without refinement.
     pub fn is_accurate_to(&self, accuracy: f64) -> bool {
         self.accurate || self.correction <= accuracy
     }
