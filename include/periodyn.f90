@@ -102,6 +102,25 @@ module periodyn_c
     integer(c_int32_t), parameter :: PDN_BEAM_FORCE = 1
     integer(c_int32_t), parameter :: PDN_BEAM_FORCE_MEAN = 2
     integer(c_int32_t), parameter :: PDN_BEAM_FORCE_JUMP = 3
+    integer(c_int32_t), parameter :: PDN_QUANTITY_POSITION = 100
+    integer(c_int32_t), parameter :: PDN_QUANTITY_ROTATION = 101
+    integer(c_int32_t), parameter :: PDN_QUANTITY_QUATERNION = 102
+    integer(c_int32_t), parameter :: PDN_QUANTITY_VELOCITY = 103
+    integer(c_int32_t), parameter :: PDN_QUANTITY_ACCELERATION = 104
+    integer(c_int32_t), parameter :: PDN_QUANTITY_COORDINATE = 200
+    integer(c_int32_t), parameter :: PDN_QUANTITY_COORDINATE_RATE = 201
+    integer(c_int32_t), parameter :: PDN_QUANTITY_COORDINATE_ACCELERATION = 202
+    integer(c_int32_t), parameter :: PDN_QUANTITY_DRIVING_EFFORT = 203
+    integer(c_int32_t), parameter :: PDN_QUANTITY_REACTION = 204
+    integer(c_int32_t), parameter :: PDN_QUANTITY_STRAIN = 300
+    integer(c_int32_t), parameter :: PDN_QUANTITY_BEAM_FORCE = 301
+    integer(c_int32_t), parameter :: PDN_QUANTITY_BEAM_FORCE_MEAN = 302
+    integer(c_int32_t), parameter :: PDN_QUANTITY_BEAM_FORCE_JUMP = 303
+    integer(c_int32_t), parameter :: PDN_QUANTITY_EFFORT = 400
+    integer(c_int32_t), parameter :: PDN_QUANTITY_BRANCH_EFFORT = 401
+    integer(c_int32_t), parameter :: PDN_QUANTITY_BRANCH_ELONGATION = 402
+    integer(c_int32_t), parameter :: PDN_QUANTITY_FORCE_ON_NODE = 403
+    integer(c_int32_t), parameter :: PDN_ALL_COMPONENTS = -1
     integer(c_int32_t), parameter :: PDN_FORCE_EFFORT = 0
     integer(c_int32_t), parameter :: PDN_FORCE_BRANCH_EFFORT = 1
     integer(c_int32_t), parameter :: PDN_FORCE_BRANCH_ELONGATION = 2
@@ -113,6 +132,7 @@ module periodyn_c
     integer(c_int32_t), parameter :: PDN_STAGE_NEWTON = 1
     integer(c_int32_t), parameter :: PDN_STAGE_MARCH = 2
     integer(c_int32_t), parameter :: PDN_STAGE_MODES = 3
+    integer(c_int32_t), parameter :: PDN_STAGE_STABILITY = 4
     integer(c_int32_t), parameter :: PDN_START_AUTOMATIC = 0
     integer(c_int32_t), parameter :: PDN_START_QUASI_STATIC = 1
     integer(c_int32_t), parameter :: PDN_START_STEADY_ROTATION = 2
@@ -153,6 +173,9 @@ module periodyn_c
     integer(c_int32_t), parameter :: PDN_EVENT_FOLD = 1
     integer(c_int32_t), parameter :: PDN_EVENT_BRANCH_POINT = 2
     integer(c_int32_t), parameter :: PDN_EVENT_PERIOD_DOUBLING = 3
+    integer(c_int32_t), parameter :: PDN_STABILITY_NOT_KNOWN = 0
+    integer(c_int32_t), parameter :: PDN_STABLE = 1
+    integer(c_int32_t), parameter :: PDN_UNSTABLE = 2
 
     type, bind(C) :: pdn_section
         integer(c_size_t) :: struct_size = 0
@@ -273,6 +296,17 @@ module periodyn_c
         integer(c_int32_t) :: attempts
         real(c_double) :: mesh_error
     end type pdn_diagnostics
+
+    type, bind(C) :: pdn_quantity
+        integer(c_size_t) :: struct_size = 0
+        integer(c_int32_t) :: kind
+        integer(c_int32_t) :: object
+        integer(c_int32_t) :: component
+        integer(c_int32_t) :: frame
+        integer(c_int32_t) :: node
+        integer(c_int32_t) :: branch
+        real(c_double) :: station
+    end type pdn_quantity
 
     type, bind(C) :: pdn_progress
         integer(c_size_t) :: struct_size = 0
@@ -420,6 +454,26 @@ module periodyn_c
         type(c_funptr) :: progress = c_null_funptr
         type(c_ptr) :: progress_data = c_null_ptr
     end type pdn_shooting_options
+
+    type, bind(C) :: pdn_stability_options
+        integer(c_size_t) :: struct_size = 0
+        real(c_double) :: highest_frequency
+        real(c_double) :: tolerance
+        type(c_funptr) :: progress = c_null_funptr
+        type(c_ptr) :: progress_data = c_null_ptr
+    end type pdn_stability_options
+
+    type, bind(C) :: pdn_multiplier
+        integer(c_size_t) :: struct_size = 0
+        real(c_double) :: real
+        real(c_double) :: imaginary
+        real(c_double) :: exponent_real
+        real(c_double) :: exponent_imaginary
+        real(c_double) :: frequency
+        real(c_double) :: error
+        integer(c_int32_t) :: trivial
+        integer(c_int32_t) :: reserved
+    end type pdn_multiplier
 
     type, bind(C) :: pdn_summary
         integer(c_size_t) :: struct_size = 0
@@ -1489,6 +1543,70 @@ module periodyn_c
             integer(c_int32_t) :: pdn_solution_beam_harmonics
         end function pdn_solution_beam_harmonics
 
+        ! Prepares a struct that tells a quantity; use `PDN_INIT(pdn_quantity, &quantity)`
+        subroutine pdn_quantity_init(quantity, struct_size) bind(C, name="pdn_quantity_init")
+            import
+            type(pdn_quantity), intent(inout) :: quantity
+            integer(c_size_t), value :: struct_size
+        end subroutine pdn_quantity_init
+
+        ! Number of components that are asked for: of values at a time, of means and of harmonics
+        function pdn_quantity_components(quantity) bind(C, name="pdn_quantity_components")
+            import
+            type(pdn_quantity), intent(in) :: quantity
+            integer(c_int32_t) :: pdn_quantity_components
+        end function pdn_quantity_components
+
+        ! A quantity of a solution at any times
+        function pdn_solution_sample_quantity(solution, quantity, times, count, &
+            out) bind(C, name="pdn_solution_sample_quantity")
+            import
+            type(c_ptr), value :: solution
+            type(pdn_quantity), intent(in) :: quantity
+            real(c_double), intent(in) :: times(*)
+            integer(c_size_t), value :: count
+            real(c_double), intent(inout) :: out(*)
+            integer(c_int32_t) :: pdn_solution_sample_quantity
+        end function pdn_solution_sample_quantity
+
+        ! Fourier coefficients of a quantity: mean + rate t + sum of cosines[j] cos jwt + sines[j] sin jwt
+        function pdn_solution_quantity_harmonics(solution, quantity, harmonics, mean, rate, cosines, &
+            sines) bind(C, name="pdn_solution_quantity_harmonics")
+            import
+            type(c_ptr), value :: solution
+            type(pdn_quantity), intent(in) :: quantity
+            integer(c_size_t), value :: harmonics
+            real(c_double), intent(inout), optional :: mean(*)
+            real(c_double), intent(inout), optional :: rate(*)
+            real(c_double), intent(inout), optional :: cosines(*)
+            real(c_double), intent(inout), optional :: sines(*)
+            integer(c_int32_t) :: pdn_solution_quantity_harmonics
+        end function pdn_solution_quantity_harmonics
+
+        ! Smallest and largest values of a quantity, and their times
+        function pdn_solution_quantity_extremes(solution, quantity, smallest, time_of_smallest, largest, &
+            time_of_largest) bind(C, name="pdn_solution_quantity_extremes")
+            import
+            type(c_ptr), value :: solution
+            type(pdn_quantity), intent(in) :: quantity
+            real(c_double), intent(inout), optional :: smallest(*)
+            real(c_double), intent(inout), optional :: time_of_smallest(*)
+            real(c_double), intent(inout), optional :: largest(*)
+            real(c_double), intent(inout), optional :: time_of_largest(*)
+            integer(c_int32_t) :: pdn_solution_quantity_extremes
+        end function pdn_solution_quantity_extremes
+
+        ! Adds the columns of a quantity of a solution, named by the label and the component; or that of one ...
+        function pdn_table_add_quantity(table, solution, quantity, &
+            label) bind(C, name="pdn_table_add_quantity")
+            import
+            type(c_ptr), value :: table
+            type(c_ptr), value :: solution
+            type(pdn_quantity), intent(in) :: quantity
+            character(kind=c_char), intent(in), optional :: label(*)
+            integer(c_int32_t) :: pdn_table_add_quantity
+        end function pdn_table_add_quantity
+
         ! Effort of a force on a joint coordinate, at any times
         function pdn_solution_force_effort(solution, force, times, count, &
             out) bind(C, name="pdn_solution_force_effort")
@@ -1989,6 +2107,102 @@ module periodyn_c
             integer(c_int32_t) :: pdn_solution_floquet
         end function pdn_solution_floquet
 
+        ! Sets default options; use `PDN_INIT(pdn_stability_options, &options)`
+        subroutine pdn_stability_options_init(options, struct_size) bind(C, name="pdn_stability_options_init")
+            import
+            type(pdn_stability_options), intent(inout) :: options
+            integer(c_size_t), value :: struct_size
+        end subroutine pdn_stability_options_init
+
+        ! Finds the Floquet multipliers of a periodic solution: what small disturbances are multiplied by in a period
+        function pdn_solve_stability(solution, options, out) bind(C, name="pdn_solve_stability")
+            import
+            type(c_ptr), value :: solution
+            type(pdn_stability_options), intent(in), optional :: options
+            type(c_ptr), intent(inout) :: out
+            integer(c_int32_t) :: pdn_solve_stability
+        end function pdn_solve_stability
+
+        ! Frees multipliers; NULL does nothing
+        subroutine pdn_stability_free(stability) bind(C, name="pdn_stability_free")
+            import
+            type(c_ptr), value :: stability
+        end subroutine pdn_stability_free
+
+        ! How the analysis ended
+        function pdn_stability_outcome(stability) bind(C, name="pdn_stability_outcome")
+            import
+            type(c_ptr), value :: stability
+            integer(c_int32_t) :: pdn_stability_outcome
+        end function pdn_stability_outcome
+
+        ! What the multipliers say
+        function pdn_stability_verdict(stability, verdict, &
+            frequency_limit) bind(C, name="pdn_stability_verdict")
+            import
+            type(c_ptr), value :: stability
+            integer(c_int32_t), intent(inout) :: verdict
+            real(c_double), intent(inout), optional :: frequency_limit
+            integer(c_int32_t) :: pdn_stability_verdict
+        end function pdn_stability_verdict
+
+        ! Number of multipliers that are known, and of those that the system has, one for each state
+        function pdn_stability_count(stability, out, states) bind(C, name="pdn_stability_count")
+            import
+            type(c_ptr), value :: stability
+            integer(c_size_t), intent(inout) :: out
+            integer(c_size_t), intent(inout), optional :: states
+            integer(c_int32_t) :: pdn_stability_count
+        end function pdn_stability_count
+
+        ! Prepares a struct for ::pdn_stability_get; use `PDN_INIT(pdn_multiplier, &multiplier)`
+        subroutine pdn_multiplier_init(multiplier, struct_size) bind(C, name="pdn_multiplier_init")
+            import
+            type(pdn_multiplier), intent(inout) :: multiplier
+            integer(c_size_t), value :: struct_size
+        end subroutine pdn_multiplier_init
+
+        ! A multiplier
+        function pdn_stability_get(stability, number, out) bind(C, name="pdn_stability_get")
+            import
+            type(c_ptr), value :: stability
+            integer(c_int32_t), value :: number
+            type(pdn_multiplier), intent(inout) :: out
+            integer(c_int32_t) :: pdn_stability_get
+        end function pdn_stability_get
+
+        ! Times of the shapes of modes: ends of equal steps over the period, the last is the period
+        function pdn_stability_times(stability, times, count, steps) bind(C, name="pdn_stability_times")
+            import
+            type(c_ptr), value :: stability
+            real(c_double), intent(inout), optional :: times(*)
+            integer(c_size_t), value :: count
+            integer(c_size_t), intent(inout), optional :: steps
+            integer(c_int32_t) :: pdn_stability_times
+        end function pdn_stability_times
+
+        ! The mode phi of a multiplier at a node over the period
+        function pdn_stability_shape(stability, number, node, steps, real, &
+            imaginary) bind(C, name="pdn_stability_shape")
+            import
+            type(c_ptr), value :: stability
+            integer(c_int32_t), value :: number
+            integer(c_int32_t), value :: node
+            integer(c_size_t), value :: steps
+            real(c_double), intent(inout) :: real(*)
+            real(c_double), intent(inout), optional :: imaginary(*)
+            integer(c_int32_t) :: pdn_stability_shape
+        end function pdn_stability_shape
+
+        ! A readable report: the verdict, how far it holds, and a table of the multipliers
+        function pdn_stability_report(stability, buffer, capacity) bind(C, name="pdn_stability_report")
+            import
+            type(c_ptr), value :: stability
+            character(kind=c_char), intent(inout), optional :: buffer(*)
+            integer(c_size_t), value :: capacity
+            integer(c_size_t) :: pdn_stability_report
+        end function pdn_stability_report
+
         ! Interpolates a periodic motion given at N equispaced times, by dual polar decomposition
         function pdn_motion_interpolate(period, positions, rotations, points, times, count, position, &
             rotation, velocity, acceleration) bind(C, name="pdn_motion_interpolate")
@@ -2163,6 +2377,30 @@ module periodyn_c
             type(c_ptr), intent(inout) :: out
             integer(c_int32_t) :: pdn_solution_model
         end function pdn_solution_model
+
+        ! A copy of a model, which may be changed and solved apart from it
+        function pdn_model_copy(model, out) bind(C, name="pdn_model_copy")
+            import
+            type(c_ptr), value :: model
+            type(c_ptr), intent(inout) :: out
+            integer(c_int32_t) :: pdn_model_copy
+        end function pdn_model_copy
+
+        ! Saves a model
+        function pdn_model_save(model, path) bind(C, name="pdn_model_save")
+            import
+            type(c_ptr), value :: model
+            character(kind=c_char), intent(in) :: path(*)
+            integer(c_int32_t) :: pdn_model_save
+        end function pdn_model_save
+
+        ! Loads a model that ::pdn_model_save saved; its ids are what they were
+        function pdn_model_load(path, out) bind(C, name="pdn_model_load")
+            import
+            character(kind=c_char), intent(in) :: path(*)
+            type(c_ptr), intent(inout) :: out
+            integer(c_int32_t) :: pdn_model_load
+        end function pdn_model_load
     end interface
 end module periodyn_c
 ! END OF WHAT script/fortran_interface WRITES
@@ -2181,7 +2419,7 @@ module periodyn
     use, intrinsic :: iso_fortran_env, only: error_unit
     implicit none
     public
-    private :: report, refuse, fits, components, count_of, joined, text_at, c_text, error_unit
+    private :: report, refuse, fits, components, of_quantity, count_of, joined, text_at, c_text, error_unit
 
     ! In every procedure: without stat, a failure ends the program with the message. With it, stat is 0 or the
     ! negative status (PDN_ERR_VALUE, ...), and errmsg, blank-padded, tells which argument was wrong, what was
@@ -2235,6 +2473,7 @@ module periodyn
         procedure, public :: diagnostics => solution_diagnostics
         procedure, public :: march => solution_march
         procedure, public :: floquet => solution_floquet
+        procedure, public :: solve_stability => solution_solve_stability
         procedure, public :: history => solution_history
         procedure, public :: decay => solution_decay
         procedure, public :: filtered => solution_filtered
@@ -2256,6 +2495,9 @@ module periodyn
         procedure, public :: force_branch_effort => solution_force_branch_effort
         procedure, public :: force_branch_elongation => solution_force_branch_elongation
         procedure, public :: force_on_node => solution_force_on_node
+        procedure, public :: sample => solution_sample
+        procedure, public :: harmonics => solution_harmonics
+        procedure, public :: extremes => solution_extremes
         procedure, public :: node_harmonics => solution_node_harmonics
         procedure, public :: joint_harmonics => solution_joint_harmonics
         procedure, public :: beam_harmonics => solution_beam_harmonics
@@ -2278,6 +2520,9 @@ module periodyn
         procedure, public :: node_frame => model_node_frame
         procedure, public :: summary => model_summary
         procedure, public :: describe => model_describe
+        procedure, public :: copy => model_copy
+        procedure, public :: save => model_save
+        procedure, public :: load => model_load
         procedure, public :: add_node => model_add_node
         procedure, public :: add_rigid_body => model_add_rigid_body
         procedure, public :: add_mass => model_add_mass
@@ -2332,6 +2577,18 @@ module periodyn
         procedure, public :: equilibrium => modes_equilibrium
     end type pdn_modes
 
+    ! Floquet multipliers of a periodic solution, the largest first, counted from 0.
+    type, extends(pdn_handle) :: pdn_stability
+    contains
+        procedure, public :: report => stability_report
+        procedure, public :: outcome => stability_outcome
+        procedure, public :: verdict => stability_verdict
+        procedure, public :: count => stability_count
+        procedure, public :: get => stability_get
+        procedure, public :: times => stability_times
+        procedure, public :: shape => stability_shape
+    end type pdn_stability
+
     ! Quantities of solutions at many times, to be written as CSV. Without labels columns have names of their own.
     type, extends(pdn_handle) :: pdn_table
     contains
@@ -2340,6 +2597,7 @@ module periodyn
         procedure, public :: add_joint => table_add_joint
         procedure, public :: add_beam => table_add_beam
         procedure, public :: add_force => table_add_force
+        procedure, public :: add => table_add
         procedure, public :: add_values => table_add_values
         procedure, public :: write_csv => table_write_csv
     end type pdn_table
@@ -2347,7 +2605,7 @@ module periodyn
     ! Sets the defaults of options.
     interface pdn_init
         procedure init_section, init_periodic_options, init_static_options, init_modes_options, &
-            init_march_options, init_shooting_options
+            init_march_options, init_shooting_options, init_stability_options
     end interface pdn_init
 
     ! These have texts and arrays in place of those of periodyn_c, which are c_version and so on here.
@@ -2619,6 +2877,12 @@ contains
 
         call pdn_shooting_options_init(options, c_sizeof(options))
     end subroutine init_shooting_options
+
+    subroutine init_stability_options(options)
+        type(pdn_stability_options), intent(out) :: options
+
+        call pdn_stability_options_init(options, c_sizeof(options))
+    end subroutine init_stability_options
 
     ! A section without couplings: six stiffnesses; mass and three moments of inertia for each unit of length.
     ! damping_time gives it damping = damping_time * stiffness, damping_times each component a time of its own.
@@ -3751,6 +4015,84 @@ contains
             out), stat, errmsg)
     end subroutine solution_force_on_node
 
+    ! What is asked of a solution, of one of the kinds PDN_QUANTITY_..., of a node, joint, beam element or force;
+    ! other fields of ::pdn_quantity may then be set.
+    function pdn_quantity_of(kind, object, component, frame, node, branch, station) result(quantity)
+        integer(c_int32_t), intent(in) :: kind, object
+        integer(c_int32_t), intent(in), optional :: component, frame, node, branch
+        real(c_double), intent(in), optional :: station
+        type(pdn_quantity) :: quantity
+
+        call pdn_quantity_init(quantity, c_sizeof(quantity))
+        quantity%kind = kind
+        quantity%object = object
+        if (present(component)) quantity%component = component
+        if (present(frame)) quantity%frame = frame
+        if (present(node)) quantity%node = node
+        if (present(branch)) quantity%branch = branch
+        if (present(station)) quantity%station = station
+    end function pdn_quantity_of
+
+    ! Values of a quantity; out has one row for each component that is asked for.
+    subroutine solution_sample(self, quantity, times, out, stat, errmsg)
+        class(pdn_solution), intent(in) :: self
+        type(pdn_quantity), intent(in) :: quantity
+        real(c_double), intent(in) :: times(:)
+        real(c_double), intent(inout) :: out(:, :)
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+
+        if (.not. fits('out', shape(out), [of_quantity(quantity, size(out, 1)), size(times)], stat, errmsg)) return
+        call report(pdn_solution_sample_quantity(self%c, quantity, times, size(times, kind=c_size_t), &
+            out), stat, errmsg)
+    end subroutine solution_sample
+
+    ! Fourier coefficients; cosines and sines have one column for each harmonic that is wanted.
+    subroutine solution_harmonics(self, quantity, mean, cosines, sines, rate, stat, errmsg)
+        class(pdn_solution), intent(in) :: self
+        type(pdn_quantity), intent(in) :: quantity
+        real(c_double), intent(inout) :: mean(:), cosines(:, :), sines(:, :)
+        real(c_double), intent(inout), optional, contiguous :: rate(:)
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+
+        if (.not. fits('mean', shape(mean), [of_quantity(quantity, size(mean))], stat, errmsg)) return
+        if (.not. fits('cosines', shape(cosines), [size(mean), size(cosines, 2)], stat, errmsg)) return
+        if (.not. fits('sines', shape(sines), shape(cosines), stat, errmsg)) return
+        if (present(rate)) then
+            if (.not. fits('rate', shape(rate), shape(mean), stat, errmsg)) return
+        end if
+        call report(pdn_solution_quantity_harmonics(self%c, quantity, size(cosines, 2, c_size_t), mean, rate, &
+            cosines, sines), stat, errmsg)
+    end subroutine solution_harmonics
+
+    ! Smallest and largest values of a quantity, and their times.
+    subroutine solution_extremes(self, quantity, smallest, time_of_smallest, largest, time_of_largest, stat, errmsg)
+        class(pdn_solution), intent(in) :: self
+        type(pdn_quantity), intent(in) :: quantity
+        real(c_double), intent(inout) :: smallest(:), time_of_smallest(:), largest(:), time_of_largest(:)
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        integer :: wanted(1)
+
+        wanted = of_quantity(quantity, size(smallest))
+        if (.not. fits('smallest', shape(smallest), wanted, stat, errmsg)) return
+        if (.not. fits('time_of_smallest', shape(time_of_smallest), wanted, stat, errmsg)) return
+        if (.not. fits('largest', shape(largest), wanted, stat, errmsg)) return
+        if (.not. fits('time_of_largest', shape(time_of_largest), wanted, stat, errmsg)) return
+        call report(pdn_solution_quantity_extremes(self%c, quantity, smallest, time_of_smallest, largest, &
+            time_of_largest), stat, errmsg)
+    end subroutine solution_extremes
+
+    ! Number of components of a quantity; what was given of one that is none, which the call then tells.
+    integer function of_quantity(quantity, given)
+        type(pdn_quantity), intent(in) :: quantity
+        integer, intent(in) :: given
+
+        of_quantity = pdn_quantity_components(quantity)
+        if (of_quantity < 0) of_quantity = given
+    end function of_quantity
+
     ! Fourier coefficients; cosines and sines have one column for each harmonic that is wanted.
     subroutine solution_node_harmonics(self, node, quantity, mean, cosines, sines, stat, errmsg)
         class(pdn_solution), intent(in) :: self
@@ -3996,6 +4338,129 @@ contains
         call report(status, stat, errmsg)
     end subroutine solution_floquet
 
+    ! Stability -----------------------------------------------------------------------------------------------
+
+    ! Finds what small disturbances of a periodic solution are multiplied by in a period.
+    subroutine solution_solve_stability(self, stability, options, stat, errmsg)
+        class(pdn_solution), intent(in) :: self
+        type(pdn_stability), intent(inout) :: stability
+        type(pdn_stability_options), intent(in), optional :: options
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        type(c_ptr) :: c
+        integer(c_int32_t) :: status
+
+        status = pdn_solve_stability(self%c, options, c)
+        if (status == PDN_OK) call stability%adopt(c, pdn_stability_free)
+        call report(status, stat, errmsg)
+    end subroutine solution_solve_stability
+
+    ! The verdict, and a table of the multipliers.
+    function stability_report(self) result(text)
+        class(pdn_stability), intent(in) :: self
+        character(:), allocatable :: text
+        character(kind=c_char), allocatable :: buffer(:)
+        integer(c_size_t) :: length
+
+        allocate (buffer(pdn_stability_report(self%c, capacity=0_c_size_t) + 1))
+        length = pdn_stability_report(self%c, buffer, size(buffer, kind=c_size_t))
+        text = joined(buffer(:length))
+    end function stability_report
+
+    ! PDN_CONVERGED, or why multipliers are not known.
+    subroutine stability_outcome(self, outcome, stat, errmsg)
+        class(pdn_stability), intent(in) :: self
+        integer(c_int32_t), intent(inout) :: outcome
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        integer(c_int32_t) :: found
+
+        found = pdn_stability_outcome(self%c)
+        if (found >= 0) outcome = found
+        call report(min(found, PDN_OK), stat, errmsg)
+    end subroutine stability_outcome
+
+    ! PDN_STABLE, PDN_UNSTABLE or PDN_STABILITY_NOT_KNOWN, and the frequency up to which that holds.
+    subroutine stability_verdict(self, verdict, frequency_limit, stat, errmsg)
+        class(pdn_stability), intent(in) :: self
+        integer(c_int32_t), intent(inout) :: verdict
+        real(c_double), intent(inout), optional :: frequency_limit
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+
+        call report(pdn_stability_verdict(self%c, verdict, frequency_limit), stat, errmsg)
+    end subroutine stability_verdict
+
+    ! Number of multipliers that are known, and of those that the system has.
+    subroutine stability_count(self, count, states, stat, errmsg)
+        class(pdn_stability), intent(in) :: self
+        integer(c_int32_t), intent(inout) :: count
+        integer(c_int32_t), intent(inout), optional :: states
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        integer(c_size_t) :: known, all
+        integer(c_int32_t) :: status
+
+        status = pdn_stability_count(self%c, known, all)
+        if (status == PDN_OK) then
+            count = int(known, c_int32_t)
+            if (present(states)) states = int(all, c_int32_t)
+        end if
+        call report(status, stat, errmsg)
+    end subroutine stability_count
+
+    ! A multiplier, its exponent, frequency and error.
+    subroutine stability_get(self, number, multiplier, stat, errmsg)
+        class(pdn_stability), intent(in) :: self
+        integer(c_int32_t), intent(in) :: number
+        type(pdn_multiplier), intent(inout) :: multiplier
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        type(pdn_multiplier) :: found
+        integer(c_int32_t) :: status
+
+        call pdn_multiplier_init(found, c_sizeof(found))
+        status = pdn_stability_get(self%c, number, found)
+        if (status == PDN_OK) multiplier = found
+        call report(status, stat, errmsg)
+    end subroutine stability_get
+
+    ! Times of the shapes of modes.
+    subroutine stability_times(self, times, stat, errmsg)
+        class(pdn_stability), intent(in) :: self
+        real(c_double), allocatable, intent(inout) :: times(:)
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        real(c_double), allocatable :: found(:)
+        integer(c_size_t) :: steps
+        integer(c_int32_t) :: status
+
+        status = pdn_stability_times(self%c, count=0_c_size_t, steps=steps)
+        if (status == PDN_OK) then
+            allocate (found(steps))
+            status = pdn_stability_times(self%c, found, steps)
+        end if
+        if (status == PDN_OK) call move_alloc(found, times)
+        call report(status, stat, errmsg)
+    end subroutine stability_times
+
+    ! Displacement and rotation of a node along its own axes, at all times: 6 x times.
+    subroutine stability_shape(self, number, node, real, imaginary, stat, errmsg)
+        class(pdn_stability), intent(in) :: self
+        integer(c_int32_t), intent(in) :: number, node
+        real(c_double), intent(inout) :: real(:, :)
+        real(c_double), intent(inout), optional, contiguous :: imaginary(:, :)
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+
+        if (.not. fits('real', shape(real), [6, size(real, 2)], stat, errmsg)) return
+        if (present(imaginary)) then
+            if (.not. fits('imaginary', shape(imaginary), shape(real), stat, errmsg)) return
+        end if
+        call report(pdn_stability_shape(self%c, number, node, size(real, 2, kind=c_size_t), real, imaginary), &
+            stat, errmsg)
+    end subroutine stability_shape
+
     ! Modes ---------------------------------------------------------------------------------------------------
 
     ! Finds an equilibrium, and the modes of small motions about it. How to find the equilibrium, and an initial
@@ -4170,6 +4635,44 @@ contains
         call report(status, stat, errmsg)
     end subroutine solution_load
 
+    ! A copy, which may be changed and solved apart from it.
+    subroutine model_copy(self, copy, stat, errmsg)
+        class(pdn_model), intent(in) :: self
+        type(pdn_model), intent(inout) :: copy
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        type(c_ptr) :: c
+        integer(c_int32_t) :: status
+
+        status = pdn_model_copy(self%c, c)
+        if (status == PDN_OK) call copy%adopt(c, pdn_model_free)
+        call report(status, stat, errmsg)
+    end subroutine model_copy
+
+    ! Saves the model, without the functions it may call, for load.
+    subroutine model_save(self, path, stat, errmsg)
+        class(pdn_model), intent(in) :: self
+        character(*), intent(in) :: path
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+
+        call report(pdn_model_save(self%c, c_text(path)), stat, errmsg)
+    end subroutine model_save
+
+    ! A model that was saved, in place of what was held.
+    subroutine model_load(self, path, stat, errmsg)
+        class(pdn_model), intent(inout) :: self
+        character(*), intent(in) :: path
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        type(c_ptr) :: c
+        integer(c_int32_t) :: status
+
+        status = pdn_model_load(c_text(path), c)
+        if (status == PDN_OK) call self%adopt(c, pdn_model_free)
+        call report(status, stat, errmsg)
+    end subroutine model_load
+
     ! A copy of the model, as it was when it was solved.
     subroutine solution_model(self, model, stat, errmsg)
         class(pdn_solution), intent(in) :: self
@@ -4253,6 +4756,20 @@ contains
         if (present(label)) allocate (name, source=c_text(label))
         call report(pdn_table_add_force(self%c, solution%c, force, quantity, detail, name), stat, errmsg)
     end subroutine table_add_force
+
+    ! A quantity, or one of its components.
+    subroutine table_add(self, solution, quantity, label, stat, errmsg)
+        class(pdn_table), intent(inout) :: self
+        type(pdn_solution), intent(in) :: solution
+        type(pdn_quantity), intent(in) :: quantity
+        character(*), intent(in), optional :: label
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        character(kind=c_char), allocatable :: name(:)
+
+        if (present(label)) allocate (name, source=c_text(label))
+        call report(pdn_table_add_quantity(self%c, solution%c, quantity, name), stat, errmsg)
+    end subroutine table_add
 
     ! Values of your own, one for each time.
     subroutine table_add_values(self, label, values, stat, errmsg)

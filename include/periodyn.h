@@ -486,6 +486,103 @@
 #define PDN_BEAM_FORCE_JUMP 3
 
 /**
+ * Kind of quantity: position of a node; 3 components \[length\].
+ */
+#define PDN_QUANTITY_POSITION 100
+
+/**
+ * Kind of quantity: rotation matrix of a node, column by column; 9 components.
+ */
+#define PDN_QUANTITY_ROTATION 101
+
+/**
+ * Kind of quantity: unit quaternion (w, x, y, z) of a node, of continuous sign; 4 components.
+ */
+#define PDN_QUANTITY_QUATERNION 102
+
+/**
+ * Kind of quantity: velocity and angular velocity of a node, in a frame; 6 components.
+ */
+#define PDN_QUANTITY_VELOCITY 103
+
+/**
+ * Kind of quantity: acceleration and angular acceleration of a node, in a frame; 6 components.
+ */
+#define PDN_QUANTITY_ACCELERATION 104
+
+/**
+ * Kind of quantity: a coordinate of a joint, angles followed through whole turns.
+ */
+#define PDN_QUANTITY_COORDINATE 200
+
+/**
+ * Kind of quantity: rate of a coordinate of a joint.
+ */
+#define PDN_QUANTITY_COORDINATE_RATE 201
+
+/**
+ * Kind of quantity: second derivative in time of a coordinate of a joint.
+ */
+#define PDN_QUANTITY_COORDINATE_ACCELERATION 202
+
+/**
+ * Kind of quantity: force or torque that drives a prescribed coordinate of a joint.
+ */
+#define PDN_QUANTITY_DRIVING_EFFORT 203
+
+/**
+ * Kind of quantity: force and moment of a joint on its second body, along axes; 6 components.
+ */
+#define PDN_QUANTITY_REACTION 204
+
+/**
+ * Kind of quantity: strains and curvatures of a beam element; 6 components.
+ */
+#define PDN_QUANTITY_STRAIN 300
+
+/**
+ * Kind of quantity: internal forces and moments of a beam element; 6 components.
+ */
+#define PDN_QUANTITY_BEAM_FORCE 301
+
+/**
+ * Kind of quantity: the same, at a node between two elements the mean of those of both.
+ */
+#define PDN_QUANTITY_BEAM_FORCE_MEAN 302
+
+/**
+ * Kind of quantity: at a node between two elements, internal forces of the one beyond it less
+ * those of the one before it; zero elsewhere; 6 components.
+ */
+#define PDN_QUANTITY_BEAM_FORCE_JUMP 303
+
+/**
+ * Kind of quantity: effort of a force on its joint coordinate.
+ */
+#define PDN_QUANTITY_EFFORT 400
+
+/**
+ * Kind of quantity: effort of a branch of a viscoelastic element.
+ */
+#define PDN_QUANTITY_BRANCH_EFFORT 401
+
+/**
+ * Kind of quantity: elongation of the dashpot of a branch of a viscoelastic element.
+ */
+#define PDN_QUANTITY_BRANCH_ELONGATION 402
+
+/**
+ * Kind of quantity: what a force exerts on one of its nodes, in a frame: force and moment; 6
+ * components.
+ */
+#define PDN_QUANTITY_FORCE_ON_NODE 403
+
+/**
+ * All components of a quantity.
+ */
+#define PDN_ALL_COMPONENTS -1
+
+/**
  * Quantity of a force on a joint coordinate: its effort; 1 component.
  */
 #define PDN_FORCE_EFFORT 0
@@ -544,6 +641,11 @@
  * Stage of a modal analysis: looking for modes about the equilibrium.
  */
 #define PDN_STAGE_MODES 3
+
+/**
+ * Following disturbances of a periodic solution.
+ */
+#define PDN_STAGE_STABILITY 4
 
 /**
  * Start of a periodic solve: the library tries those that suit, cheapest first.
@@ -754,6 +856,23 @@
 #define PDN_EVENT_PERIOD_DOUBLING 3
 
 /**
+ * Verdict on stability: it cannot be told, as multipliers are on the unit circle or not known well
+ * enough.
+ */
+#define PDN_STABILITY_NOT_KNOWN 0
+
+/**
+ * Verdict on stability: disturbances die away, but for those that only move the solution in time
+ * or space.
+ */
+#define PDN_STABLE 1
+
+/**
+ * Verdict on stability: a disturbance grows.
+ */
+#define PDN_UNSTABLE 2
+
+/**
  * Periodic motions along a parameter. Made by ::pdn_follow_branch, freed by ::pdn_branch_free.
  */
 typedef struct pdn_branch pdn_branch;
@@ -790,6 +909,12 @@ typedef struct pdn_modes pdn_modes;
  * to its last (PDN_ERR_VALUE for any other), but it has no harmonics (PDN_ERR_NOT_AVAILABLE).
  */
 typedef struct pdn_solution pdn_solution;
+
+/**
+ * Floquet multipliers of a periodic solution. Made by ::pdn_solve_stability, freed by
+ * ::pdn_stability_free.
+ */
+typedef struct pdn_stability pdn_stability;
 
 /**
  * Columns of numbers over the same times. Made by ::pdn_table_new, freed by ::pdn_table_free.
@@ -1376,6 +1501,47 @@ typedef struct pdn_diagnostics {
 } pdn_diagnostics;
 
 /**
+ * What is asked of a solution: of a node, a joint, a beam or a force. Initialise with
+ * `PDN_INIT(pdn_quantity, &quantity)`; fields that its kind does not have stay as they are.
+ */
+typedef struct pdn_quantity {
+    /**
+     * Set by the initialiser.
+     */
+    size_t struct_size;
+    /**
+     * PDN_QUANTITY_POSITION, ...; there is no default.
+     */
+    int32_t kind;
+    /**
+     * Id of the node, joint, beam element or force that it is of.
+     */
+    int32_t object;
+    /**
+     * The component, from 0, or PDN_ALL_COMPONENTS, the default. Of coordinates and driving
+     * efforts, the coordinate: PDN_DISPLACEMENT, ..., PDN_ROTATION_3.
+     */
+    int32_t component;
+    /**
+     * PDN_FRAME_SPACE, the default, or PDN_FRAME_MATERIAL; of reactions PDN_AXES_SPACE,
+     * PDN_AXES_FIRST or PDN_AXES_SECOND.
+     */
+    int32_t frame;
+    /**
+     * Of what a force exerts on one of its nodes, the node.
+     */
+    int32_t node;
+    /**
+     * Of viscoelastic elements, the branch, from 0.
+     */
+    int32_t branch;
+    /**
+     * Of beams, the place along the element, from -1 at its first to 1 at its last node.
+     */
+    double station;
+} pdn_quantity;
+
+/**
  * How far a solve is, as told to a ::pdn_progress_fn.
  */
 typedef struct pdn_progress {
@@ -1384,7 +1550,8 @@ typedef struct pdn_progress {
      */
     size_t struct_size;
     /**
-     * PDN_STAGE_INITIAL_GUESS, PDN_STAGE_NEWTON, PDN_STAGE_MARCH or PDN_STAGE_MODES.
+     * PDN_STAGE_INITIAL_GUESS, PDN_STAGE_NEWTON, PDN_STAGE_MARCH, PDN_STAGE_MODES or
+     * PDN_STAGE_STABILITY.
      */
     int32_t stage;
     /**
@@ -1991,6 +2158,80 @@ typedef struct pdn_shooting_options {
      */
     void *progress_data;
 } pdn_shooting_options;
+
+/**
+ * Options of ::pdn_solve_stability. Set the defaults by `PDN_INIT(pdn_stability_options,
+ * &options)`.
+ */
+typedef struct pdn_stability_options {
+    /**
+     * Set by the initialiser.
+     */
+    size_t struct_size;
+    /**
+     * Modes of up to this angular frequency matter \[angle/time\]; 0 for 20 times that of the
+     * period. Default 0.
+     */
+    double highest_frequency;
+    /**
+     * Estimated error of the multipliers of these modes, in units of 1 or of the multiplier where
+     * that is more. Default 1e-8.
+     */
+    double tolerance;
+    /**
+     * Told about ten times a second that work goes on; may cancel. Default NULL.
+     */
+    pdn_progress_fn progress;
+    /**
+     * Handed to progress.
+     */
+    void *progress_data;
+} pdn_stability_options;
+
+/**
+ * A disturbance `exp(mu t) phi(t)` of a periodic solution, where phi has its period. Initialise
+ * with `PDN_INIT(pdn_multiplier, &multiplier)`.
+ */
+typedef struct pdn_multiplier {
+    /**
+     * Set by the initialiser.
+     */
+    size_t struct_size;
+    /**
+     * Real part of the multiplier rho = exp(mu T).
+     */
+    double real;
+    /**
+     * Imaginary part of rho.
+     */
+    double imaginary;
+    /**
+     * Real part of the exponent mu \[1/time\]; negative if the disturbance dies away.
+     */
+    double exponent_real;
+    /**
+     * Imaginary part of mu \[angle/time\]: of the many that give rho that nearest to the frequency
+     * of the mode.
+     */
+    double exponent_imaginary;
+    /**
+     * Angular frequency of the mode over the period, in the nodes' own axes.
+     */
+    double frequency;
+    /**
+     * Estimated error of rho, for this periodic solution.
+     */
+    double error;
+    /**
+     * 1 if rho is 1 because the disturbance only moves the solution in time, or all of the
+     * mechanism in space; else 0.
+     */
+    int32_t trivial;
+    /**
+     * Zero.
+     */
+    int32_t reserved;
+} pdn_multiplier;
 
 /**
  * Counts, mass and mobility of a model. Initialise with `PDN_INIT(pdn_summary, &summary)`.
@@ -4095,6 +4336,134 @@ pdn_status pdn_solution_beam_harmonics(const struct pdn_solution *solution,
                                        double *sines);
 
 /**
+ * Prepares a struct that tells a quantity; use `PDN_INIT(pdn_quantity, &quantity)`.
+ *
+ * @param quantity  the struct; not NULL
+ * @param struct_size  `sizeof *quantity`
+ *
+ * Threads: any.
+ * @since 0.1
+ */
+PDN_API
+void pdn_quantity_init(struct pdn_quantity *quantity,
+                       size_t struct_size);
+
+/**
+ * Number of components that are asked for: of values at a time, of means and of harmonics.
+ *
+ * @param quantity  initialised by PDN_INIT; not NULL
+ * @return the number; negative, as a ::pdn_status (PDN_ERR_NULL, PDN_ERR_STRUCT_SIZE, PDN_ERR_ID,
+ *     PDN_ERR_VALUE), if there is no such quantity
+ *
+ * Threads: any.
+ * @since 0.1
+ */
+PDN_API
+int32_t pdn_quantity_components(const struct pdn_quantity *quantity);
+
+/**
+ * A quantity of a solution at any times.
+ *
+ * Motions of nodes are interpolated over the whole period by dual polar decomposition, all else
+ * from its values at the grid points.
+ *
+ * @param solution  the solution; not NULL
+ * @param quantity  what is asked for, C components; initialised by PDN_INIT; not NULL
+ * @param times  array of length [count]: times, also outside the first period
+ * @param count  number of times
+ * @param out  array of shape C x [count], components of each time together
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_STRUCT_SIZE, PDN_ERR_NOT_FINITE, PDN_ERR_ID,
+ *     PDN_ERR_VALUE, PDN_ERR_NOT_AVAILABLE, PDN_ERR_GRID_TOO_COARSE, PDN_ERR_OVERFLOW
+ *
+ * Threads: like `const`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_solution_sample_quantity(const struct pdn_solution *solution,
+                                        const struct pdn_quantity *quantity,
+                                        const double *times,
+                                        size_t count,
+                                        double *out);
+
+/**
+ * Fourier coefficients of a quantity: mean + rate t + sum of cosines[j] cos jwt + sines[j] sin
+ * jwt.
+ *
+ * Those of the trigonometric polynomial through the values at the grid points.
+ *
+ * @param solution  the solution; not NULL
+ * @param quantity  what is asked for, C components; initialised by PDN_INIT; not NULL
+ * @param harmonics  number of harmonics wanted; those above (N - 1) / 2 are zero
+ * @param mean  array of length C; may be NULL
+ * @param rate  array of length C: growth per unit of time, of what gains turns; may be NULL
+ * @param cosines  array of shape C x [harmonics], components of each harmonic together; may be
+ *     NULL
+ * @param sines  as cosines; may be NULL
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_STRUCT_SIZE, PDN_ERR_SIZE, PDN_ERR_NOT_FINITE, PDN_ERR_ID,
+ *     PDN_ERR_VALUE, PDN_ERR_NOT_AVAILABLE (of a trajectory; the quaternion of a node that makes
+ *     an odd number of turns), PDN_ERR_OVERFLOW
+ *
+ * Threads: like `const`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_solution_quantity_harmonics(const struct pdn_solution *solution,
+                                           const struct pdn_quantity *quantity,
+                                           size_t harmonics,
+                                           double *mean,
+                                           double *rate,
+                                           double *cosines,
+                                           double *sines);
+
+/**
+ * Smallest and largest values of a quantity, and their times.
+ *
+ * Over the period, of the trigonometric polynomial through the values at the grid points; of a
+ * trajectory, among its times.
+ *
+ * @param solution  the solution; not NULL
+ * @param quantity  what is asked for, C components; initialised by PDN_INIT; not NULL
+ * @param smallest  array of length C; may be NULL
+ * @param time_of_smallest  array of length C; may be NULL
+ * @param largest  array of length C; may be NULL
+ * @param time_of_largest  array of length C; may be NULL
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_STRUCT_SIZE, PDN_ERR_NOT_FINITE, PDN_ERR_ID,
+ *     PDN_ERR_VALUE, PDN_ERR_NOT_AVAILABLE, PDN_ERR_OVERFLOW
+ *
+ * Threads: like `const`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_solution_quantity_extremes(const struct pdn_solution *solution,
+                                          const struct pdn_quantity *quantity,
+                                          double *smallest,
+                                          double *time_of_smallest,
+                                          double *largest,
+                                          double *time_of_largest);
+
+/**
+ * Adds the columns of a quantity of a solution, named by the label and the component; or that of
+ * one component, named by the label alone.
+ *
+ * @param table  the table; not NULL
+ * @param solution  the solution; not NULL
+ * @param quantity  what is asked for; one column for each component; initialised by PDN_INIT; not
+ *     NULL
+ * @param label  columns are called `label.x` and so on; NULL for a name such as `node3.position`
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_STRUCT_SIZE, PDN_ERR_NOT_FINITE, PDN_ERR_ID,
+ *     PDN_ERR_VALUE (also of a name that a column has already), PDN_ERR_NOT_AVAILABLE,
+ *     PDN_ERR_GRID_TOO_COARSE, PDN_ERR_OVERFLOW
+ *
+ * Threads: exclusive use of `table`; like `const` of `solution`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_table_add_quantity(struct pdn_table *table,
+                                  const struct pdn_solution *solution,
+                                  const struct pdn_quantity *quantity,
+                                  const char *label);
+
+/**
  * Effort of a force on a joint coordinate, at any times.
  *
  * The effort of an actuator is positive where it acts towards growth of the coordinate; that of
@@ -5155,6 +5524,197 @@ pdn_status pdn_solution_floquet(const struct pdn_solution *solution,
                                 size_t count);
 
 /**
+ * Sets default options; use `PDN_INIT(pdn_stability_options, &options)`.
+ *
+ * @param options  the options; not NULL
+ * @param struct_size  `sizeof *options`
+ *
+ * Threads: any.
+ * @since 0.1
+ */
+PDN_API
+void pdn_stability_options_init(struct pdn_stability_options *options,
+                                size_t struct_size);
+
+/**
+ * Finds the Floquet multipliers of a periodic solution: what small disturbances are multiplied by
+ * in a period.
+ *
+ * Disturbances obey the exact linearised equations, constraints, redundant ones too, and internal
+ * states included, about the solution interpolated between its grid points. They are integrated
+ * over the period in steps that are halved until the multipliers of modes up to the highest
+ * frequency stand still. The error of the periodic solution itself comes with theirs.
+ *
+ * @param solution  a converged solution of ::pdn_solve_periodic or one like it; not NULL
+ * @param options  may be NULL for the defaults
+ * @param out  the multipliers; free them with ::pdn_stability_free; written on success only
+ * @return PDN_OK; PDN_ERR_NULL; PDN_ERR_NOT_FINITE; PDN_ERR_VALUE; PDN_ERR_STRUCT_SIZE;
+ *     PDN_ERR_NOT_AVAILABLE (no periodic solution, or one that has not converged);
+ *     PDN_ERR_GRID_TOO_COARSE (a motion that cannot be interpolated); PDN_ERR_CALLBACK (of a
+ *     signal or force); PDN_ERR_MEMORY
+ *
+ * Threads: like a `const` use of `solution`. Signals' functions, forces and `progress` are called
+ * on this thread.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_solve_stability(const struct pdn_solution *solution,
+                               const struct pdn_stability_options *options,
+                               struct pdn_stability **out);
+
+/**
+ * Frees multipliers; NULL does nothing.
+ *
+ * @param stability  the multipliers, not to be used any more
+ *
+ * Threads: exclusive use of `stability`.
+ * @since 0.1
+ */
+PDN_API
+void pdn_stability_free(struct pdn_stability *stability);
+
+/**
+ * How the analysis ended.
+ *
+ * @param stability  the multipliers; not NULL
+ * @return PDN_CONVERGED; PDN_TOLERANCE_NOT_MET (not all multipliers up to the highest frequency
+ *     that was asked for are known to the tolerance); PDN_SINGULAR or PDN_CANCELLED (there are no
+ *     multipliers); or an error as ::pdn_solution_outcome
+ *
+ * Threads: like `const`.
+ * @since 0.1
+ */
+PDN_API
+int32_t pdn_stability_outcome(const struct pdn_stability *stability);
+
+/**
+ * What the multipliers say.
+ *
+ * @param stability  the multipliers; not NULL
+ * @param verdict  PDN_STABLE, PDN_UNSTABLE or PDN_STABILITY_NOT_KNOWN; written on success only
+ * @param frequency_limit  angular frequency of modes up to which the verdict holds; infinite if
+ *     all multipliers are known; may be NULL; written on success only
+ * @return PDN_OK, PDN_ERR_NULL
+ *
+ * Threads: like `const`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_stability_verdict(const struct pdn_stability *stability,
+                                 int32_t *verdict,
+                                 double *frequency_limit);
+
+/**
+ * Number of multipliers that are known, and of those that the system has, one for each state.
+ *
+ * Multipliers of modes far above the highest frequency that was asked for may be left out.
+ *
+ * @param stability  the multipliers; not NULL
+ * @param out  the number that are known; written on success only
+ * @param states  the number that the system has; may be NULL; written on success only
+ * @return PDN_OK, PDN_ERR_NULL
+ *
+ * Threads: like `const`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_stability_count(const struct pdn_stability *stability,
+                               size_t *out,
+                               size_t *states);
+
+/**
+ * Prepares a struct for ::pdn_stability_get; use `PDN_INIT(pdn_multiplier, &multiplier)`.
+ *
+ * @param multiplier  the struct; not NULL
+ * @param struct_size  `sizeof *multiplier`
+ *
+ * Threads: any.
+ * @since 0.1
+ */
+PDN_API
+void pdn_multiplier_init(struct pdn_multiplier *multiplier,
+                         size_t struct_size);
+
+/**
+ * A multiplier.
+ *
+ * @param stability  the multipliers; not NULL
+ * @param number  its number, from 0: the largest is first, of a conjugate pair that with the
+ *     positive imaginary part
+ * @param out  initialised by PDN_INIT; filled on success only
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_ID, PDN_ERR_STRUCT_SIZE
+ *
+ * Threads: like `const`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_stability_get(const struct pdn_stability *stability,
+                             int32_t number,
+                             struct pdn_multiplier *out);
+
+/**
+ * Times of the shapes of modes: ends of equal steps over the period, the last is the period.
+ *
+ * @param stability  the multipliers; not NULL
+ * @param times  array of length [count]; may be NULL if count is 0
+ * @param count  number of times to be written, no more than there are
+ * @param steps  the number of times that there are; may be NULL; written on success only
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_SIZE
+ *
+ * Threads: like `const`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_stability_times(const struct pdn_stability *stability,
+                               double *times,
+                               size_t count,
+                               size_t *steps);
+
+/**
+ * The mode phi of a multiplier at a node over the period.
+ *
+ * Small displacements and rotations along the node's own axes, at the times of
+ * ::pdn_stability_times. The largest component of all nodes over the period is 1, with
+ * displacements relative to the size of the mechanism and rotations in radians.
+ *
+ * @param stability  the multipliers; not NULL
+ * @param number  number of the multiplier, from 0
+ * @param node  id of the node
+ * @param steps  number of times, as ::pdn_stability_times tells
+ * @param real  array of length [6 x steps]: real part, components fastest
+ * @param imaginary  array of length [6 x steps]: imaginary part; may be NULL
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_ID, PDN_ERR_SIZE
+ *
+ * Threads: like `const`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_stability_shape(const struct pdn_stability *stability,
+                               int32_t number,
+                               int32_t node,
+                               size_t steps,
+                               double *real,
+                               double *imaginary);
+
+/**
+ * A readable report: the verdict, how far it holds, and a table of the multipliers.
+ *
+ * @param stability  the multipliers; not NULL
+ * @param buffer  array of length [capacity] for the text, UTF-8, always ended by NUL; may be NULL
+ *     if capacity is 0
+ * @param capacity  size of buffer in bytes
+ * @return length of the whole report without the NUL, as snprintf does; 0 if the handle is not
+ *     valid
+ *
+ * Threads: like `const`.
+ * @since 0.1
+ */
+PDN_API
+size_t pdn_stability_report(const struct pdn_stability *stability,
+                            char *buffer,
+                            size_t capacity);
+
+/**
  * Interpolates a periodic motion given at N equispaced times, by dual polar decomposition.
  *
  * Exponentially accurate as N grows, for rotations and translations of any size (section 4 of Han
@@ -5530,6 +6090,58 @@ pdn_status pdn_solution_load(const char *path,
 PDN_API
 pdn_status pdn_solution_model(const struct pdn_solution *solution,
                               struct pdn_model **out);
+
+/**
+ * A copy of a model, which may be changed and solved apart from it.
+ *
+ * @param model  the model; not NULL
+ * @param out  the copy; free it with ::pdn_model_free; written on success only. It shares the
+ *     callbacks of the model and their user_data
+ * @return PDN_OK, PDN_ERR_NULL
+ *
+ * Threads: `model` is `const`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_model_copy(const struct pdn_model *model,
+                          struct pdn_model **out);
+
+/**
+ * Saves a model.
+ *
+ * ::pdn_model_load gives it back. Callbacks cannot be saved: see there. The format is the same on
+ * all platforms, and later versions of the library read it.
+ *
+ * @param model  the model; not NULL
+ * @param path  where to, UTF-8. A file that is there is replaced when all is written; if that
+ *     fails it stays as it was
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_VALUE (text that is not UTF-8), PDN_ERR_IO
+ *
+ * Threads: `model` is `const`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_model_save(const struct pdn_model *model,
+                          const char *path);
+
+/**
+ * Loads a model that ::pdn_model_save saved; its ids are what they were.
+ *
+ * If it had callbacks, in signals or forces, a solve of it fails with PDN_ERR_CALLBACK, as they
+ * are not there.
+ *
+ * @param path  the file, UTF-8. It need not be trusted: its checksum and everything in it are
+ *     checked
+ * @param out  the model; free it with ::pdn_model_free; written on success only
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_VALUE (text that is not UTF-8), PDN_ERR_IO, PDN_ERR_FORMAT
+ *     (not a saved model, cut off, damaged, or of a newer version), PDN_ERR_MEMORY
+ *
+ * Threads: any.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_model_load(const char *path,
+                          struct pdn_model **out);
 
 #ifdef __cplusplus
 }  // extern "C"

@@ -215,6 +215,12 @@ enum class Stage : std::int32_t {
     newton = PDN_STAGE_NEWTON,
     march = PDN_STAGE_MARCH,
     modes = PDN_STAGE_MODES,
+    stability = PDN_STAGE_STABILITY,
+};
+enum class Verdict : std::int32_t {
+    not_known = PDN_STABILITY_NOT_KNOWN,
+    stable = PDN_STABLE,
+    unstable = PDN_UNSTABLE,
 };
 /** Where a periodic solve starts, as pdn_periodic_options.start asks for and pdn_progress tells. */
 enum class Start : std::int32_t {
@@ -233,6 +239,26 @@ enum class NodeQuantity : std::int32_t {
     acceleration = PDN_NODE_ACCELERATION,
     material_velocity = PDN_NODE_MATERIAL_VELOCITY,
     material_acceleration = PDN_NODE_MATERIAL_ACCELERATION,
+};
+enum class Kind : std::int32_t {
+    position = PDN_QUANTITY_POSITION,
+    rotation = PDN_QUANTITY_ROTATION,
+    quaternion = PDN_QUANTITY_QUATERNION,
+    velocity = PDN_QUANTITY_VELOCITY,
+    acceleration = PDN_QUANTITY_ACCELERATION,
+    coordinate = PDN_QUANTITY_COORDINATE,
+    coordinate_rate = PDN_QUANTITY_COORDINATE_RATE,
+    coordinate_acceleration = PDN_QUANTITY_COORDINATE_ACCELERATION,
+    driving_effort = PDN_QUANTITY_DRIVING_EFFORT,
+    reaction = PDN_QUANTITY_REACTION,
+    strain = PDN_QUANTITY_STRAIN,
+    beam_force = PDN_QUANTITY_BEAM_FORCE,
+    beam_force_mean = PDN_QUANTITY_BEAM_FORCE_MEAN,
+    beam_force_jump = PDN_QUANTITY_BEAM_FORCE_JUMP,
+    effort = PDN_QUANTITY_EFFORT,
+    branch_effort = PDN_QUANTITY_BRANCH_EFFORT,
+    branch_elongation = PDN_QUANTITY_BRANCH_ELONGATION,
+    force_on_node = PDN_QUANTITY_FORCE_ON_NODE,
 };
 enum class JointQuantity : std::int32_t {
     coordinate = PDN_JOINT_COORDINATE,
@@ -352,6 +378,10 @@ struct Free {
     void operator()(pdn_branch *branch) const noexcept
     {
         pdn_branch_free(branch);
+    }
+    void operator()(pdn_stability *stability) const noexcept
+    {
+        pdn_stability_free(stability);
     }
     void operator()(pdn_table *table) const noexcept
     {
@@ -755,6 +785,25 @@ class Model
     const detail::Kept &kept() const noexcept
     {
         return kept_;
+    }
+
+    /** A copy, which may be changed and solved apart from it. */
+    Model copy() const
+    {
+        auto handle =
+            detail::make<pdn_model>([&](pdn_model **out) { return pdn_model_copy(get(), out); });
+        return Model(handle.release(), kept_);
+    }
+    /** Saves the model, without the functions it may call. */
+    void save(const std::string &path) const
+    {
+        detail::check(pdn_model_save(get(), path.c_str()));
+    }
+    static Model load(const std::string &path)
+    {
+        auto handle = detail::make<pdn_model>(
+            [&](pdn_model **out) { return pdn_model_load(path.c_str(), out); });
+        return Model(handle.release());
     }
 
     /** @name What there is */
@@ -1215,6 +1264,40 @@ struct Harmonics {
     std::vector<double> cosines, sines;
 };
 
+/** What is asked of a solution, with the fields of ::pdn_quantity; `component` is PDN_ALL_COMPONENTS
+ * at first. */
+struct Quantity : pdn_quantity {
+    /** Of a node, joint, beam element or force. */
+    Quantity(Kind of_kind, std::int32_t of_object)
+    {
+        pdn_quantity_init(this, sizeof(pdn_quantity));
+        kind = detail::c(of_kind);
+        object = of_object;
+    }
+    /** A coordinate of a joint, its rate or acceleration, or what drives it. */
+    Quantity(Kind of_kind, std::int32_t joint, Coordinate coordinate) : Quantity(of_kind, joint)
+    {
+        component = detail::c(coordinate);
+    }
+    /** Whether all components are asked for. */
+    bool is_whole() const noexcept
+    {
+        return component == PDN_ALL_COMPONENTS;
+    }
+    /** Number of components that are asked for. */
+    std::size_t components() const
+    {
+        const std::int32_t count = pdn_quantity_components(this);
+        detail::check(count);
+        return static_cast<std::size_t>(count);
+    }
+};
+
+/** Smallest and largest values of each component, and their times. */
+struct Extremes {
+    std::vector<double> smallest, time_of_smallest, largest, time_of_largest;
+};
+
 /** Newton iterations of the periodic problem. */
 struct History {
     std::vector<double> residuals, increments, steps;
@@ -1416,6 +1499,28 @@ class Solution
 
     /** @name Harmonics */
     ///@{
+    /** Values of a quantity, components of each time together. */
+    std::vector<double> sample(const Quantity &quantity, Reals times) const
+    {
+        std::vector<double> out(quantity.components() * times.size());
+        detail::check(pdn_solution_sample_quantity(get(), &quantity, times.data(), times.size(),
+                                                   out.data()));
+        return out;
+    }
+    Harmonics harmonics(const Quantity &quantity, std::size_t harmonics) const
+    {
+        return with_rate(quantity.components(), harmonics, pdn_solution_quantity_harmonics,
+                         static_cast<const pdn_quantity *>(&quantity));
+    }
+    Extremes extremes(const Quantity &quantity) const
+    {
+        const std::vector<double> zero(quantity.components());
+        Extremes out{zero, zero, zero, zero};
+        detail::check(pdn_solution_quantity_extremes(
+            get(), &quantity, out.smallest.data(), out.time_of_smallest.data(),
+            out.largest.data(), out.time_of_largest.data()));
+        return out;
+    }
     Harmonics node_harmonics(Id node, NodeQuantity quantity, std::size_t harmonics) const
     {
         return without_rate(components(quantity), harmonics, pdn_solution_node_harmonics, node,
@@ -1900,6 +2005,115 @@ inline Solution solve_shooting(const Model &model, double period,
     return Solution(handle.release(), model.kept());
 }
 
+/** Options of solve_stability, with the fields of ::pdn_stability_options and this in place of
+ * pointers. */
+struct StabilityOptions : pdn_stability_options {
+    StabilityOptions()
+    {
+        pdn_stability_options_init(this, sizeof(pdn_stability_options));
+    }
+    Progress progress;
+};
+
+/** Mode of a multiplier at a node over the period, along the node's own axes. */
+struct FloquetMode {
+    Series<6> real, imaginary;
+};
+
+/** Floquet multipliers of a periodic solution, the largest first. */
+class Stability
+{
+  public:
+    /** Takes over a handle of periodyn.h. */
+    explicit Stability(pdn_stability *handle) : handle_(handle)
+    {
+    }
+    /** The handle, for functions of periodyn.h; NULL if moved from. */
+    const pdn_stability *get() const noexcept
+    {
+        return handle_.get();
+    }
+    Outcome outcome() const
+    {
+        const std::int32_t outcome = pdn_stability_outcome(get());
+        detail::check(outcome);
+        return static_cast<Outcome>(outcome);
+    }
+    Verdict verdict() const
+    {
+        std::int32_t out = 0;
+        detail::check(pdn_stability_verdict(get(), &out, nullptr));
+        return static_cast<Verdict>(out);
+    }
+    /** Angular frequency up to which the verdict holds; infinite if all multipliers are known. */
+    double frequency_limit() const
+    {
+        std::int32_t verdict = 0;
+        double out = 0;
+        detail::check(pdn_stability_verdict(get(), &verdict, &out));
+        return out;
+    }
+    /** Number of multipliers that are known. */
+    std::size_t count() const
+    {
+        return detail::number<std::size_t>(
+            [&](std::size_t *out) { return pdn_stability_count(get(), out, nullptr); });
+    }
+    /** Number of multipliers that the system has. */
+    std::size_t states() const
+    {
+        std::size_t count = 0, states = 0;
+        detail::check(pdn_stability_count(get(), &count, &states));
+        return states;
+    }
+    pdn_multiplier multiplier(std::int32_t number) const
+    {
+        pdn_multiplier out;
+        pdn_multiplier_init(&out, sizeof out);
+        detail::check(pdn_stability_get(get(), number, &out));
+        return out;
+    }
+    /** Times of modes. */
+    std::vector<double> times() const
+    {
+        std::size_t steps = 0;
+        detail::check(pdn_stability_times(get(), nullptr, 0, &steps));
+        std::vector<double> out(steps);
+        detail::check(pdn_stability_times(get(), out.data(), steps, nullptr));
+        return out;
+    }
+    FloquetMode mode(std::int32_t number, std::int32_t node) const
+    {
+        std::size_t steps = 0;
+        detail::check(pdn_stability_times(get(), nullptr, 0, &steps));
+        FloquetMode out{Series<6>(steps), Series<6>(steps)};
+        detail::check(pdn_stability_shape(get(), number, node, steps, detail::flat(out.real),
+                                          detail::flat(out.imaginary)));
+        return out;
+    }
+    std::string report() const
+    {
+        outcome(); // throws if there is nothing to report
+        return detail::text([&](char *buffer, std::size_t capacity) {
+            return pdn_stability_report(get(), buffer, capacity);
+        });
+    }
+
+  private:
+    std::unique_ptr<pdn_stability, detail::Free> handle_;
+};
+
+/** Finds what small disturbances of a periodic solution are multiplied by in a period. */
+inline Stability solve_stability(const Solution &solution, const StabilityOptions &options = {})
+{
+    pdn_stability_options plain = options;
+    detail::Watch watch(options.progress, plain);
+    auto handle = detail::make<pdn_stability>(
+        [&](pdn_stability **out) { return pdn_solve_stability(solution.get(), &plain, out); });
+    watch.rethrow();
+    return Stability(handle.release());
+}
+
 /** Options of solve_modes, with the fields of ::pdn_modes_options and this in place of the pointer.
  */
 struct ModesOptions : pdn_modes_options {
@@ -2055,6 +2269,11 @@ class Table
     {
         detail::check(
             pdn_table_add_force(get(), solution.get(), force, detail::c(quantity), of, c(label)));
+    }
+    /** A quantity, or one of its components. */
+    void add(const Solution &solution, const Quantity &quantity, const std::string &label = {})
+    {
+        detail::check(pdn_table_add_quantity(get(), solution.get(), &quantity, c(label)));
     }
     /** Values of your own, one for each time. */
     void add_values(const std::string &label, Reals values)

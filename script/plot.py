@@ -5,7 +5,10 @@ file. Of branches, which have a column "event", those of the motions only, with 
     script/plot.py output/rotor_blade.csv output/rotor_blade.png
     script/plot.py output/rigid.csv output/flexible.csv output/both.png
 
-Names of the columns are the labels; all files must have the same.
+Names of the columns are the labels; all files must have the same. With --group, columns of the
+same name but for a number at its end share a panel, and are drawn as points:
+
+    script/plot.py --group output/stability.csv output/stability.png
 """
 
 import argparse
@@ -46,22 +49,36 @@ def read_columns(path):
     return names, columns, events
 
 
-def draw(files, image):
+def panels_of(names, group):
+    """Titles of panels, each with the numbers of its columns."""
+    panels = {}
+    for i, name in enumerate(names[1:], start=1):
+        stem, _, end = name.rpartition(" ")
+        title = stem if group and end.isdigit() else name
+        panels.setdefault(title, []).append(i)
+    return panels
+
+
+def draw(files, image, group=False):
     """Draws {label: (names, columns, events)} to an image file."""
     names = next(iter(files.values()))[0]
     for label, (others, _, _) in files.items():
         if others != names:
             raise ValueError(f"{label}: its columns are {others}, not {names}")
-    panels = names[1:]
+    panels = panels_of(names, group)
     figure, axes = plt.subplots(len(panels), 1, figsize=(7.2, 0.8 + 1.7 * len(panels)), sharex=True,
                                 squeeze=False, layout="constrained")
-    for i, (axis, name) in enumerate(zip(axes[:, 0], panels), start=1):
+    for axis, (name, members) in zip(axes[:, 0], panels.items()):
         for (label, (_, columns, events)), (colour, line) in zip(files.items(), STYLES):
-            axis.plot(columns[0], columns[i], line, color=colour, linewidth=1.8, label=label)
-            for row, event in events:
-                at = (columns[0][row], columns[i][row])
-                axis.plot(*at, "o", color=colour, markersize=4)
-                axis.annotate(event, at, xytext=(4, 4), textcoords="offset points", fontsize=8)
+            for i in members:
+                style = {"linestyle": "", "marker": "."} if group else {"linestyle": line}
+                label_once = label if i == members[0] else None
+                axis.plot(columns[0], columns[i], color=colour, linewidth=1.8, label=label_once,
+                          **style)
+                for row, event in events:
+                    at = (columns[0][row], columns[i][row])
+                    axis.plot(*at, "o", color=colour, markersize=4)
+                    axis.annotate(event, at, xytext=(4, 4), textcoords="offset points", fontsize=8)
         axis.set_title(name, loc="left", fontsize=10.5)
         axis.margins(x=0)
         axis.grid(True, color="#e4e4e4", linewidth=0.8)
@@ -80,10 +97,12 @@ def main():
     )
     parser.add_argument("csv", type=pathlib.Path, nargs="+", help="at most four files")
     parser.add_argument("image", type=pathlib.Path, help="where the picture goes")
+    parser.add_argument("--group", action="store_true", help="columns of one name in one panel")
     arguments = parser.parse_args()
     if len(arguments.csv) > len(STYLES):
         parser.error(f"at most {len(STYLES)} CSV files")
-    draw({path.stem: read_columns(path) for path in arguments.csv}, arguments.image)
+    draw({path.stem: read_columns(path) for path in arguments.csv}, arguments.image,
+         arguments.group)
     print(f"wrote {arguments.image}")
 
 

@@ -42,6 +42,7 @@ pub mod fourier;
 pub mod model;
 pub mod motion;
 pub mod output;
+pub mod quantity;
 pub mod solve;
 pub mod system;
 pub mod workers;

@@ -8,7 +8,7 @@ use common::*;
 use nalgebra::Vector3;
 use periodyn::elements::{BeamLoadFrame, JointKind};
 use periodyn::model::*;
-use periodyn::output::{JointQuantity, Modes, NodeQuantity, ResolvedIn, Solution};
+use periodyn::output::{JointQuantity, Modes, NodeQuantity, Quantity, ResolvedIn, Solution};
 use periodyn::solve::*;
 use std::f64::consts::TAU;
 
@@ -133,7 +133,10 @@ fn its_root_bears_its_weight_as_it_turns() {
         .unwrap();
     // The mean of the reaction is the weight: no motion of the mass has a mean acceleration.
     let series = solution
-        .joint_series(hub, JointQuantity::Reaction(ResolvedIn::Space))
+        .series(Quantity::Joint(
+            hub,
+            JointQuantity::Reaction(ResolvedIn::Space),
+        ))
         .unwrap();
     assert!((series[2].mean / (mass * 9.81) - 1.0).abs() < 1e-9);
     assert!(series[0].mean.abs() < 1e-6 * mass && series[1].mean.abs() < 1e-6 * mass);

@@ -4,14 +4,19 @@ mod common;
 
 use common::*;
 use nalgebra::Vector3;
+use periodyn::collocation::GridState;
 use periodyn::elements::{Coordinate, JointKind};
+use periodyn::fourier::TimeGrid;
 use periodyn::model::{JointCoordinate, Model, SignalPart, SignalPlace, Target};
+use periodyn::motion::Motion;
 use periodyn::output::{BranchOutput, Solution};
 use periodyn::solve::{
     Adaptation, Branch, BranchEnd, BranchOptions, BranchPoint, Event, Free, GridPoints,
-    InitialGuess, LinearMethod, Outcome, follow_branch, switch_branch,
+    InitialGuess, LinearMethod, Outcome, Phase, follow_branch, switch_branch,
 };
+use periodyn::system::System;
 use std::f64::consts::TAU;
+use std::sync::Arc;
 
 /// `x'' + 0.05 x' + x + 0.1 x³ = 0.18 cos Ωt`.
 fn duffing() -> Model {
@@ -397,6 +402,58 @@ fn a_shaken_pendulum_loses_its_rest_where_mathieu_says() {
     for ((event, value), (expected, exact)) in found.into_iter().zip(exact) {
         println!("{event:?} off by {:e}", value - exact);
         assert!(event == expected && (value - exact).abs() < 2e-12);
+    }
+}
+
+#[test]
+fn a_free_pendulum_is_followed_over_its_frequency() {
+    // A point mass on a rod of length 1; periods by the arithmetic-geometric mean.
+    let bob = Vector3::new(0.0, 0.0, -1.0);
+    let inertia = nalgebra::Matrix3::zeros();
+    let (mut model, _) = hinged_body(1.0, &bob, &inertia, &Vector3::y());
+    gravity(&mut model, [0.0, 0.0, -9.81]);
+    let unfolding = model.add_parameter("unfolding", 0.0, 1.0).unwrap();
+    model
+        .move_by_parameter(unfolding, Target::MassDamping, 1.0)
+        .unwrap();
+    let (points, small) = (81, 0.5);
+    let start = 9.81_f64.sqrt() * (1.0 - small * small / 16.0);
+    let grid = TimeGrid::new(points, TAU / start).unwrap();
+    let mut state = GridState::reference(&System::new(&model, TAU / start).unwrap(), grid);
+    for (k, motion) in state.motions.iter_mut().enumerate() {
+        let angle = small * (TAU * k as f64 / points as f64).cos();
+        let turn = nalgebra::Rotation3::new(Vector3::y() * angle).into_inner();
+        *motion = Motion::new(turn, turn * bob);
+    }
+    let mut options = BranchOptions {
+        free: vec![Free::Parameter(unfolding)],
+        conditions: vec![Arc::new(Phase)],
+        range: [2.2, 3.1],
+        downwards: true,
+        ..response(points)
+    };
+    options.periodic.guess = InitialGuess::State(state);
+    let branch = follow_branch(
+        &model,
+        TAU / start,
+        Free::Frequency,
+        &options,
+        &mut |_, _| true,
+    );
+    let branch = branch.unwrap();
+    assert_eq!(branch.end, BranchEnd::Range, "{}", branch.explanation);
+    assert!(branch.points.len() > 5);
+    for point in &branch.points {
+        assert!(point.values[1].abs() < 1e-10, "{:e}", point.values[1]);
+        let lowest = point.state.node(0)[0].position;
+        let amplitude = f64::atan2(lowest.x.hypot(lowest.y), -lowest.z);
+        let (mut a, mut b) = (1.0, (amplitude / 2.0).cos());
+        for _ in 0..8 {
+            (a, b) = (0.5 * (a + b), f64::sqrt(a * b));
+        }
+        let exact = 9.81_f64.sqrt() * a;
+        println!("{amplitude:.3}: {:e}", point.values[0] - exact);
+        assert!((point.values[0] - exact).abs() < 1e-9);
     }
 }
 

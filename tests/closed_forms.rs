@@ -6,7 +6,7 @@ use common::*;
 use nalgebra::{Matrix3, Vector3};
 use periodyn::elements::{Coordinate, JointKind, LoadFrame};
 use periodyn::model::{BeamIds, Model, SectionInput, Signal};
-use periodyn::output::{BeamQuantity, JointQuantity, NodeQuantity, ResolvedIn, Solution};
+use periodyn::output::{BeamQuantity, JointQuantity, NodeQuantity, Quantity, ResolvedIn, Solution};
 use periodyn::solve::Outcome;
 use std::f64::consts::TAU;
 use std::sync::Arc;
@@ -416,7 +416,12 @@ fn mean_powers(mechanism: &FourBarModel, elements: usize, points: usize) -> [f64
         for element in 0..elements {
             // The one quadrature point of a two-node element.
             let element = mechanism.bars[bar] + element;
-            let strains = solution.beam_series(element, 0.0, BeamQuantity::Strain);
+            let strain = Quantity::Beam {
+                element,
+                station: 0.0,
+                quantity: BeamQuantity::Strain,
+            };
+            let strains = solution.series(strain);
             for (strain, stiffness) in strains.unwrap().iter().zip(FOUR_BAR_STIFFNESS[bar]) {
                 let rate = strain.differentiated();
                 let rates: Vec<f64> = times.iter().map(|&t| rate.value(t)).collect();

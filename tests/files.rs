@@ -48,23 +48,24 @@ fn tables_hold_what_the_solution_gives_to_the_last_bit() {
     let reaction = JointQuantity::Reaction(ResolvedIn::First);
     let position = NodeQuantity::Position;
     let mut table = Table::new(&times).unwrap();
-    table
-        .add_node(&solution, b, position, Some("B, \"left\""))
-        .unwrap();
-    table
-        .add_node(&coarse, b, NodeQuantity::Quaternion, None)
-        .unwrap();
-    table.add_joint(&solution, motor, rate, None).unwrap();
-    table.add_joint(&solution, motor, reaction, None).unwrap();
-    let strain = BeamQuantity::Strain;
-    table.add_beam(&solution, bar, -0.5, strain, None).unwrap();
-    table
-        .add_force(&solution, 0, ForceQuantity::Effort, None)
-        .unwrap();
+    let strain = Quantity::Beam {
+        element: bar,
+        station: -0.5,
+        quantity: BeamQuantity::Strain,
+    };
+    let quaternion = Quantity::Node(b, NodeQuantity::Quaternion);
     let on_node = ForceQuantity::OnNode(0, LoadFrame::Space);
-    table
-        .add_force(&solution, 0, on_node, Some("spring"))
-        .unwrap();
+    for (solution, quantity, label) in [
+        (&solution, Quantity::Node(b, position), Some("B, \"left\"")),
+        (&coarse, quaternion, None),
+        (&solution, Quantity::Joint(motor, rate), None),
+        (&solution, Quantity::Joint(motor, reaction), None),
+        (&solution, strain, None),
+        (&solution, Quantity::Force(0, ForceQuantity::Effort), None),
+        (&solution, Quantity::Force(0, on_node), Some("spring")),
+    ] {
+        table.add(solution, quantity, label).unwrap();
+    }
     let own: Vec<f64> = times.iter().map(|t| (1e-30 * t).exp() / 3e-200).collect();
     table.add_values("own", &own).unwrap();
 
@@ -106,7 +107,7 @@ fn tables_hold_what_the_solution_gives_to_the_last_bit() {
         (4, coarse.node(b, NodeQuantity::Quaternion, &times)),
         (1, solution.joint(motor, rate, &times)),
         (6, solution.joint(motor, reaction, &times)),
-        (6, solution.beam(bar, -0.5, strain, &times)),
+        (6, solution.sample(strain, &times)),
         (1, solution.force(0, ForceQuantity::Effort, &times)),
         (6, solution.force(0, on_node, &times)),
         (1, Ok(own)),
@@ -130,7 +131,7 @@ fn what_a_table_refuses_leaves_it_as_it_was() {
     let mut table = Table::new(&[0.0, 1.0]).unwrap();
     table.add_values("p.y", &[1.0, 2.0]).unwrap();
     let error = table
-        .add_node(&solution, b, position, Some("p"))
+        .add(&solution, Quantity::Node(b, position), Some("p"))
         .unwrap_err();
     assert_eq!(error.kind(), ErrorKind::Value);
     assert!(error.to_string().contains("\"p.y\" again"), "{error}");
@@ -140,7 +141,9 @@ fn what_a_table_refuses_leaves_it_as_it_was() {
     assert_eq!(error.kind(), ErrorKind::Size);
     let error = table.add_values("q", &[1.0, f64::INFINITY]).unwrap_err();
     assert_eq!(error.kind(), ErrorKind::NotFinite);
-    let error = table.add_node(&solution, 999, position, None).unwrap_err();
+    let error = table
+        .add(&solution, Quantity::Node(999, position), None)
+        .unwrap_err();
     assert_eq!(error.kind(), ErrorKind::Identifier);
     let directory = tempfile::tempdir().unwrap();
     let path = directory.path().join("small.csv");

@@ -8,7 +8,7 @@ use models::parts::{push, steady};
 use nalgebra::Vector3;
 use periodyn::elements::Coordinate;
 use periodyn::model::Signal;
-use periodyn::output::{JointQuantity, Solution};
+use periodyn::output::{JointQuantity, Quantity, Solution};
 use periodyn::solve::{NewtonOptions, Outcome, PeriodicOptions};
 use std::f64::consts::TAU;
 
@@ -43,7 +43,7 @@ fn a_blade_held_by_its_rotation_alone_flaps_as_linear_theory_says() {
     let mean = 0.5 * moment / (about_hinge * nu2 * omega * omega);
     let cosine = moment / (about_hinge * (nu2 - 1.0) * omega * omega);
     let angle = JointQuantity::Coordinate(Coordinate::Rotation1);
-    let series = solution.joint_series(flap, angle).unwrap();
+    let series = solution.series(Quantity::Joint(flap, angle)).unwrap();
     // Flapping of 1e-6 rad: what linear theory leaves out is relatively its square.
     assert!(
         (series[0].mean - mean).abs() < 1e-9 * cosine,
@@ -52,6 +52,6 @@ fn a_blade_held_by_its_rotation_alone_flaps_as_linear_theory_says() {
     );
     assert!((series[0].cosines[0] - cosine).abs() < 1e-9 * cosine);
     assert!(series[0].sines[0].abs() < 1e-9 * cosine);
-    let shaft = solution.joint_series(shaft, angle).unwrap();
+    let shaft = solution.series(Quantity::Joint(shaft, angle)).unwrap();
     assert!((shaft[0].rate - omega).abs() < 1e-12 * omega);
 }

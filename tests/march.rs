@@ -712,7 +712,7 @@ fn times_harmonics_and_options_that_make_no_sense_are_refused() {
         assert_eq!(error.kind(), ErrorKind::Value);
         assert!(error.to_string().contains("from 0 to 1"), "{error}");
     }
-    let error = solution.joint_series(joint, SLIDE).unwrap_err();
+    let error = solution.series(Quantity::Joint(joint, SLIDE)).unwrap_err();
     assert_eq!(error.kind(), ErrorKind::NotAvailable);
     let with = |change: &dyn Fn(&mut MarchOptions)| {
         let mut changed = options.clone();

@@ -208,6 +208,28 @@ fn a_loaded_solution_is_the_saved_one() {
     assert!(everything(&first) == everything(&second));
 }
 
+#[test]
+fn a_loaded_model_has_the_same_solution() {
+    let mechanism = mechanism(3, false);
+    let directory = tempfile::tempdir().unwrap();
+    let path = directory.path().join("model");
+    mechanism.model.save(&path).unwrap();
+    let loaded = Model::load(&path).unwrap();
+    let (wanted, found) = (mechanism.solve(9), solve(&loaded, mechanism.period, 9));
+    assert!(everything(&found) == everything(&wanted));
+    let error = Solution::load(&path).unwrap_err();
+    assert_eq!(error.kind(), ErrorKind::Format);
+
+    // Whatever byte is changed is noticed.
+    let bytes = fs::read(&path).unwrap();
+    for at in (0..bytes.len()).step_by(97) {
+        let mut damaged = bytes.clone();
+        damaged[at] ^= 0x10;
+        fs::write(&path, damaged).unwrap();
+        assert_eq!(Model::load(&path).unwrap_err().kind(), ErrorKind::Format);
+    }
+}
+
 /// A march of the mechanism in steps of 0.01 s.
 fn trajectory(
     mechanism: &FourBarModel,

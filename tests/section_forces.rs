@@ -10,7 +10,7 @@ use common::clamp;
 use nalgebra::{Matrix2, Matrix4, Vector2, Vector3};
 use periodyn::elements::LoadFrame;
 use periodyn::model::*;
-use periodyn::output::{BeamQuantity, Solution};
+use periodyn::output::{BeamQuantity, Quantity, Solution};
 use periodyn::solve::*;
 use std::f64::consts::TAU;
 use vtk::Piece;
@@ -255,9 +255,12 @@ fn a_jump_is_what_two_elements_differ_by() {
         assert_eq!(at(element, station, ForceJump), [0.0; 12]);
         assert_eq!(at(element, station, MeanForce), at(element, station, Force));
     }
-    let series = solution
-        .beam_series(ids.first_element, 1.0, ForceJump)
-        .unwrap();
+    let jump = Quantity::Beam {
+        element: ids.first_element,
+        station: 1.0,
+        quantity: ForceJump,
+    };
+    let series = solution.series(jump).unwrap();
     assert!((series[5].value(0.01) - at(0, 1.0, ForceJump)[11]).abs() < 1e-15);
 }
 

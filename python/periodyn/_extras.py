@@ -30,7 +30,28 @@ class Handle:
         return handle
 
 
-class ModelExtras(Handle):
+class Saved(Handle):
+    """What can be saved can be pickled, without functions of the user."""
+
+    def __reduce__(self):
+        import tempfile  # loaded where it is needed, as it takes long
+
+        with tempfile.TemporaryDirectory() as directory:
+            path = os.path.join(directory, "saved")
+            self.save(path)
+            return _loaded, (type(self), pathlib.Path(path).read_bytes())
+
+
+def _loaded(kind, saved):
+    import tempfile
+
+    with tempfile.TemporaryDirectory() as directory:
+        path = pathlib.Path(directory) / "saved"
+        path.write_bytes(saved)
+        return kind.load(path)
+
+
+class ModelExtras(Saved):
     """A model, in Python."""
 
     def __repr__(self):
@@ -76,27 +97,25 @@ class ModesExtras(Outcome, Handle):
         return numpy.array([mode.frequency for mode in self])
 
 
-class SolutionExtras(Outcome, Handle):
-    """A solution, in Python: it can be pickled, without the functions of its model."""
+class StabilityExtras(Outcome, Handle):
+    """Floquet multipliers, in Python: a sequence of Multiplier."""
 
-    def __reduce__(self):
-        import tempfile  # loaded where it is needed, as it takes long
+    def __len__(self):
+        return self.count()[0]
 
-        with tempfile.TemporaryDirectory() as directory:
-            path = os.path.join(directory, "solution")
-            self.save(path)
-            return _loaded, (pathlib.Path(path).read_bytes(),)
+    def __getitem__(self, number):
+        if not 0 <= number < len(self):
+            raise IndexError(number)
+        return self.get(number)
+
+    @property
+    def multipliers(self):
+        """The multipliers as complex numbers."""
+        return numpy.array([complex(m.real, m.imaginary) for m in self])
 
 
-def _loaded(saved):
-    import tempfile
-
-    from ._interface import Solution
-
-    with tempfile.TemporaryDirectory() as directory:
-        path = pathlib.Path(directory) / "solution"
-        path.write_bytes(saved)
-        return Solution.load(path)
+class SolutionExtras(Outcome, Saved):
+    """A solution, in Python."""
 
 
 class TableExtras(Handle):

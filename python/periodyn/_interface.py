@@ -7,7 +7,7 @@ from . import _callbacks
 from ._abi import ffi
 from ._call import LIBRARY as lib
 from ._call import call, text
-from ._extras import Handle, ModelExtras, ModesExtras, SolutionExtras, TableExtras
+from ._extras import Handle, ModelExtras, ModesExtras, SolutionExtras, StabilityExtras, TableExtras
 from ._numbers import ids, like, reals, together
 from ._structs import (
     Array, Number, Reference, Struct, Structs, as_signal, as_signals, of_type, pointer,
@@ -207,6 +207,48 @@ BEAM_FORCE_JUMP = 3
 """Quantity of a beam: at a node between two elements, internal forces of the one beyond it less
 those of the one before it; zero elsewhere.
 """
+QUANTITY_POSITION = 100
+"""Kind of quantity: position of a node; 3 components [length]."""
+QUANTITY_ROTATION = 101
+"""Kind of quantity: rotation matrix of a node, column by column; 9 components."""
+QUANTITY_QUATERNION = 102
+"""Kind of quantity: unit quaternion (w, x, y, z) of a node, of continuous sign; 4 components."""
+QUANTITY_VELOCITY = 103
+"""Kind of quantity: velocity and angular velocity of a node, in a frame; 6 components."""
+QUANTITY_ACCELERATION = 104
+"""Kind of quantity: acceleration and angular acceleration of a node, in a frame; 6 components."""
+QUANTITY_COORDINATE = 200
+"""Kind of quantity: a coordinate of a joint, angles followed through whole turns."""
+QUANTITY_COORDINATE_RATE = 201
+"""Kind of quantity: rate of a coordinate of a joint."""
+QUANTITY_COORDINATE_ACCELERATION = 202
+"""Kind of quantity: second derivative in time of a coordinate of a joint."""
+QUANTITY_DRIVING_EFFORT = 203
+"""Kind of quantity: force or torque that drives a prescribed coordinate of a joint."""
+QUANTITY_REACTION = 204
+"""Kind of quantity: force and moment of a joint on its second body, along axes; 6 components."""
+QUANTITY_STRAIN = 300
+"""Kind of quantity: strains and curvatures of a beam element; 6 components."""
+QUANTITY_BEAM_FORCE = 301
+"""Kind of quantity: internal forces and moments of a beam element; 6 components."""
+QUANTITY_BEAM_FORCE_MEAN = 302
+"""Kind of quantity: the same, at a node between two elements the mean of those of both."""
+QUANTITY_BEAM_FORCE_JUMP = 303
+"""Kind of quantity: at a node between two elements, internal forces of the one beyond it less
+those of the one before it; zero elsewhere; 6 components.
+"""
+QUANTITY_EFFORT = 400
+"""Kind of quantity: effort of a force on its joint coordinate."""
+QUANTITY_BRANCH_EFFORT = 401
+"""Kind of quantity: effort of a branch of a viscoelastic element."""
+QUANTITY_BRANCH_ELONGATION = 402
+"""Kind of quantity: elongation of the dashpot of a branch of a viscoelastic element."""
+QUANTITY_FORCE_ON_NODE = 403
+"""Kind of quantity: what a force exerts on one of its nodes, in a frame: force and moment; 6
+components.
+"""
+ALL_COMPONENTS = -1
+"""All components of a quantity."""
 FORCE_EFFORT = 0
 """Quantity of a force on a joint coordinate: its effort; 1 component."""
 FORCE_BRANCH_EFFORT = 1
@@ -239,6 +281,8 @@ STAGE_MARCH = 2
 """Stage of a march: a step, with the last of its iterations."""
 STAGE_MODES = 3
 """Stage of a modal analysis: looking for modes about the equilibrium."""
+STAGE_STABILITY = 4
+"""Following disturbances of a periodic solution."""
 START_AUTOMATIC = 0
 """Start of a periodic solve: the library tries those that suit, cheapest first."""
 START_QUASI_STATIC = 1
@@ -337,6 +381,16 @@ EVENT_BRANCH_POINT = 2
 """Another branch passes through a point of a branch."""
 EVENT_PERIOD_DOUBLING = 3
 """A branch of twice the period begins at a point of a branch."""
+STABILITY_NOT_KNOWN = 0
+"""Verdict on stability: it cannot be told, as multipliers are on the unit circle or not known well
+enough.
+"""
+STABLE = 1
+"""Verdict on stability: disturbances die away, but for those that only move the solution in time
+or space.
+"""
+UNSTABLE = 2
+"""Verdict on stability: a disturbance grows."""
 
 OUTCOMES = {
     0: "CONVERGED",
@@ -776,12 +830,39 @@ class Diagnostics(Struct):
     """
 
 
+class Quantity(Struct):
+    """What is asked of a solution: of a node, a joint, a beam or a force. Initialise with
+    `Quantity()`; fields that its kind does not have stay as they are.
+    """
+
+    _type = "pdn_quantity"
+    _initialise = lib.pdn_quantity_init
+    kind = Number("kind")
+    """QUANTITY_POSITION, ...; there is no default."""
+    object = Number("object")
+    """Id of the node, joint, beam element or force that it is of."""
+    component = Number("component")
+    """The component, from 0, or ALL_COMPONENTS, the default. Of coordinates and driving efforts,
+    the coordinate: DISPLACEMENT, ..., ROTATION_3.
+    """
+    frame = Number("frame")
+    """FRAME_SPACE, the default, or FRAME_MATERIAL; of reactions AXES_SPACE, AXES_FIRST or
+    AXES_SECOND.
+    """
+    node = Number("node")
+    """Of what a force exerts on one of its nodes, the node."""
+    branch = Number("branch")
+    """Of viscoelastic elements, the branch, from 0."""
+    station = Number("station")
+    """Of beams, the place along the element, from -1 at its first to 1 at its last node."""
+
+
 class Progress(Struct):
     """How far a solve is, as told to a the function."""
 
     _type = "pdn_progress"
     stage = Number("stage")
-    """STAGE_INITIAL_GUESS, STAGE_NEWTON, STAGE_MARCH or STAGE_MODES."""
+    """STAGE_INITIAL_GUESS, STAGE_NEWTON, STAGE_MARCH, STAGE_MODES or STAGE_STABILITY."""
     iteration = Number("iteration")
     """Number of the last iteration, from 1, or 0 before the first; starts again with each Newton
     solve. In a march, number of the step.
@@ -1164,6 +1245,50 @@ class ShootingOptions(Struct):
     progress = Reference("progress", _callbacks.progress, "progress_data")
     """Told of each period of the guess and of each iteration, and about ten times a second while
     one lasts; may cancel. Default None.
+    """
+
+
+class StabilityOptions(Struct):
+    """Options of Solution.solve_stability. Set the defaults by `StabilityOptions()`."""
+
+    _type = "pdn_stability_options"
+    _initialise = lib.pdn_stability_options_init
+    highest_frequency = Number("highest_frequency")
+    """Modes of up to this angular frequency matter [angle/time]; 0 for 20 times that of the
+    period. Default 0.
+    """
+    tolerance = Number("tolerance")
+    """Estimated error of the multipliers of these modes, in units of 1 or of the multiplier where
+    that is more. Default 1e-8.
+    """
+    progress = Reference("progress", _callbacks.progress, "progress_data")
+    """Told about ten times a second that work goes on; may cancel. Default None."""
+
+
+class Multiplier(Struct):
+    """A disturbance `exp(mu t) phi(t)` of a periodic solution, where phi has its period.
+    Initialise with `Multiplier()`.
+    """
+
+    _type = "pdn_multiplier"
+    _initialise = lib.pdn_multiplier_init
+    real = Number("real")
+    """Real part of the multiplier rho = exp(mu T)."""
+    imaginary = Number("imaginary")
+    """Imaginary part of rho."""
+    exponent_real = Number("exponent_real")
+    """Real part of the exponent mu [1/time]; negative if the disturbance dies away."""
+    exponent_imaginary = Number("exponent_imaginary")
+    """Imaginary part of mu [angle/time]: of the many that give rho that nearest to the frequency
+    of the mode.
+    """
+    frequency = Number("frequency")
+    """Angular frequency of the mode over the period, in the nodes' own axes."""
+    error = Number("error")
+    """Estimated error of rho, for this periodic solution."""
+    trivial = Number("trivial")
+    """1 if rho is 1 because the disturbance only moves the solution in time, or all of the
+    mechanism in space; else 0.
     """
 
 
@@ -3138,6 +3263,46 @@ class Model(ModelExtras):
         """
         return text.of(lib.pdn_model_describe, self._c)
 
+    def copy(self):
+        """A copy of a model, which may be changed and solved apart from it.
+
+        Returns:
+            Model: the copy. It shares the callbacks of the model and their user_data
+        """
+        out = ffi.new("pdn_model **")
+        call(lib.pdn_model_copy, self._c, out)
+        return Model._made(out[0], self._kept)
+
+    def save(self, path):
+        """Saves a model.
+
+        Model.load gives it back. Callbacks cannot be saved: see there. The format is the same
+        on all platforms, and later versions of the library read it.
+
+        Args:
+            path: where to, UTF-8. A file that is there is replaced when all is written; if that
+                fails it stays as it was
+        """
+        call(lib.pdn_model_save, self._c, text(path))
+
+    @staticmethod
+    def load(path):
+        """Loads a model that Model.save saved; its ids are what they were.
+
+        If it had callbacks, in signals or forces, a solve of it fails with ERR_CALLBACK, as
+        they are not there.
+
+        Args:
+            path: the file, UTF-8. It need not be trusted: its checksum and everything in it are
+                checked
+
+        Returns:
+            Model: the model
+        """
+        out = ffi.new("pdn_model **")
+        call(lib.pdn_model_load, text(path), out)
+        return Model._made(out[0], [])
+
 
 class Modes(ModesExtras):
     """An equilibrium and the modes about it. Made by Model.solve_modes, freed by Modes.free."""
@@ -3766,6 +3931,110 @@ class Solution(SolutionExtras):
         )
         return mean, cosines, sines
 
+    def sample_quantity(self, quantity, times):
+        """A quantity of a solution at any times.
+
+        Motions of nodes are interpolated over the whole period by dual polar decomposition, all
+        else from its values at the grid points.
+
+        Args:
+            quantity: what is asked for, C components
+            times: array of shape (count): times, also outside the first period
+
+        Returns:
+            out, of shape (count, components): components of each time together
+        """
+        quantity = of_type("Quantity")(quantity, self._kept)
+        times = reals("times", times, (None,))
+        _count = len(times)
+        components = max(lib.pdn_quantity_components(quantity), 1)
+        out = reals.empty((_count, components))
+        call(
+            lib.pdn_solution_sample_quantity,
+            self._c,
+            quantity,
+            pointer(times),
+            _count,
+            pointer(out),
+        )
+        return out[..., 0] if components == 1 else out
+
+    def quantity_harmonics(self, quantity, harmonics):
+        """Fourier coefficients of a quantity: mean + rate t + sum of cosines[j] cos jwt + sines[j]
+        sin jwt.
+
+        Those of the trigonometric polynomial through the values at the grid points.
+
+        Args:
+            quantity: what is asked for, C components
+            harmonics: number of harmonics wanted; those above (N - 1) / 2 are zero
+
+        Returns:
+            mean, of shape (components)
+            rate, of shape (components): growth per unit of time, of what gains turns
+            cosines, of shape (harmonics, components): components of each harmonic together
+            sines, of shape (harmonics, components): components of each harmonic together
+        """
+        quantity = of_type("Quantity")(quantity, self._kept)
+        components = max(lib.pdn_quantity_components(quantity), 1)
+        mean = reals.empty((components,))
+        rate = reals.empty((components,))
+        cosines = reals.empty((harmonics, components))
+        sines = reals.empty((harmonics, components))
+        call(
+            lib.pdn_solution_quantity_harmonics,
+            self._c,
+            quantity,
+            harmonics,
+            pointer(mean),
+            pointer(rate),
+            pointer(cosines),
+            pointer(sines),
+        )
+        return (
+            mean[..., 0] if components == 1 else mean,
+            rate[..., 0] if components == 1 else rate,
+            cosines[..., 0] if components == 1 else cosines,
+            sines[..., 0] if components == 1 else sines,
+        )
+
+    def quantity_extremes(self, quantity):
+        """Smallest and largest values of a quantity, and their times.
+
+        Over the period, of the trigonometric polynomial through the values at the grid points;
+        of a trajectory, among its times.
+
+        Args:
+            quantity: what is asked for, C components
+
+        Returns:
+            smallest, of shape (components)
+            time_of_smallest, of shape (components)
+            largest, of shape (components)
+            time_of_largest, of shape (components)
+        """
+        quantity = of_type("Quantity")(quantity, self._kept)
+        components = max(lib.pdn_quantity_components(quantity), 1)
+        smallest = reals.empty((components,))
+        time_of_smallest = reals.empty((components,))
+        largest = reals.empty((components,))
+        time_of_largest = reals.empty((components,))
+        call(
+            lib.pdn_solution_quantity_extremes,
+            self._c,
+            quantity,
+            pointer(smallest),
+            pointer(time_of_smallest),
+            pointer(largest),
+            pointer(time_of_largest),
+        )
+        return (
+            smallest[..., 0] if components == 1 else smallest,
+            time_of_smallest[..., 0] if components == 1 else time_of_smallest,
+            largest[..., 0] if components == 1 else largest,
+            time_of_largest[..., 0] if components == 1 else time_of_largest,
+        )
+
     def force_effort(self, force, times):
         """Effort of a force on a joint coordinate, at any times.
 
@@ -3988,6 +4257,35 @@ class Solution(SolutionExtras):
         call(lib.pdn_solution_floquet, self._c, pointer(real), pointer(imaginary), _count)
         return real, imaginary
 
+    def solve_stability(self, *, highest_frequency=None, tolerance=None, progress=None):
+        """Finds the Floquet multipliers of a periodic solution: what small disturbances are
+        multiplied by in a period.
+
+        Disturbances obey the exact linearised equations, constraints, redundant ones too, and
+        internal states included, about the solution interpolated between its grid points. They
+        are integrated over the period in steps that are halved until the multipliers of modes
+        up to the highest frequency stand still. The error of the periodic solution itself comes
+        with theirs.
+
+        Args:
+            highest_frequency: Modes of up to this angular frequency matter [angle/time]; 0 for
+                20 times that of the period. Default 0.
+            tolerance: Estimated error of the multipliers of these modes, in units of 1 or of
+                the multiplier where that is more. Default 1e-8.
+            progress: Told about ten times a second that work goes on; may cancel. Default None.
+
+        Returns:
+            Stability: the multipliers
+        """
+        options = StabilityOptions(
+            highest_frequency=highest_frequency,
+            tolerance=tolerance,
+            progress=progress,
+        )
+        out = ffi.new("pdn_stability **")
+        call(lib.pdn_solve_stability, self._c, options._c, out)
+        return Stability._made(out[0], self._kept)
+
     def write_vtk(self, times, points_per_element, path):
         """Writes an animation of a solution that ParaView opens: VTK's XML files, and a list of
         them.
@@ -4069,10 +4367,126 @@ class Solution(SolutionExtras):
         return Model._made(out[0], self._kept)
 
 
+class Stability(StabilityExtras):
+    """Floquet multipliers of a periodic solution. Made by Solution.solve_stability, freed by
+    Stability.free.
+    """
+
+    _free = lib.pdn_stability_free
+
+    def outcome(self):
+        """How the analysis ended."""
+        return lib.pdn_stability_outcome(self._c)
+
+    def verdict(self):
+        """What the multipliers say.
+
+        Returns:
+            verdict: STABLE, UNSTABLE or STABILITY_NOT_KNOWN
+            frequency_limit: angular frequency of modes up to which the verdict holds; infinite
+                if all multipliers are known
+        """
+        verdict = ffi.new("int32_t *")
+        frequency_limit = ffi.new("double *")
+        call(lib.pdn_stability_verdict, self._c, verdict, frequency_limit)
+        return verdict[0], frequency_limit[0]
+
+    def count(self):
+        """Number of multipliers that are known, and of those that the system has, one for each
+        state.
+
+        Multipliers of modes far above the highest frequency that was asked for may be left out.
+
+        Returns:
+            out: the number that are known
+            states: the number that the system has
+        """
+        out = ffi.new("size_t *")
+        states = ffi.new("size_t *")
+        call(lib.pdn_stability_count, self._c, out, states)
+        return out[0], states[0]
+
+    def get(self, number):
+        """A multiplier.
+
+        Args:
+            number: its number, from 0: the largest is first, of a conjugate pair that with the
+                positive imaginary part
+
+        Returns:
+            Multiplier
+        """
+        out = Multiplier()
+        call(lib.pdn_stability_get, self._c, number, out._c)
+        return out
+
+    def times(self, count):
+        """Times of the shapes of modes: ends of equal steps over the period, the last is the
+        period.
+
+        Args:
+            count: number of times to be written, no more than there are
+
+        Returns:
+            times, of shape (count)
+            steps: the number of times that there are
+        """
+        times = reals.empty((count,))
+        steps = ffi.new("size_t *")
+        call(lib.pdn_stability_times, self._c, pointer(times), count, steps)
+        return times, steps[0]
+
+    def shape(self, number, node, steps):
+        """The mode phi of a multiplier at a node over the period.
+
+        Small displacements and rotations along the node's own axes, at the times of
+        Stability.times. The largest component of all nodes over the period is 1, with
+        displacements relative to the size of the mechanism and rotations in radians.
+
+        Args:
+            number: number of the multiplier, from 0
+            node: id of the node
+            steps: number of times, as Stability.times tells
+
+        Returns:
+            real, of shape (steps, 6): real part, components fastest
+            imaginary, of shape (steps, 6): imaginary part
+        """
+        real = reals.empty((steps, 6))
+        imaginary = reals.empty((steps, 6))
+        call(
+            lib.pdn_stability_shape,
+            self._c,
+            number,
+            node,
+            steps,
+            pointer(real),
+            pointer(imaginary),
+        )
+        return real, imaginary
+
+    def report(self):
+        """A readable report: the verdict, how far it holds, and a table of the multipliers."""
+        return text.of(lib.pdn_stability_report, self._c)
+
+
 class Table(TableExtras):
     """Columns of numbers over the same times. Made by Table.new, freed by Table.free."""
 
     _free = lib.pdn_table_free
+
+    def add_quantity(self, solution, quantity, label=None):
+        """Adds the columns of a quantity of a solution, named by the label and the component; or
+        that of one component, named by the label alone.
+
+        Args:
+            solution: the solution
+            quantity: what is asked for; one column for each component
+            label: columns are called `label.x` and so on; None for a name such as
+                `node3.position`
+        """
+        quantity = of_type("Quantity")(quantity, self._kept)
+        call(lib.pdn_table_add_quantity, self._c, pointer(solution), quantity, text(label))
 
     def __init__(self, times):
         """A table over these times, to choose columns for and to write as CSV.

@@ -119,6 +119,28 @@ def test_solutions_are_pickled_and_read_again(tmp_path):
     assert pdn.Solution.load(tmp_path / "saved").model().node_count() == 1
 
 
+def test_models_are_copied_pickled_and_read_again(tmp_path):
+    model, body, *_ = oscillator(force=pdn.Signal().set_harmonics(cosines=[1]))
+    wanted = model.solve_periodic(2 * np.pi).node_position(body, TIMES)
+    model.save(tmp_path / "model")
+    others = [model.copy(), pickle.loads(pickle.dumps(model)), pdn.Model.load(tmp_path / "model")]
+    for other in others:
+        other.add_node([1, 2, 3])
+        assert other.node_count() == model.node_count() + 1
+    model.add_load(body, pdn.FRAME_SPACE, pdn.FORCE_1, 1.0)
+    again = pdn.Model.load(tmp_path / "model").solve_periodic(2 * np.pi)
+    np.testing.assert_array_equal(again.node_position(body, TIMES), wanted)
+
+    # Functions go with copies, but not into files.
+    model, body, *_ = oscillator(force=np.cos)
+    copy = model.copy()
+    del model
+    found = copy.solve_periodic(2 * np.pi).node_position(body, TIMES)
+    np.testing.assert_allclose(found, wanted, atol=1e-12)
+    with pytest.raises(pdn.Error, match="loaded from a file"):
+        pickle.loads(pickle.dumps(copy)).solve_periodic(2 * np.pi)
+
+
 def test_tables(tmp_path):
     solution = solution_for(4.0)
     table = pdn.Table(TIMES)

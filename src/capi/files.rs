@@ -1,9 +1,10 @@
-//! Solutions in files.
+//! Solutions and models in files.
 
 use super::guard::guard;
 use super::model::pdn_model;
 use super::solution::pdn_solution;
 use super::status::pdn_status;
+use crate::model::Model;
 use crate::output::Solution;
 use libc::c_char;
 use std::path::Path;
@@ -123,6 +124,78 @@ pub unsafe extern "C" fn pdn_solution_model(
         let solution = call.shared(solution, "solution")?;
         let out = call.out(out, "out")?;
         out.give(solution.model().clone());
+        Ok(())
+    })
+}
+
+/// A copy of a model, which may be changed and solved apart from it.
+///
+/// @param model  the model; not NULL
+/// @param out  the copy; free it with ::pdn_model_free; written on success only. It shares the
+///     callbacks of the model and their user_data
+/// @return PDN_OK, PDN_ERR_NULL
+///
+/// Threads: `model` is `const`.
+/// @since 0.1
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn pdn_model_copy(
+    model: *const pdn_model,
+    out: *mut *mut pdn_model,
+) -> pdn_status {
+    guard(|call| {
+        let model = call.shared(model, "model")?;
+        let out = call.out(out, "out")?;
+        out.give(Model::clone(&model));
+        Ok(())
+    })
+}
+
+/// Saves a model.
+///
+/// ::pdn_model_load gives it back. Callbacks cannot be saved: see there. The format is the same on
+/// all platforms, and later versions of the library read it.
+///
+/// @param model  the model; not NULL
+/// @param path  where to, UTF-8. A file that is there is replaced when all is written; if that
+///     fails it stays as it was
+/// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_VALUE (text that is not UTF-8), PDN_ERR_IO
+///
+/// Threads: `model` is `const`.
+/// @since 0.1
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn pdn_model_save(
+    model: *const pdn_model,
+    path: *const c_char,
+) -> pdn_status {
+    guard(|call| {
+        let model = call.shared(model, "model")?;
+        let path = call.text(path, "path")?;
+        model.save(Path::new(path))
+    })
+}
+
+/// Loads a model that ::pdn_model_save saved; its ids are what they were.
+///
+/// If it had callbacks, in signals or forces, a solve of it fails with PDN_ERR_CALLBACK, as they
+/// are not there.
+///
+/// @param path  the file, UTF-8. It need not be trusted: its checksum and everything in it are
+///     checked
+/// @param out  the model; free it with ::pdn_model_free; written on success only
+/// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_VALUE (text that is not UTF-8), PDN_ERR_IO, PDN_ERR_FORMAT
+///     (not a saved model, cut off, damaged, or of a newer version), PDN_ERR_MEMORY
+///
+/// Threads: any.
+/// @since 0.1
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn pdn_model_load(
+    path: *const c_char,
+    out: *mut *mut pdn_model,
+) -> pdn_status {
+    guard(|call| {
+        let path = call.text(path, "path")?;
+        let out = call.out(out, "out")?;
+        out.give(Model::load(Path::new(path))?);
         Ok(())
     })
 }

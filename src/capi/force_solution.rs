@@ -5,7 +5,7 @@ use super::solution::{Samples, SeriesOut, harmonics_of, index, pdn_solution};
 use super::status::pdn_status;
 use crate::elements::LoadFrame;
 use crate::error::{Error, Result};
-use crate::output::ForceQuantity;
+use crate::output::{ForceQuantity, Quantity};
 
 /// Quantity of a force on a joint coordinate: its effort; 1 component.
 pub const PDN_FORCE_EFFORT: i32 = 0;
@@ -24,12 +24,9 @@ pub const PDN_FORCE_ON_NODE_MATERIAL: i32 = 4;
 fn force_at(
     to: Samples,
     force: i32,
-    components: usize,
     quantity: impl FnOnce() -> Result<ForceQuantity>,
 ) -> pdn_status {
-    to.take(components, |solution, times| {
-        solution.force(index(force, "force")?, quantity()?, times)
-    })
+    to.take(|_| Ok(Quantity::Force(index(force, "force")?, quantity()?)))
 }
 
 /// The quantity of a force that C means.
@@ -74,7 +71,7 @@ pub unsafe extern "C" fn pdn_solution_force_effort(
     out: *mut f64,
 ) -> pdn_status {
     let to = Samples::new(solution, times, count, out);
-    force_at(to, force, 1, || Ok(ForceQuantity::Effort))
+    force_at(to, force, || Ok(ForceQuantity::Effort))
 }
 
 /// Effort of one branch of a viscoelastic element, at any times: positive against growth.
@@ -101,7 +98,7 @@ pub unsafe extern "C" fn pdn_solution_force_branch_effort(
 ) -> pdn_status {
     let quantity = || Ok(ForceQuantity::BranchEffort(index(branch, "branch")?));
     let to = Samples::new(solution, times, count, out);
-    force_at(to, force, 1, quantity)
+    force_at(to, force, quantity)
 }
 
 /// Elongation of the dashpot of one branch of a viscoelastic element, at any times: its internal
@@ -131,7 +128,7 @@ pub unsafe extern "C" fn pdn_solution_force_branch_elongation(
 ) -> pdn_status {
     let quantity = || Ok(ForceQuantity::BranchElongation(index(branch, "branch")?));
     let to = Samples::new(solution, times, count, out);
-    force_at(to, force, 1, quantity)
+    force_at(to, force, quantity)
 }
 
 /// What a force exerts on one of its nodes, at any times: force, and moment about the node.
@@ -167,7 +164,7 @@ pub unsafe extern "C" fn pdn_solution_force_on_node(
         Ok(ForceQuantity::OnNode(node, load_frame(frame)?))
     };
     let to = Samples::new(solution, times, count, out);
-    force_at(to, force, 6, quantity)
+    force_at(to, force, quantity)
 }
 
 /// Fourier coefficients of a force's quantity: mean + rate t + sum of cosines[j] cos jwt + sines[j]
@@ -204,9 +201,8 @@ pub unsafe extern "C" fn pdn_solution_force_harmonics(
     sines: *mut f64,
 ) -> pdn_status {
     let to = SeriesOut::new(harmonics, mean, rate, [cosines, sines]);
-    let which = || force_quantity(quantity, detail);
-    let components = || Ok(which()?.components());
-    harmonics_of(solution, &to, components, |s| {
-        s.force_series(index(force, "force")?, which()?)
+    harmonics_of(solution, &to, |_| {
+        let quantity = force_quantity(quantity, detail)?;
+        Ok(Quantity::Force(index(force, "force")?, quantity))
     })
 }

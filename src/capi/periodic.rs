@@ -30,6 +30,8 @@ pub const PDN_STAGE_NEWTON: i32 = 1;
 pub const PDN_STAGE_MARCH: i32 = 2;
 /// Stage of a modal analysis: looking for modes about the equilibrium.
 pub const PDN_STAGE_MODES: i32 = 3;
+/// Following disturbances of a periodic solution.
+pub const PDN_STAGE_STABILITY: i32 = 4;
 
 /// Start of a periodic solve: the library tries those that suit, cheapest first.
 pub const PDN_START_AUTOMATIC: i32 = 0;
@@ -51,7 +53,8 @@ pub const PDN_START_MARCH: i32 = 5;
 pub struct pdn_progress {
     /// Size of the struct in this library.
     pub struct_size: usize,
-    /// PDN_STAGE_INITIAL_GUESS, PDN_STAGE_NEWTON, PDN_STAGE_MARCH or PDN_STAGE_MODES.
+    /// PDN_STAGE_INITIAL_GUESS, PDN_STAGE_NEWTON, PDN_STAGE_MARCH, PDN_STAGE_MODES or
+    /// PDN_STAGE_STABILITY.
     pub stage: i32,
     /// Number of the last iteration, from 1, or 0 before the first; starts again with each Newton
     /// solve. In a march, number of the step.
@@ -276,6 +279,7 @@ fn of_progress(progress: &Progress) -> pdn_progress {
             Stage::Newton => PDN_STAGE_NEWTON,
             Stage::March { .. } => PDN_STAGE_MARCH,
             Stage::Modes => PDN_STAGE_MODES,
+            Stage::Stability => PDN_STAGE_STABILITY,
         },
         iteration: count(iteration.number),
         residual: iteration.residual,

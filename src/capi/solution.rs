@@ -1,5 +1,6 @@
 //! Solutions: how they came out, and their quantities at any time.
 
+use super::call::Call;
 use super::guard::{free, guard, guard_or, init};
 use super::handle::Handle;
 use super::joint::coordinate;
@@ -10,7 +11,10 @@ use super::options::Options;
 use super::status::pdn_status;
 use crate::collocation::DecayKind;
 use crate::error::{Error, ErrorKind, Result};
-use crate::output::{BeamQuantity, JointQuantity, NodeQuantity, ResolvedIn, Solution};
+use crate::fourier::PeriodicSeries;
+use crate::output::{
+    BeamQuantity, JointQuantity, NodeQuantity, Quantity, ResolvedIn, Selection, Solution,
+};
 use crate::solve::{Iteration, Outcome};
 use libc::c_char;
 use std::ptr::null_mut;
@@ -481,46 +485,51 @@ impl Samples {
         }
     }
 
-    /// Samples so many components; times and place are checked before anything is computed.
-    pub fn take(
-        self,
-        components: usize,
-        sample: impl FnOnce(&Solution, &[f64]) -> Result<Vec<f64>>,
-    ) -> pdn_status {
+    /// Samples a quantity; times and place are checked before anything is computed.
+    pub fn take<Q: Into<Selection>>(self, quantity: impl FnOnce(&Call) -> Result<Q>) -> pdn_status {
         guard(|call| {
             let solution = call.shared(self.solution, "solution")?;
             let times = call.numbers(self.times, self.count, "times")?;
-            let length = self.count.checked_mul(components);
+            let quantity = quantity(call)?.into();
+            let length = self.count.checked_mul(quantity.components());
             let length = length
                 .ok_or_else(|| Error::size("count", "a length that fits in memory", self.count))?;
             let out = call.out_slice(self.out, length, length, "out")?;
-            out.set(&sample(&solution, times)?);
+            out.set(&solution.sample(quantity, times)?);
             Ok(())
         })
     }
 
-    fn node(self, node: i32, components: usize, quantity: Result<NodeQuantity>) -> pdn_status {
-        self.take(components, |solution, times| {
-            solution.node(index(node, "node")?, quantity?, times)
-        })
+    fn node(self, node: i32, quantity: Result<NodeQuantity>) -> pdn_status {
+        self.take(|_| Ok(Quantity::Node(index(node, "node")?, quantity?)))
     }
 
     fn joint(self, joint: i32, quantity: i32, detail: i32) -> pdn_status {
-        let (components, name) = match quantity {
-            PDN_JOINT_REACTION => (6, "axes"),
-            _ => (1, "coordinate"),
+        let name = match quantity {
+            PDN_JOINT_REACTION => "axes",
+            _ => "coordinate",
         };
-        self.take(components, |solution, times| {
+        self.take(|_| {
             let joint = index(joint, "joint")?;
-            solution.joint(joint, joint_quantity(quantity, detail, name)?, times)
+            Ok(Quantity::Joint(
+                joint,
+                joint_quantity(quantity, detail, name)?,
+            ))
         })
     }
 
     fn beam(self, element: i32, station: f64, quantity: BeamQuantity) -> pdn_status {
-        self.take(6, |solution, times| {
-            solution.beam(index(element, "element")?, station, quantity, times)
-        })
+        self.take(|_| beam_at(element, station, quantity))
     }
+}
+
+/// A quantity at a station of a beam.
+pub(super) fn beam_at(element: i32, station: f64, quantity: BeamQuantity) -> Result<Quantity> {
+    Ok(Quantity::Beam {
+        element: index(element, "element")?,
+        station,
+        quantity,
+    })
 }
 
 /// Position of a node at any times.
@@ -546,7 +555,7 @@ pub unsafe extern "C" fn pdn_solution_node_position(
     count: usize,
     out: *mut f64,
 ) -> pdn_status {
-    Samples::new(solution, times, count, out).node(node, 3, Ok(NodeQuantity::Position))
+    Samples::new(solution, times, count, out).node(node, Ok(NodeQuantity::Position))
 }
 
 /// Rotation matrix of a node at any times.
@@ -570,7 +579,7 @@ pub unsafe extern "C" fn pdn_solution_node_rotation(
     count: usize,
     out: *mut f64,
 ) -> pdn_status {
-    Samples::new(solution, times, count, out).node(node, 9, Ok(NodeQuantity::RotationMatrix))
+    Samples::new(solution, times, count, out).node(node, Ok(NodeQuantity::RotationMatrix))
 }
 
 /// Unit quaternion of a node at any times.
@@ -595,10 +604,14 @@ pub unsafe extern "C" fn pdn_solution_node_quaternion(
     count: usize,
     out: *mut f64,
 ) -> pdn_status {
-    Samples::new(solution, times, count, out).node(node, 4, Ok(NodeQuantity::Quaternion))
+    Samples::new(solution, times, count, out).node(node, Ok(NodeQuantity::Quaternion))
 }
 
-fn in_frame(frame: i32, space: NodeQuantity, material: NodeQuantity) -> Result<NodeQuantity> {
+pub(super) fn in_frame(
+    frame: i32,
+    space: NodeQuantity,
+    material: NodeQuantity,
+) -> Result<NodeQuantity> {
     match frame {
         PDN_FRAME_SPACE => Ok(space),
         PDN_FRAME_MATERIAL => Ok(material),
@@ -639,7 +652,7 @@ pub unsafe extern "C" fn pdn_solution_node_velocity(
         NodeQuantity::Velocity,
         NodeQuantity::MaterialVelocity,
     );
-    Samples::new(solution, times, count, out).node(node, 6, quantity)
+    Samples::new(solution, times, count, out).node(node, quantity)
 }
 
 /// Acceleration of a node at any times.
@@ -671,7 +684,7 @@ pub unsafe extern "C" fn pdn_solution_node_acceleration(
         NodeQuantity::Acceleration,
         NodeQuantity::MaterialAcceleration,
     );
-    Samples::new(solution, times, count, out).node(node, 6, quantity)
+    Samples::new(solution, times, count, out).node(node, quantity)
 }
 
 /// The quantity of a node that C means.
@@ -712,21 +725,27 @@ pub(super) fn joint_quantity(quantity: i32, detail: i32, name: &str) -> Result<J
         PDN_JOINT_RATE => Ok(JointQuantity::Rate(coordinate(detail, name)?)),
         PDN_JOINT_ACCELERATION => Ok(JointQuantity::Acceleration(coordinate(detail, name)?)),
         PDN_JOINT_DRIVING_EFFORT => Ok(JointQuantity::DrivingEffort(coordinate(detail, name)?)),
-        PDN_JOINT_REACTION => match detail {
-            PDN_AXES_SPACE => Ok(JointQuantity::Reaction(ResolvedIn::Space)),
-            PDN_AXES_FIRST => Ok(JointQuantity::Reaction(ResolvedIn::First)),
-            PDN_AXES_SECOND => Ok(JointQuantity::Reaction(ResolvedIn::Second)),
-            _ => {
-                let expected = "PDN_AXES_SPACE, PDN_AXES_FIRST or PDN_AXES_SECOND";
-                Err(Error::value(name, expected, detail))
-            }
-        },
+        PDN_JOINT_REACTION => reaction(detail, name),
         _ => Err(Error::value(
             "quantity",
             "PDN_JOINT_COORDINATE to PDN_JOINT_REACTION",
             quantity,
         )),
     }
+}
+
+/// A reaction along the axes that C means.
+pub(super) fn reaction(axes: i32, name: &str) -> Result<JointQuantity> {
+    let axes = match axes {
+        PDN_AXES_SPACE => ResolvedIn::Space,
+        PDN_AXES_FIRST => ResolvedIn::First,
+        PDN_AXES_SECOND => ResolvedIn::Second,
+        _ => {
+            let expected = "PDN_AXES_SPACE, PDN_AXES_FIRST or PDN_AXES_SECOND";
+            return Err(Error::value(name, expected, axes));
+        }
+    };
+    Ok(JointQuantity::Reaction(axes))
 }
 
 /// Joint coordinate at any times: a displacement, or an angle, followed continuously through whole
@@ -1004,11 +1023,10 @@ impl SeriesOut {
 /// No grid has more; what asks for more is a mistake.
 const MOST_HARMONICS: usize = 1 << 20;
 
-pub(super) fn harmonics_of(
+pub(super) fn harmonics_of<Q: Into<Selection>>(
     solution: *const pdn_solution,
     to: &SeriesOut,
-    components: impl FnOnce() -> Result<usize>,
-    series: impl FnOnce(&Solution) -> Result<Vec<crate::fourier::PeriodicSeries>>,
+    quantity: impl FnOnce(&Call) -> Result<Q>,
 ) -> pdn_status {
     guard(|call| {
         let solution = call.shared(solution, "solution")?;
@@ -1017,40 +1035,35 @@ pub(super) fn harmonics_of(
             let expected = format!("at most {MOST_HARMONICS}");
             return Err(Error::size("harmonics", expected, to.harmonics));
         }
-        let (single, many) = {
-            let components = components()?;
-            (components, components * to.harmonics)
-        };
+        let quantity = quantity(call)?.into();
+        let single = quantity.components();
+        let many = single * to.harmonics;
         let mean = call.out_slice_optional(to.mean, single, "mean")?;
         let rate = call.out_slice_optional(to.rate, single, "rate")?;
         let cosines = call.out_slice_optional(to.cosines, many, "cosines")?;
         let sines = call.out_slice_optional(to.sines, many, "sines")?;
-        let series = series(&solution)?;
-        let each = |value: &dyn Fn(&crate::fourier::PeriodicSeries) -> f64| -> Vec<f64> {
-            series.iter().map(value).collect()
+        let series = solution.series(quantity)?;
+        // There are none above those of the grid.
+        let by_harmonic = |coefficients: fn(&PeriodicSeries) -> &[f64]| -> Vec<f64> {
+            let of = |j: usize| {
+                let all = series.iter().map(coefficients);
+                all.map(move |x| x.get(j).copied().unwrap_or(0.0))
+            };
+            (0..to.harmonics).flat_map(of).collect()
         };
-        let by_harmonic = |value: &dyn Fn(&crate::fourier::PeriodicSeries, usize) -> f64| {
-            let mut all = Vec::new();
-            for j in 0..to.harmonics {
-                // There are none above those of the grid.
-                all.extend(series.iter().map(|s| match j < s.cosines.len() {
-                    true => value(s, j),
-                    false => 0.0,
-                }));
+        for (out, value) in [
+            (mean, (|s| s.mean) as fn(&PeriodicSeries) -> f64),
+            (rate, |s| s.rate),
+        ] {
+            if let Some(out) = out {
+                out.set(&series.iter().map(value).collect::<Vec<f64>>());
             }
-            all
-        };
-        if let Some(out) = mean {
-            out.set(&each(&|s| s.mean));
-        }
-        if let Some(out) = rate {
-            out.set(&each(&|s| s.rate));
         }
         if let Some(out) = cosines {
-            out.set(&by_harmonic(&|s, j| s.cosines[j]));
+            out.set(&by_harmonic(|s| &s.cosines));
         }
         if let Some(out) = sines {
-            out.set(&by_harmonic(&|s, j| s.sines[j]));
+            out.set(&by_harmonic(|s| &s.sines));
         }
         Ok(())
     })
@@ -1085,9 +1098,9 @@ pub unsafe extern "C" fn pdn_solution_node_harmonics(
     sines: *mut f64,
 ) -> pdn_status {
     let to = SeriesOut::new(harmonics, mean, null_mut(), [cosines, sines]);
-    let components = || Ok(node_quantity(quantity)?.components());
-    harmonics_of(solution, &to, components, |s| {
-        s.node_series(index(node, "node")?, node_quantity(quantity)?)
+    harmonics_of(solution, &to, |_| {
+        let quantity = node_quantity(quantity)?;
+        Ok(Quantity::Node(index(node, "node")?, quantity))
     })
 }
 
@@ -1124,12 +1137,9 @@ pub unsafe extern "C" fn pdn_solution_joint_harmonics(
     sines: *mut f64,
 ) -> pdn_status {
     let to = SeriesOut::new(harmonics, mean, rate, [cosines, sines]);
-    let components = || Ok(joint_quantity(quantity, detail, "detail")?.components());
-    harmonics_of(solution, &to, components, |s| {
-        s.joint_series(
-            index(joint, "joint")?,
-            joint_quantity(quantity, detail, "detail")?,
-        )
+    harmonics_of(solution, &to, |_| {
+        let quantity = joint_quantity(quantity, detail, "detail")?;
+        Ok(Quantity::Joint(index(joint, "joint")?, quantity))
     })
 }
 
@@ -1161,16 +1171,7 @@ pub unsafe extern "C" fn pdn_solution_beam_harmonics(
     sines: *mut f64,
 ) -> pdn_status {
     let to = SeriesOut::new(harmonics, mean, null_mut(), [cosines, sines]);
-    harmonics_of(
-        solution,
-        &to,
-        || Ok(6),
-        |s| {
-            s.beam_series(
-                index(element, "element")?,
-                station,
-                beam_quantity(quantity)?,
-            )
-        },
-    )
+    harmonics_of(solution, &to, |_| {
+        beam_at(element, station, beam_quantity(quantity)?)
+    })
 }

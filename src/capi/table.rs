@@ -3,11 +3,11 @@
 use super::call::Call;
 use super::force_solution::force_quantity;
 use super::guard::{free, guard};
-use super::handle::{Exclusive, Handle};
-use super::solution::{beam_quantity, index, joint_quantity, node_quantity, pdn_solution};
+use super::handle::Handle;
+use super::solution::{beam_at, beam_quantity, index, joint_quantity, node_quantity, pdn_solution};
 use super::status::pdn_status;
 use crate::error::Result;
-use crate::output::{Solution, Table};
+use crate::output::{Quantity, Selection, Table};
 use libc::c_char;
 use std::path::Path;
 
@@ -58,17 +58,17 @@ pub unsafe extern "C" fn pdn_table_free(table: *mut pdn_table) {
 }
 
 /// Adds the columns of a quantity of a solution.
-fn add(
+pub(super) fn add<Q: Into<Selection>>(
     table: *mut pdn_table,
     solution: *const pdn_solution,
     label: *const c_char,
-    add: impl FnOnce(&mut Exclusive<Table>, &Solution, Option<&str>) -> Result<()>,
+    quantity: impl FnOnce(&Call) -> Result<Q>,
 ) -> pdn_status {
     guard(|call| {
         let mut table = call.exclusive(table, "table")?;
         let solution = call.shared(solution, "solution")?;
         let label = text_optional(call, label, "label")?;
-        add(&mut table, &solution, label)
+        table.add(&solution, quantity(call)?, label)
     })
 }
 
@@ -108,9 +108,9 @@ pub unsafe extern "C" fn pdn_table_add_node(
     quantity: i32,
     label: *const c_char,
 ) -> pdn_status {
-    add(table, solution, label, |table, solution, label| {
+    add(table, solution, label, |_| {
         let quantity = node_quantity(quantity)?;
-        table.add_node(solution, index(node, "node")?, quantity, label)
+        Ok(Quantity::Node(index(node, "node")?, quantity))
     })
 }
 
@@ -139,9 +139,9 @@ pub unsafe extern "C" fn pdn_table_add_joint(
     detail: i32,
     label: *const c_char,
 ) -> pdn_status {
-    add(table, solution, label, |table, solution, label| {
+    add(table, solution, label, |_| {
         let quantity = joint_quantity(quantity, detail, "detail")?;
-        table.add_joint(solution, index(joint, "joint")?, quantity, label)
+        Ok(Quantity::Joint(index(joint, "joint")?, quantity))
     })
 }
 
@@ -171,10 +171,8 @@ pub unsafe extern "C" fn pdn_table_add_beam(
     quantity: i32,
     label: *const c_char,
 ) -> pdn_status {
-    add(table, solution, label, |table, solution, label| {
-        let quantity = beam_quantity(quantity)?;
-        let element = index(element, "element")?;
-        table.add_beam(solution, element, station, quantity, label)
+    add(table, solution, label, |_| {
+        beam_at(element, station, beam_quantity(quantity)?)
     })
 }
 
@@ -202,9 +200,9 @@ pub unsafe extern "C" fn pdn_table_add_force(
     detail: i32,
     label: *const c_char,
 ) -> pdn_status {
-    add(table, solution, label, |table, solution, label| {
+    add(table, solution, label, |_| {
         let quantity = force_quantity(quantity, detail)?;
-        table.add_force(solution, index(force, "force")?, quantity, label)
+        Ok(Quantity::Force(index(force, "force")?, quantity))
     })
 }
 

@@ -16,6 +16,7 @@ mod pattern;
 mod problem;
 mod resampled;
 mod rule;
+mod stages;
 mod state;
 mod stretching;
 mod tangent;
@@ -29,8 +30,9 @@ pub use problem::{Collocation, Conditions, Oversampled, OversampledTangent, Scal
 pub use resampled::{ResampledNodes, too_coarse};
 pub use rule::{
     Aliasing, AlphaStep, Antiperiodic, Backward, BackwardWeights, GeneralizedAlpha, GivenRates,
-    KinematicsScratch, MotionState, NodeKinematics, Spectral, Steady, StepVariation, TimeRule,
-    Variation, VariationScales, antiperiodic_at,
+    KinematicsScratch, MotionState, NodeKinematics, RadauStep, RadauWeights, RuleWorkspace, STAGES,
+    Spectral, Steady, StepVariation, TimeRule, Variation, VariationScales, antiperiodic_at,
 };
+pub use stages::Stages;
 pub use state::GridState;
 pub use tangent::{Coupling, Increment, Linearisation, PairTangent, Station, Tangent};

@@ -159,7 +159,9 @@ impl GridState {
                 resampling.write(0, 0, values);
                 resampling.write(1, 0, rates);
                 for (k, (value, rate)) in values.iter_mut().zip(rates).enumerate() {
-                    *value += gain * (start + k as f64 / points as f64);
+                    // Within one period, as tracked angles are.
+                    let turns = start + k as f64 / points as f64;
+                    *value += gain * (turns - turns.floor());
                     *rate += gain / grid.period();
                 }
             }

@@ -3,8 +3,10 @@
 
 use super::joint::{FramePair, Joint, RelativeState};
 use super::relative::{Coordinate, JointKind, ScalarFunction};
-use super::{Contribution, Element, Instant, Unknown};
+use super::{Contribution, Element, Instant, Measure, OutputVariation, Unknown};
 use crate::error::{Error, ErrorKind, Result};
+use crate::motion::transposed_product;
+use nalgebra::RowVector6;
 use std::fmt;
 use std::sync::Arc;
 
@@ -51,10 +53,14 @@ impl ActedCoordinate {
         self.pair.nodes()
     }
 
+    pub(super) fn measure(&self) -> Measure {
+        self.coordinate.measure()
+    }
+
     /// An internal state that measures what the coordinate does.
     pub(super) fn internal_state(&self) -> Unknown {
         Unknown::State {
-            measure: self.coordinate.measure(),
+            measure: self.measure(),
             tracked: self.tracked,
         }
     }
@@ -78,14 +84,29 @@ impl ActedCoordinate {
 }
 
 impl ActedState {
-    /// Adds an effort against the coordinate's growth, with its derivatives.
-    pub fn add_effort(&self, effort: &Effort, out: &mut Contribution) {
+    /// What an effort varies by with the relative motion.
+    fn by_motion(&self, effort: &Effort) -> RowVector6<f64> {
         let ActedState { relative, q, .. } = self;
         let rate_variation = q.gradient.transpose() * relative.rate_variation()
             + relative.rate.transpose() * q.hessian;
-        let variation = q.hessian * effort.value
-            + q.gradient
-                * (q.gradient.transpose() * effort.by_coordinate + rate_variation * effort.by_rate);
+        q.gradient.transpose() * effort.by_coordinate + rate_variation * effort.by_rate
+    }
+
+    /// Adds what an effort varies by with the motions and velocities of the nodes.
+    pub fn vary_effort(&self, effort: &Effort, out: &mut OutputVariation) {
+        let by_motion = self.by_motion(effort).transpose();
+        let by_velocity = self.q.gradient * effort.by_rate;
+        for (local, jacobian) in self.relative.local_jacobians() {
+            let [motion, velocity] = &mut out.nodes[local];
+            *motion += transposed_product(jacobian, &by_motion);
+            *velocity += transposed_product(jacobian, &by_velocity);
+        }
+    }
+
+    /// Adds an effort against the coordinate's growth, with its derivatives.
+    pub fn add_effort(&self, effort: &Effort, out: &mut Contribution) {
+        let ActedState { relative, q, .. } = self;
+        let variation = q.hessian * effort.value + q.gradient * self.by_motion(effort);
         let damping = q.gradient * q.gradient.transpose() * effort.by_rate;
         let wrench = q.gradient * effort.value;
         relative.add_wrench(&wrench, &variation, Some(&damping), out);
@@ -343,6 +364,17 @@ impl Element for CoordinateForce {
             Law::Actuator { .. } => -effort,
             _ => effort,
         });
+        Ok(())
+    }
+
+    fn acted_measure(&self) -> Option<Measure> {
+        Some(self.at.measure())
+    }
+
+    fn vary_output(&self, instant: &Instant, _: usize, out: &mut OutputVariation) -> Result<()> {
+        let state = self.at.state(instant)?;
+        // An actuator's does not vary.
+        state.vary_effort(&self.effort(&state, instant, true)?, out);
         Ok(())
     }
 }

@@ -111,7 +111,7 @@ impl FramePair {
 
 impl RelativeState {
     /// Jacobians of the element's nodes, by local index.
-    fn local_jacobians(&self) -> impl Iterator<Item = (usize, &Matrix6<f64>)> {
+    pub fn local_jacobians(&self) -> impl Iterator<Item = (usize, &Matrix6<f64>)> {
         self.jacobians.iter().flatten().enumerate()
     }
 
@@ -235,6 +235,20 @@ impl Joint {
         ]
     }
 
+    /// Gives what a coordinate varies by with the increment of each of the element's nodes.
+    pub fn vary_coordinate(
+        &self,
+        which: Coordinate,
+        states: &[NodeState],
+        mut add: impl FnMut(usize, Vector6<f64>),
+    ) {
+        let state = self.pair.state(states);
+        let gradient = self.kind.coordinate(which, &state.z).gradient;
+        for (local, jacobian) in state.local_jacobians() {
+            add(local, transposed_product(jacobian, &gradient));
+        }
+    }
+
     /// Motion of the second joint frame.
     pub fn second_frame(&self, states: &[NodeState]) -> Motion {
         self.pair.second_frame(states)
@@ -248,6 +262,34 @@ impl Joint {
             .enumerate()
             .map(|(row, multiplier)| self.kind.constraint(row, &z).gradient * -multiplier)
             .sum()
+    }
+
+    /// Gives what `by_wrench` times the reaction, `relative` times the increment of the relative
+    /// motion, and `second` times that of the second frame, add up to: the factors of the
+    /// increments of the element's nodes, and of its multipliers.
+    pub fn vary_reaction(
+        &self,
+        states: &[NodeState],
+        (multipliers, by_own): (&[f64], &mut [f64]),
+        by_wrench: &Vector6<f64>,
+        [relative, second]: [&Vector6<f64>; 2],
+        mut add: impl FnMut(usize, Vector6<f64>),
+    ) {
+        let state = self.pair.state(states);
+        let mut by_motion = *relative;
+        for (row, (multiplier, by_own)) in multipliers.iter().zip(by_own).enumerate() {
+            let function = self.kind.constraint(row, &state.z);
+            *by_own = -function.gradient.dot(by_wrench);
+            by_motion -= function.hessian.tr_mul(by_wrench) * *multiplier;
+        }
+        let last = self.pair.nodes().len().wrapping_sub(1);
+        for (local, jacobian) in state.local_jacobians() {
+            let mut row = transposed_product(jacobian, &by_motion);
+            if local == last && state.jacobians[1].is_some() {
+                row += transposed_product(jacobian, second);
+            }
+            add(local, row);
+        }
     }
 }
 

@@ -233,6 +233,25 @@ impl Contribution {
     }
 }
 
+/// What an output of an element varies by.
+#[derive(Debug, Clone)]
+pub struct OutputVariation {
+    /// Of each node, the factors of the increments of its motion and its velocity.
+    pub nodes: Vec<[Vector6<f64>; 2]>,
+    /// Factors of the increments of own unknowns.
+    pub own: Vec<f64>,
+}
+
+impl OutputVariation {
+    /// Zero, of an element with so many nodes and own unknowns.
+    pub fn new(nodes: usize, own_unknowns: usize) -> Self {
+        OutputVariation {
+            nodes: vec![[Vector6::zeros(); 2]; nodes],
+            own: vec![0.0; own_unknowns],
+        }
+    }
+}
+
 /// An element: forces, constraints and exact tangents at one instant.
 pub trait Element: Send + Sync + std::fmt::Debug {
     /// Indices of the nodes, in the element's order; the ground is not among them.
@@ -273,6 +292,24 @@ pub trait Element: Send + Sync + std::fmt::Debug {
     /// # Errors
     /// As [`Element::evaluate`].
     fn outputs(&self, _instant: &Instant, _out: &mut Vec<f64>) -> Result<()> {
+        Ok(())
+    }
+
+    /// What the joint coordinate measures that it acts on, if it acts on one.
+    fn acted_measure(&self) -> Option<Measure> {
+        None
+    }
+
+    /// Adds what output `index` varies by to `out`, which is zero.
+    ///
+    /// # Errors
+    /// As [`Element::evaluate`].
+    fn vary_output(
+        &self,
+        _instant: &Instant,
+        _index: usize,
+        _out: &mut OutputVariation,
+    ) -> Result<()> {
         Ok(())
     }
 

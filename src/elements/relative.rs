@@ -5,6 +5,7 @@
 //! docs/theory.md, section 6.8.
 
 use super::Measure;
+use crate::error::{Error, ErrorKind, Result};
 use crate::motion::{Motion, skew};
 use nalgebra::{Matrix3, Matrix6, Vector3, Vector6};
 use serde::{Deserialize, Serialize};
@@ -370,6 +371,31 @@ impl JointKind {
             Constraint::Displacement(_) | Constraint::Thread => Measure::Length,
             Constraint::Cosine(..) | Constraint::Axial(_) => Measure::Angle,
         }
+    }
+
+    /// Checks that it leaves a coordinate free.
+    ///
+    /// # Errors
+    /// [`ErrorKind::NotAvailable`].
+    pub(crate) fn require_coordinate(self, coordinate: Coordinate) -> Result<()> {
+        if self.coordinates().contains(&coordinate) {
+            return Ok(());
+        }
+        let names: Vec<String> = self
+            .coordinates()
+            .iter()
+            .map(Coordinate::to_string)
+            .collect();
+        let message = format!(
+            "coordinate: expected one of a {} joint ({}), got {coordinate}",
+            self.name(),
+            if names.is_empty() {
+                "it has none".into()
+            } else {
+                names.join(", ")
+            },
+        );
+        Err(Error::new(ErrorKind::NotAvailable, message))
     }
 
     fn pitch(self) -> f64 {

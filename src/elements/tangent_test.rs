@@ -651,10 +651,11 @@ fn beams_are_unstrained_by_rigid_motions_and_their_mass_is_exact() {
         .fixed_view_mut::<3, 3>(0, 0)
         .copy_from(&(Matrix3::identity() * 2.0));
     let beam = Beam::new((0..4).collect(), reference.clone(), section).unwrap();
-    let moved: Vec<Motion> = reference.iter().map(|m| turn.compose(m)).collect();
-    let (strain, _) = beam
-        .strain_and_stress(0.3, &moved, &[Vector6::zeros(); 4])
-        .unwrap();
+    let moved = reference
+        .iter()
+        .map(|m| NodeState::at_rest(turn.compose(m)));
+    let moved: Vec<NodeState> = moved.collect();
+    let (strain, _) = beam.strain_and_stress(0.3, &moved).unwrap();
     assert!(strain.amax() < 1e-14);
     // The curve is a screw of length 2, interpolated to this accuracy.
     let (mass, _) = beam.inertia().unwrap().mass_and_moment(&reference);

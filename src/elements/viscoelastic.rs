@@ -2,7 +2,7 @@
 //! series. See docs/theory.md, section 6.10.
 
 use super::coordinate_force::{ActedCoordinate, ActedState, Effort};
-use super::{Contribution, Element, Instant, Unknown};
+use super::{Contribution, Element, Instant, Measure, OutputVariation, Unknown};
 use crate::error::Result;
 use serde::{Deserialize, Serialize};
 
@@ -99,6 +99,39 @@ impl Element for Viscoelastic {
         for (branch, beta) in self.branches.iter().zip(instant.multipliers) {
             out.extend([branch.stiffness * (state.q.value - beta), *beta]);
         }
+        Ok(())
+    }
+
+    fn acted_measure(&self) -> Option<Measure> {
+        Some(self.at.measure())
+    }
+
+    fn vary_output(
+        &self,
+        instant: &Instant,
+        index: usize,
+        out: &mut OutputVariation,
+    ) -> Result<()> {
+        let state = self.at.state(instant)?;
+        let Some(place) = index.checked_sub(1) else {
+            state.vary_effort(&self.effort(&state, instant.multipliers), out);
+            for (by_own, branch) in out.own.iter_mut().zip(&self.branches) {
+                *by_own = -branch.stiffness;
+            }
+            return Ok(());
+        };
+        let (branch, is_elongation) = (place / 2, place % 2 == 1);
+        if is_elongation {
+            out.own[branch] = 1.0;
+            return Ok(());
+        }
+        let stiffness = self.branches[branch].stiffness;
+        let effort = Effort {
+            by_coordinate: stiffness,
+            ..Effort::default()
+        };
+        state.vary_effort(&effort, out);
+        out.own[branch] = -stiffness;
         Ok(())
     }
 }

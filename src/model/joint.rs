@@ -46,25 +46,7 @@ impl Model {
 
     pub(crate) fn require_coordinate(&self, at: &JointCoordinate) -> Result<()> {
         let kind = self.require_joint("joint", at.joint)?.kind;
-        if kind.coordinates().contains(&at.coordinate) {
-            return Ok(());
-        }
-        let names: Vec<String> = kind
-            .coordinates()
-            .iter()
-            .map(Coordinate::to_string)
-            .collect();
-        let message = format!(
-            "coordinate: expected one of a {} joint ({}), got {}",
-            kind.name(),
-            if names.is_empty() {
-                "it has none".into()
-            } else {
-                names.join(", ")
-            },
-            at.coordinate
-        );
-        Err(Error::new(ErrorKind::NotAvailable, message))
+        kind.require_coordinate(at.coordinate)
     }
 
     /// Adds a joint of `kind` between two frames, given by their reference motions in the inertial

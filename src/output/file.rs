@@ -1,26 +1,44 @@
-//! Solutions saved in files, and loaded from them.
+//! Solutions and models saved in files, and loaded from them.
 //!
 //! A file is a header and a body. The header has 24 bytes: a signature, the version of the format,
 //! a CRC-32 of all that follows it and of the version, and the length of the body; integers are
-//! little-endian. The body is the [`Content`] in MessagePack, with the names of all fields.
+//! little-endian. The body is the [`Content`] of a solution, or a [`Model`], in MessagePack, with
+//! the names of all fields.
 //!
 //! A field that is added later gets a default, so that older files can be read; one that changes
 //! its meaning, or goes, takes a new version:
 //!
 //! 1. Beams with the motions of their nodes, and the inertia of each written out; functions of the
-//!    user with what belongs to them. It can still be read.
+//!    user with what belongs to them. It can still be read. Of solutions only.
 //! 2. Definitions alone.
 
 use super::saved::Content;
 use super::solution::Solution;
 use super::write::{refused, write_file};
 use crate::error::{Error, ErrorKind, Result};
+use crate::model::Model;
+use serde::Serialize;
+use serde::de::DeserializeOwned;
 use std::fs::File;
 use std::io::{self, Read};
 use std::path::Path;
 
-/// A byte beyond ASCII and line ends, so that a transfer as text is noticed.
-const SIGNATURE: [u8; 8] = *b"\x93PDN\r\n\x1a\n";
+/// What a file is of.
+struct Format {
+    /// A byte beyond ASCII and line ends, so that a transfer as text is noticed.
+    signature: [u8; 8],
+    /// In messages.
+    what: &'static str,
+}
+
+const SOLUTION: Format = Format {
+    signature: *b"\x93PDN\r\n\x1a\n",
+    what: "solution",
+};
+const MODEL: Format = Format {
+    signature: *b"\x93PDM\r\n\x1a\n",
+    what: "model",
+};
 /// The version that is written, and the latest that can be read.
 const VERSION: u32 = 2;
 const HEADER: usize = 24;
@@ -33,14 +51,7 @@ impl Solution {
     /// # Errors
     /// [`ErrorKind::Io`]; a file that was there stays as it was.
     pub fn save(&self, path: &Path) -> Result<()> {
-        let content = Content::of(self);
-        let body = rmp_serde::to_vec_named(&content)
-            .map_err(|e| refused("write", path, &io::Error::other(e)))?;
-        let header = header(&body);
-        write_file(path, |file| {
-            file.write_all(&header)?;
-            file.write_all(&body)
-        })
+        SOLUTION.save(&Content::of(self), path)
     }
 
     /// Loads a solution. It gives what the saved one gave, to the last bit, and a solve may start
@@ -53,6 +64,48 @@ impl Solution {
     /// [`ErrorKind::Io`]; [`ErrorKind::Format`] if the file is no solution, damaged, or of a newer
     /// version.
     pub fn load(path: &Path) -> Result<Self> {
+        SOLUTION.load(path, Content::into_solution)
+    }
+}
+
+impl Model {
+    /// Saves the model. Functions of the user, in signals and forces, cannot be saved: see
+    /// [`Model::load`].
+    ///
+    /// # Errors
+    /// [`ErrorKind::Io`]; a file that was there stays as it was.
+    pub fn save(&self, path: &Path) -> Result<()> {
+        MODEL.save(self, path)
+    }
+
+    /// Loads a model that was saved. If it had functions of the user, a solve of it fails with
+    /// [`ErrorKind::Callback`], since they are not there.
+    ///
+    /// # Errors
+    /// [`ErrorKind::Io`]; [`ErrorKind::Format`] if the file is no model, damaged, or of a newer
+    /// version.
+    pub fn load(path: &Path) -> Result<Self> {
+        MODEL.load(path, Model::checked)
+    }
+}
+
+impl Format {
+    fn save(&self, content: &impl Serialize, path: &Path) -> Result<()> {
+        let body = rmp_serde::to_vec_named(content)
+            .map_err(|e| refused("write", path, &io::Error::other(e)))?;
+        let header = self.header(&body);
+        write_file(path, |file| {
+            file.write_all(&header)?;
+            file.write_all(&body)
+        })
+    }
+
+    /// `build` makes it of what the file holds, with all checks.
+    fn load<C: DeserializeOwned, T>(
+        &self,
+        path: &Path,
+        build: impl FnOnce(C) -> Result<T>,
+    ) -> Result<T> {
         let mut file = File::open(path).map_err(|e| refused("read", path, &e))?;
         let file_of = |what: String| {
             let message = format!("path: \"{}\" {what}", path.display());
@@ -63,7 +116,7 @@ impl Solution {
             .take(HEADER as u64)
             .read_to_end(&mut header);
         head.map_err(|e| refused("read", path, &e))?;
-        let (checksum, length) = read_header(&header).map_err(file_of)?;
+        let (checksum, length) = self.read_header(&header).map_err(file_of)?;
         // As long as the file is, whatever its header says.
         let mut body = Vec::new();
         let rest = file.take(length.saturating_add(1)).read_to_end(&mut body);
@@ -79,22 +132,45 @@ impl Solution {
         if checksum != checksum_of(&header, &body) {
             return Err(file_of("is damaged: its checksum is wrong".into()));
         }
-        let content: Content = rmp_serde::from_slice(&body)
-            .map_err(|e| file_of(format!("is no solution that can be read: {e}")))?;
-        content
-            .into_solution()
-            .map_err(|e| file_of(format!("is no valid solution: {e}")))
+        let content = rmp_serde::from_slice(&body)
+            .map_err(|e| file_of(format!("is no {} that can be read: {e}", self.what)))?;
+        build(content).map_err(|e| file_of(format!("is no valid {}: {e}", self.what)))
     }
-}
 
-fn header(body: &[u8]) -> Vec<u8> {
-    let mut header = SIGNATURE.to_vec();
-    header.extend(VERSION.to_le_bytes());
-    header.extend([0; 4]);
-    header.extend((body.len() as u64).to_le_bytes());
-    let checksum = checksum_of(&header, body);
-    header[12..16].copy_from_slice(&checksum.to_le_bytes());
-    header
+    fn header(&self, body: &[u8]) -> Vec<u8> {
+        let mut header = self.signature.to_vec();
+        header.extend(VERSION.to_le_bytes());
+        header.extend([0; 4]);
+        header.extend((body.len() as u64).to_le_bytes());
+        let checksum = checksum_of(&header, body);
+        header[12..16].copy_from_slice(&checksum.to_le_bytes());
+        header
+    }
+
+    /// Checksum and length of the body, or what is wrong with the file.
+    fn read_header(&self, header: &[u8]) -> std::result::Result<(u32, u64), String> {
+        let shared = header.len().min(self.signature.len());
+        if header.is_empty() || header[..shared] != self.signature[..shared] {
+            return Err(format!("is not a saved {}", self.what));
+        }
+        let (Some(version), Some(checksum), Some(length)) = (
+            bytes_at(header, 8),
+            bytes_at(header, 12),
+            bytes_at(header, 16),
+        ) else {
+            return Err("is cut off: it ends in its header".into());
+        };
+        match u32::from_le_bytes(version) {
+            1..=VERSION => Ok((u32::from_le_bytes(checksum), u64::from_le_bytes(length))),
+            newer if newer > VERSION => Err(format!(
+                "is of version {newer} of the format; this library reads up to {VERSION}: use a \
+                 newer one"
+            )),
+            unknown => Err(format!(
+                "names version {unknown} of the format, which never was"
+            )),
+        }
+    }
 }
 
 /// CRC-32 of the version, the length and the body.
@@ -104,31 +180,6 @@ fn checksum_of(header: &[u8], body: &[u8]) -> u32 {
     hasher.update(&header[16..HEADER]);
     hasher.update(body);
     hasher.finalize()
-}
-
-/// Checksum and length of the body, or what is wrong with the file.
-fn read_header(header: &[u8]) -> std::result::Result<(u32, u64), String> {
-    let shared = header.len().min(SIGNATURE.len());
-    if header.is_empty() || header[..shared] != SIGNATURE[..shared] {
-        return Err("is not a saved solution".into());
-    }
-    let (Some(version), Some(checksum), Some(length)) = (
-        bytes_at(header, 8),
-        bytes_at(header, 12),
-        bytes_at(header, 16),
-    ) else {
-        return Err("is cut off: it ends in its header".into());
-    };
-    match u32::from_le_bytes(version) {
-        1..=VERSION => Ok((u32::from_le_bytes(checksum), u64::from_le_bytes(length))),
-        newer if newer > VERSION => Err(format!(
-            "is of version {newer} of the format; this library reads up to {VERSION}: use a newer \
-             one"
-        )),
-        unknown => Err(format!(
-            "names version {unknown} of the format, which never was"
-        )),
-    }
 }
 
 fn bytes_at<const N: usize>(bytes: &[u8], start: usize) -> Option<[u8; N]> {

@@ -1,13 +1,13 @@
 //! What a file holds of a solution, and whether it fits together.
 
 use super::diagnostics::Diagnostics;
-use super::force_record::ForceRecord;
 use super::solution::Solution;
 use crate::collocation::GridState;
 use crate::elements::NodeState;
 use crate::error::{Error, ErrorKind, Result, require_finite};
 use crate::fourier::{SpectralFilter, TimeGrid};
 use crate::model::Model;
+use crate::quantity::ForceRecord;
 use crate::solve::{
     Attempt, GridTried, IterativeRecord, Kind, MarchRecord, NewtonReport, PeriodicRecord, Solved,
     Timings,

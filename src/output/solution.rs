@@ -1,12 +1,11 @@
 //! A periodic solution: the state at the grid points and what is needed to evaluate it anywhere.
 
 use super::diagnostics::Diagnostics;
-use super::force_record::{ForceRecord, record_forces};
 use crate::collocation::GridState;
-use crate::elements::{Element, NodeState};
-use crate::error::{Error, ErrorKind, Result};
-use crate::fourier::{PeriodicSeries, SpectralFilter, TimeGrid};
+use crate::error::{Error, Result};
+use crate::fourier::{SpectralFilter, TimeGrid};
 use crate::model::Model;
+use crate::quantity::{ForceRecord, record_forces};
 use crate::solve::{
     Condition, Free, Iteration, Kind, Outcome, PeriodicOptions, Solved, Stage, StaticOptions,
     solve_conditioned, solve_periodic, solve_static,
@@ -35,14 +34,6 @@ pub struct Solution {
     pub(super) filter: Option<SpectralFilter>,
     /// What each force did: a user's function is not called any more.
     pub(super) forces: Vec<Result<ForceRecord>>,
-}
-
-/// Values of a quantity at the grid points, or at the steps of a trajectory.
-pub(super) struct Samples {
-    /// Of each component.
-    pub columns: Vec<Vec<f64>>,
-    /// Growth of all of them in a unit of time; zero for a trajectory.
-    pub rate: f64,
 }
 
 impl Solution {
@@ -92,14 +83,17 @@ impl Solution {
             .prescribed
             .iter()
             .map(|(_, signal)| signal.bind(solve.grid.period()).value(start));
-        Ok(Solution {
+        let mut solution = Solution {
             prescribed_start: starts.collect::<Result<_>>()?,
             model: model.clone(),
-            forces: record_forces(&solve)?,
+            forces: Vec::new(),
             solve,
             diagnostics,
             filter: None,
-        })
+        };
+        let signals = solution.solve.signals()?;
+        solution.forces = record_forces(&solution.history(), &signals);
+        Ok(solution)
     }
 
     /// How the solve ended.
@@ -235,71 +229,5 @@ impl Solution {
             grid,
             &Workers::default(),
         )
-    }
-
-    /// States of an element's nodes at grid point `k`.
-    pub(super) fn states_of(&self, element: &dyn Element, k: usize) -> Vec<NodeState> {
-        let nodes = element.nodes().iter();
-        nodes.map(|&n| self.solve.states_of(n)[k]).collect()
-    }
-
-    /// Passes on values that are numbers: absurd models may converge, yet strain beyond any.
-    pub(super) fn finite(what: &str, values: Vec<f64>) -> Result<Vec<f64>> {
-        if values.iter().all(|x| x.is_finite()) {
-            return Ok(values);
-        }
-        let message = format!("{what}: the result is too large to be a number");
-        Err(Error::new(ErrorKind::Overflow, message))
-    }
-
-    /// `components` values at each grid point or step.
-    pub(super) fn samples_of(
-        &self,
-        components: usize,
-        values: impl Fn(usize) -> Result<Vec<f64>>,
-    ) -> Result<Samples> {
-        let mut columns = vec![Vec::new(); components];
-        for k in 0..self.solve.state.points() {
-            let row = Self::finite("samples", values(k)?)?;
-            for (column, x) in columns.iter_mut().zip(row) {
-                column.push(x);
-            }
-        }
-        Ok(Samples { columns, rate: 0.0 })
-    }
-
-    /// Interpolates values at grid points by one series for each component.
-    pub(super) fn series(&self, samples: &Samples) -> Result<Vec<PeriodicSeries>> {
-        self.require_harmonics()?;
-        let columns = samples.columns.iter();
-        Ok(columns
-            .map(|values| self.interpolate(values, samples.rate))
-            .collect())
-    }
-
-    /// The series through values at the grid points, filtered if that is asked for.
-    pub(super) fn interpolate(&self, values: &[f64], rate: f64) -> PeriodicSeries {
-        let series = PeriodicSeries::interpolate(self.solve.grid, values, rate);
-        match &self.filter {
-            Some(filter) => series.filtered(filter),
-            None => series,
-        }
-    }
-
-    /// Interpolates values at grid points or steps; components of each time together.
-    pub(super) fn sample(&self, samples: &Samples, times: &[f64]) -> Result<Vec<f64>> {
-        if self.is_trajectory() {
-            let columns = &samples.columns;
-            let places = self.places(times)?;
-            return Ok(places
-                .iter()
-                .flat_map(|place| columns.iter().map(|values| place.linear(values)))
-                .collect());
-        }
-        let series = self.series(samples)?;
-        Ok(times
-            .iter()
-            .flat_map(|&t| series.iter().map(move |s| s.value(t)))
-            .collect())
     }
 }

@@ -1,9 +1,9 @@
 //! Tables of sampled quantities, written as CSV.
 
+use super::Solution;
 use super::write::write_file;
-use super::{BeamQuantity, ForceQuantity, JointQuantity, NodeQuantity, ResolvedIn, Solution};
-use crate::elements::LoadFrame;
 use crate::error::{Error, Result, require_finite};
+use crate::quantity::Selection;
 use std::io;
 use std::path::Path;
 
@@ -34,137 +34,33 @@ impl Table {
         })
     }
 
-    /// Appends the components of a quantity of a node, named after `label` (by default `node` and
-    /// its id, and the quantity) and the component.
+    /// Appends the components of a quantity, named after `label` (by default the quantity) and the
+    /// component; or one of them, named `label`.
     ///
     /// # Errors
-    /// As [`Solution::node`], or a column of that name is there already.
-    pub fn add_node(
+    /// As [`Solution::sample`], or a column of that name is there already.
+    pub fn add(
         &mut self,
         solution: &Solution,
-        node: usize,
-        quantity: NodeQuantity,
+        what: impl Into<Selection>,
         label: Option<&str>,
     ) -> Result<()> {
-        let values = solution.node(node, quantity, &self.times)?;
-        let (name, components): (_, &[&str]) = match quantity {
-            NodeQuantity::Position => ("position", &["x", "y", "z"]),
-            NodeQuantity::RotationMatrix => (
-                "rotation",
-                &["11", "21", "31", "12", "22", "32", "13", "23", "33"],
-            ),
-            NodeQuantity::Quaternion => ("quaternion", &["w", "x", "y", "z"]),
-            NodeQuantity::Velocity => ("velocity", &SPACE_RATES),
-            NodeQuantity::Acceleration => ("acceleration", &SPACE_RATES),
-            NodeQuantity::MaterialVelocity => ("material_velocity", &MATERIAL_RATES),
-            NodeQuantity::MaterialAcceleration => ("material_acceleration", &MATERIAL_RATES),
+        let Selection {
+            quantity,
+            component,
+        } = what.into();
+        let values = solution.sample(
+            Selection {
+                quantity,
+                component,
+            },
+            &self.times,
+        )?;
+        let (default, components) = match component {
+            None => (quantity.to_string(), quantity.component_names()),
+            Some(component) => (quantity.describe(component), &[""][..]),
         };
-        let default = || format!("node{node}.{name}");
-        self.add_components(label, default, components, &values)
-    }
-
-    /// Appends the components of a quantity of a joint, as [`Table::add_node`].
-    ///
-    /// # Errors
-    /// As [`Solution::joint`], or a column of that name is there already.
-    pub fn add_joint(
-        &mut self,
-        solution: &Solution,
-        joint: usize,
-        quantity: JointQuantity,
-        label: Option<&str>,
-    ) -> Result<()> {
-        let values = solution.joint(joint, quantity, &self.times)?;
-        let single: &[&str] = &[""];
-        let (name, components) = match quantity {
-            JointQuantity::Coordinate(c) => (c.to_string(), single),
-            JointQuantity::Rate(c) => (format!("{c}.rate"), single),
-            JointQuantity::Acceleration(c) => (format!("{c}.acceleration"), single),
-            JointQuantity::DrivingEffort(c) => (format!("{c}.driving_effort"), single),
-            JointQuantity::Reaction(ResolvedIn::Space) => ("reaction".into(), &SPACE_WRENCH[..]),
-            JointQuantity::Reaction(ResolvedIn::First) => {
-                ("reaction.first".into(), &MATERIAL_WRENCH[..])
-            }
-            JointQuantity::Reaction(ResolvedIn::Second) => {
-                ("reaction.second".into(), &MATERIAL_WRENCH[..])
-            }
-        };
-        let default = || format!("joint{joint}.{}", name.replace(' ', "_"));
-        self.add_components(label, default, components, &values)
-    }
-
-    /// Appends the six components of a quantity of a beam element at a station, as
-    /// [`Table::add_node`].
-    ///
-    /// # Errors
-    /// As [`Solution::beam`], or a column of that name is there already.
-    pub fn add_beam(
-        &mut self,
-        solution: &Solution,
-        element: usize,
-        station: f64,
-        quantity: BeamQuantity,
-        label: Option<&str>,
-    ) -> Result<()> {
-        let values = solution.beam(element, station, quantity, &self.times)?;
-        let (name, components) = match quantity {
-            BeamQuantity::Strain => (
-                "strain",
-                [
-                    "axial",
-                    "shear_2",
-                    "shear_3",
-                    "twist",
-                    "curvature_2",
-                    "curvature_3",
-                ],
-            ),
-            BeamQuantity::Force | BeamQuantity::MeanForce | BeamQuantity::ForceJump => (
-                match quantity {
-                    BeamQuantity::MeanForce => "force_mean",
-                    BeamQuantity::ForceJump => "force_jump",
-                    _ => "force",
-                },
-                [
-                    "axial",
-                    "shear_2",
-                    "shear_3",
-                    "torque",
-                    "bending_2",
-                    "bending_3",
-                ],
-            ),
-        };
-        let default = || format!("beam{element}({station}).{name}");
-        self.add_components(label, default, &components, &values)
-    }
-
-    /// Appends the components of a quantity of a force, as [`Table::add_node`].
-    ///
-    /// # Errors
-    /// As [`Solution::force`], or a column of that name is there already.
-    pub fn add_force(
-        &mut self,
-        solution: &Solution,
-        force: usize,
-        quantity: ForceQuantity,
-        label: Option<&str>,
-    ) -> Result<()> {
-        let values = solution.force(force, quantity, &self.times)?;
-        let single: &[&str] = &[""];
-        let (name, components) = match quantity {
-            ForceQuantity::Effort => ("effort".into(), single),
-            ForceQuantity::BranchEffort(b) => (format!("branch{b}.effort"), single),
-            ForceQuantity::BranchElongation(b) => (format!("branch{b}.elongation"), single),
-            ForceQuantity::OnNode(n, LoadFrame::Space) => {
-                (format!("on_node{n}"), &SPACE_WRENCH[..])
-            }
-            ForceQuantity::OnNode(n, LoadFrame::Follower) => {
-                (format!("on_node{n}"), &MATERIAL_WRENCH[..])
-            }
-        };
-        let default = || format!("force{force}.{name}");
-        self.add_components(label, default, components, &values)
+        self.add_components(label.unwrap_or(&default), components, &values)
     }
 
     /// Appends a column of the user's own values, one for each time.
@@ -178,23 +74,16 @@ impl Table {
             let expected = format!("one for each of the {} times", self.times.len());
             return Err(Error::size("count", expected, values.len()));
         }
-        self.add_components(Some(label), String::new, &[""], values)
+        self.add_components(label, &[""], values)
     }
 
     /// Appends columns `label.component`; `values` has the components of each time together.
-    fn add_components(
-        &mut self,
-        label: Option<&str>,
-        default: impl FnOnce() -> String,
-        components: &[&str],
-        values: &[f64],
-    ) -> Result<()> {
-        let label = label.map_or_else(default, str::to_owned);
+    fn add_components(&mut self, label: &str, components: &[&str], values: &[f64]) -> Result<()> {
         if label.is_empty() {
             return Err(Error::value("label", "a name", "an empty text"));
         }
         let name = |component: &str| match component {
-            "" => label.clone(),
+            "" => label.to_owned(),
             _ => format!("{label}.{component}"),
         };
         for component in components {
@@ -231,12 +120,3 @@ impl Table {
         })
     }
 }
-
-const SPACE_RATES: [&str; 6] = ["x", "y", "z", "angular_x", "angular_y", "angular_z"];
-const MATERIAL_RATES: [&str; 6] = ["1", "2", "3", "angular_1", "angular_2", "angular_3"];
-const SPACE_WRENCH: [&str; 6] = [
-    "force_x", "force_y", "force_z", "moment_x", "moment_y", "moment_z",
-];
-const MATERIAL_WRENCH: [&str; 6] = [
-    "force_1", "force_2", "force_3", "moment_1", "moment_2", "moment_3",
-];

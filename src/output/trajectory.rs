@@ -2,10 +2,10 @@
 
 use super::solution::Solution;
 use crate::collocation::GridState;
-use crate::elements::{Joint, NodeState, nearest_turn};
+use crate::elements::NodeState;
 use crate::error::{Error, ErrorKind, Result};
 use crate::fourier::TimeGrid;
-use crate::model::{JointCoordinate, Model};
+use crate::model::Model;
 use crate::motion::inverse_tangent;
 use crate::solve::{
     Iteration, MarchOptions, ShootingOptions, Stage, StartState, march, solve_shooting,
@@ -48,7 +48,7 @@ impl Between {
     }
 
     /// Hermite's cubic through values and rates.
-    fn hermite(&self, values: &[f64], rates: &[f64]) -> f64 {
+    pub fn hermite(&self, values: &[f64], rates: &[f64]) -> f64 {
         let w = self.cubic();
         w[0] * values[self.before]
             + w[1] * rates[self.before]
@@ -69,13 +69,6 @@ fn interpolate(place: &Between, a: &NodeState, b: &NodeState) -> NodeState {
         twist: a.twist * w[0] + a.twist_rate * w[1] + b.twist * w[2] + b.twist_rate * w[3],
         twist_rate: a.twist_rate + (b.twist_rate - a.twist_rate) * place.fraction,
     }
-}
-
-/// A joint coordinate at each step, with its first and second derivative.
-struct CoordinateHistory {
-    values: Vec<f64>,
-    rates: Vec<f64>,
-    accelerations: Vec<f64>,
 }
 
 impl Solution {
@@ -162,54 +155,6 @@ impl Solution {
     pub(super) fn state_between(&self, node: usize, place: &Between) -> NodeState {
         let states = self.solve.states_of(node);
         interpolate(place, &states[place.before], &states[place.after])
-    }
-
-    /// Derivative of the given order of a joint coordinate at `times` of a trajectory.
-    pub(super) fn coordinate_along(
-        &self,
-        definition: &Joint,
-        which: &JointCoordinate,
-        order: u32,
-        times: &[f64],
-    ) -> Result<Vec<f64>> {
-        let places = self.places(times)?;
-        let history = self.coordinate_history(definition, which);
-        let at = |place: &Between| match order {
-            0 => place.hermite(&history.values, &history.rates),
-            1 => place.hermite(&history.rates, &history.accelerations),
-            _ => place.linear(&history.accelerations),
-        };
-        Ok(places.iter().map(at).collect())
-    }
-
-    fn coordinate_history(&self, definition: &Joint, at: &JointCoordinate) -> CoordinateHistory {
-        let which = at.coordinate;
-        let steps = self.solve.times();
-        let kind = definition.kind();
-        let mut history = CoordinateHistory {
-            values: Vec::new(),
-            rates: Vec::new(),
-            accelerations: Vec::new(),
-        };
-        for k in 0..steps.len() {
-            let states = self.states_of(definition, k);
-            let [mut value, rate, acceleration] = definition.coordinate_derivatives(which, &states);
-            if kind.leaves_turns_open(which) {
-                let expected = match k {
-                    0 => self.start_of(at),
-                    // Half a step of either rate.
-                    _ => {
-                        let half = 0.5 * (steps[k] - steps[k - 1]);
-                        history.values[k - 1] + half * (history.rates[k - 1] + rate)
-                    }
-                };
-                value = nearest_turn(value, expected);
-            }
-            history.values.push(value);
-            history.rates.push(rate);
-            history.accelerations.push(acceleration);
-        }
-        history
     }
 
     /// Motions, velocities and internal states at `time`: where a march may start.

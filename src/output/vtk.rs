@@ -3,7 +3,6 @@
 //! A collection (`.pvd`) lists the times, and for each up to three parts, each a file of its own
 //! (`.vtp`): beams as lines, bodies and joints as points.
 
-use super::beam::Neighbours;
 use super::poly_data::{BYTE_ORDER, Cells, DECLARATION, Field, PolyData, escaped};
 use super::write::{directory_of, plain, refused, write_file};
 use super::{BeamQuantity, JointQuantity, NodeQuantity, ResolvedIn, Solution};
@@ -11,6 +10,7 @@ use crate::elements::{Element, NodeState};
 use crate::error::{Error, Result, require_finite};
 use crate::model::InertiaDefinition;
 use crate::motion::Motion;
+use crate::quantity::{Neighbours, require_station};
 use nalgebra::{Matrix3, Vector3};
 use std::fs;
 use std::io::{self, BufWriter, Write};
@@ -129,7 +129,7 @@ impl Solution {
         times: &[f64],
     ) -> Result<Vec<Motion>> {
         let mut frames = Vec::with_capacity(stations.len() * times.len());
-        let beam = self.beam_definition(element, 0.0)?;
+        let beam = require_station(&self.solve.system, element, 0.0)?;
         let nodes = beam.nodes().iter();
         let nodes: Vec<Vec<Motion>> = nodes
             .map(|&n| self.node_motions(n, times))
@@ -137,7 +137,7 @@ impl Solution {
         for k in 0..times.len() {
             let motions: Vec<Motion> = nodes.iter().map(|node| node[k]).collect();
             for &station in stations {
-                self.beam_definition(element, station)?;
+                require_station(&self.solve.system, element, station)?;
                 let frame = beam.section_motion(station, &motions);
                 frames.push(frame.map_err(|e| e.within(format!("beam element {element}")))?);
             }
@@ -154,17 +154,19 @@ impl Solution {
         let stations: Vec<f64> = (0..points).map(|i| 2.0 * i as f64 / last - 1.0).collect();
         let mut reference = Vec::with_capacity(elements * points);
         let mut drawn = Vec::with_capacity(elements);
-        let neighbours = Some(Neighbours::of(self));
+        let system = &self.solve.system;
+        let neighbours = Neighbours::of(system);
         for element in 0..elements {
-            let beam = self.beam_definition(element, 0.0)?;
+            let beam = require_station(&self.solve.system, element, 0.0)?;
             for &station in &stations {
                 reference.push(beam.section_motion(station, beam.reference())?);
             }
-            let each = |quantity| -> Result<Vec<Vec<f64>>> {
-                let stations = stations.iter();
-                stations
-                    .map(|&s| self.beam_beside(&neighbours, element, s, quantity, times))
-                    .collect()
+            let each = |quantity: BeamQuantity| -> Result<Vec<Vec<f64>>> {
+                let at = |&station: &f64| {
+                    let probe = quantity.probe(system, Some(&neighbours), element, station)?;
+                    self.sample_probe(&*probe, times)
+                };
+                stations.iter().map(at).collect()
             };
             drawn.push(BeamPoints {
                 frames: self.beam_frames(element, &stations, times)?,

@@ -11,6 +11,7 @@ mod newton;
 mod periodic;
 mod report;
 mod result;
+mod stability;
 mod start;
 mod starts;
 mod step_length;
@@ -38,5 +39,8 @@ pub use periodic::options::{GridPoints, PeriodicOptions};
 pub use periodic::solve_periodic;
 pub use report::{Iteration, NewtonOptions, NewtonReport, Outcome, Timings};
 pub use result::{Assessment, GridTried, Kind, MarchRecord, PeriodicRecord, Solved, Unheld};
+pub use stability::{
+    Multiplier, Stability, StabilityMethod, StabilityOptions, Verdict, solve_stability,
+};
 pub use start::{Attempt, InitialGuess, Start};
 pub use watch::{Progress, Stage, Watch};

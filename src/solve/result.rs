@@ -2,6 +2,7 @@
 
 use crate::collocation::{Decay, GridState, ResidualBetween};
 use crate::elements::NodeState;
+use crate::error::Result;
 use crate::fourier::TimeGrid;
 use crate::solve::linear::iterative::IterativeRecord;
 use crate::solve::report::{NewtonReport, Timings};
@@ -188,6 +189,20 @@ impl Solved {
             Some(record) => record.times.clone(),
             None => self.grid.times().collect(),
         }
+    }
+
+    /// Values of all signals at these, time by time.
+    ///
+    /// # Errors
+    /// Those of functions of the user.
+    pub fn signals(&self) -> Result<Vec<f64>> {
+        let (times, count) = (self.times(), self.system.signals());
+        let mut values = vec![0.0; times.len() * count];
+        for (k, time) in times.into_iter().enumerate() {
+            let here = &mut values[k * count..][..count];
+            self.system.signal_values(time, 1.0, here)?;
+        }
+        Ok(values)
     }
 
     /// Motion of a node with its velocity and acceleration, at all times.

@@ -24,6 +24,8 @@ pub enum Stage {
     },
     /// Looking for modes about an equilibrium.
     Modes,
+    /// Following disturbances of a periodic solution.
+    Stability,
 }
 
 /// How far a solve is.

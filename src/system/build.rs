@@ -97,6 +97,7 @@ impl<'a> Builder<'a> {
             counted_turns: Vec::new(),
             turning: None,
             drives: Vec::new(),
+            prescribed: model.prescribed.iter().map(|(at, _)| *at).collect(),
             tracked: Vec::new(),
             acted_on: 0,
             loops: Vec::new(),

@@ -1,7 +1,7 @@
 //! What elements exert at one instant.
 
 use super::{ElementRole, Placed, System, turning};
-use crate::elements::{Contribution, Instant, NodeState};
+use crate::elements::{Contribution, Instant, NodeState, OutputVariation};
 use crate::error::Result;
 use nalgebra::{DVector, Vector6};
 
@@ -30,7 +30,7 @@ pub struct Conditions<'a> {
 }
 
 /// Scratch for evaluating elements: one contribution for each size of element.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, Default)]
 pub struct Workspace {
     contributions: Vec<Contribution>,
     states: Vec<NodeState>,
@@ -256,6 +256,23 @@ impl System {
         element.add_forces_of_resultants(&workspace.states, &excess, out)?;
         workspace.resultants = excess;
         Ok(out.force.as_slice())
+    }
+
+    /// Adds what output `index` of one element, which is the same in a frame that turns, varies by
+    /// to `out`, which is zero.
+    ///
+    /// # Errors
+    /// Those of functions of the user.
+    pub fn vary_output(
+        &self,
+        placed: &Placed,
+        states: &[NodeState],
+        conditions: &Conditions,
+        own: OwnValues,
+        (index, out): (usize, &mut OutputVariation),
+    ) -> Result<()> {
+        let instant = self.instant(states, conditions, own);
+        placed.element.vary_output(&instant, index, out)
     }
 
     /// Forces that one element exerts on its nodes, in their own axes, and its outputs.

@@ -94,6 +94,8 @@ pub struct System {
     counted_turns: Vec<usize>,
     /// Signals of the frame's angular velocity, if it turns.
     turning: Option<[usize; 3]>,
+    /// Prescribed coordinates, in the order of their signals, which are the first.
+    prescribed: Vec<JointCoordinate>,
     /// Prescribed angles whose whole turns are open.
     drives: Vec<Drive>,
     /// Coordinates that forces act on, force by force, then all other angles whose whole turns are
@@ -160,6 +162,11 @@ impl System {
     /// The joints.
     pub fn joints(&self) -> &[Joint] {
         &self.joints
+    }
+
+    /// Number of the signal that prescribes a joint coordinate.
+    pub fn prescribed_place(&self, at: &JointCoordinate) -> Option<usize> {
+        self.prescribed.iter().position(|other| other == at)
     }
 
     /// Number of signals.

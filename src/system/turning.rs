@@ -50,6 +50,16 @@ pub(super) fn add_variation(
     }
 }
 
+/// The same of what a single number varies by: factors of the increments of motion, velocity and
+/// acceleration of a node.
+fn vary_in_frame(state: &NodeState, frame: &Vector6<f64>, factors: &mut [Vector6<f64>; 3]) {
+    let carried = tilde(&(state.motion.inverse().adjoint() * frame));
+    let [motion, velocity, acceleration] = factors;
+    let by_velocity = *velocity - tilde(&state.twist).tr_mul(acceleration);
+    *motion += carried.tr_mul(&by_velocity);
+    *velocity += carried.tr_mul(acceleration);
+}
+
 impl System {
     /// Adds the frame's angular velocity, which grows with the loads.
     ///
@@ -105,12 +115,24 @@ impl System {
     /// State in the inertial frame, from one in the frame that motions are described in; resolved
     /// along the same axes.
     pub fn inertial_state(&self, state: &NodeState) -> NodeState {
-        match self.standstill() {
-            Some(standstill) if self.turning.is_some() => {
-                inertial(state, &self.twist_about_axis(&standstill.angular_velocity))
-            }
-            _ => *state,
+        match self.full_frame_twist() {
+            Some(frame) => inertial(state, &frame),
+            None => *state,
         }
+    }
+
+    /// Makes what a number varies by with the motion, velocity and acceleration of a node in the
+    /// inertial frame what it varies by with these in the frame, where it is at `state`.
+    pub fn vary_in_frame(&self, state: &NodeState, factors: &mut [Vector6<f64>; 3]) {
+        if let Some(frame) = self.full_frame_twist() {
+            vary_in_frame(state, &frame, factors);
+        }
+    }
+
+    /// Twist of the frame, if it turns, under all loads.
+    fn full_frame_twist(&self) -> Option<Vector6<f64>> {
+        let standstill = self.standstill().filter(|_| self.turning.is_some())?;
+        Some(self.twist_about_axis(&standstill.angular_velocity))
     }
 }
 

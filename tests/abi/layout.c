@@ -63,6 +63,16 @@ AT(pdn_stations, fractions, 16);
 AT(pdn_stations, sections, 24);
 AT(pdn_stations, twists, 32);
 
+SIZE(pdn_quantity, 40);
+AT(pdn_quantity, struct_size, 0);
+AT(pdn_quantity, kind, 8);
+AT(pdn_quantity, object, 12);
+AT(pdn_quantity, component, 16);
+AT(pdn_quantity, frame, 20);
+AT(pdn_quantity, node, 24);
+AT(pdn_quantity, branch, 28);
+AT(pdn_quantity, station, 32);
+
 SIZE(pdn_diagnostics, 208);
 AT(pdn_diagnostics, struct_size, 0);
 AT(pdn_diagnostics, outcome, 8);
@@ -263,6 +273,10 @@ AT(pdn_mode, modal_mass, 40);
 AT(pdn_mode, residual, 48);
 
 IS(PDN_STAGE_MARCH, 2);
+IS(PDN_STAGE_STABILITY, 4);
+IS(PDN_STABILITY_NOT_KNOWN, 0);
+IS(PDN_STABLE, 1);
+IS(PDN_UNSTABLE, 2);
 IS(PDN_STAGE_MODES, 3);
 IS(PDN_START_AUTOMATIC, 0);
 IS(PDN_START_QUASI_STATIC, 1);
@@ -302,6 +316,24 @@ AT(pdn_shooting_options, iteration_limit, 40);
 AT(pdn_shooting_options, initial, 48);
 AT(pdn_shooting_options, progress, 56);
 AT(pdn_shooting_options, progress_data, 64);
+
+SIZE(pdn_stability_options, 40);
+AT(pdn_stability_options, struct_size, 0);
+AT(pdn_stability_options, highest_frequency, 8);
+AT(pdn_stability_options, tolerance, 16);
+AT(pdn_stability_options, progress, 24);
+AT(pdn_stability_options, progress_data, 32);
+
+SIZE(pdn_multiplier, 64);
+AT(pdn_multiplier, struct_size, 0);
+AT(pdn_multiplier, real, 8);
+AT(pdn_multiplier, imaginary, 16);
+AT(pdn_multiplier, exponent_real, 24);
+AT(pdn_multiplier, exponent_imaginary, 32);
+AT(pdn_multiplier, frequency, 40);
+AT(pdn_multiplier, error, 48);
+AT(pdn_multiplier, trivial, 56);
+AT(pdn_multiplier, reserved, 60);
 
 SIZE(pdn_march_diagnostics, 88);
 AT(pdn_march_diagnostics, struct_size, 0);

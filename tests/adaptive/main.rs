@@ -11,7 +11,7 @@ use periodyn::collocation::DecayKind;
 use periodyn::elements::{Coordinate, CoordinateLaw, Effort, JointKind};
 use periodyn::fourier::{FilterKind, SpectralFilter};
 use periodyn::model::{JointCoordinate, Model};
-use periodyn::output::{BeamQuantity, JointQuantity, NodeQuantity, Solution};
+use periodyn::output::{BeamQuantity, JointQuantity, NodeQuantity, Quantity, Solution};
 use periodyn::solve::*;
 use std::f64::consts::TAU;
 use std::sync::Arc;
@@ -288,7 +288,9 @@ fn filtered_motions_are_motions_and_resolved_ones_stay() {
     }
     // Harmonics are those of what is sampled: the motion is resolved well before the last.
     let grid: Vec<f64> = solution.grid().times().collect();
-    let velocity = filtered.node_series(1, NodeQuantity::Velocity).unwrap();
+    let velocity = filtered
+        .series(Quantity::Node(1, NodeQuantity::Velocity))
+        .unwrap();
     let sampled = filtered.node(1, NodeQuantity::Velocity, &grid).unwrap();
     for (k, time) in grid.iter().enumerate() {
         assert!((velocity[0].value(*time) - sampled[6 * k]).abs() < 1e-11);

@@ -196,6 +196,39 @@ static void a_saved_solution(const pdn_model *model, pdn_solution *solution)
     pdn_model_free(copy);
 }
 
+static int32_t nodes(const pdn_model *model)
+{
+    int32_t count;
+    CHECK_STATUS(pdn_model_node_count(model, &count), PDN_OK);
+    return count;
+}
+
+static void a_saved_model(const pdn_model *model)
+{
+    pdn_model *copy = NULL, *loaded = NULL;
+    pdn_solution *solution = NULL;
+    const double here[3] = {1, 2, 3};
+    char text[2][8192];
+    int32_t node;
+    CHECK_STATUS(pdn_model_save(model, "test_files.model"), PDN_OK);
+    CHECK_STATUS(pdn_model_load("test_files.model", &loaded), PDN_OK);
+    CHECK(pdn_model_describe(model, text[0], sizeof text[0]) < sizeof text[0]);
+    CHECK(pdn_model_describe(loaded, text[1], sizeof text[1]) < sizeof text[1]);
+    CHECK(strcmp(text[0], text[1]) == 0);
+
+    /* It has lost its callback, and says so; a copy has not, and is one of its own. */
+    CHECK_STATUS(pdn_solve_periodic(loaded, PERIOD, NULL, &solution), PDN_ERR_CALLBACK);
+    CHECK_MESSAGE("the model was loaded from a file");
+    CHECK_STATUS(pdn_model_copy(model, &copy), PDN_OK);
+    solution = solved(copy, NULL);
+    CHECK(pdn_solution_outcome(solution) == PDN_CONVERGED);
+    CHECK_STATUS(pdn_model_add_node(copy, here, NULL, &node), PDN_OK);
+    CHECK(nodes(copy) == nodes(model) + 1 && nodes(loaded) == nodes(model));
+    pdn_solution_free(solution);
+    pdn_model_free(copy);
+    pdn_model_free(loaded);
+}
+
 int main(void)
 {
     double size = 40.0;
@@ -203,8 +236,9 @@ int main(void)
     pdn_solution *solution = solved(model, NULL);
     a_table(solution);
     an_animation(solution);
+    a_saved_model(model);
     a_saved_solution(model, solution);
     pdn_model_free(model);
-    puts("files: tables, animations and saved solutions as they should be");
+    puts("files: tables, animations, saved models and solutions as they should be");
     return 0;
 }

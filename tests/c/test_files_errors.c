@@ -175,6 +175,14 @@ static void paths(void)
     REFUSED(pdn_solution_load("test_files_errors.pdn", &out.solution), PDN_ERR_FORMAT,
             "path: \"test_files_errors.pdn\" is damaged: its checksum is wrong");
 
+    REFUSED(pdn_model_copy(NULL, &out.model), PDN_ERR_NULL, "model: ");
+    REFUSED(pdn_model_save(NULL, "x.model"), PDN_ERR_NULL, "model: ");
+    REFUSED(pdn_model_load(NULL, &out.model), PDN_ERR_NULL, "path: ");
+    REFUSED(pdn_model_load("x.model", NULL), PDN_ERR_NULL, "out: ");
+    REFUSED(pdn_model_load("no/such/x.model", &out.model), PDN_ERR_IO,
+            "path: cannot read \"no/such/x.model\"");
+    REFUSED(pdn_model_load("test_files_errors.pdn", &out.model), PDN_ERR_FORMAT,
+            "path: \"test_files_errors.pdn\" is not a saved model");
     REFUSED(pdn_solution_model(NULL, &out.model), PDN_ERR_NULL, "solution: ");
     REFUSED(pdn_solution_model(solution, NULL), PDN_ERR_NULL, "out: ");
 }

@@ -38,6 +38,18 @@ int main()
               mine == static_cast<double>(k + 1));
     }
 
+    const pdn::Quantity turn(pdn::Kind::coordinate, o.hinge, pdn::Coordinate::rotation);
+    CHECK(solution.sample(turn, {0, 0.5, 1}) == angle);
+    const auto extremes = solution.extremes(turn);
+    CHECK(extremes.smallest[0] < angle[1] && angle[1] < extremes.largest[0]);
+    const auto waves = solution.harmonics(turn, 2);
+    CHECK(waves.components == 1 && waves.cosines.size() == 2 && waves.rate[0] == 0);
+    pdn::Quantity spin(pdn::Kind::velocity, o.body);
+    CHECK(spin.is_whole() && solution.sample(spin, {0, 0.5}).size() == 12);
+    spin.component = 6;
+    REFUSED(solution.sample(spin, {0}), PDN_ERR_VALUE, "quantity: component: ");
+    table.add(solution, turn, "turn");
+
     table.add_node(solution, o.body, pdn::NodeQuantity::position);
     table.add_joint_reaction(solution, o.hinge, pdn::Axes::space);
     table.add_force(solution, o.spring, pdn::ForceQuantity::on_node, o.body, "pull");

@@ -61,6 +61,25 @@ int main()
     REFUSED(pdn::solve_shooting(o.model, -1), PDN_ERR_VALUE, "period: ");
     REFUSED(periodic.floquet(), PDN_ERR_NOT_AVAILABLE, "solution: ");
 
+    // The same of the periodic solution, to rounding.
+    pdn::StabilityOptions asked;
+    asked.tolerance = 1e-10;
+    const auto stability = pdn::solve_stability(periodic, asked);
+    CHECK(stability.outcome() == pdn::Outcome::converged);
+    CHECK(stability.verdict() == pdn::Verdict::stable && stability.frequency_limit() > 1e300);
+    CHECK(stability.count() == 2 && stability.states() == 2);
+    const auto multiplier = stability.multiplier(0);
+    NEAR(std::hypot(multiplier.real, multiplier.imaginary), std::exp(-0.2 * period), 1e-10);
+    CHECK(multiplier.trivial == 0 && multiplier.error < 1e-10);
+    const auto mode = stability.mode(0, o.body);
+    CHECK(mode.real.size() == stability.times().size() && mode.imaginary.size() > 5);
+    CHECK(stability.report().find("Stability: stable") == 0);
+    REFUSED(stability.multiplier(2), PDN_ERR_ID, "number: ");
+    REFUSED(stability.mode(0, 1), PDN_ERR_ID, "node: ");
+    asked.tolerance = nan_value;
+    REFUSED(pdn::solve_stability(periodic, asked), PDN_ERR_NOT_FINITE, "options.tolerance: ");
+    REFUSED(pdn::solve_stability(by_shooting), PDN_ERR_NOT_AVAILABLE, "stability: ");
+
     options.progress = [](const pdn_progress &) -> bool { throw std::domain_error("enough"); };
     try {
         pdn::march(o.model, options);

@@ -15,6 +15,8 @@ contains
         integer :: body, hinge, spring, stat, unit, k
         character(300) :: errmsg, head
         real(dp) :: angle(3), row(3), tip(3, 1), same(3, 1)
+        real(dp) :: sampled(1, 3), least(1), most(1), at(2), mean(1), cosines(1, 2), sines(1, 2)
+        type(pdn_quantity) :: turn
         integer :: elements
         real(dp), parameter :: times(3) = [0.0_dp, 0.5_dp, 1.0_dp]
         logical :: there
@@ -36,6 +38,21 @@ contains
             call check(all(row == [times(k), angle(k), real(k, dp)]), 'row')
         end do
         close (unit)
+
+        turn = pdn_quantity_of(PDN_QUANTITY_COORDINATE, hinge, component=PDN_ROTATION)
+        call solution%sample(turn, times, sampled)
+        call check(all(sampled(1, :) == angle), 'quantity')
+        call solution%extremes(turn, least, at(:1), most, at(2:))
+        call check(least(1) < angle(2) .and. angle(2) < most(1), 'extremes')
+        call solution%harmonics(turn, mean, cosines, sines)
+        call check(least(1) < mean(1) .and. mean(1) < most(1), 'mean')
+        call solution%sample(turn, times, cosines, stat, errmsg)
+        call check(stat == PDN_ERR_SIZE, 'shape of samples')
+        turn%component = 17
+        call solution%sample(turn, times, sampled, stat, errmsg)
+        call check(stat == PDN_ERR_VALUE, 'no such coordinate')
+        turn%component = PDN_ROTATION
+        call table%add(solution, turn, 'turn')
 
         call table%add_node(solution, body, PDN_NODE_POSITION)
         call table%add_joint(solution, hinge, PDN_JOINT_REACTION, PDN_AXES_SPACE, 'reaction')

@@ -17,6 +17,12 @@ contains
         integer :: body, hinge, spring, stat
         character(300) :: errmsg
         real(dp) :: angle(1), position(3, 1), rotation(9, 1), velocity(6, 1), rate
+        type(pdn_stability_options) :: asked
+        type(pdn_stability) :: stability
+        type(pdn_multiplier) :: multiplier
+        integer :: outcome, verdict, known, states
+        real(dp), allocatable :: at(:), mode(:, :), other(:, :)
+        real(dp) :: limit
         real(dp), parameter :: t = 1.7_dp
 
         call oscillator(model, body, hinge, spring)
@@ -57,6 +63,33 @@ contains
         call check(shooting%converged(), 'shooting')
         call shooting%floquet(multipliers)
         call near(abs(multipliers(1)), exp(-0.2_dp*period), 1e-3_dp, 'Floquet multiplier')
+
+        ! The same of the periodic solution, to rounding.
+        call pdn_init(asked)
+        asked%tolerance = 1e-10_dp
+        call periodic%solve_stability(stability, asked)
+        call stability%outcome(outcome)
+        call stability%verdict(verdict, limit)
+        call check(outcome == PDN_CONVERGED .and. verdict == PDN_STABLE, 'stable')
+        call check(limit > 1e300_dp, 'all known')
+        call stability%count(known, states)
+        call check(known == 2 .and. states == 2, 'multipliers')
+        call stability%get(0, multiplier)
+        call near(hypot(multiplier%real, multiplier%imaginary), exp(-0.2_dp*period), 1e-10_dp, &
+            'multiplier')
+        call stability%times(at)
+        allocate (mode(6, size(at)), other(6, size(at)))
+        call stability%shape(0, body, mode, other)
+        call near(maxval(hypot(mode, other)), 1.0_dp, 1e-10_dp, 'mode')
+        call check(index(stability%report(), 'Stability: stable') == 1, 'report')
+        stat = 77
+        errmsg = 'none'
+        call stability%get(2, multiplier, stat, errmsg)
+        call refused(stat, errmsg, PDN_ERR_ID, 'number: ')
+        call stability%shape(0, body, mode(:5, :), stat=stat, errmsg=errmsg)
+        call refused(stat, errmsg, PDN_ERR_SIZE, 'real: ')
+        call shooting%solve_stability(stability, stat=stat, errmsg=errmsg)
+        call refused(stat, errmsg, PDN_ERR_NOT_AVAILABLE, 'stability: ')
 
         stat = 77
         errmsg = 'none'

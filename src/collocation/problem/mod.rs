@@ -238,6 +238,22 @@ impl Collocation {
         }
     }
 
+    /// Evaluates the equations at these times instead of those of the grid's points, with all loads
+    /// and inertial forces.
+    ///
+    /// # Errors
+    /// Those of signals.
+    pub fn set_times(&mut self, times: &[f64]) -> Result<()> {
+        let count = self.system.signals();
+        self.instants.inertia_factor = 1.0;
+        self.instants.times.copy_from_slice(times);
+        for (k, &time) in times.iter().enumerate() {
+            let values = &mut self.instants.signals[k * count..][..count];
+            self.system.signal_values(time, 1.0, values)?;
+        }
+        Ok(())
+    }
+
     /// From now on takes the residual from `factor` times as many points, projected on the
     /// harmonics of this grid. The Jacobian that is assembled remains that of the grid's own
     /// points.
@@ -265,6 +281,11 @@ impl Collocation {
     /// The rule that they follow by.
     pub fn rule(&self) -> &dyn TimeRule {
         &*self.rule
+    }
+
+    /// Times of the grid points.
+    pub fn times(&self) -> &[f64] {
+        &self.instants.times
     }
 
     /// Values of all signals, grid point by grid point.

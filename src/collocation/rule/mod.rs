@@ -7,6 +7,7 @@ mod antiperiodic;
 mod backward;
 mod given;
 mod kinematics;
+mod radau;
 mod spectral;
 mod steady;
 #[cfg(test)]
@@ -20,6 +21,7 @@ pub use antiperiodic::{Antiperiodic, antiperiodic_at};
 pub use backward::Backward;
 pub use given::GivenRates;
 pub use kinematics::{BackwardWeights, KinematicsScratch, NodeKinematics};
+pub use radau::{PLACES, RadauStep, RadauWeights, STAGES};
 pub use spectral::Spectral;
 pub use steady::Steady;
 

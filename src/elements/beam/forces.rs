@@ -91,15 +91,8 @@ impl Element for Beam {
         scratch.strains.clear();
         scratch.rates.clear();
         let rates_vary = self.damping(nodes).rates_vary;
-        let twist = |a: usize| DualVector::from_twist(&nodes[a].twist);
         for station in &self.stations {
-            scratch.terms.clear();
-            let at = scratch.add_terms(station, nodes)?;
-            let present = strain_rate(&scratch.terms, nodes);
-            if rates_vary {
-                rate_variations(&at, &present, twist, &mut scratch.terms);
-            }
-            let (mut e, mut rate) = (at.e, present);
+            let (mut e, mut rate) = self.find_terms(station, nodes, scratch)?;
             for (node, [motion, velocity]) in scratch.terms.iter().zip(increments) {
                 let motion = DualVector::from_twist(motion);
                 e += node.strain * motion;
@@ -170,6 +163,23 @@ impl Beam {
             scratch.rates.push(rate.to_twist());
         }
         Ok(())
+    }
+
+    /// Finds the terms of a station, with its "velocity in ξ" and its rate: what these vary by.
+    pub(super) fn find_terms(
+        &self,
+        station: &Station,
+        states: &[NodeState],
+        scratch: &mut Scratch,
+    ) -> Result<(DualVector, DualVector)> {
+        scratch.terms.clear();
+        let at = scratch.add_terms(station, states)?;
+        let rate = strain_rate(&scratch.terms, states);
+        if self.damping(states).rates_vary {
+            let twist = |a: usize| DualVector::from_twist(&states[a].twist);
+            rate_variations(&at, &rate, twist, &mut scratch.terms);
+        }
+        Ok((at.e, rate))
     }
 
     /// Writes the stress resultants at all Gauss points, for strains and rates that were found.

@@ -18,9 +18,9 @@ use super::NodeState;
 use super::section::{Section, SectionLine};
 use super::shape::{gauss_legendre, lobatto_points, shape_functions};
 use crate::error::{Error, Result};
-use crate::motion::Motion;
+use crate::motion::{DualVector, Motion, turned as turn};
 use law::{CoupledLaw, LawIntegrals};
-use nalgebra::Vector6;
+use nalgebra::{Matrix6, Vector6};
 
 /// Elastic and damping forces of one beam element with nodes at the Gauss–Lobatto points.
 #[derive(Debug, Clone)]
@@ -129,40 +129,73 @@ impl Beam {
     }
 
     /// Strains `[γ; κ]` per unit of reference length, and stress resultants `[force; moment]`, in
-    /// the section's frame at `xi` in `[−1, 1]`, for the element's nodes at `motions` with
-    /// `twists`.
+    /// the section's frame at `xi` in `[−1, 1]`, for the element's nodes at `states`.
     ///
     /// Both are the polynomials through those at the Gauss points, where they are most accurate.
     pub fn strain_and_stress(
         &self,
         xi: f64,
-        motions: &[Motion],
-        twists: &[Vector6<f64>],
+        states: &[NodeState],
     ) -> Result<(Vector6<f64>, Vector6<f64>)> {
         let mut scratch = Scratch::default();
-        let states: Vec<NodeState> = motions
-            .iter()
-            .zip(twists)
-            .map(|(motion, twist)| NodeState {
-                twist: *twist,
-                ..NodeState::at_rest(*motion)
-            })
-            .collect();
-        self.find_strains(&states, &mut scratch)?;
-        let points: Vec<f64> = gauss_legendre(self.stations.len())
-            .iter()
-            .map(|p| p.0)
-            .collect();
+        self.find_strains(states, &mut scratch)?;
         let (mut strain, mut stress) = (Vector6::zeros(), Vector6::zeros());
-        for (i, shape) in shape_functions(&points, xi).iter().enumerate() {
+        for (i, shape) in self.shapes_of_gauss_points(xi).iter().enumerate() {
             strain += scratch.strains[i] * (shape.0 / self.stations[i].stretch);
             stress += self.resultants(i, &scratch.strains, &scratch.rates) * shape.0;
         }
         let back = about_axis(-self.station(xi, 0.0)?.turn);
-        Ok((
-            crate::motion::turned(&back, &strain),
-            crate::motion::turned(&back, &stress),
-        ))
+        Ok((turn(&back, &strain), turn(&back, &stress)))
+    }
+
+    /// Gives what factors of the strains and resultants at `xi` add up to: those of the increments
+    /// of the motion and the velocity of each node.
+    pub fn vary_strain_and_stress(
+        &self,
+        xi: f64,
+        states: &[NodeState],
+        [by_strain, by_stress]: &[Vector6<f64>; 2],
+        mut add: impl FnMut(usize, [Vector6<f64>; 2]),
+    ) -> Result<()> {
+        let ahead = about_axis(self.station(xi, 0.0)?.turn);
+        let (by_strain, by_stress) = (turn(&ahead, by_strain), turn(&ahead, by_stress));
+        // By the "velocity in ξ" of each Gauss point, and by its rate.
+        let mut by_points = vec![[Vector6::zeros(); 2]; self.stations.len()];
+        for (i, shape) in self.shapes_of_gauss_points(xi).iter().enumerate() {
+            let station = &self.stations[i];
+            by_points[i][0] += by_strain * (shape.0 / station.stretch);
+            // Of integrated resultants.
+            let by_stress = by_stress * (shape.0 / station.weight);
+            let mut add = |j: usize, (stiffness, damping): &(Matrix6<f64>, Matrix6<f64>)| {
+                by_points[j][0] += stiffness.tr_mul(&by_stress);
+                by_points[j][1] += damping.tr_mul(&by_stress);
+            };
+            match &self.law {
+                Some(law) => (law.row(i).iter().enumerate()).for_each(|(j, law)| add(j, law)),
+                None => add(i, &station.own_law()),
+            }
+        }
+        let mut scratch = Scratch::default();
+        for (station, by) in self.stations.iter().zip(&by_points) {
+            self.find_terms(station, states, &mut scratch)?;
+            let [by_strain, by_rate] = by.map(|by| DualVector::from_wrench(&by));
+            for (local, node) in scratch.terms.iter().enumerate() {
+                let spread = node.strain.transpose();
+                let by_motion = spread * by_strain + node.rate.transpose() * by_rate;
+                add(
+                    local,
+                    [by_motion.to_wrench(), (spread * by_rate).to_wrench()],
+                );
+            }
+        }
+        Ok(())
+    }
+
+    /// Shape functions through the Gauss points, at `xi`.
+    fn shapes_of_gauss_points(&self, xi: f64) -> Vec<(f64, f64)> {
+        let rule = gauss_legendre(self.stations.len());
+        let points: Vec<f64> = rule.iter().map(|p| p.0).collect();
+        shape_functions(&points, xi)
     }
 
     /// Stress resultants at Gauss point `i`, for all "velocities in ξ" less those of the reference,

@@ -118,8 +118,6 @@ pub(crate) struct Linear {
     most_products: usize,
     /// What iteration took until it was given up.
     given_up: Option<IterativeRecord>,
-    /// Whether the equations are taken to be regular, unless iteration fails.
-    is_regular: bool,
 }
 
 impl Linear {
@@ -146,7 +144,8 @@ impl Linear {
                 if cost.bytes < LARGE && cheap || falls_back && few_freedoms() {
                     direct()
                 } else if falls_back {
-                    let iterative = Iterative::new(equations, None).or_directly(cost.work);
+                    let iterative =
+                        Iterative::new(equations, None).or_directly(cost.work, most_products);
                     Active::Iterative(Box::new(iterative))
                 } else {
                     iterative(None)
@@ -161,17 +160,17 @@ impl Linear {
             products: 0,
             most_products,
             given_up: None,
-            is_regular: false,
         }
     }
 
-    /// For equations that were found to be regular on another grid: factors of all of them are not
-    /// made only to make sure of that.
-    pub fn of_regular_equations(self) -> Self {
-        Linear {
-            is_regular: true,
-            ..self
+    /// With what the solver of the same equations on a coarser grid has found out.
+    pub fn after(mut self, coarse: &Linear) -> Self {
+        if let (Active::Iterative(next), Active::Iterative(last)) =
+            (&mut self.active, &coarse.active)
+        {
+            next.fails_locally = last.fails_locally;
         }
+        self
     }
 
     /// What iteration took, if any was tried.
@@ -240,9 +239,7 @@ impl LinearSolver for Linear {
             Active::Iterative(iterative) => (
                 iterative.linearise(equations, state, timings)?,
                 // Factors will tell whether it is singular.
-                self.falls_back
-                    && !self.is_regular
-                    && iterative.growth(equations) > iterative.suspect,
+                self.falls_back && iterative.growth(equations) > iterative.suspect,
             ),
         };
         if done && !suspect {

@@ -1,10 +1,10 @@
 //! Natural modes and damped eigenvalues about an equilibrium, at rest or in steady rotation.
 //! See docs/theory.md, section 11.3.
 
-mod eigen;
+pub(crate) mod eigen;
 mod free_motions;
-mod krylov;
-mod pencil;
+pub(crate) mod krylov;
+pub(crate) mod pencil;
 
 use crate::collocation::{Collocation, Pattern};
 use crate::error::{Error, ErrorKind, Result, require_finite};

@@ -26,12 +26,12 @@ pub(crate) struct Means {
 }
 
 impl Means {
-    /// Newton's method on a grid, for equations that may be known to be regular.
+    /// Newton's method on a grid, after that on the `last` one.
     fn on(
         &self,
         system: &Arc<System>,
         grid: TimeGrid,
-        is_regular: bool,
+        last: Option<&Linear>,
     ) -> Result<Newton<Projected<Linear>>> {
         let start = Instant::now();
         let mut equations = Collocation::new(system.clone(), grid)?;
@@ -40,8 +40,8 @@ impl Means {
             equations.oversample(self.oversampling)?;
         }
         let mut linear = Linear::new(&equations, self.linear);
-        if is_regular {
-            linear = linear.of_regular_equations();
+        if let Some(last) = last {
+            linear = linear.after(last);
         }
         let linear = Projected::new(&equations, linear);
         let mut newton = Newton::with(equations, linear);
@@ -86,7 +86,7 @@ impl<'a> OnGrid<'a> {
         observe: &'a mut StageObserver<'a>,
     ) -> Result<Self> {
         Ok(OnGrid {
-            newton: means.on(system, grid, false)?,
+            newton: means.on(system, grid, None)?,
             system: system.clone(),
             grid,
             means,
@@ -170,24 +170,23 @@ impl<'a> OnGrid<'a> {
         if grid == self.grid {
             return Ok(());
         }
-        let converged = |(_, (_, report)): &(_, Found)| report.outcome == Outcome::Converged;
-        let is_regular = self.last.as_ref().is_some_and(converged);
         self.grid = grid;
         self.watching.grid(grid.points());
-        self.replace_solver(is_regular)
+        let last = self.newton.linear.sampled();
+        self.replace_solver(self.means.on(&self.system, grid, Some(last))?);
+        Ok(())
     }
 
     /// Forgets what has been found about the equations, which the present grid may not share.
     pub fn begin_again(&mut self) -> Result<()> {
-        self.replace_solver(false)
+        self.replace_solver(self.means.on(&self.system, self.grid, None)?);
+        Ok(())
     }
 
-    fn replace_solver(&mut self, is_regular: bool) -> Result<()> {
-        let next = self.means.on(&self.system, self.grid, is_regular)?;
+    fn replace_solver(&mut self, next: Newton<Projected<Linear>>) {
         let last = std::mem::replace(&mut self.newton, next);
         self.timings = self.timings + last.timings;
         self.iterations += last.iterations;
-        Ok(())
     }
 
     /// Goes on with another grid, from a solution on the present one; none if that is too coarse to

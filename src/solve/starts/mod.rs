@@ -18,8 +18,10 @@ use quasi_static::{Guess, inertial_displacement, quasi_static};
 use std::sync::Arc;
 use std::time::Instant;
 
-/// Short steps after which Newton's method is given up where there are other ways to start.
+/// Short steps after which Newton's method is given up where there are other ways to start, and
+/// from the last of several.
 pub(crate) const PATIENCE: usize = 4;
+const LAST_PATIENCE: usize = 8;
 /// Smallest step of the continuation in the inertia factor.
 const SMALLEST_INERTIA_STEP: f64 = 1.0 / 16.0;
 /// Least and largest number of Newton iterations that this continuation may take, and multiply-adds
@@ -193,7 +195,11 @@ impl Starts {
         let mut left: Option<Found> = None;
         for (number, &start) in starts.iter().enumerate() {
             let others = number + 1 < starts.len();
-            on.newton.patience = others.then_some(PATIENCE);
+            on.newton.patience = match (others, number) {
+                (true, _) => Some(PATIENCE),
+                (false, 0) => None,
+                (false, _) => Some(LAST_PATIENCE),
+            };
             on.watching.attempt(self.tried.len() + 1, Some(start));
             let (began, guessed) = (Instant::now(), on.start_iterations);
             let before = on.newton.iterations;

@@ -160,6 +160,12 @@ impl DirectSolver {
         sizes.sum()
     }
 
+    /// Whether errors of motions, relative to the largest, are known to be no more than this
+    /// without refinement.
+    pub fn is_accurate_to(&self, accuracy: f64) -> bool {
+        self.accurate || self.correction <= accuracy
+    }
+
     /// As [`DirectSolver::solve`], for the `values` of the matrix that was factored: refines the
     /// result by its residual, unless an earlier one with the same factors was accurate. Pivots are
     /// sought within a front only: where that has cost too many digits, the matrix is factored

@@ -13,7 +13,9 @@
 //! between them, and a dense system over all grid points. See docs/theory.md, section 8.5.
 
 use super::block_lu::BlockLanes;
-use super::constraints::{Class, Joints, RowRotation, classify, row_rotations, turning_nodes};
+use super::constraints::{
+    Class, Joints, RowRotation, classify, keep_neighbours, row_rotations, turning_nodes,
+};
 use super::interface::Interface;
 use super::lanes::{ComplexLanes, LANES, Lanes};
 use super::layout::{Layout, Region};
@@ -29,6 +31,8 @@ use std::time::{Duration, Instant};
 
 /// Most unknowns of a dense system of one harmonic.
 const LARGEST_BLOCK: usize = 240;
+/// Times that it is tried to eliminate what is beside joints that turn, each time less of it.
+const NEIGHBOURS: usize = 3;
 
 /// Both ways over the grid.
 #[derive(Clone)]
@@ -96,13 +100,19 @@ impl BodyCirculant {
         joints: Joints,
         largest_interface: usize,
     ) -> Result<Option<Self>> {
-        let classes = classify(equations, tangent, joints);
+        let mut classes = classify(equations, tangent, joints);
         // What is joined rigidly to a node of a joint that turns is eliminated, if it can be
         // without that node.
-        let turning = turning_nodes(equations.system(), &classes);
-        let few = Self::factored(equations, tangent, &classes, &turning, largest_interface)?;
-        if few.is_some() || !turning.contains(&true) {
-            return Ok(few);
+        let mut turning = turning_nodes(equations.system(), &classes);
+        for _ in 0..NEIGHBOURS {
+            let few = Self::factored(equations, tangent, &classes, &turning, largest_interface)?;
+            if few.is_some() || !turning.contains(&true) {
+                return Ok(few);
+            }
+            if !keep_neighbours(equations, tangent, &mut classes) {
+                break;
+            }
+            turning = turning_nodes(equations.system(), &classes);
         }
         let together = vec![false; turning.len()];
         Self::factored(equations, tangent, &classes, &together, largest_interface)

@@ -43,17 +43,65 @@ pub(super) struct Average {
 /// What becomes of the own unknowns of each element.
 ///
 /// Steady constraints all of whose nodes have a joint that turns stay exact as well, which leaves
-/// fewer motions free there.
+/// fewer motions free there. So do those of a node that they hold more than once where its
+/// neighbours' joints turn: they would hold the neighbours, too.
 pub(super) fn classify(equations: &Collocation, tangent: &Tangent, joints: Joints) -> Vec<Class> {
     let mut classes = classify_alone(equations, tangent, joints);
-    let turning = turning_nodes(equations.system(), &classes);
-    for (index, class) in classes.iter_mut().enumerate() {
-        let nodes = equations.system().elements()[index].element.nodes();
-        if class.is_steady() && nodes.iter().all(|&node| turning[node]) {
-            *class = Class::Exact(scaled_gradients(equations, tangent, index));
+    keep_exact(equations, tangent, &mut classes, |_, turning, nodes| {
+        nodes.iter().all(|&node| turning[node])
+    });
+    while keep_exact(equations, tangent, &mut classes, |rows, turning, nodes| {
+        let is_held = |&node: &usize| turning[node] || rows[node] > 6;
+        nodes.iter().all(is_held)
+    }) {}
+    classes
+}
+
+/// Keeps steady constraints exact at whose nodes a joint turns, and those between them.
+/// `false` if there are none.
+pub(super) fn keep_neighbours(
+    equations: &Collocation,
+    tangent: &Tangent,
+    classes: &mut [Class],
+) -> bool {
+    let any = |_: &[usize], turning: &[bool], nodes: &[usize]| nodes.iter().any(|&n| turning[n]);
+    let all = |_: &[usize], turning: &[bool], nodes: &[usize]| nodes.iter().all(|&n| turning[n]);
+    let found = keep_exact(equations, tangent, classes, any);
+    keep_exact(equations, tangent, classes, all);
+    found
+}
+
+/// Keeps those steady constraints exact that `choose` says, of the number of rows that would hold
+/// each node if all its constraints to turning nodes and the ground were exact, which nodes turn,
+/// and the nodes of the constraint. `false` if there are none.
+fn keep_exact(
+    equations: &Collocation,
+    tangent: &Tangent,
+    classes: &mut [Class],
+    choose: impl Fn(&[usize], &[bool], &[usize]) -> bool,
+) -> bool {
+    let system = equations.system();
+    let turning = turning_nodes(system, classes);
+    if !turning.contains(&true) {
+        return false;
+    }
+    let mut rows = vec![0; system.nodes()];
+    for (class, placed) in classes.iter().zip(system.elements()) {
+        let nodes = placed.element.nodes();
+        let mut resting = nodes.iter().filter(|&&node| !turning[node]);
+        if let (true, Some(&node), None) = (class.is_steady(), resting.next(), resting.next()) {
+            rows[node] += placed.element.own_unknowns();
         }
     }
-    classes
+    let mut found = false;
+    for (index, class) in classes.iter_mut().enumerate() {
+        let nodes = system.elements()[index].element.nodes();
+        if class.is_steady() && choose(&rows, &turning, nodes) {
+            *class = Class::Exact(scaled_gradients(equations, tangent, index));
+            found = true;
+        }
+    }
+    found
 }
 
 /// Which nodes have a constraint that stays exact.

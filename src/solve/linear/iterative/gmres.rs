@@ -10,6 +10,12 @@ use faer::{Accum, MatMut, MatRef, Par};
 /// A cycle that leaves more than this of the residual is the last.
 const STAGNATION: f64 = 0.9;
 
+/// Products after which it shows whether a solve comes to an end.
+const TELLING: usize = 30;
+/// It does not if it would take this many times the products that are allowed, at the rate so far:
+/// convergence becomes faster on the way.
+const HOPELESS: f64 = 1.5;
+
 /// A part that is smaller than this may be nothing but rounding.
 const SMALLEST_SHARE: f64 = 1e-8;
 /// Error relative to the whole solution that is not undercut.
@@ -39,6 +45,8 @@ pub(crate) struct GmresEnd {
     /// Estimated error, relative to the smaller part of the solution: the preconditioned residual,
     /// amplified as much as the preconditioned operator may amplify it.
     pub error: f64,
+    /// Whether a cycle has brought no more: rounding may allow no less.
+    pub stagnated: bool,
 }
 
 /// Memory for long vectors, kept from one solve to the next, as taking it takes time.
@@ -80,6 +88,7 @@ pub(crate) fn gmres(
     let end = GmresEnd {
         iterations: 0,
         error: if start == 0.0 { 0.0 } else { 1.0 },
+        stagnated: false,
     };
     if start == 0.0 || !start.is_finite() {
         return end;
@@ -95,12 +104,17 @@ pub(crate) fn gmres(
         options,
         workspace,
         share: None,
+        is_hopeless: false,
         end,
     };
     while run.end.error > options.tolerance && run.end.iterations < options.iteration_limit {
         let before = run.vectors.norm(&mut run.workspace.rest);
         let progress = (run.cycle(rhs, before)).is_some_and(|left| left < STAGNATION * before);
+        if run.is_hopeless {
+            break;
+        }
         if !progress {
+            run.end.stagnated = run.end.error > options.tolerance;
             break;
         }
     }
@@ -115,6 +129,7 @@ struct Run<'a, P> {
     workspace: &'a mut GmresWorkspace,
     /// What the smaller part is of the solution, once that is known.
     share: Option<f64>,
+    is_hopeless: bool,
     end: GmresEnd,
 }
 
@@ -166,6 +181,14 @@ impl<P: Preconditioned> Run<'_, P> {
                 self.end.error = error / (share * whole);
             }
             if self.end.error <= options.tolerance || length == 0.0 {
+                break;
+            }
+            // The error goes with the residual, and this falls by so much in each product.
+            let rate = (before / least.rest()).ln() / (j + 1) as f64;
+            let left = (self.end.error / options.tolerance).ln() / rate;
+            let most = HOPELESS * options.iteration_limit as f64;
+            self.is_hopeless = j >= TELLING && self.end.iterations as f64 + left > most;
+            if self.is_hopeless {
                 break;
             }
         }
@@ -499,5 +522,36 @@ mod tests {
             &mut GmresWorkspace::default(),
         );
         assert!(end.error > 0.5 && x.iter().all(|x| x.is_finite()));
+    }
+
+    #[test]
+    fn what_would_take_too_long_is_left() {
+        /// Of its 300 vectors none helps before the last.
+        struct Shift;
+        impl Preconditioned for Shift {
+            fn product(&mut self, x: &[f64], y: &mut [f64]) {
+                y[1..].copy_from_slice(&x[..x.len() - 1]);
+                y[0] = x[x.len() - 1];
+            }
+            fn precondition(&mut self, _: &mut [f64]) {}
+        }
+        let options = GmresOptions {
+            tolerance: 1e-6,
+            leading: 300,
+            essential: 300,
+            iteration_limit: 200,
+            restart: 200,
+        };
+        let mut x = vec![0.0; 300];
+        x[0] = 1.0;
+        let end = gmres(
+            &mut Shift,
+            &mut x,
+            &options,
+            &Workers::default(),
+            &mut GmresWorkspace::default(),
+        );
+        assert!(end.error > 0.5 && !end.stagnated, "{end:?}");
+        assert!(end.iterations < TELLING + 5, "{end:?}");
     }
 }

@@ -31,7 +31,7 @@ use crate::error::Result;
 use crate::solve::linear::dense::{largest, probe};
 use crate::solve::linear::diagnosis::Singularity;
 use crate::solve::linear::slender::SLENDER;
-use crate::solve::linear::solver::{COARSE, ESTIMATE, LinearSolver};
+use crate::solve::linear::solver::{ESTIMATE, LinearSolver};
 use crate::solve::report::{Timings, timed};
 use body_circulant::BodyCirculant;
 use constraints::Joints;
@@ -44,8 +44,9 @@ use time_local::TimeLocal;
 pub(crate) use trial::missing_inertia;
 pub use trial::{LinearTrial, try_linear_solve};
 
-/// Most products of a linear solve.
+/// Most products of a linear solve: at least, and where nothing else is left or takes longer.
 const ITERATION_LIMIT: usize = 150;
+const LARGEST_ITERATION_LIMIT: usize = 400;
 /// Vectors that are kept at least, and more while they take no more bytes than this.
 const RESTART: usize = 60;
 const KEPT: usize = 500_000_000;
@@ -72,6 +73,8 @@ const SUSPECT: f64 = 1e13;
 const SUSPECT_SLENDER: f64 = 1e7;
 /// Accuracy of a closer look at that, and what is enough where rounding allows no more.
 const ROUGH: f64 = 1e-2;
+/// What is enough beside multipliers that have no effect, of which rounding leaves more.
+const ROUGH_BESIDE_MULTIPLIERS: f64 = 0.1;
 
 /// What the Jacobian is approximated by, to be solved with exactly.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
@@ -187,6 +190,10 @@ pub(crate) struct Iterative {
     wanted: Option<Preconditioner>,
     /// Multiply-adds that factors of the whole Jacobian would take, if they are to be had.
     direct_work: Option<f64>,
+    /// Most products of a linear solve.
+    iteration_limit: usize,
+    /// Whether equilibrium at each grid point has turned out to be no preconditioner.
+    pub fails_locally: bool,
     /// Growth from which on the Jacobian may be singular.
     pub suspect: f64,
     /// What is in use, and what is left to be tried, each with the products that a solve may take.
@@ -227,6 +234,8 @@ impl Iterative {
             tangent: Tangent::with_resultants_apart(equations.system(), equations.grid().points()),
             wanted,
             direct_work: None,
+            iteration_limit: LARGEST_ITERATION_LIMIT,
+            fails_locally: false,
             suspect: SUSPECT.max(SUSPECT_SLENDER * equations.system().slenderness()),
             candidates: Vec::new(),
             factors: None,
@@ -239,10 +248,11 @@ impl Iterative {
         }
     }
 
-    /// Gives up for factors of the whole Jacobian, which take so many multiply-adds, where a dense
-    /// system would take more.
-    pub fn or_directly(mut self, work: f64) -> Self {
+    /// Gives up for factors of the whole Jacobian, which take so many multiply-adds, or as long as
+    /// so many products, where a dense system or a solve would take more.
+    pub fn or_directly(mut self, work: f64, products: usize) -> Self {
         self.direct_work = Some(work);
+        self.iteration_limit = products.clamp(ITERATION_LIMIT, LARGEST_ITERATION_LIMIT);
         self
     }
 
@@ -287,17 +297,18 @@ impl Iterative {
     /// What to try, in this order, and the products that each may take.
     fn choose(&self, equations: &Collocation) -> Vec<(Preconditioner, usize)> {
         use Preconditioner::{BodyCirculant, TimeLocal};
+        let most = self.iteration_limit;
         if let Some(wanted) = self.wanted {
-            return vec![(wanted, ITERATION_LIMIT)];
+            return vec![(wanted, most)];
         }
-        let body = (BodyCirculant, ITERATION_LIMIT);
+        let body = (BodyCirculant, most);
         let local = |most| (TimeLocal, most);
         let Some(free) = constraints::count_free(equations, &self.tangent) else {
-            return vec![body, local(ITERATION_LIMIT)];
+            return vec![body, local(most)];
         };
         let interface = free * equations.grid().points();
         if interface > LARGEST_INTERFACE {
-            return vec![local(ITERATION_LIMIT)];
+            return vec![local(most)];
         }
         let few = if interface < LARGE_INTERFACE {
             FEW
@@ -308,7 +319,10 @@ impl Iterative {
         if self.direct_work.is_some_and(|work| work < dense) {
             return vec![local(few)];
         }
-        vec![local(few), body, local(ITERATION_LIMIT)]
+        if self.fails_locally {
+            return vec![body, local(most)];
+        }
+        vec![local(few), body, local(most)]
     }
 
     fn count_bytes(&mut self, vectors: usize, size: usize) {
@@ -371,7 +385,8 @@ impl LinearSolver for Iterative {
                 leading: motions,
                 iteration_limit: self.limit,
                 essential: if is_estimate { motions } else { rhs.len() },
-                restart: (KEPT / size_of_val(&unknowns[..])).clamp(RESTART, ITERATION_LIMIT),
+                restart: (KEPT / size_of_val(&unknowns[..]))
+                    .clamp(RESTART, self.limit.max(RESTART)),
             };
             let mut operator = Operator {
                 equations,
@@ -390,10 +405,13 @@ impl LinearSolver for Iterative {
             self.count_bytes(end.iterations.min(options.restart), unknowns.len());
             timings.substitution += began.elapsed();
             equations.workers().pulse()?;
-            // Of a right side that is rounding, as a simplified increment may have, rounding allows
-            // no more: that increment is known well enough.
-            let stalled = end.iterations < self.limit && accuracy >= COARSE;
-            let solved = end.error <= accuracy || stalled && end.error <= ROUGH;
+            // Where rounding allows no more, of a right side that is rounding or beside multipliers
+            // that have no effect, that is enough for Newton's method to go on.
+            let enough = match equations.is_regularised() {
+                true => ROUGH_BESIDE_MULTIPLIERS,
+                false => ROUGH,
+            };
+            let solved = end.error <= accuracy || end.stagnated && end.error <= enough;
             let first = *self.first_products.get_or_insert(end.iterations);
             if solved {
                 let size = rhs.len();
@@ -404,7 +422,9 @@ impl LinearSolver for Iterative {
                 return Ok(rhs.iter().all(|x| x.is_finite()));
             }
             if !self.is_old {
-                self.candidates.remove(0);
+                let (failed, _) = self.candidates.remove(0);
+                let far = end.error > ROUGH;
+                self.fails_locally |= failed == Preconditioner::TimeLocal && far;
             }
             if self.candidates.is_empty() || !self.prepare(equations, timings)? {
                 return Ok(false);

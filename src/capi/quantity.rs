@@ -1,0 +1,341 @@
+//! Quantities as one noun: what is asked of a solution, as values, harmonics, extremes or columns.
+
+use super::call::Call;
+use super::guard::{guard, init};
+use super::joint::coordinate;
+use super::load::load_frame;
+use super::options::Options;
+use super::pointer::check_pointer;
+use super::solution::{
+    Samples, SeriesOut, beam_at, harmonics_of, in_frame, index, pdn_solution, reaction,
+};
+use super::status::pdn_status;
+use super::table::{add, pdn_table};
+use crate::elements::Coordinate;
+use crate::error::{Error, Result};
+use crate::output::{
+    BeamQuantity, Extremes, ForceQuantity, JointQuantity, NodeQuantity, Quantity, Selection,
+};
+use libc::c_char;
+
+/// Kind of quantity: position of a node; 3 components \[length\].
+pub const PDN_QUANTITY_POSITION: i32 = 100;
+/// Kind of quantity: rotation matrix of a node, column by column; 9 components.
+pub const PDN_QUANTITY_ROTATION: i32 = 101;
+/// Kind of quantity: unit quaternion (w, x, y, z) of a node, of continuous sign; 4 components.
+pub const PDN_QUANTITY_QUATERNION: i32 = 102;
+/// Kind of quantity: velocity and angular velocity of a node, in a frame; 6 components.
+pub const PDN_QUANTITY_VELOCITY: i32 = 103;
+/// Kind of quantity: acceleration and angular acceleration of a node, in a frame; 6 components.
+pub const PDN_QUANTITY_ACCELERATION: i32 = 104;
+/// Kind of quantity: a coordinate of a joint, angles followed through whole turns.
+pub const PDN_QUANTITY_COORDINATE: i32 = 200;
+/// Kind of quantity: rate of a coordinate of a joint.
+pub const PDN_QUANTITY_COORDINATE_RATE: i32 = 201;
+/// Kind of quantity: second derivative in time of a coordinate of a joint.
+pub const PDN_QUANTITY_COORDINATE_ACCELERATION: i32 = 202;
+/// Kind of quantity: force or torque that drives a prescribed coordinate of a joint.
+pub const PDN_QUANTITY_DRIVING_EFFORT: i32 = 203;
+/// Kind of quantity: force and moment of a joint on its second body, along axes; 6 components.
+pub const PDN_QUANTITY_REACTION: i32 = 204;
+/// Kind of quantity: strains and curvatures of a beam element; 6 components.
+pub const PDN_QUANTITY_STRAIN: i32 = 300;
+/// Kind of quantity: internal forces and moments of a beam element; 6 components.
+pub const PDN_QUANTITY_BEAM_FORCE: i32 = 301;
+/// Kind of quantity: the same, at a node between two elements the mean of those of both.
+pub const PDN_QUANTITY_BEAM_FORCE_MEAN: i32 = 302;
+/// Kind of quantity: at a node between two elements, internal forces of the one beyond it less
+/// those of the one before it; zero elsewhere; 6 components.
+pub const PDN_QUANTITY_BEAM_FORCE_JUMP: i32 = 303;
+/// Kind of quantity: effort of a force on its joint coordinate.
+pub const PDN_QUANTITY_EFFORT: i32 = 400;
+/// Kind of quantity: effort of a branch of a viscoelastic element.
+pub const PDN_QUANTITY_BRANCH_EFFORT: i32 = 401;
+/// Kind of quantity: elongation of the dashpot of a branch of a viscoelastic element.
+pub const PDN_QUANTITY_BRANCH_ELONGATION: i32 = 402;
+/// Kind of quantity: what a force exerts on one of its nodes, in a frame: force and moment; 6
+/// components.
+pub const PDN_QUANTITY_FORCE_ON_NODE: i32 = 403;
+
+/// All components of a quantity.
+pub const PDN_ALL_COMPONENTS: i32 = -1;
+
+/// What is asked of a solution: of a node, a joint, a beam or a force. Initialise with
+/// `PDN_INIT(pdn_quantity, &quantity)`; fields that its kind does not have stay as they are.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct pdn_quantity {
+    /// Set by the initialiser.
+    pub struct_size: usize,
+    /// PDN_QUANTITY_POSITION, ...; there is no default.
+    pub kind: i32,
+    /// Id of the node, joint, beam element or force that it is of.
+    pub object: i32,
+    /// The component, from 0, or PDN_ALL_COMPONENTS, the default. Of coordinates and driving
+    /// efforts, the coordinate: PDN_DISPLACEMENT, ..., PDN_ROTATION_3.
+    pub component: i32,
+    /// PDN_FRAME_SPACE, the default, or PDN_FRAME_MATERIAL; of reactions PDN_AXES_SPACE,
+    /// PDN_AXES_FIRST or PDN_AXES_SECOND.
+    pub frame: i32,
+    /// Of what a force exerts on one of its nodes, the node.
+    pub node: i32,
+    /// Of viscoelastic elements, the branch, from 0.
+    pub branch: i32,
+    /// Of beams, the place along the element, from -1 at its first to 1 at its last node.
+    pub station: f64,
+}
+
+// SAFETY: all fields are plain numbers, `struct_size` is the first, no padding.
+unsafe impl Options for pdn_quantity {
+    const SIZES: &'static [usize] = &[40];
+
+    fn defaults() -> Self {
+        pdn_quantity {
+            component: PDN_ALL_COMPONENTS,
+            ..Self::blank()
+        }
+    }
+}
+
+/// Prepares a struct that tells a quantity; use `PDN_INIT(pdn_quantity, &quantity)`.
+///
+/// @param quantity  the struct; not NULL
+/// @param struct_size  `sizeof *quantity`
+///
+/// Threads: any.
+/// @since 0.1
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn pdn_quantity_init(quantity: *mut pdn_quantity, struct_size: usize) {
+    init(quantity, struct_size, "quantity");
+}
+
+impl pdn_quantity {
+    /// What C means.
+    fn meant(&self) -> Result<Selection> {
+        let object = || index(self.object, "quantity.object");
+        let of_node = |quantity| Ok(Quantity::Node(object()?, quantity));
+        let in_frame = |space, material| of_node(in_frame(self.frame, space, material)?);
+        let of_joint = |quantity| Ok(Quantity::Joint(object()?, quantity));
+        let of_beam = |quantity| beam_at(self.object, self.station, quantity);
+        let of_force = |quantity| Ok(Quantity::Force(object()?, quantity));
+        let branch = || index(self.branch, "quantity.branch");
+        let quantity: Result<Quantity> = match self.kind {
+            PDN_QUANTITY_POSITION => of_node(NodeQuantity::Position),
+            PDN_QUANTITY_ROTATION => of_node(NodeQuantity::RotationMatrix),
+            PDN_QUANTITY_QUATERNION => of_node(NodeQuantity::Quaternion),
+            PDN_QUANTITY_VELOCITY => {
+                in_frame(NodeQuantity::Velocity, NodeQuantity::MaterialVelocity)
+            }
+            PDN_QUANTITY_ACCELERATION => in_frame(
+                NodeQuantity::Acceleration,
+                NodeQuantity::MaterialAcceleration,
+            ),
+            PDN_QUANTITY_REACTION => of_joint(reaction(self.frame, "quantity.frame")?),
+            PDN_QUANTITY_STRAIN => of_beam(BeamQuantity::Strain),
+            PDN_QUANTITY_BEAM_FORCE => of_beam(BeamQuantity::Force),
+            PDN_QUANTITY_BEAM_FORCE_MEAN => of_beam(BeamQuantity::MeanForce),
+            PDN_QUANTITY_BEAM_FORCE_JUMP => of_beam(BeamQuantity::ForceJump),
+            PDN_QUANTITY_EFFORT => of_force(ForceQuantity::Effort),
+            PDN_QUANTITY_BRANCH_EFFORT => of_force(ForceQuantity::BranchEffort(branch()?)),
+            PDN_QUANTITY_BRANCH_ELONGATION => of_force(ForceQuantity::BranchElongation(branch()?)),
+            PDN_QUANTITY_FORCE_ON_NODE => {
+                let node = index(self.node, "quantity.node")?;
+                of_force(ForceQuantity::OnNode(node, load_frame(self.frame)?))
+            }
+            // Their component is the coordinate.
+            _ => return Ok(of_joint(self.of_coordinate()?)?.into()),
+        };
+        let quantity = quantity?;
+        let component = match self.component {
+            PDN_ALL_COMPONENTS => None,
+            component => Some(index(component, "quantity.component")?),
+        };
+        if let Some(component) = component {
+            let checked = quantity.require_component(component);
+            checked.map_err(|e| e.within("quantity"))?;
+        }
+        Ok(Selection {
+            quantity,
+            component,
+        })
+    }
+
+    fn of_coordinate(&self) -> Result<JointQuantity> {
+        let kind: fn(Coordinate) -> JointQuantity = match self.kind {
+            PDN_QUANTITY_COORDINATE => JointQuantity::Coordinate,
+            PDN_QUANTITY_COORDINATE_RATE => JointQuantity::Rate,
+            PDN_QUANTITY_COORDINATE_ACCELERATION => JointQuantity::Acceleration,
+            PDN_QUANTITY_DRIVING_EFFORT => JointQuantity::DrivingEffort,
+            kind => {
+                let expected = "PDN_QUANTITY_POSITION, ...";
+                return Err(Error::value("quantity.kind", expected, kind));
+            }
+        };
+        Ok(kind(coordinate(self.component, "quantity.component")?))
+    }
+}
+
+/// Reads what is asked for, which has no default.
+pub(super) fn selection(call: &Call, quantity: *const pdn_quantity) -> Result<Selection> {
+    check_pointer(quantity, 1, "quantity")?;
+    call.options(quantity, "quantity")?.meant()
+}
+
+/// Number of components that are asked for: of values at a time, of means and of harmonics.
+///
+/// @param quantity  initialised by PDN_INIT; not NULL
+/// @return the number; negative, as a ::pdn_status (PDN_ERR_NULL, PDN_ERR_STRUCT_SIZE, PDN_ERR_ID,
+///     PDN_ERR_VALUE), if there is no such quantity
+///
+/// Threads: any.
+/// @since 0.1
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn pdn_quantity_components(quantity: *const pdn_quantity) -> i32 {
+    let mut count = 0;
+    let status = guard(|call| {
+        // No more than 9.
+        count = selection(call, quantity)?.components() as i32;
+        Ok(())
+    });
+    if status < 0 { status } else { count }
+}
+
+/// A quantity of a solution at any times.
+///
+/// Motions of nodes are interpolated over the whole period by dual polar decomposition, all else
+/// from its values at the grid points.
+///
+/// @param solution  the solution; not NULL
+/// @param quantity  what is asked for, C components; initialised by PDN_INIT; not NULL
+/// @param times  array of length [count]: times, also outside the first period
+/// @param count  number of times
+/// @param out  array of shape C x [count], components of each time together
+/// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_STRUCT_SIZE, PDN_ERR_NOT_FINITE, PDN_ERR_ID,
+///     PDN_ERR_VALUE, PDN_ERR_NOT_AVAILABLE, PDN_ERR_GRID_TOO_COARSE, PDN_ERR_OVERFLOW
+///
+/// Threads: like `const`.
+/// @since 0.1
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn pdn_solution_sample_quantity(
+    solution: *const pdn_solution,
+    quantity: *const pdn_quantity,
+    times: *const f64,
+    count: usize,
+    out: *mut f64,
+) -> pdn_status {
+    let to = Samples::new(solution, times, count, out);
+    to.take(|call| selection(call, quantity))
+}
+
+/// Fourier coefficients of a quantity: mean + rate t + sum of cosines[j] cos jwt + sines[j] sin
+/// jwt.
+///
+/// Those of the trigonometric polynomial through the values at the grid points.
+///
+/// @param solution  the solution; not NULL
+/// @param quantity  what is asked for, C components; initialised by PDN_INIT; not NULL
+/// @param harmonics  number of harmonics wanted; those above (N - 1) / 2 are zero
+/// @param mean  array of length C; may be NULL
+/// @param rate  array of length C: growth per unit of time, of what gains turns; may be NULL
+/// @param cosines  array of shape C x [harmonics], components of each harmonic together; may be
+///     NULL
+/// @param sines  as cosines; may be NULL
+/// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_STRUCT_SIZE, PDN_ERR_SIZE, PDN_ERR_NOT_FINITE, PDN_ERR_ID,
+///     PDN_ERR_VALUE, PDN_ERR_NOT_AVAILABLE (of a trajectory; the quaternion of a node that makes
+///     an odd number of turns), PDN_ERR_OVERFLOW
+///
+/// Threads: like `const`.
+/// @since 0.1
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn pdn_solution_quantity_harmonics(
+    solution: *const pdn_solution,
+    quantity: *const pdn_quantity,
+    harmonics: usize,
+    mean: *mut f64,
+    rate: *mut f64,
+    cosines: *mut f64,
+    sines: *mut f64,
+) -> pdn_status {
+    let to = SeriesOut::new(harmonics, mean, rate, [cosines, sines]);
+    harmonics_of(solution, &to, |call| selection(call, quantity))
+}
+
+/// Smallest and largest values of a quantity, and their times.
+///
+/// Over the period, of the trigonometric polynomial through the values at the grid points; of a
+/// trajectory, among its times.
+///
+/// @param solution  the solution; not NULL
+/// @param quantity  what is asked for, C components; initialised by PDN_INIT; not NULL
+/// @param smallest  array of length C; may be NULL
+/// @param time_of_smallest  array of length C; may be NULL
+/// @param largest  array of length C; may be NULL
+/// @param time_of_largest  array of length C; may be NULL
+/// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_STRUCT_SIZE, PDN_ERR_NOT_FINITE, PDN_ERR_ID,
+///     PDN_ERR_VALUE, PDN_ERR_NOT_AVAILABLE, PDN_ERR_OVERFLOW
+///
+/// Threads: like `const`.
+/// @since 0.1
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn pdn_solution_quantity_extremes(
+    solution: *const pdn_solution,
+    quantity: *const pdn_quantity,
+    smallest: *mut f64,
+    time_of_smallest: *mut f64,
+    largest: *mut f64,
+    time_of_largest: *mut f64,
+) -> pdn_status {
+    guard(|call| {
+        let solution = call.shared(solution, "solution")?;
+        let quantity = selection(call, quantity)?;
+        let count = quantity.components();
+        type Value = fn(&Extremes) -> f64;
+        let columns: [(_, Value); 4] = [
+            (call.out_slice_optional(smallest, count, "smallest")?, |e| {
+                e.smallest
+            }),
+            (
+                call.out_slice_optional(time_of_smallest, count, "time_of_smallest")?,
+                |e| e.time_of_smallest,
+            ),
+            (call.out_slice_optional(largest, count, "largest")?, |e| {
+                e.largest
+            }),
+            (
+                call.out_slice_optional(time_of_largest, count, "time_of_largest")?,
+                |e| e.time_of_largest,
+            ),
+        ];
+        let found = solution.extremes(quantity)?;
+        for (out, value) in columns {
+            if let Some(out) = out {
+                out.set(&found.iter().map(value).collect::<Vec<f64>>());
+            }
+        }
+        Ok(())
+    })
+}
+
+/// Adds the columns of a quantity of a solution, named by the label and the component; or that of
+/// one component, named by the label alone.
+///
+/// @param table  the table; not NULL
+/// @param solution  the solution; not NULL
+/// @param quantity  what is asked for; one column for each component; initialised by PDN_INIT; not
+///     NULL
+/// @param label  columns are called `label.x` and so on; NULL for a name such as `node3.position`
+/// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_STRUCT_SIZE, PDN_ERR_NOT_FINITE, PDN_ERR_ID,
+///     PDN_ERR_VALUE (also of a name that a column has already), PDN_ERR_NOT_AVAILABLE,
+///     PDN_ERR_GRID_TOO_COARSE, PDN_ERR_OVERFLOW
+///
+/// Threads: exclusive use of `table`; like `const` of `solution`.
+/// @since 0.1
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn pdn_table_add_quantity(
+    table: *mut pdn_table,
+    solution: *const pdn_solution,
+    quantity: *const pdn_quantity,
+    label: *const c_char,
+) -> pdn_status {
+    add(table, solution, label, |call| selection(call, quantity))
+}

@@ -1,0 +1,58 @@
+//! What quantities are of the order of.
+
+use super::{BeamQuantity, ForceQuantity, JointQuantity, NodeQuantity, Quantity};
+use crate::elements::{Coordinate, Measure};
+use crate::system::{ElementRole, System};
+use std::f64::consts::TAU;
+
+impl Quantity {
+    /// What counts as 1 in a component: a product of powers of the characteristic length and force,
+    /// and of the time of a radian.
+    pub fn scale(self, component: usize, system: &System) -> f64 {
+        let scales = system.scales();
+        let (length, force, time) = (scales.length, scales.force, system.period() / TAU);
+        let motion = |measure: Measure| match measure {
+            Measure::Length => length,
+            Measure::Angle => 1.0,
+        };
+        let effort = |measure: Measure| force * length / motion(measure);
+        // Of vectors with a linear and an angular half.
+        let half = match component < 3 {
+            true => Measure::Length,
+            false => Measure::Angle,
+        };
+        let of = |coordinate: Coordinate| motion(coordinate.measure());
+        match self {
+            Quantity::Node(_, quantity) => match quantity {
+                NodeQuantity::Position => length,
+                NodeQuantity::RotationMatrix | NodeQuantity::Quaternion => 1.0,
+                NodeQuantity::Velocity | NodeQuantity::MaterialVelocity => motion(half) / time,
+                NodeQuantity::Acceleration | NodeQuantity::MaterialAcceleration => {
+                    motion(half) / (time * time)
+                }
+            },
+            Quantity::Joint(_, quantity) => match quantity {
+                JointQuantity::Coordinate(c) => of(c),
+                JointQuantity::Rate(c) => of(c) / time,
+                JointQuantity::Acceleration(c) => of(c) / (time * time),
+                JointQuantity::DrivingEffort(c) => effort(c.measure()),
+                JointQuantity::Reaction(_) => effort(half),
+            },
+            Quantity::Beam { quantity, .. } => match quantity {
+                BeamQuantity::Strain => motion(half) / length,
+                _ => effort(half),
+            },
+            Quantity::Force(number, quantity) => {
+                let role = ElementRole::Force(number);
+                let placed = system.elements().iter().find(|placed| placed.role == role);
+                let measure = placed.and_then(|placed| placed.element.acted_measure());
+                let measure = measure.unwrap_or(Measure::Length);
+                match quantity {
+                    ForceQuantity::Effort | ForceQuantity::BranchEffort(_) => effort(measure),
+                    ForceQuantity::BranchElongation(_) => motion(measure),
+                    ForceQuantity::OnNode(..) => effort(half),
+                }
+            }
+        }
+    }
+}
