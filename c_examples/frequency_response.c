@@ -59,7 +59,8 @@ int main(int argc, char **argv)
     options.periodic = &periodic;
     /* Motions of some millimetres count as much as the range of frequencies. */
     options.motion_scale = 0.01;
-    TRY(pdn_solve_frequency_response(model, 0.9 * first_mode, 1.25 * first_mode, &options, &branch));
+    TRY(pdn_solve_frequency_response(model, 0.9 * first_mode, 1.25 * first_mode, &options,
+                                     &branch));
     char report[2048];
     pdn_branch_report(branch, report, sizeof report);
     printf("%s", report);

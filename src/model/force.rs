@@ -50,7 +50,7 @@ pub enum ForceDefinition {
         at: JointCoordinate,
         /// The law.
         law: UserFunction<CoordinateLaw>,
-        /// How often the phase that it is told repeats itself in a period; 0 if it is told the time.
+        /// Cycles of the phase that it is told in a period; 0 if it is told the time.
         #[serde(default)]
         cycles: usize,
     },
@@ -80,7 +80,7 @@ pub enum ForceDefinition {
         nodes: Vec<usize>,
         /// The law.
         law: UserFunction<NodeForceLaw>,
-        /// How often the phase that it is told repeats itself in a period; 0 if it is told the time.
+        /// Cycles of the phase that it is told in a period; 0 if it is told the time.
         #[serde(default)]
         cycles: usize,
     },
