@@ -13,7 +13,7 @@ use nalgebra::{Complex, DMatrix, Vector6};
 pub(super) const FIRST: usize = 24;
 const MORE: usize = 6;
 /// Part of the period after which disturbances that have died away are left out: one in so many.
-const PART: usize = 4;
+const PART: usize = 2;
 /// Steps that make any disturbance obey the constraints.
 const CLEANING: usize = 4;
 /// What is left of a disturbance that has died away in that part, and of one that never was.
