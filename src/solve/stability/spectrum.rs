@@ -22,8 +22,8 @@ const CLEANING: usize = 4;
 const DEAD: f64 = 1e-10;
 const NOTHING: f64 = 1e-13;
 /// Errors of multipliers fall by more than this from one number of steps to twice as many, where
-/// these resolve them: by 2¹⁷ in the end.
-const GAIN: f64 = 1000.0;
+/// these begin to resolve them: by 4 to 20 where blades swing far, though by 2¹⁷ in the end.
+const GAIN: f64 = 10.0;
 /// Most memory for the shapes of modes, in bytes.
 const MOST_MEMORY: usize = 1 << 32;
 /// Relative difference of multipliers that the steps resolve from those by half as many.
