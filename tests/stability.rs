@@ -154,7 +154,7 @@ fn a_double_pendulum_has_a_close_pair() {
     let stability = analyse(solve(&model, TAU / 5.0, 41).details());
     let mut expected = pair(-0.001179792816, 0.718076889344).to_vec();
     expected.extend(pair(-0.971344211321, 0.013370958555));
-    assert_multipliers(&stability, &expected, 1e-11);
+    assert_multipliers(&stability, &expected, 2e-11);
     assert_eq!(stability.verdict, Verdict::Stable);
 }
 
@@ -443,7 +443,7 @@ fn assert_methods_agree(solution: &Solution) -> Stability {
         let others = below(others, 1.2 * limit.min(1e9));
         for value in below(some, 0.9 * limit.min(1.1 * least)) {
             // What dies within the period is far from all shifts.
-            if value.norm() < 1e-2 {
+            if value.norm() < 0.05 {
                 continue;
             }
             let distances = others.iter().map(|other| (other - value).norm());
@@ -460,7 +460,7 @@ fn assert_methods_agree(solution: &Solution) -> Stability {
 #[test]
 fn a_forced_cantilever_is_the_same_by_both_methods_and_shooting() {
     let (model, period) = models::beams::forced_cantilever(1, 3);
-    let stability = assert_methods_agree(&solve(&model, period, 41));
+    let stability = assert_methods_agree(&solve(&model, period, 31));
     assert_eq!(stability.verdict, Verdict::Stable);
     assert_largest_of_shooting(&stability, &model, period);
 }
@@ -477,7 +477,7 @@ fn a_rotor_blade_is_the_same_by_both_methods_and_shooting() {
 fn a_slider_crank_with_a_flexible_rod_is_the_same_by_both_methods_and_shooting() {
     let period = TAU / 120.0;
     let model = models::beams::slider_crank(1, 2, period);
-    let stability = assert_methods_agree(&solve(&model, period, 41));
+    let stability = assert_methods_agree(&solve(&model, period, 31));
     assert_largest_of_shooting(&stability, &model, period);
 }
 
@@ -508,7 +508,7 @@ fn assert_largest_of_shooting(stability: &Stability, model: &Model, period: f64)
 #[test]
 fn rigid_mechanisms_are_the_same_by_both_methods() {
     let (model, period) = (double_pendulum().0, DOUBLE_PENDULUM_PERIOD);
-    let solution = solve(&model, period, 61);
+    let solution = solve(&model, period, 41);
     let by_map = analyse_to(1e-10, StabilityMethod::PeriodMap, solution.details());
     let on_grid = analyse_to(1e-8, StabilityMethod::Grid, solution.details());
     // Half of them die within the period, far from all shifts.
@@ -521,7 +521,7 @@ fn rigid_mechanisms_are_the_same_by_both_methods() {
         (Verdict::Stable, Verdict::NotKnown)
     );
     for (a, b) in by_map.multipliers.iter().zip(&on_grid.multipliers) {
-        assert!((a.value - b.value).norm() < 1e-10);
+        assert!((a.value - b.value).norm() < 1e-9);
     }
 }
 

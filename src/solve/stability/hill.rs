@@ -11,11 +11,11 @@ use crate::workers::Workers;
 use std::f64::consts::TAU;
 
 /// Eigenvalues wanted about each shift, at first and at most.
-const FIRST: usize = 12;
+const FIRST: usize = 24;
 const MOST: usize = 2000;
 /// Distance from each shift, in frequencies of the period, up to which all eigenvalues are to be
 /// found.
-const REACH: f64 = 1.0;
+const REACH: f64 = 0.75;
 /// Shifts are as far apart as one of so many of the harmonics of the grid.
 const APART: usize = 2;
 /// The highest harmonics, one of so many, by which it is judged how well a mode is resolved.

@@ -1,6 +1,7 @@
 //! Multipliers and modes of the period map, for one number of steps.
 
 use crate::error::{Error, ErrorKind, Result};
+use crate::motion::DualVector;
 use crate::solve::linear::eigenvalues::eigenvectors;
 use crate::solve::modes::krylov::Random;
 use crate::solve::result::Solved;
@@ -8,20 +9,21 @@ use crate::solve::stability::period_map::PeriodMap;
 use faer::linalg::solvers::{PartialPivLu, Solve};
 use faer::{Mat, c64};
 use nalgebra::{Complex, DMatrix, Vector6};
+use std::f64::consts::TAU;
 
 /// Disturbances tried at first, and more than were found with fewer steps.
 pub(super) const FIRST: usize = 24;
 const MORE: usize = 6;
 /// Part of the period after which disturbances that have died away are left out: one in so many.
-const PART: usize = 4;
+const PART: usize = 2;
 /// Steps that make any disturbance obey the constraints.
 const CLEANING: usize = 4;
 /// What is left of a disturbance that has died away in that part, and of one that never was.
 const DEAD: f64 = 1e-10;
 const NOTHING: f64 = 1e-13;
 /// Errors of multipliers fall by more than this from one number of steps to twice as many, where
-/// these resolve them: by 2¹⁷ in the end.
-const GAIN: f64 = 1000.0;
+/// these begin to resolve them: by 4 to 20 where blades swing far, though by 2¹⁷ in the end.
+const GAIN: f64 = 10.0;
 /// Most memory for the shapes of modes, in bytes.
 const MOST_MEMORY: usize = 1 << 32;
 /// Relative difference of multipliers that the steps resolve from those by half as many.
@@ -67,8 +69,9 @@ pub(super) fn spectrum(
     let (size, count, steps) = (basis.nrows(), basis.ncols(), map.steps());
     let mut columns: Vec<Vec<f64>> = (0..count).map(|j| basis.col_as_slice(j).to_vec()).collect();
     let mut samples = Vec::with_capacity(steps);
+    let mut rates = Vec::with_capacity(steps);
     let nodes = solve.system.nodes();
-    if 6 * nodes * count * steps * size_of::<f64>() > MOST_MEMORY {
+    if 12 * nodes * count * steps * size_of::<f64>() > MOST_MEMORY {
         let message = format!(
             "stability: no memory for {count} modes of {nodes} nodes at {steps} times; a lower \
              highest_frequency takes less"
@@ -76,11 +79,18 @@ pub(super) fn spectrum(
         return Err(Error::new(ErrorKind::OutOfMemory, message));
     }
     let regular = map.sweep(0..steps, &mut columns, |_, columns| {
-        let increments = |column: &Vec<f64>| -> Vec<f64> {
-            let of_nodes = column[..12 * nodes].chunks_exact(12);
-            of_nodes.flat_map(|node| &node[..6]).copied().collect()
+        let part = |of: usize| -> Vec<Vec<f64>> {
+            let entries = |column: &Vec<f64>| -> Vec<f64> {
+                let of_nodes = column[..12 * nodes].chunks_exact(12);
+                of_nodes
+                    .flat_map(|node| &node[of..of + 6])
+                    .copied()
+                    .collect()
+            };
+            columns.iter().map(entries).collect()
         };
-        samples.push(columns.iter().map(increments).collect());
+        samples.push(part(0));
+        rates.push(part(6));
     })?;
     if !regular {
         return Ok(None);
@@ -99,7 +109,10 @@ pub(super) fn spectrum(
         ..Spectrum::default()
     };
     found.values = values;
-    found.frequencies = (0..count).map(|j| found.frequency(j, solve)).collect();
+    found.make_rates(map, solve, &mut rates);
+    found.frequencies = (0..count)
+        .map(|j| found.frequency(j, &rates, solve))
+        .collect();
     found.shifts = vec![false; count];
     let is_near_one = |value: &Complex<f64>| (value - 1.0).norm() < NEAR_ONE;
     if found.values.iter().any(is_near_one) {
@@ -182,7 +195,11 @@ impl Spectrum {
 
     /// The disturbance of mode `j` at the end of a step, scaled.
     fn disturbance(&self, j: usize, step: usize) -> Vec<Complex<f64>> {
-        let columns = &self.samples[step];
+        self.combined(j, &self.samples[step])
+    }
+
+    /// What mode `j` is of the disturbances that were followed.
+    fn combined(&self, j: usize, columns: &[Vec<f64>]) -> Vec<Complex<f64>> {
         let mut sum = vec![Complex::default(); columns.first().map_or(0, Vec::len)];
         for (column, part) in columns.iter().zip(&self.vectors[j]) {
             sum.iter_mut()
@@ -222,33 +239,54 @@ impl Spectrum {
         shape
     }
 
-    /// By how much mode `j` turns from one step to the next, in the mean over the period.
-    fn frequency(&self, j: usize, solve: &Solved) -> f64 {
+    /// Makes rates of increments, `Δu̇ = Δv − ṽ Δu`, of changes of velocities in the unit of time
+    /// of the period.
+    fn make_rates(&self, map: &PeriodMap, solve: &Solved, rates: &mut [Vec<Vec<f64>>]) {
+        let (length, unit) = (solve.system.scales().length, TAU / solve.grid.period());
+        let units = [length, length, length, 1.0, 1.0, 1.0];
+        for (step, (rates, samples)) in rates.iter_mut().zip(&self.samples).enumerate() {
+            for (rates, samples) in rates.iter_mut().zip(samples) {
+                let nodes = rates.chunks_exact_mut(6).zip(samples.chunks_exact(6));
+                for (node, (rate, u)) in nodes.enumerate() {
+                    let u = Vector6::from_fn(|i, _| u[i] * units[i]);
+                    let skew = DualVector::from_twist(&map.end(step, node).twist).skew();
+                    let carried = (skew * DualVector::from_twist(&u)).to_twist();
+                    for i in 0..6 {
+                        rate[i] = rate[i] * unit - carried[i] / units[i];
+                    }
+                }
+            }
+        }
+    }
+
+    /// Size of the rates of mode `j` relative to its own, without its growth, in the mean over the
+    /// period.
+    fn frequency(&self, j: usize, rates: &[Vec<Vec<f64>>], solve: &Solved) -> f64 {
         let steps = self.samples.len();
-        let length = solve.grid.period() / steps as f64;
-        let decay = self.values[j].norm().powf(1.0 / steps as f64);
-        if !(decay > 0.0 && decay.is_finite()) {
+        let size = self.values[j].norm();
+        let decay = size.powf(1.0 / steps as f64);
+        let growth_rate = size.ln() / solve.grid.period();
+        if !(decay > 0.0 && growth_rate.is_finite()) {
             return 0.0;
         }
-        // Of disturbances without growth.
-        let mut before = self.disturbance(j, steps - 1);
-        before.iter_mut().for_each(|x| *x /= self.values[j]);
-        let (mut product, mut square) = (Complex::<f64>::default(), 0.0);
+        let (mut turning, mut square, mut of_rates) = (0.0, 0.0, 0.0);
         let mut growth = 1.0;
-        for step in 0..steps {
+        for (step, rates) in rates.iter().enumerate() {
             growth *= decay;
-            let mut now = self.disturbance(j, step);
-            now.iter_mut().for_each(|x| *x /= growth);
-            let pairs = before.iter().zip(&now);
-            product += pairs.map(|(a, b)| a.conj() * b).sum::<Complex<f64>>();
-            square += now.iter().map(|x| x.norm_sqr()).sum::<f64>();
-            before = now;
+            let now = self.combined(j, &self.samples[step]);
+            for (u, rate) in now.iter().zip(self.combined(j, rates)) {
+                let (u, rate) = (u / growth, (rate - u * growth_rate) / growth);
+                turning += (u.conj() * rate).im;
+                square += u.norm_sqr();
+                of_rates += rate.norm_sqr();
+            }
         }
-        if square.is_nan() || square <= 0.0 {
-            return 0.0;
+        let frequency = (of_rates / square).sqrt().copysign(turning);
+        if frequency.is_finite() {
+            frequency
+        } else {
+            0.0
         }
-        let angle = (product.re / square).clamp(-1.0, 1.0).acos();
-        angle.copysign(product.im) / length
     }
 
     /// The multipliers with their frequencies.
