@@ -2419,7 +2419,7 @@ module periodyn
     use, intrinsic :: iso_fortran_env, only: error_unit
     implicit none
     public
-    private :: report, refuse, fits, components, of_quantity, count_of, joined, text_at, c_text, error_unit
+    private :: report, refuse, fits, components, of_quantity, count_of, joined, text_at, c_text, choose, error_unit
 
     ! In every procedure: without stat, a failure ends the program with the message. With it, stat is 0 or the
     ! negative status (PDN_ERR_VALUE, ...), and errmsg, blank-padded, tells which argument was wrong, what was
@@ -2474,6 +2474,7 @@ module periodyn
         procedure, public :: march => solution_march
         procedure, public :: floquet => solution_floquet
         procedure, public :: solve_stability => solution_solve_stability
+        procedure, public :: parameter => solution_parameter
         procedure, public :: history => solution_history
         procedure, public :: decay => solution_decay
         procedure, public :: filtered => solution_filtered
@@ -2557,7 +2558,16 @@ module periodyn
         procedure, public :: add_coordinate_law => model_add_coordinate_law
         procedure, public :: add_user_force => model_add_user_force
         procedure, public :: check_tangents => model_check_tangents
+        procedure, public :: add_parameter => model_add_parameter
+        procedure, public :: set_parameter => model_set_parameter
+        procedure, public :: move_number => model_move_number
+        procedure, public :: move_signal => model_move_signal
+        procedure, public :: set_mass_damping => model_set_mass_damping
+        procedure, public :: declare_of_phase => model_declare_of_phase
         procedure, public :: solve_periodic => model_solve_periodic
+        procedure, public :: solve_conditioned => model_solve_conditioned
+        procedure, public :: follow_branch => model_follow_branch
+        procedure, public :: solve_frequency_response => model_solve_frequency_response
         procedure, public :: solve_static => model_solve_static
         procedure, public :: march => model_march
         procedure, public :: solve_shooting => model_solve_shooting
@@ -2589,6 +2599,27 @@ module periodyn
         procedure, public :: shape => stability_shape
     end type pdn_stability
 
+    ! Free parameters, and as many conditions that determine them.
+    type, extends(pdn_handle) :: pdn_conditions
+    contains
+        procedure, public :: new => conditions_new
+        procedure, public :: release => conditions_release
+        procedure, public :: add_phase => conditions_add_phase
+        procedure, public :: add_joint_coordinate => conditions_add_joint_coordinate
+        procedure, public :: add_energy => conditions_add_energy
+    end type pdn_conditions
+
+    ! Periodic motions along a parameter; points are counted from 0.
+    type, extends(pdn_handle) :: pdn_branch
+    contains
+        procedure, public :: end => branch_end
+        procedure, public :: report => branch_report
+        procedure, public :: count => branch_count
+        procedure, public :: get => branch_get
+        procedure, public :: solution => branch_solution
+        procedure, public :: write_csv => branch_write_csv
+    end type pdn_branch
+
     ! Quantities of solutions at many times, to be written as CSV. Without labels columns have names of their own.
     type, extends(pdn_handle) :: pdn_table
     contains
@@ -2605,7 +2636,7 @@ module periodyn
     ! Sets the defaults of options.
     interface pdn_init
         procedure init_section, init_periodic_options, init_static_options, init_modes_options, &
-            init_march_options, init_shooting_options, init_stability_options
+            init_march_options, init_shooting_options, init_stability_options, init_branch_options
     end interface pdn_init
 
     ! These have texts and arrays in place of those of periodyn_c, which are c_version and so on here.
@@ -2884,6 +2915,12 @@ contains
         call pdn_stability_options_init(options, c_sizeof(options))
     end subroutine init_stability_options
 
+    subroutine init_branch_options(options)
+        type(pdn_branch_options), intent(out) :: options
+
+        call pdn_branch_options_init(options, c_sizeof(options))
+    end subroutine init_branch_options
+
     ! A section without couplings: six stiffnesses; mass and three moments of inertia for each unit of length.
     ! damping_time gives it damping = damping_time * stiffness, damping_times each component a time of its own.
     function pdn_diagonal_section(stiffness, mass, damping_time, stat, errmsg, damping_times) result(section)
@@ -2986,21 +3023,29 @@ contains
         call report(pdn_signal_set_samples(raw, rate, samples, size(samples, kind=c_size_t)), stat, errmsg)
     end function pdn_samples
 
-    ! A function of the caller. What user_data points to must be there as long as models and solutions that
-    ! were given the signal.
-    function pdn_function(function, user_data, stat, errmsg) result(signal)
+    ! A function of the caller, of time or, of_phase, of the part of the period that has passed. What user_data
+    ! points to must be there as long as models and solutions that were given the signal.
+    function pdn_function(function, user_data, stat, errmsg, of_phase) result(signal)
         procedure(pdn_signal_fn) :: function
         type(c_ptr), intent(in), optional :: user_data
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
+        logical, intent(in), optional :: of_phase
         type(pdn_signal) :: signal
         type(c_signal) :: raw
 
         signal%kind = PDN_SIGNAL_FUNCTION
+        if (present(of_phase)) then
+            if (of_phase) signal%kind = PDN_SIGNAL_FUNCTION_OF_PHASE
+        end if
         signal%function = c_funloc(function)
         if (present(user_data)) signal%user_data = user_data
         call pdn_signal_init(raw, c_sizeof(raw))
-        call report(pdn_signal_set_function(raw, signal%function, signal%user_data), stat, errmsg)
+        if (signal%kind == PDN_SIGNAL_FUNCTION) then
+            call report(pdn_signal_set_function(raw, signal%function, signal%user_data), stat, errmsg)
+        else
+            call report(pdn_signal_set_function_of_phase(raw, signal%function, signal%user_data), stat, errmsg)
+        end if
     end function pdn_function
 
     ! The signal as the library takes it, while self is there. Its functions have checked all of it before.
@@ -3022,7 +3067,7 @@ contains
         case (PDN_SIGNAL_SAMPLES)
             raw%sample_count = size(self%cosines)
             if (raw%sample_count > 0) raw%samples = c_loc(self%cosines)
-        case (PDN_SIGNAL_FUNCTION)
+        case (PDN_SIGNAL_FUNCTION, PDN_SIGNAL_FUNCTION_OF_PHASE)
             raw%function = self%function
             raw%user_data = self%user_data
         end select
@@ -4460,6 +4505,310 @@ contains
         call report(pdn_stability_shape(self%c, number, node, size(real, 2, kind=c_size_t), real, imaginary), &
             stat, errmsg)
     end subroutine stability_shape
+
+    ! Parameters, conditions, branches ------------------------------------------------------------------------
+
+    ! A named number that is to move parts of the model; scale is what counts as 1 in it.
+    subroutine model_add_parameter(self, name, value, scale, parameter, stat, errmsg)
+        class(pdn_model), intent(inout) :: self
+        character(*), intent(in) :: name
+        real(c_double), intent(in) :: value, scale
+        integer(c_int32_t), intent(inout) :: parameter
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+
+        call report(pdn_model_add_parameter(self%c, c_text(name), value, scale, parameter), stat, errmsg)
+    end subroutine model_add_parameter
+
+    ! Gives a parameter, and what it moves, another value.
+    subroutine model_set_parameter(self, parameter, value, stat, errmsg)
+        class(pdn_model), intent(inout) :: self
+        integer(c_int32_t), intent(in) :: parameter
+        real(c_double), intent(in) :: value
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+
+        call report(pdn_model_set_parameter(self%c, parameter, value), stat, errmsg)
+    end subroutine model_set_parameter
+
+    ! Lets a parameter move a number, PDN_NUMBER_..., of the force, body or beam element index.
+    subroutine model_move_number(self, parameter, number, index, power, factor, stat, errmsg)
+        class(pdn_model), intent(inout) :: self
+        integer(c_int32_t), intent(in) :: parameter, number, index, power
+        real(c_double), intent(in) :: factor
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+
+        call report(pdn_model_move_number(self%c, parameter, number, index, power, factor), stat, errmsg)
+    end subroutine model_move_number
+
+    ! Lets a parameter move a part, PDN_PART_..., of the signal of what has this index, PDN_SIGNAL_OF_....
+    subroutine model_move_signal(self, parameter, place, index, component, part, factor, stat, errmsg)
+        class(pdn_model), intent(inout) :: self
+        integer(c_int32_t), intent(in) :: parameter, place, index, component, part
+        real(c_double), intent(in) :: factor
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+
+        call report(pdn_model_move_signal(self%c, parameter, place, index, component, part, factor), stat, errmsg)
+    end subroutine model_move_signal
+
+    ! Damping in proportion to mass.
+    subroutine model_set_mass_damping(self, factor, stat, errmsg)
+        class(pdn_model), intent(inout) :: self
+        real(c_double), intent(in) :: factor
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+
+        call report(pdn_model_set_mass_damping(self%c, factor), stat, errmsg)
+    end subroutine model_set_mass_damping
+
+    ! Declares the function of a force one of the phase, which it is then told.
+    subroutine model_declare_of_phase(self, force, stat, errmsg)
+        class(pdn_model), intent(inout) :: self
+        integer(c_int32_t), intent(in) :: force
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+
+        call report(pdn_model_declare_of_phase(self%c, force), stat, errmsg)
+    end subroutine model_declare_of_phase
+
+    ! The value of a parameter, or of the frequency, that a solution was found for.
+    subroutine solution_parameter(self, parameter, value, stat, errmsg)
+        class(pdn_solution), intent(in) :: self
+        integer(c_int32_t), intent(in) :: parameter
+        real(c_double), intent(inout) :: value
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+
+        call report(pdn_solution_parameter(self%c, parameter, value), stat, errmsg)
+    end subroutine solution_parameter
+
+    ! No conditions, in place of what was held.
+    subroutine conditions_new(self, stat, errmsg)
+        class(pdn_conditions), intent(inout) :: self
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        type(c_ptr) :: c
+        integer(c_int32_t) :: status
+
+        status = pdn_conditions_new(c)
+        if (status == PDN_OK) call self%adopt(c, pdn_conditions_free)
+        call report(status, stat, errmsg)
+    end subroutine conditions_new
+
+    ! Makes a parameter, or PDN_FREQUENCY, free.
+    subroutine conditions_release(self, parameter, stat, errmsg)
+        class(pdn_conditions), intent(inout) :: self
+        integer(c_int32_t), intent(in) :: parameter
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+
+        call report(pdn_conditions_release(self%c, parameter), stat, errmsg)
+    end subroutine conditions_release
+
+    ! The phase is that of the start.
+    subroutine conditions_add_phase(self, stat, errmsg)
+        class(pdn_conditions), intent(inout) :: self
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+
+        call report(pdn_conditions_add_phase(self%c), stat, errmsg)
+    end subroutine conditions_add_phase
+
+    ! A joint coordinate has this value at the start of the period.
+    subroutine conditions_add_joint_coordinate(self, joint, coordinate, value, stat, errmsg)
+        class(pdn_conditions), intent(inout) :: self
+        integer(c_int32_t), intent(in) :: joint, coordinate
+        real(c_double), intent(in) :: value
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+
+        call report(pdn_conditions_add_joint_coordinate(self%c, joint, coordinate, value), stat, errmsg)
+    end subroutine conditions_add_joint_coordinate
+
+    ! The mean energy has this value.
+    subroutine conditions_add_energy(self, energy, stat, errmsg)
+        class(pdn_conditions), intent(inout) :: self
+        real(c_double), intent(in) :: energy
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+
+        call report(pdn_conditions_add_energy(self%c, energy), stat, errmsg)
+    end subroutine conditions_add_energy
+
+    ! Finds a periodic response that meets conditions, and as many free parameters.
+    subroutine model_solve_conditioned(self, period, conditions, solution, options, initial, stat, errmsg)
+        class(pdn_model), intent(in) :: self
+        real(c_double), intent(in) :: period
+        type(pdn_conditions), intent(in) :: conditions
+        type(pdn_solution), intent(inout) :: solution
+        type(pdn_periodic_options), intent(in), optional :: options
+        type(pdn_solution), intent(in), optional :: initial
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        type(pdn_periodic_options) :: chosen
+        type(c_ptr) :: c
+        integer(c_int32_t) :: status
+
+        call pdn_init(chosen)
+        if (present(options)) chosen = options
+        if (present(initial)) chosen%initial = initial%c
+        status = pdn_solve_conditioned(self%c, period, conditions%c, chosen, c)
+        if (status == PDN_OK) call solution%adopt(c, pdn_solution_free)
+        call report(status, stat, errmsg)
+    end subroutine model_solve_conditioned
+
+    ! Follows periodic motions along a parameter, or PDN_FREQUENCY, through folds. Options of the solves, an initial
+    ! solution and conditions take the place of the pointers of the options.
+    subroutine model_follow_branch(self, period, parameter, branch, options, periodic, initial, conditions, &
+        stat, errmsg)
+        class(pdn_model), intent(in) :: self
+        real(c_double), intent(in) :: period
+        integer(c_int32_t), intent(in) :: parameter
+        type(pdn_branch), intent(inout) :: branch
+        type(pdn_branch_options), intent(in) :: options
+        type(pdn_periodic_options), intent(in), optional :: periodic
+        type(pdn_solution), intent(in), optional :: initial
+        type(pdn_conditions), intent(in), optional :: conditions
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        type(pdn_periodic_options), target :: solves
+        type(pdn_branch_options) :: chosen
+        type(c_ptr) :: c
+        integer(c_int32_t) :: status
+
+        chosen = options
+        call choose(chosen, solves, periodic, initial, conditions)
+        status = pdn_follow_branch(self%c, period, parameter, chosen, c)
+        if (status == PDN_OK) call branch%adopt(c, pdn_branch_free)
+        call report(status, stat, errmsg)
+    end subroutine model_follow_branch
+
+    ! Finds the response over a range of circular frequencies, through folds; as follow_branch.
+    subroutine model_solve_frequency_response(self, first, last, branch, options, periodic, initial, stat, errmsg)
+        class(pdn_model), intent(in) :: self
+        real(c_double), intent(in) :: first, last
+        type(pdn_branch), intent(inout) :: branch
+        type(pdn_branch_options), intent(in), optional :: options
+        type(pdn_periodic_options), intent(in), optional :: periodic
+        type(pdn_solution), intent(in), optional :: initial
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        type(pdn_periodic_options), target :: solves
+        type(pdn_branch_options) :: chosen
+        type(c_ptr) :: c
+        integer(c_int32_t) :: status
+
+        call pdn_init(chosen)
+        if (present(options)) chosen = options
+        call choose(chosen, solves, periodic, initial)
+        status = pdn_solve_frequency_response(self%c, first, last, chosen, c)
+        if (status == PDN_OK) call branch%adopt(c, pdn_branch_free)
+        call report(status, stat, errmsg)
+    end subroutine model_solve_frequency_response
+
+    ! Puts options of the solves, a start and conditions behind the pointers of options of a branch.
+    subroutine choose(chosen, solves, periodic, initial, conditions)
+        type(pdn_branch_options), intent(inout) :: chosen
+        type(pdn_periodic_options), intent(out), target :: solves
+        type(pdn_periodic_options), intent(in), optional :: periodic
+        type(pdn_solution), intent(in), optional :: initial
+        type(pdn_conditions), intent(in), optional :: conditions
+
+        call pdn_init(solves)
+        if (present(periodic)) solves = periodic
+        if (present(initial)) solves%initial = initial%c
+        if (present(periodic) .or. present(initial)) chosen%periodic = c_loc(solves)
+        if (present(conditions)) chosen%conditions = conditions%c
+    end subroutine choose
+
+    ! PDN_BRANCH_RANGE, or why else it ended.
+    subroutine branch_end(self, end, stat, errmsg)
+        class(pdn_branch), intent(in) :: self
+        integer(c_int32_t), intent(inout) :: end
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        integer(c_int32_t) :: found
+
+        found = pdn_branch_end(self%c)
+        if (found >= 0) end = found
+        call report(min(found, PDN_OK), stat, errmsg)
+    end subroutine branch_end
+
+    ! A readable report.
+    function branch_report(self) result(text)
+        class(pdn_branch), intent(in) :: self
+        character(:), allocatable :: text
+        character(kind=c_char), allocatable :: buffer(:)
+        integer(c_size_t) :: length
+
+        allocate (buffer(pdn_branch_report(self%c, capacity=0_c_size_t) + 1))
+        length = pdn_branch_report(self%c, buffer, size(buffer, kind=c_size_t))
+        text = joined(buffer(:length))
+    end function branch_report
+
+    ! Number of points.
+    subroutine branch_count(self, count, stat, errmsg)
+        class(pdn_branch), intent(in) :: self
+        integer(c_int32_t), intent(inout) :: count
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+
+        call report(pdn_branch_count(self%c, count), stat, errmsg)
+    end subroutine branch_count
+
+    ! A point: parameter, period, step, event.
+    subroutine branch_get(self, point, out, stat, errmsg)
+        class(pdn_branch), intent(in) :: self
+        integer(c_int32_t), intent(in) :: point
+        type(pdn_branch_point), intent(inout) :: out
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        type(pdn_branch_point) :: found
+        integer(c_int32_t) :: status
+
+        call pdn_branch_point_init(found, c_sizeof(found))
+        status = pdn_branch_get(self%c, point, found)
+        if (status == PDN_OK) out = found
+        call report(status, stat, errmsg)
+    end subroutine branch_get
+
+    ! The solution at a point.
+    subroutine branch_solution(self, point, solution, stat, errmsg)
+        class(pdn_branch), intent(in) :: self
+        integer(c_int32_t), intent(in) :: point
+        type(pdn_solution), intent(inout) :: solution
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        type(c_ptr) :: c
+        integer(c_int32_t) :: status
+
+        status = pdn_branch_solution(self%c, point, c)
+        if (status == PDN_OK) call solution%adopt(c, pdn_solution_free)
+        call report(status, stat, errmsg)
+    end subroutine branch_solution
+
+    ! Writes the points, with amplitudes of components (0, 1 or 2) of the positions of nodes.
+    subroutine branch_write_csv(self, path, nodes, components, stat, errmsg)
+        class(pdn_branch), intent(in) :: self
+        character(*), intent(in) :: path
+        integer(c_int32_t), intent(in), optional :: nodes(:), components(:)
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        integer(c_size_t) :: count
+
+        count = 0
+        if (present(nodes)) count = size(nodes, kind=c_size_t)
+        if (present(nodes) .neqv. present(components)) then
+            call refuse(PDN_ERR_SIZE, 'components: expected as many as nodes', stat, errmsg)
+            return
+        end if
+        if (present(nodes)) then
+            if (.not. fits('components', shape(components), shape(nodes), stat, errmsg)) return
+        end if
+        call report(pdn_branch_write_csv(self%c, nodes, components, count, c_text(path)), stat, errmsg)
+    end subroutine branch_write_csv
 
     ! Modes ---------------------------------------------------------------------------------------------------
 
