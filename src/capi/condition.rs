@@ -6,12 +6,14 @@ use super::joint::coordinate;
 use super::model::pdn_model;
 use super::parameter::{PDN_FREQUENCY, parameter};
 use super::periodic::{pdn_periodic_options, read_options};
+use super::quantity::{pdn_quantity, selection};
 use super::solution::pdn_solution;
 use super::status::pdn_status;
 use crate::error::{Error, Result};
 use crate::model::{JointCoordinate, Model};
 use crate::output::Solution;
-use crate::solve::{Condition, Energy, Free, JointCoordinateIs, Phase};
+use crate::quantity::Feature;
+use crate::solve::{Condition, Energy, Free, JointCoordinateIs, OutputIs, Phase};
 use std::sync::Arc;
 
 /// Free parameters, and as many conditions. Made by ::pdn_conditions_new, freed by
@@ -118,6 +120,74 @@ pub unsafe extern "C" fn pdn_conditions_add_phase(conditions: *mut pdn_condition
     guard(|call| {
         let mut conditions = call.exclusive(conditions, "conditions")?;
         conditions.conditions.push(Arc::new(Phase));
+        Ok(())
+    })
+}
+
+/// Feature of a quantity: its mean over the period, without what it gains.
+pub const PDN_FEATURE_MEAN: i32 = 500;
+/// Feature of a quantity: coefficient of the cosine of a harmonic.
+pub const PDN_FEATURE_COSINE: i32 = 501;
+/// Feature of a quantity: coefficient of the sine of a harmonic.
+pub const PDN_FEATURE_SINE: i32 = 502;
+/// Feature of a quantity: value at a time, of the trigonometric polynomial through the values at the
+/// grid points.
+pub const PDN_FEATURE_VALUE: i32 = 503;
+
+/// Adds the condition that the mean, a harmonic, or the value at a time, of a quantity is this:
+/// trim.
+///
+/// @param conditions  the list; not NULL
+/// @param quantity  one component of a quantity, initialised by PDN_INIT; not NULL
+/// @param feature  PDN_FEATURE_MEAN, PDN_FEATURE_COSINE, PDN_FEATURE_SINE or PDN_FEATURE_VALUE
+/// @param at  the number of the harmonic, from 1, or the time; not looked at for the mean
+/// @param value  the value
+/// @param scale  what counts as 1 in it, such as the largest that it may be; 0 for what does in such
+///     quantities of the mechanism
+/// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_STRUCT_SIZE, PDN_ERR_NOT_FINITE, PDN_ERR_ID,
+///     PDN_ERR_VALUE; that the model has no such quantity, or the grid no such harmonic, is told by
+///     the solve
+///
+/// Threads: exclusive use of `conditions`.
+/// @since 0.1
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn pdn_conditions_add_quantity(
+    conditions: *mut pdn_conditions,
+    quantity: *const pdn_quantity,
+    feature: i32,
+    at: f64,
+    value: f64,
+    scale: f64,
+) -> pdn_status {
+    guard(|call| {
+        let mut conditions = call.exclusive(conditions, "conditions")?;
+        let output = selection(call, quantity)?;
+        if output.components() != 1 {
+            let got = output.components();
+            return Err(Error::value("quantity.component", "a single one", got));
+        }
+        let harmonic = || match call.number(at, "at")? {
+            j if j >= 1.0 && j <= f64::from(i32::MAX) && j.fract() == 0.0 => Ok(j as usize),
+            j => Err(Error::value("at", "a harmonic, from 1", j)),
+        };
+        let feature = match feature {
+            PDN_FEATURE_MEAN => Feature::Mean,
+            PDN_FEATURE_COSINE => Feature::Cosine(harmonic()?),
+            PDN_FEATURE_SINE => Feature::Sine(harmonic()?),
+            PDN_FEATURE_VALUE => Feature::At(call.number(at, "at")?),
+            other => return Err(Error::value("feature", "a constant PDN_FEATURE_...", other)),
+        };
+        let scale = match call.number(scale, "scale")? {
+            0.0 => None,
+            scale if scale > 0.0 => Some(scale),
+            scale => return Err(Error::value("scale", "a positive number, or 0", scale)),
+        };
+        conditions.conditions.push(Arc::new(OutputIs {
+            output,
+            feature,
+            value: call.number(value, "value")?,
+            scale,
+        }));
         Ok(())
     })
 }

@@ -22,7 +22,7 @@ mod watch;
 pub use branches::{
     Branch, BranchEnd, BranchOptions, BranchPoint, Event, follow_branch, switch_branch,
 };
-pub use conditions::{Condition, Energy, Free, Given, JointCoordinateIs, Phase};
+pub use conditions::{Condition, Energy, Free, Given, JointCoordinateIs, OutputIs, Phase};
 pub use equilibrium::{StaticOptions, solve_static};
 pub use linear::diagnosis::describe_dependencies;
 pub use linear::direct::DirectSolver;

@@ -294,9 +294,60 @@ static void along_a_load(void)
     pdn_model_free(model);
 }
 
+/* A mass on a spring of 4 with damping 0.1 is in resonance at 2, where its velocity has no sine. */
+static void resonance(void)
+{
+    const double cosines[1] = {0.3}, sines[1] = {0};
+    double frequency, mean, rate, cosine[1], sine[1];
+    pdn_conditions *conditions;
+    pdn_solution *solution = NULL;
+    pdn_quantity velocity;
+    pdn_signal push;
+    pdn_periodic_options options;
+    begin();
+    CHECK_STATUS(
+        pdn_model_add_spring_damper(model, joint, PDN_DISPLACEMENT, 4, 0.1, 0, &force), PDN_OK);
+    PDN_INIT(pdn_signal, &push);
+    CHECK_STATUS(pdn_signal_set_harmonics(&push, 0, 0, cosines, sines, 1), PDN_OK);
+    CHECK_STATUS(pdn_model_add_actuator(model, joint, PDN_DISPLACEMENT, &push, &force), PDN_OK);
+    CHECK_STATUS(pdn_conditions_new(&conditions), PDN_OK);
+    CHECK_STATUS(pdn_conditions_release(conditions, PDN_FREQUENCY), PDN_OK);
+    PDN_INIT(pdn_quantity, &velocity);
+    velocity.kind = PDN_QUANTITY_VELOCITY;
+    velocity.object = body;
+    CHECK_STATUS(
+        pdn_conditions_add_quantity(conditions, &velocity, PDN_FEATURE_SINE, 1, 0, 0),
+        PDN_ERR_VALUE);
+    CHECK_MESSAGE("quantity.component");
+    velocity.component = 0;
+    CHECK_STATUS(pdn_conditions_add_quantity(conditions, &velocity, PDN_FEATURE_SINE, 1.5, 0, 0),
+                 PDN_ERR_VALUE);
+    CHECK_STATUS(pdn_conditions_add_quantity(conditions, &velocity, 3, 1, 0, 0), PDN_ERR_VALUE);
+    CHECK_STATUS(pdn_conditions_add_quantity(conditions, &velocity, PDN_FEATURE_SINE, 1, 0, -1),
+                 PDN_ERR_VALUE);
+    CHECK_STATUS(pdn_conditions_add_quantity(conditions, &velocity, PDN_FEATURE_SINE, 1, 0, 0),
+                 PDN_OK);
+    PDN_INIT(pdn_periodic_options, &options);
+    options.grid_points = 9;
+    CHECK_STATUS(pdn_solve_conditioned(model, 2 * PI / 1.98, conditions, &options, &solution),
+                 PDN_OK);
+    CHECK(pdn_solution_outcome(solution) == PDN_CONVERGED);
+    CHECK_STATUS(pdn_solution_parameter(solution, PDN_FREQUENCY, &frequency), PDN_OK);
+    CHECK_NEAR(frequency, 2, 1e-12);
+    CHECK_STATUS(
+        pdn_solution_quantity_harmonics(solution, &velocity, 1, &mean, &rate, cosine, sine),
+        PDN_OK);
+    CHECK_NEAR(fabs(cosine[0]), 3, 1e-11);
+    CHECK_NEAR(sine[0], 0, 1e-11);
+    pdn_solution_free(solution);
+    pdn_conditions_free(conditions);
+    pdn_model_free(model);
+}
+
 int main(void)
 {
     limit_cycle();
+    resonance();
     free_motion();
     frequency_response();
     along_a_load();

@@ -140,8 +140,8 @@ mod tests {
         let weights = RadauWeights::new(length);
         for power in 0..=STAGES {
             let value = |place: f64| (place * length).powi(power as i32);
-            for i in 0..STAGES {
-                let t = PLACES[i] * length;
+            for (i, place) in PLACES.iter().enumerate() {
+                let t = place * length;
                 let by = |row: &[f64; STAGES], start: f64| -> f64 {
                     let sum: f64 = row.iter().zip(PLACES).map(|(w, p)| w * value(p)).sum();
                     sum + start * value(0.0)

@@ -36,7 +36,6 @@ impl Condition for Energy {
 
 #[cfg(test)]
 mod tests {
-    use super::*;
     use crate::elements::{Coordinate, JointKind};
     use crate::model::{JointCoordinate, Signal, SpringDefinition};
     use crate::solve::test_models::Linearised;

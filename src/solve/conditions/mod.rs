@@ -9,6 +9,7 @@ mod equations;
 mod given;
 mod inner_product;
 mod joint_coordinate;
+mod output;
 mod phase;
 
 pub(crate) use arc_length::ArcLength;
@@ -18,6 +19,7 @@ pub use equations::Free;
 pub use given::Given;
 pub(crate) use inner_product::InnerProduct;
 pub use joint_coordinate::JointCoordinateIs;
+pub use output::OutputIs;
 pub use phase::Phase;
 
 use crate::collocation::{Collocation, GridState};

@@ -1,0 +1,79 @@
+//! What comes out: the mean, a harmonic, or the value at a time, of any output.
+
+use super::Condition;
+use crate::collocation::{Collocation, GridState};
+use crate::error::{Error, Result};
+use crate::quantity::{Feature, History, Measurement, Selection};
+
+/// Step of differences by a free parameter, relative to its scale.
+const STEP: f64 = 1e-5;
+
+/// A feature of an output has this value: trim.
+#[derive(Debug, Clone, Copy)]
+pub struct OutputIs {
+    /// A component of a quantity, or one that has a single component.
+    pub output: Selection,
+    /// What is taken of it.
+    pub feature: Feature,
+    /// Its value.
+    pub value: f64,
+    /// What counts as 1 in it, a positive number; by default what does in such quantities of the
+    /// mechanism.
+    pub scale: Option<f64>,
+}
+
+impl OutputIs {
+    fn measurement(&self, equations: &Collocation) -> Result<Measurement> {
+        let component = match self.output.component {
+            Some(component) => component,
+            None if self.output.components() == 1 => 0,
+            None => {
+                let expected = "a component of a quantity that has several";
+                return Err(Error::value("condition", expected, "all of them"));
+            }
+        };
+        let system = equations.system();
+        Measurement::new(self.output.quantity, component, self.feature, system)
+    }
+}
+
+impl Condition for OutputIs {
+    fn name(&self) -> String {
+        let Selection {
+            quantity,
+            component,
+        } = self.output;
+        let name = quantity.describe(component.unwrap_or(0));
+        format!("the {} of {name}", self.feature)
+    }
+
+    fn scale(&self, equations: &Collocation) -> f64 {
+        let component = self.output.component.unwrap_or(0);
+        let scale = self.scale.filter(|x| x.is_finite() && *x > 0.0);
+        scale.unwrap_or_else(|| self.output.quantity.scale(component, equations.system()))
+    }
+
+    fn value(&self, equations: &Collocation, state: &GridState) -> Result<f64> {
+        let history = History::of(equations, state);
+        Ok(self.measurement(equations)?.value(&history)? - self.value)
+    }
+
+    fn gradient(&self, equations: &Collocation, state: &GridState, row: &mut [f64]) -> Result<()> {
+        self.measurement(equations)?
+            .add_gradient(equations, state, row)?;
+        // Velocities follow a frequency, internal forces a stiffness.
+        let (mut equations, mut beside) = (equations.clone(), state.clone());
+        let (places, points) = (equations.layout().scalars(), state.scalars.clone());
+        for (index, place) in places.enumerate() {
+            let step = STEP * equations.column_scale()[place];
+            for sign in [1.0, -1.0] {
+                beside.scalars[index] = points[index] + sign * step;
+                equations.apply_scalars(&beside)?;
+                equations.update_kinematics(&beside);
+                row[place] += sign * self.value(&equations, &beside)? / (2.0 * step);
+            }
+            beside.scalars[index] = points[index];
+        }
+        Ok(())
+    }
+}
