@@ -163,6 +163,10 @@ module periodyn_c
     integer(c_int32_t), parameter :: PDN_PART_AMPLITUDE = 2
     integer(c_int32_t), parameter :: PDN_PART_PHASE = 3
     integer(c_int32_t), parameter :: PDN_FREQUENCY = -1
+    integer(c_int32_t), parameter :: PDN_FEATURE_MEAN = 500
+    integer(c_int32_t), parameter :: PDN_FEATURE_COSINE = 501
+    integer(c_int32_t), parameter :: PDN_FEATURE_SINE = 502
+    integer(c_int32_t), parameter :: PDN_FEATURE_VALUE = 503
     integer(c_int32_t), parameter :: PDN_BRANCH_RANGE = 0
     integer(c_int32_t), parameter :: PDN_BRANCH_CLOSED = 1
     integer(c_int32_t), parameter :: PDN_BRANCH_POINT_LIMIT = 2
@@ -1803,6 +1807,19 @@ module periodyn_c
             integer(c_int32_t) :: pdn_conditions_add_phase
         end function pdn_conditions_add_phase
 
+        ! Adds the condition that the mean, a harmonic, or the value at a time, of a quantity is this: trim
+        function pdn_conditions_add_quantity(conditions, quantity, feature, at, value, &
+            scale) bind(C, name="pdn_conditions_add_quantity")
+            import
+            type(c_ptr), value :: conditions
+            type(pdn_quantity), intent(in) :: quantity
+            integer(c_int32_t), value :: feature
+            real(c_double), value :: at
+            real(c_double), value :: value
+            real(c_double), value :: scale
+            integer(c_int32_t) :: pdn_conditions_add_quantity
+        end function pdn_conditions_add_quantity
+
         ! Adds the condition that a joint coordinate has a value at the start of the period
         function pdn_conditions_add_joint_coordinate(conditions, joint, coordinate, &
             value) bind(C, name="pdn_conditions_add_joint_coordinate")
@@ -2607,6 +2624,7 @@ module periodyn
         procedure, public :: add_phase => conditions_add_phase
         procedure, public :: add_joint_coordinate => conditions_add_joint_coordinate
         procedure, public :: add_energy => conditions_add_energy
+        procedure, public :: add_quantity => conditions_add_quantity
     end type pdn_conditions
 
     ! Periodic motions along a parameter; points are counted from 0.
@@ -4636,6 +4654,23 @@ contains
 
         call report(pdn_conditions_add_energy(self%c, energy), stat, errmsg)
     end subroutine conditions_add_energy
+
+    ! A feature, PDN_FEATURE_..., of one component of a quantity has this value; at is the number of a harmonic, or a
+    ! time. Without scale, what counts as 1 is that of such quantities of the mechanism.
+    subroutine conditions_add_quantity(self, quantity, feature, at, value, scale, stat, errmsg)
+        class(pdn_conditions), intent(inout) :: self
+        type(pdn_quantity), intent(in) :: quantity
+        integer(c_int32_t), intent(in) :: feature
+        real(c_double), intent(in) :: at, value
+        real(c_double), intent(in), optional :: scale
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        real(c_double) :: counts
+
+        counts = 0
+        if (present(scale)) counts = scale
+        call report(pdn_conditions_add_quantity(self%c, quantity, feature, at, value, counts), stat, errmsg)
+    end subroutine conditions_add_quantity
 
     ! Finds a periodic response that meets conditions, and as many free parameters.
     subroutine model_solve_conditioned(self, period, conditions, solution, options, initial, stat, errmsg)

@@ -806,6 +806,27 @@
 #define PDN_FREQUENCY -1
 
 /**
+ * Feature of a quantity: its mean over the period, without what it gains.
+ */
+#define PDN_FEATURE_MEAN 500
+
+/**
+ * Feature of a quantity: coefficient of the cosine of a harmonic.
+ */
+#define PDN_FEATURE_COSINE 501
+
+/**
+ * Feature of a quantity: coefficient of the sine of a harmonic.
+ */
+#define PDN_FEATURE_SINE 502
+
+/**
+ * Feature of a quantity: value at a time, of the trigonometric polynomial through the values at the
+ * grid points.
+ */
+#define PDN_FEATURE_VALUE 503
+
+/**
  * A branch ended at an end of the parameter's range.
  */
 #define PDN_BRANCH_RANGE 0
@@ -4864,6 +4885,32 @@ pdn_status pdn_conditions_release(struct pdn_conditions *conditions,
  */
 PDN_API
 pdn_status pdn_conditions_add_phase(struct pdn_conditions *conditions);
+
+/**
+ * Adds the condition that the mean, a harmonic, or the value at a time, of a quantity is this:
+ * trim.
+ *
+ * @param conditions  the list; not NULL
+ * @param quantity  one component of a quantity, initialised by PDN_INIT; not NULL
+ * @param feature  PDN_FEATURE_MEAN, PDN_FEATURE_COSINE, PDN_FEATURE_SINE or PDN_FEATURE_VALUE
+ * @param at  the number of the harmonic, from 1, or the time; not looked at for the mean
+ * @param value  the value
+ * @param scale  what counts as 1 in it, such as the largest that it may be; 0 for what does in such
+ *     quantities of the mechanism
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_STRUCT_SIZE, PDN_ERR_NOT_FINITE, PDN_ERR_ID,
+ *     PDN_ERR_VALUE; that the model has no such quantity, or the grid no such harmonic, is told by
+ *     the solve
+ *
+ * Threads: exclusive use of `conditions`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_conditions_add_quantity(struct pdn_conditions *conditions,
+                                       const struct pdn_quantity *quantity,
+                                       int32_t feature,
+                                       double at,
+                                       double value,
+                                       double scale);
 
 /**
  * Adds the condition that a joint coordinate has a value at the start of the period.

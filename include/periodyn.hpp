@@ -162,6 +162,14 @@ enum class Number : std::int32_t {
     mass_damping = PDN_NUMBER_MASS_DAMPING,
 };
 
+/** What of a quantity a condition holds. */
+enum class Feature : std::int32_t {
+    mean = PDN_FEATURE_MEAN,
+    cosine = PDN_FEATURE_COSINE,
+    sine = PDN_FEATURE_SINE,
+    value = PDN_FEATURE_VALUE,
+};
+
 /** What has a signal that a parameter moves. */
 enum class SignalOf : std::int32_t {
     actuator = PDN_SIGNAL_OF_ACTUATOR,
@@ -1797,6 +1805,13 @@ class Conditions
     {
         detail::check(
             pdn_conditions_add_joint_coordinate(get(), joint, detail::c(coordinate), value));
+    }
+    /** A feature of one component of a quantity; `at` is the number of a harmonic, or a time. */
+    void add_quantity(const Quantity &quantity, Feature feature, double at, double value,
+                      double scale = 0)
+    {
+        detail::check(pdn_conditions_add_quantity(get(), &quantity, detail::c(feature), at, value,
+                                                  scale));
     }
     void add_energy(double energy)
     {

@@ -551,12 +551,20 @@ impl ScalarEquations for Period {
         equations.set_period(values[0])
     }
 
-    fn residual(&self, equations: &Collocation, state: &GridState, out: &mut [f64]) {
+    fn residual(&self, equations: &Collocation, state: &GridState, out: &mut [f64]) -> Result<()> {
         out[0] = state.node(0)[0].position.x / equations.system().scales().length;
+        Ok(())
     }
 
-    fn gradient(&self, equations: &Collocation, _: &GridState, _: usize, row: &mut [f64]) {
+    fn gradient(
+        &self,
+        equations: &Collocation,
+        _: &GridState,
+        _: usize,
+        row: &mut [f64],
+    ) -> Result<()> {
         row[equations.layout().motion(0, 0).start] = 1.0;
+        Ok(())
     }
 }
 

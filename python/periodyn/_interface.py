@@ -361,6 +361,16 @@ PART_PHASE = 3
 """Part of a signal: the phase by which its shape is ahead [radians]."""
 FREQUENCY = -1
 """A parameter: the circular frequency 2 pi / T, which every model has."""
+FEATURE_MEAN = 500
+"""Feature of a quantity: its mean over the period, without what it gains."""
+FEATURE_COSINE = 501
+"""Feature of a quantity: coefficient of the cosine of a harmonic."""
+FEATURE_SINE = 502
+"""Feature of a quantity: coefficient of the sine of a harmonic."""
+FEATURE_VALUE = 503
+"""Feature of a quantity: value at a time, of the trigonometric polynomial through the values at
+the grid points.
+"""
 BRANCH_RANGE = 0
 """A branch ended at an end of the parameter's range."""
 BRANCH_CLOSED = 1
@@ -1434,6 +1444,21 @@ class Conditions(Handle):
         conservative system.
         """
         call(lib.pdn_conditions_add_phase, self._c)
+
+    def add_quantity(self, quantity, feature, at, value, scale):
+        """Adds the condition that the mean, a harmonic, or the value at a time, of a quantity is
+        this: trim.
+
+        Args:
+            quantity: one component of a quantity,
+            feature: FEATURE_MEAN, FEATURE_COSINE, FEATURE_SINE or FEATURE_VALUE
+            at: the number of the harmonic, from 1, or the time; not looked at for the mean
+            value: the value
+            scale: what counts as 1 in it, such as the largest that it may be; 0 for what does
+                in such quantities of the mechanism
+        """
+        quantity = of_type("Quantity")(quantity, self._kept)
+        call(lib.pdn_conditions_add_quantity, self._c, quantity, feature, at, value, scale)
 
     def add_joint_coordinate(self, joint, coordinate, value):
         """Adds the condition that a joint coordinate has a value at the start of the period.
