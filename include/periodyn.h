@@ -821,8 +821,8 @@
 #define PDN_FEATURE_SINE 502
 
 /**
- * Feature of a quantity: value at a time, of the trigonometric polynomial through the values at the
- * grid points.
+ * Feature of a quantity: value at a time, of the trigonometric polynomial through the values at
+ * the grid points.
  */
 #define PDN_FEATURE_VALUE 503
 
@@ -4895,8 +4895,8 @@ pdn_status pdn_conditions_add_phase(struct pdn_conditions *conditions);
  * @param feature  PDN_FEATURE_MEAN, PDN_FEATURE_COSINE, PDN_FEATURE_SINE or PDN_FEATURE_VALUE
  * @param at  the number of the harmonic, from 1, or the time; not looked at for the mean
  * @param value  the value
- * @param scale  what counts as 1 in it, such as the largest that it may be; 0 for what does in such
- *     quantities of the mechanism
+ * @param scale  what counts as 1 in it, such as the largest that it may be; 0 for what does in
+ *     such quantities of the mechanism
  * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_STRUCT_SIZE, PDN_ERR_NOT_FINITE, PDN_ERR_ID,
  *     PDN_ERR_VALUE; that the model has no such quantity, or the grid no such harmonic, is told by
  *     the solve

@@ -130,8 +130,8 @@ pub const PDN_FEATURE_MEAN: i32 = 500;
 pub const PDN_FEATURE_COSINE: i32 = 501;
 /// Feature of a quantity: coefficient of the sine of a harmonic.
 pub const PDN_FEATURE_SINE: i32 = 502;
-/// Feature of a quantity: value at a time, of the trigonometric polynomial through the values at the
-/// grid points.
+/// Feature of a quantity: value at a time, of the trigonometric polynomial through the values at
+/// the grid points.
 pub const PDN_FEATURE_VALUE: i32 = 503;
 
 /// Adds the condition that the mean, a harmonic, or the value at a time, of a quantity is this:
@@ -142,8 +142,8 @@ pub const PDN_FEATURE_VALUE: i32 = 503;
 /// @param feature  PDN_FEATURE_MEAN, PDN_FEATURE_COSINE, PDN_FEATURE_SINE or PDN_FEATURE_VALUE
 /// @param at  the number of the harmonic, from 1, or the time; not looked at for the mean
 /// @param value  the value
-/// @param scale  what counts as 1 in it, such as the largest that it may be; 0 for what does in such
-///     quantities of the mechanism
+/// @param scale  what counts as 1 in it, such as the largest that it may be; 0 for what does in
+///     such quantities of the mechanism
 /// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_STRUCT_SIZE, PDN_ERR_NOT_FINITE, PDN_ERR_ID,
 ///     PDN_ERR_VALUE; that the model has no such quantity, or the grid no such harmonic, is told by
 ///     the solve
