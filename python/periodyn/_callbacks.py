@@ -103,11 +103,17 @@ def _progress(told, data):
     return 1 if ffi.from_handle(data)(told) else 0
 
 
+@ffi.callback("int32_t(pdn_branch_point *, int32_t, void *)", error=1, onerror=_failed)
+def _branch(point, number, data):
+    return 1 if ffi.from_handle(data)(point, number) else 0
+
+
 signal = _taker("function", _signal)
 curve = _taker("curve", _curve)
 coordinate_law = _taker("function", _coordinate_law)
 user_force = _taker("function", _user_force)
 _told = _taker("progress", _progress)
+_followed = _taker("progress", _branch)
 
 
 def progress(function, kept):
@@ -117,7 +123,19 @@ def progress(function, kept):
     return _told(Printed() if function is True else function, kept)
 
 
-def _nobody(_told):
+def branch(function, kept):
+    """As progress, of a branch: told of each point, with its number."""
+    if function is None or function is False:
+        return _followed(_nobody, kept)
+    return _followed(_printed_point if function is True else function, kept)
+
+
+def _nobody(*_told):
+    return False
+
+
+def _printed_point(point, number):
+    print(f"point {number:5d}  parameter {point.parameter:.6g}", end="\r", flush=True)
     return False
 
 

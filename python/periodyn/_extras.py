@@ -118,6 +118,23 @@ class SolutionExtras(Outcome, Saved):
     """A solution, in Python."""
 
 
+class BranchExtras(Handle):
+    """A branch, in Python: a sequence of BranchPoint."""
+
+    def __len__(self):
+        return self.count()
+
+    def __getitem__(self, point):
+        if not 0 <= point < len(self):
+            raise IndexError(point)
+        return self.get(point)
+
+    @property
+    def parameters(self):
+        """The parameter at each point."""
+        return numpy.array([point.parameter for point in self])
+
+
 class TableExtras(Handle):
     """A table, in Python."""
 

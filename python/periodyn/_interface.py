@@ -7,7 +7,7 @@ from . import _callbacks
 from ._abi import ffi
 from ._call import LIBRARY as lib
 from ._call import call, text
-from ._extras import Handle, ModelExtras, ModesExtras, SolutionExtras, StabilityExtras, TableExtras
+from ._extras import BranchExtras, Handle, ModelExtras, ModesExtras, SolutionExtras, StabilityExtras, TableExtras
 from ._numbers import ids, like, reals, together
 from ._structs import (
     Array, Number, Reference, Struct, Structs, as_signal, as_signals, of_type, pointer,
@@ -1021,7 +1021,7 @@ class BranchOptions(Struct):
     conditions = Reference("conditions", pointer)
     """What else is free along the branch, and as many conditions; None for nothing. Default None.
     """
-    from = Number("from")
+    from_ = Number("from")
     """Least value of the parameter, where the branch ends."""
     to = Number("to")
     """Largest value of the parameter, where the branch ends; more than `from`."""
@@ -1042,6 +1042,8 @@ class BranchOptions(Struct):
     """
     point_limit = Number("point_limit")
     """Most points. Default 1000."""
+    progress = Reference("progress", _callbacks.branch, "progress_data")
+    """Told of each point; may end the branch. Default None."""
     downwards = Number("downwards")
     """1 if the parameter decreases at first. Default 0."""
     events = Number("events")
@@ -1341,7 +1343,7 @@ class Summary(Struct):
     """Centre of mass, in global coordinates; zero if there is no mass."""
 
 
-class Branch(Handle):
+class Branch(BranchExtras):
     """Periodic motions along a parameter. Made by FollowBranch, freed by BranchFree."""
 
     _free = lib.pdn_branch_free
@@ -1396,14 +1398,14 @@ class Branch(Handle):
         harmonic, the least and the largest value over the period. `script/plot.py` draws it.
 
         Args:
-            nodes: array of length [count]: ids of nodes
-            components: array of length [count]: ids of nodes
+            nodes: ids of nodes
+            components: components of their positions, 0, 1 or 2; likewise
             path: name of the file, UTF-8; an existing file is replaced
         """
         nodes = ids("nodes", nodes)
         _count = len(nodes)
         components = ids("components", components)
-        _count = len(components)
+        like("components", components, (_count,))
         call(
             lib.pdn_branch_write_csv,
             self._c,
@@ -2041,7 +2043,7 @@ class Model(ModelExtras):
         elements that would lie on each other are refused.
 
         Args:
-            nodes: array of length [count]: ids of the nodes, all different
+            nodes: ids of the nodes, all different
             section: cross-section, with positive-definite stiffness
 
         Returns:
@@ -2525,7 +2527,7 @@ class Model(ModelExtras):
         """Adds forces on nodes that a function of the caller computes.
 
         Args:
-            nodes: array of length [count]: ids of the nodes, all different
+            nodes: ids of the nodes, all different
             frame: FRAME_SPACE: velocities, forces and tangents are along the global axes;
                 FRAME_MATERIAL: along those of each node
             tangents: TANGENTS_GIVEN if the function writes tangents, which Model.check_tangents
@@ -2883,7 +2885,7 @@ class Model(ModelExtras):
         *,
         periodic=None,
         conditions=None,
-        from=None,
+        from_=None,
         to=None,
         motion_scale=None,
         first_step=None,
@@ -2891,6 +2893,7 @@ class Model(ModelExtras):
         largest_step=None,
         angle=None,
         point_limit=None,
+        progress=None,
         downwards=None,
         events=None,
     ):
@@ -2909,7 +2912,7 @@ class Model(ModelExtras):
                 is told of the iterations; None for the defaults. Default None.
             conditions: What else is free along the branch, and as many conditions; None for
                 nothing. Default None.
-            from: Least value of the parameter, where the branch ends.
+            from_: Least value of the parameter, where the branch ends.
             to: Largest value of the parameter, where the branch ends; more than `from`.
             motion_scale: What counts as 1 in motions, relative to the size of the mechanism and
                 in radians; as the whole range does in the parameter. Default 1.
@@ -2920,6 +2923,7 @@ class Model(ModelExtras):
             angle: Angle between the branch at neighbouring points that steps aim at [radians];
                 steps by four thirds of it are taken again by half. Default 0.3.
             point_limit: Most points. Default 1000.
+            progress: Told of each point; may end the branch. Default None.
             downwards: 1 if the parameter decreases at first. Default 0.
             events: 1 to look for branch points (where there are no conditions) and period
                 doublings, too, by two more factorisations of the whole Jacobian a point.
@@ -2931,7 +2935,7 @@ class Model(ModelExtras):
         options = BranchOptions(
             periodic=periodic,
             conditions=conditions,
-            from=from,
+            from_=from_,
             to=to,
             motion_scale=motion_scale,
             first_step=first_step,
@@ -2939,6 +2943,7 @@ class Model(ModelExtras):
             largest_step=largest_step,
             angle=angle,
             point_limit=point_limit,
+            progress=progress,
             downwards=downwards,
             events=events,
         )
@@ -2953,7 +2958,7 @@ class Model(ModelExtras):
         *,
         periodic=None,
         conditions=None,
-        from=None,
+        from_=None,
         to=None,
         motion_scale=None,
         first_step=None,
@@ -2961,6 +2966,7 @@ class Model(ModelExtras):
         largest_step=None,
         angle=None,
         point_limit=None,
+        progress=None,
         downwards=None,
         events=None,
     ):
@@ -2974,7 +2980,7 @@ class Model(ModelExtras):
                 is told of the iterations; None for the defaults. Default None.
             conditions: What else is free along the branch, and as many conditions; None for
                 nothing. Default None.
-            from: Least value of the parameter, where the branch ends.
+            from_: Least value of the parameter, where the branch ends.
             to: Largest value of the parameter, where the branch ends; more than `from`.
             motion_scale: What counts as 1 in motions, relative to the size of the mechanism and
                 in radians; as the whole range does in the parameter. Default 1.
@@ -2985,6 +2991,7 @@ class Model(ModelExtras):
             angle: Angle between the branch at neighbouring points that steps aim at [radians];
                 steps by four thirds of it are taken again by half. Default 0.3.
             point_limit: Most points. Default 1000.
+            progress: Told of each point; may end the branch. Default None.
             downwards: 1 if the parameter decreases at first. Default 0.
             events: 1 to look for branch points (where there are no conditions) and period
                 doublings, too, by two more factorisations of the whole Jacobian a point.
@@ -2996,7 +3003,7 @@ class Model(ModelExtras):
         options = BranchOptions(
             periodic=periodic,
             conditions=conditions,
-            from=from,
+            from_=from_,
             to=to,
             motion_scale=motion_scale,
             first_step=first_step,
@@ -3004,6 +3011,7 @@ class Model(ModelExtras):
             largest_step=largest_step,
             angle=angle,
             point_limit=point_limit,
+            progress=progress,
             downwards=downwards,
             events=events,
         )
@@ -3377,7 +3385,7 @@ class Modes(ModesExtras):
 
         Args:
             mode: number of the mode, from 0
-            nodes: array of length [count]: ids of the nodes
+            nodes: ids of the nodes
 
         Returns:
             real, of shape (count, 6): real part, components fastest

@@ -41,8 +41,8 @@ reals.empty = numpy.empty
 
 
 def ids(name, values):
-    """Ids, as the library wants them."""
-    array = numpy.atleast_1d(numpy.asarray(values))
+    """Ids, as the library wants them; None stands for none."""
+    array = numpy.atleast_1d(numpy.asarray([] if values is None else values))
     if array.ndim != 1 or not (array.size == 0 or numpy.issubdtype(array.dtype, numpy.integer)):
         raise Error(f"{name}: expected a list of ids, got {values!r}", "PDN_ERR_ID")
     return numpy.ascontiguousarray(array, dtype=numpy.int32)

@@ -1,0 +1,76 @@
+"""Parameters, conditions, branches and stability of an oscillator, by closed forms."""
+
+import numpy as np
+import pytest
+from models import oscillator
+
+import periodyn as pdn
+
+FORCE = pdn.Signal().set_harmonics(cosines=[1])
+
+
+def driven():
+    """The oscillator with an actuator whose mean is a parameter, and what its coordinate is."""
+    model, body, joint, spring = oscillator(force=FORCE)
+    actuator = model.add_actuator(joint, pdn.DISPLACEMENT, 0.0)
+    mean = model.add_parameter("mean", 0.0, 1.0)
+    model.move_signal(mean, pdn.SIGNAL_OF_ACTUATOR, actuator, 0, pdn.PART_MEAN, 1.0)
+    coordinate = pdn.Quantity(kind=pdn.QUANTITY_COORDINATE, object=joint,
+                              component=pdn.DISPLACEMENT)
+    return model, body, mean, coordinate
+
+
+def test_quantities_are_what_the_functions_of_old_give():
+    model, body, _, coordinate = driven()
+    solution = model.solve_periodic(2 * np.pi)
+    times = np.linspace(0, 6, 7)
+    position = pdn.Quantity(kind=pdn.QUANTITY_POSITION, object=body)
+    sampled = solution.sample_quantity(position, times)
+    np.testing.assert_array_equal(sampled, solution.node_position(body, times))
+    amplitude = 1 / abs(3 + 0.1j)
+    mean, _rate, cosines, sines = solution.quantity_harmonics(coordinate, 2)
+    assert np.hypot(cosines[0], sines[0]) == pytest.approx(amplitude)
+    least, _, largest, at = solution.quantity_extremes(coordinate)
+    assert np.ravel(largest)[0] == pytest.approx(amplitude, rel=1e-6)
+    assert np.ravel(least)[0] == pytest.approx(-amplitude, rel=1e-6)
+    assert np.ravel(at)[0] == pytest.approx(np.angle(3 + 0.1j), abs=1e-3)
+
+
+def test_a_mean_force_for_a_mean_position():
+    model, _, mean, coordinate = driven()
+    conditions = pdn.Conditions()
+    conditions.release(mean)
+    conditions.add_quantity(coordinate, pdn.FEATURE_MEAN, 0, 0.25, 0)
+    solution = model.solve_conditioned(2 * np.pi, conditions)
+    assert solution.converged
+    assert solution.parameter(mean) == pytest.approx(1.0, abs=1e-10)
+
+
+def test_response_over_frequencies(tmp_path):
+    model, body, _, coordinate = driven()
+    seen = []
+    branch = model.solve_frequency_response(
+        0.5, 4.0, progress=lambda point, number: seen.append((number, point.parameter)))
+    assert branch.end() == pdn.BRANCH_RANGE
+    assert len(branch) > 5 and [number for number, _ in seen] == list(range(1, len(seen) + 1))
+    for point, frequency in enumerate(branch.parameters):
+        *_, cosines, sines = branch.solution(point).quantity_harmonics(coordinate, 1)
+        exact = 1 / abs(4 - frequency**2 + 0.1j * frequency)
+        assert np.hypot(cosines[0], sines[0]) == pytest.approx(exact, rel=1e-6)
+    branch.write_csv(tmp_path / "branch.csv", [body], [0])
+    assert len((tmp_path / "branch.csv").read_text().splitlines()) == len(branch) + 1
+    with pytest.raises(pdn.Error, match="components: expected an array of 1, got 2"):
+        branch.write_csv(tmp_path / "branch.csv", [body], [0, 1])
+    ended = model.solve_frequency_response(0.5, 4.0, progress=lambda _point, number: number == 3)
+    assert ended.end() == pdn.BRANCH_CANCELLED and len(ended) == 3
+
+
+def test_multipliers():
+    model, *_ = driven()
+    stability = model.solve_periodic(2 * np.pi).solve_stability()
+    verdict, _limit = stability.verdict()
+    assert verdict == pdn.STABLE
+    exponents = np.roots([1, 0.1, 4])
+    wanted = sorted(np.exp(2 * np.pi * exponents), key=lambda z: z.imag)
+    found = sorted(stability.multipliers, key=lambda z: z.imag)
+    np.testing.assert_allclose(found, wanted, atol=1e-9)

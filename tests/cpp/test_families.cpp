@@ -1,0 +1,72 @@
+// Parameters, conditions and branches of the oscillator, by closed forms.
+#include "check.hpp"
+
+#include <complex>
+
+namespace
+{
+
+// The oscillator under the moment 0.6 cos(omega t) about a mean, which a parameter is.
+struct Driven : Oscillator {
+    std::int32_t moment;
+
+    Driven() : moment(model.add_parameter("moment", 0, 1))
+    {
+        const auto drive = pdn::Signal::harmonics(0, 0, {0.6}, {0});
+        const auto force = model.add_actuator(hinge, pdn::Coordinate::rotation, drive);
+        model.move_signal(moment, pdn::SignalOf::actuator, force, 0, pdn::SignalPart::mean, 1);
+    }
+    pdn::Quantity angle() const
+    {
+        return {pdn::Kind::coordinate, hinge, pdn::Coordinate::rotation};
+    }
+};
+
+void moment_for_a_mean_angle()
+{
+    Driven o;
+    pdn::Conditions conditions;
+    conditions.release(o.moment);
+    conditions.add_quantity(o.angle(), pdn::Feature::mean, 0, 0.1);
+    const auto solution = pdn::solve_conditioned(o.model, period, conditions);
+    CHECK(solution.converged());
+    NEAR(solution.parameter(o.moment), 0.3, 1e-10);
+
+    // The same with the parameter given.
+    o.model.set_parameter(o.moment, 0.3);
+    const auto given = pdn::solve_periodic(o.model, period).harmonics(o.angle(), 1);
+    NEAR(given.mean[0], 0.1, 1e-10);
+
+    REFUSED(conditions.add_quantity(o.angle(), pdn::Feature(7), 0, 0.1), PDN_ERR_VALUE,
+            "feature: ");
+    REFUSED(o.model.set_parameter(9, 1), PDN_ERR_ID, "parameter: ");
+}
+
+void response_over_frequencies()
+{
+    const Driven o;
+    const auto branch = pdn::solve_frequency_response(o.model, 1, 4);
+    CHECK(branch.end() == pdn::BranchEnd::range && branch.count() > 5);
+    CHECK(!branch.report().empty());
+    for (std::int32_t i = 0; i < branch.count(); ++i) {
+        const auto point = branch.point(i);
+        NEAR(point.parameter * point.period, 2 * pi, 1e-12);
+        const auto angle = branch.solution(i).harmonics(o.angle(), 1);
+        const double w = point.parameter;
+        const std::complex<double> stiffness(3 - 0.5 * w * w, 0.2 * w);
+        NEAR(std::hypot(angle.cosines[0], angle.sines[0]), 0.6 / std::abs(stiffness), 1e-8);
+    }
+    branch.write_csv("test_families_cpp.csv", {o.body}, {0});
+    REFUSED(branch.write_csv("x.csv", {o.body}, {}), PDN_ERR_SIZE, "components: ");
+    REFUSED(branch.point(branch.count()), PDN_ERR_ID, "point: ");
+}
+
+} // namespace
+
+int main()
+{
+    moment_for_a_mean_angle();
+    response_over_frequencies();
+    std::cout << "families: as they should be\n";
+    return 0;
+}
