@@ -7,7 +7,15 @@ from . import _callbacks
 from ._abi import ffi
 from ._call import LIBRARY as lib
 from ._call import call, text
-from ._extras import BranchExtras, Handle, ModelExtras, ModesExtras, SolutionExtras, StabilityExtras, TableExtras
+from ._extras import (
+    BranchExtras,
+    Handle,
+    ModelExtras,
+    ModesExtras,
+    SolutionExtras,
+    StabilityExtras,
+    TableExtras
+)
 from ._numbers import ids, like, reals, together
 from ._structs import (
     Array, Number, Reference, Struct, Structs, as_signal, as_signals, of_type, pointer,

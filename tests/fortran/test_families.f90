@@ -15,8 +15,8 @@ contains
         integer :: spring, force
 
         call oscillator(model, body, hinge, spring)
-        call model%add_actuator(hinge, PDN_ROTATION, pdn_harmonics(0.0_dp, 0.0_dp, [0.6_dp], [0.0_dp]), &
-            force)
+        call model%add_actuator(hinge, PDN_ROTATION, &
+            pdn_harmonics(0.0_dp, 0.0_dp, [0.6_dp], [0.0_dp]), force)
         call model%add_parameter('moment', 0.0_dp, 1.0_dp, parameter)
         call model%move_signal(parameter, PDN_SIGNAL_OF_ACTUATOR, force, 0, PDN_PART_MEAN, 1.0_dp)
     end subroutine driven
@@ -46,7 +46,8 @@ contains
         ! The same with the parameter given.
         call model%set_parameter(parameter, 0.3_dp)
         call model%solve_periodic(period, solution)
-        call solution%joint_harmonics(hinge, PDN_JOINT_COORDINATE, PDN_ROTATION, mean, cosines, sines)
+        call solution%joint_harmonics(hinge, PDN_JOINT_COORDINATE, PDN_ROTATION, mean, &
+            cosines, sines)
         call near(mean(1), 0.1_dp, 1e-10_dp, 'mean angle')
 
         stat = 77
@@ -77,9 +78,11 @@ contains
             call branch%get(i, point)
             call branch%solution(i, solution)
             call near(point%parameter*point%period, 2*pi, 1e-12_dp, 'period')
-            call solution%joint_harmonics(hinge, PDN_JOINT_COORDINATE, PDN_ROTATION, mean, cosines, sines)
+            call solution%joint_harmonics(hinge, PDN_JOINT_COORDINATE, PDN_ROTATION, mean, &
+                cosines, sines)
             stiffness = cmplx(3 - 0.5_dp*point%parameter**2, 0.2_dp*point%parameter, dp)
-            call near(hypot(cosines(1, 1), sines(1, 1)), 0.6_dp/abs(stiffness), 1e-8_dp, 'amplitude')
+            call near(hypot(cosines(1, 1), sines(1, 1)), 0.6_dp/abs(stiffness), 1e-8_dp, &
+                'amplitude')
         end do
         call branch%write_csv('test_families.csv', [body], [0])
         stat = 77
