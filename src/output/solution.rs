@@ -126,7 +126,7 @@ impl Solution {
     /// was there before is replaced.
     ///
     /// # Errors
-    /// [`ErrorKind::NotAvailable`] of a trajectory, which has no harmonics.
+    /// [`crate::error::ErrorKind::NotAvailable`] of a trajectory, which has no harmonics.
     pub fn filtered(&self, filter: SpectralFilter) -> Result<Self> {
         self.require_harmonics()?;
         Ok(Solution {
@@ -173,7 +173,7 @@ impl Solution {
     /// them, if the joints let it turn as one rigid body.
     ///
     /// # Errors
-    /// [`ErrorKind::GridTooCoarse`] if a motion cannot be interpolated.
+    /// [`crate::error::ErrorKind::GridTooCoarse`] if a motion cannot be interpolated.
     pub fn prolonged(&self, grid: TimeGrid) -> Result<GridState> {
         match &self.solve.kind {
             Kind::March(_) | Kind::Shooting { .. } => self.last_period(grid),
