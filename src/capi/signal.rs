@@ -276,6 +276,27 @@ pub unsafe extern "C" fn pdn_signal_set_samples(
     })
 }
 
+/// Makes a signal a function of the caller of this kind.
+fn set_function(
+    signal: *mut pdn_signal,
+    function: pdn_signal_fn,
+    user_data: *mut c_void,
+    kind: i32,
+) -> pdn_status {
+    guard(|call| {
+        update_struct(call, signal, "signal", |signal| {
+            call.function(function, "function")?;
+            signal.replace(pdn_signal {
+                kind,
+                function,
+                user_data,
+                ..pdn_signal::defaults()
+            });
+            Ok(())
+        })
+    })
+}
+
 /// Makes a signal a function of the caller.
 ///
 /// Over a period it may grow by whole turns if it drives a rotation, and must not grow otherwise.
@@ -294,18 +315,7 @@ pub unsafe extern "C" fn pdn_signal_set_function(
     function: pdn_signal_fn,
     user_data: *mut c_void,
 ) -> pdn_status {
-    guard(|call| {
-        update_struct(call, signal, "signal", |signal| {
-            call.function(function, "function")?;
-            signal.replace(pdn_signal {
-                kind: PDN_SIGNAL_FUNCTION,
-                function,
-                user_data,
-                ..pdn_signal::defaults()
-            });
-            Ok(())
-        })
-    })
+    set_function(signal, function, user_data, PDN_SIGNAL_FUNCTION)
 }
 
 /// Makes a signal a function of the caller, of the phase 2 pi t / T \[radians\], which it is told
@@ -327,16 +337,5 @@ pub unsafe extern "C" fn pdn_signal_set_function_of_phase(
     function: pdn_signal_fn,
     user_data: *mut c_void,
 ) -> pdn_status {
-    guard(|call| {
-        update_struct(call, signal, "signal", |signal| {
-            call.function(function, "function")?;
-            signal.replace(pdn_signal {
-                kind: PDN_SIGNAL_FUNCTION_OF_PHASE,
-                function,
-                user_data,
-                ..pdn_signal::defaults()
-            });
-            Ok(())
-        })
-    })
+    set_function(signal, function, user_data, PDN_SIGNAL_FUNCTION_OF_PHASE)
 }

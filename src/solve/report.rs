@@ -161,6 +161,11 @@ impl NewtonReport {
             explanation,
         }
     }
+
+    /// How it ended and why.
+    pub(crate) fn describe(&self) -> String {
+        format!("{}; {}", self.outcome.describe(), self.explanation)
+    }
 }
 
 /// Adds the time of `work` to `total`.

@@ -2,7 +2,7 @@
 
 use super::events::Tests;
 use super::walk::{Place, Stepped, Walk};
-use super::{Branch, BranchEnd, BranchOptions, BranchPoint, Event};
+use super::{Branch, BranchEnd, BranchOptions, BranchPoint, Event, no_first_point};
 use crate::collocation::{Decay, DecayKind, GridState};
 use crate::error::{Error, Result};
 use crate::fourier::TimeGrid;
@@ -55,9 +55,7 @@ pub fn follow_branch(
     let first = &options.periodic;
     let (found, solved) = solve_conditioned(model, period, given, first, &mut |_, _| true)?;
     if !solved.report.outcome.is_solution() {
-        let report = &solved.report;
-        let why = format!("{}; {}", report.outcome.describe(), report.explanation);
-        let mut branch = Branch::without_points(conditioned, period, why);
+        let mut branch = Branch::without_points(conditioned, period, &solved.report);
         branch.iterations = solved.total_iterations;
         return Ok(branch);
     }
@@ -79,7 +77,7 @@ pub(super) fn follow_from(
     state.scalars = conditioned.values(grid.period())?;
     let branch = Branch {
         threads: options.periodic.threads,
-        ..Branch::without_points(conditioned, grid.period(), String::new())
+        ..Branch::empty(conditioned, grid.period())
     };
     let watching = options.periodic.watch.begin(Stage::Newton, grid.points());
     let workers = Workers::new(options.periodic.threads)?.telling(watching.pulse());
@@ -155,12 +153,7 @@ impl Follow<'_, '_> {
         let value = self.walk.parameter(&state);
         let (state, report) = self.walk.at_parameter(state, value)?;
         if !report.outcome.is_solution() {
-            let why = format!(
-                "no first point was found: {}; {}",
-                report.outcome.describe(),
-                report.explanation
-            );
-            self.ends(BranchEnd::NoStart, why);
+            self.ends(BranchEnd::NoStart, no_first_point(&report));
             return Ok(());
         }
         let iterations = report.iterations.len();
@@ -245,7 +238,7 @@ impl Follow<'_, '_> {
                     self.ends(BranchEnd::Cancelled, report.explanation);
                     return Ok(None);
                 }
-                Err(report) => format!("{}; {}", report.outcome.describe(), report.explanation),
+                Err(report) => report.describe(),
             };
             self.branch.rejected += 1;
             length *= 0.5;

@@ -26,6 +26,7 @@ use crate::solve::periodic::conditioned::known;
 use crate::solve::periodic::options::PeriodicOptions;
 use crate::solve::report::{NewtonReport, Outcome};
 use crate::solve::result::Solved;
+use crate::system::System;
 use std::sync::Arc;
 
 /// How a branch is followed.
@@ -173,6 +174,11 @@ pub enum BranchEnd {
     NoStart,
 }
 
+/// Why there is no first point, after a solve that ended so.
+fn no_first_point(report: &NewtonReport) -> String {
+    format!("no first point was found: {}", report.describe())
+}
+
 /// Periodic motions along a parameter.
 #[derive(Debug, Clone)]
 pub struct Branch {
@@ -192,14 +198,22 @@ pub struct Branch {
 }
 
 impl Branch {
-    /// One that has no first point, and why.
-    fn without_points(conditioned: Conditioned, period: f64, why: String) -> Self {
+    /// One whose first point was not found.
+    fn without_points(conditioned: Conditioned, period: f64, report: &NewtonReport) -> Self {
+        Branch {
+            explanation: no_first_point(report),
+            ..Branch::empty(conditioned, period)
+        }
+    }
+
+    /// One that has no points yet.
+    fn empty(conditioned: Conditioned, period: f64) -> Self {
         Branch {
             conditioned,
             period,
             points: Vec::new(),
             end: BranchEnd::NoStart,
-            explanation: format!("no first point was found: {why}"),
+            explanation: String::new(),
             rejected: 0,
             iterations: 0,
             threads: 1,
@@ -239,7 +253,8 @@ impl Branch {
         let grid = TimeGrid::new(point.grid.points(), period)?;
         let report = NewtonReport::ended(Outcome::Converged, String::new());
         let motion = (grid, point.state.clone());
-        let solved = known(&model, motion, report, self.threads, Vec::new())?;
+        let system = Arc::new(System::new(&model, period)?);
+        let solved = known(&system, motion, report, self.threads, Vec::new())?;
         Ok((model, solved))
     }
 }

@@ -10,7 +10,7 @@ use crate::error::{Error, ErrorKind, Result};
 use crate::fourier::TimeGrid;
 use crate::model::Model;
 use crate::solve::linear::assembled::Assembled;
-use crate::solve::linear::dense::probe;
+use crate::solve::linear::dense::{largest, probe};
 use crate::solve::watch::Stage;
 use crate::system::System;
 use crate::workers::Workers;
@@ -74,8 +74,8 @@ pub fn switch_branch(
     options.downwards = found < before[last];
     if !report.outcome.is_solution() {
         state.scalars = before;
-        let why = format!("{}; {}", report.outcome.describe(), report.explanation);
-        return Ok(Branch::without_points(walk.conditioned, grid.period(), why));
+        let (conditioned, period) = (walk.conditioned, grid.period());
+        return Ok(Branch::without_points(conditioned, period, &report));
     }
     let values = std::mem::take(&mut state.scalars);
     let (model, period) = walk.conditioned.model_at(&values, grid.period())?;
@@ -161,7 +161,7 @@ fn null_vector(
     for _ in 0..INVERSE_ITERATIONS {
         // Of motions and forces alone: the least of constraints are high harmonics.
         vector[motions.end..].fill(0.0);
-        let size = vector.iter().fold(0.0, |m: f64, x| m.max(x.abs()));
+        let size = largest(&vector);
         vector.iter_mut().for_each(|x| *x /= size);
         if !linear.substitute(&mut vector) {
             return Err(singular());

@@ -318,8 +318,7 @@ fn solver(
     let mut equations = Collocation::new(system.clone(), grid)?;
     equations.set_workers(workers.clone());
     equations.set_scalars(Arc::new(conditioned.clone()));
-    let linear = Bordered::new(&equations, Linear::new(&equations, options.periodic.linear));
-    Ok(Newton::with(equations, linear))
+    Ok(Newton::bordered(equations, options.periodic.linear))
 }
 
 /// An increment on another grid.

@@ -25,6 +25,13 @@ pub fn solve_with_scalars(
         let expected = "no oversampling where there are scalar unknowns";
         return Err(Error::value("equations", expected, "oversampled ones"));
     }
-    let linear = Bordered::new(&equations, Linear::new(&equations, method));
-    Newton::with(equations, linear).solve(state, options, observe)
+    Newton::bordered(equations, method).solve(state, options, observe)
+}
+
+impl Newton<Bordered<Linear>> {
+    /// A solver for equations that have scalar unknowns; `method` solves those of the grid.
+    pub(crate) fn bordered(equations: Collocation, method: LinearMethod) -> Self {
+        let linear = Bordered::new(&equations, Linear::new(&equations, method));
+        Newton::with(equations, linear)
+    }
 }

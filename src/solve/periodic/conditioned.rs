@@ -10,8 +10,6 @@ use crate::error::{Error, ErrorKind, Result};
 use crate::fourier::TimeGrid;
 use crate::model::Model;
 use crate::solve::conditions::{Condition, Conditioned, Free};
-use crate::solve::linear::bordered::Bordered;
-use crate::solve::linear::method::Linear;
 use crate::solve::newton::Newton;
 use crate::solve::report::{Iteration, NewtonReport, Outcome, Timings};
 use crate::solve::result::{GridTried, Kind, PeriodicRecord, Solved};
@@ -77,7 +75,12 @@ pub fn solve_conditioned(
         conditions,
         options,
         workers: Workers::new(options.threads)?.telling(watching.pulse()),
-        found: (model.clone(), grid, start),
+        found: Found {
+            model: model.clone(),
+            system: Arc::new(System::new(model, period)?),
+            grid,
+            state: start,
+        },
         timings: Timings::default(),
         iterations: 0,
         grids: Vec::new(),
@@ -103,11 +106,19 @@ struct ConditionedSolve<'a> {
     conditions: &'a [Arc<dyn Condition>],
     options: &'a PeriodicOptions,
     workers: Workers,
-    /// The model with the values found so far, its period, and the motion.
-    found: (Model, TimeGrid, GridState),
+    found: Found,
     timings: Timings,
     iterations: usize,
     grids: Vec<GridTried>,
+}
+
+/// The model with the values found so far, and the motion.
+struct Found {
+    model: Model,
+    /// Of the model, for the period of the grid.
+    system: Arc<System>,
+    grid: TimeGrid,
+    state: GridState,
 }
 
 impl ConditionedSolve<'_> {
@@ -127,11 +138,11 @@ impl ConditionedSolve<'_> {
             let Some(next) = self.refined(&adaptation, &mut report)? else {
                 return Ok(report);
             };
-            let (model, grid, state) = &mut self.found;
-            let system = System::new(model, grid.period())?;
+            let found = &mut self.found;
+            let (system, grid) = (&found.system, found.grid);
             let finer = TimeGrid::new(next, grid.period())?;
-            match state.resampled(&system, *grid, 0.0, finer, &self.workers) {
-                Ok(resampled) => (*grid, *state) = (finer, resampled),
+            match (found.state).resampled(system, grid, 0.0, finer, &self.workers) {
+                Ok(resampled) => (found.grid, found.state) = (finer, resampled),
                 Err(e) if e.kind() == ErrorKind::GridTooCoarse => {
                     report.outcome = Outcome::ToleranceNotMet;
                     report.explanation = e.to_string();
@@ -143,17 +154,20 @@ impl ConditionedSolve<'_> {
     }
 
     fn on_grid(&mut self, observe: &mut dyn FnMut(&Iteration) -> bool) -> Result<NewtonReport> {
-        let (model, grid, state) = &mut self.found;
-        let system = Arc::new(System::new(model, grid.period())?);
-        let mut equations = Collocation::new(system, *grid)?;
+        let Found {
+            model,
+            system,
+            grid,
+            state,
+        } = &mut self.found;
+        let mut equations = Collocation::new(system.clone(), *grid)?;
         equations.set_workers(self.workers.clone());
         equations.update_kinematics(state);
         let conditioned = Conditioned::new(model, grid.period(), self.free)?;
         let conditioned = conditioned.under(self.conditions, &equations, state)?;
         state.scalars = conditioned.values(grid.period())?;
         equations.set_scalars(Arc::new(conditioned.clone()));
-        let linear = Bordered::new(&equations, Linear::new(&equations, self.options.linear));
-        let mut newton = Newton::with(equations, linear);
+        let mut newton = Newton::bordered(equations, self.options.linear);
         let solved = newton.solve(state, &self.options.newton, observe);
         self.timings = self.timings + newton.timings;
         self.iterations += newton.iterations;
@@ -164,6 +178,7 @@ impl ConditionedSolve<'_> {
         }
         match conditioned.model_at(&state.scalars, grid.period()) {
             Ok((found, period)) => {
+                *system = Arc::new(System::new(&found, period)?);
                 *model = found;
                 *grid = TimeGrid::new(grid.points(), period)?;
             }
@@ -183,10 +198,14 @@ impl ConditionedSolve<'_> {
         adaptation: &Adaptation,
         report: &mut NewtonReport,
     ) -> Result<Option<usize>> {
-        let (model, grid, state) = &self.found;
-        let system = Arc::new(System::new(model, grid.period())?);
-        let loads = Loads::of(&system, adaptation.largest)?;
-        let (found, _) = assess(&system, *grid, state, &self.workers)?;
+        let Found {
+            system,
+            grid,
+            state,
+            ..
+        } = &self.found;
+        let loads = Loads::of(system, adaptation.largest)?;
+        let (found, _) = assess(system, *grid, state, &self.workers)?;
         let points = grid.points();
         self.grids.push(GridTried {
             points,
@@ -210,14 +229,14 @@ impl ConditionedSolve<'_> {
     }
 
     fn finish(self, report: NewtonReport) -> Result<(Model, Solved)> {
-        let (model, grid, state) = self.found;
-        let solved = known(
-            &model,
-            (grid, state),
-            report,
-            self.options.threads,
-            self.grids,
-        )?;
+        let Found {
+            model,
+            system,
+            grid,
+            state,
+        } = self.found;
+        let threads = self.options.threads;
+        let solved = known(&system, (grid, state), report, threads, self.grids)?;
         let solved = Solved {
             timings: self.timings,
             total_iterations: self.iterations,
@@ -227,15 +246,14 @@ impl ConditionedSolve<'_> {
     }
 }
 
-/// A periodic motion of a model that was found somehow.
+/// A periodic motion of a system that was found somehow.
 pub(crate) fn known(
-    model: &Model,
+    system: &Arc<System>,
     (grid, mut state): (TimeGrid, GridState),
     report: NewtonReport,
     threads: usize,
     grids: Vec<GridTried>,
 ) -> Result<Solved> {
-    let system = Arc::new(System::new(model, grid.period())?);
     let mut equations = Collocation::new(system.clone(), grid)?;
     state.scalars.clear();
     equations.update_kinematics(&state);
@@ -250,7 +268,7 @@ pub(crate) fn known(
         mesh_error: f64::INFINITY,
     };
     Ok(Solved::known(
-        &system,
+        system,
         grid,
         (state, node_states),
         report,

@@ -8,6 +8,7 @@ use crate::elements::{Measure, NodeState, Unknown};
 use crate::error::Result;
 use crate::fourier::TimeGrid;
 use crate::motion::DualVector;
+use crate::solve::linear::dense::largest;
 use crate::solve::linear::direct::DirectSolver;
 use crate::solve::result::Solved;
 use crate::workers::Workers;
@@ -226,7 +227,6 @@ impl PeriodMap {
         }
         let mut correction = self.rhs.clone();
         let mut rest = vec![0.0; self.rhs.len()];
-        let largest = |x: &[f64]| x.iter().fold(0.0, |m: f64, x| m.max(x.abs()));
         for _ in 0..CORRECTIONS {
             self.equations.compliance_of(&correction, &mut rest);
             if !(self.solver).solve_refined(&self.values, &mut rest, asked)? {
