@@ -15,7 +15,7 @@ use std::time::Instant;
 const RESOLVED: f64 = 1e-4;
 const NEARER: f64 = 0.1;
 /// Tolerance of such a solution: the error after the last increment goes with its square.
-const ENOUGH: f64 = 1e-3;
+const ENOUGH: f64 = 1e-4;
 /// Inertial displacement, in scaled unknowns, of a quasi-static motion from which Newton's method
 /// takes more than a few iterations.
 const FAR: f64 = 0.001;
@@ -48,7 +48,8 @@ impl Periodic<'_> {
         if !self.starts.is_quasi_static() {
             return self.find_at(grid);
         }
-        let coarser = grid.of_half_the_harmonics();
+        let half = grid.of_half_the_harmonics().points();
+        let coarser = TimeGrid::new(half.min(self.coarse), grid.period())?;
         let is_first = self.on.grid == grid;
         if is_first && coarser.points() < LEAST_COARSE {
             return self.starts.solve(&mut self.on);
@@ -60,9 +61,9 @@ impl Periodic<'_> {
             if distance <= FAR {
                 return self.starts.solve(&mut self.on);
             }
-            self.on.move_to(coarser)?;
             most = most.min(MOST_COARSE);
         }
+        self.on.move_to(coarser)?;
         let coarse = self.on.grid;
         let start = match self.on_coarse_grid(distance, most)? {
             // Cancelled.

@@ -47,6 +47,8 @@ struct Periodic<'a> {
     accepted: f64,
     /// The grids that were tried.
     grids: Vec<GridTried>,
+    /// Points of the grid on which one on a large grid looks for its start.
+    coarse: usize,
     coarse_start: Option<GridTried>,
     /// Of the last solution that was assessed, on this grid.
     assessed: Option<(TimeGrid, Assessment)>,
@@ -58,6 +60,8 @@ struct FirstGrids {
     wanted: usize,
     /// Of quasi-static motions.
     starts: usize,
+    /// On which a solution may be found that one on a large grid starts from.
+    coarse: usize,
 }
 
 impl FirstGrids {
@@ -66,21 +70,29 @@ impl FirstGrids {
             (InitialGuess::State(_), GridPoints::Fixed(wanted)) => FirstGrids {
                 wanted,
                 starts: wanted,
+                coarse: wanted,
             },
             (_, GridPoints::Fixed(wanted)) => {
-                let coarse = Adaptation::default();
-                let coarse = coarse.guess(coarse.first(loads));
-                let is_large = wanted > COARSER * coarse;
-                let starts = if is_large { coarse } else { wanted };
-                FirstGrids { wanted, starts }
+                let adaptation = Adaptation::default();
+                let first = adaptation.first(loads);
+                let guess = adaptation.guess(first);
+                let is_large = wanted > COARSER * guess;
+                FirstGrids {
+                    wanted,
+                    starts: if is_large { guess } else { wanted },
+                    coarse: first.max(guess / 2 + 1).min(wanted),
+                }
             }
             (guess, GridPoints::Adaptive(adaptation)) => {
                 let wanted = match guess {
                     InitialGuess::State(state) => state.points(),
                     _ => adaptation.first(loads),
                 };
-                let starts = adaptation.guess(wanted);
-                FirstGrids { wanted, starts }
+                FirstGrids {
+                    wanted,
+                    starts: adaptation.guess(wanted),
+                    coarse: wanted,
+                }
             }
         }
     }
@@ -145,6 +157,7 @@ pub fn solve_periodic(
             GridPoints::Adaptive(adaptation) => adaptation.error_tolerance,
         },
         grids: Vec::new(),
+        coarse: first.coarse,
         coarse_start: None,
         assessed: None,
     };
