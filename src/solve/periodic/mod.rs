@@ -34,10 +34,6 @@ use options::{GridPoints, PeriodicOptions};
 use std::sync::Arc;
 use std::time::Instant;
 
-/// Grids of more than this many times the points that a first guess takes start from a solution on
-/// fewer.
-const COARSER: usize = 2;
-
 /// One periodic solve on its way.
 struct Periodic<'a> {
     on: OnGrid<'a>,
@@ -76,7 +72,7 @@ impl FirstGrids {
                 let adaptation = Adaptation::default();
                 let first = adaptation.first(loads);
                 let guess = adaptation.guess(first);
-                let is_large = wanted > COARSER * guess;
+                let is_large = wanted > guess;
                 FirstGrids {
                     wanted,
                     starts: if is_large { guess } else { wanted },
