@@ -144,15 +144,19 @@ impl Collocation {
         let mut all = vec![Vector6::zeros(); other.points() * stations];
         let mut resampling = Resampling::new(self.grid, start, other.points());
         let mut values = vec![0.0; other.points()];
+        // Those of a station lie far apart: they are fetched and put back once for all six.
+        let mut there = vec![Vector6::zeros(); other.points()];
         for station in 0..stations {
+            let here = resultants.iter().skip(station).step_by(stations);
+            let here: Vec<Vector6<f64>> = here.copied().collect();
             for row in 0..6 {
-                let own = resultants.iter().skip(station).step_by(stations);
-                resampling.read(own.map(|resultants| resultants[row]));
+                resampling.read(here.iter().map(|resultants| resultants[row]));
                 resampling.write(0, 0, &mut values);
-                for (k, value) in values.iter().enumerate() {
-                    all[k * stations + station][row] = *value;
-                }
+                let components = there.iter_mut().map(|there| &mut there[row]);
+                components.zip(&values).for_each(|(x, value)| *x = *value);
             }
+            let places = all.iter_mut().skip(station).step_by(stations);
+            places.zip(&there).for_each(|(all, there)| *all = *there);
         }
         Ok(all)
     }
