@@ -52,14 +52,14 @@ impl Periodic<'_> {
         let coarser = TimeGrid::new(half.min(self.coarse), grid.period())?;
         let is_first = self.on.grid == grid;
         if is_first && coarser.points() < LEAST_COARSE {
-            return self.starts.solve(&mut self.on);
+            return self.find_near(grid);
         }
         self.on.watching.attempt(0, Some(self.starts.first()));
         let distance = self.starts.inertial_displacement(&mut self.on)?;
         let mut most = self.on.means.newton.iteration_limit;
         if is_first {
             if distance <= FAR {
-                return self.starts.solve(&mut self.on);
+                return self.find_near(grid);
             }
             most = most.min(MOST_COARSE);
         }
@@ -85,6 +85,19 @@ impl Periodic<'_> {
             self.on.begin_again()?;
         }
         self.coarse_start = None;
+        self.find_at(grid)
+    }
+
+    /// From a quasi-static motion that inertial forces hardly displace, on as few points as it
+    /// takes.
+    fn find_near(&mut self, grid: TimeGrid) -> Result<Found> {
+        if self.starts.grid != grid {
+            let found = self.starts.solve_at_once(&mut self.on)?;
+            if found.1.outcome.is_final() {
+                return Ok(found);
+            }
+            self.on.begin_again()?;
+        }
         self.find_at(grid)
     }
 

@@ -34,6 +34,10 @@ use options::{GridPoints, PeriodicOptions};
 use std::sync::Arc;
 use std::time::Instant;
 
+/// Grids of more than this many times the points of a quasi-static start begin at a solution on
+/// fewer.
+const LARGE: usize = 2;
+
 /// One periodic solve on its way.
 struct Periodic<'a> {
     on: OnGrid<'a>,
@@ -56,8 +60,10 @@ struct FirstGrids {
     wanted: usize,
     /// Of quasi-static motions.
     starts: usize,
-    /// On which a solution may be found that one on a large grid starts from.
+    /// Of a solution that Newton's method may begin at.
     coarse: usize,
+    /// Of the first solution that is looked for.
+    solved: usize,
 }
 
 impl FirstGrids {
@@ -67,16 +73,19 @@ impl FirstGrids {
                 wanted,
                 starts: wanted,
                 coarse: wanted,
+                solved: wanted,
             },
             (_, GridPoints::Fixed(wanted)) => {
                 let adaptation = Adaptation::default();
                 let first = adaptation.first(loads);
                 let guess = adaptation.guess(first);
-                let is_large = wanted > guess;
+                let coarse = first.min(wanted);
+                let is_large = wanted > LARGE * guess;
                 FirstGrids {
                     wanted,
-                    starts: if is_large { guess } else { wanted },
-                    coarse: first.max(guess / 2 + 1).min(wanted),
+                    starts: guess.min(wanted),
+                    coarse,
+                    solved: if is_large { coarse } else { wanted },
                 }
             }
             (guess, GridPoints::Adaptive(adaptation)) => {
@@ -88,6 +97,7 @@ impl FirstGrids {
                     wanted,
                     starts: adaptation.guess(wanted),
                     coarse: wanted,
+                    solved: wanted,
                 }
             }
         }
@@ -125,12 +135,9 @@ pub fn solve_periodic(
     require_periodic_forces(model, system.scales().length, period)?;
     let loads = Loads::of(&system, largest)?;
     let first = FirstGrids::of(options, &loads);
-    let wanted = TimeGrid::new(first.wanted, period)?;
-    let of_starts = TimeGrid::new(first.starts, period)?;
-    let grid = match options.grid_points {
-        GridPoints::Fixed(_) => of_starts,
-        GridPoints::Adaptive(_) => wanted,
-    };
+    let [wanted, of_starts, grid] =
+        [first.wanted, first.starts, first.solved].map(|points| TimeGrid::new(points, period));
+    let (wanted, of_starts, grid) = (wanted?, of_starts?, grid?);
     let watching = options.watch.begin(Stage::InitialGuess, grid.points());
     let means = Means {
         newton: options.newton,
