@@ -9,7 +9,7 @@ use periodyn::elements::{Coordinate, JointKind};
 use periodyn::fourier::TimeGrid;
 use periodyn::model::{JointCoordinate, Model, SignalPart, SignalPlace, Target};
 use periodyn::motion::Motion;
-use periodyn::output::{BranchOutput, Solution};
+use periodyn::output::{ForceQuantity, NodeQuantity, Quantity, Solution};
 use periodyn::solve::{
     Adaptation, Branch, BranchEnd, BranchOptions, BranchPoint, Event, Free, GridPoints,
     InitialGuess, LinearMethod, Outcome, Phase, follow_branch, switch_branch,
@@ -18,17 +18,7 @@ use periodyn::system::System;
 use std::f64::consts::TAU;
 use std::sync::Arc;
 
-/// `x'' + 0.05 x' + x + 0.1 x³ = 0.18 cos Ωt`.
-fn duffing() -> Model {
-    let (mut model, at) = mass_on_a_slide(1.0, &Vector3::x());
-    model
-        .add_polynomial_spring_damper(at, &[1.0, 0.0, 0.1], &[0.05], 0.0)
-        .unwrap();
-    model.add_actuator(at, &cosine(0.18)).unwrap();
-    model
-}
-
-/// Folds of it, and the size of the first harmonic there, by a prototype in reduced coordinates.
+/// Folds of `duffing`, and the size of the first harmonic there, by a prototype in reduced coordinates.
 const FOLDS: [[f64; 2]; 2] = [
     [1.269_601_955_546, 2.825_016_712_9],
     [1.115_700_251_771, 1.081_870_323_4],
@@ -150,12 +140,8 @@ fn points_of_a_branch_are_solutions_by_either_linear_solver() {
 #[test]
 fn a_load_is_followed_through_folds_too() {
     // At Ω = 1.2 the amplitude of the load goes up, down, and up again.
-    let mut model = duffing();
-    let amplitude = model.add_parameter("load", 0.05, 0.3).unwrap();
-    let target = Target::Signal(SignalPlace::Actuator(1), SignalPart::Amplitude);
-    model
-        .move_by_parameter(amplitude, target, 1.0 / 0.18)
-        .unwrap();
+    let (mut model, amplitude) = duffing_with_load();
+    model.set_parameter(amplitude, 0.05).unwrap();
     let options = BranchOptions {
         range: [0.05, 0.6],
         ..response(31)
@@ -180,7 +166,7 @@ fn a_load_is_followed_through_folds_too() {
 }
 
 #[test]
-fn the_grid_grows_along_a_branch() {
+fn the_grid_grows_and_shrinks_along_a_branch() {
     let model = duffing();
     let mut options = response(7);
     options.periodic.grid_points = GridPoints::Adaptive(Adaptation {
@@ -191,7 +177,11 @@ fn the_grid_grows_along_a_branch() {
     assert_eq!(branch.end, BranchEnd::Range, "{}", branch.explanation);
     let counts: Vec<usize> = branch.points.iter().map(|p| p.grid.points()).collect();
     println!("{counts:?}");
-    assert!(counts.last() > counts.first());
+    // It grows towards the resonance, and gets coarser beyond it.
+    let most = *counts.iter().max().unwrap();
+    assert!(most > counts[0] && *counts.last().unwrap() <= most * 3 / 4);
+    let changes = counts.windows(2).filter(|pair| pair[1] < pair[0]).count();
+    assert!(changes <= 2, "it flutters");
     let fold = branch.points.iter().find(|p| p.event.is_some()).unwrap();
     assert!((fold.values[0] - FOLDS[0][0]).abs() < 1e-7);
 }
@@ -258,15 +248,7 @@ fn events(branch: &Branch) -> Vec<(Event, f64)> {
 
 #[test]
 fn an_escape_oscillator_folds_and_doubles_its_period() {
-    // x'' + 0.1 x' + x − x² = F cos 0.85 t.
-    let (mut model, at) = mass_on_a_slide(1.0, &Vector3::x());
-    model
-        .add_polynomial_spring_damper(at, &[1.0, -1.0], &[0.1], 0.0)
-        .unwrap();
-    model.add_actuator(at, &cosine(1.0)).unwrap();
-    let load = model.add_parameter("load", 0.01, 0.1).unwrap();
-    let target = Target::Signal(SignalPlace::Actuator(1), SignalPart::Amplitude);
-    model.move_by_parameter(load, target, 1.0).unwrap();
+    let (model, load) = escape_oscillator();
     let options = BranchOptions {
         range: [0.0, 0.105],
         motion_scale: 0.5,
@@ -291,14 +273,7 @@ fn an_escape_oscillator_folds_and_doubles_its_period() {
 
 #[test]
 fn a_doubled_branch_is_followed_from_where_it_begins() {
-    let (mut model, at) = mass_on_a_slide(1.0, &Vector3::x());
-    model
-        .add_polynomial_spring_damper(at, &[1.0, -1.0], &[0.1], 0.0)
-        .unwrap();
-    model.add_actuator(at, &cosine(1.0)).unwrap();
-    let load = model.add_parameter("load", 0.01, 0.1).unwrap();
-    let target = Target::Signal(SignalPlace::Actuator(1), SignalPart::Amplitude);
-    model.move_by_parameter(load, target, 1.0).unwrap();
+    let (model, load) = escape_oscillator();
     let options = BranchOptions {
         range: [0.0, 0.105],
         motion_scale: 0.5,
@@ -329,8 +304,7 @@ fn a_doubled_branch_is_followed_from_where_it_begins() {
         let again = Solution::solve(&found, 2.0 * period, &options, &mut |_, _| true).unwrap();
         assert!(again.details().state.distance(&solved.state, 1.0) < 1e-10);
         let x = |k: f64| {
-            let position = periodyn::output::NodeQuantity::Position;
-            again.node(0, position, &[k * period]).unwrap()[0]
+            again.node(0, NodeQuantity::Position, &[k * period]).unwrap()[0]
         };
         assert!((x(0.0) - x(1.0)).abs() > 0.01 && (x(0.0) - x(2.0)).abs() < 1e-9);
         other.points[0].values[0] - begins
@@ -498,17 +472,17 @@ fn a_branch_is_reported_and_written() {
         "{report}"
     );
     let path = std::env::temp_dir().join(format!("pdn_branch_{}.csv", std::process::id()));
-    let output = BranchOutput::Position {
-        node: 0,
-        component: 0,
-    };
-    branch.write_csv(&path, &[output]).unwrap();
+    let position = Quantity::Node(0, NodeQuantity::Position);
+    let effort = Quantity::Force(0, ForceQuantity::Effort);
+    let outputs = [position.component(0), effort.into()];
+    branch.write_csv(&path, &outputs).unwrap();
     let text = std::fs::read_to_string(&path).unwrap();
     std::fs::remove_file(&path).unwrap();
     let lines: Vec<Vec<&str>> = text.lines().map(|l| l.split(',').collect()).collect();
     assert_eq!(lines.len(), branch.points.len() + 1);
     let names = "frequency,period,slope,step,angle,grid_points,event,node0.position.x.mean,\
-                 node0.position.x.harmonic1,node0.position.x.min,node0.position.x.max";
+                 node0.position.x.harmonic1,node0.position.x.min,node0.position.x.max,\
+                 force0.effort.mean,force0.effort.harmonic1,force0.effort.min,force0.effort.max";
     assert_eq!(lines[0], names.split(',').collect::<Vec<_>>());
     let fold = branch
         .points
@@ -519,4 +493,11 @@ fn a_branch_is_reported_and_written() {
     assert_eq!(row[6], "fold");
     let size: f64 = row[8].parse().unwrap();
     assert!((size - first_harmonic(&branch, fold)).abs() < 1e-12);
+    // Of the spring and the damper, not of the load.
+    let [most, position] = [14, 10].map(|i| row[i].parse::<f64>().unwrap());
+    let spring = position + 0.1 * position.powi(3);
+    assert!((most / spring - 1.0).abs() < 1e-3, "{most} {spring}");
+    let none = Quantity::Node(7, NodeQuantity::Position);
+    assert!(branch.write_csv(&path, &[none.into()]).is_err());
+    assert!(!path.exists());
 }

@@ -5,15 +5,18 @@ use super::condition::{free_parameter, pdn_conditions};
 use super::guard::{free, guard, guard_or, init};
 use super::handle::Handle;
 use super::last_error::copy_message;
-use super::model::{index, node, pdn_model};
+use super::model::{index, pdn_model};
 use super::options::Options;
 use super::periodic::{pdn_periodic_options, read_options};
+use super::quantity::{pdn_quantity, selections};
 use super::solution::pdn_solution;
+use super::stability::{PDN_STABILITY_NOT_KNOWN, verdict_code};
 use super::status::pdn_status;
 use crate::error::{Error, Result};
 use crate::model::Model;
-use crate::output::BranchOutput;
-use crate::solve::{Branch, BranchEnd, BranchOptions, BranchPoint, Event, Free, follow_branch};
+use crate::solve::{
+    Branch, BranchEnd, BranchOptions, BranchPoint, Event, Free, StabilityOptions, follow_branch,
+};
 use libc::{c_char, c_void};
 use std::f64::consts::TAU;
 use std::path::Path;
@@ -39,6 +42,9 @@ pub const PDN_EVENT_FOLD: i32 = 1;
 pub const PDN_EVENT_BRANCH_POINT: i32 = 2;
 /// A branch of twice the period begins at a point of a branch.
 pub const PDN_EVENT_PERIOD_DOUBLING: i32 = 3;
+/// A pair of complex multipliers is on the unit circle at a point of a branch: motions with a second
+/// frequency begin there.
+pub const PDN_EVENT_TORUS: i32 = 4;
 
 /// Periodic motions along a parameter. Made by ::pdn_follow_branch, freed by ::pdn_branch_free.
 pub struct pdn_branch {
@@ -71,11 +77,17 @@ pub struct pdn_branch_point {
     pub iterations: i32,
     /// PDN_EVENT_NONE, PDN_EVENT_FOLD, ...
     pub event: i32,
+    /// Size of the largest multiplier; zero if multipliers were not wanted.
+    pub largest_multiplier: f64,
+    /// Number of multipliers outside the unit circle; zero also if they were not wanted.
+    pub multipliers_outside: i32,
+    /// PDN_STABLE, PDN_UNSTABLE or PDN_STABILITY_NOT_KNOWN, also if multipliers were not wanted.
+    pub stability: i32,
 }
 
 // SAFETY: all fields are plain numbers, `struct_size` is the first, no padding.
 unsafe impl Options for pdn_branch_point {
-    const SIZES: &'static [usize] = &[64];
+    const SIZES: &'static [usize] = &[80];
 }
 
 /// Sets a point to zero; use `PDN_INIT(pdn_branch_point, &point)`.
@@ -105,7 +117,15 @@ impl pdn_branch_point {
                 Some(Event::Fold) => PDN_EVENT_FOLD,
                 Some(Event::BranchPoint) => PDN_EVENT_BRANCH_POINT,
                 Some(Event::PeriodDoubling) => PDN_EVENT_PERIOD_DOUBLING,
+                Some(Event::Torus) => PDN_EVENT_TORUS,
             },
+            largest_multiplier: point.stability.map_or(0.0, |found| found.largest),
+            multipliers_outside: point.stability.map_or(0, |found| {
+                i32::try_from(found.outside).unwrap_or(i32::MAX)
+            }),
+            stability: point
+                .stability
+                .map_or(PDN_STABILITY_NOT_KNOWN, |found| verdict_code(found.verdict)),
             ..Self::blank()
         }
     }
@@ -160,11 +180,15 @@ pub struct pdn_branch_options {
     /// 1 to look for branch points (where there are no conditions) and period doublings, too, by
     /// two more factorisations of the whole Jacobian a point. Default 0.
     pub events: i32,
+    /// 1 to find the multipliers of each point, and with them torus points. Default 0.
+    pub stability: i32,
+    /// Leave it zero.
+    pub reserved: i32,
 }
 
 // SAFETY: all fields are plain numbers or pointers, `struct_size` is the first, no padding.
 unsafe impl Options for pdn_branch_options {
-    const SIZES: &'static [usize] = &[112];
+    const SIZES: &'static [usize] = &[120];
 
     fn defaults() -> Self {
         let core = BranchOptions::default();
@@ -222,8 +246,14 @@ fn core_options(
         1 => Ok(true),
         other => Err(Error::value(name, "0 or 1", other)),
     };
+    let periodic = read_options(call, &periodic, model, period)?;
+    let stability = StabilityOptions {
+        watch: periodic.watch.clone(),
+        ..StabilityOptions::default()
+    };
     Ok(BranchOptions {
-        periodic: read_options(call, &periodic, model, period)?,
+        periodic,
+        stability: flag(given.stability, "options.stability")?.then_some(stability),
         free,
         conditions,
         range: [
@@ -468,42 +498,31 @@ pub unsafe extern "C" fn pdn_branch_solution(
 }
 
 /// Writes a branch as CSV: a line for each point, with the parameter, how the step went, what
-/// happens there and, of components of positions, the mean, the size of the first harmonic, the
-/// least and the largest value over the period. `script/plot.py` draws it.
+/// happens there, what multipliers say if they were wanted (`pdn_branch_options.stability`) and, of
+/// each component of quantities, the mean, the size of the first harmonic, the least and the
+/// largest value over the period. `script/plot.py` draws it.
 ///
 /// @param branch  the branch; not NULL
-/// @param nodes  array of length [count]: ids of nodes; may be NULL if count is 0
-/// @param components  array of length [count]: components of their positions, 0, 1 or 2; likewise
-/// @param count  number of components
+/// @param quantities  array of length [count] of quantities, each initialised by PDN_INIT; may be
+///     NULL if count is 0
+/// @param count  number of quantities
 /// @param path  name of the file, UTF-8; an existing file is replaced
-/// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_ID, PDN_ERR_VALUE, PDN_ERR_NOT_AVAILABLE (there are no
-///     points), PDN_ERR_IO
+/// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_STRUCT_SIZE, PDN_ERR_ID, PDN_ERR_VALUE,
+///     PDN_ERR_NOT_AVAILABLE (there are no points; no such quantity), PDN_ERR_GRID_TOO_COARSE,
+///     PDN_ERR_OVERFLOW, PDN_ERR_IO
 ///
 /// Threads: like `const`. Functions of the model may be called on this thread.
 /// @since 0.1
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn pdn_branch_write_csv(
     branch: *const pdn_branch,
-    nodes: *const i32,
-    components: *const i32,
+    quantities: *const pdn_quantity,
     count: usize,
     path: *const c_char,
 ) -> pdn_status {
     guard(|call| {
         let branch = call.shared(branch, "branch")?;
-        let nodes = call.slice(nodes, count, "nodes")?;
-        let components = call.slice(components, count, "components")?;
-        let path = Path::new(call.text(path, "path")?);
-        let outputs = nodes.iter().zip(components).map(|(&id, &component)| {
-            Ok(BranchOutput::Position {
-                node: node(branch.model(), id, "nodes")?,
-                component: match component {
-                    0..=2 => component as usize,
-                    other => return Err(Error::value("components", "0, 1 or 2", other)),
-                },
-            })
-        });
-        let outputs = outputs.collect::<Result<Vec<_>>>()?;
-        branch.write_csv(path, &outputs)
+        let outputs = selections(call, quantities, count)?;
+        branch.write_csv(Path::new(call.text(path, "path")?), &outputs)
     })
 }

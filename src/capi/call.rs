@@ -109,6 +109,16 @@ impl Call {
         options::read(options, name)
     }
 
+    /// An array of `count` structs that were each initialised; NULL is allowed if there are none.
+    pub(super) fn structs<T: Options>(
+        &self,
+        array: *const T,
+        count: usize,
+        name: &str,
+    ) -> Result<Vec<T>> {
+        options::read_all(array, count, name)
+    }
+
     /// Where a struct of results goes; it was initialised with its `struct_size`.
     pub(super) fn out_struct<T: Options>(
         &self,

@@ -108,6 +108,31 @@ pub(super) fn read<T: Options>(options: *const T, name: &str) -> Result<T> {
     Ok(result)
 }
 
+/// Reads an array of such structs, all of the size that the first one tells. NULL: none.
+pub(super) fn read_all<T: Options>(array: *const T, count: usize, name: &str) -> Result<Vec<T>> {
+    if count == 0 {
+        return Ok(Vec::new());
+    }
+    check_pointer(array, count, name)?;
+    let mut all = vec![read(array, name)?];
+    // SAFETY: the first field is there in every release.
+    let size = unsafe { array.cast::<usize>().read() };
+    for i in 1..count {
+        let name = format!("{name}[{i}]");
+        // SAFETY: the caller vouches for `count` structs of `size` bytes, one after the other.
+        let one = unsafe { array.cast::<u8>().add(i * size) }.cast::<T>();
+        check_pointer(one, 1, &name)?;
+        // SAFETY: as above.
+        let given = unsafe { one.cast::<usize>().read() };
+        if given != size {
+            let message = format!("{name}: expected struct_size {size} as the first, got {given}");
+            return Err(Error::new(ErrorKind::StructSize, message));
+        }
+        all.push(read(one, &name)?);
+    }
+    Ok(all)
+}
+
 /// Writes the defaults, as much as fits, and zero to fields unknown here.
 pub(super) fn write_defaults<T: Options>(options: *mut T, size: usize, name: &str) -> Result<()> {
     check_pointer(options, 1, name)?;

@@ -181,6 +181,20 @@ pub(super) fn selection(call: &Call, quantity: *const pdn_quantity) -> Result<Se
     call.options(quantity, "quantity")?.meant()
 }
 
+/// Reads a list of what is asked for.
+pub(super) fn selections(
+    call: &Call,
+    quantities: *const pdn_quantity,
+    count: usize,
+) -> Result<Vec<Selection>> {
+    let all = call.structs(quantities, count, "quantities")?;
+    let meant = all.iter().enumerate().map(|(i, quantity)| {
+        let meant = quantity.meant();
+        meant.map_err(|e| e.within(format!("quantities[{i}]")))
+    });
+    meant.collect()
+}
+
 /// Number of components that are asked for: of values at a time, of means and of harmonics.
 ///
 /// @param quantity  initialised by PDN_INIT; not NULL

@@ -30,6 +30,15 @@ impl Handle for pdn_stability {
     type Core = Stability;
 }
 
+/// What a verdict is in C.
+pub(super) fn verdict_code(verdict: Verdict) -> i32 {
+    match verdict {
+        Verdict::NotKnown => PDN_STABILITY_NOT_KNOWN,
+        Verdict::Stable => PDN_STABLE,
+        Verdict::Unstable => PDN_UNSTABLE,
+    }
+}
+
 /// Options of ::pdn_solve_stability. Set the defaults by `PDN_INIT(pdn_stability_options,
 /// &options)`.
 #[repr(C)]
@@ -168,11 +177,7 @@ pub unsafe extern "C" fn pdn_stability_verdict(
         let stability = call.shared(stability, "stability")?;
         let verdict = call.out(verdict, "verdict")?;
         let limit = call.out_optional(frequency_limit, "frequency_limit")?;
-        verdict.set(match stability.verdict {
-            Verdict::NotKnown => PDN_STABILITY_NOT_KNOWN,
-            Verdict::Stable => PDN_STABLE,
-            Verdict::Unstable => PDN_UNSTABLE,
-        });
+        verdict.set(verdict_code(stability.verdict));
         if let Some(limit) = limit {
             limit.set(stability.frequency_limit);
         }

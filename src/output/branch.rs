@@ -1,78 +1,65 @@
 //! What a branch tells: the solution of a point, a report, and a diagram as CSV.
 
 use super::write::write_file;
-use super::{JointQuantity, NodeQuantity, Solution};
+use super::Solution;
 use crate::error::{Error, ErrorKind, Result};
-use crate::model::JointCoordinate;
-use crate::solve::{Branch, BranchEnd};
+use crate::quantity::Selection;
+use crate::solve::{Branch, BranchEnd, Verdict};
+use std::f64::consts::TAU;
 use std::fmt::Write as _;
 use std::io;
 use std::path::Path;
 
-/// A number of the motion that a diagram shows.
-#[derive(Debug, Clone, Copy)]
-pub enum BranchOutput {
-    /// A component, from 0, of the position of a node.
-    Position {
-        /// The node.
-        node: usize,
-        /// The component.
-        component: usize,
-    },
-    /// A joint coordinate.
-    Joint(JointCoordinate),
-}
-
 /// Times at which extremes are looked for, for each grid point.
 const FINER: usize = 4;
 
+/// How the step to a point went, and what happens there.
+const OF_POINTS: [&str; 6] = ["period", "slope", "step", "angle", "grid_points", "event"];
+/// What multipliers say.
+const OF_STABILITY: [&str; 3] = ["stability", "outside", "largest_multiplier"];
 /// Mean over the period, size of the first harmonic, least and largest value.
 const OF_EACH: [&str; 4] = ["mean", "harmonic1", "min", "max"];
 
-impl BranchOutput {
-    fn name(&self) -> String {
-        match self {
-            BranchOutput::Position { node, component } => {
-                let axis = ["x", "y", "z"].get(*component).unwrap_or(&"?");
-                format!("node{node}.position.{axis}")
-            }
-            BranchOutput::Joint(at) => format!("joint{}.{}", at.joint, at.coordinate),
+/// Of one component of a quantity, the numbers of [`OF_EACH`].
+fn numbers_of(values: &[f64], angles: &[f64]) -> [f64; 4] {
+    let sum = |weight: &dyn Fn(f64) -> f64| {
+        let terms = values.iter().zip(angles).map(|(x, &a)| x * weight(a));
+        terms.sum::<f64>() / values.len() as f64
+    };
+    [
+        sum(&|_| 1.0),
+        2.0 * sum(&f64::cos).hypot(sum(&f64::sin)),
+        values.iter().copied().fold(f64::INFINITY, f64::min),
+        values.iter().copied().fold(f64::NEG_INFINITY, f64::max),
+    ]
+}
+
+/// Names of what is selected.
+fn names_of(output: &Selection) -> Vec<String> {
+    let components = match output.component {
+        Some(component) => component..component + 1,
+        None => 0..output.quantity.components(),
+    };
+    components.map(|i| output.quantity.describe(i)).collect()
+}
+
+/// All numbers of outputs of a solution, in the order of their names.
+fn numbers(solution: &Solution, outputs: &[Selection]) -> Result<Vec<f64>> {
+    let grid = solution.grid();
+    let count = FINER * grid.points();
+    let share = |k: usize| k as f64 / count as f64;
+    let times: Vec<f64> = (0..count).map(|k| grid.period() * share(k)).collect();
+    let angles: Vec<f64> = (0..count).map(|k| TAU * share(k)).collect();
+    let mut all = Vec::new();
+    for output in outputs {
+        let values = solution.sample(*output, &times)?;
+        let components = output.components();
+        for i in 0..components {
+            let of_one = values.iter().skip(i).step_by(components).copied();
+            all.extend(numbers_of(&of_one.collect::<Vec<_>>(), &angles));
         }
     }
-
-    fn values(&self, solution: &Solution, times: &[f64]) -> Result<Vec<f64>> {
-        match *self {
-            BranchOutput::Position { node, component } => {
-                if component > 2 {
-                    return Err(Error::value("component", "0, 1 or 2", component));
-                }
-                let all = solution.node(node, NodeQuantity::Position, times)?;
-                Ok(all.into_iter().skip(component).step_by(3).collect())
-            }
-            BranchOutput::Joint(at) => {
-                solution.joint(at.joint, JointQuantity::Coordinate(at.coordinate), times)
-            }
-        }
-    }
-
-    /// The numbers of [`OF_EACH`].
-    fn of(&self, solution: &Solution) -> Result<[f64; 4]> {
-        let grid = solution.grid();
-        let count = FINER * grid.points();
-        let times = (0..count).map(|k| grid.period() * k as f64 / count as f64);
-        let values = self.values(solution, &times.collect::<Vec<_>>())?;
-        let angle = |k: usize| std::f64::consts::TAU * k as f64 / count as f64;
-        let sum = |weight: &dyn Fn(usize) -> f64| {
-            let terms = values.iter().enumerate().map(|(k, x)| x * weight(k));
-            terms.sum::<f64>() / count as f64
-        };
-        Ok([
-            sum(&|_| 1.0),
-            2.0 * sum(&|k| angle(k).cos()).hypot(sum(&|k| angle(k).sin())),
-            values.iter().copied().fold(f64::INFINITY, f64::min),
-            values.iter().copied().fold(f64::NEG_INFINITY, f64::max),
-        ])
-    }
+    Ok(all)
 }
 
 impl BranchEnd {
@@ -101,7 +88,11 @@ impl Branch {
 
     /// How it went, for people.
     pub fn report(&self) -> String {
-        let mut text = format!("Branch along {}\n", self.parameter_name());
+        let what = match self.locus {
+            Some(event) => format!("Locus of {}s", event.describe()),
+            None => "Branch".to_string(),
+        };
+        let mut text = format!("{what} along {}\n", self.parameter_name());
         let _ = writeln!(
             text,
             "  {} points, {} Newton iterations, {} steps taken again by half",
@@ -118,6 +109,7 @@ impl Branch {
                 let _ = writeln!(text, "  {} at {:.15}", event.describe(), point.values[0]);
             }
         }
+        self.write_stability(&mut text);
         let _ = write!(text, "  It ended as {}", self.end.describe());
         match self.explanation.is_empty() {
             true => text.push_str(".\n"),
@@ -128,34 +120,65 @@ impl Branch {
         text
     }
 
+    /// How many points are stable, if that is known.
+    fn write_stability(&self, text: &mut String) {
+        let count = |verdict: Verdict| {
+            let all = self.points.iter().filter_map(|point| point.stability);
+            all.filter(|found| found.verdict == verdict).count()
+        };
+        let all = [Verdict::Stable, Verdict::Unstable, Verdict::NotKnown];
+        let found = all.map(|verdict| (verdict, count(verdict)));
+        let told = found.iter().filter(|(_, count)| *count > 0);
+        let told: Vec<String> = told
+            .map(|(verdict, count)| format!("{count} {}", verdict.describe()))
+            .collect();
+        if !told.is_empty() {
+            let _ = writeln!(text, "  points: {}", told.join(", "));
+        }
+    }
+
     /// Writes the branch as a CSV file: a line for each point, with the parameter that is followed
-    /// and those free beside it, how the step went, what happens there, and of each output its
-    /// mean, the size of its first harmonic, and its least and largest value.
+    /// and those free beside it, how the step went, what happens there, what multipliers say if
+    /// they were wanted, and of each component of the outputs its mean, the size of its first
+    /// harmonic, and its least and largest value.
     ///
     /// # Errors
     /// If there are no points, or an output is none; [`ErrorKind::Io`]; a file that was there stays
     /// as it was.
-    pub fn write_csv(&self, path: &Path, outputs: &[BranchOutput]) -> Result<()> {
+    pub fn write_csv(&self, path: &Path, outputs: &[Selection]) -> Result<()> {
         if self.points.is_empty() {
             let message = format!("branch: it has no points: {}", self.explanation);
             return Err(Error::new(ErrorKind::NotAvailable, message));
         }
+        let has_stability = self.points.iter().any(|point| point.stability.is_some());
         let mut names = self.value_names();
-        let of_points = ["period", "slope", "step", "angle", "grid_points", "event"];
-        names.extend(of_points.map(String::from));
-        for output in outputs {
-            names.extend(OF_EACH.map(|of| format!("{}.{of}", output.name())));
+        names.extend(OF_POINTS.map(String::from));
+        if has_stability {
+            names.extend(OF_STABILITY.map(String::from));
+        }
+        for name in outputs.iter().flat_map(names_of) {
+            names.extend(OF_EACH.map(|of| format!("{name}.{of}")));
         }
         let mut rows = Vec::new();
         for (index, point) in self.points.iter().enumerate() {
-            let solution = self.solution(index)?;
             let mut row: Vec<String> = point.values.iter().map(|x| format!("{x:?}")).collect();
-            let numbers = [point.grid.period(), point.slope, point.step, point.angle];
-            row.extend(numbers.map(|x| format!("{x:?}")));
+            let numbers_of_step = [point.grid.period(), point.slope, point.step, point.angle];
+            row.extend(numbers_of_step.map(|x| format!("{x:?}")));
             row.push(point.grid.points().to_string());
             row.push(point.event.map_or("", |event| event.describe()).to_string());
-            for output in outputs {
-                row.extend(output.of(&solution)?.map(|x| format!("{x:?}")));
+            if has_stability {
+                row.extend(match &point.stability {
+                    Some(found) => [
+                        found.verdict.describe().to_string(),
+                        found.outside.to_string(),
+                        format!("{:?}", found.largest),
+                    ],
+                    None => [Verdict::NotKnown.describe().to_string(), "".into(), "".into()],
+                });
+            }
+            if !outputs.is_empty() {
+                let found = numbers(&self.solution(index)?, outputs)?;
+                row.extend(found.iter().map(|x| format!("{x:?}")));
             }
             rows.push(row);
         }

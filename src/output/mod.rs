@@ -22,7 +22,6 @@ pub use crate::quantity::{
     BeamQuantity, Extremes, ForceQuantity, JointQuantity, NodeQuantity, Quantity, ResolvedIn,
     Selection,
 };
-pub use branch::BranchOutput;
 pub use diagnostics::Diagnostics;
 pub use modes::Modes;
 pub use solution::Solution;

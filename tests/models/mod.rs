@@ -8,6 +8,7 @@ pub mod beams;
 pub mod elements;
 pub mod four_bar;
 pub mod linkages;
+pub mod oscillators;
 pub mod parts;
 pub mod pendulums;
 pub mod small;

@@ -1,7 +1,11 @@
 //! What lies between two points of a branch, located along the arc (docs/theory.md, section 13.5).
 
-use super::Event;
+use super::augmented::Located;
+use super::multipliers::Multipliers;
+use super::singular::Singular;
+use super::step::Shown;
 use super::walk::{Place, Stepped, Walk};
+use super::{Event, PointStability};
 use crate::collocation::{Antiperiodic, Spectral};
 use crate::error::Result;
 
@@ -9,10 +13,12 @@ use crate::error::Result;
 const MOST: usize = 30;
 /// Length of what is left to search, over the step, that is none.
 const NARROW: f64 = 1e-14;
+/// What is left of a test, relative to that at the last point, where Newton's method is tried.
+const NEAR: f64 = 0.3;
 /// Logarithms of ratios of determinants that are told apart.
 const LARGEST_RATIO: f64 = 200.0;
 
-/// What tells of events, for what is looked for: it changes sign at one.
+/// What tells of events: for what is looked for it changes sign at one.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Tests {
     /// Derivative of the parameter by the arc length.
@@ -21,43 +27,97 @@ pub(super) struct Tests {
     bordered: Option<(f64, f64)>,
     /// The same of the Jacobian for increments that change sign after a period.
     antiperiodic: Option<(f64, f64)>,
+    multipliers: Option<Multipliers>,
+}
+
+/// What is looked for.
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum Sought {
+    Event(Event),
+    /// A torus point, at which the pair of complex multipliers of this number, by size, is on the
+    /// unit circle.
+    Torus(usize),
+}
+
+/// Sign, and logarithm of the size, of a number.
+fn split(x: f64) -> (f64, f64) {
+    (x.signum(), x.abs().ln())
 }
 
 impl Tests {
-    fn of(&self, event: Event) -> Option<(f64, f64)> {
-        match event {
-            Event::Fold => Some((self.slope.signum(), self.slope.abs().ln())),
-            Event::BranchPoint => self.bordered,
-            Event::PeriodDoubling => self.antiperiodic,
+    /// What multipliers say.
+    pub fn stability(&self) -> Option<PointStability> {
+        self.multipliers.as_ref().map(|found| found.stability)
+    }
+
+    fn of(&self, sought: Sought) -> Option<(f64, f64)> {
+        match sought {
+            Sought::Event(Event::Fold) => Some(split(self.slope)),
+            Sought::Event(Event::BranchPoint) => self.bordered,
+            Sought::Event(Event::PeriodDoubling) => self.antiperiodic,
+            Sought::Event(Event::Torus) => None,
+            Sought::Torus(number) => {
+                let pair = self.multipliers.as_ref()?.pairs.get(number)?;
+                Some(split(pair.size - 1.0))
+            }
         }
     }
 
     /// Sign of the test for an event here times that at `other`; positive where one is not known.
-    fn product(&self, other: &Tests, event: Event) -> f64 {
-        match (self.of(event), other.of(event)) {
+    fn product(&self, other: &Tests, sought: Sought) -> f64 {
+        match (self.of(sought), other.of(sought)) {
             (Some((here, _)), Some((there, _))) => here * there,
             _ => 1.0,
         }
     }
 
     /// The test for an event, relative to its size at `other`.
-    fn relative(&self, other: &Tests, event: Event) -> Option<f64> {
-        let ((sign, size), (_, reference)) = (self.of(event)?, other.of(event)?);
+    fn relative(&self, other: &Tests, sought: Sought) -> Option<f64> {
+        let ((sign, size), (_, reference)) = (self.of(sought)?, other.of(sought)?);
         let ratio = (size - reference).clamp(-LARGEST_RATIO, LARGEST_RATIO);
         Some(sign * ratio.exp())
     }
+
+    /// The pair of multipliers that crosses the unit circle on the way to `other`, where so many
+    /// other events explain what else does.
+    fn torus(&self, other: &Tests, others: usize) -> Option<Sought> {
+        let (here, there) = (self.multipliers.as_ref()?, other.multipliers.as_ref()?);
+        let pairs = [here, there].map(Multipliers::pairs_outside);
+        let [before, after] = pairs;
+        // Two real ones that meet outside become a pair there.
+        let real = |found: &Multipliers, pairs| found.stability.outside.abs_diff(2 * pairs);
+        let met = real(here, before).abs_diff(real(there, after)) > others;
+        let number = before.min(after);
+        (before != after && !met).then_some(Sought::Torus(number))
+    }
+}
+
+/// An event between two points of a branch.
+pub(super) struct Found {
+    pub event: Event,
+    pub stepped: Stepped,
+    /// How far from the first of the points.
+    pub at: f64,
+    pub increments: Vec<f64>,
+    pub second_frequency: Option<f64>,
 }
 
 impl Walk<'_> {
     /// What tells of events at a place.
     pub fn tests(&mut self, place: &Place) -> Result<Tests> {
-        let slope = self.slope(place);
+        let tests = Tests {
+            slope: self.slope(place),
+            multipliers: self.multipliers(place)?,
+            ..Tests::default()
+        };
+        self.with_determinants(place, tests)
+    }
+
+    fn with_determinants(&mut self, place: &Place, tests: Tests) -> Result<Tests> {
+        let slope = tests.slope;
         let with_branch_points = self.options.conditions.is_empty();
         let Some(determinants) = &mut self.determinants else {
-            return Ok(Tests {
-                slope,
-                ..Tests::default()
-            });
+            return Ok(tests);
         };
         let equations = determinants.equations();
         equations.apply_scalars(&place.state)?;
@@ -76,64 +136,95 @@ impl Walk<'_> {
             }
         };
         Ok(Tests {
-            slope,
             bordered,
             antiperiodic,
+            ..tests
         })
     }
 
-    /// The events between a place and another, `length` further, in order: each with its place, and
-    /// how far it is.
+    /// What tells of one event at a place.
+    fn test(&mut self, place: &Place, sought: Sought) -> Result<Tests> {
+        let slope = self.slope(place);
+        let multipliers = match sought {
+            Sought::Torus(_) => self.multipliers(place)?,
+            Sought::Event(_) => None,
+        };
+        let tests = Tests {
+            slope,
+            multipliers,
+            ..Tests::default()
+        };
+        match sought {
+            Sought::Event(Event::BranchPoint | Event::PeriodDoubling) => {
+                self.with_determinants(place, tests)
+            }
+            _ => Ok(tests),
+        }
+    }
+
+    /// The events between a place and another, `length` further, in order.
     pub fn events(
         &mut self,
         (from, here): (&Place, &Tests),
         (there, length): (&Tests, f64),
-    ) -> Result<Vec<(Event, Stepped, f64)>> {
+    ) -> Result<Vec<Found>> {
+        let all = [Event::Fold, Event::BranchPoint, Event::PeriodDoubling];
+        let all = all.map(Sought::Event).into_iter();
+        let mut sought: Vec<Sought> = all.filter(|&s| here.product(there, s) < 0.0).collect();
+        sought.extend(here.torus(there, sought.len()));
         let mut found = Vec::new();
-        for event in [Event::Fold, Event::BranchPoint, Event::PeriodDoubling] {
-            if here.product(there, event) < 0.0
-                && let Some((stepped, at)) = self.locate(event, (from, here), (there, length))?
-            {
-                found.push((event, stepped, at));
-            }
+        for one in sought {
+            found.extend(self.locate(one, (from, here), (there, length))?);
         }
-        found.sort_by(|a, b| a.2.total_cmp(&b.2));
+        found.sort_by(|a: &Found, b: &Found| a.at.total_cmp(&b.at));
         Ok(found)
     }
 
     /// Where the test for an event vanishes: by the secant method of Illinois, each time at a point
-    /// of the branch. None where that fails.
+    /// of the branch, and where the event has an equation of its own by Newton's method from near
+    /// there. None where that fails.
     fn locate(
         &mut self,
-        event: Event,
+        sought: Sought,
         (from, here): (&Place, &Tests),
         (there, length): (&Tests, f64),
-    ) -> Result<Option<(Stepped, f64)>> {
-        let (Some(first), Some(last)) = (here.relative(here, event), there.relative(here, event))
+    ) -> Result<Option<Found>> {
+        let (Some(first), Some(last)) = (here.relative(here, sought), there.relative(here, sought))
         else {
             return Ok(None);
         };
         let (mut low, mut high) = ((0.0, first), (length, last));
-        let mut best: Option<(Stepped, f64, f64)> = None;
+        let mut best: Option<(Found, f64)> = None;
+        let mut tried = false;
         for _ in 0..MOST {
             let at: f64 = (low.0 * high.1 - high.0 * low.1) / (high.1 - low.1);
             if !at.is_finite() || at <= 0.0 || at >= length {
                 break;
             }
-            let Ok(found) = self.step(from, at)? else {
+            let Ok(stepped) = self.step(from, at)? else {
                 break;
             };
-            let tests = match event {
-                Event::Fold => Tests {
-                    slope: self.slope(&found.to),
-                    ..Tests::default()
-                },
-                _ => self.tests(&found.to)?,
-            };
+            let tests = self.test(&stepped.to, sought)?;
             // Singular to rounding: it is there.
-            let value = tests.relative(here, event).unwrap_or(0.0);
-            if best.as_ref().is_none_or(|best| value.abs() <= best.2.abs()) {
-                best = Some((found, at, value));
+            let value = tests.relative(here, sought).unwrap_or(0.0);
+            let frequency = tests.frequency(sought);
+            if value.abs() < NEAR && !tried {
+                tried = true;
+                let near = (&stepped.to, frequency.unwrap_or(0.0));
+                let newton = self.pinpoint(sought.event(), (from, length), near)?;
+                if newton.is_some() {
+                    return Ok(newton);
+                }
+            }
+            if best.as_ref().is_none_or(|best| value.abs() <= best.1.abs()) {
+                let found = Found {
+                    event: sought.event(),
+                    stepped,
+                    at,
+                    increments: Vec::new(),
+                    second_frequency: frequency,
+                };
+                best = Some((found, value));
             }
             if value == 0.0 || f64::abs(high.0 - low.0) <= NARROW * length {
                 break;
@@ -150,6 +241,88 @@ impl Walk<'_> {
                 break;
             }
         }
-        Ok(best.map(|(stepped, at, _)| (stepped, at)))
+        Ok(best.map(|(found, _)| found))
+    }
+
+    /// The event near a place, by its own equation; none if it has none, or is not found within
+    /// `length` of the place where the step began.
+    fn pinpoint(
+        &mut self,
+        event: Event,
+        (from, length): (&Place, f64),
+        (near, frequency): (&Place, f64),
+    ) -> Result<Option<Found>> {
+        // Under conditions J itself is singular everywhere.
+        let is_own = match event {
+            Event::Fold => self.options.events && self.options.conditions.is_empty(),
+            Event::PeriodDoubling | Event::Torus => true,
+            Event::BranchPoint => false,
+        };
+        if !is_own {
+            return Ok(None);
+        }
+        let equations = &self.newton.equations;
+        let singular = Singular::new(event, frequency, equations, &near.state)?;
+        let Some(mut singular) = singular else {
+            return Ok(None);
+        };
+        let along = vec![near.tangent.clone()];
+        let located = self.locate_from(near.state.clone(), &mut singular, along, None)?;
+        let Some(Located {
+            state,
+            mut tangents,
+            increments,
+        }) = located
+        else {
+            return Ok(None);
+        };
+        let Some(mut tangent) = tangents.pop() else {
+            return Ok(None);
+        };
+        if self.inner(&tangent, &from.tangent) < 0.0 {
+            tangent.iter_mut().for_each(|x| *x = -*x);
+        }
+        let at = self.inner(&self.away(&from.state, &state), &from.tangent);
+        if !(0.0..=length).contains(&at) {
+            return Ok(None);
+        }
+        let cosine = self.inner(&tangent, &from.tangent).clamp(-1.0, 1.0);
+        let to = Place { state, tangent };
+        Ok(Some(Found {
+            event,
+            stepped: Stepped {
+                to,
+                shown: Shown {
+                    angle: cosine.acos(),
+                    prediction: 0.0,
+                },
+                iterations: increments.len(),
+            },
+            at,
+            increments,
+            second_frequency: singular.is_complex().then_some(singular.frequency),
+        }))
+    }
+}
+
+impl Sought {
+    fn event(self) -> Event {
+        match self {
+            Sought::Event(event) => event,
+            Sought::Torus(_) => Event::Torus,
+        }
+    }
+}
+
+impl Tests {
+    /// Frequency of the pair of multipliers that is looked for.
+    fn frequency(&self, sought: Sought) -> Option<f64> {
+        match sought {
+            Sought::Torus(number) => {
+                let pair = self.multipliers.as_ref()?.pairs.get(number)?;
+                Some(pair.frequency)
+            }
+            Sought::Event(_) => None,
+        }
     }
 }

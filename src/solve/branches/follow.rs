@@ -1,22 +1,26 @@
 //! A branch from its first point to its end (docs/theory.md, section 13.3).
 
 use super::events::Tests;
+use super::grid::Grids;
 use super::walk::{Place, Stepped, Walk};
-use super::{Branch, BranchEnd, BranchOptions, BranchPoint, Event, no_first_point};
-use crate::collocation::{Decay, DecayKind, GridState};
-use crate::error::{Error, Result};
+use super::{
+    Branch, BranchEnd, BranchOptions, BranchPoint, PointStability, no_first_point,
+};
+use crate::collocation::GridState;
+use crate::error::Result;
 use crate::fourier::TimeGrid;
 use crate::model::Model;
 use crate::solve::conditions::{Conditioned, Free};
 use crate::solve::periodic::conditioned::solve_conditioned;
-use crate::solve::periodic::options::GridPoints;
 use crate::solve::watch::Stage;
 use crate::workers::Workers;
 
 /// Fewest points before the first is looked for.
 const LEAST_LOOP: usize = 4;
-/// Distance of a closed loop from its first point, over the step.
+/// Distance of the first point from a step that passes it, over the step.
 const CLOSED: f64 = 0.2;
+/// Distance from the first point of what is the same.
+const SAME: f64 = 1e-4;
 
 /// Follows periodic motions of `model` along a parameter, from the solution at its value in the
 /// model, which is the first point: a tangent predicts the next point, Newton's method with the
@@ -36,21 +40,10 @@ pub fn follow_branch(
 ) -> Result<Branch> {
     options.validate()?;
     let mut free = options.free.clone();
+    options.require_conditions(free.len())?;
     free.push(parameter);
-    if options.conditions.len() + 1 != free.len() {
-        let expected = format!("as many as there are free parameters ({})", free.len() - 1);
-        let got = options.conditions.len();
-        return Err(Error::size("options.conditions", expected, got));
-    }
     let conditioned = Conditioned::new(model, period, &free)?;
-    let [low, high] = options.range;
-    let start = parameter.value(model, period)?;
-    // A frequency is that of a period that was given.
-    let slack = 1e-12 * (high - low).max(start.abs());
-    if !(low - slack..=high + slack).contains(&start) {
-        let expected = format!("{} between {low} and {high}", parameter.name(model));
-        return Err(Error::value("options.range", expected, start));
-    }
+    options.require_within(model, period, parameter)?;
     let given = (&options.free[..], &options.conditions[..]);
     let first = &options.periodic;
     let (found, solved) = solve_conditioned(model, period, given, first, &mut |_, _| true)?;
@@ -81,37 +74,75 @@ pub(super) fn follow_from(
     };
     let watching = options.periodic.watch.begin(Stage::Newton, grid.points());
     let workers = Workers::new(options.periodic.threads)?.telling(watching.pulse());
-    let mut follow = Follow {
-        walk: Walk::new(model, grid, free, (options, workers, watching))?,
-        branch,
-        observe,
-    };
+    let walk = Walk::new(model, grid, free, (options, workers, watching))?;
+    let mut follow = Follow::new(walk, branch, observe);
     follow.from(state)?;
-    follow.branch.iterations += follow.walk.iterations();
-    Ok(follow.branch)
+    Ok(follow.end())
 }
 
 /// What is found at an end of the range: a place, if any, and the iterations that it took.
 struct Bound(Option<(Place, usize)>);
 
-struct Follow<'a, 'o> {
-    walk: Walk<'a>,
-    branch: Branch,
+/// The first point, come back to.
+struct Closing {
+    stepped: Stepped,
+    /// Of the step.
+    length: f64,
+}
+
+/// A branch, as far as it has come.
+pub(super) struct Follow<'a, 'o> {
+    pub walk: Walk<'a>,
+    pub branch: Branch,
     observe: &'o mut dyn FnMut(usize, &BranchPoint) -> bool,
 }
 
+impl<'a, 'o> Follow<'a, 'o> {
+    pub fn new(
+        walk: Walk<'a>,
+        branch: Branch,
+        observe: &'o mut dyn FnMut(usize, &BranchPoint) -> bool,
+    ) -> Self {
+        Follow {
+            walk,
+            branch,
+            observe,
+        }
+    }
+
+    /// The branch, with all iterations.
+    pub fn end(mut self) -> Branch {
+        self.branch.iterations += self.walk.iterations();
+        self.branch
+    }
+}
+
 impl Follow<'_, '_> {
-    fn ends(&mut self, end: BranchEnd, why: impl Into<String>) {
+    pub fn ends(&mut self, end: BranchEnd, why: impl Into<String>) {
         (self.branch.end, self.branch.explanation) = (end, why.into());
     }
 
-    /// Keeps a point. `false` if the branch is to end there.
+    /// Keeps a point, and how the step to it went: its length, its angle, and its iterations.
+    /// `false` if the branch is to end there.
     fn keep(
         &mut self,
-        (place, event): (&Place, Option<Event>),
-        [step, angle]: [f64; 2],
-        iterations: usize,
+        place: &Place,
+        stability: Option<PointStability>,
+        ([step, angle], iterations): ([f64; 2], usize),
     ) -> bool {
+        match self.point(place, stability, ([step, angle], iterations)) {
+            Some(point) => self.push(point),
+            None => false,
+        }
+    }
+
+    /// The point at a place; none if it has no period.
+    pub fn point(
+        &mut self,
+        place: &Place,
+        stability: Option<PointStability>,
+        ([step, angle], iterations): ([f64; 2], usize),
+    ) -> Option<BranchPoint> {
         let mut state = place.state.clone();
         let scalars = std::mem::take(&mut state.scalars);
         // The equations may be at another point.
@@ -119,12 +150,12 @@ impl Follow<'_, '_> {
         let period = self.walk.conditioned.period_at(&scalars, nominal);
         let Ok(grid) = TimeGrid::new(state.points(), period) else {
             self.ends(BranchEnd::SmallestStep, "the period is none");
-            return false;
+            return None;
         };
         let last = scalars.len() - 1;
         let mut values = vec![scalars[last]];
         values.extend_from_slice(&scalars[..last]);
-        let point = BranchPoint {
+        Some(BranchPoint {
             values,
             slope: self.walk.slope(place),
             grid,
@@ -132,8 +163,14 @@ impl Follow<'_, '_> {
             step,
             angle,
             iterations,
-            event,
-        };
+            event: None,
+            increments: Vec::new(),
+            second_frequency: None,
+            stability,
+        })
+    }
+
+    pub fn push(&mut self, point: BranchPoint) -> bool {
         self.branch.points.push(point);
         let (number, point) = (self.branch.points.len(), self.branch.points.last());
         let goes_on = point.is_none_or(|point| (self.observe)(number, point));
@@ -162,57 +199,44 @@ impl Follow<'_, '_> {
             self.ends(BranchEnd::NoStart, why);
             return Ok(());
         };
-        let first = place.clone();
-        if !self.keep((&place, None), [0.0; 2], iterations) {
+        let mut tests = self.walk.tests(&place)?;
+        if !self.keep(&place, tests.stability(), ([0.0; 2], iterations)) {
             return Ok(());
         }
-        let mut tests = self.walk.tests(&place)?;
+        let first = place.clone();
+        let mut grids = Grids::of(&self.walk)?;
         let mut step = self.walk.options.first_step;
         loop {
             let length = step;
             let Some((taken, stepped)) = self.step_from(&place, length)? else {
                 return Ok(());
             };
-            if let Some(Bound(at_end)) = self.beyond(&place, &stepped.to)? {
-                if let Some((end, iterations)) = at_end {
-                    let away = self.walk.away(&place.state, &end.state);
-                    let length = self.walk.inner(&away, &place.tangent);
-                    if self
-                        .keep_between((&place, &tests), (&end, length))?
-                        .is_none()
-                    {
-                        return Ok(());
+            if let Some(end) = self.beyond(&place, &stepped.to)? {
+                return self.ends_at((&place, &tests), end);
+            }
+            if let Some(end) = self.closing(&first, &place, &stepped.to, taken)? {
+                let (length, angle) = (end.length, end.stepped.shown.angle);
+                let to = (&end.stepped.to, length);
+                if let Some(there) = self.keep_between((&place, &tests), to)? {
+                    let step = ([length, angle], end.stepped.iterations);
+                    if self.keep(to.0, there.stability(), step) {
+                        self.ends(BranchEnd::Closed, "");
                     }
-                    let angle = self.angle(&place, &end);
-                    self.keep((&end, None), [length, angle], iterations);
                 }
-                self.ends(BranchEnd::Range, "");
                 return Ok(());
             }
             let between = self.keep_between((&place, &tests), (&stepped.to, taken))?;
             let Some(there) = between else {
                 return Ok(());
             };
-            let closed = self.closes(&first, &place, &stepped.to, taken);
             let shown = stepped.shown;
-            let (goes_on, last) = (
-                self.keep(
-                    (&stepped.to, None),
-                    [taken, shown.angle],
-                    stepped.iterations,
-                ),
-                stepped.to,
-            );
-            if !goes_on {
-                return Ok(());
-            }
-            if closed {
-                self.ends(BranchEnd::Closed, "");
+            let how = ([taken, shown.angle], stepped.iterations);
+            if !self.keep(&stepped.to, there.stability(), how) {
                 return Ok(());
             }
             step = shown.next(taken, self.walk.options);
-            let points = last.state.points();
-            place = self.on_fine_enough_grid(last)?;
+            let points = stepped.to.state.points();
+            place = grids.go_on(&mut self.walk, stepped.to)?;
             tests = match place.state.points() == points {
                 true => there,
                 false => self.walk.tests(&place)?,
@@ -220,7 +244,22 @@ impl Follow<'_, '_> {
         }
     }
 
-    fn angle(&self, from: &Place, to: &Place) -> f64 {
+    /// Ends at the end of the range, if there is a point.
+    fn ends_at(&mut self, (place, tests): (&Place, &Tests), Bound(end): Bound) -> Result<()> {
+        if let Some((end, iterations)) = end {
+            let away = self.walk.away(&place.state, &end.state);
+            let length = self.walk.inner(&away, &place.tangent);
+            let Some(there) = self.keep_between((place, tests), (&end, length))? else {
+                return Ok(());
+            };
+            let step = [length, self.angle(place, &end)];
+            self.keep(&end, there.stability(), (step, iterations));
+        }
+        self.ends(BranchEnd::Range, "");
+        Ok(())
+    }
+
+    pub fn angle(&self, from: &Place, to: &Place) -> f64 {
         let cosine = self.walk.inner(&from.tangent, &to.tangent);
         cosine.clamp(-1.0, 1.0).acos()
     }
@@ -254,18 +293,25 @@ impl Follow<'_, '_> {
         }
     }
 
+    /// The end of the range that a place is beyond.
+    pub fn bound_beyond(&self, place: &Place) -> Option<f64> {
+        let [low, high] = self.walk.options.range;
+        match self.walk.parameter(&place.state) {
+            value if value > high => Some(high),
+            value if value < low => Some(low),
+            _ => None,
+        }
+    }
+
     /// Where a step leads out of the range: the solution at its end, if it is found.
     fn beyond(&mut self, from: &Place, to: &Place) -> Result<Option<Bound>> {
-        let [low, high] = self.walk.options.range;
+        let Some(bound) = self.bound_beyond(to) else {
+            return Ok(None);
+        };
         let (here, there) = (
             self.walk.parameter(&from.state),
             self.walk.parameter(&to.state),
         );
-        let bound = match there {
-            there if there > high => high,
-            there if there < low => low,
-            _ => return Ok(None),
-        };
         let share = ((bound - here) / (there - here)).clamp(0.0, 1.0);
         let away = self.walk.away(&from.state, &to.state);
         let system = self.walk.newton.equations.system().clone();
@@ -293,44 +339,55 @@ impl Follow<'_, '_> {
     ) -> Result<Option<Tests>> {
         let there = self.walk.tests(to)?;
         let mut before = 0.0;
-        for (event, stepped, at) in self.walk.events(from, (&there, length))? {
-            let step = [at - before, stepped.shown.angle];
-            let event = (&stepped.to, Some(event));
-            if !self.keep(event, step, stepped.iterations) {
+        for found in self.walk.events(from, (&there, length))? {
+            let step = [found.at - before, found.stepped.shown.angle];
+            let place = &found.stepped.to;
+            let stability = self.walk.stability(place)?;
+            let Some(point) = self.point(place, stability, (step, found.stepped.iterations)) else {
+                return Ok(None);
+            };
+            let goes_on = self.push(BranchPoint {
+                event: Some(found.event),
+                increments: found.increments,
+                second_frequency: found.second_frequency,
+                ..point
+            });
+            if !goes_on {
                 return Ok(None);
             }
-            before = at;
+            before = found.at;
         }
         Ok(Some(there))
     }
 
-    /// Whether a step passes by the first point.
-    fn closes(&self, first: &Place, from: &Place, to: &Place, length: f64) -> bool {
-        if self.branch.points.len() < LEAST_LOOP || first.state.points() != from.state.points() {
-            return false;
+    /// The first point once more, if a step passes it in the same direction.
+    fn closing(
+        &mut self,
+        first: &Place,
+        from: &Place,
+        to: &Place,
+        length: f64,
+    ) -> Result<Option<Closing>> {
+        if self.branch.points.len() < LEAST_LOOP {
+            return Ok(None);
         }
+        let Some(first) = self.walk.on_present_grid(first)? else {
+            return Ok(None);
+        };
         let away = self.walk.away(&from.state, &first.state);
         let along = self.walk.inner(&away, &from.tangent);
         let aside = self.walk.inner(&away, &away) - along * along;
         let forwards = self.walk.inner(&to.tangent, &first.tangent) > 0.0;
-        forwards && (0.0..=length).contains(&along) && aside < (CLOSED * length).powi(2)
-    }
-
-    /// Goes on with more grid points where the estimated error asks for it.
-    fn on_fine_enough_grid(&mut self, place: Place) -> Result<Place> {
-        let GridPoints::Adaptive(adaptation) = self.walk.options.periodic.grid_points else {
-            return Ok(place);
+        let passes = (0.0..=length).contains(&along) && aside < (CLOSED * length).powi(2);
+        if !forwards || !passes {
+            return Ok(None);
+        }
+        let Ok(stepped) = self.walk.step(from, along)? else {
+            return Ok(None);
         };
-        let equations = &self.walk.newton.equations;
-        let (system, grid) = (equations.system(), equations.grid());
-        let decay = Decay::of(system, grid, &place.state);
-        if decay.tail <= adaptation.error_tolerance || decay.kind == DecayKind::Rounding {
-            return Ok(place);
-        }
-        let next = adaptation.next_by_decay(grid.points(), &decay);
-        if next <= grid.points() {
-            return Ok(place);
-        }
-        Ok(self.walk.refine(&place, next)?.unwrap_or(place))
+        let away = self.walk.away(&stepped.to.state, &first.state);
+        let is_first = self.walk.inner(&away, &away).sqrt() < SAME;
+        let length = along;
+        Ok(is_first.then_some(Closing { stepped, length }))
     }
 }

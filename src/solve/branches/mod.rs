@@ -4,17 +4,27 @@
 //! * `walk.rs`: a point and its tangent, the next point;
 //! * `step.rs`: how long the next step is;
 //! * `follow.rs`: from the first point to the end;
-//! * `events.rs`, `determinants.rs`: what lies between two points, located;
-//! * `switch.rs`: the other branch at such a point.
+//! * `grid.rs`: with how many grid points it goes on;
+//! * `events.rs`, `determinants.rs`, `multipliers.rs`: what lies between two points, located;
+//! * `singular.rs`, `augmented.rs`: an event's own equation, and Newton's method with it;
+//! * `switch.rs`: the other branch at such a point;
+//! * `locus.rs`: such points along a second parameter.
 
+mod augmented;
 mod determinants;
 mod events;
 mod follow;
+mod grid;
+mod locus;
+mod multipliers;
+mod singular;
 mod step;
 mod switch;
 mod walk;
 
 pub use follow::follow_branch;
+pub use locus::follow_locus;
+pub use multipliers::PointStability;
 pub use switch::switch_branch;
 
 use crate::collocation::GridState;
@@ -26,6 +36,7 @@ use crate::solve::periodic::conditioned::known;
 use crate::solve::periodic::options::PeriodicOptions;
 use crate::solve::report::{NewtonReport, Outcome};
 use crate::solve::result::Solved;
+use crate::solve::stability::StabilityOptions;
 use crate::system::System;
 use std::sync::Arc;
 
@@ -58,8 +69,12 @@ pub struct BranchOptions {
     /// Most points.
     pub point_limit: usize,
     /// Whether branch points and period doublings are looked for, too: two more factorisations of
-    /// the whole Jacobian a point. Branch points only where there are no conditions.
+    /// the whole Jacobian a point. Branch points only where there are no conditions. All events but
+    /// branch points are then located by an equation of their own.
     pub events: bool,
+    /// How multipliers of each point are found, if they are wanted; with them torus points, which
+    /// are then looked for, too.
+    pub stability: Option<StabilityOptions>,
 }
 
 impl Default for BranchOptions {
@@ -77,6 +92,7 @@ impl Default for BranchOptions {
             angle: 0.3,
             point_limit: 1000,
             events: false,
+            stability: None,
         }
     }
 }
@@ -112,6 +128,28 @@ impl BranchOptions {
         }
         Ok(())
     }
+
+    /// Checks that there are so many conditions.
+    fn require_conditions(&self, count: usize) -> Result<()> {
+        if self.conditions.len() == count {
+            return Ok(());
+        }
+        let expected = format!("as many as there are free parameters ({count})");
+        Err(Error::size("options.conditions", expected, self.conditions.len()))
+    }
+
+    /// Checks that a parameter is in the range.
+    fn require_within(&self, model: &Model, period: f64, parameter: Free) -> Result<()> {
+        let [low, high] = self.range;
+        let value = parameter.value(model, period)?;
+        // A frequency is that of a period that was given.
+        let slack = 1e-12 * (high - low).max(value.abs());
+        if (low - slack..=high + slack).contains(&value) {
+            return Ok(());
+        }
+        let expected = format!("{} between {low} and {high}", parameter.name(model));
+        Err(Error::value("options.range", expected, value))
+    }
 }
 
 /// What happens at a point of a branch.
@@ -123,6 +161,8 @@ pub enum Event {
     BranchPoint,
     /// A multiplier is −1: a branch of twice the period begins.
     PeriodDoubling,
+    /// A pair of complex multipliers is on the unit circle: motions with a second frequency begin.
+    Torus,
 }
 
 impl Event {
@@ -132,6 +172,7 @@ impl Event {
             Event::Fold => "fold",
             Event::BranchPoint => "branch point",
             Event::PeriodDoubling => "period doubling",
+            Event::Torus => "torus point",
         }
     }
 }
@@ -155,6 +196,12 @@ pub struct BranchPoint {
     pub iterations: usize,
     /// What happens here.
     pub event: Option<Event>,
+    /// Lengths of Newton's increments by which the event was located, if it was so.
+    pub increments: Vec<f64>,
+    /// Frequency of the motions that begin at a torus point.
+    pub second_frequency: Option<f64>,
+    /// What multipliers say, if they were wanted.
+    pub stability: Option<PointStability>,
 }
 
 /// Why a branch ended.
@@ -194,6 +241,8 @@ pub struct Branch {
     pub rejected: usize,
     /// Newton iterations, with those of steps that were rejected and of events.
     pub iterations: usize,
+    /// What happens at all points, of a locus.
+    pub locus: Option<Event>,
     threads: usize,
 }
 
@@ -216,6 +265,7 @@ impl Branch {
             explanation: String::new(),
             rejected: 0,
             iterations: 0,
+            locus: None,
             threads: 1,
         }
     }

@@ -55,6 +55,7 @@ pub fn switch_branch(
     }
     let crossing = Crossing::of(branch, index)?;
     let free = branch.conditioned.free().to_vec();
+    options.require_conditions(free.len() - 1)?;
     let watching = options
         .periodic
         .watch
@@ -92,7 +93,7 @@ impl Crossing {
         let rule: Box<dyn TimeRule> = match event {
             Some(Event::PeriodDoubling) => Box::new(Antiperiodic::new(grid, nodes)),
             Some(Event::BranchPoint) => Box::new(Spectral::new(grid, nodes)),
-            Some(Event::Fold) | None => {
+            Some(Event::Fold | Event::Torus) | None => {
                 let message = format!("index: no other branch begins at point {index}");
                 return Err(Error::new(ErrorKind::NotAvailable, message));
             }

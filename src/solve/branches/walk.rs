@@ -3,11 +3,11 @@
 use super::BranchOptions;
 use super::determinants::Determinants;
 use super::step::Shown;
-use crate::collocation::{Collocation, GridState};
+use crate::collocation::{Collocation, Decay, GridState};
 use crate::error::{ErrorKind, Result};
 use crate::fourier::{Resampling, TimeGrid};
 use crate::model::Model;
-use crate::solve::conditions::{ArcLength, Condition, Conditioned, Free, Given, InnerProduct};
+use crate::solve::conditions::{Condition, Conditioned, Free, Given, InnerProduct};
 use crate::solve::linear::bordered::Bordered;
 use crate::solve::linear::method::Linear;
 use crate::solve::newton::Newton;
@@ -98,11 +98,20 @@ impl<'a> Walk<'a> {
 
     /// Takes `last` for the condition on the parameter that is followed, in a solve from `state`.
     fn set_condition(&mut self, last: Arc<dyn Condition>, state: &GridState) -> Result<()> {
+        self.set_conditions(vec![last], state)
+    }
+
+    /// Takes these conditions beside those of the options, in a solve from `state`.
+    pub fn set_conditions(
+        &mut self,
+        last: Vec<Arc<dyn Condition>>,
+        state: &GridState,
+    ) -> Result<()> {
         let equations = &mut self.newton.equations;
         equations.apply_scalars(state)?;
         equations.update_kinematics(state);
         let mut conditions = self.options.conditions.clone();
-        conditions.push(last);
+        conditions.extend(last);
         let conditioned = self.conditioned.under(&conditions, equations, state)?;
         equations.set_scalars(Arc::new(conditioned));
         if self.options.conditions.is_empty() {
@@ -159,13 +168,7 @@ impl<'a> Walk<'a> {
         direction.iter_mut().for_each(|x| *x /= size);
         let system = self.newton.equations.system().clone();
         let mut state = from.incremented(&system, &direction, length);
-        let aside = ArcLength {
-            from: from.clone(),
-            tangent: direction,
-            product: self.product,
-            scales: self.scales.clone(),
-            length,
-        };
+        let aside = self.arc(&from, &direction, length);
         self.set_condition(Arc::new(aside), &from)?;
         let report = self.solve(&mut state, usize::MAX)?;
         Ok((state, report))
@@ -235,13 +238,7 @@ impl<'a> Walk<'a> {
         from: &Place,
         length: f64,
     ) -> Result<std::result::Result<Stepped, NewtonReport>> {
-        let arc = ArcLength {
-            from: from.state.clone(),
-            tangent: from.tangent.clone(),
-            product: self.product,
-            scales: self.scales.clone(),
-            length,
-        };
+        let arc = self.arc(&from.state, &from.tangent, length);
         self.set_condition(Arc::new(arc), &from.state)?;
         let system = self.newton.equations.system().clone();
         let predicted = from.state.incremented(&system, &from.tangent, length);
@@ -266,9 +263,14 @@ impl<'a> Walk<'a> {
         }))
     }
 
-    /// Goes on with another number of grid points; none where the motion cannot be interpolated, or
-    /// is no longer a solution.
-    pub fn refine(&mut self, place: &Place, points: usize) -> Result<Option<Place>> {
+    /// Goes on with another number of grid points; none where the motion cannot be interpolated, is
+    /// no longer a solution, or leaves out more than `tolerance`.
+    pub fn refine(
+        &mut self,
+        place: &Place,
+        points: usize,
+        tolerance: Option<f64>,
+    ) -> Result<Option<Place>> {
         let equations = &self.newton.equations;
         let (system, grid) = (equations.system().clone(), equations.grid());
         let finer = TimeGrid::new(points, grid.period())?;
@@ -280,7 +282,7 @@ impl<'a> Walk<'a> {
             Err(e) if e.kind() == ErrorKind::GridTooCoarse => return Ok(None),
             Err(e) => return Err(e),
         };
-        let tangent = resampled(&place.tangent, &system, grid, points, self.scales.len());
+        let tangent = self.resampled(&place.tangent, grid, points);
         let nominal = TimeGrid::new(points, system.period())?;
         let next = solver(
             &system,
@@ -289,21 +291,28 @@ impl<'a> Walk<'a> {
             self.options,
             &self.workers,
         )?;
-        let coarse = std::mem::replace(&mut self.newton, next);
+        let before = std::mem::replace(&mut self.newton, next);
         let determinants = Determinants::wanted(self.options, &self.newton.equations);
-        let of_coarse = std::mem::replace(&mut self.determinants, determinants);
-        self.before += coarse.iterations;
+        let of_before = std::mem::replace(&mut self.determinants, determinants);
+        self.before += before.iterations;
         let place = Place { state, tangent };
-        match self.step(&place, 0.0)? {
-            Ok(found) => Ok(Some(found.to)),
-            Err(_) => {
-                self.before += self.newton.iterations;
-                self.newton = coarse;
-                self.determinants = of_coarse;
-                self.before -= self.newton.iterations;
-                Ok(None)
+        if let Ok(found) = self.step(&place, 0.0)? {
+            let left_out = Decay::of(&system, finer, &found.to.state).tail;
+            if tolerance.is_none_or(|tolerance| left_out <= tolerance) {
+                return Ok(Some(found.to));
             }
         }
+        self.before += self.newton.iterations;
+        self.newton = before;
+        self.determinants = of_before;
+        self.before -= self.newton.iterations;
+        Ok(None)
+    }
+
+    /// An increment on another grid.
+    pub fn resampled(&self, increment: &[f64], grid: TimeGrid, points: usize) -> Vec<f64> {
+        let system = self.newton.equations.system();
+        resampled(increment, system, grid, points, self.scales.len())
     }
 }
 

@@ -215,10 +215,19 @@ impl Inverse {
         Some(x)
     }
 
-    fn solve_once(&self, b: &[C64]) -> Option<Vec<C64>> {
+    /// Solves as the factors do, with what rounding and the compliance of constraints make of it.
+    pub fn solve_once(&self, b: &[C64]) -> Option<Vec<C64>> {
         let (mut x, size) = (b.to_vec(), b.len());
         let column = MatMut::from_column_major_slice_mut(&mut x, size, 1);
         self.factors.solve_in_place(column);
+        x.iter().all(|x| x.is_finite()).then_some(x)
+    }
+
+    /// The same with the transposed matrix.
+    pub fn solve_transposed(&self, b: &[C64]) -> Option<Vec<C64>> {
+        let (mut x, size) = (b.to_vec(), b.len());
+        let column = MatMut::from_column_major_slice_mut(&mut x, size, 1);
+        self.factors.solve_transpose_in_place(column);
         x.iter().all(|x| x.is_finite()).then_some(x)
     }
 }

@@ -136,6 +136,18 @@ impl Adaptation {
         quick(next.ceil() as usize).min(self.largest_odd())
     }
 
+    /// Points that hold all harmonics but those whose sum is far below the tolerance.
+    pub(crate) fn enough(&self, decay: &Decay) -> usize {
+        let mut left_out = 0.0;
+        let is_left_out = |amplitude: &&f64| {
+            left_out += 2.0 * **amplitude;
+            left_out <= AIM * self.error_tolerance
+        };
+        let without = decay.amplitudes.iter().rev().take_while(is_left_out);
+        let kept = decay.amplitudes.len() - without.count();
+        quick((2 * kept).saturating_sub(1)).min(self.largest_odd())
+    }
+
     /// Points of the grid after one of `points` with this estimate.
     pub(crate) fn next(&self, points: usize, found: &Assessment, loads: &Loads) -> usize {
         let [least, largest, unresolved] = GROWTH;

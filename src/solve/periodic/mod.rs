@@ -12,7 +12,7 @@ pub(crate) mod adaptive;
 pub(crate) mod conditioned;
 pub(crate) mod estimate;
 mod given;
-mod loads;
+pub(crate) mod loads;
 pub(crate) mod options;
 mod waves;
 

@@ -18,6 +18,7 @@ use crate::solve::stability::spectrum::{FIRST, Rough, Spectrum, spectrum};
 use crate::solve::watch::{Stage, Watch, Watching};
 use crate::workers::Workers;
 use nalgebra::Complex;
+use serde::{Deserialize, Serialize};
 use std::f64::consts::TAU;
 use std::time::{Duration, Instant};
 
@@ -64,7 +65,7 @@ impl Default for StabilityOptions {
 }
 
 /// Whether disturbances of a periodic solution die away.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Verdict {
     /// Those of all frequencies up to the limit do, but for those that only move the solution in
     /// time or space.
