@@ -112,8 +112,12 @@ int main(int argc, char **argv)
         }
     }
     if (out) {
-        const int32_t component = 0;
-        TRY(pdn_branch_write_csv(branch, &pad, &component, 1, out));
+        pdn_quantity position;
+        PDN_INIT(pdn_quantity, &position);
+        position.kind = PDN_QUANTITY_POSITION;
+        position.object = pad;
+        position.component = 0;
+        TRY(pdn_branch_write_csv(branch, &position, 1, out));
     }
     failed = pdn_branch_end(branch) == PDN_BRANCH_NO_START;
 done:

@@ -177,6 +177,7 @@ module periodyn_c
     integer(c_int32_t), parameter :: PDN_EVENT_FOLD = 1
     integer(c_int32_t), parameter :: PDN_EVENT_BRANCH_POINT = 2
     integer(c_int32_t), parameter :: PDN_EVENT_PERIOD_DOUBLING = 3
+    integer(c_int32_t), parameter :: PDN_EVENT_TORUS = 4
     integer(c_int32_t), parameter :: PDN_STABILITY_NOT_KNOWN = 0
     integer(c_int32_t), parameter :: PDN_STABLE = 1
     integer(c_int32_t), parameter :: PDN_UNSTABLE = 2
@@ -360,6 +361,10 @@ module periodyn_c
         integer(c_size_t) :: grid_points
         integer(c_int32_t) :: iterations
         integer(c_int32_t) :: event
+        real(c_double) :: second_frequency
+        real(c_double) :: largest_multiplier
+        integer(c_int32_t) :: multipliers_outside
+        integer(c_int32_t) :: stability
     end type pdn_branch_point
 
     type, bind(C) :: pdn_branch_options
@@ -378,6 +383,8 @@ module periodyn_c
         type(c_ptr) :: progress_data = c_null_ptr
         integer(c_int32_t) :: downwards
         integer(c_int32_t) :: events
+        integer(c_int32_t) :: stability
+        integer(c_int32_t) :: reserved
     end type pdn_branch_options
 
     type, bind(C) :: pdn_static_options
@@ -1888,6 +1895,53 @@ module periodyn_c
             integer(c_int32_t) :: pdn_solve_frequency_response
         end function pdn_solve_frequency_response
 
+        ! Follows the other branch at a point where one begins: a branch point, or a period doubling, from where ...
+        function pdn_switch_branch(branch, point, amplitude, options, out) bind(C, name="pdn_switch_branch")
+            import
+            type(c_ptr), value :: branch
+            integer(c_int32_t), value :: point
+            real(c_double), value :: amplitude
+            type(pdn_branch_options), intent(in) :: options
+            type(c_ptr), intent(inout) :: out
+            integer(c_int32_t) :: pdn_switch_branch
+        end function pdn_switch_branch
+
+        ! Follows folds, period doublings or torus points along a second parameter, from one of them on a branch: ...
+        function pdn_follow_locus(branch, point, parameter, options, out) bind(C, name="pdn_follow_locus")
+            import
+            type(c_ptr), value :: branch
+            integer(c_int32_t), value :: point
+            integer(c_int32_t), value :: parameter
+            type(pdn_branch_options), intent(in) :: options
+            type(c_ptr), intent(inout) :: out
+            integer(c_int32_t) :: pdn_follow_locus
+        end function pdn_follow_locus
+
+        ! Follows a branch on from its last point, in the direction in which it came there: with a wider range, more ...
+        function pdn_continue_branch(branch, options, out) bind(C, name="pdn_continue_branch")
+            import
+            type(c_ptr), value :: branch
+            type(pdn_branch_options), intent(in) :: options
+            type(c_ptr), intent(inout) :: out
+            integer(c_int32_t) :: pdn_continue_branch
+        end function pdn_continue_branch
+
+        ! Saves a branch with its model and all its points
+        function pdn_branch_save(branch, path) bind(C, name="pdn_branch_save")
+            import
+            type(c_ptr), value :: branch
+            character(kind=c_char), intent(in) :: path(*)
+            integer(c_int32_t) :: pdn_branch_save
+        end function pdn_branch_save
+
+        ! Loads a branch that ::pdn_branch_save saved
+        function pdn_branch_load(path, out) bind(C, name="pdn_branch_load")
+            import
+            character(kind=c_char), intent(in) :: path(*)
+            type(c_ptr), intent(inout) :: out
+            integer(c_int32_t) :: pdn_branch_load
+        end function pdn_branch_load
+
         ! Frees a branch; NULL does nothing
         subroutine pdn_branch_free(branch) bind(C, name="pdn_branch_free")
             import
@@ -1936,13 +1990,11 @@ module periodyn_c
             integer(c_int32_t) :: pdn_branch_solution
         end function pdn_branch_solution
 
-        ! Writes a branch as CSV: a line for each point, with the parameter, how the step went, what happens there ...
-        function pdn_branch_write_csv(branch, nodes, components, count, &
-            path) bind(C, name="pdn_branch_write_csv")
+        ! Writes a branch as CSV: a line for each point, with the parameter, how the step went, what happens there, ...
+        function pdn_branch_write_csv(branch, quantities, count, path) bind(C, name="pdn_branch_write_csv")
             import
             type(c_ptr), value :: branch
-            integer(c_int32_t), intent(in), optional :: nodes(*)
-            integer(c_int32_t), intent(in), optional :: components(*)
+            type(pdn_quantity), intent(in), optional :: quantities(*)
             integer(c_size_t), value :: count
             character(kind=c_char), intent(in) :: path(*)
             integer(c_int32_t) :: pdn_branch_write_csv
@@ -2636,6 +2688,11 @@ module periodyn
         procedure, public :: get => branch_get
         procedure, public :: solution => branch_solution
         procedure, public :: write_csv => branch_write_csv
+        procedure, public :: switch => branch_switch
+        procedure, public :: follow_locus => branch_follow_locus
+        procedure, public :: continue => branch_continue
+        procedure, public :: save => branch_save
+        procedure, public :: load => branch_load
     end type pdn_branch
 
     ! Quantities of solutions at many times, to be written as CSV. Without labels columns have names of their own.
@@ -4824,26 +4881,111 @@ contains
         call report(status, stat, errmsg)
     end subroutine branch_solution
 
-    ! Writes the points, with amplitudes of components (0, 1 or 2) of the positions of nodes.
-    subroutine branch_write_csv(self, path, nodes, components, stat, errmsg)
+    ! A line for each point, with the mean, the first harmonic, the least and the largest value of each component of
+    ! quantities.
+    subroutine branch_write_csv(self, path, quantities, stat, errmsg)
         class(pdn_branch), intent(in) :: self
         character(*), intent(in) :: path
-        integer(c_int32_t), intent(in), optional :: nodes(:), components(:)
+        type(pdn_quantity), intent(in), optional :: quantities(:)
         integer, intent(out), optional :: stat
         character(*), intent(inout), optional :: errmsg
         integer(c_size_t) :: count
 
         count = 0
-        if (present(nodes)) count = size(nodes, kind=c_size_t)
-        if (present(nodes) .neqv. present(components)) then
-            call refuse(PDN_ERR_SIZE, 'components: expected as many as nodes', stat, errmsg)
-            return
-        end if
-        if (present(nodes)) then
-            if (.not. fits('components', shape(components), shape(nodes), stat, errmsg)) return
-        end if
-        call report(pdn_branch_write_csv(self%c, nodes, components, count, c_text(path)), stat, errmsg)
+        if (present(quantities)) count = size(quantities, kind=c_size_t)
+        call report(pdn_branch_write_csv(self%c, quantities, count, c_text(path)), stat, errmsg)
     end subroutine branch_write_csv
+
+    ! The other branch from a branch point or a period doubling on. Options of the solves and conditions take the place
+    ! of the pointers of the options.
+    subroutine branch_switch(self, point, amplitude, branch, options, periodic, conditions, stat, errmsg)
+        class(pdn_branch), intent(in) :: self
+        integer(c_int32_t), intent(in) :: point
+        real(c_double), intent(in) :: amplitude
+        type(pdn_branch), intent(inout) :: branch
+        type(pdn_branch_options), intent(in) :: options
+        type(pdn_periodic_options), intent(in), optional :: periodic
+        type(pdn_conditions), intent(in), optional :: conditions
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        type(pdn_periodic_options), target :: solves
+        type(pdn_branch_options) :: chosen
+        type(c_ptr) :: c
+        integer(c_int32_t) :: status
+
+        chosen = options
+        call choose(chosen, solves, periodic, conditions=conditions)
+        status = pdn_switch_branch(self%c, point, amplitude, chosen, c)
+        if (status == PDN_OK) call branch%adopt(c, pdn_branch_free)
+        call report(status, stat, errmsg)
+    end subroutine branch_switch
+
+    ! Folds, period doublings or torus points along a second parameter, from one of them on; as branch_switch.
+    subroutine branch_follow_locus(self, point, parameter, locus, options, periodic, conditions, stat, errmsg)
+        class(pdn_branch), intent(in) :: self
+        integer(c_int32_t), intent(in) :: point, parameter
+        type(pdn_branch), intent(inout) :: locus
+        type(pdn_branch_options), intent(in) :: options
+        type(pdn_periodic_options), intent(in), optional :: periodic
+        type(pdn_conditions), intent(in), optional :: conditions
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        type(pdn_periodic_options), target :: solves
+        type(pdn_branch_options) :: chosen
+        type(c_ptr) :: c
+        integer(c_int32_t) :: status
+
+        chosen = options
+        call choose(chosen, solves, periodic, conditions=conditions)
+        status = pdn_follow_locus(self%c, point, parameter, chosen, c)
+        if (status == PDN_OK) call locus%adopt(c, pdn_branch_free)
+        call report(status, stat, errmsg)
+    end subroutine branch_follow_locus
+
+    ! The branch followed on from its last point; as branch_switch.
+    subroutine branch_continue(self, branch, options, periodic, conditions, stat, errmsg)
+        class(pdn_branch), intent(in) :: self
+        type(pdn_branch), intent(inout) :: branch
+        type(pdn_branch_options), intent(in) :: options
+        type(pdn_periodic_options), intent(in), optional :: periodic
+        type(pdn_conditions), intent(in), optional :: conditions
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        type(pdn_periodic_options), target :: solves
+        type(pdn_branch_options) :: chosen
+        type(c_ptr) :: c
+        integer(c_int32_t) :: status
+
+        chosen = options
+        call choose(chosen, solves, periodic, conditions=conditions)
+        status = pdn_continue_branch(self%c, chosen, c)
+        if (status == PDN_OK) call branch%adopt(c, pdn_branch_free)
+        call report(status, stat, errmsg)
+    end subroutine branch_continue
+
+    ! Saves the branch with its model, for load.
+    subroutine branch_save(self, path, stat, errmsg)
+        class(pdn_branch), intent(in) :: self
+        character(*), intent(in) :: path
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+
+        call report(pdn_branch_save(self%c, c_text(path)), stat, errmsg)
+    end subroutine branch_save
+
+    ! A branch that was saved, in place of what was held.
+    subroutine branch_load(self, path, stat, errmsg)
+        class(pdn_branch), intent(inout) :: self
+        character(*), intent(in) :: path
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        type(c_ptr) :: c
+        integer(c_int32_t) :: status
+
+        status = pdn_branch_load(c_text(path), c)
+        if (status == PDN_OK) call self%adopt(c, pdn_branch_free)
+        call report(status, stat, errmsg)
+    end subroutine branch_load
 
     ! Modes ---------------------------------------------------------------------------------------------------
 

@@ -877,6 +877,12 @@
 #define PDN_EVENT_PERIOD_DOUBLING 3
 
 /**
+ * A pair of complex multipliers is on the unit circle at a point of a branch: motions with a
+ * second frequency begin there.
+ */
+#define PDN_EVENT_TORUS 4
+
+/**
  * Verdict on stability: it cannot be told, as multipliers are on the unit circle or not known well
  * enough.
  */
@@ -1783,6 +1789,22 @@ typedef struct pdn_branch_point {
      * PDN_EVENT_NONE, PDN_EVENT_FOLD, ...
      */
     int32_t event;
+    /**
+     * At a torus point, the angular frequency of the motions that begin there; else zero.
+     */
+    double second_frequency;
+    /**
+     * Size of the largest multiplier; zero if multipliers were not wanted.
+     */
+    double largest_multiplier;
+    /**
+     * Number of multipliers outside the unit circle; zero also if they were not wanted.
+     */
+    int32_t multipliers_outside;
+    /**
+     * PDN_STABLE, PDN_UNSTABLE or PDN_STABILITY_NOT_KNOWN, also if multipliers were not wanted.
+     */
+    int32_t stability;
 } pdn_branch_point;
 
 /**
@@ -1862,6 +1884,14 @@ typedef struct pdn_branch_options {
      * two more factorisations of the whole Jacobian a point. Default 0.
      */
     int32_t events;
+    /**
+     * 1 to find the multipliers of each point, and with them torus points. Default 0.
+     */
+    int32_t stability;
+    /**
+     * Leave it zero.
+     */
+    int32_t reserved;
 } pdn_branch_options;
 
 /**
@@ -5057,6 +5087,119 @@ pdn_status pdn_solve_frequency_response(const struct pdn_model *model,
                                         struct pdn_branch **out);
 
 /**
+ * Follows the other branch at a point where one begins: a branch point, or a period doubling, from
+ * where motions have twice the period, on one grid point less than twice as many.
+ *
+ * It begins where motions are `amplitude` away in the direction in which it leaves, and goes on
+ * away from there. That it cannot is no error: ::pdn_branch_end tells.
+ *
+ * @param branch  the branch; not NULL
+ * @param point  number of the point, from 0
+ * @param amplitude  length, of which 1 is a motion of `options.motion_scale`, of either sign; not
+ *     zero
+ * @param options  the range of the same parameter, at least, and conditions as those of the
+ *     branch; its direction, and where solves start, are not used; not NULL
+ * @param out  the other branch; free it with ::pdn_branch_free; written on success only
+ * @return as ::pdn_follow_branch; PDN_ERR_ID (there is no such point), PDN_ERR_NOT_AVAILABLE (no
+ *     other branch begins there), PDN_ERR_GRID_TOO_COARSE
+ *
+ * Threads: like a `const` use of `branch` and of what `options` points to. Functions of yours are
+ * called on this thread.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_switch_branch(const struct pdn_branch *branch,
+                             int32_t point,
+                             double amplitude,
+                             const struct pdn_branch_options *options,
+                             struct pdn_branch **out);
+
+/**
+ * Follows folds, period doublings or torus points along a second parameter, from one of them on a
+ * branch: that of the branch is free beside it.
+ *
+ * All points of what is returned are such points. Their `parameter` is the second one, that of the
+ * branch is ::pdn_solution_parameter of their solutions. The CSV file has both.
+ *
+ * @param branch  the branch; not NULL
+ * @param point  number of the point, from 0
+ * @param parameter  id of the second parameter, or PDN_FREQUENCY
+ * @param options  the range of the second parameter, at least, and conditions as those of the
+ *     branch; where solves start is not used; not NULL
+ * @param out  the points; free them with ::pdn_branch_free; written on success only
+ * @return as ::pdn_follow_branch; PDN_ERR_ID (there is no such point), PDN_ERR_NOT_AVAILABLE
+ *     (nothing happens there, a branch point, or a fold under conditions)
+ *
+ * Threads: like a `const` use of `branch` and of what `options` points to. Functions of yours are
+ * called on this thread.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_follow_locus(const struct pdn_branch *branch,
+                            int32_t point,
+                            int32_t parameter,
+                            const struct pdn_branch_options *options,
+                            struct pdn_branch **out);
+
+/**
+ * Follows a branch on from its last point, in the direction in which it came there: with a wider
+ * range, more points, a shorter smallest step.
+ *
+ * @param branch  the branch, as it was followed or loaded; not NULL
+ * @param options  the range of the same parameter, at least, and conditions as those of the
+ *     branch; its direction, and where solves start, are not used; not NULL
+ * @param out  a branch with the points of the first and those that are new; free it with
+ *     ::pdn_branch_free; written on success only
+ * @return as ::pdn_follow_branch; PDN_ERR_NOT_AVAILABLE (it has no points, has come back to its
+ *     first one, or is one of ::pdn_follow_locus)
+ *
+ * Threads: like a `const` use of `branch` and of what `options` points to. Functions of yours are
+ * called on this thread.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_continue_branch(const struct pdn_branch *branch,
+                               const struct pdn_branch_options *options,
+                               struct pdn_branch **out);
+
+/**
+ * Saves a branch with its model and all its points.
+ *
+ * ::pdn_branch_load gives it back. Callbacks cannot be saved: see there. The format is the same on
+ * all platforms, and later versions of the library read it.
+ *
+ * @param branch  the branch; not NULL
+ * @param path  where to, UTF-8. A file that is there is replaced when all is written; if that
+ *     fails it stays as it was
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_VALUE (text that is not UTF-8), PDN_ERR_IO
+ *
+ * Threads: like `const`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_branch_save(const struct pdn_branch *branch,
+                           const char *path);
+
+/**
+ * Loads a branch that ::pdn_branch_save saved. It can be continued.
+ *
+ * If its model had callbacks, in signals or forces, solutions of its points and all that is
+ * followed from it fail with PDN_ERR_CALLBACK, as they are not there.
+ *
+ * @param path  the file, UTF-8. It need not be trusted: its checksum and everything in it are
+ *     checked
+ * @param out  the branch; free it with ::pdn_branch_free; written on success only
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_VALUE (text that is not UTF-8), PDN_ERR_IO, PDN_ERR_FORMAT
+ *     (not a saved branch, cut off, damaged, or of a newer version), PDN_ERR_MEMORY
+ *
+ * Threads: any.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_branch_load(const char *path,
+                           struct pdn_branch **out);
+
+/**
  * Frees a branch; NULL does nothing. Solutions made from it stay.
  *
  * @param branch  the branch, not to be used any more
@@ -5143,24 +5286,25 @@ pdn_status pdn_branch_solution(const struct pdn_branch *branch,
 
 /**
  * Writes a branch as CSV: a line for each point, with the parameter, how the step went, what
- * happens there and, of components of positions, the mean, the size of the first harmonic, the
- * least and the largest value over the period. `script/plot.py` draws it.
+ * happens there, what multipliers say if they were wanted (`pdn_branch_options.stability`) and, of
+ * each component of quantities, the mean, the size of the first harmonic, the least and the
+ * largest value over the period. `script/plot.py` draws it.
  *
  * @param branch  the branch; not NULL
- * @param nodes  array of length [count]: ids of nodes; may be NULL if count is 0
- * @param components  array of length [count]: components of their positions, 0, 1 or 2; likewise
- * @param count  number of components
+ * @param quantities  array of length [count] of quantities, each initialised by PDN_INIT; may be
+ *     NULL if count is 0
+ * @param count  number of quantities
  * @param path  name of the file, UTF-8; an existing file is replaced
- * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_ID, PDN_ERR_VALUE, PDN_ERR_NOT_AVAILABLE (there are no
- *     points), PDN_ERR_IO
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_STRUCT_SIZE, PDN_ERR_ID, PDN_ERR_VALUE,
+ *     PDN_ERR_NOT_AVAILABLE (there are no points; no such quantity), PDN_ERR_GRID_TOO_COARSE,
+ *     PDN_ERR_OVERFLOW, PDN_ERR_IO
  *
  * Threads: like `const`. Functions of the model may be called on this thread.
  * @since 0.1
  */
 PDN_API
 pdn_status pdn_branch_write_csv(const struct pdn_branch *branch,
-                                const int32_t *nodes,
-                                const int32_t *components,
+                                const struct pdn_quantity *quantities,
                                 size_t count,
                                 const char *path);
 
@@ -5534,13 +5678,16 @@ pdn_status pdn_solve_shooting(const struct pdn_model *model,
 
 /**
  * Number of Floquet multipliers of a solution: as many as the system has states, if
- * ::pdn_solve_shooting found them.
+ * ::pdn_solve_shooting found them; of a periodic solution as many as ::pdn_solve_stability finds,
+ * which is called with default options unless it has been before.
  *
- * @param solution  a solution of ::pdn_solve_shooting or ::pdn_march; not NULL
+ * @param solution  a solution of ::pdn_solve_periodic, or one like it, that has converged, of
+ *     ::pdn_solve_shooting or of ::pdn_march; not NULL
  * @param out  the number; zero of a march; written on success only
- * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_AVAILABLE (the solution is no trajectory)
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_AVAILABLE (of an equilibrium or a small motion, and of
+ *     what has not converged); else as ::pdn_solve_stability
  *
- * Threads: like `const`.
+ * Threads: like `const`. Functions of the model may be called on this thread.
  * @since 0.1
  */
 PDN_API
@@ -5551,17 +5698,18 @@ pdn_status pdn_solution_floquet_count(const struct pdn_solution *solution,
  * Floquet multipliers: what disturbances of the motion are multiplied by in a period, the largest
  * first.
  *
- * The motion is stable if all are smaller than 1 in magnitude. They are those of the marching
- * scheme, with its error and its numerical damping.
+ * The motion is stable if all are smaller than 1 in magnitude. Those of shooting are of the
+ * marching scheme, with its error and its numerical damping; ::pdn_solve_stability tells more of
+ * those of periodic solutions.
  *
- * @param solution  a solution of ::pdn_solve_shooting; not NULL
+ * @param solution  as for ::pdn_solution_floquet_count; not NULL
  * @param real  array of length [count] for the real parts
  * @param imaginary  array of length [count] for the imaginary parts
  * @param count  their number, as ::pdn_solution_floquet_count tells
- * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_SIZE, PDN_ERR_NOT_AVAILABLE (the solution is no
- *     trajectory)
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_SIZE, PDN_ERR_NOT_AVAILABLE as there; else as
+ *     ::pdn_solve_stability
  *
- * Threads: like `const`.
+ * Threads: like `const`. Functions of the model may be called on this thread.
  * @since 0.1
  */
 PDN_API

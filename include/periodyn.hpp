@@ -203,6 +203,7 @@ enum class BranchEvent : std::int32_t {
     fold = PDN_EVENT_FOLD,
     branch_point = PDN_EVENT_BRANCH_POINT,
     period_doubling = PDN_EVENT_PERIOD_DOUBLING,
+    torus = PDN_EVENT_TORUS,
 };
 
 /** How linear equations are solved, as pdn_periodic_options.linear_solver asks for and pdn_diagnostics tells. */
@@ -1893,14 +1894,27 @@ class Branch
             [&](pdn_solution **out) { return pdn_branch_solution(get(), point, out); });
         return Solution(handle.release(), kept_);
     }
-    /** With components, 0, 1 or 2, of the positions of nodes. */
-    void write_csv(const std::string &path, Ids nodes = {}, Ids components = {}) const
+    /** With the mean, the first harmonic and the extremes of each component of quantities. */
+    void write_csv(const std::string &path, const std::vector<Quantity> &quantities = {}) const
     {
-        if (nodes.size() != components.size()) {
-            throw error(PDN_ERR_SIZE, "components: expected as many as nodes");
-        }
-        detail::check(pdn_branch_write_csv(get(), nodes.data(), components.data(), nodes.size(),
-                                           path.c_str()));
+        const std::vector<pdn_quantity> plain(quantities.begin(), quantities.end());
+        detail::check(pdn_branch_write_csv(get(), plain.data(), plain.size(), path.c_str()));
+    }
+    /** Saves the branch with its model, for load. */
+    void save(const std::string &path) const
+    {
+        detail::check(pdn_branch_save(get(), path.c_str()));
+    }
+    static Branch load(const std::string &path)
+    {
+        auto handle = detail::make<pdn_branch>(
+            [&](pdn_branch **out) { return pdn_branch_load(path.c_str(), out); });
+        return Branch(handle.release());
+    }
+    /** What of the caller's it keeps. */
+    const detail::Kept &kept() const noexcept
+    {
+        return kept_;
     }
 
   private:
@@ -1912,16 +1926,28 @@ namespace detail
 {
 
 template <class Follow>
-Branch follow(const Model &model, const BranchOptions &options, Follow function)
+Branch follow(pdn_periodic_options periodic, const Kept &kept, const BranchOptions &options,
+              Follow function)
 {
-    pdn_periodic_options periodic = plain(model, options.periodic);
     Watch watch(options.periodic.progress, periodic);
     pdn_branch_options chosen = options;
     chosen.periodic = &periodic;
     chosen.conditions = options.conditions ? options.conditions->get() : nullptr;
     auto handle = make<pdn_branch>([&](pdn_branch **out) { return function(&chosen, out); });
     watch.rethrow();
-    return Branch(handle.release(), model.kept());
+    return Branch(handle.release(), kept);
+}
+
+template <class Follow>
+Branch follow(const Model &model, const BranchOptions &options, Follow function)
+{
+    return follow(plain(model, options.periodic), model.kept(), options, function);
+}
+
+template <class Follow>
+Branch follow(const Branch &branch, const BranchOptions &options, Follow function)
+{
+    return follow(options.periodic, branch.kept(), options, function);
 }
 
 } // namespace detail
@@ -1941,6 +1967,33 @@ inline Branch solve_frequency_response(const Model &model, double first, double 
 {
     return detail::follow(model, options, [&](const pdn_branch_options *chosen, pdn_branch **out) {
         return pdn_solve_frequency_response(model.get(), first, last, chosen, out);
+    });
+}
+
+/** Follows the other branch from a branch point or a period doubling on; where solves start is not
+ * used. */
+inline Branch switch_branch(const Branch &branch, std::int32_t point, double amplitude,
+                            const BranchOptions &options)
+{
+    return detail::follow(branch, options, [&](const pdn_branch_options *chosen, pdn_branch **out) {
+        return pdn_switch_branch(branch.get(), point, amplitude, chosen, out);
+    });
+}
+
+/** Follows folds, period doublings or torus points along a second parameter, from one of them on. */
+inline Branch follow_locus(const Branch &branch, std::int32_t point, std::int32_t parameter,
+                           const BranchOptions &options)
+{
+    return detail::follow(branch, options, [&](const pdn_branch_options *chosen, pdn_branch **out) {
+        return pdn_follow_locus(branch.get(), point, parameter, chosen, out);
+    });
+}
+
+/** Follows a branch on from its last point; what is returned has all points. */
+inline Branch continue_branch(const Branch &branch, const BranchOptions &options)
+{
+    return detail::follow(branch, options, [&](const pdn_branch_options *chosen, pdn_branch **out) {
+        return pdn_continue_branch(branch.get(), chosen, out);
     });
 }
 

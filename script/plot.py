@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 """Draws the columns of CSV files against their first column: a panel for each, a curve for each
-file. Of branches, which have a column "event", those of the motions only, with events marked.
+file. Of branches, which have a column "event", those of the motions only, with events marked; with
+a column "stability", parts that are not stable are dotted.
 
     script/plot.py output/rotor_blade.csv output/rotor_blade.png
     script/plot.py output/rigid.csv output/flexible.csv output/both.png
@@ -21,13 +22,14 @@ matplotlib.use("Agg")  # no display needed
 import matplotlib.pyplot as plt
 
 # Columns of a branch that tell of its steps.
-STEPS = {"slope", "step", "angle", "grid_points"}
+STEPS = {"slope", "step", "angle", "grid_points", "outside", "largest_multiplier"}
 # Distinct also in grey and to the colour-blind (Okabe and Ito's colours).
 STYLES = [("#0072B2", "-"), ("#D55E00", "--"), ("#009E73", "-."), ("#CC79A7", ":")]
 
 
 def read_columns(path):
-    """Names and columns of a CSV file of numbers; complains about what cannot be drawn."""
+    """Names and columns of a CSV file of numbers, events, and what is told of stability; complains
+    about what cannot be drawn."""
     with open(path, newline="") as file:
         rows = list(csv.reader(file))
     if len(rows) < 3 or len(rows[0]) < 2:
@@ -39,14 +41,16 @@ def read_columns(path):
             raise ValueError(
                 f"{path}, line {number}: expected {len(rows[0])} columns, got {len(row)}"
             )
-    names, columns, events = [], [], []
+    names, columns, events, stability = [], [], [], []
     for name, column in zip(rows[0], zip(*rows[1:])):
         if name == "event":
             events = [(row, text) for row, text in enumerate(column) if text]
+        elif name == "stability" and "event" in rows[0]:
+            stability = list(column)
         elif "event" not in rows[0] or name not in STEPS:
             names.append(name)
             columns.append([float(text) for text in column])
-    return names, columns, events
+    return names, columns, events, stability
 
 
 def panels_of(names, group):
@@ -59,22 +63,40 @@ def panels_of(names, group):
     return panels
 
 
+def parts_of(count, events, stability):
+    """Ranges of rows that are drawn as one line, each with whether it is stable. At events a
+    multiplier is on the unit circle: they belong to what is on both sides."""
+    told = [verdict == "stable" for verdict in stability] or [True] * count
+    parts, marked = [], {row for row, _ in events}
+    for row in range(count - 1):
+        ends = [end for end in (row, row + 1) if end not in marked]
+        stable = all(told[end] for end in ends) if ends else parts[-1][2] if parts else True
+        if parts and parts[-1][2] == stable:
+            parts[-1][1] = row + 2
+        else:
+            parts.append([row, row + 2, stable])
+    return parts
+
+
 def draw(files, image, group=False):
-    """Draws {label: (names, columns, events)} to an image file."""
+    """Draws {label: (names, columns, events, stability)} to an image file."""
     names = next(iter(files.values()))[0]
-    for label, (others, _, _) in files.items():
+    for label, (others, *_) in files.items():
         if others != names:
             raise ValueError(f"{label}: its columns are {others}, not {names}")
     panels = panels_of(names, group)
     figure, axes = plt.subplots(len(panels), 1, figsize=(7.2, 0.8 + 1.7 * len(panels)), sharex=True,
                                 squeeze=False, layout="constrained")
     for axis, (name, members) in zip(axes[:, 0], panels.items()):
-        for (label, (_, columns, events)), (colour, line) in zip(files.items(), STYLES):
+        for (label, (_, columns, events, stability)), (colour, line) in zip(files.items(), STYLES):
             for i in members:
                 style = {"linestyle": "", "marker": "."} if group else {"linestyle": line}
                 label_once = label if i == members[0] else None
-                axis.plot(columns[0], columns[i], color=colour, linewidth=1.8, label=label_once,
-                          **style)
+                for first, end, stable in parts_of(len(columns[0]), events, stability):
+                    dotted = {} if stable or group else {"linestyle": ":"}
+                    axis.plot(columns[0][first:end], columns[i][first:end], color=colour,
+                              linewidth=1.8, label=label_once, **{**style, **dotted})
+                    label_once = None
                 for row, event in events:
                     at = (columns[0][row], columns[i][row])
                     axis.plot(*at, "o", color=colour, markersize=4)

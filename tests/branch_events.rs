@@ -7,8 +7,8 @@ use nalgebra::{DMatrix, Vector3};
 use periodyn::elements::{Coordinate, JointKind};
 use periodyn::model::{JointCoordinate, Model, SignalPart, SignalPlace, Target};
 use periodyn::solve::{
-    Branch, BranchEnd, BranchOptions, BranchPoint, Event, Free, StabilityOptions, follow_branch,
-    follow_locus,
+    Adaptation, Branch, BranchEnd, BranchOptions, BranchPoint, Event, Free, GridPoints,
+    StabilityOptions, follow_branch, follow_locus,
 };
 use std::f64::consts::TAU;
 
@@ -47,7 +47,10 @@ fn assert_quadratic(point: &BranchPoint, times: usize) {
     for pair in pairs.clone() {
         assert!(pair[1] < 10.0 * pair[0] * pair[0] + 1e-11, "{all:?}");
     }
-    assert!(pairs.count() >= times && all.last().unwrap() < &1e-10, "{all:?}");
+    assert!(
+        pairs.count() >= times && all.last().unwrap() < &1e-10,
+        "{all:?}"
+    );
 }
 
 #[test]
@@ -61,7 +64,10 @@ fn folds_are_located_quadratically() {
     let branch = follow(&duffing(), TAU / 0.9, Free::Frequency, &options);
     let folds: Vec<&BranchPoint> = branch.points.iter().filter(|p| p.event.is_some()).collect();
     assert_eq!(folds.len(), 2);
-    for (fold, exact) in folds.into_iter().zip([1.269_601_955_546, 1.115_700_251_771]) {
+    for (fold, exact) in folds
+        .into_iter()
+        .zip([1.269_601_955_546, 1.115_700_251_771])
+    {
         println!("off by {:e}", fold.values[0] - exact);
         assert!(fold.event == Some(Event::Fold) && (fold.values[0] - exact).abs() < 2e-12);
         assert_quadratic(fold, 2);
@@ -153,7 +159,11 @@ fn torus_points_are_where_the_mean_of_the_square_is_one() {
         let off = excess(point) + point.values[0] / 0.4;
         assert!(off.abs() < 1e-11, "{off:e}");
     }
-    assert!(locus.report().contains("Locus of torus points along the parameter \"unfolding\""));
+    assert!(
+        locus
+            .report()
+            .contains("Locus of torus points along the parameter \"unfolding\"")
+    );
 }
 
 #[test]
@@ -187,7 +197,12 @@ fn folds_of_a_duffing_oscillator_meet_at_a_cusp() {
     let mut across = options.clone();
     across.periodic.guess = periodyn::solve::InitialGuess::State(solved.state.clone());
     across.range = [middle.values[1] - 0.2, middle.values[1] + 0.2];
-    let again = follow(&found, TAU / (middle.values[1] - 1e-3), Free::Frequency, &across);
+    let again = follow(
+        &found,
+        TAU / (middle.values[1] - 1e-3),
+        Free::Frequency,
+        &across,
+    );
     let again = again.points.iter().filter(|p| p.event == Some(Event::Fold));
     let off = again.map(|p| (p.values[0] - middle.values[1]).abs());
     let nearest = off.fold(f64::INFINITY, f64::min);
@@ -247,7 +262,13 @@ fn doublings_of_a_shaken_pendulum_follow_the_tongue_of_mathieu() {
         &up,
     );
     let y = Vector3::y();
-    revolute(&mut model, Some(pivot), Some(bob.unwrap()), &Vector3::zeros(), &y);
+    revolute(
+        &mut model,
+        Some(pivot),
+        Some(bob.unwrap()),
+        &Vector3::zeros(),
+        &y,
+    );
     let at = JointCoordinate {
         joint: slide,
         coordinate: Coordinate::Displacement1,
@@ -309,9 +330,52 @@ fn loci_that_are_none_are_refused() {
     };
     let fold = first(&branch, Event::Fold);
     let range = [0.1, 0.2];
-    refused(0, Free::Parameter(load), range, "nothing happens at point 0");
+    refused(
+        0,
+        Free::Parameter(load),
+        range,
+        "nothing happens at point 0",
+    );
     refused(fold, Free::Frequency, range, "the frequency twice");
     refused(fold, Free::Parameter(7), range, "parameter");
-    refused(fold, Free::Parameter(load), [0.2, 0.3], "\"load\" between 0.2 and 0.3");
+    refused(
+        fold,
+        Free::Parameter(load),
+        [0.2, 0.3],
+        "\"load\" between 0.2 and 0.3",
+    );
     refused(999, Free::Parameter(load), range, "a point below");
+}
+
+#[test]
+fn the_grid_gets_finer_along_a_locus() {
+    let (model, load) = duffing_with_load();
+    let with = |grid_points: GridPoints| {
+        let mut options = BranchOptions {
+            range: [0.5, 1.6],
+            ..BranchOptions::default()
+        };
+        options.periodic.grid_points = grid_points;
+        let branch = follow(&model, TAU / 0.9, Free::Frequency, &options);
+        options.range = [0.1, 4.0];
+        let fold = first(&branch, Event::Fold);
+        let locus = locus(&branch, fold, load, &options);
+        assert_eq!(locus.end, BranchEnd::Range, "{}", locus.explanation);
+        locus.points.last().unwrap().clone()
+    };
+    let tolerance = 1e-8;
+    let found = with(GridPoints::Adaptive(Adaptation {
+        error_tolerance: tolerance,
+        ..Adaptation::default()
+    }));
+    let exact = with(GridPoints::Fixed(81));
+    let off = found.values[1] - exact.values[1];
+    println!("on {} points off by {off:e}", found.grid.points());
+    assert!(off.abs() < tolerance);
+    let first = with(GridPoints::Fixed(11));
+    assert!(
+        (first.values[1] - exact.values[1]).abs() > tolerance,
+        "11 are enough"
+    );
+    assert!(found.grid.points() > 11);
 }

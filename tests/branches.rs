@@ -18,7 +18,8 @@ use periodyn::system::System;
 use std::f64::consts::TAU;
 use std::sync::Arc;
 
-/// Folds of `duffing`, and the size of the first harmonic there, by a prototype in reduced coordinates.
+/// Folds of `duffing`, and the size of the first harmonic there, by a prototype in reduced
+/// coordinates.
 const FOLDS: [[f64; 2]; 2] = [
     [1.269_601_955_546, 2.825_016_712_9],
     [1.115_700_251_771, 1.081_870_323_4],
@@ -304,7 +305,9 @@ fn a_doubled_branch_is_followed_from_where_it_begins() {
         let again = Solution::solve(&found, 2.0 * period, &options, &mut |_, _| true).unwrap();
         assert!(again.details().state.distance(&solved.state, 1.0) < 1e-10);
         let x = |k: f64| {
-            again.node(0, NodeQuantity::Position, &[k * period]).unwrap()[0]
+            again
+                .node(0, NodeQuantity::Position, &[k * period])
+                .unwrap()[0]
         };
         assert!((x(0.0) - x(1.0)).abs() > 0.01 && (x(0.0) - x(2.0)).abs() < 1e-9);
         other.points[0].values[0] - begins

@@ -41,7 +41,10 @@ fn a_pendulum_that_a_torque_turns_over_comes_back() {
     println!("{} points, {found:?}", branch.points.len());
     assert_eq!(found.len(), 2);
     for ((event, value), exact) in found.into_iter().zip([9.81, -9.81]) {
-        assert!(event == Event::Fold && (value - exact).abs() < 1e-11, "{value}");
+        assert!(
+            event == Event::Fold && (value - exact).abs() < 1e-11,
+            "{value}"
+        );
     }
     // The last point is the first one.
     let [first, last] = [0, branch.points.len() - 1].map(|i| &branch.points[i]);

@@ -18,8 +18,8 @@ from ._extras import (
 )
 from ._numbers import ids, like, reals, together
 from ._structs import (
-    Array, Number, Reference, Struct, Structs, as_signal, as_signals, of_type, pointer,
-    points_of
+    Array, Number, Reference, Struct, Structs, as_signal, as_signals, as_structs, of_type,
+    pointer, points_of
 )
 
 VERSION_MAJOR = 0
@@ -399,6 +399,10 @@ EVENT_BRANCH_POINT = 2
 """Another branch passes through a point of a branch."""
 EVENT_PERIOD_DOUBLING = 3
 """A branch of twice the period begins at a point of a branch."""
+EVENT_TORUS = 4
+"""A pair of complex multipliers is on the unit circle at a point of a branch: motions with a
+second frequency begin there.
+"""
 STABILITY_NOT_KNOWN = 0
 """Verdict on stability: it cannot be told, as multipliers are on the unit circle or not known well
 enough.
@@ -1015,6 +1019,14 @@ class BranchPoint(Struct):
     """Number of Newton iterations."""
     event = Number("event")
     """EVENT_NONE, EVENT_FOLD, ..."""
+    second_frequency = Number("second_frequency")
+    """At a torus point, the angular frequency of the motions that begin there; else zero."""
+    largest_multiplier = Number("largest_multiplier")
+    """Size of the largest multiplier; zero if multipliers were not wanted."""
+    multipliers_outside = Number("multipliers_outside")
+    """Number of multipliers outside the unit circle; zero also if they were not wanted."""
+    stability = Number("stability")
+    """STABLE, UNSTABLE or STABILITY_NOT_KNOWN, also if multipliers were not wanted."""
 
 
 class BranchOptions(Struct):
@@ -1058,6 +1070,8 @@ class BranchOptions(Struct):
     """1 to look for branch points (where there are no conditions) and period doublings, too, by
     two more factorisations of the whole Jacobian a point. Default 0.
     """
+    stability = Number("stability")
+    """1 to find the multipliers of each point, and with them torus points. Default 0."""
 
 
 class StaticOptions(Struct):
@@ -1356,6 +1370,257 @@ class Branch(BranchExtras):
 
     _free = lib.pdn_branch_free
 
+    def switch_branch(
+        self,
+        point,
+        amplitude,
+        *,
+        periodic=None,
+        conditions=None,
+        from_=None,
+        to=None,
+        motion_scale=None,
+        first_step=None,
+        smallest_step=None,
+        largest_step=None,
+        angle=None,
+        point_limit=None,
+        progress=None,
+        downwards=None,
+        events=None,
+        stability=None,
+    ):
+        """Follows the other branch at a point where one begins: a branch point, or a period
+        doubling, from where motions have twice the period, on one grid point less than twice as
+        many.
+
+        It begins where motions are `amplitude` away in the direction in which it leaves, and
+        goes on away from there. That it cannot is no error: BranchEnd tells.
+
+        Args:
+            point: number of the point, from 0
+            amplitude: length, of which 1 is a motion of `options.motion_scale`, of either sign;
+                not zero
+            periodic: Grid, tolerance and linear solver, where the first solve starts, and who
+                is told of the iterations; None for the defaults. Default None.
+            conditions: What else is free along the branch, and as many conditions; None for
+                nothing. Default None.
+            from_: Least value of the parameter, where the branch ends.
+            to: Largest value of the parameter, where the branch ends; more than `from`.
+            motion_scale: What counts as 1 in motions, relative to the size of the mechanism and
+                in radians; as the whole range does in the parameter. Default 1.
+            first_step: Length of the first step: 1 is the whole range, or a motion of
+                motion_scale. Default 0.02.
+            smallest_step: Shortest step. Default 1e-6.
+            largest_step: Longest step. Default 1.
+            angle: Angle between the branch at neighbouring points that steps aim at [radians];
+                steps by four thirds of it are taken again by half. Default 0.3.
+            point_limit: Most points. Default 1000.
+            progress: Told of each point; may end the branch. Default None.
+            downwards: 1 if the parameter decreases at first. Default 0.
+            events: 1 to look for branch points (where there are no conditions) and period
+                doublings, too, by two more factorisations of the whole Jacobian a point.
+                Default 0.
+            stability: 1 to find the multipliers of each point, and with them torus points.
+                Default 0.
+
+        Returns:
+            Branch: the other branch
+        """
+        options = BranchOptions(
+            periodic=periodic,
+            conditions=conditions,
+            from_=from_,
+            to=to,
+            motion_scale=motion_scale,
+            first_step=first_step,
+            smallest_step=smallest_step,
+            largest_step=largest_step,
+            angle=angle,
+            point_limit=point_limit,
+            progress=progress,
+            downwards=downwards,
+            events=events,
+            stability=stability,
+        )
+        out = ffi.new("pdn_branch **")
+        call(lib.pdn_switch_branch, self._c, point, amplitude, options._c, out)
+        return Branch._made(out[0], self._kept)
+
+    def follow_locus(
+        self,
+        point,
+        parameter,
+        *,
+        periodic=None,
+        conditions=None,
+        from_=None,
+        to=None,
+        motion_scale=None,
+        first_step=None,
+        smallest_step=None,
+        largest_step=None,
+        angle=None,
+        point_limit=None,
+        progress=None,
+        downwards=None,
+        events=None,
+        stability=None,
+    ):
+        """Follows folds, period doublings or torus points along a second parameter, from one of
+        them on a branch: that of the branch is free beside it.
+
+        All points of what is returned are such points, on as many grid points as the first.
+        Their `parameter` is the second one, that of the branch is Solution.parameter of their
+        solutions. The CSV file has both.
+
+        Args:
+            point: number of the point, from 0
+            parameter: id of the second parameter, or FREQUENCY
+            periodic: Grid, tolerance and linear solver, where the first solve starts, and who
+                is told of the iterations; None for the defaults. Default None.
+            conditions: What else is free along the branch, and as many conditions; None for
+                nothing. Default None.
+            from_: Least value of the parameter, where the branch ends.
+            to: Largest value of the parameter, where the branch ends; more than `from`.
+            motion_scale: What counts as 1 in motions, relative to the size of the mechanism and
+                in radians; as the whole range does in the parameter. Default 1.
+            first_step: Length of the first step: 1 is the whole range, or a motion of
+                motion_scale. Default 0.02.
+            smallest_step: Shortest step. Default 1e-6.
+            largest_step: Longest step. Default 1.
+            angle: Angle between the branch at neighbouring points that steps aim at [radians];
+                steps by four thirds of it are taken again by half. Default 0.3.
+            point_limit: Most points. Default 1000.
+            progress: Told of each point; may end the branch. Default None.
+            downwards: 1 if the parameter decreases at first. Default 0.
+            events: 1 to look for branch points (where there are no conditions) and period
+                doublings, too, by two more factorisations of the whole Jacobian a point.
+                Default 0.
+            stability: 1 to find the multipliers of each point, and with them torus points.
+                Default 0.
+
+        Returns:
+            Branch: the points
+        """
+        options = BranchOptions(
+            periodic=periodic,
+            conditions=conditions,
+            from_=from_,
+            to=to,
+            motion_scale=motion_scale,
+            first_step=first_step,
+            smallest_step=smallest_step,
+            largest_step=largest_step,
+            angle=angle,
+            point_limit=point_limit,
+            progress=progress,
+            downwards=downwards,
+            events=events,
+            stability=stability,
+        )
+        out = ffi.new("pdn_branch **")
+        call(lib.pdn_follow_locus, self._c, point, parameter, options._c, out)
+        return Branch._made(out[0], self._kept)
+
+    def continue_branch(
+        self,
+        *,
+        periodic=None,
+        conditions=None,
+        from_=None,
+        to=None,
+        motion_scale=None,
+        first_step=None,
+        smallest_step=None,
+        largest_step=None,
+        angle=None,
+        point_limit=None,
+        progress=None,
+        downwards=None,
+        events=None,
+        stability=None,
+    ):
+        """Follows a branch on from its last point, in the direction in which it came there: with a
+        wider range, more points, a shorter smallest step.
+
+        Args:
+            periodic: Grid, tolerance and linear solver, where the first solve starts, and who
+                is told of the iterations; None for the defaults. Default None.
+            conditions: What else is free along the branch, and as many conditions; None for
+                nothing. Default None.
+            from_: Least value of the parameter, where the branch ends.
+            to: Largest value of the parameter, where the branch ends; more than `from`.
+            motion_scale: What counts as 1 in motions, relative to the size of the mechanism and
+                in radians; as the whole range does in the parameter. Default 1.
+            first_step: Length of the first step: 1 is the whole range, or a motion of
+                motion_scale. Default 0.02.
+            smallest_step: Shortest step. Default 1e-6.
+            largest_step: Longest step. Default 1.
+            angle: Angle between the branch at neighbouring points that steps aim at [radians];
+                steps by four thirds of it are taken again by half. Default 0.3.
+            point_limit: Most points. Default 1000.
+            progress: Told of each point; may end the branch. Default None.
+            downwards: 1 if the parameter decreases at first. Default 0.
+            events: 1 to look for branch points (where there are no conditions) and period
+                doublings, too, by two more factorisations of the whole Jacobian a point.
+                Default 0.
+            stability: 1 to find the multipliers of each point, and with them torus points.
+                Default 0.
+
+        Returns:
+            Branch: a branch with the points of the first and those that are new
+        """
+        options = BranchOptions(
+            periodic=periodic,
+            conditions=conditions,
+            from_=from_,
+            to=to,
+            motion_scale=motion_scale,
+            first_step=first_step,
+            smallest_step=smallest_step,
+            largest_step=largest_step,
+            angle=angle,
+            point_limit=point_limit,
+            progress=progress,
+            downwards=downwards,
+            events=events,
+            stability=stability,
+        )
+        out = ffi.new("pdn_branch **")
+        call(lib.pdn_continue_branch, self._c, options._c, out)
+        return Branch._made(out[0], self._kept)
+
+    def save(self, path):
+        """Saves a branch with its model and all its points.
+
+        BranchLoad gives it back. Callbacks cannot be saved: see there. The format is the same
+        on all platforms, and later versions of the library read it.
+
+        Args:
+            path: where to, UTF-8. A file that is there is replaced when all is written; if that
+                fails it stays as it was
+        """
+        call(lib.pdn_branch_save, self._c, text(path))
+
+    @staticmethod
+    def load(path):
+        """Loads a branch that BranchSave saved. It can be continued.
+
+        If its model had callbacks, in signals or forces, solutions of its points and all that
+        is followed from it fail with ERR_CALLBACK, as they are not there.
+
+        Args:
+            path: the file, UTF-8. It need not be trusted: its checksum and everything in it are
+                checked
+
+        Returns:
+            Branch: the branch
+        """
+        out = ffi.new("pdn_branch **")
+        call(lib.pdn_branch_load, text(path), out)
+        return Branch._made(out[0], [])
+
     def end(self):
         """Why a branch ended."""
         return lib.pdn_branch_end(self._c)
@@ -1400,28 +1665,18 @@ class Branch(BranchExtras):
         call(lib.pdn_branch_solution, self._c, point, out)
         return Solution._made(out[0], self._kept)
 
-    def write_csv(self, path, nodes=None, components=None):
+    def write_csv(self, path, quantities=None):
         """Writes a branch as CSV: a line for each point, with the parameter, how the step went,
-        what happens there and, of components of positions, the mean, the size of the first
-        harmonic, the least and the largest value over the period. `script/plot.py` draws it.
+        what happens there, what multipliers say if they were wanted (`BranchOptions.stability`)
+        and, of each component of quantities, the mean, the size of the first harmonic, the
+        least and the largest value over the period. `script/plot.py` draws it.
 
         Args:
-            nodes: ids of nodes
-            components: components of their positions, 0, 1 or 2; likewise
+            quantities: quantities, each
             path: name of the file, UTF-8; an existing file is replaced
         """
-        nodes = ids("nodes", nodes)
-        _count = len(nodes)
-        components = ids("components", components)
-        like("components", components, (_count,))
-        call(
-            lib.pdn_branch_write_csv,
-            self._c,
-            ffi.from_buffer("int32_t[]", nodes),
-            ffi.from_buffer("int32_t[]", components),
-            _count,
-            text(path),
-        )
+        quantities, _count = as_structs("Quantity", quantities or [], self._kept)
+        call(lib.pdn_branch_write_csv, self._c, quantities, _count, text(path))
 
 
 class Conditions(Handle):
@@ -2904,6 +3159,7 @@ class Model(ModelExtras):
         progress=None,
         downwards=None,
         events=None,
+        stability=None,
     ):
         """Follows periodic motions along a parameter, through folds, from the response at its
         value in the model.
@@ -2936,6 +3192,8 @@ class Model(ModelExtras):
             events: 1 to look for branch points (where there are no conditions) and period
                 doublings, too, by two more factorisations of the whole Jacobian a point.
                 Default 0.
+            stability: 1 to find the multipliers of each point, and with them torus points.
+                Default 0.
 
         Returns:
             Branch: the branch
@@ -2954,6 +3212,7 @@ class Model(ModelExtras):
             progress=progress,
             downwards=downwards,
             events=events,
+            stability=stability,
         )
         out = ffi.new("pdn_branch **")
         call(lib.pdn_follow_branch, self._c, period, parameter, options._c, out)
@@ -2977,6 +3236,7 @@ class Model(ModelExtras):
         progress=None,
         downwards=None,
         events=None,
+        stability=None,
     ):
         """Finds the response over a range of frequencies, through folds: FollowBranch along
         FREQUENCY.
@@ -3004,6 +3264,8 @@ class Model(ModelExtras):
             events: 1 to look for branch points (where there are no conditions) and period
                 doublings, too, by two more factorisations of the whole Jacobian a point.
                 Default 0.
+            stability: 1 to find the multipliers of each point, and with them torus points.
+                Default 0.
 
         Returns:
             Branch: the branch
@@ -3022,6 +3284,7 @@ class Model(ModelExtras):
             progress=progress,
             downwards=downwards,
             events=events,
+            stability=stability,
         )
         out = ffi.new("pdn_branch **")
         call(lib.pdn_solve_frequency_response, self._c, first, last, options._c, out)
@@ -4272,7 +4535,9 @@ class Solution(SolutionExtras):
 
     def floquet_count(self):
         """Number of Floquet multipliers of a solution: as many as the system has states, if
-        Model.solve_shooting found them.
+        Model.solve_shooting found them; of a periodic solution as many as
+        Solution.solve_stability finds, which is called with default options unless it has been
+        before.
 
         Returns:
             out: the number; zero of a march
@@ -4285,8 +4550,9 @@ class Solution(SolutionExtras):
         """Floquet multipliers: what disturbances of the motion are multiplied by in a period, the
         largest first.
 
-        The motion is stable if all are smaller than 1 in magnitude. They are those of the
-        marching scheme, with its error and its numerical damping.
+        The motion is stable if all are smaller than 1 in magnitude. Those of shooting are of
+        the marching scheme, with its error and its numerical damping; Solution.solve_stability
+        tells more of those of periodic solutions.
 
         Returns:
             real, of shape (count)

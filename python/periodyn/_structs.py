@@ -141,9 +141,7 @@ class Structs(Field):
 
     def __set__(self, owner, values):
         values = list(values)
-        array = ffi.new(f"{Struct._classes[self.of]._type}[]", max(len(values), 1))
-        for i, value in enumerate(values):
-            array[i] = of_type(self.of)(value, owner._kept)[0]
+        array, _ = as_structs(self.of, values, owner._kept)
         owner._arrays[self.name] = values
         owner._kept.append(array)
         setattr(owner._c, self.name, array)
@@ -190,6 +188,15 @@ def _number(value):
         return float(value)
     except (TypeError, ValueError):
         raise Error(f"expected a signal, a number or a function, got {value!r}") from None
+
+
+def as_structs(name, values, kept):
+    """An array of structs, and their number."""
+    values = list(values)
+    array = ffi.new(f"{Struct._classes[name]._type}[]", max(len(values), 1))
+    for i, value in enumerate(values):
+        array[i] = of_type(name)(value, kept)[0]
+    return array, len(values)
 
 
 def as_signals(values, shape, kept):

@@ -57,10 +57,19 @@ def test_response_over_frequencies(tmp_path):
         *_, cosines, sines = branch.solution(point).quantity_harmonics(coordinate, 1)
         exact = 1 / abs(4 - frequency**2 + 0.1j * frequency)
         assert np.hypot(cosines[0], sines[0]) == pytest.approx(exact, rel=1e-6)
-    branch.write_csv(tmp_path / "branch.csv", [body], [0])
+    position = pdn.Quantity(kind=pdn.QUANTITY_POSITION, object=body)
+    branch.write_csv(tmp_path / "branch.csv", [position, coordinate])
     assert len((tmp_path / "branch.csv").read_text().splitlines()) == len(branch) + 1
-    with pytest.raises(pdn.Error, match="components: expected an array of 1, got 2"):
-        branch.write_csv(tmp_path / "branch.csv", [body], [0, 1])
+    names = (tmp_path / "branch.csv").read_text().splitlines()[0].split(",")
+    assert names[-16].endswith("position.x.mean") and names[-1].endswith(".max")
+    with pytest.raises(pdn.Error, match="expected a Quantity"):
+        branch.write_csv(tmp_path / "branch.csv", [body])
+    branch.save(tmp_path / "branch.pdb")
+    more = pdn.Branch.load(tmp_path / "branch.pdb").continue_branch(from_=0.5, to=5.0)
+    assert more.end() == pdn.BRANCH_RANGE and len(more) > len(branch)
+    assert more.parameters[-1] == pytest.approx(5.0)
+    with pytest.raises(pdn.Error, match="no other branch begins"):
+        branch.switch_branch(0, 0.1, from_=0.5, to=5.0)
     ended = model.solve_frequency_response(0.5, 4.0, progress=lambda _point, number: number == 3)
     assert ended.end() == pdn.BRANCH_CANCELLED and len(ended) == 3
 

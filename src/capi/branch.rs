@@ -15,7 +15,8 @@ use super::status::pdn_status;
 use crate::error::{Error, Result};
 use crate::model::Model;
 use crate::solve::{
-    Branch, BranchEnd, BranchOptions, BranchPoint, Event, Free, StabilityOptions, follow_branch,
+    Branch, BranchEnd, BranchOptions, BranchPoint, Event, Free, StabilityOptions, continue_branch,
+    follow_branch, follow_locus, switch_branch,
 };
 use libc::{c_char, c_void};
 use std::f64::consts::TAU;
@@ -42,8 +43,8 @@ pub const PDN_EVENT_FOLD: i32 = 1;
 pub const PDN_EVENT_BRANCH_POINT: i32 = 2;
 /// A branch of twice the period begins at a point of a branch.
 pub const PDN_EVENT_PERIOD_DOUBLING: i32 = 3;
-/// A pair of complex multipliers is on the unit circle at a point of a branch: motions with a second
-/// frequency begin there.
+/// A pair of complex multipliers is on the unit circle at a point of a branch: motions with a
+/// second frequency begin there.
 pub const PDN_EVENT_TORUS: i32 = 4;
 
 /// Periodic motions along a parameter. Made by ::pdn_follow_branch, freed by ::pdn_branch_free.
@@ -77,6 +78,8 @@ pub struct pdn_branch_point {
     pub iterations: i32,
     /// PDN_EVENT_NONE, PDN_EVENT_FOLD, ...
     pub event: i32,
+    /// At a torus point, the angular frequency of the motions that begin there; else zero.
+    pub second_frequency: f64,
     /// Size of the largest multiplier; zero if multipliers were not wanted.
     pub largest_multiplier: f64,
     /// Number of multipliers outside the unit circle; zero also if they were not wanted.
@@ -87,7 +90,7 @@ pub struct pdn_branch_point {
 
 // SAFETY: all fields are plain numbers, `struct_size` is the first, no padding.
 unsafe impl Options for pdn_branch_point {
-    const SIZES: &'static [usize] = &[80];
+    const SIZES: &'static [usize] = &[88];
 }
 
 /// Sets a point to zero; use `PDN_INIT(pdn_branch_point, &point)`.
@@ -119,10 +122,11 @@ impl pdn_branch_point {
                 Some(Event::PeriodDoubling) => PDN_EVENT_PERIOD_DOUBLING,
                 Some(Event::Torus) => PDN_EVENT_TORUS,
             },
+            second_frequency: point.second_frequency.unwrap_or(0.0),
             largest_multiplier: point.stability.map_or(0.0, |found| found.largest),
-            multipliers_outside: point.stability.map_or(0, |found| {
-                i32::try_from(found.outside).unwrap_or(i32::MAX)
-            }),
+            multipliers_outside: point
+                .stability
+                .map_or(0, |found| i32::try_from(found.outside).unwrap_or(i32::MAX)),
             stability: point
                 .stability
                 .map_or(PDN_STABILITY_NOT_KNOWN, |found| verdict_code(found.verdict)),
@@ -271,14 +275,10 @@ fn core_options(
     })
 }
 
-/// Follows a branch, and tells the caller of its points.
-fn follow(
-    model: &Model,
-    (period, parameter): (f64, Free),
-    options: &BranchOptions,
-    (progress, data): (pdn_branch_fn, *mut c_void),
-) -> Result<Branch> {
-    let mut observe = |number: usize, point: &BranchPoint| {
+/// What tells the caller of points.
+fn observer(given: &pdn_branch_options) -> impl FnMut(usize, &BranchPoint) -> bool + use<> {
+    let (progress, data) = (given.progress, given.progress_data);
+    move |number: usize, point: &BranchPoint| {
         let Some(function) = progress else {
             return true;
         };
@@ -286,8 +286,18 @@ fn follow(
         let number = i32::try_from(number).unwrap_or(i32::MAX);
         // SAFETY: the caller gave the function for this data; `point` outlives the call.
         unsafe { function(&raw const point, number, data) == 0 }
-    };
-    follow_branch(model, period, parameter, options, &mut observe)
+    }
+}
+
+/// Options for what begins at a branch.
+fn options_for(
+    call: &Call,
+    options: *const pdn_branch_options,
+    branch: &Branch,
+) -> Result<(pdn_branch_options, BranchOptions)> {
+    let given = call.options(options, "options")?;
+    let options = core_options(call, &given, branch.model(), branch.period())?;
+    Ok((given, options))
 }
 
 /// Follows periodic motions along a parameter, through folds, from the response at its value in the
@@ -323,8 +333,8 @@ pub unsafe extern "C" fn pdn_follow_branch(
         let out = call.out(out, "out")?;
         let options = core_options(call, &given, &model, period)?;
         let parameter = free_parameter(&model, parameter)?;
-        let told = (given.progress, given.progress_data);
-        out.give(follow(&model, (period, parameter), &options, told)?);
+        let observe = &mut observer(&given);
+        out.give(follow_branch(&model, period, parameter, &options, observe)?);
         Ok(())
     })
 }
@@ -361,8 +371,164 @@ pub unsafe extern "C" fn pdn_solve_frequency_response(
         given.downwards = i32::from(last < first);
         let period = TAU / first;
         let options = core_options(call, &given, &model, period)?;
-        let told = (given.progress, given.progress_data);
-        out.give(follow(&model, (period, Free::Frequency), &options, told)?);
+        let (free, observe) = (Free::Frequency, &mut observer(&given));
+        out.give(follow_branch(&model, period, free, &options, observe)?);
+        Ok(())
+    })
+}
+
+/// Follows the other branch at a point where one begins: a branch point, or a period doubling, from
+/// where motions have twice the period, on one grid point less than twice as many.
+///
+/// It begins where motions are `amplitude` away in the direction in which it leaves, and goes on
+/// away from there. That it cannot is no error: ::pdn_branch_end tells.
+///
+/// @param branch  the branch; not NULL
+/// @param point  number of the point, from 0
+/// @param amplitude  length, of which 1 is a motion of `options.motion_scale`, of either sign; not
+///     zero
+/// @param options  the range of the same parameter, at least, and conditions as those of the
+///     branch; its direction, and where solves start, are not used; not NULL
+/// @param out  the other branch; free it with ::pdn_branch_free; written on success only
+/// @return as ::pdn_follow_branch; PDN_ERR_ID (there is no such point), PDN_ERR_NOT_AVAILABLE (no
+///     other branch begins there), PDN_ERR_GRID_TOO_COARSE
+///
+/// Threads: like a `const` use of `branch` and of what `options` points to. Functions of yours are
+/// called on this thread.
+/// @since 0.1
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn pdn_switch_branch(
+    branch: *const pdn_branch,
+    point: i32,
+    amplitude: f64,
+    options: *const pdn_branch_options,
+    out: *mut *mut pdn_branch,
+) -> pdn_status {
+    guard(|call| {
+        let branch = call.shared(branch, "branch")?;
+        let point = index(point, branch.points.len(), "point", "a point")?;
+        let amplitude = call.number(amplitude, "amplitude")?;
+        let (given, options) = options_for(call, options, &branch)?;
+        let out = call.out(out, "out")?;
+        let observe = &mut observer(&given);
+        out.give(switch_branch(&branch, point, amplitude, &options, observe)?);
+        Ok(())
+    })
+}
+
+/// Follows folds, period doublings or torus points along a second parameter, from one of them on a
+/// branch: that of the branch is free beside it.
+///
+/// All points of what is returned are such points. Their `parameter` is the second one, that of the
+/// branch is ::pdn_solution_parameter of their solutions. The CSV file has both.
+///
+/// @param branch  the branch; not NULL
+/// @param point  number of the point, from 0
+/// @param parameter  id of the second parameter, or PDN_FREQUENCY
+/// @param options  the range of the second parameter, at least, and conditions as those of the
+///     branch; where solves start is not used; not NULL
+/// @param out  the points; free them with ::pdn_branch_free; written on success only
+/// @return as ::pdn_follow_branch; PDN_ERR_ID (there is no such point), PDN_ERR_NOT_AVAILABLE
+///     (nothing happens there, a branch point, or a fold under conditions)
+///
+/// Threads: like a `const` use of `branch` and of what `options` points to. Functions of yours are
+/// called on this thread.
+/// @since 0.1
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn pdn_follow_locus(
+    branch: *const pdn_branch,
+    point: i32,
+    parameter: i32,
+    options: *const pdn_branch_options,
+    out: *mut *mut pdn_branch,
+) -> pdn_status {
+    guard(|call| {
+        let branch = call.shared(branch, "branch")?;
+        let point = index(point, branch.points.len(), "point", "a point")?;
+        let second = free_parameter(branch.model(), parameter)?;
+        let (given, options) = options_for(call, options, &branch)?;
+        let out = call.out(out, "out")?;
+        let observe = &mut observer(&given);
+        out.give(follow_locus(&branch, point, second, &options, observe)?);
+        Ok(())
+    })
+}
+
+/// Follows a branch on from its last point, in the direction in which it came there: with a wider
+/// range, more points, a shorter smallest step.
+///
+/// @param branch  the branch, as it was followed or loaded; not NULL
+/// @param options  the range of the same parameter, at least, and conditions as those of the
+///     branch; its direction, and where solves start, are not used; not NULL
+/// @param out  a branch with the points of the first and those that are new; free it with
+///     ::pdn_branch_free; written on success only
+/// @return as ::pdn_follow_branch; PDN_ERR_NOT_AVAILABLE (it has no points, has come back to its
+///     first one, or is one of ::pdn_follow_locus)
+///
+/// Threads: like a `const` use of `branch` and of what `options` points to. Functions of yours are
+/// called on this thread.
+/// @since 0.1
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn pdn_continue_branch(
+    branch: *const pdn_branch,
+    options: *const pdn_branch_options,
+    out: *mut *mut pdn_branch,
+) -> pdn_status {
+    guard(|call| {
+        let branch = call.shared(branch, "branch")?;
+        let (given, options) = options_for(call, options, &branch)?;
+        let out = call.out(out, "out")?;
+        let observe = &mut observer(&given);
+        out.give(continue_branch(&branch, &options, observe)?);
+        Ok(())
+    })
+}
+
+/// Saves a branch with its model and all its points.
+///
+/// ::pdn_branch_load gives it back. Callbacks cannot be saved: see there. The format is the same on
+/// all platforms, and later versions of the library read it.
+///
+/// @param branch  the branch; not NULL
+/// @param path  where to, UTF-8. A file that is there is replaced when all is written; if that
+///     fails it stays as it was
+/// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_VALUE (text that is not UTF-8), PDN_ERR_IO
+///
+/// Threads: like `const`.
+/// @since 0.1
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn pdn_branch_save(
+    branch: *const pdn_branch,
+    path: *const c_char,
+) -> pdn_status {
+    guard(|call| {
+        let branch = call.shared(branch, "branch")?;
+        branch.save(Path::new(call.text(path, "path")?))
+    })
+}
+
+/// Loads a branch that ::pdn_branch_save saved. It can be continued.
+///
+/// If its model had callbacks, in signals or forces, solutions of its points and all that is
+/// followed from it fail with PDN_ERR_CALLBACK, as they are not there.
+///
+/// @param path  the file, UTF-8. It need not be trusted: its checksum and everything in it are
+///     checked
+/// @param out  the branch; free it with ::pdn_branch_free; written on success only
+/// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_VALUE (text that is not UTF-8), PDN_ERR_IO, PDN_ERR_FORMAT
+///     (not a saved branch, cut off, damaged, or of a newer version), PDN_ERR_MEMORY
+///
+/// Threads: any.
+/// @since 0.1
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn pdn_branch_load(
+    path: *const c_char,
+    out: *mut *mut pdn_branch,
+) -> pdn_status {
+    guard(|call| {
+        let path = call.text(path, "path")?;
+        let out = call.out(out, "out")?;
+        out.give(Branch::load(Path::new(path))?);
         Ok(())
     })
 }

@@ -2,7 +2,6 @@
 
 use super::call::Call;
 use super::guard::{guard, init};
-use super::march::no_trajectory;
 use super::model::pdn_model;
 use super::options::Options;
 use super::periodic::{PROGRESS_INTERVAL, pdn_progress_fn, watch};
@@ -11,7 +10,7 @@ use super::status::pdn_status;
 use crate::error::{Error, Result};
 use crate::model::Model;
 use crate::output::Solution;
-use crate::solve::{Kind, MarchStart, NewtonOptions, ShootingOptions};
+use crate::solve::{MarchStart, NewtonOptions, ShootingOptions};
 use libc::c_void;
 
 /// Options of ::pdn_solve_shooting. Set the defaults by `PDN_INIT(pdn_shooting_options, &options)`.
@@ -152,23 +151,17 @@ fn read_shooting_options(
     })
 }
 
-/// Floquet multipliers of a trajectory; a march has none.
-fn floquet(solution: &Solution) -> Result<&[[f64; 2]]> {
-    match &solution.details().kind {
-        Kind::Shooting { floquet, .. } => Ok(floquet),
-        Kind::March(_) => Ok(&[]),
-        Kind::Periodic(_) | Kind::Equilibrium { .. } | Kind::SmallMotion => Err(no_trajectory()),
-    }
-}
-
 /// Number of Floquet multipliers of a solution: as many as the system has states, if
-/// ::pdn_solve_shooting found them.
+/// ::pdn_solve_shooting found them; of a periodic solution as many as ::pdn_solve_stability finds,
+/// which is called with default options unless it has been before.
 ///
-/// @param solution  a solution of ::pdn_solve_shooting or ::pdn_march; not NULL
+/// @param solution  a solution of ::pdn_solve_periodic, or one like it, that has converged, of
+///     ::pdn_solve_shooting or of ::pdn_march; not NULL
 /// @param out  the number; zero of a march; written on success only
-/// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_AVAILABLE (the solution is no trajectory)
+/// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_AVAILABLE (of an equilibrium or a small motion, and of
+///     what has not converged); else as ::pdn_solve_stability
 ///
-/// Threads: like `const`.
+/// Threads: like `const`. Functions of the model may be called on this thread.
 /// @since 0.1
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn pdn_solution_floquet_count(
@@ -178,7 +171,7 @@ pub unsafe extern "C" fn pdn_solution_floquet_count(
     guard(|call| {
         let solution = call.shared(solution, "solution")?;
         let out = call.out(out, "out")?;
-        out.set(floquet(&solution)?.len());
+        out.set(solution.floquet()?.len());
         Ok(())
     })
 }
@@ -186,17 +179,18 @@ pub unsafe extern "C" fn pdn_solution_floquet_count(
 /// Floquet multipliers: what disturbances of the motion are multiplied by in a period, the largest
 /// first.
 ///
-/// The motion is stable if all are smaller than 1 in magnitude. They are those of the marching
-/// scheme, with its error and its numerical damping.
+/// The motion is stable if all are smaller than 1 in magnitude. Those of shooting are of the
+/// marching scheme, with its error and its numerical damping; ::pdn_solve_stability tells more of
+/// those of periodic solutions.
 ///
-/// @param solution  a solution of ::pdn_solve_shooting; not NULL
+/// @param solution  as for ::pdn_solution_floquet_count; not NULL
 /// @param real  array of length [count] for the real parts
 /// @param imaginary  array of length [count] for the imaginary parts
 /// @param count  their number, as ::pdn_solution_floquet_count tells
-/// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_SIZE, PDN_ERR_NOT_AVAILABLE (the solution is no
-///     trajectory)
+/// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_SIZE, PDN_ERR_NOT_AVAILABLE as there; else as
+///     ::pdn_solve_stability
 ///
-/// Threads: like `const`.
+/// Threads: like `const`. Functions of the model may be called on this thread.
 /// @since 0.1
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn pdn_solution_floquet(
@@ -207,7 +201,7 @@ pub unsafe extern "C" fn pdn_solution_floquet(
 ) -> pdn_status {
     guard(|call| {
         let solution = call.shared(solution, "solution")?;
-        let multipliers = floquet(&solution)?;
+        let multipliers = solution.floquet()?;
         if count != multipliers.len() {
             return Err(Error::size("count", multipliers.len(), count));
         }

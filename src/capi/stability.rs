@@ -8,7 +8,7 @@ use super::options::Options;
 use super::periodic::{PROGRESS_INTERVAL, pdn_progress_fn, watch};
 use super::solution::{outcome_code, pdn_solution};
 use super::status::pdn_status;
-use crate::solve::{Stability, StabilityOptions, Verdict, solve_stability};
+use crate::solve::{Stability, StabilityOptions, Verdict};
 use libc::{c_char, c_void};
 
 /// Verdict on stability: it cannot be told, as multipliers are on the unit circle or not known well
@@ -122,7 +122,7 @@ pub unsafe extern "C" fn pdn_solve_stability(
             watch: watch(given.progress, given.progress_data, PROGRESS_INTERVAL)?,
             ..StabilityOptions::default()
         };
-        out.give(solve_stability(solution.details(), &options)?);
+        out.give(solution.solve_stability(&options)?);
         Ok(())
     })
 }

@@ -1,7 +1,7 @@
 //! What a branch tells: the solution of a point, a report, and a diagram as CSV.
 
-use super::write::write_file;
 use super::Solution;
+use super::write::write_file;
 use crate::error::{Error, ErrorKind, Result};
 use crate::quantity::Selection;
 use crate::solve::{Branch, BranchEnd, Verdict};
@@ -173,7 +173,11 @@ impl Branch {
                         found.outside.to_string(),
                         format!("{:?}", found.largest),
                     ],
-                    None => [Verdict::NotKnown.describe().to_string(), "".into(), "".into()],
+                    None => [
+                        Verdict::NotKnown.describe().to_string(),
+                        "".into(),
+                        "".into(),
+                    ],
                 });
             }
             if !outputs.is_empty() {

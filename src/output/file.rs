@@ -1,9 +1,9 @@
-//! Solutions and models saved in files, and loaded from them.
+//! Solutions, models and branches saved in files, and loaded from them.
 //!
 //! A file is a header and a body. The header has 24 bytes: a signature, the version of the format,
 //! a CRC-32 of all that follows it and of the version, and the length of the body; integers are
-//! little-endian. The body is the [`Content`] of a solution, or a [`Model`], in MessagePack, with
-//! the names of all fields.
+//! little-endian. The body is the [`Content`] of a solution, a [`Model`], or the
+//! [`BranchContent`] of a branch, in MessagePack, with the names of all fields.
 //!
 //! A field that is added later gets a default, so that older files can be read; one that changes
 //! its meaning, or goes, takes a new version:
@@ -13,10 +13,12 @@
 //! 2. Definitions alone.
 
 use super::saved::Content;
+use super::saved_branch::BranchContent;
 use super::solution::Solution;
 use super::write::{refused, write_file};
 use crate::error::{Error, ErrorKind, Result};
 use crate::model::Model;
+use crate::solve::Branch;
 use serde::Serialize;
 use serde::de::DeserializeOwned;
 use std::fs::File;
@@ -38,6 +40,10 @@ const SOLUTION: Format = Format {
 const MODEL: Format = Format {
     signature: *b"\x93PDM\r\n\x1a\n",
     what: "model",
+};
+const BRANCH: Format = Format {
+    signature: *b"\x93PDB\r\n\x1a\n",
+    what: "branch",
 };
 /// The version that is written, and the latest that can be read.
 const VERSION: u32 = 2;
@@ -86,6 +92,30 @@ impl Model {
     /// version.
     pub fn load(path: &Path) -> Result<Self> {
         MODEL.load(path, Model::checked)
+    }
+}
+
+impl Branch {
+    /// Saves the branch with its model and all its points.
+    ///
+    /// Functions of the user, in signals and forces, cannot be saved: see [`Branch::load`].
+    ///
+    /// # Errors
+    /// [`ErrorKind::Io`]; a file that was there stays as it was.
+    pub fn save(&self, path: &Path) -> Result<()> {
+        BRANCH.save(&BranchContent::of(self), path)
+    }
+
+    /// Loads a branch. Its points are what they were, and it can be continued.
+    ///
+    /// If its model had functions of the user, what needs these fails with [`ErrorKind::Callback`]:
+    /// the solutions of its points, and what follows from them.
+    ///
+    /// # Errors
+    /// [`ErrorKind::Io`]; [`ErrorKind::Format`] if the file is no branch, damaged, or of a newer
+    /// version.
+    pub fn load(path: &Path) -> Result<Self> {
+        BRANCH.load(path, BranchContent::into_branch)
     }
 }
 

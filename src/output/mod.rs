@@ -11,6 +11,7 @@ mod poly_data;
 mod quantities;
 mod report;
 mod saved;
+mod saved_branch;
 mod solution;
 mod stability;
 mod table;

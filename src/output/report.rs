@@ -65,6 +65,7 @@ impl Solution {
         if solve.march().is_none() {
             self.write_estimates(text)?;
         }
+        self.write_stability(text)?;
         if let Some(record) = solve.periodic() {
             write_linear(record, text)?;
         }

@@ -15,7 +15,7 @@ use crate::solve::{
 use crate::system::{Regime, Standstill, System, Transient};
 use serde::{Deserialize, Serialize};
 use std::borrow::Cow;
-use std::sync::Arc;
+use std::sync::{Arc, OnceLock};
 use std::time::Duration;
 
 /// All that a solution is made of. What some kinds of solutions do not have is empty.
@@ -96,7 +96,7 @@ impl<'a> SavedMarch<'a> {
     }
 }
 
-fn require(holds: bool, what: &str) -> Result<()> {
+pub(super) fn require(holds: bool, what: &str) -> Result<()> {
     holds.then_some(()).ok_or_else(|| misfit(what))
 }
 
@@ -202,6 +202,7 @@ impl<'a> Content<'a> {
             diagnostics: self.diagnostics.into_owned(),
             forces: self.forces.into_owned(),
             filter: self.filter,
+            multipliers: OnceLock::new(),
         };
         solution.require_sizes()?;
         Ok(solution)

@@ -7,12 +7,12 @@ use crate::fourier::{SpectralFilter, TimeGrid};
 use crate::model::Model;
 use crate::quantity::{ForceRecord, record_forces};
 use crate::solve::{
-    Condition, Free, Iteration, Kind, Outcome, PeriodicOptions, Solved, Stage, StaticOptions,
-    solve_conditioned, solve_periodic, solve_static,
+    Condition, Free, Iteration, Kind, Outcome, PeriodicOptions, Solved, Stability, Stage,
+    StaticOptions, solve_conditioned, solve_periodic, solve_static,
 };
 use crate::system::{Driven, Regime, System};
 use crate::workers::Workers;
-use std::sync::Arc;
+use std::sync::{Arc, OnceLock};
 
 /// Result of a periodic or static solve or of a march, converged or not; otherwise it holds the
 /// last iterate, or the march as far as it came.
@@ -34,6 +34,8 @@ pub struct Solution {
     pub(super) filter: Option<SpectralFilter>,
     /// What each force did: a user's function is not called any more.
     pub(super) forces: Vec<Result<ForceRecord>>,
+    /// Multipliers of a periodic motion, once they were asked for.
+    pub(super) multipliers: OnceLock<Stability>,
 }
 
 impl Solution {
@@ -90,6 +92,7 @@ impl Solution {
             solve,
             diagnostics,
             filter: None,
+            multipliers: OnceLock::new(),
         };
         let signals = solution.solve.signals()?;
         solution.forces = record_forces(&solution.history(), &signals);

@@ -1,7 +1,68 @@
-//! The readable report of an analysis of stability.
+//! Stability of solutions, and the readable report of its analysis.
 
-use crate::solve::{Outcome, Stability, Verdict};
+use super::Solution;
+use crate::error::{Error, ErrorKind};
+use crate::solve::{Kind, Outcome, Stability, StabilityOptions, Verdict, solve_stability};
 use std::fmt::{Result, Write};
+
+impl Solution {
+    /// Finds the multipliers of a periodic solution, see [`solve_stability`]. From then on its
+    /// report has a line on them.
+    ///
+    /// # Errors
+    /// As [`solve_stability`].
+    pub fn solve_stability(&self, options: &StabilityOptions) -> crate::error::Result<Stability> {
+        let found = solve_stability(self.details(), options)?;
+        if !matches!(found.outcome, Outcome::Cancelled | Outcome::Singular) {
+            // The first stays.
+            let _ = self.multipliers.set(found.without_shapes());
+        }
+        Ok(found)
+    }
+
+    /// Real and imaginary parts of the Floquet multipliers, the largest first: those that shooting
+    /// has found, or of a periodic solution those that were asked for first, or else by default
+    /// options. A march has none.
+    ///
+    /// # Errors
+    /// [`ErrorKind::NotAvailable`] of other solutions, and where multipliers cannot be found; as
+    /// [`solve_stability`].
+    pub fn floquet(&self) -> crate::error::Result<Vec<[f64; 2]>> {
+        match &self.details().kind {
+            Kind::Shooting { floquet, .. } => return Ok(floquet.clone()),
+            Kind::March(_) => return Ok(Vec::new()),
+            Kind::Periodic(_) | Kind::Equilibrium { .. } | Kind::SmallMotion => {}
+        }
+        if self.multipliers.get().is_none() {
+            self.solve_stability(&StabilityOptions::default())?;
+        }
+        let Some(found) = self.multipliers.get() else {
+            let message = "solution: the equations of small disturbances are singular";
+            return Err(Error::new(ErrorKind::NotAvailable, message));
+        };
+        let parts = found.multipliers.iter().map(|m| [m.value.re, m.value.im]);
+        Ok(parts.collect())
+    }
+
+    /// The line of the report on multipliers that were asked for.
+    pub(super) fn write_stability(&self, text: &mut String) -> Result {
+        let Some(found) = self.multipliers.get() else {
+            return Ok(());
+        };
+        write!(text, "  {}: ", found.verdict.describe())?;
+        let known = found.multipliers.len();
+        let outside = found.outside();
+        write!(
+            text,
+            "{outside} of {known} multipliers outside the unit circle, the largest {:.6} in size",
+            found.largest()
+        )?;
+        match found.frequency_limit.is_infinite() {
+            true => writeln!(text),
+            false => writeln!(text, "; frequencies up to {:.6}", found.frequency_limit),
+        }
+    }
+}
 
 impl Verdict {
     /// A few words for people.

@@ -20,8 +20,8 @@ pub(crate) mod test_models;
 mod watch;
 
 pub use branches::{
-    Branch, BranchEnd, BranchOptions, BranchPoint, Event, PointStability, follow_branch,
-    follow_locus, switch_branch,
+    Branch, BranchEnd, BranchOptions, BranchPoint, Event, PointStability, continue_branch,
+    follow_branch, follow_locus, switch_branch,
 };
 pub use conditions::{Condition, Energy, Free, Given, JointCoordinateIs, OutputIs, Phase};
 pub use equilibrium::{StaticOptions, solve_static};

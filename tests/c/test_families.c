@@ -189,7 +189,7 @@ static int32_t count_points(const pdn_branch_point *point, int32_t number, void 
 static void frequency_response(void)
 {
     const double folds[2] = {1.269601955546, 1.115700251771};
-    int32_t count, found = 0, most = 3, component = 0;
+    int32_t count, found = 0, most = 3;
     pdn_periodic_options periodic;
     pdn_branch_options options;
     pdn_branch_point point;
@@ -231,10 +231,21 @@ static void frequency_response(void)
     pdn_solution_free(solution);
     CHECK_STATUS(pdn_branch_solution(branch, count, &solution), PDN_ERR_ID);
     CHECK_STATUS(pdn_branch_get(branch, -1, &point), PDN_ERR_ID);
-    CHECK_STATUS(pdn_branch_write_csv(branch, &body, &component, 1, "test_families.csv"), PDN_OK);
-    component = 3;
-    CHECK_STATUS(pdn_branch_write_csv(branch, &body, &component, 1, "test_families.csv"),
-                 PDN_ERR_VALUE);
+    pdn_quantity outputs[2];
+    for (int i = 0; i < 2; ++i) {
+        PDN_INIT(pdn_quantity, &outputs[i]);
+        outputs[i].kind = i ? PDN_QUANTITY_EFFORT : PDN_QUANTITY_POSITION;
+        outputs[i].object = i ? 0 : body;
+    }
+    CHECK_STATUS(pdn_branch_write_csv(branch, outputs, 2, "test_families.csv"), PDN_OK);
+    CHECK_STATUS(pdn_branch_write_csv(branch, NULL, 0, "test_families.csv"), PDN_OK);
+    CHECK_STATUS(pdn_branch_write_csv(branch, NULL, 1, "test_families.csv"), PDN_ERR_NULL);
+    outputs[1].component = 3;
+    CHECK_STATUS(pdn_branch_write_csv(branch, outputs, 2, "test_families.csv"), PDN_ERR_VALUE);
+    CHECK_MESSAGE("quantities[1]: ");
+    outputs[1].struct_size -= 8;
+    CHECK_STATUS(pdn_branch_write_csv(branch, outputs, 2, "test_families.csv"),
+                 PDN_ERR_STRUCT_SIZE);
     pdn_branch_free(branch);
 
     /* Downwards, and ended by the caller. */

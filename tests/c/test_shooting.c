@@ -163,9 +163,9 @@ static void refusals_of_each_argument(void)
     pdn_solution_free(solution);
     CHECK_STATUS(pdn_solve_static(in.model, NULL, &solution), PDN_OK);
     REFUSED(pdn_solution_floquet_count(solution, &out.count), PDN_ERR_NOT_AVAILABLE,
-            "solution: expected one of a march");
+            "stability: expected a periodic solution");
     REFUSED(pdn_solution_floquet(solution, out.real, out.imaginary, 2), PDN_ERR_NOT_AVAILABLE,
-            "solution: expected one of a march");
+            "stability: expected a periodic solution");
     pdn_solution_free(solution);
 }
 

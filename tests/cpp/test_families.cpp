@@ -56,8 +56,25 @@ void response_over_frequencies()
         const std::complex<double> stiffness(3 - 0.5 * w * w, 0.2 * w);
         NEAR(std::hypot(angle.cosines[0], angle.sines[0]), 0.6 / std::abs(stiffness), 1e-8);
     }
-    branch.write_csv("test_families_cpp.csv", {o.body}, {0});
-    REFUSED(branch.write_csv("x.csv", {o.body}, {}), PDN_ERR_SIZE, "components: ");
+    branch.write_csv("test_families_cpp.csv", {{pdn::Kind::position, o.body}, o.angle()});
+    REFUSED(branch.write_csv("x.csv", {{pdn::Kind(99), o.body}}), PDN_ERR_VALUE,
+            "quantities[0]: ");
+
+    // Saved, loaded, and followed on.
+    branch.save("test_families_cpp.pdb");
+    const auto loaded = pdn::Branch::load("test_families_cpp.pdb");
+    CHECK(loaded.count() == branch.count());
+    pdn::BranchOptions options;
+    options.from = 1;
+    options.to = 5;
+    const auto more = pdn::continue_branch(loaded, options);
+    CHECK(more.end() == pdn::BranchEnd::range && more.count() > branch.count());
+    NEAR(more.point(more.count() - 1).parameter, 5, 1e-12);
+    REFUSED(pdn::switch_branch(branch, 0, 0.1, options), PDN_ERR_NOT_AVAILABLE,
+            "no other branch begins");
+    REFUSED(pdn::follow_locus(branch, 0, o.moment, options), PDN_ERR_NOT_AVAILABLE,
+            "nothing happens");
+    REFUSED(pdn::Branch::load("test_families_cpp.csv"), PDN_ERR_FORMAT, "path: ");
     REFUSED(branch.point(branch.count()), PDN_ERR_ID, "point: ");
 }
 

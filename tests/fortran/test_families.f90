@@ -60,8 +60,10 @@ contains
 
     subroutine response_over_frequencies()
         type(pdn_model) :: model
-        type(pdn_branch) :: branch
+        type(pdn_branch) :: branch, more
+        type(pdn_branch_options) :: options
         type(pdn_branch_point) :: point
+        type(pdn_quantity) :: position
         type(pdn_solution) :: solution
         integer :: body, hinge, parameter, count, end, i, stat
         real(dp) :: mean(1), cosines(1, 1), sines(1, 1)
@@ -84,11 +86,35 @@ contains
             call near(hypot(cosines(1, 1), sines(1, 1)), 0.6_dp/abs(stiffness), 1e-8_dp, &
                 'amplitude')
         end do
-        call branch%write_csv('test_families.csv', [body], [0])
+        call pdn_quantity_init(position, c_sizeof(position))
+        position%kind = PDN_QUANTITY_POSITION
+        position%object = body
+        call branch%write_csv('test_families.csv', [position])
         stat = 77
         errmsg = 'none'
-        call branch%write_csv('test_families.csv', [body], stat=stat, errmsg=errmsg)
-        call refused(stat, errmsg, PDN_ERR_SIZE, 'components: ')
+        position%kind = 99
+        call branch%write_csv('test_families.csv', [position], stat=stat, errmsg=errmsg)
+        call refused(stat, errmsg, PDN_ERR_VALUE, 'quantities[0]: ')
+
+        ! Saved, loaded, and followed on.
+        call branch%save('test_families.pdb')
+        call more%load('test_families.pdb')
+        call pdn_init(options)
+        options%from = 1
+        options%to = 5
+        call more%continue(branch, options)
+        call branch%end(end)
+        call branch%count(i)
+        call branch%get(i - 1, point)
+        call check(end == PDN_BRANCH_RANGE .and. i > count, 'continued')
+        call near(point%parameter, 5.0_dp, 1e-12_dp, 'end')
+        call branch%switch(0, 0.1_dp, more, options, stat=stat, errmsg=errmsg)
+        call refused(stat, errmsg, PDN_ERR_NOT_AVAILABLE, 'no other branch begins')
+        call branch%follow_locus(0, parameter, more, options, stat=stat, errmsg=errmsg)
+        call refused(stat, errmsg, PDN_ERR_NOT_AVAILABLE, 'nothing happens')
+        call more%load('test_families.csv', stat, errmsg)
+        call refused(stat, errmsg, PDN_ERR_FORMAT, 'path: ')
+        count = i
         call branch%get(count, point, stat, errmsg)
         call refused(stat, errmsg, PDN_ERR_ID, 'point: ')
     end subroutine response_over_frequencies

@@ -26,8 +26,8 @@ class Columns(unittest.TestCase):
     def test_draws_an_image_of_several_files(self):
         names = ["t [s]", "a [m]", "b [N]"]
         files = {
-            "one": (names, [[0, 1], [2, 3], [4, 5]], []),
-            "two": (names, [[0, 1], [3, 2], [5, 4]], [(1, "fold")]),
+            "one": (names, [[0, 1], [2, 3], [4, 5]], [], []),
+            "two": (names, [[0, 1], [3, 2], [5, 4]], [(1, "fold")], ["stable", "unstable"]),
         }
         image = self.directory / "figure.png"
         plot.draw(files, image)
@@ -35,7 +35,8 @@ class Columns(unittest.TestCase):
 
     def test_reads_names_and_numbers(self):
         self.assertEqual(
-            plot.read_columns(self.written("t,x\n0,2\n1,3\n")), (["t", "x"], [[0, 1], [2, 3]], [])
+            plot.read_columns(self.written("t,x\n0,2\n1,3\n")),
+            (["t", "x"], [[0, 1], [2, 3]], [], []),
         )
 
     def test_reads_motions_and_events_of_branches(self):
@@ -43,8 +44,18 @@ class Columns(unittest.TestCase):
         text = names + "1,6,1,0,0,7,,2\n2,3,0,1,1,7,fold,3\n"
         self.assertEqual(
             plot.read_columns(self.written(text)),
-            (["frequency", "period", "x.max"], [[1, 2], [6, 3], [2, 3]], [(1, "fold")]),
+            (["frequency", "period", "x.max"], [[1, 2], [6, 3], [2, 3]], [(1, "fold")], []),
         )
+
+    def test_tells_parts_of_branches_that_are_stable(self):
+        names = "load,event,stability,outside,largest_multiplier,x.max\n"
+        rows = ["1,,stable,0,0.5,1", "2,,stable,0,0.9,2", "3,fold,not known,0,1,3",
+                "2,,unstable,1,1.5,4", "1,,unstable,1,1.6,5"]
+        names, columns, events, stability = plot.read_columns(
+            self.written(names + "\n".join(rows) + "\n"))
+        self.assertEqual((names, len(columns)), (["load", "x.max"], 2))
+        self.assertEqual(plot.parts_of(5, events, stability), [[0, 3, True], [2, 5, False]])
+        self.assertEqual(plot.parts_of(5, [], []), [[0, 5, True]])
 
     def test_refuses_what_cannot_be_drawn(self):
         for text, complaint in [
@@ -55,7 +66,8 @@ class Columns(unittest.TestCase):
                 plot.read_columns(self.written(text))
         with self.assertRaisesRegex(ValueError, "its columns are"):
             plot.draw(
-                {"one": (["t", "x"], [[0, 1]] * 2, []), "two": (["t", "y"], [[0, 1]] * 2, [])},
+                {"one": (["t", "x"], [[0, 1]] * 2, [], []),
+                 "two": (["t", "y"], [[0, 1]] * 2, [], [])},
                 "unused",
             )
 

@@ -103,11 +103,7 @@ impl Walk<'_> {
 
     /// The increment to a solution that leaves the parts along some directions as they are, and the
     /// directions in which solutions go on, each with a part along one of these alone.
-    fn linearised(
-        &mut self,
-        state: &GridState,
-        along: &[Vec<f64>],
-    ) -> Result<Option<Linearised>> {
+    fn linearised(&mut self, state: &GridState, along: &[Vec<f64>]) -> Result<Option<Linearised>> {
         let lasts = along.iter().map(|tangent| {
             let still: Arc<dyn Condition> = Arc::new(self.arc(state, tangent, 0.0));
             still
@@ -258,5 +254,8 @@ fn solved(
         true => shares.pop()?,
         false => 0.0,
     };
-    shares.iter().all(|x| x.is_finite()).then_some((shares, turn))
+    shares
+        .iter()
+        .all(|x| x.is_finite())
+        .then_some((shares, turn))
 }

@@ -3,9 +3,7 @@
 use super::events::Tests;
 use super::grid::Grids;
 use super::walk::{Place, Stepped, Walk};
-use super::{
-    Branch, BranchEnd, BranchOptions, BranchPoint, PointStability, no_first_point,
-};
+use super::{Branch, BranchEnd, BranchOptions, BranchPoint, PointStability, no_first_point};
 use crate::collocation::GridState;
 use crate::error::Result;
 use crate::fourier::TimeGrid;
@@ -194,16 +192,22 @@ impl Follow<'_, '_> {
             return Ok(());
         }
         let iterations = report.iterations.len();
-        let Some(mut place) = self.walk.first_tangent(state)? else {
+        let Some(place) = self.walk.first_tangent(state)? else {
             let why = "the branch has no tangent along the parameter where it starts, as at a fold";
             self.ends(BranchEnd::NoStart, why);
             return Ok(());
         };
-        let mut tests = self.walk.tests(&place)?;
+        let tests = self.walk.tests(&place)?;
         if !self.keep(&place, tests.stability(), ([0.0; 2], iterations)) {
             return Ok(());
         }
         let first = place.clone();
+        self.go_on((place, tests), &first)
+    }
+
+    /// Goes on from a point that is kept, on a branch with this first point.
+    pub fn go_on(&mut self, from: (Place, Tests), first: &Place) -> Result<()> {
+        let (mut place, mut tests) = from;
         let mut grids = Grids::of(&self.walk)?;
         let mut step = self.walk.options.first_step;
         loop {
@@ -214,7 +218,7 @@ impl Follow<'_, '_> {
             if let Some(end) = self.beyond(&place, &stepped.to)? {
                 return self.ends_at((&place, &tests), end);
             }
-            if let Some(end) = self.closing(&first, &place, &stepped.to, taken)? {
+            if let Some(end) = self.closing(first, &place, &stepped.to, taken)? {
                 let (length, angle) = (end.length, end.stepped.shown.angle);
                 let to = (&end.stepped.to, length);
                 if let Some(there) = self.keep_between((&place, &tests), to)? {

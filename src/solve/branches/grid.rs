@@ -48,20 +48,14 @@ impl Grids {
         let Some(adaptation) = self.adaptation else {
             return Ok(place);
         };
-        let equations = &walk.newton.equations;
-        let grid = equations.grid();
-        let decay = Decay::of(equations.system(), grid, &place.state);
-        let (points, tolerance) = (grid.points(), adaptation.error_tolerance);
-        let rounding = decay.kind == DecayKind::Rounding;
-        if decay.tail > tolerance && !rounding {
+        if let Some(finer) = walk.finer(&place) {
             self.needed_less = 0;
-            let next = adaptation.next_by_decay(points, &decay);
-            let more = match next > points {
-                true => walk.refine(&place, next, None)?,
-                false => None,
-            };
-            return Ok(more.unwrap_or(place));
+            return Ok(walk.refine(&place, finer, None)?.unwrap_or(place));
         }
+        let equations = &walk.newton.equations;
+        let (grid, tolerance) = (equations.grid(), adaptation.error_tolerance);
+        let decay = Decay::of(equations.system(), grid, &place.state);
+        let points = grid.points();
         let fewer = adaptation.enough(&decay).max(self.least);
         self.needed_less = match (fewer as f64) <= ENOUGH * points as f64 {
             true => self.needed_less + 1,
@@ -77,6 +71,21 @@ impl Grids {
 }
 
 impl Walk<'_> {
+    /// Points of the grid that the estimated error of a place asks for, if they are more.
+    pub fn finer(&self, place: &Place) -> Option<usize> {
+        let GridPoints::Adaptive(adaptation) = self.options.periodic.grid_points else {
+            return None;
+        };
+        let equations = &self.newton.equations;
+        let grid = equations.grid();
+        let decay = Decay::of(equations.system(), grid, &place.state);
+        if decay.tail <= adaptation.error_tolerance || decay.kind == DecayKind::Rounding {
+            return None;
+        }
+        let next = adaptation.next_by_decay(grid.points(), &decay);
+        (next > grid.points()).then_some(next)
+    }
+
     /// A place on the present grid; none if its motion cannot be interpolated.
     pub fn on_present_grid(&self, place: &Place) -> Result<Option<Place>> {
         let equations = &self.newton.equations;

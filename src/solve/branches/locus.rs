@@ -15,7 +15,7 @@ use std::sync::Arc;
 
 /// Follows the folds, period doublings or torus points of which `branch` has one at `index`, along
 /// a `second` parameter, from its value in the model on: the parameter of the branch is free beside
-/// it. It goes on with the grid points that it begins with.
+/// it. The grid gets finer along it, unless a number of points is given.
 ///
 /// The range of the options is that of the second parameter, and their conditions are those of the
 /// branch. Of the points of what is returned [`BranchPoint::values`] are the second parameter, and
@@ -91,7 +91,10 @@ impl Follow<'_, '_> {
         let equations = &self.walk.newton.equations;
         let singular = Singular::new(event, frequency, equations, &state)?;
         let Some(mut singular) = singular else {
-            self.ends(BranchEnd::NoStart, "the equations could not be factored there");
+            self.ends(
+                BranchEnd::NoStart,
+                "the equations could not be factored there",
+            );
             return Ok(());
         };
         let (basis, free) = (self.first_directions(&singular), self.walk.scales.len() - 1);
@@ -99,10 +102,17 @@ impl Follow<'_, '_> {
         let given: Arc<dyn Condition> = Arc::new(Given { free, value });
         let first = self.located(&state, &mut singular, (&basis, given), None)?;
         let Some(mut here) = first else {
-            self.ends(BranchEnd::NoStart, "the event was not found by its own equation");
+            self.ends(
+                BranchEnd::NoStart,
+                "the event was not found by its own equation",
+            );
             return Ok(());
         };
-        let wanted = if self.walk.options.downwards { -1.0 } else { 1.0 };
+        let wanted = if self.walk.options.downwards {
+            -1.0
+        } else {
+            1.0
+        };
         if self.walk.slope(&here.place) * wanted < 0.0 {
             here.place.tangent.iter_mut().for_each(|x| *x = -*x);
         }
@@ -112,7 +122,10 @@ impl Follow<'_, '_> {
         let mut step = self.walk.options.first_step;
         loop {
             if !singular.renew()? {
-                self.ends(BranchEnd::SmallestStep, "the equations could not be factored");
+                self.ends(
+                    BranchEnd::SmallestStep,
+                    "the equations could not be factored",
+                );
                 return Ok(());
             }
             let Some(taken) = self.step_on_locus(&here, &mut singular, step)? else {
@@ -134,8 +147,34 @@ impl Follow<'_, '_> {
                 return Ok(());
             }
             step = taken.shown.next(taken.length, self.walk.options);
-            here = taken.to;
+            here = self.on_fine_enough_grid(taken.to, &mut singular)?;
         }
+    }
+
+    /// Goes on with more grid points where the estimated error asks for it.
+    fn on_fine_enough_grid(&mut self, here: OnLocus, singular: &mut Singular) -> Result<OnLocus> {
+        let Some(points) = self.walk.finer(&here.place) else {
+            return Ok(here);
+        };
+        let grid = self.walk.newton.equations.grid();
+        let Some((place, before)) = self.walk.take_grid(&here.place, points)? else {
+            return Ok(here);
+        };
+        let tangents = here.located.tangents.iter();
+        let basis = tangents.map(|tangent| self.walk.resampled(tangent, grid, points));
+        let basis: Vec<Vec<f64>> = basis.collect();
+        let (state, equations) = (&place.state, &self.walk.newton.equations);
+        let found = Singular::new(singular.event, here.frequency, equations, state)?;
+        if let Some(mut finer) = found {
+            let still: Arc<dyn Condition> = Arc::new(self.walk.arc(state, &place.tangent, 0.0));
+            let basis = (&basis[..], still);
+            if let Some(there) = self.located(state, &mut finer, basis, Some(&place.tangent))? {
+                *singular = finer;
+                return Ok(there);
+            }
+        }
+        self.walk.give_back(before);
+        Ok(here)
     }
 
     /// Directions that solutions without the event's equation have: in which nothing resists, or

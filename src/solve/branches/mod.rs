@@ -7,6 +7,7 @@
 //! * `grid.rs`: with how many grid points it goes on;
 //! * `events.rs`, `determinants.rs`, `multipliers.rs`: what lies between two points, located;
 //! * `singular.rs`, `augmented.rs`: an event's own equation, and Newton's method with it;
+//! * `go_on.rs`: from where it had ended;
 //! * `switch.rs`: the other branch at such a point;
 //! * `locus.rs`: such points along a second parameter.
 
@@ -14,6 +15,7 @@ mod augmented;
 mod determinants;
 mod events;
 mod follow;
+mod go_on;
 mod grid;
 mod locus;
 mod multipliers;
@@ -23,6 +25,7 @@ mod switch;
 mod walk;
 
 pub use follow::follow_branch;
+pub use go_on::continue_branch;
 pub use locus::follow_locus;
 pub use multipliers::PointStability;
 pub use switch::switch_branch;
@@ -38,6 +41,7 @@ use crate::solve::report::{NewtonReport, Outcome};
 use crate::solve::result::Solved;
 use crate::solve::stability::StabilityOptions;
 use crate::system::System;
+use serde::{Deserialize, Serialize};
 use std::sync::Arc;
 
 /// How a branch is followed.
@@ -135,25 +139,32 @@ impl BranchOptions {
             return Ok(());
         }
         let expected = format!("as many as there are free parameters ({count})");
-        Err(Error::size("options.conditions", expected, self.conditions.len()))
+        Err(Error::size(
+            "options.conditions",
+            expected,
+            self.conditions.len(),
+        ))
     }
 
     /// Checks that a parameter is in the range.
     fn require_within(&self, model: &Model, period: f64, parameter: Free) -> Result<()> {
+        self.require_value(&parameter.name(model), parameter.value(model, period)?)
+    }
+
+    fn require_value(&self, name: &str, value: f64) -> Result<()> {
         let [low, high] = self.range;
-        let value = parameter.value(model, period)?;
         // A frequency is that of a period that was given.
         let slack = 1e-12 * (high - low).max(value.abs());
         if (low - slack..=high + slack).contains(&value) {
             return Ok(());
         }
-        let expected = format!("{} between {low} and {high}", parameter.name(model));
+        let expected = format!("{name} between {low} and {high}");
         Err(Error::value("options.range", expected, value))
     }
 }
 
 /// What happens at a point of a branch.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Event {
     /// The parameter turns back.
     Fold,
@@ -205,7 +216,7 @@ pub struct BranchPoint {
 }
 
 /// Why a branch ended.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 pub enum BranchEnd {
     /// The parameter reached an end of its range.
     Range,
@@ -268,6 +279,31 @@ impl Branch {
             locus: None,
             threads: 1,
         }
+    }
+
+    /// One that was saved. Points are not checked.
+    ///
+    /// # Errors
+    /// If a free parameter is none.
+    pub(crate) fn restored(
+        (model, period): (&Model, f64),
+        free: &[Free],
+        points: Vec<BranchPoint>,
+    ) -> Result<Self> {
+        Ok(Branch {
+            points,
+            ..Branch::empty(Conditioned::new(model, period, free)?, period)
+        })
+    }
+
+    /// The free parameters, that which is followed last.
+    pub(crate) fn free(&self) -> &[Free] {
+        self.conditioned.free()
+    }
+
+    /// Period of the model as it is.
+    pub(crate) fn period(&self) -> f64 {
+        self.period
     }
 
     /// What the parameter that is followed is called in messages.

@@ -24,10 +24,9 @@ pub struct PointStability {
 
 impl PointStability {
     fn of(stability: &Stability) -> Self {
-        let others = stability.multipliers.iter().filter(|m| !m.trivial);
         PointStability {
             verdict: stability.verdict,
-            outside: others.filter(|m| m.value.norm() - m.error > 1.0).count(),
+            outside: stability.outside(),
             largest: stability.largest(),
         }
     }

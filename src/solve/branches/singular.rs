@@ -2,7 +2,9 @@
 //! (docs/theory.md, section 13.7).
 
 use super::Event;
-use crate::collocation::{Antiperiodic, Collocation, GridState, Linearisation, Pattern, Spectral};
+use crate::collocation::{
+    Antiperiodic, Collocation, GridState, Linearisation, Pattern, Spectral, Tangent,
+};
 use crate::error::{Error, ErrorKind, Result};
 use crate::solve::linear::dense::probe;
 use crate::solve::modes::pencil::{C64, Inverse, Pencil};
@@ -22,6 +24,8 @@ pub(super) struct Singular {
     /// `ω`: zero but at torus points.
     pub frequency: f64,
     equations: Collocation,
+    /// For products at other states.
+    tangent: Tangent,
     pencil: Pencil,
     /// `a` and `b`, of motions and forces alone: what is least in constraints are high harmonics.
     borders: [Vec<C64>; 2],
@@ -52,6 +56,7 @@ impl Singular {
             pencil: Pencil::new(pattern, matrices, workers)?,
             borders: [border.clone(), border],
             vectors: [Vec::new(), Vec::new()],
+            tangent: Tangent::new(equations.system(), equations.grid().points()),
             equations,
         };
         for _ in 0..RENEWALS {
@@ -147,15 +152,29 @@ impl Singular {
         let mut change = C64::default();
         for sign in [1.0, -1.0] {
             let beside = state.incremented(&system, direction, sign * step);
-            let pattern = &self.pencil.pattern;
-            let there = linearised(self.event, &mut self.equations, &beside, pattern)?;
-            let here = std::mem::replace(&mut self.pencil.matrices, there);
-            let [v, w] = &self.vectors;
-            let rest = self.pencil.product(self.exponent(), v);
-            change -= product(w, &rest) * sign;
-            self.pencil.matrices = here;
+            change -= self.form_at(&beside)? * sign;
         }
         Ok(change / (2.0 * step))
+    }
+
+    /// `wᵀ J v` at another state; but for the compliance of constraints, which is the same at all.
+    fn form_at(&mut self, state: &GridState) -> Result<C64> {
+        let [v, w] = &self.vectors;
+        if !self.is_complex() {
+            prepare(self.event, &mut self.equations, state)?;
+            self.tangent.evaluate(&mut self.equations, state)?;
+            let real: Vec<f64> = v.iter().map(|x| x.re).collect();
+            let mut rest = vec![0.0; real.len()];
+            self.tangent.apply(&self.equations, &real, &mut rest);
+            let terms = w.iter().zip(&rest).map(|(w, y)| w.re * y);
+            return Ok(C64::from(terms.sum::<f64>()));
+        }
+        let pattern = &self.pencil.pattern;
+        let there = linearised(self.event, &mut self.equations, state, pattern)?;
+        let here = std::mem::replace(&mut self.pencil.matrices, there);
+        let form = product(w, &self.pencil.product(self.exponent(), v));
+        self.pencil.matrices = here;
+        Ok(form)
     }
 
     /// The direction of motions that meets no resistance, not scaled: its real part.
@@ -175,6 +194,12 @@ fn linearised(
     state: &GridState,
     pattern: &Pattern,
 ) -> Result<Linearisation> {
+    prepare(event, equations, state)?;
+    equations.linearise(state, pattern)
+}
+
+/// Gives the equations the parameters of a state, and the rule of increments of an event.
+fn prepare(event: Event, equations: &mut Collocation, state: &GridState) -> Result<()> {
     equations.apply_scalars(state)?;
     let (grid, nodes) = (equations.grid(), equations.system().nodes());
     equations.set_rule(match event {
@@ -185,7 +210,7 @@ fn linearised(
             return Err(Error::new(ErrorKind::NotAvailable, message));
         }
     });
-    equations.linearise(state, pattern)
+    Ok(())
 }
 
 /// `Σ x y`, without a conjugate.

@@ -38,6 +38,12 @@ pub(super) struct Stepped {
     pub iterations: usize,
 }
 
+/// What goes with a grid.
+pub(super) struct Before {
+    newton: Newton<Bordered<Linear>>,
+    determinants: Option<Determinants>,
+}
+
 /// Goes from one point to the next.
 pub(super) struct Walk<'a> {
     pub options: &'a BranchOptions,
@@ -271,12 +277,28 @@ impl<'a> Walk<'a> {
         points: usize,
         tolerance: Option<f64>,
     ) -> Result<Option<Place>> {
+        let Some((place, before)) = self.take_grid(place, points)? else {
+            return Ok(None);
+        };
+        if let Ok(found) = self.step(&place, 0.0)? {
+            let equations = &self.newton.equations;
+            let decay = Decay::of(equations.system(), equations.grid(), &found.to.state);
+            if tolerance.is_none_or(|tolerance| decay.tail <= tolerance) {
+                return Ok(Some(found.to));
+            }
+        }
+        self.give_back(before);
+        Ok(None)
+    }
+
+    /// Takes another grid, and a place prolonged to it; none if its motion cannot be interpolated.
+    pub fn take_grid(&mut self, place: &Place, points: usize) -> Result<Option<(Place, Before)>> {
         let equations = &self.newton.equations;
         let (system, grid) = (equations.system().clone(), equations.grid());
-        let finer = TimeGrid::new(points, grid.period())?;
+        let other = TimeGrid::new(points, grid.period())?;
         let state = match place
             .state
-            .resampled(&system, grid, 0.0, finer, &self.workers)
+            .resampled(&system, grid, 0.0, other, &self.workers)
         {
             Ok(state) => state,
             Err(e) if e.kind() == ErrorKind::GridTooCoarse => return Ok(None),
@@ -291,22 +313,23 @@ impl<'a> Walk<'a> {
             self.options,
             &self.workers,
         )?;
-        let before = std::mem::replace(&mut self.newton, next);
+        let newton = std::mem::replace(&mut self.newton, next);
         let determinants = Determinants::wanted(self.options, &self.newton.equations);
-        let of_before = std::mem::replace(&mut self.determinants, determinants);
-        self.before += before.iterations;
-        let place = Place { state, tangent };
-        if let Ok(found) = self.step(&place, 0.0)? {
-            let left_out = Decay::of(&system, finer, &found.to.state).tail;
-            if tolerance.is_none_or(|tolerance| left_out <= tolerance) {
-                return Ok(Some(found.to));
-            }
-        }
+        let determinants = std::mem::replace(&mut self.determinants, determinants);
+        self.before += newton.iterations;
+        let before = Before {
+            newton,
+            determinants,
+        };
+        Ok(Some((Place { state, tangent }, before)))
+    }
+
+    /// Takes the grid back that there was before.
+    pub fn give_back(&mut self, before: Before) {
         self.before += self.newton.iterations;
-        self.newton = before;
-        self.determinants = of_before;
+        self.newton = before.newton;
+        self.determinants = before.determinants;
         self.before -= self.newton.iterations;
-        Ok(None)
     }
 
     /// An increment on another grid.

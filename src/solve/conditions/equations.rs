@@ -4,11 +4,12 @@ use super::Condition;
 use crate::collocation::{Collocation, GridState, ScalarEquations};
 use crate::error::{Error, ErrorKind, Result, require_positive_number};
 use crate::model::Model;
+use serde::{Deserialize, Serialize};
 use std::f64::consts::TAU;
 use std::sync::Arc;
 
 /// A parameter that is free.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Free {
     /// The circular frequency `Ω = 2π/T`.
     Frequency,

@@ -141,10 +141,25 @@ impl Stability {
         }
     }
 
+    /// The same without the modes.
+    pub(crate) fn without_shapes(&self) -> Self {
+        Stability {
+            multipliers: self.multipliers.clone(),
+            shapes: Shapes::default(),
+            ..*self
+        }
+    }
+
     /// Size of the largest multiplier that is not trivial; zero if there is none.
     pub fn largest(&self) -> f64 {
         let sizes = self.multipliers.iter().filter(|m| !m.trivial);
         sizes.fold(0.0, |most, m| most.max(m.value.norm()))
+    }
+
+    /// Number of those outside the unit circle by more than their errors, without the trivial.
+    pub fn outside(&self) -> usize {
+        let others = self.multipliers.iter().filter(|m| !m.trivial);
+        others.filter(|m| m.value.norm() - m.error > 1.0).count()
     }
 
     /// Number of nodes that modes are known at.
