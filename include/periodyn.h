@@ -857,6 +857,11 @@
 #define PDN_BRANCH_NO_START 5
 
 /**
+ * A branch ended with an error, such as that of a callback, which its report tells.
+ */
+#define PDN_BRANCH_FAILED 6
+
+/**
  * Nothing happens at a point of a branch.
  */
 #define PDN_EVENT_NONE 0
@@ -5043,8 +5048,8 @@ void pdn_branch_options_init(struct pdn_branch_options *options,
  *
  * Steps are as long as the branch allows: they aim at `options.angle` between the tangents of
  * neighbouring points. Folds are located exactly, and are points of their own. Unless a number of
- * grid points is given it grows along the branch. That the branch ends early is no error:
- * ::pdn_branch_end tells, and all its points are kept.
+ * grid points is given it grows along the branch. That the branch ends early is no error, whatever
+ * happens after its first point: ::pdn_branch_end tells, and all its points are kept.
  *
  * @param model  the model; it is copied, so that later changes do not touch the branch
  * @param period  T of the first response, or a guess of it where the frequency is free

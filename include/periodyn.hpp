@@ -195,6 +195,7 @@ enum class BranchEnd : std::int32_t {
     smallest_step = PDN_BRANCH_SMALLEST_STEP,
     cancelled = PDN_BRANCH_CANCELLED,
     no_start = PDN_BRANCH_NO_START,
+    failed = PDN_BRANCH_FAILED,
 };
 
 /** What happens at a point of a branch: values of pdn_branch_point.event. */

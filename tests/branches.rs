@@ -5,7 +5,8 @@ mod common;
 use common::*;
 use nalgebra::Vector3;
 use periodyn::collocation::GridState;
-use periodyn::elements::{Coordinate, JointKind};
+use periodyn::elements::{Coordinate, CoordinateLaw, Effort, JointKind};
+use periodyn::error::{Error, ErrorKind};
 use periodyn::fourier::TimeGrid;
 use periodyn::model::{JointCoordinate, Model, SignalPart, SignalPlace, Target};
 use periodyn::motion::Motion;
@@ -238,6 +239,44 @@ fn a_branch_that_ends_early_keeps_its_points() {
     let branch = follow(&model, 1.25, &hopeless);
     assert_eq!((branch.end, branch.points.len()), (BranchEnd::NoStart, 0));
     assert!(branch.solved(0).is_err());
+}
+
+#[test]
+fn an_error_on_the_way_leaves_the_points_before() {
+    // The user's law is none beyond some amplitude.
+    let (mut model, at) = mass_on_a_slide(1.0, &Vector3::x());
+    let law = CoordinateLaw {
+        function: Arc::new(|state| match state.value.abs() < 1.0 {
+            true => Ok(Effort {
+                value: state.value + 0.05 * state.rate,
+                by_coordinate: 1.0,
+                by_rate: 0.05,
+            }),
+            false => Err(Error::new(ErrorKind::Callback, "too far")),
+        }),
+        gives_derivatives: true,
+    };
+    let force = model.add_coordinate_law(at, law).unwrap();
+    model.declare_of_phase(force).unwrap();
+    model.add_actuator(at, &cosine(0.18)).unwrap();
+    let branch = follow(&model, 0.5, &response(11));
+    assert_eq!(branch.end, BranchEnd::Failed);
+    assert!(branch.points.len() > 3 && branch.explanation.contains("too far"));
+    let last = branch.points.last().unwrap();
+    assert!(
+        last.values[0] > 0.8 && last.values[0] < 0.91,
+        "{}",
+        last.values[0]
+    );
+    // Before the first point there is nothing to keep.
+    let none = follow_branch(
+        &model,
+        TAU / 0.95,
+        Free::Frequency,
+        &response(11),
+        &mut |_, _| true,
+    );
+    assert_eq!(none.unwrap_err().kind(), ErrorKind::Callback);
 }
 
 /// The events of a branch.

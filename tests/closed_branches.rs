@@ -81,6 +81,39 @@ fn a_pendulum_that_a_torque_turns_over_comes_back() {
     }
 }
 
+#[test]
+fn what_multipliers_say_is_reported_and_written() {
+    let (model, torque) = pendulum_under_torque();
+    let options = BranchOptions {
+        periodic: options(3),
+        range: [-12.0, 12.0],
+        stability: Some(StabilityOptions::default()),
+        ..BranchOptions::default()
+    };
+    let branch = follow(&model, 0.7, Free::Parameter(torque), &options);
+    let path = std::env::temp_dir().join(format!("pdn_closed_{}.csv", std::process::id()));
+    branch.write_csv(&path, &[]).unwrap();
+    let text = std::fs::read_to_string(&path).unwrap();
+    std::fs::remove_file(&path).unwrap();
+    let lines: Vec<Vec<&str>> = text.lines().map(|l| l.split(',').collect()).collect();
+    let names = "torque,period,slope,step,angle,grid_points,event,stability,outside,\
+                 largest_multiplier";
+    assert_eq!(lines[0], names.split(',').collect::<Vec<_>>());
+    for (line, point) in lines[1..].iter().zip(&branch.points) {
+        let found = point.stability.unwrap();
+        assert_eq!(line[7], found.verdict.describe());
+        assert_eq!(line[8], found.outside.to_string());
+        assert_eq!(line[9].parse::<f64>().unwrap(), found.largest);
+    }
+    let count = |verdict: &str| lines.iter().filter(|line| line[7] == verdict).count();
+    let told = format!(
+        "points: {} stable, {} unstable",
+        count("stable"),
+        count("unstable")
+    );
+    assert!(branch.report().contains(&told), "{}", branch.report());
+}
+
 /// Damping of the oscillator with an isolated response, and its load.
 const DAMPING: f64 = 0.1;
 const LOAD: f64 = 0.03;

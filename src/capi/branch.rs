@@ -34,6 +34,8 @@ pub const PDN_BRANCH_SMALLEST_STEP: i32 = 3;
 pub const PDN_BRANCH_CANCELLED: i32 = 4;
 /// A branch has no points, as there is no solution to start from.
 pub const PDN_BRANCH_NO_START: i32 = 5;
+/// A branch ended with an error, such as that of a callback, which its report tells.
+pub const PDN_BRANCH_FAILED: i32 = 6;
 
 /// Nothing happens at a point of a branch.
 pub const PDN_EVENT_NONE: i32 = 0;
@@ -305,8 +307,8 @@ fn options_for(
 ///
 /// Steps are as long as the branch allows: they aim at `options.angle` between the tangents of
 /// neighbouring points. Folds are located exactly, and are points of their own. Unless a number of
-/// grid points is given it grows along the branch. That the branch ends early is no error:
-/// ::pdn_branch_end tells, and all its points are kept.
+/// grid points is given it grows along the branch. That the branch ends early is no error, whatever
+/// happens after its first point: ::pdn_branch_end tells, and all its points are kept.
 ///
 /// @param model  the model; it is copied, so that later changes do not touch the branch
 /// @param period  T of the first response, or a guess of it where the frequency is free
@@ -569,6 +571,7 @@ pub unsafe extern "C" fn pdn_branch_end(branch: *const pdn_branch) -> i32 {
             BranchEnd::SmallestStep => PDN_BRANCH_SMALLEST_STEP,
             BranchEnd::Cancelled => PDN_BRANCH_CANCELLED,
             BranchEnd::NoStart => PDN_BRANCH_NO_START,
+            BranchEnd::Failed => PDN_BRANCH_FAILED,
         };
         Ok(())
     });

@@ -72,6 +72,7 @@ impl BranchEnd {
             BranchEnd::SmallestStep => "the shortest step led to no solution",
             BranchEnd::Cancelled => "it was cancelled",
             BranchEnd::NoStart => "there is no first point",
+            BranchEnd::Failed => "an error occurred",
         }
     }
 }

@@ -71,9 +71,9 @@ void response_over_frequencies()
     CHECK(more.end() == pdn::BranchEnd::range && more.count() > branch.count());
     NEAR(more.point(more.count() - 1).parameter, 5, 1e-12);
     REFUSED(pdn::switch_branch(branch, 0, 0.1, options), PDN_ERR_NOT_AVAILABLE,
-            "no other branch begins");
+            "point: no other branch begins");
     REFUSED(pdn::follow_locus(branch, 0, o.moment, options), PDN_ERR_NOT_AVAILABLE,
-            "nothing happens");
+            "point: nothing happens");
     REFUSED(pdn::Branch::load("test_families_cpp.csv"), PDN_ERR_FORMAT, "path: ");
     REFUSED(branch.point(branch.count()), PDN_ERR_ID, "point: ");
 }

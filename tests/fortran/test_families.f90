@@ -109,9 +109,9 @@ contains
         call check(end == PDN_BRANCH_RANGE .and. i > count, 'continued')
         call near(point%parameter, 5.0_dp, 1e-12_dp, 'end')
         call branch%switch(0, 0.1_dp, more, options, stat=stat, errmsg=errmsg)
-        call refused(stat, errmsg, PDN_ERR_NOT_AVAILABLE, 'no other branch begins')
+        call refused(stat, errmsg, PDN_ERR_NOT_AVAILABLE, 'point: no other branch begins')
         call branch%follow_locus(0, parameter, more, options, stat=stat, errmsg=errmsg)
-        call refused(stat, errmsg, PDN_ERR_NOT_AVAILABLE, 'nothing happens')
+        call refused(stat, errmsg, PDN_ERR_NOT_AVAILABLE, 'point: nothing happens')
         call more%load('test_families.csv', stat, errmsg)
         call refused(stat, errmsg, PDN_ERR_FORMAT, 'path: ')
         count = i

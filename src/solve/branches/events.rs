@@ -4,7 +4,7 @@ use super::augmented::Located;
 use super::multipliers::Multipliers;
 use super::singular::Singular;
 use super::step::Shown;
-use super::walk::{Place, Stepped, Walk};
+use super::walk::{Place, Stepped, Walk, found_or_none};
 use super::{Event, PointStability};
 use crate::collocation::{Antiperiodic, Spectral};
 use crate::error::Result;
@@ -211,7 +211,8 @@ impl Walk<'_> {
             if value.abs() < NEAR && !tried {
                 tried = true;
                 let near = (&stepped.to, frequency.unwrap_or(0.0));
-                let newton = self.pinpoint(sought.event(), (from, length), near)?;
+                let newton = self.pinpoint(sought.event(), (from, length), near);
+                let newton = found_or_none(newton)?;
                 if newton.is_some() {
                     return Ok(newton);
                 }

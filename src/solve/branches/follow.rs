@@ -25,10 +25,11 @@ const SAME: f64 = 1e-4;
 /// condition of a length along the branch finds it.
 ///
 /// `observe` is told of each point and returns `false` to cancel: what there is then is kept, as it
-/// is where the branch can go on no further.
+/// is where the branch can go on no further, or an error occurs.
 ///
 /// # Errors
-/// As [`solve_conditioned`]; if the parameter is outside its range at the start.
+/// As [`solve_conditioned`], before the first point; if the parameter is outside its range at the
+/// start.
 pub fn follow_branch(
     model: &Model,
     period: f64,
@@ -74,8 +75,8 @@ pub(super) fn follow_from(
     let workers = Workers::new(options.periodic.threads)?.telling(watching.pulse());
     let walk = Walk::new(model, grid, free, (options, workers, watching))?;
     let mut follow = Follow::new(walk, branch, observe);
-    follow.from(state)?;
-    Ok(follow.end())
+    let went = follow.from(state);
+    follow.end(went)
 }
 
 /// What is found at an end of the range: a place, if any, and the iterations that it took.
@@ -92,6 +93,8 @@ struct Closing {
 pub(super) struct Follow<'a, 'o> {
     pub walk: Walk<'a>,
     pub branch: Branch,
+    /// Points that there were before.
+    before: usize,
     observe: &'o mut dyn FnMut(usize, &BranchPoint) -> bool,
 }
 
@@ -103,15 +106,22 @@ impl<'a, 'o> Follow<'a, 'o> {
     ) -> Self {
         Follow {
             walk,
+            before: branch.points.len(),
             branch,
             observe,
         }
     }
 
-    /// The branch, with all iterations.
-    pub fn end(mut self) -> Branch {
+    /// The branch, with all iterations. An error after its first point leaves it those it has.
+    pub fn end(mut self, went: Result<()>) -> Result<Branch> {
+        match went {
+            Ok(()) => {}
+            Err(e) if self.walk.watching.cancels(&e) => self.ends(BranchEnd::Cancelled, ""),
+            Err(e) if self.branch.points.len() == self.before => return Err(e),
+            Err(e) => self.ends(BranchEnd::Failed, e.to_string()),
+        }
         self.branch.iterations += self.walk.iterations();
-        self.branch
+        Ok(self.branch)
     }
 }
 

@@ -55,8 +55,8 @@ pub fn continue_branch(
         ..branch.clone()
     };
     let mut follow = Follow::new(walk, more, observe);
-    follow.from_last()?;
-    Ok(follow.end())
+    let went = follow.from_last();
+    follow.end(went)
 }
 
 impl Follow<'_, '_> {

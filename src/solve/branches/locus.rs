@@ -4,7 +4,7 @@ use super::augmented::Located;
 use super::follow::Follow;
 use super::singular::Singular;
 use super::step::Shown;
-use super::walk::{Place, Walk};
+use super::walk::{Place, Walk, found_or_none};
 use super::{Branch, BranchEnd, BranchOptions, BranchPoint, Event};
 use crate::collocation::GridState;
 use crate::error::{Error, ErrorKind, Result};
@@ -52,14 +52,14 @@ pub fn follow_locus(
     let walk = Walk::new(&model, grid, &free, (options, workers, watching))?;
     let mut follow = Follow::new(walk, locus, observe);
     let frequency = point.second_frequency.unwrap_or(0.0);
-    follow.along_locus(state, event, frequency)?;
-    Ok(follow.end())
+    let went = follow.along_locus(state, event, frequency);
+    follow.end(went)
 }
 
 /// The event at a point of a branch that can be followed.
 fn event_at(point: &BranchPoint, index: usize, options: &BranchOptions) -> Result<Event> {
     let none = |why: &str| {
-        let message = format!("index: {why} point {index}");
+        let message = format!("point: {why} point {index}");
         Err(Error::new(ErrorKind::NotAvailable, message))
     };
     match point.event {
@@ -207,8 +207,8 @@ impl Follow<'_, '_> {
     ) -> Result<Option<OnLocus>> {
         let frequency = singular.frequency;
         let walk = &mut self.walk;
-        let found = walk.locate_from(state.clone(), singular, basis.to_vec(), Some(last))?;
-        let Some(located) = found else {
+        let found = walk.locate_from(state.clone(), singular, basis.to_vec(), Some(last));
+        let Some(located) = found_or_none(found)? else {
             singular.frequency = frequency;
             return Ok(None);
         };

@@ -230,6 +230,8 @@ pub enum BranchEnd {
     Cancelled,
     /// There is no first point.
     NoStart,
+    /// An error ended it, which the explanation tells.
+    Failed,
 }
 
 /// Why there is no first point, after a solve that ended so.
@@ -331,7 +333,7 @@ impl Branch {
     pub fn solved(&self, index: usize) -> Result<(Model, Solved)> {
         let Some(point) = self.points.get(index) else {
             let expected = format!("a point below {}", self.points.len());
-            return Err(Error::value("index", expected, index));
+            return Err(Error::value("point", expected, index));
         };
         let mut scalars = point.values[1..].to_vec();
         scalars.push(point.values[0]);

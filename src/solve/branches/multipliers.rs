@@ -1,6 +1,6 @@
 //! Multipliers at points of a branch.
 
-use super::walk::{Place, Walk};
+use super::walk::{Place, Walk, found_or_none};
 use crate::error::Result;
 use crate::fourier::TimeGrid;
 use crate::solve::periodic::conditioned::known;
@@ -56,8 +56,12 @@ impl Multipliers {
 }
 
 impl Walk<'_> {
-    /// Multipliers at a place, if they are wanted.
+    /// Multipliers at a place, if they are wanted and can be found.
     pub fn multipliers(&self, place: &Place) -> Result<Option<Multipliers>> {
+        found_or_none(self.find_multipliers(place))
+    }
+
+    fn find_multipliers(&self, place: &Place) -> Result<Option<Multipliers>> {
         let Some(options) = &self.options.stability else {
             return Ok(None);
         };

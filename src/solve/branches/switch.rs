@@ -94,7 +94,7 @@ impl Crossing {
             Some(Event::PeriodDoubling) => Box::new(Antiperiodic::new(grid, nodes)),
             Some(Event::BranchPoint) => Box::new(Spectral::new(grid, nodes)),
             Some(Event::Fold | Event::Torus) | None => {
-                let message = format!("index: no other branch begins at point {index}");
+                let message = format!("point: no other branch begins at point {index}");
                 return Err(Error::new(ErrorKind::NotAvailable, message));
             }
         };

@@ -339,6 +339,15 @@ impl<'a> Walk<'a> {
     }
 }
 
+/// What was found, or nothing where it could not be evaluated; errors that are not those of a place
+/// stay.
+pub(super) fn found_or_none<T>(found: Result<Option<T>>) -> Result<Option<T>> {
+    match found {
+        Err(e) if !matches!(e.kind(), ErrorKind::Callback | ErrorKind::OutOfMemory) => Ok(None),
+        found => found,
+    }
+}
+
 /// Newton's method with free parameters.
 fn solver(
     system: &Arc<System>,
