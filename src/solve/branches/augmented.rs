@@ -13,13 +13,13 @@ use std::sync::Arc;
 /// Most iterations.
 const MOST: usize = 10;
 /// Length of an increment that is none.
-const NONE: f64 = 1e-12;
+const NONE: f64 = 1e-11;
 /// Increments that become no shorter than by this factor, once they are short, are rounding.
 const STANDS: f64 = 0.2;
 /// What is short.
 const SHORT: f64 = 1e-7;
-/// Accuracy of linear solves.
-const ACCURACY: f64 = 1e-10;
+/// Accuracy of linear solves: of increments, which may be rounding, and of tangents.
+const ACCURACY: [f64; 2] = [1e-6, 1e-9];
 
 /// A point where an event happens.
 pub(super) struct Located {
@@ -112,7 +112,8 @@ impl Walk<'_> {
         let layout = self.newton.equations.layout();
         let mut residual = vec![0.0; layout.size()];
         self.newton.equations.residual(state, &mut residual)?;
-        if !self.newton.linearise(state)? || !self.newton.solve_linear(&mut residual, ACCURACY)? {
+        let [rough, accurate] = ACCURACY;
+        if !self.newton.linearise(state)? || !self.newton.solve_linear(&mut residual, rough)? {
             return Ok(None);
         }
         let correction = self.newton.unscaled(&residual, -1.0);
@@ -120,7 +121,7 @@ impl Walk<'_> {
         for row in layout.size() - along.len()..layout.size() {
             let mut unit = vec![0.0; layout.size()];
             unit[row] = 1.0;
-            if !self.newton.solve_linear(&mut unit, ACCURACY)? {
+            if !self.newton.solve_linear(&mut unit, accurate)? {
                 return Ok(None);
             }
             let mut tangent = self.newton.unscaled(&unit, 1.0);

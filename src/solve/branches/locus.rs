@@ -132,15 +132,22 @@ impl Follow<'_, '_> {
                 return Ok(());
             };
             if let Some(bound) = self.bound_beyond(&taken.to.place) {
-                if let Some(last) = self.at_bound(&here, &taken, bound, &mut singular)? {
-                    let away = self.walk.away(&here.place.state, &last.place.state);
-                    let length = self.walk.inner(&away, &here.place.tangent);
-                    let angle = self.angle(&here.place, &last.place);
-                    if !self.keep_on_locus(&last, [length, angle])? {
+                let Some(last) = self.at_bound(&here, &taken, bound, &mut singular)? else {
+                    // Nearer to the end it is found.
+                    step = 0.5 * taken.length;
+                    self.branch.rejected += 1;
+                    if step < self.walk.options.smallest_step {
+                        self.ends(BranchEnd::Range, "");
                         return Ok(());
                     }
+                    continue;
+                };
+                let away = self.walk.away(&here.place.state, &last.place.state);
+                let length = self.walk.inner(&away, &here.place.tangent);
+                let angle = self.angle(&here.place, &last.place);
+                if self.keep_on_locus(&last, [length, angle])? {
+                    self.ends(BranchEnd::Range, "");
                 }
-                self.ends(BranchEnd::Range, "");
                 return Ok(());
             }
             if !self.keep_on_locus(&taken.to, [taken.length, taken.shown.angle])? {
