@@ -173,6 +173,7 @@ module periodyn_c
     integer(c_int32_t), parameter :: PDN_BRANCH_SMALLEST_STEP = 3
     integer(c_int32_t), parameter :: PDN_BRANCH_CANCELLED = 4
     integer(c_int32_t), parameter :: PDN_BRANCH_NO_START = 5
+    integer(c_int32_t), parameter :: PDN_BRANCH_FAILED = 6
     integer(c_int32_t), parameter :: PDN_EVENT_NONE = 0
     integer(c_int32_t), parameter :: PDN_EVENT_FOLD = 1
     integer(c_int32_t), parameter :: PDN_EVENT_BRANCH_POINT = 2

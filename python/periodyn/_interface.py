@@ -391,6 +391,8 @@ BRANCH_CANCELLED = 4
 """A branch ended as it was cancelled."""
 BRANCH_NO_START = 5
 """A branch has no points, as there is no solution to start from."""
+BRANCH_FAILED = 6
+"""A branch ended with an error, such as that of a callback, which its report tells."""
 EVENT_NONE = 0
 """Nothing happens at a point of a branch."""
 EVENT_FOLD = 1
@@ -1470,9 +1472,8 @@ class Branch(BranchExtras):
         """Follows folds, period doublings or torus points along a second parameter, from one of
         them on a branch: that of the branch is free beside it.
 
-        All points of what is returned are such points, on as many grid points as the first.
-        Their `parameter` is the second one, that of the branch is Solution.parameter of their
-        solutions. The CSV file has both.
+        All points of what is returned are such points. Their `parameter` is the second one,
+        that of the branch is Solution.parameter of their solutions. The CSV file has both.
 
         Args:
             point: number of the point, from 0
@@ -3167,7 +3168,8 @@ class Model(ModelExtras):
         Steps are as long as the branch allows: they aim at `options.angle` between the tangents
         of neighbouring points. Folds are located exactly, and are points of their own. Unless a
         number of grid points is given it grows along the branch. That the branch ends early is
-        no error: BranchEnd tells, and all its points are kept.
+        no error, whatever happens after its first point: BranchEnd tells, and all its points
+        are kept.
 
         Args:
             period: T of the first response, or a guess of it where the frequency is free
