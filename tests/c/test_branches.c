@@ -138,7 +138,7 @@ static void folds(void)
     pdn_solution *solution;
     PDN_INIT(pdn_periodic_options, &periodic);
     PDN_INIT(pdn_branch_options, &options);
-    periodic.grid_points = 41;
+    periodic.grid_points = 31;
     options.periodic = &periodic;
     CHECK_STATUS(pdn_solve_frequency_response(model, 0.9, 1.4, &options, &branch), PDN_OK);
     const int32_t fold = first(branch, PDN_EVENT_FOLD);

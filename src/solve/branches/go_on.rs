@@ -55,12 +55,12 @@ pub fn continue_branch(
         ..branch.clone()
     };
     let mut follow = Follow::new(walk, more, observe);
-    let went = follow.from_last();
+    let went = follow.resume();
     follow.end(went)
 }
 
 impl Follow<'_, '_> {
-    fn from_last(&mut self) -> Result<()> {
+    fn resume(&mut self) -> Result<()> {
         let points = &self.branch.points;
         let states: Vec<GridState> = points.iter().map(BranchPoint::state_with_scalars).collect();
         let Some(state) = states.last().cloned() else {
