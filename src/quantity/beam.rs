@@ -3,7 +3,7 @@
 use super::history::History;
 use super::samples::Samples;
 use super::variation::Variation;
-use super::{Probe, require_id};
+use super::{Dependence, Probe, require_id};
 use crate::elements::{Beam, Element};
 use crate::error::{Error, Result, require_finite};
 use crate::system::{ElementRole, System};
@@ -186,6 +186,13 @@ struct BeamProbe {
 }
 
 impl Probe for BeamProbe {
+    fn dependence(&self) -> Dependence {
+        match self.quantity {
+            Resultant::Strain => Dependence::Nothing,
+            Resultant::Force => Dependence::Parameters,
+        }
+    }
+
     fn samples(&self, history: &History) -> Result<Samples> {
         Samples::at_each(history, 6, |k, row| {
             let mut sum = Vector6::zeros();

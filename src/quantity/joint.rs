@@ -3,7 +3,7 @@
 use super::history::History;
 use super::samples::Samples;
 use super::variation::Variation;
-use super::{Probe, require_id};
+use super::{Dependence, Probe, require_id};
 use crate::elements::{Coordinate, Element, Joint, NodeState, nearest_turn};
 use crate::error::{Error, ErrorKind, Result};
 use crate::fourier::{CardinalWeights, TimeGrid};
@@ -192,6 +192,13 @@ impl CoordinateProbe {
 }
 
 impl Probe for CoordinateProbe {
+    fn dependence(&self) -> Dependence {
+        match self.order {
+            0 => Dependence::Nothing,
+            _ => Dependence::Period,
+        }
+    }
+
     fn samples(&self, history: &History) -> Result<Samples> {
         let Some(grid) = history.grid else {
             let mut columns = self
@@ -237,6 +244,10 @@ struct DrivingEffort {
 }
 
 impl Probe for DrivingEffort {
+    fn dependence(&self) -> Dependence {
+        Dependence::Nothing
+    }
+
     fn samples(&self, history: &History) -> Result<Samples> {
         let placed = &history.system.elements()[self.element];
         // The multiplier is the effort on the left-hand side: that of the drive is opposite.
@@ -279,6 +290,10 @@ impl Reaction {
 }
 
 impl Probe for Reaction {
+    fn dependence(&self) -> Dependence {
+        Dependence::Nothing
+    }
+
     fn samples(&self, history: &History) -> Result<Samples> {
         let joint = &history.system.joints()[self.joint];
         let placed = &history.system.elements()[self.element];

@@ -1,6 +1,6 @@
 //! Numbers that a motion has: features of one component of a quantity.
 
-use super::{Feature, History, Probe, Quantity, Variation};
+use super::{Dependence, Feature, History, Probe, Quantity, Variation};
 use crate::collocation::{Collocation, GridState};
 use crate::error::{Error, ErrorKind, Result};
 use crate::fourier::TimeGrid;
@@ -34,6 +34,16 @@ impl Measurement {
             feature,
             probe: quantity.probe(system)?,
         })
+    }
+
+    /// What it depends on besides the unknowns of the grid.
+    pub fn dependence(&self) -> Dependence {
+        let of_quantity = self.probe.dependence();
+        match (of_quantity, self.feature) {
+            // A time is another phase of another period, but the start.
+            (Dependence::Nothing, Feature::At(time)) if time != 0.0 => Dependence::Period,
+            _ => of_quantity,
+        }
     }
 
     /// Its value.

@@ -100,8 +100,24 @@ impl Selection {
     }
 }
 
+/// What a quantity depends on besides the unknowns of the grid.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Dependence {
+    /// Nothing.
+    Nothing,
+    /// The period, in which motions run through their course.
+    Period,
+    /// Parameters: stiffnesses, signals, and the period.
+    Parameters,
+}
+
 /// A quantity found in a system: what evaluates it.
 pub trait Probe: Debug + Send + Sync {
+    /// What it depends on besides motions and own unknowns.
+    fn dependence(&self) -> Dependence {
+        Dependence::Parameters
+    }
+
     /// Its values at all times of a motion.
     ///
     /// # Errors

@@ -3,7 +3,7 @@
 use super::history::History;
 use super::samples::Samples;
 use super::variation::Variation;
-use super::{Probe, require_id};
+use super::{Dependence, Probe, require_id};
 use crate::elements::NodeState;
 use crate::error::{Error, ErrorKind, Result};
 use crate::motion::{halves, joined, quaternion_from_rotation};
@@ -141,6 +141,15 @@ struct NodeProbe {
 }
 
 impl Probe for NodeProbe {
+    fn dependence(&self) -> Dependence {
+        match self.quantity {
+            NodeQuantity::Position | NodeQuantity::RotationMatrix | NodeQuantity::Quaternion => {
+                Dependence::Nothing
+            }
+            _ => Dependence::Period,
+        }
+    }
+
     fn samples(&self, history: &History) -> Result<Samples> {
         let mut last = None;
         let samples = Samples::at_each(history, self.quantity.components(), |k, row| {

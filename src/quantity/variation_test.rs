@@ -184,3 +184,49 @@ fn variations_are_derivatives() {
         }
     }
 }
+
+#[test]
+fn what_depends_on_motions_alone_stays_with_them() {
+    let features = [Feature::Mean, Feature::Cosine(1), Feature::At(0.0)];
+    let mut alone = 0;
+    for (model, mut equations) in problems() {
+        let system = equations.system().clone();
+        let grid = equations.grid();
+        if grid.points() == 1 {
+            continue;
+        }
+        let here = unscaled(&equations, |i| 0.05 * wave(i));
+        let here = GridState::reference(&system, grid).incremented(&system, &here, 1.0);
+        let mut of = Vec::new();
+        for quantity in all(&model, &system) {
+            for feature in features {
+                of.push(Measurement::new(quantity, 0, feature, &system).unwrap());
+            }
+        }
+        let values = |equations: &mut Collocation| -> Vec<f64> {
+            equations.update_kinematics(&here);
+            let history = History::of(equations, &here);
+            of.iter().map(|m| m.value(&history).unwrap()).collect()
+        };
+        let before = values(&mut equations);
+        let other: Vec<f64> = equations.signals().iter().map(|x| 1.01 * x).collect();
+        equations.set_signals(&other);
+        let with_signals = values(&mut equations);
+        equations.set_period(1.3 * grid.period()).unwrap();
+        let with_period = values(&mut equations);
+        for (i, measurement) in of.iter().enumerate() {
+            let (same, now) = match measurement.dependence() {
+                Dependence::Nothing => (before[i], with_period[i]),
+                Dependence::Period => (before[i], with_signals[i]),
+                Dependence::Parameters => continue,
+            };
+            alone += 1;
+            let error = (same - now).abs();
+            assert!(
+                error <= 1e-12 * same.abs().max(1.0),
+                "{measurement}: {same} {now}"
+            );
+        }
+    }
+    assert!(alone > 100);
+}

@@ -3,7 +3,7 @@
 use super::Condition;
 use crate::collocation::{Collocation, GridState};
 use crate::error::{Error, Result};
-use crate::quantity::{Feature, History, Measurement, Selection};
+use crate::quantity::{Dependence, Feature, History, Measurement, Selection};
 
 /// Step of differences by a free parameter, relative to its scale.
 const STEP: f64 = 1e-5;
@@ -59,8 +59,11 @@ impl Condition for OutputIs {
     }
 
     fn gradient(&self, equations: &Collocation, state: &GridState, row: &mut [f64]) -> Result<()> {
-        self.measurement(equations)?
-            .add_gradient(equations, state, row)?;
+        let measurement = self.measurement(equations)?;
+        measurement.add_gradient(equations, state, row)?;
+        if measurement.dependence() == Dependence::Nothing {
+            return Ok(());
+        }
         // Velocities follow a frequency, internal forces a stiffness.
         let (mut equations, mut beside) = (equations.clone(), state.clone());
         let (places, points) = (equations.layout().scalars(), state.scalars.clone());
