@@ -61,6 +61,15 @@ pub enum Target {
 }
 
 impl Target {
+    /// Whether forces and constraints are linear in it.
+    fn is_linear(&self) -> bool {
+        match self {
+            Target::Signal(SignalPlace::Prescribed(_), _) | Target::Rest(_) => false,
+            Target::Signal(_, part) => *part != SignalPart::Phase,
+            _ => true,
+        }
+    }
+
     /// Whether it changes bodies or beams.
     fn is_of_bodies(&self) -> bool {
         matches!(
@@ -90,6 +99,12 @@ impl Parameter {
     /// What it moves, each with what that is for a unit of the value.
     pub fn targets(&self) -> &[(Target, f64)] {
         &self.targets
+    }
+
+    /// Whether forces and constraints are linear in all that it moves: of the second degree in it at
+    /// most, where it moves factors of one product.
+    pub(crate) fn is_linear(&self) -> bool {
+        self.targets.iter().all(|(target, _)| target.is_linear())
     }
 
     /// Whether it changes bodies or beams.

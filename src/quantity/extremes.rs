@@ -42,25 +42,31 @@ impl Extremes {
 
     /// Of a series, over its first period; of one that grows, its ends are looked at, too.
     pub fn of(series: &PeriodicSeries) -> Self {
-        let count = INTERVALS * series.cosines.len();
-        let slope = |time: f64| series.derivative(time, 1);
-        let period = series.period();
-        let mut times = Vec::new();
-        let mut before = (0.0, slope(0.0));
-        for i in 1..=count {
-            let here = period * i as f64 / count as f64;
-            let now = (here, slope(here));
-            if (before.1 < 0.0) != (now.1 < 0.0) {
-                times.push(root(slope, before, now));
-            }
-            before = now;
-        }
+        let mut times = stationary(series);
         if series.rate != 0.0 {
-            times.push(period);
+            times.push(series.period());
         }
         let at = |time: f64| (time, series.value(time));
         Self::among(at(0.0), times.into_iter().map(at))
     }
+}
+
+/// Times in the first period at which the derivative of a series changes its sign.
+pub(super) fn stationary(series: &PeriodicSeries) -> Vec<f64> {
+    let count = INTERVALS * series.cosines.len();
+    let slope = |time: f64| series.derivative(time, 1);
+    let period = series.period();
+    let mut times = Vec::new();
+    let mut before = (0.0, slope(0.0));
+    for i in 1..=count {
+        let here = period * i as f64 / count as f64;
+        let now = (here, slope(here));
+        if (before.1 < 0.0) != (now.1 < 0.0) {
+            times.push(root(slope, before, now));
+        }
+        before = now;
+    }
+    times
 }
 
 /// Where a function that changes its sign in an interval vanishes.

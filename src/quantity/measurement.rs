@@ -3,7 +3,7 @@
 use super::{Dependence, Feature, History, Probe, Quantity, Variation};
 use crate::collocation::{Collocation, GridState};
 use crate::error::{Error, ErrorKind, Result};
-use crate::fourier::TimeGrid;
+use crate::fourier::{PeriodicSeries, TimeGrid};
 use crate::system::System;
 use std::fmt;
 
@@ -51,10 +51,18 @@ impl Measurement {
     /// # Errors
     /// If it cannot be evaluated there, or of a trajectory.
     pub fn value(&self, history: &History) -> Result<f64> {
+        Ok(self.feature.of(&self.series(history)?))
+    }
+
+    /// The series that it is a feature of.
+    ///
+    /// # Errors
+    /// As [`Measurement::value`].
+    pub fn series(&self, history: &History) -> Result<PeriodicSeries> {
         let grid = self.grid(history)?;
         let samples = self.probe.samples(history)?.component(self.component);
-        let series = samples.series(grid, None);
-        Ok(series.iter().map(|series| self.feature.of(series)).sum())
+        let series = samples.series(grid, None).pop();
+        series.ok_or_else(|| Error::value("component", "one of the quantity", self.component))
     }
 
     /// Adds `factor` times what it varies by.

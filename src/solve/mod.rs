@@ -11,6 +11,7 @@ mod newton;
 mod periodic;
 mod report;
 mod result;
+mod sensitivities;
 mod stability;
 mod start;
 mod starts;
@@ -40,6 +41,9 @@ pub use periodic::options::{GridPoints, PeriodicOptions};
 pub use periodic::solve_periodic;
 pub use report::{Iteration, NewtonOptions, NewtonReport, Outcome, Timings};
 pub use result::{Assessment, GridTried, Kind, MarchRecord, PeriodicRecord, Solved, Unheld};
+pub use sensitivities::{
+    Dependent, Sensitivities, SensitivityMethod, SensitivityOptions, solve_sensitivities,
+};
 pub use stability::{
     Multiplier, Stability, StabilityMethod, StabilityOptions, Verdict, solve_stability,
 };

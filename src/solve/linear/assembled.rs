@@ -191,6 +191,24 @@ impl LinearSolver for Assembled {
         })
     }
 
+    fn solve_transposed(
+        &mut self,
+        equations: &mut Collocation,
+        rhs: &mut [f64],
+        timings: &mut Timings,
+    ) -> Result<bool> {
+        if self.by_freedoms {
+            timed(&mut timings.assembly, || self.complete(equations))?;
+            if !timed(&mut timings.factorisation, || self.factor_all(equations))? {
+                return Ok(false);
+            }
+        }
+        let solver = self.solver.as_ref();
+        Ok(timed(&mut timings.substitution, || {
+            solver.is_some_and(|solver| solver.solve_transposed(rhs))
+        }))
+    }
+
     fn has_compliance(&self) -> bool {
         !self.by_freedoms
     }

@@ -11,6 +11,10 @@
 //! directions, those that are soft beside the ground, the two are alike. See docs/theory.md,
 //! section 8.8.
 
+mod refined;
+
+pub(crate) use refined::Side;
+
 use crate::collocation::{Collocation, GridState, Tangent};
 use crate::error::Result;
 use crate::solve::linear::dense::{largest, probe};
@@ -96,6 +100,34 @@ impl Borders {
         }
     }
 
+    /// As [`Borders::product`], of the transposed equations.
+    fn transposed_product(&self, x: &[f64], y: &mut [f64]) {
+        let size = y.len() - self.rows.len();
+        let (of_grid, scalars) = x.split_at(size);
+        let (y, out) = y.split_at_mut(size);
+        for (out, column) in out.iter_mut().zip(&self.columns) {
+            *out = dot(column, of_grid);
+        }
+        for (row, x) in self.rows.iter().zip(scalars) {
+            y.iter_mut().zip(row).for_each(|(y, c)| *y += c * x);
+            let of_scalars = out.iter_mut().zip(&row[size..]);
+            of_scalars.for_each(|(out, d)| *out += d * x);
+        }
+    }
+
+    /// Makes of `[f; g]` on the right of the transposed equations `[Jᵀ x; p]`.
+    fn reduce_transposed(&self, y: &mut [f64]) {
+        let (f, g) = y.split_at_mut(y.len() - self.rows.len());
+        let rest = g.iter().zip(&self.eliminated).map(|(g, e)| g - dot(e, f));
+        let found = self
+            .inverse
+            .tr_mul(&DVector::from_iterator(self.rows.len(), rest));
+        for (row, p) in self.rows.iter().zip(&found) {
+            f.iter_mut().zip(row).for_each(|(f, c)| *f -= c * p);
+        }
+        g.copy_from_slice(found.as_slice());
+    }
+
     /// Makes of `[J⁻¹ f; g]` the solution.
     fn substitute(&self, y: &mut [f64]) {
         let (x, p) = y.split_at_mut(y.len() - self.rows.len());
@@ -172,6 +204,21 @@ impl<L: LinearSolver> Bordered<L> {
         }
     }
 
+    /// Linearises again with nodes that are grounded, if they are not: `false` if they are, or if
+    /// that is singular, too.
+    pub fn ground(
+        &mut self,
+        equations: &mut Collocation,
+        state: &GridState,
+        timings: &mut Timings,
+    ) -> Result<bool> {
+        if equations.grounding() > 0.0 {
+            return Ok(false);
+        }
+        equations.ground(GROUNDING);
+        self.factor(equations, state, timings)
+    }
+
     /// Factors `J` at `state`, between the present borders.
     fn factor(
         &mut self,
@@ -201,6 +248,20 @@ impl<L: LinearSolver> Bordered<L> {
     }
 }
 
+/// Takes from the product with `x`, or from the transposed one, what only makes factors exist: the
+/// ground, and compliance that the solutions of `inner` do not have.
+fn without_help<L: LinearSolver>(equations: &Collocation, inner: &L, x: &[f64], y: &mut [f64]) {
+    let grounding = equations.grounding();
+    for i in equations.layout().motions() {
+        y[i] -= grounding * x[i];
+    }
+    if equations.is_regularised() && !inner.has_compliance() {
+        let mut compliance = vec![0.0; x.len()];
+        equations.compliance_of(x, &mut compliance);
+        y.iter_mut().zip(&compliance).for_each(|(y, c)| *y -= c);
+    }
+}
+
 /// The whole equations, without the ground.
 struct Whole<'a> {
     tangent: &'a mut Tangent,
@@ -212,15 +273,7 @@ impl<L: LinearSolver> Outer<L> for Whole<'_> {
         let size = equations.size();
         let of_grid = &x[..size];
         self.tangent.apply(equations, of_grid, &mut y[..size]);
-        let grounding = equations.grounding();
-        for i in equations.layout().motions() {
-            y[i] -= grounding * x[i];
-        }
-        if equations.is_regularised() && !inner.has_compliance() {
-            let mut compliance = vec![0.0; size];
-            equations.compliance_of(of_grid, &mut compliance);
-            y.iter_mut().zip(&compliance).for_each(|(y, c)| *y -= c);
-        }
+        without_help(equations, inner, of_grid, &mut y[..size]);
         self.borders.product(x, y);
     }
 

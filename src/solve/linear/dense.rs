@@ -80,6 +80,49 @@ pub(crate) fn solve_upper<'a>(column: impl Fn(usize) -> &'a [f64], y: &mut [f64]
     }
 }
 
+/// `y −= Aᵀ x`, for the matrix with these columns, one for each entry of `y`.
+pub(crate) fn subtract_transposed<'a>(
+    y: &mut [f64],
+    column: impl Fn(usize) -> &'a [f64],
+    x: &[f64],
+) {
+    for (j, y) in y.iter_mut().enumerate() {
+        *y -= dot(&column(j)[..x.len()], x);
+    }
+}
+
+/// `y ← L⁻ᵀ y`, for the unit lower triangle below the diagonal of the matrix with these columns.
+pub(crate) fn solve_unit_lower_transposed<'a>(column: impl Fn(usize) -> &'a [f64], y: &mut [f64]) {
+    let count = y.len();
+    for j in (0..count).rev() {
+        let (head, found) = y.split_at_mut(j + 1);
+        head[j] -= dot(&column(j)[j + 1..count], found);
+    }
+}
+
+/// `y ← U⁻ᵀ y`, for the upper triangle of the matrix with these columns.
+pub(crate) fn solve_upper_transposed<'a>(column: impl Fn(usize) -> &'a [f64], y: &mut [f64]) {
+    for j in 0..y.len() {
+        let (found, rest) = y.split_at_mut(j);
+        let column = column(j);
+        rest[0] = (rest[0] - dot(&column[..j], found)) / column[j];
+    }
+}
+
+/// `Σ a b`, four terms at a time.
+fn dot(a: &[f64], b: &[f64]) -> f64 {
+    let (left, right) = (a.chunks_exact(TOGETHER), b.chunks_exact(TOGETHER));
+    let rest = left.remainder().iter().zip(right.remainder());
+    let rest: f64 = rest.map(|(a, b)| a * b).sum();
+    let mut lanes = [0.0f64; TOGETHER];
+    for (a, b) in left.zip(right) {
+        for (lane, (a, b)) in lanes.iter_mut().zip(a.iter().zip(b)) {
+            *lane += a * b;
+        }
+    }
+    lanes.iter().sum::<f64>() + rest
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -103,10 +146,22 @@ mod tests {
                 .map(|i| (i..count).map(|j| entry(i, j) * exact[j]).sum())
                 .collect();
             solve_upper(|j| &columns[j], &mut z);
+            let mut s: Vec<f64> = (0..count)
+                .map(|j| (j..count).map(|i| lower(i, j) * exact[i]).sum())
+                .collect();
+            solve_unit_lower_transposed(|j| &columns[j], &mut s);
+            let mut t: Vec<f64> = (0..count)
+                .map(|j| (0..=j).map(|i| entry(i, j) * exact[i]).sum())
+                .collect();
+            solve_upper_transposed(|j| &columns[j], &mut t);
             for (i, exact) in exact.iter().enumerate() {
                 // Rounding grows with the inverse of the unit triangle.
-                assert!((y[i] - exact).abs() < 1e-9, "{count}: {} {exact}", y[i]);
-                assert!((z[i] - exact).abs() < 1e-12, "{count}: {} {exact}", z[i]);
+                for y in [y[i], s[i]] {
+                    assert!((y - exact).abs() < 1e-9, "{count}: {y} {exact}");
+                }
+                for z in [z[i], t[i]] {
+                    assert!((z - exact).abs() < 1e-12, "{count}: {z} {exact}");
+                }
             }
             assert_eq!(
                 largest(&exact),

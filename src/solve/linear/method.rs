@@ -173,6 +173,11 @@ impl Linear {
         self
     }
 
+    /// Whether there are factors of the whole Jacobian, or will be.
+    pub fn is_direct(&self) -> bool {
+        matches!(self.active, Active::Direct(_))
+    }
+
     /// What iteration took, if any was tried.
     pub fn record(&self) -> Option<&IterativeRecord> {
         match &self.active {
@@ -277,6 +282,16 @@ impl LinearSolver for Linear {
             Active::Direct(direct) => direct.solve(equations, rhs, accuracy, timings),
             Active::Iterative(_) => Ok(false),
         }
+    }
+
+    fn solve_transposed(
+        &mut self,
+        equations: &mut Collocation,
+        rhs: &mut [f64],
+        timings: &mut Timings,
+    ) -> Result<bool> {
+        let solver = self.active.solver_mut();
+        solver.solve_transposed(equations, rhs, timings)
     }
 
     fn has_compliance(&self) -> bool {

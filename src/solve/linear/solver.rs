@@ -37,6 +37,20 @@ pub(crate) trait LinearSolver {
         timings: &mut Timings,
     ) -> Result<bool>;
 
+    /// As [`LinearSolver::solve`], the transposed equations, as far as factors do. `false` also if
+    /// there is no way to.
+    ///
+    /// # Errors
+    /// If memory runs out.
+    fn solve_transposed(
+        &mut self,
+        _: &mut Collocation,
+        _: &mut [f64],
+        _: &mut Timings,
+    ) -> Result<bool> {
+        Ok(false)
+    }
+
     /// Whether the compliance of constraints that may depend on each other is in the solutions of
     /// the last linearisation.
     fn has_compliance(&self) -> bool {

@@ -7,7 +7,10 @@ mod factorisation;
 
 use crate::collocation::Pattern;
 use crate::error::Result;
-use crate::solve::linear::dense::{largest, solve_unit_lower, solve_upper, subtract_product};
+use crate::solve::linear::dense::{
+    largest, solve_unit_lower, solve_unit_lower_transposed, solve_upper, solve_upper_transposed,
+    subtract_product, subtract_transposed,
+};
 use crate::solve::linear::direct::analysis::Analysis;
 use crate::solve::linear::direct::factorisation::Factorisation;
 use crate::solve::linear::front::Front;
@@ -146,6 +149,39 @@ impl DirectSolver {
                 rhs[column] = *x;
             }
             reduced.truncate(reduced.len() - count);
+        }
+        rhs.iter().all(|x| x.is_finite())
+    }
+
+    /// Solves the transposed equations in place. `false` if there are no factors or the result is
+    /// not finite.
+    pub fn solve_transposed(&self, rhs: &mut [f64]) -> bool {
+        if !self.factored {
+            return false;
+        }
+        let mut reduced = Vec::with_capacity(rhs.len());
+        let mut local = Vec::new();
+        for (plan, front) in self.analysis.plans.iter().zip(&self.fronts) {
+            let _ = self.workers.pulse();
+            let (first, count) = (reduced.len(), front.rows.len());
+            reduced.extend(front.columns.iter().map(|&column| rhs[column]));
+            let y = &mut reduced[first..];
+            solve_upper_transposed(|j| front.upper.col_as_slice(j), y);
+            self.gather(&front.delayed_columns, &plan.boundary, rhs, &mut local);
+            subtract_transposed(&mut local, |j| front.upper.col_as_slice(count + j), y);
+            self.scatter(&front.delayed_columns, &plan.boundary, &local, rhs);
+        }
+        for (plan, front) in self.analysis.plans.iter().zip(&self.fronts).rev() {
+            let _ = self.workers.pulse();
+            let first = reduced.len() - front.rows.len();
+            let y = &mut reduced[first..];
+            self.gather(&front.delayed_rows, &plan.boundary, rhs, &mut local);
+            subtract_transposed(y, |j| front.lower.col_as_slice(j), &local);
+            solve_unit_lower_transposed(|j| front.upper.col_as_slice(j), y);
+            for (&row, x) in front.rows.iter().zip(&*y) {
+                rhs[row] = *x;
+            }
+            reduced.truncate(first);
         }
         rhs.iter().all(|x| x.is_finite())
     }

@@ -1,0 +1,176 @@
+//! Solutions to rounding, of the equations and of the transposed ones, for sensitivities: refined
+//! by the residual of exact products, with what solves similar equations.
+
+use super::{Bordered, Borders, ITERATION_LIMIT};
+use crate::collocation::{Collocation, Tangent};
+use crate::error::Result;
+use crate::solve::linear::dense::largest;
+use crate::solve::linear::iterative::{GmresOptions, Preconditioned, SHARPEST, gmres};
+use crate::solve::linear::solver::LinearSolver;
+use crate::solve::report::Timings;
+
+/// Most refinements.
+const REFINEMENTS: usize = 6;
+/// Correction, relative to the solution, that is rounding.
+const ROUNDING: f64 = 1e-12;
+/// What is enough where rounding leaves no less.
+const ENOUGH: f64 = 1e-9;
+/// Own unknowns so small beside motions are rounding.
+const NOTHING: f64 = 1e-14;
+/// Contraction of corrections above which an iteration takes fewer products.
+const SLOW: f64 = 1e-2;
+/// Accuracy of that iteration.
+const ITERATED: f64 = 1e-9;
+
+/// Which equations are solved.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Side {
+    /// The equations.
+    Plain,
+    /// The transposed ones.
+    Transposed,
+}
+
+struct Operator<'a, L> {
+    equations: &'a mut Collocation,
+    inner: &'a mut L,
+    tangent: &'a mut Tangent,
+    borders: &'a Borders,
+    side: Side,
+    timings: &'a mut Timings,
+    /// What went wrong: no solution, or an error.
+    end: Result<bool>,
+}
+
+impl<L: LinearSolver> Operator<'_, L> {
+    fn solve_similar(&mut self, y: &mut [f64]) -> Result<bool> {
+        let size = self.equations.size();
+        let (equations, timings) = (&mut *self.equations, &mut *self.timings);
+        match self.side {
+            Side::Plain => {
+                let of_grid = &mut y[..size];
+                let solved = self.inner.solve(equations, of_grid, SHARPEST, timings)?;
+                self.borders.substitute(y);
+                Ok(solved)
+            }
+            Side::Transposed => {
+                self.borders.reduce_transposed(y);
+                let of_grid = &mut y[..size];
+                self.inner.solve_transposed(equations, of_grid, timings)
+            }
+        }
+    }
+}
+
+impl<L: LinearSolver> Preconditioned for Operator<'_, L> {
+    fn product(&mut self, x: &[f64], y: &mut [f64]) {
+        let (equations, size) = (&*self.equations, self.equations.size());
+        let (of_grid, product) = (&x[..size], &mut y[..size]);
+        match self.side {
+            Side::Plain => self.tangent.apply(equations, of_grid, product),
+            Side::Transposed => self.tangent.apply_transposed(equations, of_grid, product),
+        }
+        super::without_help(equations, self.inner, of_grid, product);
+        match self.side {
+            Side::Plain => self.borders.product(x, y),
+            Side::Transposed => self.borders.transposed_product(x, y),
+        }
+    }
+
+    fn precondition(&mut self, y: &mut [f64]) {
+        if matches!(self.end, Ok(true)) {
+            self.end = self.solve_similar(y);
+        }
+        if !matches!(self.end, Ok(true)) {
+            // Which ends the iteration.
+            y.fill(0.0);
+        }
+    }
+}
+
+impl<L: LinearSolver> Bordered<L> {
+    /// Solves in place, to rounding. `false` if that cannot be done.
+    ///
+    /// # Errors
+    /// If memory runs out, or the solve is to end.
+    pub fn solve_to_rounding(
+        &mut self,
+        equations: &mut Collocation,
+        rhs: &mut [f64],
+        side: Side,
+        timings: &mut Timings,
+    ) -> Result<bool> {
+        let workers = equations.workers().clone();
+        let motions = equations.layout().motions().end;
+        let own = motions..equations.size();
+        let mut operator = Operator {
+            equations,
+            inner: &mut self.inner,
+            tangent: &mut self.tangent,
+            borders: &self.borders,
+            side,
+            timings,
+            end: Ok(true),
+        };
+        let wanted = rhs.to_vec();
+        let mut rest = wanted.clone();
+        let (mut product, mut correction) = (vec![0.0; rhs.len()], vec![0.0; rhs.len()]);
+        rhs.fill(0.0);
+        // Grounded, factors are those of other equations.
+        let (mut before, mut slow) = (f64::INFINITY, operator.equations.grounding() > 0.0);
+        for _ in 0..REFINEMENTS {
+            correction.copy_from_slice(&rest);
+            if slow {
+                let options = GmresOptions {
+                    tolerance: ITERATED,
+                    leading: motions,
+                    essential: rest.len(),
+                    iteration_limit: ITERATION_LIMIT,
+                    restart: ITERATION_LIMIT,
+                };
+                gmres(
+                    &mut operator,
+                    &mut correction,
+                    &options,
+                    &workers,
+                    &mut self.workspace,
+                );
+            } else {
+                operator.precondition(&mut correction);
+            }
+            workers.pulse()?;
+            if !std::mem::replace(&mut operator.end, Ok(true))? {
+                return Ok(false);
+            }
+            rhs.iter_mut().zip(&correction).for_each(|(x, c)| *x += c);
+            let changed = change(&correction, rhs, own.clone());
+            if !changed.is_finite() {
+                return Ok(false);
+            }
+            let stands_still = before <= ENOUGH && changed > 0.5 * before;
+            if changed <= ROUNDING || stands_still {
+                return Ok(true);
+            }
+            slow |= before.is_finite() && changed > SLOW * before;
+            before = changed;
+            operator.product(rhs, &mut product);
+            let pairs = rest.iter_mut().zip(wanted.iter().zip(&product));
+            pairs.for_each(|(rest, (wanted, product))| *rest = wanted - product);
+        }
+        Ok(before <= ENOUGH)
+    }
+}
+
+/// Size of a correction, relative to that of the solution; own unknowns by themselves, as they may
+/// be of quite another size.
+fn change(correction: &[f64], solution: &[f64], own: std::ops::Range<usize>) -> f64 {
+    let of_motions = |x: &[f64]| largest(&x[..own.start]).max(largest(&x[own.end..]));
+    let part = |change: f64, size: f64| if change == 0.0 { 0.0 } else { change / size };
+    let size = of_motions(solution);
+    let motions = part(of_motions(correction), size);
+    let own_change = largest(&correction[own.clone()]);
+    if own_change <= NOTHING * size {
+        return motions;
+    }
+    motions.max(part(own_change, largest(&solution[own])))
+}

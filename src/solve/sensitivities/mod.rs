@@ -1,0 +1,431 @@
+//! Sensitivities: derivatives of what comes out of a periodic motion by parameters, also where free
+//! parameters are held by conditions. See docs/theory.md, section 13.7.
+//!
+//! * `dependents.rs`: what is differentiated, and its gradient by all unknowns;
+//! * `explicit.rs`: what residual, conditions and dependents change with a parameter at fixed
+//!   unknowns.
+
+mod dependents;
+mod explicit;
+
+pub use dependents::Dependent;
+
+use crate::collocation::{Collocation, GridState};
+use crate::error::{Error, ErrorKind, Result};
+use crate::model::Model;
+use crate::solve::conditions::{Condition, Conditioned, Free, Given};
+use crate::solve::linear::bordered::{Bordered, Side};
+use crate::solve::linear::dense::largest;
+use crate::solve::linear::method::{Linear, LinearMethod};
+use crate::solve::linear::solver::LinearSolver;
+use crate::solve::newton::Newton;
+use crate::solve::result::Solved;
+use crate::workers::Workers;
+use dependents::Found;
+use explicit::Explicit;
+use nalgebra::DMatrix;
+use std::sync::Arc;
+use std::time::{Duration, Instant};
+
+/// Growth of the bordered equations that means that they are singular.
+const SINGULAR: f64 = 1e13;
+/// Motions, relative to the size of the mechanism and in radians, for what counts as 1 in a
+/// parameter, that only folds have.
+const BEYOND: f64 = 1e5;
+/// Increment that Newton's method may still ask for.
+const UNSOLVED: f64 = 1e-4;
+/// Residuals that differ by no more are those of the same equations.
+const SAME: f64 = 1e-10;
+/// Times that compliance of constraints is taken back: each leaves some millionths of it.
+const TAKEN_BACK: usize = 2;
+/// What it may leave of them, relative to the right side.
+const OPEN: f64 = 1e-6;
+
+/// How sensitivities are found.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum SensitivityMethod {
+    /// With as few linear solves as can be: the adjoint method where there are fewer dependents
+    /// than parameters and the equations have factors.
+    #[default]
+    Automatic,
+    /// A linear solve for each parameter.
+    Direct,
+    /// A transposed linear solve for each dependent, with factors of the whole Jacobian.
+    Adjoint,
+}
+
+/// Options of sensitivities.
+#[derive(Debug, Clone, Copy)]
+pub struct SensitivityOptions {
+    /// How they are found.
+    pub method: SensitivityMethod,
+    /// How linear equations are solved.
+    pub linear: LinearMethod,
+    /// Threads that share the work; 0 for as many as there are processors.
+    pub threads: usize,
+}
+
+impl Default for SensitivityOptions {
+    fn default() -> Self {
+        SensitivityOptions {
+            method: SensitivityMethod::Automatic,
+            linear: LinearMethod::Automatic,
+            threads: 1,
+        }
+    }
+}
+
+/// Derivatives of dependents by parameters.
+#[derive(Debug, Clone)]
+pub struct Sensitivities {
+    /// A row for each dependent, a column for each parameter.
+    pub derivatives: DMatrix<f64>,
+    /// Values of the dependents.
+    pub values: Vec<f64>,
+    /// Direct or adjoint.
+    pub method: SensitivityMethod,
+    /// Linear solves, plain or transposed, with the factors of one Jacobian.
+    pub solves: usize,
+    /// Time that it took.
+    pub time: Duration,
+}
+
+/// Differentiates what comes out of a periodic motion of `model` by parameters: all else stays,
+/// but for the `free` parameters, which follow so that the conditions go on to be met.
+///
+/// A condition on the phase means that of this motion. A parameter that moves nothing has zeros.
+///
+/// # Errors
+/// If the motion is none that was found periodic, or is one of another model; if a dependent is
+/// none, or has no derivative ([`crate::quantity::Peak`]); if parameters are not different ones, or
+/// free at the same time. [`ErrorKind::NotAvailable`] if the equations are singular, as at a fold.
+pub fn solve_sensitivities(
+    (model, solve): (&Model, &Solved),
+    (free, conditions): (&[Free], &[Arc<dyn Condition>]),
+    dependents: &[Dependent],
+    parameters: &[Free],
+    options: &SensitivityOptions,
+) -> Result<Sensitivities> {
+    let began = Instant::now();
+    require_solution(solve)?;
+    if conditions.len() != free.len() {
+        let expected = format!("as many as there are free parameters ({})", free.len());
+        return Err(Error::size("conditions", expected, conditions.len()));
+    }
+    require_parameters(model, free, parameters)?;
+    let period = solve.grid.period();
+    let moving: Vec<Free> = parameters
+        .iter()
+        .copied()
+        .filter(|p| moves(model, *p))
+        .collect();
+    let mut equations = Collocation::new(solve.system.clone(), solve.grid)?;
+    equations.set_workers(Workers::new(options.threads)?);
+    let mut state = solve.state.clone();
+    state.scalars.clear();
+    equations.update_kinematics(&state);
+
+    // With all parameters as unknowns, which tells what depends on them.
+    let all: Vec<Free> = free.iter().chain(&moving).copied().collect();
+    let all = Conditioned::new(model, period, &all)?;
+    let values = all.values(period)?;
+    let mut held = conditions.to_vec();
+    held.extend(
+        (free.len()..values.len()).map(|free| -> Arc<dyn Condition> {
+            let value = values[free];
+            Arc::new(Given { free, value })
+        }),
+    );
+    let all = all.under(&held, &equations, &state)?;
+    let bordered = Conditioned::new(model, period, free)?;
+    let bordered = bordered.under(conditions, &equations, &state)?;
+
+    let mut found = Found::new(dependents, free, &equations, &state)?;
+    let mut explicit = Explicit::new(equations.clone(), (free.len(), all), &state, &values)?;
+    let mut inner = equations;
+    if !free.is_empty() {
+        state.scalars = values[..free.len()].to_vec();
+        inner.set_scalars(Arc::new(bordered));
+    }
+    for index in 0..free.len() {
+        let column = explicit.of_dependents((index, free[index]), &found)?;
+        found.add_column(column);
+    }
+    require_same(&mut inner, &state, &mut explicit)?;
+    let mut solver = Solver::new(inner, state, options, (dependents.len(), moving.len()))?;
+    let scaled = found.rows(&solver.newton.equations, &solver.state)?;
+    let mut columns = Vec::with_capacity(moving.len());
+    for (i, parameter) in moving.iter().enumerate() {
+        let index = free.len() + i;
+        columns.push(explicit.column(model, (index, *parameter), &found)?);
+    }
+    let derivatives = solver.derivatives(&scaled, &columns)?;
+    let result = DMatrix::from_fn(dependents.len(), parameters.len(), |i, j| {
+        let place = moving.iter().position(|p| *p == parameters[j]);
+        place.map_or(0.0, |j| derivatives[(i, j)])
+    });
+    if result.iter().any(|x| !x.is_finite()) {
+        let message = "the sensitivities are too large to be numbers";
+        return Err(Error::new(ErrorKind::Overflow, message));
+    }
+    Ok(Sensitivities {
+        derivatives: result,
+        values: found.values(&values),
+        method: solver.method,
+        solves: solver.solves,
+        time: began.elapsed(),
+    })
+}
+
+/// Checks that a solve has found a periodic motion.
+fn require_solution(solve: &Solved) -> Result<()> {
+    let wanted = "sensitivities are those of a periodic solution";
+    if solve.periodic().is_none() {
+        let message = format!("solution: {wanted}; this is none");
+        return Err(Error::new(ErrorKind::NotAvailable, message));
+    }
+    if !solve.report.outcome.is_solution() {
+        let message = format!("solution: {wanted}; this {}", solve.report.describe());
+        return Err(Error::new(ErrorKind::NotAvailable, message));
+    }
+    Ok(())
+}
+
+/// Checks that the equations are the same with the values of the parameters in the model.
+fn require_same(
+    equations: &mut Collocation,
+    state: &GridState,
+    explicit: &mut Explicit,
+) -> Result<()> {
+    let mut residual = vec![0.0; equations.layout().size()];
+    equations.residual(state, &mut residual)?;
+    let pairs = residual.iter().zip(explicit.residual()?);
+    if pairs.fold(0.0f64, |most, (a, b)| most.max((a - b).abs())) <= SAME {
+        return Ok(());
+    }
+    let message = "model: expected the one that was solved, with the values of its parameters";
+    Err(Error::new(ErrorKind::Value, message))
+}
+
+/// Checks that parameters are different ones that are not free.
+fn require_parameters(model: &Model, free: &[Free], parameters: &[Free]) -> Result<()> {
+    for (i, parameter) in parameters.iter().enumerate() {
+        match *parameter {
+            Free::Frequency => model.require_functions_of_phase()?,
+            Free::Parameter(id) => {
+                model.require_parameter(id)?;
+            }
+        }
+        let got = |what: &str| format!("{}, which is {what}", parameter.name(model));
+        if free.contains(parameter) {
+            return Err(Error::value("parameters", "what is not free", got("free")));
+        }
+        if parameters[..i].contains(parameter) {
+            let expected = "different parameters";
+            return Err(Error::value("parameters", expected, got("there twice")));
+        }
+    }
+    Ok(())
+}
+
+/// Whether a parameter moves anything.
+fn moves(model: &Model, parameter: Free) -> bool {
+    match parameter {
+        Free::Frequency => true,
+        Free::Parameter(id) => {
+            let parameter = model.parameters().get(id);
+            parameter.is_some_and(|parameter| !parameter.targets().is_empty())
+        }
+    }
+}
+
+/// What a parameter changes, unknowns held: for what counts as 1 in it.
+struct Column {
+    /// Of the scaled residual, and of the conditions behind it.
+    residual: Vec<f64>,
+    /// Of the dependents.
+    dependents: Vec<f64>,
+    /// What counts as 1 in the parameter.
+    scale: f64,
+}
+
+/// The equations linearised at the motion, with the conditions.
+struct Solver {
+    newton: Newton<Bordered<Linear>>,
+    state: GridState,
+    method: SensitivityMethod,
+    solves: usize,
+}
+
+impl Solver {
+    /// Linearises for so many dependents and parameters.
+    fn new(
+        equations: Collocation,
+        state: GridState,
+        options: &SensitivityOptions,
+        (dependents, parameters): (usize, usize),
+    ) -> Result<Self> {
+        let mut linear = Linear::new(&equations, options.linear);
+        let method = match options.method {
+            SensitivityMethod::Automatic if linear.is_direct() && dependents < parameters => {
+                SensitivityMethod::Adjoint
+            }
+            SensitivityMethod::Automatic => SensitivityMethod::Direct,
+            chosen => chosen,
+        };
+        if method == SensitivityMethod::Adjoint && !linear.is_direct() {
+            linear = Linear::new(&equations, LinearMethod::Direct);
+        }
+        let bordered = Bordered::new(&equations, linear);
+        let mut solver = Solver {
+            newton: Newton::with(equations, bordered),
+            state,
+            method,
+            solves: 0,
+        };
+        solver.linearise()?;
+        Ok(solver)
+    }
+
+    fn linearise(&mut self) -> Result<()> {
+        let (newton, state) = (&mut self.newton, &self.state);
+        let mut residual = vec![0.0; newton.equations.layout().size()];
+        newton.equations.residual(state, &mut residual)?;
+        let regular = newton.linearise(state)? && {
+            let (linear, equations) = (&mut newton.linear, &mut newton.equations);
+            linear.growth(equations) <= SINGULAR || linear.is_resisted(equations)
+        };
+        if !regular {
+            return Err(singular("is not the only one nearby"));
+        }
+        // Of rounding there may be no solution to rounding.
+        let Ok(increment) = self.solve(residual, Side::Plain) else {
+            return Ok(());
+        };
+        let left = largest(&increment[self.newton.equations.layout().motions()]);
+        if left > UNSOLVED {
+            let message = format!(
+                "solution: expected one of the equations of the model at its grid points, under \
+                 the conditions; they ask for another increment of {left:.1e}: it is a solution of \
+                 others, as of oversampled ones"
+            );
+            return Err(Error::new(ErrorKind::NotAvailable, message));
+        }
+        Ok(())
+    }
+
+    /// Solves to rounding.
+    fn solve(&mut self, mut rhs: Vec<f64>, side: Side) -> Result<Vec<f64>> {
+        let size = largest(&rhs);
+        self.solve_in_place(&mut rhs, side)?;
+        if !self.newton.equations.is_regularised() || !self.newton.linear.has_compliance() {
+            return Ok(rhs);
+        }
+        // What compliance lets constraints open is taken back.
+        let (mut last, mut rest) = (rhs.clone(), vec![0.0; rhs.len()]);
+        for _ in 0..TAKEN_BACK {
+            self.newton.equations.compliance_of(&last, &mut rest);
+            last.copy_from_slice(&rest);
+            self.solve_in_place(&mut last, side)?;
+            rhs.iter_mut().zip(&last).for_each(|(x, d)| *x += d);
+        }
+        self.newton.equations.compliance_of(&last, &mut rest);
+        if largest(&rest) > OPEN * size {
+            let message = "sensitivities: constraints that depend on each other cannot all follow";
+            return Err(Error::new(ErrorKind::NotAvailable, message));
+        }
+        Ok(rhs)
+    }
+
+    fn solve_in_place(&mut self, rhs: &mut [f64], side: Side) -> Result<()> {
+        self.solves += 1;
+        let Newton {
+            equations,
+            linear,
+            timings,
+            ..
+        } = &mut self.newton;
+        let wanted = rhs.to_vec();
+        if linear.solve_to_rounding(equations, rhs, side, timings)? {
+            return Ok(());
+        }
+        // An iteration may not notice that only conditions make the equations regular.
+        if linear.ground(equations, &self.state, timings)? {
+            rhs.copy_from_slice(&wanted);
+            if linear.solve_to_rounding(equations, rhs, side, timings)? {
+                return Ok(());
+            }
+        }
+        Err(singular("cannot be differentiated"))
+    }
+
+    /// Derivatives of the dependents whose gradients are these rows, for what counts as 1 in the
+    /// parameters.
+    fn derivatives(&mut self, rows: &[Vec<f64>], columns: &[Column]) -> Result<DMatrix<f64>> {
+        let mut result = DMatrix::from_fn(rows.len(), columns.len(), |i, j| {
+            columns[j].dependents[i] / columns[j].scale
+        });
+        match self.method {
+            SensitivityMethod::Adjoint => {
+                for (i, row) in rows.iter().enumerate() {
+                    let adjoint = self.solve(row.clone(), Side::Transposed)?;
+                    for (j, column) in columns.iter().enumerate() {
+                        result[(i, j)] -= dot(&adjoint, &column.residual) / column.scale;
+                    }
+                }
+                // That motions follow at all shows in none of the transposed solutions.
+                self.check_reach(columns)?;
+            }
+            _ => {
+                for (j, column) in columns.iter().enumerate() {
+                    let follows = self.solve(column.residual.clone(), Side::Plain)?;
+                    self.require_reach(&follows)?;
+                    for (i, row) in rows.iter().enumerate() {
+                        result[(i, j)] -= dot(row, &follows) / column.scale;
+                    }
+                }
+            }
+        }
+        Ok(result)
+    }
+
+    /// Checks that motions follow the parameters all together.
+    fn check_reach(&mut self, columns: &[Column]) -> Result<()> {
+        let mut sum = vec![0.0; self.newton.equations.layout().size()];
+        for (j, column) in columns.iter().enumerate() {
+            let factor = 1.0 / (1.0 + j as f64);
+            let pairs = sum.iter_mut().zip(&column.residual);
+            pairs.for_each(|(sum, x)| *sum += factor * x);
+        }
+        let follows = self.solve(sum, Side::Plain)?;
+        self.require_reach(&follows)
+    }
+
+    fn require_reach(&self, follows: &[f64]) -> Result<()> {
+        let most = largest(&follows[self.newton.equations.layout().motions()]);
+        // Written so that NaN is beyond.
+        let is_within = most <= BEYOND;
+        match is_within {
+            true => Ok(()),
+            false => Err(singular(&format!(
+                "would move by {most:.1e} of the size of the mechanism where a parameter moves by \
+                 its scale"
+            ))),
+        }
+    }
+}
+
+/// Says that there are no derivatives where the equations are singular.
+fn singular(how: &str) -> Error {
+    let message = format!(
+        "sensitivities: the equations are singular, or nearly so, and the motion {how}: there are \
+         no derivatives at a fold or branch point, nor of what nothing holds, such as a limit \
+         cycle or a free motion without a condition on its phase"
+    );
+    Error::new(ErrorKind::NotAvailable, message)
+}
+
+/// `Σ a b`.
+fn dot(a: &[f64], b: &[f64]) -> f64 {
+    a.iter().zip(b).map(|(a, b)| a * b).sum()
+}
