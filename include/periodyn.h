@@ -827,6 +827,31 @@
 #define PDN_FEATURE_VALUE 503
 
 /**
+ * Feature of a quantity, for sensitivities: its largest value over the period.
+ */
+#define PDN_FEATURE_LARGEST 504
+
+/**
+ * Feature of a quantity, for sensitivities: its smallest value over the period.
+ */
+#define PDN_FEATURE_SMALLEST 505
+
+/**
+ * Sensitivities: with as few linear solves as can be, directly or adjoint.
+ */
+#define PDN_SENSITIVITY_AUTOMATIC 0
+
+/**
+ * Sensitivities: a linear solve for each parameter.
+ */
+#define PDN_SENSITIVITY_DIRECT 1
+
+/**
+ * Sensitivities: a transposed linear solve for each dependent, by factors of the whole Jacobian.
+ */
+#define PDN_SENSITIVITY_ADJOINT 2
+
+/**
  * A branch ended at an end of the parameter's range.
  */
 #define PDN_BRANCH_RANGE 0
@@ -932,6 +957,12 @@ typedef struct pdn_model pdn_model;
  * An equilibrium and the modes about it. Made by ::pdn_solve_modes, freed by ::pdn_modes_free.
  */
 typedef struct pdn_modes pdn_modes;
+
+/**
+ * What is differentiated, by what. Made by ::pdn_sensitivities_new, freed by
+ * ::pdn_sensitivities_free.
+ */
+typedef struct pdn_sensitivities pdn_sensitivities;
 
 /**
  * A solution, converged or not. Made by ::pdn_solve_periodic, ::pdn_solve_static,
@@ -1753,6 +1784,33 @@ typedef struct pdn_periodic_options {
      */
     double progress_interval;
 } pdn_periodic_options;
+
+/**
+ * Options of ::pdn_solution_sensitivities. Set the defaults by `PDN_INIT(pdn_sensitivity_options,
+ * &options)`.
+ */
+typedef struct pdn_sensitivity_options {
+    /**
+     * Set by the initialiser.
+     */
+    size_t struct_size;
+    /**
+     * PDN_SENSITIVITY_AUTOMATIC, the default, PDN_SENSITIVITY_DIRECT or PDN_SENSITIVITY_ADJOINT.
+     */
+    int32_t method;
+    /**
+     * How linear equations are solved: PDN_LINEAR_AUTOMATIC, ... Default PDN_LINEAR_AUTOMATIC.
+     */
+    int32_t linear_solver;
+    /**
+     * Threads that share the work; 0 for as many as there are processors. Default 1.
+     */
+    int32_t threads;
+    /**
+     * Zero.
+     */
+    int32_t reserved;
+} pdn_sensitivity_options;
 
 /**
  * A point of a branch. Initialise with `PDN_INIT(pdn_branch_point, &point)`.
@@ -5015,6 +5073,129 @@ pdn_status pdn_solve_conditioned(const struct pdn_model *model,
                                  const struct pdn_conditions *conditions,
                                  const struct pdn_periodic_options *options,
                                  struct pdn_solution **out);
+
+/**
+ * Sets default options; use `PDN_INIT(pdn_sensitivity_options, &options)`.
+ *
+ * @param options  the options; not NULL
+ * @param struct_size  `sizeof *options`
+ *
+ * Threads: any.
+ * @since 0.1
+ */
+PDN_API
+void pdn_sensitivity_options_init(struct pdn_sensitivity_options *options,
+                                  size_t struct_size);
+
+/**
+ * Makes an empty list: nothing is differentiated.
+ *
+ * It belongs to no model; ids are looked up when it is used.
+ *
+ * @param out  the list; free it with ::pdn_sensitivities_free; written on success only
+ * @return PDN_OK, PDN_ERR_NULL
+ *
+ * Threads: any.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_sensitivities_new(struct pdn_sensitivities **out);
+
+/**
+ * Frees a list; NULL does nothing.
+ *
+ * @param sensitivities  the list, not to be used any more
+ *
+ * Threads: exclusive use of `sensitivities`.
+ * @since 0.1
+ */
+PDN_API
+void pdn_sensitivities_free(struct pdn_sensitivities *sensitivities);
+
+/**
+ * Adds a dependent: the mean, a harmonic, the value at a time, or a peak of a quantity.
+ *
+ * @param sensitivities  the list; not NULL
+ * @param quantity  one component of a quantity, initialised by PDN_INIT; not NULL
+ * @param feature  PDN_FEATURE_MEAN, PDN_FEATURE_COSINE, PDN_FEATURE_SINE, PDN_FEATURE_VALUE,
+ *     PDN_FEATURE_LARGEST or PDN_FEATURE_SMALLEST
+ * @param at  the number of the harmonic, from 1, or the time; not looked at for all else
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_STRUCT_SIZE, PDN_ERR_NOT_FINITE, PDN_ERR_ID,
+ *     PDN_ERR_VALUE
+ *
+ * Threads: exclusive use of `sensitivities`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_sensitivities_add_quantity(struct pdn_sensitivities *sensitivities,
+                                          const struct pdn_quantity *quantity,
+                                          int32_t feature,
+                                          double at);
+
+/**
+ * Adds a dependent: the value of a free parameter, which conditions determine.
+ *
+ * @param sensitivities  the list; not NULL
+ * @param parameter  id of a parameter, or PDN_FREQUENCY
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_ID
+ *
+ * Threads: exclusive use of `sensitivities`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_sensitivities_add_free(struct pdn_sensitivities *sensitivities,
+                                      int32_t parameter);
+
+/**
+ * Adds a parameter that all is differentiated by.
+ *
+ * @param sensitivities  the list; not NULL
+ * @param parameter  id of a parameter, or PDN_FREQUENCY
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_ID
+ *
+ * Threads: exclusive use of `sensitivities`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_sensitivities_add_parameter(struct pdn_sensitivities *sensitivities,
+                                           int32_t parameter);
+
+/**
+ * Derivatives of what comes out of a periodic solution by parameters of its model.
+ *
+ * All else stays, but for the free parameters of `conditions`, which follow so that these go on to
+ * be met: sensitivities at trim, or along an unknown period. A condition on the phase is that of
+ * this solution; values that conditions ask for are not looked at but as those of the solution. A
+ * parameter that moves nothing has zeros. Peaks vary as the value at their time does; a quantity
+ * that has its peak at two times has no sensitivity. The equations are linearised and factored
+ * once; each parameter, or each dependent, takes a solve with the factors.
+ *
+ * @param solution  a converged solution of ::pdn_solve_periodic, ::pdn_solve_conditioned or one
+ *     like it; not NULL
+ * @param sensitivities  what is differentiated, by what; not NULL
+ * @param conditions  free parameters and as many conditions; NULL for none
+ * @param options  may be NULL for the defaults
+ * @param derivatives  array of shape [dependents] x [parameters], those by a parameter together
+ * @param dependents  number of the dependents
+ * @param parameters  number of the parameters
+ * @return PDN_OK; PDN_ERR_NULL; PDN_ERR_STRUCT_SIZE; PDN_ERR_SIZE; PDN_ERR_ID; PDN_ERR_VALUE (a
+ *     parameter twice, or free); PDN_ERR_NOT_PERIODIC (PDN_FREQUENCY, and something has a
+ *     frequency of its own); PDN_ERR_NOT_AVAILABLE (no periodic solution or one that has not
+ *     converged, a fold, nothing that determines the phase, two equal peaks, what constraints that
+ *     depend on each other leave open); PDN_ERR_CALLBACK; PDN_ERR_OVERFLOW; PDN_ERR_MEMORY
+ *
+ * Threads: like a `const` use of `solution`, `sensitivities` and `conditions`. Functions of yours
+ * are called on this thread.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_solution_sensitivities(const struct pdn_solution *solution,
+                                      const struct pdn_sensitivities *sensitivities,
+                                      const struct pdn_conditions *conditions,
+                                      const struct pdn_sensitivity_options *options,
+                                      double *derivatives,
+                                      size_t dependents,
+                                      size_t parameters);
 
 /**
  * Sets a point to zero; use `PDN_INIT(pdn_branch_point, &point)`.

@@ -27,6 +27,7 @@ const FILES: &[&str] = &[
     "linear_solver",
     "parameter",
     "condition",
+    "sensitivity",
     "branch",
     "statics",
     "modes",

@@ -1,5 +1,6 @@
 //! Free parameters, and conditions that determine them.
 
+use super::call::Call;
 use super::guard::{free, guard};
 use super::handle::Handle;
 use super::joint::coordinate;
@@ -134,6 +135,21 @@ pub const PDN_FEATURE_SINE: i32 = 502;
 /// the grid points.
 pub const PDN_FEATURE_VALUE: i32 = 503;
 
+/// The feature that C means.
+pub(super) fn feature(call: &Call, feature: i32, at: f64) -> Result<Feature> {
+    let harmonic = || match call.number(at, "at")? {
+        j if j >= 1.0 && j <= f64::from(i32::MAX) && j.fract() == 0.0 => Ok(j as usize),
+        j => Err(Error::value("at", "a harmonic, from 1", j)),
+    };
+    Ok(match feature {
+        PDN_FEATURE_MEAN => Feature::Mean,
+        PDN_FEATURE_COSINE => Feature::Cosine(harmonic()?),
+        PDN_FEATURE_SINE => Feature::Sine(harmonic()?),
+        PDN_FEATURE_VALUE => Feature::At(call.number(at, "at")?),
+        other => return Err(Error::value("feature", "a constant PDN_FEATURE_...", other)),
+    })
+}
+
 /// Adds the condition that the mean, a harmonic, or the value at a time, of a quantity is this:
 /// trim.
 ///
@@ -166,17 +182,7 @@ pub unsafe extern "C" fn pdn_conditions_add_quantity(
             let got = output.components();
             return Err(Error::value("quantity.component", "a single one", got));
         }
-        let harmonic = || match call.number(at, "at")? {
-            j if j >= 1.0 && j <= f64::from(i32::MAX) && j.fract() == 0.0 => Ok(j as usize),
-            j => Err(Error::value("at", "a harmonic, from 1", j)),
-        };
-        let feature = match feature {
-            PDN_FEATURE_MEAN => Feature::Mean,
-            PDN_FEATURE_COSINE => Feature::Cosine(harmonic()?),
-            PDN_FEATURE_SINE => Feature::Sine(harmonic()?),
-            PDN_FEATURE_VALUE => Feature::At(call.number(at, "at")?),
-            other => return Err(Error::value("feature", "a constant PDN_FEATURE_...", other)),
-        };
+        let feature = self::feature(call, feature, at)?;
         let scale = match call.number(scale, "scale")? {
             0.0 => None,
             scale if scale > 0.0 => Some(scale),

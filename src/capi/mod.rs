@@ -92,6 +92,7 @@ pub mod parameter;
 pub mod periodic;
 pub mod quantity;
 pub mod section;
+pub mod sensitivity;
 pub mod shooting;
 pub mod signal;
 pub mod solution;

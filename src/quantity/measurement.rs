@@ -54,6 +54,30 @@ impl Measurement {
         Ok(self.feature.of(&self.series(history)?))
     }
 
+    /// Its value where a time means the phase that it is in another period.
+    ///
+    /// # Errors
+    /// As [`Measurement::value`].
+    pub fn value_at_phase(&self, history: &History, period: f64) -> Result<f64> {
+        let series = self.series(history)?;
+        let feature = match self.feature {
+            Feature::At(time) => Feature::At(time * series.period() / period),
+            feature => feature,
+        };
+        Ok(feature.of(&series))
+    }
+
+    /// What it varies by with the logarithm of the frequency as its time is another phase then.
+    ///
+    /// # Errors
+    /// As [`Measurement::value`].
+    pub fn by_phase(&self, history: &History) -> Result<f64> {
+        match self.feature {
+            Feature::At(time) => Ok(time * self.series(history)?.derivative(time, 1)),
+            _ => Ok(0.0),
+        }
+    }
+
     /// The series that it is a feature of.
     ///
     /// # Errors

@@ -27,7 +27,7 @@ use crate::solve::report::{Timings, timed};
 use nalgebra::{DMatrix, DVector};
 
 /// Scaled stiffness of the nodes against the ground.
-const GROUNDING: f64 = 1e-7;
+pub(crate) const GROUNDING: f64 = 1e-7;
 /// Growth of `J` that asks for it.
 const SUSPECT: f64 = 1e12;
 /// Pivot of the Schur complement, relative to others, that is rounding.
@@ -202,21 +202,6 @@ impl<L: LinearSolver> Bordered<L> {
             determined: true,
             workspace: GmresWorkspace::default(),
         }
-    }
-
-    /// Linearises again with nodes that are grounded, if they are not: `false` if they are, or if
-    /// that is singular, too.
-    pub fn ground(
-        &mut self,
-        equations: &mut Collocation,
-        state: &GridState,
-        timings: &mut Timings,
-    ) -> Result<bool> {
-        if equations.grounding() > 0.0 {
-            return Ok(false);
-        }
-        equations.ground(GROUNDING);
-        self.factor(equations, state, timings)
     }
 
     /// Factors `J` at `state`, between the present borders.

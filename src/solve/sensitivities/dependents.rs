@@ -102,13 +102,23 @@ impl Found {
         })
     }
 
-    /// Values at fixed unknowns, of those that depend on a parameter directly; of others zero.
-    pub fn explicit(&self, parameter: Free, history: &History) -> Result<Vec<f64>> {
+    /// Values at fixed unknowns, of those that depend on a parameter directly, of others zero;
+    /// times are phases of this period.
+    pub fn explicit(&self, parameter: Free, history: &History, period: f64) -> Result<Vec<f64>> {
         let values = self.places.iter().map(|place| match place {
             Place::Measurement(measurement) if depends_on(measurement, parameter) => {
-                measurement.value(history)
+                measurement.value_at_phase(history, period)
             }
             _ => Ok(0.0),
+        });
+        values.collect()
+    }
+
+    /// What they vary by with the logarithm of the frequency as times are other phases then.
+    pub fn by_phase(&self, history: &History) -> Result<Vec<f64>> {
+        let values = self.places.iter().map(|place| match place {
+            Place::Measurement(measurement) => measurement.by_phase(history),
+            Place::Free(_) => Ok(0.0),
         });
         values.collect()
     }

@@ -11,6 +11,8 @@ use std::sync::Arc;
 
 /// Step of differences, relative to what counts as 1 in a parameter.
 const STEP: f64 = 1e-5;
+/// The same for the frequency: conditions on values at a time see it as often as this has turned.
+const FREQUENCY_STEP: f64 = 2e-6;
 /// The same where differences are exact, and only rounding grows with shorter steps.
 const LONG_STEP: f64 = 1.0 / 64.0;
 
@@ -20,6 +22,8 @@ pub(super) struct Explicit {
     equations: Collocation,
     state: GridState,
     residual: Vec<f64>,
+    /// Of the motion.
+    period: f64,
     /// Equations of the grid, and conditions that hold what is free.
     count: usize,
 }
@@ -37,6 +41,7 @@ impl Explicit {
         state.scalars = values.to_vec();
         Ok(Explicit {
             residual: vec![0.0; equations.layout().size()],
+            period: equations.grid().period(),
             count: equations.size() + free,
             equations,
             state,
@@ -57,7 +62,6 @@ impl Explicit {
         found: &Found,
     ) -> Result<Column> {
         let long = match parameter {
-            // Of rates, accelerations and their products with masses.
             Free::Frequency => false,
             Free::Parameter(id) => model.require_parameter(id)?.is_linear(),
         };
@@ -71,7 +75,7 @@ impl Explicit {
         };
         let (mut residual, dependents) = match longest {
             Some(found) => found,
-            None => self.differences(at, STEP, found)?,
+            None => self.differences(at, short_step(parameter), found)?,
         };
         if parameter == Free::Frequency {
             self.equations.apply_scalars(&self.state)?;
@@ -94,7 +98,8 @@ impl Explicit {
         if !found.depend_on(parameter) {
             return Ok(vec![0.0; found.len()]);
         }
-        Ok(self.differences((index, parameter), STEP, found)?.1)
+        let step = short_step(parameter);
+        Ok(self.differences((index, parameter), step, found)?.1)
     }
 
     /// Central differences of residual and dependents, for what counts as 1.
@@ -111,14 +116,30 @@ impl Explicit {
             self.state.scalars[index] = value + sign * step * scale;
             let residual = self.residual()?.to_vec();
             let history = History::of(&self.equations, &self.state);
-            Ok((residual, found.explicit(parameter, &history)?))
+            Ok((residual, found.explicit(parameter, &history, self.period)?))
         });
         self.state.scalars[index] = value;
         let [right, left] = sides;
         let (right, left) = (right?, left?);
         let slope = |(a, b): (&f64, &f64)| (a - b) / (2.0 * step);
         let residual = right.0.iter().zip(&left.0).map(slope).collect();
-        let dependents = right.1.iter().zip(&left.1).map(slope).collect();
+        let mut dependents: Vec<f64> = right.1.iter().zip(&left.1).map(slope).collect();
+        if parameter == Free::Frequency {
+            self.residual()?;
+            let by_phase = found.by_phase(&History::of(&self.equations, &self.state))?;
+            dependents
+                .iter_mut()
+                .zip(&by_phase)
+                .for_each(|(x, d)| *x += d);
+        }
         Ok((residual, dependents))
+    }
+}
+
+/// Step of differences where they are not exact.
+fn short_step(parameter: Free) -> f64 {
+    match parameter {
+        Free::Frequency => FREQUENCY_STEP,
+        Free::Parameter(_) => STEP,
     }
 }

@@ -14,7 +14,7 @@ use crate::collocation::{Collocation, GridState};
 use crate::error::{Error, ErrorKind, Result};
 use crate::model::Model;
 use crate::solve::conditions::{Condition, Conditioned, Free, Given};
-use crate::solve::linear::bordered::{Bordered, Side};
+use crate::solve::linear::bordered::{Bordered, GROUNDING, Side};
 use crate::solve::linear::dense::largest;
 use crate::solve::linear::method::{Linear, LinearMethod};
 use crate::solve::linear::solver::LinearSolver;
@@ -260,7 +260,7 @@ struct Solver {
 impl Solver {
     /// Linearises for so many dependents and parameters.
     fn new(
-        equations: Collocation,
+        mut equations: Collocation,
         state: GridState,
         options: &SensitivityOptions,
         (dependents, parameters): (usize, usize),
@@ -275,6 +275,10 @@ impl Solver {
         };
         if method == SensitivityMethod::Adjoint && !linear.is_direct() {
             linear = Linear::new(&equations, LinearMethod::Direct);
+        }
+        // Where conditions alone make the equations regular, factors show it, and iteration fails.
+        if !linear.is_direct() && !state.scalars.is_empty() {
+            equations.ground(GROUNDING);
         }
         let bordered = Bordered::new(&equations, linear);
         let mut solver = Solver {
@@ -345,16 +349,8 @@ impl Solver {
             timings,
             ..
         } = &mut self.newton;
-        let wanted = rhs.to_vec();
         if linear.solve_to_rounding(equations, rhs, side, timings)? {
             return Ok(());
-        }
-        // An iteration may not notice that only conditions make the equations regular.
-        if linear.ground(equations, &self.state, timings)? {
-            rhs.copy_from_slice(&wanted);
-            if linear.solve_to_rounding(equations, rhs, side, timings)? {
-                return Ok(());
-            }
         }
         Err(singular("cannot be differentiated"))
     }
