@@ -20,7 +20,7 @@ static const char *const NAMES[DEPENDENTS] = {"mean",    "cosine 1", "sine 1",  
 static int values(const pdn_solution *solution, const pdn_quantity *moment, int32_t hinge,
                   double *out)
 {
-    double cosines[2], sines[2], flap_cosine, flap_sine;
+    double cosines[2], sines[2], flap;
     TRY(pdn_solution_quantity_harmonics(solution, moment, 2, &out[0], NULL, cosines, sines));
     out[1] = cosines[0];
     out[2] = sines[0];
@@ -28,8 +28,8 @@ static int values(const pdn_solution *solution, const pdn_quantity *moment, int3
     out[4] = sines[1];
     TRY(pdn_solution_quantity_extremes(solution, moment, NULL, NULL, &out[5], NULL));
     TRY(pdn_solution_joint_harmonics(solution, hinge, PDN_JOINT_COORDINATE, PDN_ROTATION, 1, NULL,
-                                     NULL, &flap_cosine, &flap_sine));
-    out[6] = flap_sine;
+                                     NULL, NULL, &flap));
+    out[6] = flap;
     return 0;
 done:
     return 1;
@@ -55,7 +55,6 @@ int main(int argc, char **argv)
     pdn_sensitivities *sensitivities = NULL;
     pdn_section section;
     pdn_signal turn, force;
-    const pdn_signal *load[6] = {NULL, NULL, &force, NULL, NULL, NULL};
     pdn_beam blade;
     int32_t hub, shaft, hinge, spring;
     PDN_INIT(pdn_section, &section);
@@ -73,7 +72,7 @@ int main(int argc, char **argv)
     TRY(pdn_model_prescribe(model, shaft, PDN_ROTATION, &turn));
     TRY(pdn_model_add_spring_damper(model, hinge, PDN_ROTATION, hinge_stiffness, hinge_damping, 0,
                                     &spring));
-    TRY(pdn_model_add_load(model, blade.last, PDN_FRAME_SPACE, load));
+    TRY(pdn_model_add_load(model, blade.last, PDN_FRAME_SPACE, 2, &force));
 
     /* Whatever may change is a parameter. Sections are of all elements alike. */
     int32_t p[PARAMETERS] = {0, 0, 0, 0, 0, PDN_FREQUENCY};
@@ -128,16 +127,16 @@ int main(int argc, char **argv)
     }
     printf("Change for 1 %% more of each; moments in N m, flapping in degrees\n%-16s", "");
     for (int j = 0; j < DEPENDENTS; ++j) {
-        printf("%10s", NAMES[j]);
+        printf("%11s", NAMES[j]);
     }
     printf("\n%-16s", "value");
     for (int j = 0; j < DEPENDENTS; ++j) {
-        printf("%10.4f", here[j] * (j == 6 ? 180 / PI : 1));
+        printf("%11.4f", here[j] * (j == 6 ? 180 / PI : 1));
     }
     for (int i = 0; i < PARAMETERS; ++i) {
         printf("\n%-16s", names[i]);
         for (int j = 0; j < DEPENDENTS; ++j) {
-            printf("%10.4f", 0.01 * start[i] * d[i][j] * (j == 6 ? 180 / PI : 1));
+            printf("%11.4f", 0.01 * start[i] * d[i][j] * (j == 6 ? 180 / PI : 1));
         }
     }
 

@@ -167,6 +167,11 @@ module periodyn_c
     integer(c_int32_t), parameter :: PDN_FEATURE_COSINE = 501
     integer(c_int32_t), parameter :: PDN_FEATURE_SINE = 502
     integer(c_int32_t), parameter :: PDN_FEATURE_VALUE = 503
+    integer(c_int32_t), parameter :: PDN_FEATURE_LARGEST = 504
+    integer(c_int32_t), parameter :: PDN_FEATURE_SMALLEST = 505
+    integer(c_int32_t), parameter :: PDN_SENSITIVITY_AUTOMATIC = 0
+    integer(c_int32_t), parameter :: PDN_SENSITIVITY_DIRECT = 1
+    integer(c_int32_t), parameter :: PDN_SENSITIVITY_ADJOINT = 2
     integer(c_int32_t), parameter :: PDN_BRANCH_RANGE = 0
     integer(c_int32_t), parameter :: PDN_BRANCH_CLOSED = 1
     integer(c_int32_t), parameter :: PDN_BRANCH_POINT_LIMIT = 2
@@ -351,6 +356,14 @@ module periodyn_c
         integer(c_int32_t) :: estimate_mesh
         real(c_double) :: progress_interval
     end type pdn_periodic_options
+
+    type, bind(C) :: pdn_sensitivity_options
+        integer(c_size_t) :: struct_size = 0
+        integer(c_int32_t) :: method
+        integer(c_int32_t) :: linear_solver
+        integer(c_int32_t) :: threads
+        integer(c_int32_t) :: reserved
+    end type pdn_sensitivity_options
 
     type, bind(C) :: pdn_branch_point
         integer(c_size_t) :: struct_size = 0
@@ -1859,6 +1872,70 @@ module periodyn_c
             integer(c_int32_t) :: pdn_solve_conditioned
         end function pdn_solve_conditioned
 
+        ! Sets default options; use `PDN_INIT(pdn_sensitivity_options, &options)`
+        subroutine pdn_sensitivity_options_init(options, &
+            struct_size) bind(C, name="pdn_sensitivity_options_init")
+            import
+            type(pdn_sensitivity_options), intent(inout) :: options
+            integer(c_size_t), value :: struct_size
+        end subroutine pdn_sensitivity_options_init
+
+        ! Makes an empty list: nothing is differentiated
+        function pdn_sensitivities_new(out) bind(C, name="pdn_sensitivities_new")
+            import
+            type(c_ptr), intent(inout) :: out
+            integer(c_int32_t) :: pdn_sensitivities_new
+        end function pdn_sensitivities_new
+
+        ! Frees a list; NULL does nothing
+        subroutine pdn_sensitivities_free(sensitivities) bind(C, name="pdn_sensitivities_free")
+            import
+            type(c_ptr), value :: sensitivities
+        end subroutine pdn_sensitivities_free
+
+        ! Adds a dependent: the mean, a harmonic, the value at a time, or a peak of a quantity
+        function pdn_sensitivities_add_quantity(sensitivities, quantity, feature, &
+            at) bind(C, name="pdn_sensitivities_add_quantity")
+            import
+            type(c_ptr), value :: sensitivities
+            type(pdn_quantity), intent(in) :: quantity
+            integer(c_int32_t), value :: feature
+            real(c_double), value :: at
+            integer(c_int32_t) :: pdn_sensitivities_add_quantity
+        end function pdn_sensitivities_add_quantity
+
+        ! Adds a dependent: the value of a free parameter, which conditions determine
+        function pdn_sensitivities_add_found(sensitivities, &
+            parameter) bind(C, name="pdn_sensitivities_add_found")
+            import
+            type(c_ptr), value :: sensitivities
+            integer(c_int32_t), value :: parameter
+            integer(c_int32_t) :: pdn_sensitivities_add_found
+        end function pdn_sensitivities_add_found
+
+        ! Adds a parameter that all is differentiated by
+        function pdn_sensitivities_add_parameter(sensitivities, &
+            parameter) bind(C, name="pdn_sensitivities_add_parameter")
+            import
+            type(c_ptr), value :: sensitivities
+            integer(c_int32_t), value :: parameter
+            integer(c_int32_t) :: pdn_sensitivities_add_parameter
+        end function pdn_sensitivities_add_parameter
+
+        ! Derivatives of what comes out of a periodic solution by parameters of its model
+        function pdn_solution_sensitivities(solution, sensitivities, conditions, options, derivatives, &
+            dependents, parameters) bind(C, name="pdn_solution_sensitivities")
+            import
+            type(c_ptr), value :: solution
+            type(c_ptr), value :: sensitivities
+            type(c_ptr), value :: conditions
+            type(pdn_sensitivity_options), intent(in), optional :: options
+            real(c_double), intent(inout) :: derivatives(*)
+            integer(c_size_t), value :: dependents
+            integer(c_size_t), value :: parameters
+            integer(c_int32_t) :: pdn_solution_sensitivities
+        end function pdn_solution_sensitivities
+
         ! Sets a point to zero; use `PDN_INIT(pdn_branch_point, &point)`
         subroutine pdn_branch_point_init(point, struct_size) bind(C, name="pdn_branch_point_init")
             import
@@ -2544,6 +2621,7 @@ module periodyn
         procedure, public :: march => solution_march
         procedure, public :: floquet => solution_floquet
         procedure, public :: solve_stability => solution_solve_stability
+        procedure, public :: sensitivities => solution_sensitivities
         procedure, public :: parameter => solution_parameter
         procedure, public :: history => solution_history
         procedure, public :: decay => solution_decay
@@ -2680,6 +2758,15 @@ module periodyn
         procedure, public :: add_quantity => conditions_add_quantity
     end type pdn_conditions
 
+    ! What is differentiated, by what.
+    type, extends(pdn_handle) :: pdn_sensitivities
+    contains
+        procedure, public :: new => sensitivities_new
+        procedure, public :: add_quantity => sensitivities_add_quantity
+        procedure, public :: add_found => sensitivities_add_found
+        procedure, public :: add_parameter => sensitivities_add_parameter
+    end type pdn_sensitivities
+
     ! Periodic motions along a parameter; points are counted from 0.
     type, extends(pdn_handle) :: pdn_branch
     contains
@@ -2712,7 +2799,7 @@ module periodyn
     ! Sets the defaults of options.
     interface pdn_init
         procedure init_section, init_periodic_options, init_static_options, init_modes_options, &
-            init_march_options, init_shooting_options, init_stability_options, init_branch_options
+            init_march_options, init_shooting_options, init_stability_options, init_sensitivity_options, init_branch_options
     end interface pdn_init
 
     ! These have texts and arrays in place of those of periodyn_c, which are c_version and so on here.
@@ -2984,6 +3071,12 @@ contains
 
         call pdn_shooting_options_init(options, c_sizeof(options))
     end subroutine init_shooting_options
+
+    subroutine init_sensitivity_options(options)
+        type(pdn_sensitivity_options), intent(out) :: options
+
+        call pdn_sensitivity_options_init(options, c_sizeof(options))
+    end subroutine init_sensitivity_options
 
     subroutine init_stability_options(options)
         type(pdn_stability_options), intent(out) :: options
@@ -4729,6 +4822,71 @@ contains
         if (present(scale)) counts = scale
         call report(pdn_conditions_add_quantity(self%c, quantity, feature, at, value, counts), stat, errmsg)
     end subroutine conditions_add_quantity
+
+    subroutine sensitivities_new(self, stat, errmsg)
+        class(pdn_sensitivities), intent(inout) :: self
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        type(c_ptr) :: c
+        integer(c_int32_t) :: status
+
+        status = pdn_sensitivities_new(c)
+        if (status == PDN_OK) call self%adopt(c, pdn_sensitivities_free)
+        call report(status, stat, errmsg)
+    end subroutine sensitivities_new
+
+    ! A dependent: a feature, PDN_FEATURE_..., of one component of a quantity; at is the number of a harmonic, or a
+    ! time.
+    subroutine sensitivities_add_quantity(self, quantity, feature, at, stat, errmsg)
+        class(pdn_sensitivities), intent(inout) :: self
+        type(pdn_quantity), intent(in) :: quantity
+        integer(c_int32_t), intent(in) :: feature
+        real(c_double), intent(in), optional :: at
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        real(c_double) :: place
+
+        place = 0
+        if (present(at)) place = at
+        call report(pdn_sensitivities_add_quantity(self%c, quantity, feature, place), stat, errmsg)
+    end subroutine sensitivities_add_quantity
+
+    ! A dependent: the value of a free parameter, or of PDN_FREQUENCY.
+    subroutine sensitivities_add_found(self, parameter, stat, errmsg)
+        class(pdn_sensitivities), intent(inout) :: self
+        integer(c_int32_t), intent(in) :: parameter
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+
+        call report(pdn_sensitivities_add_found(self%c, parameter), stat, errmsg)
+    end subroutine sensitivities_add_found
+
+    ! A parameter, or PDN_FREQUENCY, that all is differentiated by.
+    subroutine sensitivities_add_parameter(self, parameter, stat, errmsg)
+        class(pdn_sensitivities), intent(inout) :: self
+        integer(c_int32_t), intent(in) :: parameter
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+
+        call report(pdn_sensitivities_add_parameter(self%c, parameter), stat, errmsg)
+    end subroutine sensitivities_add_parameter
+
+    ! Derivatives of the dependents (rows) by the parameters (columns), where free parameters follow conditions.
+    subroutine solution_sensitivities(self, sensitivities, derivatives, conditions, options, stat, errmsg)
+        class(pdn_solution), intent(in) :: self
+        type(pdn_sensitivities), intent(in) :: sensitivities
+        real(c_double), intent(out), contiguous :: derivatives(:, :)
+        type(pdn_conditions), intent(in), optional :: conditions
+        type(pdn_sensitivity_options), intent(in), optional :: options
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        type(c_ptr) :: held
+
+        held = c_null_ptr
+        if (present(conditions)) held = conditions%c
+        call report(pdn_solution_sensitivities(self%c, sensitivities%c, held, options, derivatives, &
+            size(derivatives, 1, kind=c_size_t), size(derivatives, 2, kind=c_size_t)), stat, errmsg)
+    end subroutine solution_sensitivities
 
     ! Finds a periodic response that meets conditions, and as many free parameters.
     subroutine model_solve_conditioned(self, period, conditions, solution, options, initial, stat, errmsg)

@@ -5143,7 +5143,7 @@ pdn_status pdn_sensitivities_add_quantity(struct pdn_sensitivities *sensitivitie
  * @since 0.1
  */
 PDN_API
-pdn_status pdn_sensitivities_add_free(struct pdn_sensitivities *sensitivities,
+pdn_status pdn_sensitivities_add_found(struct pdn_sensitivities *sensitivities,
                                       int32_t parameter);
 
 /**

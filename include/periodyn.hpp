@@ -168,6 +168,16 @@ enum class Feature : std::int32_t {
     cosine = PDN_FEATURE_COSINE,
     sine = PDN_FEATURE_SINE,
     value = PDN_FEATURE_VALUE,
+    /** The largest and the smallest value over the period: of sensitivities only. */
+    largest = PDN_FEATURE_LARGEST,
+    smallest = PDN_FEATURE_SMALLEST,
+};
+
+/** How sensitivities are found: by a linear solve for each parameter or for each dependent. */
+enum class SensitivityMethod : std::int32_t {
+    automatic = PDN_SENSITIVITY_AUTOMATIC,
+    direct = PDN_SENSITIVITY_DIRECT,
+    adjoint = PDN_SENSITIVITY_ADJOINT,
 };
 
 /** What has a signal that a parameter moves. */
@@ -384,6 +394,10 @@ struct Free {
     void operator()(pdn_conditions *conditions) const noexcept
     {
         pdn_conditions_free(conditions);
+    }
+    void operator()(pdn_sensitivities *sensitivities) const noexcept
+    {
+        pdn_sensitivities_free(sensitivities);
     }
     void operator()(pdn_branch *branch) const noexcept
     {
@@ -1836,6 +1850,64 @@ inline Solution solve_conditioned(const Model &model, double period, const Condi
     watch.rethrow();
     return Solution(handle.release(), model.kept());
 }
+
+/** Options of Sensitivities::of, with the fields of ::pdn_sensitivity_options. */
+struct SensitivityOptions : pdn_sensitivity_options {
+    SensitivityOptions(SensitivityMethod method = SensitivityMethod::automatic)
+    {
+        pdn_sensitivity_options_init(this, sizeof(pdn_sensitivity_options));
+        this->method = detail::c(method);
+    }
+};
+
+/** What is differentiated, by what: rows and columns of derivatives. */
+class Sensitivities
+{
+  public:
+    Sensitivities()
+        : handle_(detail::make<pdn_sensitivities>(
+              [](pdn_sensitivities **out) { return pdn_sensitivities_new(out); }))
+    {
+    }
+    /** The handle, for functions of periodyn.h; NULL if moved from. */
+    pdn_sensitivities *get() const noexcept
+    {
+        return handle_.get();
+    }
+    /** A feature of one component of a quantity; `at` is the number of a harmonic, or a time. */
+    void add_quantity(const Quantity &quantity, Feature feature, double at = 0)
+    {
+        detail::check(pdn_sensitivities_add_quantity(get(), &quantity, detail::c(feature), at));
+        ++dependents_;
+    }
+    /** The value of a free parameter, or of the frequency. */
+    void add_found(std::int32_t parameter)
+    {
+        detail::check(pdn_sensitivities_add_found(get(), parameter));
+        ++dependents_;
+    }
+    /** A parameter, or the frequency, that all is differentiated by. */
+    void add_parameter(std::int32_t parameter)
+    {
+        detail::check(pdn_sensitivities_add_parameter(get(), parameter));
+        ++parameters_;
+    }
+    /** Derivatives at a solution, where free parameters follow conditions: those by a parameter
+     * together. */
+    std::vector<double> of(const Solution &solution, const Conditions *conditions = nullptr,
+                           const SensitivityOptions &options = {}) const
+    {
+        std::vector<double> derivatives(dependents_ * parameters_);
+        detail::check(pdn_solution_sensitivities(
+            solution.get(), get(), conditions ? conditions->get() : nullptr, &options,
+            derivatives.data(), dependents_, parameters_));
+        return derivatives;
+    }
+
+  private:
+    std::unique_ptr<pdn_sensitivities, detail::Free> handle_;
+    std::size_t dependents_ = 0, parameters_ = 0;
+};
 
 /** Options of follow_branch, with the fields of ::pdn_branch_options and these in place of pointers.
  */

@@ -379,6 +379,17 @@ FEATURE_VALUE = 503
 """Feature of a quantity: value at a time, of the trigonometric polynomial through the values at
 the grid points.
 """
+FEATURE_LARGEST = 504
+"""Feature of a quantity, for sensitivities: its largest value over the period."""
+FEATURE_SMALLEST = 505
+"""Feature of a quantity, for sensitivities: its smallest value over the period."""
+SENSITIVITY_AUTOMATIC = 0
+"""Sensitivities: with as few linear solves as can be, directly or adjoint."""
+SENSITIVITY_DIRECT = 1
+"""Sensitivities: a linear solve for each parameter."""
+SENSITIVITY_ADJOINT = 2
+"""Sensitivities: a transposed linear solve for each dependent, by factors of the whole Jacobian.
+"""
 BRANCH_RANGE = 0
 """A branch ended at an end of the parameter's range."""
 BRANCH_CLOSED = 1
@@ -998,6 +1009,19 @@ class PeriodicOptions(Struct):
     """Least time between two calls of progress while an iteration lasts, in seconds; 0 to be
     called at any opportunity. Default 0.1.
     """
+
+
+class SensitivityOptions(Struct):
+    """Options of Solution.sensitivities. Set the defaults by `SensitivityOptions()`."""
+
+    _type = "pdn_sensitivity_options"
+    _initialise = lib.pdn_sensitivity_options_init
+    method = Number("method")
+    """SENSITIVITY_AUTOMATIC, the default, SENSITIVITY_DIRECT or SENSITIVITY_ADJOINT."""
+    linear_solver = Number("linear_solver")
+    """How linear equations are solved: LINEAR_AUTOMATIC, ... Default LINEAR_AUTOMATIC."""
+    threads = Number("threads")
+    """Threads that share the work; 0 for as many as there are processors. Default 1."""
 
 
 class BranchPoint(Struct):
@@ -3709,6 +3733,49 @@ class Modes(ModesExtras):
         return Solution._made(out[0], self._kept)
 
 
+class Sensitivities(Handle):
+    """What is differentiated, by what. Made by SensitivitiesNew, freed by SensitivitiesFree."""
+
+    _free = lib.pdn_sensitivities_free
+
+    def __init__(self):
+        """Makes an empty list: nothing is differentiated.
+
+        It belongs to no model; ids are looked up when it is used.
+        """
+        out = ffi.new("pdn_sensitivities **")
+        call(lib.pdn_sensitivities_new, out)
+        self._own(out[0])
+
+    def add_quantity(self, quantity, feature, at=0.0):
+        """Adds a dependent: the mean, a harmonic, the value at a time, or a peak of a quantity.
+
+        Args:
+            quantity: one component of a quantity,
+            feature: FEATURE_MEAN, FEATURE_COSINE, FEATURE_SINE, FEATURE_VALUE, FEATURE_LARGEST
+                or FEATURE_SMALLEST
+            at: the number of the harmonic, from 1, or the time; not looked at for all else
+        """
+        quantity = of_type("Quantity")(quantity, self._kept)
+        call(lib.pdn_sensitivities_add_quantity, self._c, quantity, feature, at)
+
+    def add_found(self, parameter):
+        """Adds a dependent: the value of a free parameter, which conditions determine.
+
+        Args:
+            parameter: id of a parameter, or FREQUENCY
+        """
+        call(lib.pdn_sensitivities_add_found, self._c, parameter)
+
+    def add_parameter(self, parameter):
+        """Adds a parameter that all is differentiated by.
+
+        Args:
+            parameter: id of a parameter, or FREQUENCY
+        """
+        call(lib.pdn_sensitivities_add_parameter, self._c, parameter)
+
+
 class Solution(SolutionExtras):
     """A solution, converged or not. Made by Model.solve_periodic, Model.solve_static, Model.march
     and Modes.motion, freed by Solution.free.
@@ -4523,6 +4590,60 @@ class Solution(SolutionExtras):
         out = ffi.new("double *")
         call(lib.pdn_solution_parameter, self._c, parameter, out)
         return out[0]
+
+    def sensitivities(
+        self,
+        sensitivities,
+        dependents,
+        parameters,
+        conditions=None,
+        *,
+        method=None,
+        linear_solver=None,
+        threads=None,
+    ):
+        """Derivatives of what comes out of a periodic solution by parameters of its model.
+
+        All else stays, but for the free parameters of `conditions`, which follow so that these
+        go on to be met: sensitivities at trim, or along an unknown period. A condition on the
+        phase is that of this solution; values that conditions ask for are not looked at but as
+        those of the solution. A parameter that moves nothing has zeros. Peaks vary as the value
+        at their time does; a quantity that has its peak at two times has no sensitivity. The
+        equations are linearised and factored once; each parameter, or each dependent, takes a
+        solve with the factors.
+
+        Args:
+            sensitivities: what is differentiated, by what
+            conditions: free parameters and as many conditions; None for none
+            method: SENSITIVITY_AUTOMATIC, the default, SENSITIVITY_DIRECT or
+                SENSITIVITY_ADJOINT.
+            linear_solver: How linear equations are solved: LINEAR_AUTOMATIC, ... Default
+                LINEAR_AUTOMATIC.
+            threads: Threads that share the work; 0 for as many as there are processors. Default
+                1.
+            dependents: number of the dependents
+            parameters: number of the parameters
+
+        Returns:
+            derivatives, of shape (parameters, dependents): those by a parameter together
+        """
+        options = SensitivityOptions(
+            method=method,
+            linear_solver=linear_solver,
+            threads=threads,
+        )
+        derivatives = reals.empty((parameters, dependents))
+        call(
+            lib.pdn_solution_sensitivities,
+            self._c,
+            pointer(sensitivities),
+            pointer(conditions),
+            options._c,
+            pointer(derivatives),
+            dependents,
+            parameters,
+        )
+        return derivatives
 
     def march(self):
         """Figures of a march: steps, periods, how much the last of them differ, how much the start

@@ -167,7 +167,7 @@ pub unsafe extern "C" fn pdn_sensitivities_add_quantity(
 /// Threads: exclusive use of `sensitivities`.
 /// @since 0.1
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn pdn_sensitivities_add_free(
+pub unsafe extern "C" fn pdn_sensitivities_add_found(
     sensitivities: *mut pdn_sensitivities,
     parameter: i32,
 ) -> pdn_status {

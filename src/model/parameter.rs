@@ -101,8 +101,8 @@ impl Parameter {
         &self.targets
     }
 
-    /// Whether forces and constraints are linear in all that it moves: of the second degree in it at
-    /// most, where it moves factors of one product.
+    /// Whether forces and constraints are linear in all that it moves: of the second degree in it
+    /// at most, where it moves factors of one product.
     pub(crate) fn is_linear(&self) -> bool {
         self.targets.iter().all(|(target, _)| target.is_linear())
     }

@@ -450,3 +450,15 @@ IS(PDN_FEATURE_MEAN, 500);
 IS(PDN_FEATURE_COSINE, 501);
 IS(PDN_FEATURE_SINE, 502);
 IS(PDN_FEATURE_VALUE, 503);
+IS(PDN_FEATURE_LARGEST, 504);
+IS(PDN_FEATURE_SMALLEST, 505);
+IS(PDN_SENSITIVITY_AUTOMATIC, 0);
+IS(PDN_SENSITIVITY_DIRECT, 1);
+IS(PDN_SENSITIVITY_ADJOINT, 2);
+
+SIZE(pdn_sensitivity_options, 24);
+AT(pdn_sensitivity_options, struct_size, 0);
+AT(pdn_sensitivity_options, method, 8);
+AT(pdn_sensitivity_options, linear_solver, 12);
+AT(pdn_sensitivity_options, threads, 16);
+AT(pdn_sensitivity_options, reserved, 20);

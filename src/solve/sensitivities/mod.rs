@@ -1,5 +1,5 @@
 //! Sensitivities: derivatives of what comes out of a periodic motion by parameters, also where free
-//! parameters are held by conditions. See docs/theory.md, section 13.7.
+//! parameters are held by conditions. See docs/theory.md, section 13.9.
 //!
 //! * `dependents.rs`: what is differentiated, and its gradient by all unknowns;
 //! * `explicit.rs`: what residual, conditions and dependents change with a parameter at fixed
