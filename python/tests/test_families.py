@@ -46,6 +46,18 @@ def test_a_mean_force_for_a_mean_position():
     assert solution.parameter(mean) == pytest.approx(1.0, abs=1e-10)
 
 
+def test_what_a_mean_force_does_to_the_position():
+    model, _, mean, coordinate = driven()
+    asked = pdn.Sensitivities()
+    asked.add_quantity(coordinate, pdn.FEATURE_MEAN)
+    asked.add_quantity(coordinate, pdn.FEATURE_COSINE, 1)
+    asked.add_parameter(mean)
+    solution = model.solve_periodic(2 * np.pi)
+    for method in [pdn.SENSITIVITY_DIRECT, pdn.SENSITIVITY_ADJOINT]:
+        derivatives = solution.sensitivities(asked, 2, 1, method=method)
+        np.testing.assert_allclose(derivatives, [[0.25, 0]], atol=1e-10)
+
+
 def test_response_over_frequencies(tmp_path):
     model, body, _, coordinate = driven()
     seen = []

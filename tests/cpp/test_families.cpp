@@ -37,6 +37,18 @@ void moment_for_a_mean_angle()
     const auto given = pdn::solve_periodic(o.model, period).harmonics(o.angle(), 1);
     NEAR(given.mean[0], 0.1, 1e-10);
 
+    // What the mean angle gains from the moment, and the first harmonic does not.
+    pdn::Sensitivities sensitivities;
+    sensitivities.add_quantity(o.angle(), pdn::Feature::mean);
+    sensitivities.add_quantity(o.angle(), pdn::Feature::cosine, 1);
+    sensitivities.add_parameter(o.moment);
+    for (const auto method : {pdn::SensitivityMethod::direct, pdn::SensitivityMethod::adjoint}) {
+        const auto found = sensitivities.of(solution, nullptr, method);
+        NEAR(found[0], 1 / 3.0, 1e-10);
+        NEAR(found[1], 0, 1e-10);
+    }
+    REFUSED(sensitivities.of(solution, &conditions), PDN_ERR_VALUE, "parameters: ");
+
     REFUSED(conditions.add_quantity(o.angle(), pdn::Feature(7), 0, 0.1), PDN_ERR_VALUE,
             "feature: ");
     REFUSED(o.model.set_parameter(9, 1), PDN_ERR_ID, "parameter: ");

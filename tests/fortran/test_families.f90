@@ -24,10 +24,11 @@ contains
     subroutine moment_for_a_mean_angle()
         type(pdn_model) :: model
         type(pdn_conditions) :: conditions
+        type(pdn_sensitivities) :: sensitivities
         type(pdn_quantity) :: angle
         type(pdn_solution) :: solution
         integer :: body, hinge, parameter, stat
-        real(dp) :: found, mean(1), cosines(1, 1), sines(1, 1)
+        real(dp) :: found, mean(1), cosines(1, 1), sines(1, 1), derivatives(2, 1)
         character(300) :: errmsg
 
         call driven(model, body, hinge, parameter)
@@ -49,6 +50,19 @@ contains
         call solution%joint_harmonics(hinge, PDN_JOINT_COORDINATE, PDN_ROTATION, mean, &
             cosines, sines)
         call near(mean(1), 0.1_dp, 1e-10_dp, 'mean angle')
+
+        ! What the mean angle gains from the moment, and the first harmonic does not.
+        call sensitivities%new()
+        call sensitivities%add_quantity(angle, PDN_FEATURE_MEAN)
+        call sensitivities%add_quantity(angle, PDN_FEATURE_COSINE, 1.0_dp)
+        call sensitivities%add_parameter(parameter)
+        call solution%sensitivities(sensitivities, derivatives)
+        call near(derivatives(1, 1), 1 / 3.0_dp, 1e-10_dp, 'mean angle by moment')
+        call near(derivatives(2, 1), 0.0_dp, 1e-10_dp, 'cosine by moment')
+        stat = 77
+        errmsg = 'none'
+        call solution%sensitivities(sensitivities, derivatives, conditions, stat=stat, errmsg=errmsg)
+        call refused(stat, errmsg, PDN_ERR_VALUE, 'parameters: ')
 
         stat = 77
         errmsg = 'none'
