@@ -5144,7 +5144,7 @@ pdn_status pdn_sensitivities_add_quantity(struct pdn_sensitivities *sensitivitie
  */
 PDN_API
 pdn_status pdn_sensitivities_add_found(struct pdn_sensitivities *sensitivities,
-                                      int32_t parameter);
+                                       int32_t parameter);
 
 /**
  * Adds a parameter that all is differentiated by.

@@ -653,6 +653,25 @@ fn what_has_none_is_told() {
     let constant = all.component(1);
     let flat = with(&|asked| asked.dependents[1] = Dependent::Peak(constant, Peak::Largest));
     refuse(&flat, ErrorKind::NotAvailable, "constant");
+    // A solution of oversampled equations.
+    let (coarse, at, parameters) = oscillator();
+    let asked = Asked {
+        dependents: vec![feature(coordinate(at), Feature::Mean)],
+        parameters,
+        ..Asked::default()
+    };
+    let few = PeriodicOptions {
+        oversampling: 3,
+        ..options(7)
+    };
+    let found = sensitivities(
+        &held(&coarse, TAU / 1.4, &asked, &few),
+        &asked,
+        &SensitivityOptions::default(),
+    );
+    let error = found.unwrap_err().to_string();
+    assert!(error.contains("as of oversampled ones"), "{error}");
+
     // Another model, and an equilibrium.
     let Free::Parameter(stiffness) = cycle.parameters[1] else {
         unreachable!()

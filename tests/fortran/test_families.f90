@@ -61,7 +61,8 @@ contains
         call near(derivatives(2, 1), 0.0_dp, 1e-10_dp, 'cosine by moment')
         stat = 77
         errmsg = 'none'
-        call solution%sensitivities(sensitivities, derivatives, conditions, stat=stat, errmsg=errmsg)
+        call solution%sensitivities(sensitivities, derivatives, conditions, stat=stat, &
+            errmsg=errmsg)
         call refused(stat, errmsg, PDN_ERR_VALUE, 'parameters: ')
 
         stat = 77

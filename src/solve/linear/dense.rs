@@ -110,7 +110,7 @@ pub(crate) fn solve_upper_transposed<'a>(column: impl Fn(usize) -> &'a [f64], y:
 }
 
 /// `Σ a b`, four terms at a time.
-fn dot(a: &[f64], b: &[f64]) -> f64 {
+pub(crate) fn dot(a: &[f64], b: &[f64]) -> f64 {
     let (left, right) = (a.chunks_exact(TOGETHER), b.chunks_exact(TOGETHER));
     let rest = left.remainder().iter().zip(right.remainder());
     let rest: f64 = rest.map(|(a, b)| a * b).sum();

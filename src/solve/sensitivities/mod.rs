@@ -15,7 +15,7 @@ use crate::error::{Error, ErrorKind, Result};
 use crate::model::Model;
 use crate::solve::conditions::{Condition, Conditioned, Free, Given};
 use crate::solve::linear::bordered::{Bordered, GROUNDING, Side};
-use crate::solve::linear::dense::largest;
+use crate::solve::linear::dense::{dot, largest};
 use crate::solve::linear::method::{Linear, LinearMethod};
 use crate::solve::linear::solver::LinearSolver;
 use crate::solve::newton::Newton;
@@ -33,7 +33,7 @@ const SINGULAR: f64 = 1e13;
 /// parameter, that only folds have.
 const BEYOND: f64 = 1e5;
 /// Increment that Newton's method may still ask for.
-const UNSOLVED: f64 = 1e-4;
+const UNSOLVED: f64 = 1e-6;
 /// Residuals that differ by no more are those of the same equations.
 const SAME: f64 = 1e-10;
 /// Times that compliance of constraints is taken back: each leaves some millionths of it.
@@ -419,9 +419,4 @@ fn singular(how: &str) -> Error {
          cycle or a free motion without a condition on its phase"
     );
     Error::new(ErrorKind::NotAvailable, message)
-}
-
-/// `Σ a b`.
-fn dot(a: &[f64], b: &[f64]) -> f64 {
-    a.iter().zip(b).map(|(a, b)| a * b).sum()
 }
