@@ -147,8 +147,8 @@ pub fn solve_sensitivities(
         state.scalars = values[..free.len()].to_vec();
         inner.set_scalars(Arc::new(bordered));
     }
-    for index in 0..free.len() {
-        let column = explicit.of_dependents((index, free[index]), &found)?;
+    for (index, parameter) in free.iter().enumerate() {
+        let column = explicit.of_dependents((index, *parameter), &found)?;
         found.add_column(column);
     }
     require_same(&mut inner, &state, &mut explicit)?;
