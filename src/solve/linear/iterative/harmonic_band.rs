@@ -1,6 +1,6 @@
-//! The system of joints that turn, harmonic by harmonic. In harmonics the dynamic stiffness of the
-//! bodies is block diagonal, and a joint that turns couples neighbours: the matrix is banded, as far
-//! as the harmonics of its free motions fall off. See docs/theory.md, section 8.5.
+//! The system of joints that turn, harmonic by harmonic. There the dynamic stiffness of the bodies
+//! is block diagonal, and a joint that turns couples neighbours: the matrix is banded, as far as
+//! the harmonics of its free motions fall off. See docs/theory.md, section 8.5.
 
 use super::banded::{Banded, BandedLu};
 use super::part::Part;
@@ -91,7 +91,7 @@ impl Reach {
         Banded::bytes(self.size(), self.places())
     }
 
-    /// Place of the first number of a harmonic: real parts of all free motions, then imaginary ones.
+    /// Place of the first number of a harmonic: real parts of all free motions, then imaginary.
     fn first(&self, harmonic: usize) -> usize {
         match harmonic {
             0 => 0,
@@ -201,8 +201,8 @@ impl HarmonicBand {
     }
 }
 
-/// Harmonics of the directions of free motions, from the lowest that is kept to the highest: motions
-/// by free motions, harmonic after harmonic.
+/// Harmonics of the directions of free motions, from the lowest that is kept to the highest:
+/// motions by free motions, harmonic after harmonic.
 fn harmonics_of(parts: &[Part], reach: Reach) -> Mat<c64> {
     let mut all = Mat::<c64>::zeros(reach.motions, reach.count() * reach.free);
     let mut analysis = Analysis::new(reach.points);

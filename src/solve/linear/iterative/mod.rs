@@ -60,8 +60,8 @@ const KEPT: usize = 500_000_000;
 const MANY: usize = 10;
 /// Size of the unknowns of stress resultants relative to the others: what matters are these.
 const RESULTANT_SHARE: f64 = 0.03;
-/// Multiply-adds of the system of the joints, for each unknown, that are little beside the products of a
-/// solve.
+/// Multiply-adds of the system of the joints, for each unknown, that are little beside the products
+/// of a solve.
 const CHEAP: f64 = 2000.0;
 /// Time-local preconditioning is cheap. It is kept where it takes no more products than this,
 const FEW: usize = 12;

@@ -100,8 +100,8 @@ mod tests {
 
     const POINTS: usize = 41;
 
-    /// Orthonormal directions of a frame that turns by `turns` beside one that rests: motions of two
-    /// bodies that a hinge leaves, in their own frames, with bases that are arbitrary at each time.
+    /// Orthonormal directions of a frame that turns by `turns` beside one that rests: motions of
+    /// two bodies that a hinge leaves, in their own frames, with bases that are any at each time.
     fn hinge(turns: impl Fn(f64) -> f64) -> Vec<DMatrix<f64>> {
         let basis = |k: usize| {
             let (sine, cosine) = turns(k as f64 / POINTS as f64).sin_cos();
