@@ -20,8 +20,9 @@ use crate::solve::linear::dense::probe;
 use crate::workers::Workers;
 use faer::prelude::ReborrowMut;
 
-/// Multiply-adds of a dense matrix that take as long as one of a band, whose products are smaller.
-const OF_DENSE: f64 = 2.0;
+/// Multiply-adds of a dense matrix that take as long as one of a band, with its smaller products,
+/// its assembly and the check of what it leaves.
+const OF_DENSE: f64 = 4.0;
 /// Bytes of the largest matrix.
 const LARGEST: usize = 1_600_000_000;
 
