@@ -1532,11 +1532,11 @@ typedef struct pdn_diagnostics {
      */
     size_t linear_bytes;
     /**
-     * Seconds spent on preconditioners, without the dense system of joints that turn.
+     * Seconds spent on preconditioners, without the system of joints that turn.
      */
     double preconditioner_seconds;
     /**
-     * Seconds spent on that dense system.
+     * Seconds spent on that system.
      */
     double interface_seconds;
     /**

@@ -846,9 +846,9 @@ class Diagnostics(Struct):
     linear_bytes = Number("linear_bytes")
     """Bytes that iteration took at most; 0 if there was none."""
     preconditioner_seconds = Number("preconditioner_seconds")
-    """Seconds spent on preconditioners, without the dense system of joints that turn."""
+    """Seconds spent on preconditioners, without the system of joints that turn."""
     interface_seconds = Number("interface_seconds")
-    """Seconds spent on that dense system."""
+    """Seconds spent on that system."""
     estimate_seconds = Number("estimate_seconds")
     """Seconds spent on error estimates, and on why a Jacobian is singular."""
     total_seconds = Number("total_seconds")

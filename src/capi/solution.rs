@@ -244,9 +244,9 @@ pub struct pdn_diagnostics {
     pub most_linear_iterations: i32,
     /// Bytes that iteration took at most; 0 if there was none.
     pub linear_bytes: usize,
-    /// Seconds spent on preconditioners, without the dense system of joints that turn.
+    /// Seconds spent on preconditioners, without the system of joints that turn.
     pub preconditioner_seconds: f64,
-    /// Seconds spent on that dense system.
+    /// Seconds spent on that system.
     pub interface_seconds: f64,
     /// Seconds spent on error estimates, and on why a Jacobian is singular.
     pub estimate_seconds: f64,

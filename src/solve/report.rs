@@ -99,10 +99,10 @@ pub struct Timings {
     pub analysis: Duration,
     /// Numeric factorisation of whole Jacobians.
     pub factorisation: Duration,
-    /// Preconditioners, without the dense system of joints that turn.
+    /// Preconditioners, without the system of joints that turn.
     #[serde(default)]
     pub preconditioner: Duration,
-    /// That dense system, assembled and factored.
+    /// That system, assembled and factored.
     #[serde(default)]
     pub interface: Duration,
     /// Forward and backward substitution, or iteration.

@@ -10,13 +10,14 @@
 //! Constraints that are the same at all times in the frames of their bodies, up to a combination of
 //! their rows, are circulant as well, and are eliminated with the bodies, harmonic by harmonic:
 //! `G_k = Q_k Ḡ`. At the nodes of other joints there remains the dynamic stiffness of the bodies
-//! between them, and a dense system over all grid points. See docs/theory.md, section 8.5.
+//! between them, and a system over all grid points. See docs/theory.md, section 8.5.
 
 use super::block_lu::BlockLanes;
 use super::constraints::{
     Class, Joints, RowRotation, classify, keep_neighbours, row_rotations, turning_nodes,
 };
-use super::interface::Interface;
+use super::harmonic_band::Spectra;
+use super::interface::{Bounds, Interface};
 use super::lanes::{ComplexLanes, LANES, Lanes};
 use super::layout::{Layout, Region};
 use super::mean::{Averages, MeanStrain};
@@ -65,7 +66,7 @@ pub(super) struct BodyCirculant {
     rotations: Vec<RowRotation>,
     /// Unknowns that are not eliminated.
     kept: Vec<usize>,
-    interface: Option<Interface>,
+    pub(super) interface: Option<Interface>,
     transform: Transform,
     workers: Workers,
     workspaces: Vec<Transform>,
@@ -84,13 +85,13 @@ pub(super) struct BodyCirculant {
     /// Of each node, scaled: what the grid adds to changes of velocity of the highest harmonic, the
     /// one below, and so on.
     aliasing: Vec<Vec<Aliasing>>,
-    /// Time that the dense system of the joints took.
+    /// Time that the system of the joints took.
     pub interface_time: Duration,
 }
 
 impl BodyCirculant {
     /// Averages and factors the Jacobian `tangent`. None if that cannot be done: a body by itself
-    /// is singular, or the dense system would have more than `largest_interface` unknowns.
+    /// is singular, or the system of the joints would take more than it may.
     ///
     /// # Errors
     /// If memory runs out.
@@ -98,14 +99,14 @@ impl BodyCirculant {
         equations: &Collocation,
         tangent: &Tangent,
         joints: Joints,
-        largest_interface: usize,
+        bounds: Bounds,
     ) -> Result<Option<Self>> {
         let mut classes = classify(equations, tangent, joints);
         // What is joined rigidly to a node of a joint that turns is eliminated, if it can be
         // without that node.
         let mut turning = turning_nodes(equations.system(), &classes);
         for _ in 0..NEIGHBOURS {
-            let few = Self::factored(equations, tangent, &classes, &turning, largest_interface)?;
+            let few = Self::factored(equations, tangent, &classes, &turning, bounds)?;
             if few.is_some() || !turning.contains(&true) {
                 return Ok(few);
             }
@@ -115,7 +116,7 @@ impl BodyCirculant {
             turning = turning_nodes(equations.system(), &classes);
         }
         let together = vec![false; turning.len()];
-        Self::factored(equations, tangent, &classes, &together, largest_interface)
+        Self::factored(equations, tangent, &classes, &together, bounds)
     }
 
     fn factored(
@@ -123,7 +124,7 @@ impl BodyCirculant {
         tangent: &Tangent,
         classes: &[Class],
         kept_alone: &[bool],
-        largest_interface: usize,
+        bounds: Bounds,
     ) -> Result<Option<Self>> {
         let points = equations.grid().points();
         let layout = Layout::new(equations, tangent, classes, kept_alone);
@@ -134,8 +135,7 @@ impl BodyCirculant {
         let mut interface = None;
         if !kept.is_empty() {
             let places: Vec<_> = kept.iter().map(|&i| layout.places[i]).collect();
-            interface = Interface::new(equations, classes, &places)
-                .filter(|interface| interface.size() <= largest_interface);
+            interface = Interface::new(equations, classes, &places, bounds);
             if interface.is_none() {
                 return Ok(None);
             }
@@ -186,7 +186,10 @@ impl BodyCirculant {
         if let Some(mut interface) = interface {
             let began = Instant::now();
             let stiffness = circulant.kept_stiffness();
-            if !interface.factor(&stiffness, equations.workers())? {
+            let multiply = &mut |motions: &[Vec<f64>], forces: &mut [Vec<f64>]| {
+                circulant.multiply_kept(motions, forces);
+            };
+            if !interface.factor(&stiffness, multiply, equations.workers())? {
                 return Ok(None);
             }
             circulant.interface = Some(interface);
@@ -195,16 +198,26 @@ impl BodyCirculant {
         Ok(Some(circulant))
     }
 
-    /// Unknowns of the dense system of the joints.
+    /// Unknowns of the system of the joints.
     pub fn interface_size(&self) -> usize {
         self.interface.as_ref().map_or(0, Interface::size)
+    }
+
+    /// What it may leave out of harmonics, as it has turned out; none if there is no such system.
+    pub fn left_out(&self) -> Option<f64> {
+        self.interface.as_ref().map(Interface::left_out)
+    }
+
+    /// Multiply-adds that it took.
+    pub fn interface_work(&self) -> f64 {
+        self.interface.as_ref().map_or(0.0, Interface::work)
     }
 
     /// Bytes that the factors take.
     pub fn bytes(&self) -> usize {
         let harmonics =
             size_of::<ComplexLanes>() * self.layout.structure.entries() * self.factors.len();
-        harmonics + size_of::<f64>() * self.interface_size().pow(2)
+        harmonics + self.interface.as_ref().map_or(0, Interface::bytes)
     }
 
     /// `x = P⁻¹ x`, where the unknowns go on with `resultants`, if any are given.
@@ -312,7 +325,7 @@ impl BodyCirculant {
     }
 
     /// Forces by `motions` of what is kept; the motions' harmonics stay where they are kept.
-    fn multiply_kept(&mut self, motions: &[Vec<f64>], forces: &mut [Vec<f64>]) {
+    pub(super) fn multiply_kept(&mut self, motions: &[Vec<f64>], forces: &mut [Vec<f64>]) {
         for (&unknown, series) in self.kept.iter().zip(motions) {
             self.transform.analysis.read(series.iter().copied());
             spread(&self.transform.analysis, &mut self.lanes, unknown);
@@ -370,8 +383,8 @@ impl BodyCirculant {
             });
     }
 
-    /// Dynamic stiffness of what is kept: forces over the grid by unit motions at the first point.
-    fn kept_stiffness(&mut self) -> Vec<Vec<Vec<f64>>> {
+    /// Dynamic stiffness of what is kept.
+    pub(super) fn kept_stiffness(&self) -> Spectra {
         let count = self.kept.len();
         let mut stiffness = vec![vec![Vec::new(); count]; count];
         let structure = &self.layout.structure;
@@ -381,17 +394,10 @@ impl BodyCirculant {
             for i in 0..structure.size(row) {
                 for j in 0..structure.size(column) {
                     let place = structure.entry((row, column), (i, j));
-                    let spectrum = &mut self.transform.synthesis.spectrum;
-                    for (h, value) in spectrum.iter_mut().enumerate() {
-                        *value = self.factors[h / LANES].get(place).get(h % LANES);
-                    }
-                    let scale = 1.0 / self.points as f64;
                     let (a, b) = (structure.first(row) + i, structure.first(column) + j);
-                    stiffness[number(a)][number(b)] = self
-                        .transform
-                        .backward()
-                        .iter()
-                        .map(|x| x * scale)
+                    let harmonics = 0..=self.points / 2;
+                    stiffness[number(a)][number(b)] = harmonics
+                        .map(|h| self.factors[h / LANES].get(place).get(h % LANES))
                         .collect();
                 }
             }

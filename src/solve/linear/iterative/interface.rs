@@ -1,4 +1,4 @@
-//! The dense system of joints that turn: motions at these joints at all grid points, by the dynamic
+//! The system of joints that turn: motions at these joints at all grid points, by the dynamic
 //! stiffness of the bodies between them.
 //!
 //! ```text
@@ -6,74 +6,119 @@
 //! ```
 //!
 //! with `D` circulant and `G` local in time. At each grid point `u = Y g + Z q` with `G Z = 0`, so
-//! that `Zᵀ D Z q = Zᵀ (r − D Y g)`. See docs/theory.md, section 8.5.
+//! that `Zᵀ D Z q = Zᵀ (r − D Y g)`: dense, or banded in harmonics as far as those of `Z` fall off.
+//! See docs/theory.md, section 8.5.
 
 use super::constraints::Class;
 use super::dense::{DenseLu, zeros};
+use super::harmonic_band::{HarmonicBand, Reach, Spectra};
+use super::part::{Part, add_product};
 use crate::collocation::Collocation;
 use crate::error::Result;
+use crate::fourier::Synthesis;
+use crate::solve::linear::dense::probe;
 use crate::workers::Workers;
 use faer::prelude::ReborrowMut;
-use nalgebra::{DMatrix, DVector};
 
-/// Singular values of gradients below this, relative to the largest, are those of constraints that
-/// depend on others.
-const DEPENDENT: f64 = 1e-9;
+/// Multiply-adds of a dense matrix that take as long as one of a band, with its smaller products,
+/// its assembly and the check of what it leaves.
+const OF_DENSE: f64 = 4.0;
+/// Bytes of the largest matrix.
+const LARGEST: usize = 1_600_000_000;
+
+/// What is left out of the harmonics of free motions at first, relative to all of them.
+pub(super) const LEFT_OUT: f64 = 1e-3;
+/// The part of an error that the band may leave.
+const SHARP: f64 = 0.5;
+/// What is aimed at where it leaves more. Where bodies are stiff that goes with the square of what
+/// is left out: of soft motions `D Z q` is small, so that stiffness comes in on both sides of `D`.
+const AIM: f64 = 0.05;
+/// Least and most that is left out next, relative to last.
+const SHARPER: [f64; 2] = [1e-3, 0.3];
+/// Times that an error is followed to find that part; the last two count.
+const FOLLOWED: usize = 5;
 
 /// Constraints that are not steady.
 pub(super) struct Interface {
     points: usize,
     parts: Vec<Part>,
-    factors: Option<DenseLu>,
+    /// What is kept of harmonics, if that pays.
+    reach: Option<Reach>,
+    bounds: Bounds,
+    factors: Option<Factors>,
+    /// Free motion by free motion, over the grid.
     values: Vec<f64>,
 }
 
-/// Constraints that share motions. Matrices stand entry by entry, each over the grid.
-struct Part {
-    /// Of each row of `G`: its place at the first grid point, and from one grid point to the next.
-    rows: Vec<(usize, usize)>,
-    /// Which of the motions that are kept it constrains.
-    motions: Vec<usize>,
-    /// Free motions of the parts before this one, and its own.
-    first: usize,
-    free: usize,
-    /// `Y`: motions by rows.
-    determined: Vec<Vec<f64>>,
-    /// `Z`: motions by free motions; empty where there is nothing.
-    directions: Vec<Vec<f64>>,
-    /// What multipliers that have no effect take from their rows.
-    redundant: Option<Vec<Vec<f64>>>,
+/// What the system may take.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Bounds {
+    /// Most multiply-adds.
+    pub most_work: f64,
+    /// Harmonics of free motions that may be left out, as far as is known.
+    pub left_out: f64,
 }
 
-/// Motions at one grid point that constraints determine, and that they leave free.
-struct Split {
-    determined: DMatrix<f64>,
-    free: DMatrix<f64>,
-    redundant: Option<DMatrix<f64>>,
+enum Factors {
+    Dense(DenseLu),
+    Banded(Box<HarmonicBand>),
+}
+
+/// Multiply-adds of a dense system.
+fn dense_work(size: usize) -> f64 {
+    (size as f64).powi(3) / 3.0
+}
+
+fn dense_bytes(size: usize) -> usize {
+    size_of::<f64>() * size.pow(2)
+}
+
+/// Multiply-adds that the system of so many free motions at a grid point is likely to take.
+pub(super) fn likely_work(free: usize, points: usize) -> f64 {
+    let banded = OF_DENSE * Reach::usual(free, points).work();
+    dense_work(free * points).min(banded)
 }
 
 impl Interface {
     /// The constraints that `classes` keep exact, on motions whose places at the first grid point
-    /// are `kept`. None if more of them depend on each other at some grid points than at others.
+    /// are `kept`. None if more of them depend on each other at some grid points than at others,
+    /// or the system would take more memory or multiply-adds than it may.
     pub fn new(
         equations: &Collocation,
         classes: &[Class],
         kept: &[(usize, usize)],
+        bounds: Bounds,
     ) -> Option<Self> {
         let points = equations.grid().points();
-        let mut parts = Vec::new();
-        let mut first = 0;
-        for (elements, motions) in connected(equations, classes, kept)? {
-            let part = Part::new(equations, classes, kept, &elements, motions, first)?;
-            first += part.free;
-            parts.push(part);
-        }
-        Some(Interface {
+        let parts = Part::all(equations, classes, kept)?;
+        let free: usize = parts.iter().map(|part| part.free).sum();
+        let mut interface = Interface {
             points,
             parts,
+            reach: None,
+            bounds,
             factors: None,
-            values: vec![0.0; first * points],
-        })
+            values: vec![0.0; free * points],
+        };
+        interface.reach = interface.reach_that_pays();
+        (interface.reach.is_some() || interface.may_be_dense()).then_some(interface)
+    }
+
+    /// What is kept of harmonics; none if that does not pay, or takes more than it may.
+    fn reach_that_pays(&self) -> Option<Reach> {
+        let reach = Reach::of(&self.parts, self.points, self.bounds.left_out);
+        let pays = OF_DENSE * reach.work() < dense_work(self.size()) || !self.may_be_dense();
+        (pays && reach.work() <= self.bounds.most_work && reach.bytes() <= LARGEST).then_some(reach)
+    }
+
+    /// Whether a dense matrix takes no more work and memory than it may.
+    fn may_be_dense(&self) -> bool {
+        dense_bytes(self.size()) <= LARGEST && dense_work(self.size()) <= self.bounds.most_work
+    }
+
+    /// What may be left out of harmonics, as it has turned out.
+    pub fn left_out(&self) -> f64 {
+        self.bounds.left_out
     }
 
     /// Number of unknowns.
@@ -81,17 +126,89 @@ impl Interface {
         self.values.len()
     }
 
-    /// Assembles and factors `Zᵀ D Z`. `false` if it is singular.
-    ///
-    /// `stiffness[i][j]` is, over the grid, the force at `i` by a unit motion of `j` at the first
-    /// grid point; empty where there is none.
+    /// Multiply-adds of its factors.
+    pub fn work(&self) -> f64 {
+        self.reach
+            .map_or(dense_work(self.size()), |reach| reach.work())
+    }
+
+    /// Bytes that they take.
+    pub fn bytes(&self) -> usize {
+        self.reach
+            .map_or(dense_bytes(self.size()), |reach| reach.bytes())
+    }
+
+    /// Assembles and factors `Zᵀ D Z`, with the forces by motions that are kept in harmonics; these
+    /// are also what `multiply` gives, over the grid. `false` if it is singular.
     ///
     /// # Errors
     /// If memory runs out.
-    pub fn factor(&mut self, stiffness: &[Vec<Vec<f64>>], workers: &Workers) -> Result<bool> {
+    pub fn factor(
+        &mut self,
+        stiffness: &Spectra,
+        multiply: &mut dyn FnMut(&[Vec<f64>], &mut [Vec<f64>]),
+        workers: &Workers,
+    ) -> Result<bool> {
         // The old factors' memory first.
         self.factors = None;
-        let (points, free) = (self.points, self.size() / self.points);
+        while let Some(reach) = self.reach {
+            let Some(mut band) = HarmonicBand::new(reach, &self.parts, stiffness, workers)? else {
+                self.reach = None;
+                break;
+            };
+            let error = self.error_left(&mut band, stiffness.len(), multiply);
+            // Written so that NaN is not sharp.
+            let is_sharp = error <= SHARP;
+            if !is_sharp {
+                let [least, most] = SHARPER;
+                self.bounds.left_out *= (AIM / error).sqrt().clamp(least, most).min(most);
+                self.reach = self.reach_that_pays();
+            }
+            if is_sharp || self.reach.is_none() && !self.may_be_dense() {
+                self.reach = Some(reach);
+                self.factors = Some(Factors::Banded(Box::new(band)));
+                return Ok(true);
+            }
+        }
+        if !self.may_be_dense() {
+            return Ok(false);
+        }
+        let dense = self.factor_densely(stiffness, workers)?;
+        self.factors = dense.map(Factors::Dense);
+        Ok(self.factors.is_some())
+    }
+
+    /// The part of an error in free motions that solving with the band leaves, for the errors that
+    /// stay longest.
+    fn error_left(
+        &self,
+        band: &mut HarmonicBand,
+        kept: usize,
+        multiply: &mut dyn FnMut(&[Vec<f64>], &mut [Vec<f64>]),
+    ) -> f64 {
+        let norm = |x: &[f64]| x.iter().map(|x| x * x).sum::<f64>().sqrt();
+        let mut motions = vec![vec![0.0; self.points]; kept];
+        let mut forces = motions.clone();
+        let mut error = probe(self.size());
+        let mut solved = error.clone();
+        let mut sizes = vec![norm(&error)];
+        for _ in 0..FOLLOWED {
+            motions.iter_mut().for_each(|m| m.fill(0.0));
+            self.add_motions(&error, &mut motions);
+            multiply(&motions, &mut forces);
+            for part in &self.parts {
+                part.project(&forces, &mut solved);
+            }
+            band.solve(&mut solved);
+            error.iter_mut().zip(&solved).for_each(|(e, s)| *e -= s);
+            sizes.push(norm(&error));
+        }
+        (sizes[FOLLOWED] / sizes[FOLLOWED - 2]).sqrt()
+    }
+
+    fn factor_densely(&self, stiffness: &Spectra, workers: &Workers) -> Result<Option<DenseLu>> {
+        let points = self.points;
+        let stiffness = over_grid(stiffness, points);
         let mut matrix = zeros(self.size(), self.size(), workers)?;
         let mut columns: Vec<_> = if matrix.nrows() > 0 {
             matrix
@@ -105,19 +222,17 @@ impl Interface {
         workers.for_each(
             &mut columns,
             &mut Vec::new(),
-            || Forces::new(points, stiffness.len()),
+            || vec![vec![0.0; points]; stiffness.len()],
             |forces, at, column| {
-                let (l, b) = (at / free, at % free);
+                let (b, l) = (at / points, at % points);
                 let last = parts.partition_point(|part| part.first <= b) - 1;
-                forces.set(&parts[last], b - parts[last].first, l, stiffness);
+                let part = &parts[last];
+                set_forces(forces, part, b - part.first, l, &stiffness);
                 let column = column.rb_mut().as_slice_mut();
-                for part in parts {
-                    part.project(&forces.series, &mut forces.projected, column, free);
-                }
+                parts.iter().for_each(|part| part.project(forces, column));
             },
         );
-        self.factors = DenseLu::new(matrix, workers)?;
-        Ok(self.factors.is_some())
+        DenseLu::new(matrix, workers)
     }
 
     /// Motions `Y g` that open the joints by the rows of `x`; component by component over the grid.
@@ -141,26 +256,25 @@ impl Interface {
 
     /// Adds the free motions `Z q` that the forces `r − D Y g` cause.
     pub fn add_free(&mut self, forces: &[Vec<f64>], motions: &mut [Vec<f64>]) {
-        let free = self.size() / self.points;
-        let mut projected = vec![0.0; self.points];
         for part in &self.parts {
-            part.project(forces, &mut projected, &mut self.values, free);
+            part.project(forces, &mut self.values);
         }
-        if let Some(factors) = &mut self.factors {
-            factors.solve(&mut self.values);
+        match &mut self.factors {
+            Some(Factors::Dense(factors)) => factors.solve(&mut self.values),
+            Some(Factors::Banded(factors)) => factors.solve(&mut self.values),
+            None => (),
         }
+        self.add_motions(&self.values, motions);
+    }
+
+    /// Adds `Z q`.
+    fn add_motions(&self, free: &[f64], motions: &mut [Vec<f64>]) {
         for part in &self.parts {
-            for (m, &motion) in part.motions.iter().enumerate() {
-                for (b, z) in part.directions[m * part.free..][..part.free]
-                    .iter()
-                    .enumerate()
-                {
-                    let q = self.values[part.first + b..].iter().step_by(free);
-                    let terms = z.iter().zip(q);
-                    motions[motion]
-                        .iter_mut()
-                        .zip(terms)
-                        .for_each(|(u, (z, q))| *u += z * q);
+            let own = free[part.first * self.points..].chunks_exact(self.points);
+            for (b, q) in own.take(part.free).enumerate() {
+                for (m, &motion) in part.motions.iter().enumerate() {
+                    let direction = &part.directions[m * part.free + b];
+                    add_product(&mut motions[motion], direction, q);
                 }
             }
         }
@@ -194,126 +308,45 @@ impl Interface {
     }
 }
 
-/// Memory for the forces by one free motion at one grid point.
-struct Forces {
-    series: Vec<Vec<f64>>,
-    projected: Vec<f64>,
+/// The same forces over the grid, by unit motions at the first grid point.
+fn over_grid(stiffness: &Spectra, points: usize) -> Vec<Vec<Vec<f64>>> {
+    let mut synthesis = Synthesis::new(points);
+    let mut sample = |spectrum: &Vec<_>| match spectrum.is_empty() {
+        true => Vec::new(),
+        false => {
+            let mut series = vec![0.0; points];
+            synthesis.spectrum.copy_from_slice(spectrum);
+            synthesis.write(&mut series);
+            series.iter_mut().for_each(|x| *x /= points as f64);
+            series
+        }
+    };
+    let rows = stiffness.iter();
+    rows.map(|row| row.iter().map(&mut sample).collect())
+        .collect()
 }
 
-impl Forces {
-    fn new(points: usize, motions: usize) -> Self {
-        Forces {
-            series: vec![vec![0.0; points]; motions],
-            projected: vec![0.0; points],
-        }
-    }
-
-    /// Forces by a unit of free motion `b` of `part` at grid point `l`.
-    fn set(&mut self, part: &Part, b: usize, l: usize, stiffness: &[Vec<Vec<f64>>]) {
-        for (force, row) in self.series.iter_mut().zip(stiffness) {
-            force.fill(0.0);
-            let (early, late) = force.split_at_mut(l);
-            for (m, &motion) in part.motions.iter().enumerate() {
-                let (z, series) = (&part.directions[m * part.free + b], &row[motion]);
-                let (Some(&z), false) = (z.get(l), series.is_empty()) else {
-                    continue;
-                };
-                let (begin, end) = series.split_at(series.len() - l);
-                late.iter_mut().zip(begin).for_each(|(f, s)| *f += z * s);
-                early.iter_mut().zip(end).for_each(|(f, s)| *f += z * s);
-            }
-        }
-    }
-}
-
-impl Part {
-    /// The constraints of `elements`, on those `motions` of all that are `kept`.
-    fn new(
-        equations: &Collocation,
-        classes: &[Class],
-        kept: &[(usize, usize)],
-        elements: &[usize],
-        motions: Vec<usize>,
-        first: usize,
-    ) -> Option<Self> {
-        let points = equations.grid().points();
-        let mut rows = Vec::new();
-        let mut gradients = vec![Vec::new(); points];
-        for &index in elements {
-            let Class::Exact(all) = &classes[index] else {
+/// Writes the forces by a unit of free motion `b` of `part` at grid point `l`.
+fn set_forces(
+    forces: &mut [Vec<f64>],
+    part: &Part,
+    b: usize,
+    l: usize,
+    stiffness: &[Vec<Vec<f64>>],
+) {
+    for (force, row) in forces.iter_mut().zip(stiffness) {
+        force.fill(0.0);
+        let (early, late) = force.split_at_mut(l);
+        for (m, &motion) in part.motions.iter().enumerate() {
+            let (z, series) = (&part.directions[m * part.free + b], &row[motion]);
+            let (Some(&z), false) = (z.get(l), series.is_empty()) else {
                 continue;
             };
-            let placed = &equations.system().elements()[index];
-            let columns: Vec<usize> = places_of(equations, placed.element.nodes())
-                .map(|place| motions.iter().position(|&m| kept[m].0 == place))
-                .collect::<Option<_>>()?;
-            let own = equations.layout().element_at(placed, 0);
-            for (row, place) in own.clone().enumerate() {
-                rows.push((place, own.len()));
-                for (list, gradient) in gradients.iter_mut().zip(all) {
-                    let mut full = DVector::zeros(motions.len());
-                    for (&column, value) in columns.iter().zip(gradient.row(row).iter()) {
-                        full[column] = *value;
-                    }
-                    list.push(full);
-                }
-            }
-        }
-        let compliant = equations.regularisation();
-        let split = |rows: &Vec<DVector<f64>>| {
-            // Whether work is to end is asked where it may fail.
-            let _ = equations.workers().pulse();
-            let gradient = match rows[..] {
-                [] => DMatrix::zeros(0, motions.len()),
-                _ => DMatrix::from_columns(rows).transpose(),
-            };
-            Split::new(&gradient, compliant)
-        };
-        let splits: Vec<Split> = gradients.iter().map(split).collect::<Option<_>>()?;
-        let free = splits[0].free.ncols();
-        if splits.iter().any(|s| s.free.ncols() != free) {
-            return None;
-        }
-        let is_redundant = splits[0].redundant.is_some();
-        Some(Part {
-            determined: over_time(&splits, |s| Some(&s.determined)),
-            directions: over_time(&splits, |s| Some(&s.free)),
-            redundant: is_redundant.then(|| over_time(&splits, |s| s.redundant.as_ref())),
-            rows,
-            motions,
-            first,
-            free,
-        })
-    }
-
-    /// Writes `Zᵀ f` to `values`, of which there are `stride` at each grid point.
-    fn project(
-        &self,
-        forces: &[Vec<f64>],
-        projected: &mut [f64],
-        values: &mut [f64],
-        stride: usize,
-    ) {
-        for b in 0..self.free {
-            projected.fill(0.0);
-            for (m, &motion) in self.motions.iter().enumerate() {
-                add_product(
-                    projected,
-                    &self.directions[m * self.free + b],
-                    &forces[motion],
-                );
-            }
-            let places = values[self.first + b..].iter_mut().step_by(stride);
-            places.zip(&*projected).for_each(|(value, p)| *value = *p);
+            let (begin, end) = series.split_at(series.len() - l);
+            late.iter_mut().zip(begin).for_each(|(f, s)| *f += z * s);
+            early.iter_mut().zip(end).for_each(|(f, s)| *f += z * s);
         }
     }
-}
-
-/// `y += a b`, entry by entry.
-fn add_product(y: &mut [f64], a: &[f64], b: &[f64]) {
-    y.iter_mut()
-        .zip(a.iter().zip(b))
-        .for_each(|(y, (a, b))| *y += a * b);
 }
 
 /// What stands at a place over the grid.
@@ -321,96 +354,73 @@ fn series_of(x: &[f64], (first, stride): (usize, usize)) -> impl Iterator<Item =
     x[first..].iter().step_by(stride)
 }
 
-/// Places of the motions of nodes at the first grid point.
-fn places_of(equations: &Collocation, nodes: &[usize]) -> impl Iterator<Item = usize> {
-    let layout = equations.layout();
-    nodes.iter().flat_map(move |&node| layout.motion(node, 0))
-}
+#[cfg(test)]
+mod tests {
+    use super::super::body_circulant::BodyCirculant;
+    use super::super::constraints::Joints;
+    use super::*;
+    use crate::collocation::Tangent;
+    use crate::solve::{PeriodicOptions, solve_periodic};
+    use crate::test_models::small::crank_rocker;
 
-/// Entries of matrices, row by row, each over the grid; empty where all are zero.
-fn over_time<'s>(
-    splits: &'s [Split],
-    matrix: impl Fn(&'s Split) -> Option<&'s DMatrix<f64>>,
-) -> Vec<Vec<f64>> {
-    let all: Vec<_> = splits.iter().filter_map(matrix).collect();
-    let (rows, columns) = all.first().map_or((0, 0), |m| m.shape());
-    let places = (0..rows).flat_map(|i| (0..columns).map(move |j| (i, j)));
-    let entries = places.map(|place| all.iter().map(|m| m[place]).collect::<Vec<f64>>());
-    entries
-        .map(|series| match series.iter().all(|x| *x == 0.0) {
-            true => Vec::new(),
-            false => series,
-        })
-        .collect()
-}
+    const POINTS: usize = 41;
+    const BOUNDS: Bounds = Bounds {
+        most_work: f64::INFINITY,
+        left_out: LEFT_OUT,
+    };
 
-/// Elements with exact constraints, and the motions that they share, part by part; motions without
-/// one stand alone. None if a constrained motion is not kept.
-fn connected(
-    equations: &Collocation,
-    classes: &[Class],
-    kept: &[(usize, usize)],
-) -> Option<Vec<(Vec<usize>, Vec<usize>)>> {
-    let mut parts: Vec<(Vec<usize>, Vec<usize>)> = (0..kept.len())
-        .map(|motion| (Vec::new(), vec![motion]))
-        .collect();
-    for (index, class) in classes.iter().enumerate() {
-        if !matches!(class, Class::Exact(_)) {
-            continue;
-        }
-        let nodes = equations.system().elements()[index].element.nodes();
-        let motions: Vec<usize> = places_of(equations, nodes)
-            .map(|place| kept.iter().position(|k| k.0 == place))
-            .collect::<Option<_>>()?;
-        let (mut joined, others): (Vec<_>, Vec<_>) = parts
-            .into_iter()
-            .partition(|(_, all)| all.iter().any(|m| motions.contains(m)));
-        parts = others;
-        let elements = joined
-            .iter_mut()
-            .flat_map(|part| std::mem::take(&mut part.0));
-        let elements = elements.chain([index]).collect();
-        parts.push((
-            elements,
-            joined.into_iter().flat_map(|part| part.1).collect(),
-        ));
+    /// Of a mechanism whose joints swing, at its periodic motion.
+    fn swinging() -> BodyCirculant {
+        let (model, period) = crank_rocker(1, 2, 3.0);
+        let options = PeriodicOptions::with_grid_points(POINTS);
+        let solve = solve_periodic(&model, period, &options, &mut |_, _| true).unwrap();
+        let mut equations = Collocation::new(solve.system.clone(), solve.grid).unwrap();
+        let mut tangent = Tangent::with_resultants_apart(equations.system(), POINTS);
+        tangent.evaluate(&mut equations, &solve.state).unwrap();
+        let circulant = BodyCirculant::new(&equations, &tangent, Joints::Exact, BOUNDS);
+        circulant.unwrap().unwrap()
     }
-    Some(parts)
-}
 
-impl Split {
-    /// Of the gradient `G`. None if constraints depend on each other that have no compliance.
-    fn new(gradient: &DMatrix<f64>, compliant: f64) -> Option<Self> {
-        let (rows, columns) = gradient.shape();
-        // Padded to a square, so that the decomposition has all directions.
-        let mut square = DMatrix::zeros(columns.max(rows), columns);
-        square.rows_mut(0, rows).copy_from(gradient);
-        let svd = square.svd(true, true);
-        let (u, v) = (svd.u?, svd.v_t?.transpose());
-        let largest = svd.singular_values.max();
-        let (mut determined, mut free) = (DMatrix::zeros(columns, rows), Vec::new());
-        let mut known = DMatrix::zeros(rows, rows);
-        for (i, &value) in svd.singular_values.iter().enumerate() {
-            if value > DEPENDENT * largest {
-                let left = u.view((0, i), (rows, 1));
-                determined += v.column(i) * left.transpose() / value;
-                known += left * left.transpose();
-            } else {
-                free.push(v.column(i).into_owned());
-            }
+    #[test]
+    fn the_band_is_the_dense_matrix_as_far_as_harmonics_are_kept() {
+        let mut circulant = swinging();
+        let stiffness = circulant.kept_stiffness();
+        let interface = circulant.interface.take().unwrap();
+        let workers = Workers::default();
+        let band = |left_out: f64| {
+            let reach = Reach::of(&interface.parts, POINTS, left_out);
+            let band = HarmonicBand::new(reach, &interface.parts, &stiffness, &workers);
+            band.unwrap().unwrap()
+        };
+        let mut dense = interface
+            .factor_densely(&stiffness, &workers)
+            .unwrap()
+            .unwrap();
+        let mut expected = probe(interface.size());
+        let mut all = expected.clone();
+        dense.solve(&mut expected);
+        band(0.0).solve(&mut all);
+        let norm = |x: &[f64]| x.iter().map(|x| x * x).sum::<f64>().sqrt();
+        let difference: Vec<f64> = all.iter().zip(&expected).map(|(a, b)| a - b).collect();
+        assert!(
+            norm(&difference) < 1e-8 * norm(&expected),
+            "{:e}",
+            norm(&difference)
+        );
+
+        // What is left of errors goes with what is left out, at least.
+        let mut left = |left_out: f64| {
+            let multiply = &mut |motions: &[Vec<f64>], forces: &mut [Vec<f64>]| {
+                circulant.multiply_kept(motions, forces);
+            };
+            interface.error_left(&mut band(left_out), stiffness.len(), multiply)
+        };
+        let errors = [1e-2, 1e-3, 1e-4, 1e-5].map(&mut left);
+        println!("{errors:?}, {:e}", left(0.0));
+        assert!(left(0.0) < 1e-6);
+        for (error, left_out) in errors.iter().zip([1e-2f64, 1e-3, 1e-4, 1e-5]) {
+            assert!(*error < 500.0 * left_out, "{errors:?}");
         }
-        let rank = columns - free.len();
-        if rank < rows && compliant == 0.0 {
-            return None;
-        }
-        Some(Split {
-            determined,
-            free: if free.is_empty() {
-                DMatrix::zeros(columns, 0)
-            } else {
-                DMatrix::from_columns(&free)
-            },
-            redundant: (rank < rows).then(|| (DMatrix::identity(rows, rows) - known) / compliant),
-        })
+        assert!(errors[2] <= SHARP);
     }
 }

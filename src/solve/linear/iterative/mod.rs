@@ -5,25 +5,29 @@
 //! * `gmres`: the iteration itself, on any operator. `projected` iterates on oversampled equations.
 //! * `body_circulant`: bodies averaged over time, joints as they are. In `constraints` which of
 //!   these may be averaged too, in `mean` the averages, in `resultants` those of stress resultants,
-//!   in `interface` the dense system of the joints that turn.
+//!   in `interface` the system of the joints that turn.
 //! * `time_local`: equilibrium at each grid point by itself.
 //! * Both factor small sparse matrices with blocks where `layout` says, by `block_lu`, several side
-//!   by side in `lanes`; `dense` is for the interface.
+//!   by side in `lanes`.
 //! * `trial`: what one solve takes, measured.
 
+mod banded;
 mod block_lu;
 mod body_circulant;
 mod constraints;
 mod dense;
 mod gmres;
+mod harmonic_band;
 mod interface;
 mod lanes;
 mod layout;
 mod mean;
 mod outer;
+mod part;
 mod projected;
 mod resultants;
 mod time_local;
+mod transport;
 mod trial;
 
 use crate::collocation::{Collocation, GridState, Tangent};
@@ -36,6 +40,7 @@ use crate::solve::report::{Timings, timed};
 use body_circulant::BodyCirculant;
 use constraints::Joints;
 pub(crate) use gmres::{GmresOptions, GmresWorkspace, Preconditioned, gmres};
+use interface::{Bounds, LEFT_OUT, likely_work};
 pub(crate) use outer::{Outer, SHARPEST, solve_around};
 pub(crate) use projected::Projected;
 use serde::{Deserialize, Serialize};
@@ -55,17 +60,15 @@ const KEPT: usize = 500_000_000;
 const MANY: usize = 10;
 /// Size of the unknowns of stress resultants relative to the others: what matters are these.
 const RESULTANT_SHARE: f64 = 0.03;
-/// Multiply-adds of a dense system, for each unknown, that are little beside the products of a
-/// solve.
+/// Multiply-adds of the system of the joints, for each unknown, that are little beside the products
+/// of a solve.
 const CHEAP: f64 = 2000.0;
-/// Largest dense system of joints: 1.6 GB.
-const LARGEST_INTERFACE: usize = 14_000;
 /// Time-local preconditioning is cheap. It is kept where it takes no more products than this,
 const FEW: usize = 12;
-/// or than this, where the dense system would be
+/// or than this, where the system of the joints would take
 const FEW_FOR_A_LARGE_INTERFACE: usize = 60;
-/// as large as this.
-const LARGE_INTERFACE: usize = 3_000;
+/// more multiply-adds than this.
+const LARGE_INTERFACE: f64 = 5e10;
 
 /// Growth of a preconditioner that means a Jacobian which may be singular.
 const SUSPECT: f64 = 1e13;
@@ -108,7 +111,7 @@ pub struct IterativeRecord {
     pub products: Vec<usize>,
     /// Times that a preconditioner was factored.
     pub factorisations: usize,
-    /// Unknowns of the dense system of joints that turn.
+    /// Unknowns of the system of joints that turn.
     pub interface: usize,
     /// Bytes of the tangents, the factors and the vectors that were kept, at most.
     pub bytes: usize,
@@ -124,9 +127,10 @@ impl Factors {
         equations: &Collocation,
         tangent: &Tangent,
         preconditioner: Preconditioner,
+        bounds: Bounds,
     ) -> Result<Option<Self>> {
         let circulant = |joints: Joints| -> Result<Option<Self>> {
-            let factors = BodyCirculant::new(equations, tangent, joints, LARGEST_INTERFACE)?;
+            let factors = BodyCirculant::new(equations, tangent, joints, bounds)?;
             Ok(factors.map(|f| Factors::Body(Box::new(f))))
         };
         match preconditioner {
@@ -150,10 +154,7 @@ impl Factors {
     /// Whether new ones take little beside a solve.
     fn are_cheap(&self, unknowns: usize) -> bool {
         match self {
-            Factors::Body(factors) => {
-                let dense = (factors.interface_size() as f64).powi(3) / 3.0;
-                dense < CHEAP * unknowns as f64
-            }
+            Factors::Body(factors) => factors.interface_work() < CHEAP * unknowns as f64,
             Factors::Local(_) => false,
         }
     }
@@ -194,6 +195,8 @@ pub(crate) struct Iterative {
     iteration_limit: usize,
     /// Whether equilibrium at each grid point has turned out to be no preconditioner.
     pub fails_locally: bool,
+    /// What the system of the joints may leave out of harmonics.
+    pub left_out: f64,
     /// Growth from which on the Jacobian may be singular.
     pub suspect: f64,
     /// What is in use, and what is left to be tried, each with the products that a solve may take.
@@ -236,6 +239,7 @@ impl Iterative {
             direct_work: None,
             iteration_limit: LARGEST_ITERATION_LIMIT,
             fails_locally: false,
+            left_out: LEFT_OUT,
             suspect: SUSPECT.max(SUSPECT_SLENDER * equations.system().slenderness()),
             candidates: Vec::new(),
             factors: None,
@@ -277,7 +281,14 @@ impl Iterative {
         self.tangent.set_resultant_scale(1.0);
         while let Some(&(preconditioner, limit)) = self.candidates.first() {
             equations.workers().pulse()?;
-            self.factors = Factors::new(equations, &self.tangent, preconditioner)?;
+            let bounds = Bounds {
+                most_work: self.direct_work.unwrap_or(f64::INFINITY),
+                left_out: self.left_out,
+            };
+            self.factors = Factors::new(equations, &self.tangent, preconditioner, bounds)?;
+            if let Some(Factors::Body(factors)) = &self.factors {
+                self.left_out = factors.left_out().unwrap_or(self.left_out);
+            }
             if let Some(factors) = &self.factors {
                 self.is_old = false;
                 self.limit = limit;
@@ -306,17 +317,13 @@ impl Iterative {
         let Some(free) = constraints::count_free(equations, &self.tangent) else {
             return vec![body, local(most)];
         };
-        let interface = free * equations.grid().points();
-        if interface > LARGEST_INTERFACE {
-            return vec![local(most)];
-        }
-        let few = if interface < LARGE_INTERFACE {
+        let work = likely_work(free, equations.grid().points());
+        let few = if work < LARGE_INTERFACE {
             FEW
         } else {
             FEW_FOR_A_LARGE_INTERFACE
         };
-        let dense = (interface as f64).powi(3) / 3.0;
-        if self.direct_work.is_some_and(|work| work < dense) {
+        if self.direct_work.is_some_and(|direct| direct < work) {
             return vec![local(few)];
         }
         if self.fails_locally {

@@ -28,7 +28,7 @@ pub struct LinearTrial {
     pub products_of_noise: Option<usize>,
     /// Error of the latter, relative to its norm; infinite if there is none.
     pub error_of_noise: f64,
-    /// Unknowns of the dense system of joints that turn.
+    /// Unknowns of the system of joints that turn.
     pub interface: usize,
     /// Time that the tangents and the preconditioner took.
     pub preparation: Duration,
