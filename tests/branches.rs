@@ -2,6 +2,7 @@
 
 mod common;
 
+use common::models::oscillators::*;
 use common::*;
 use nalgebra::Vector3;
 use periodyn::collocation::GridState;

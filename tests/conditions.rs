@@ -2,6 +2,7 @@
 
 mod common;
 
+use common::models::oscillators::*;
 use common::*;
 use nalgebra::{Matrix3, Vector3};
 use periodyn::collocation::{Collocation, GridState};

@@ -2,6 +2,7 @@
 
 mod common;
 
+use common::models::oscillators::*;
 use common::*;
 use periodyn::error::ErrorKind;
 use periodyn::solve::{

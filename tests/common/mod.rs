@@ -8,7 +8,6 @@ pub mod models;
 mod random;
 
 pub use models::four_bar::*;
-pub use models::oscillators::*;
 pub use models::parts::*;
 pub use models::pendulums::*;
 pub use random::Random;

@@ -35,7 +35,7 @@ const TOO_LARGE: f64 = 6e9;
 const AFFORDABLE: f64 = 1e4;
 /// Multiply-adds of a factorisation that take as long as a product and its preconditioner, for each
 /// of these numbers.
-const PRODUCT: f64 = 3e3;
+const PRODUCT: f64 = 1e3;
 /// The same of few freedoms, all in all: a few seconds. Turning joints have as many in the dense
 /// system that iteration solves.
 const AFFORDABLE_FREEDOMS: f64 = 1e10;

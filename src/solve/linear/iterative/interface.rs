@@ -38,6 +38,9 @@ const SHARPER: [f64; 2] = [1e-3, 0.3];
 /// Times that an error is followed to find that part; the last two count.
 const FOLLOWED: usize = 5;
 
+/// Writes forces by motions, each over the grid.
+type Product<'a> = dyn FnMut(&[Vec<f64>], &mut [Vec<f64>]) + 'a;
+
 /// Constraints that are not steady.
 pub(super) struct Interface {
     points: usize,
@@ -146,7 +149,7 @@ impl Interface {
     pub fn factor(
         &mut self,
         stiffness: &Spectra,
-        multiply: &mut dyn FnMut(&[Vec<f64>], &mut [Vec<f64>]),
+        multiply: &mut Product,
         workers: &Workers,
     ) -> Result<bool> {
         // The old factors' memory first.
@@ -180,12 +183,7 @@ impl Interface {
 
     /// The part of an error in free motions that solving with the band leaves, for the errors that
     /// stay longest.
-    fn error_left(
-        &self,
-        band: &mut HarmonicBand,
-        kept: usize,
-        multiply: &mut dyn FnMut(&[Vec<f64>], &mut [Vec<f64>]),
-    ) -> f64 {
+    fn error_left(&self, band: &mut HarmonicBand, kept: usize, multiply: &mut Product) -> f64 {
         let norm = |x: &[f64]| x.iter().map(|x| x * x).sum::<f64>().sqrt();
         let mut motions = vec![vec![0.0; self.points]; kept];
         let mut forces = motions.clone();
