@@ -13,53 +13,16 @@ use periodyn::model::{JointCoordinate, Model, Signal, SignalPart, SignalPlace, T
 use periodyn::motion::Motion;
 use periodyn::output::Solution;
 use periodyn::solve::{
-    Condition, Energy, Free, InitialGuess, JointCoordinateIs, LinearMethod, Outcome,
-    PeriodicOptions, Phase, solve_conditioned,
+    Condition, Energy, Free, InitialGuess, JointCoordinateIs, LinearMethod, PeriodicOptions, Phase,
+    solve_conditioned,
 };
-use periodyn::system::System;
 use std::f64::consts::TAU;
 use std::sync::Arc;
-
-/// Options to start at motions that a function of the phase gives to node 0.
-fn from(
-    model: &Model,
-    (points, period): (usize, f64),
-    motion: impl Fn(f64) -> Motion,
-) -> PeriodicOptions {
-    let grid = TimeGrid::new(points, period).unwrap();
-    let mut state = GridState::reference(&System::new(model, period).unwrap(), grid);
-    for (k, at) in state.motions.iter_mut().enumerate().take(points) {
-        *at = motion(TAU * k as f64 / points as f64);
-    }
-    PeriodicOptions {
-        guess: InitialGuess::State(state),
-        ..options(points)
-    }
-}
-
-fn displaced(x: f64) -> Motion {
-    Motion::new(Matrix3::identity(), Vector3::x() * x)
-}
 
 /// Largest increments of the iterations with a matrix of their own.
 fn increments(solution: &Solution) -> Vec<f64> {
     let iterations = &solution.details().report.iterations;
     iterations.iter().map(|i| i.increment).collect()
-}
-
-fn solve_for(
-    model: &Model,
-    period: f64,
-    free: &[Free],
-    conditions: &[Arc<dyn Condition>],
-    options: &PeriodicOptions,
-) -> Solution {
-    let given = (free, conditions);
-    let solution =
-        Solution::solve_conditioned(model, period, given, options, &mut |_, _| true).unwrap();
-    let report = &solution.details().report;
-    assert_eq!(solution.outcome(), Outcome::Converged, "{report:#?}");
-    solution
 }
 
 #[test]
@@ -76,9 +39,11 @@ fn limit_cycles_have_their_periods() {
             if mu == 5.0 && linear != LinearMethod::Direct {
                 continue;
             }
-            let coarse = from(&model, (points.min(61), exact * 1.05), |t| {
-                displaced(2.0 * t.cos())
-            });
+            let coarse = starting_at(
+                options(points.min(61)),
+                (&model, points.min(61), exact * 1.05),
+                |t| displaced(2.0 * t.cos()),
+            );
             let coarse = PeriodicOptions { linear, ..coarse };
             let phase: [Arc<dyn Condition>; 1] = [Arc::new(Phase)];
             let free = [Free::Frequency];
@@ -111,7 +76,7 @@ fn limit_cycles_have_their_periods() {
 #[test]
 fn newton_is_quadratic_at_a_limit_cycle() {
     let (model, _) = van_der_pol(1.0);
-    let options = from(&model, (51, 6.5), |t| displaced(2.0 * t.cos()));
+    let options = starting_at(options(51), (&model, 51, 6.5), |t| displaced(2.0 * t.cos()));
     let found = solve_for(
         &model,
         6.5,
@@ -167,7 +132,9 @@ fn a_pendulum_has_the_periods_of_its_amplitudes() {
         let (period, options) = match &before {
             None => (
                 2.0,
-                from(&model, (points, 2.0), |t| swung(amplitude * t.cos())),
+                starting_at(options(points), (&model, points, 2.0), |t| {
+                    swung(amplitude * t.cos())
+                }),
             ),
             Some((found, _)) => {
                 let period = found.grid().period();
@@ -206,7 +173,9 @@ fn it_has_them_at_given_energies_too() {
         let amplitude = f64::to_radians(degrees);
         let value = -9.81 * amplitude.cos();
         let conditions: [Arc<dyn Condition>; 2] = [Arc::new(Phase), Arc::new(Energy { value })];
-        let options = from(&model, (41, 2.0), |t| swung(0.9 * amplitude * t.cos()));
+        let options = starting_at(options(41), (&model, 41, 2.0), |t| {
+            swung(0.9 * amplitude * t.cos())
+        });
         let found = solve_for(&model, 2.0, &free, &conditions, &options);
         let off = found.grid().period() - exact;
         println!("{degrees}: {off:e}, {:?}", increments(&found));
@@ -220,7 +189,7 @@ fn it_has_them_at_given_energies_too() {
     let force = model.add_coordinate_law(at, law).unwrap();
     model.declare_of_phase(force).unwrap();
     let conditions: [Arc<dyn Condition>; 2] = [Arc::new(Phase), Arc::new(Energy { value: -9.0 })];
-    let options = from(&model, (11, 2.0), |t| swung(0.4 * t.cos()));
+    let options = starting_at(options(11), (&model, 11, 2.0), |t| swung(0.4 * t.cos()));
     let end = solve_conditioned(&model, 2.0, (&free, &conditions), &options, &mut |_, _| {
         true
     });
@@ -368,7 +337,7 @@ fn what_has_a_frequency_of_its_own_is_refused_where_the_period_is_free() {
     let phase: [Arc<dyn Condition>; 1] = [Arc::new(Phase)];
     let free = [Free::Frequency];
     let refused = |model: &Model, why: &str| {
-        let options = from(model, (11, TAU), |t| displaced(t.cos()));
+        let options = starting_at(options(11), (model, 11, TAU), |t| displaced(t.cos()));
         let given = (&free[..], &phase[..]);
         let end = solve_conditioned(model, TAU, given, &options, &mut |_, _| true);
         let error = end.unwrap_err().to_string();

@@ -6,10 +6,10 @@ use common::models::small::whirled_beam;
 use common::*;
 use nalgebra::Vector3;
 use periodyn::elements::Coordinate;
-use periodyn::model::{Model, SignalPart, SignalPlace, Target};
+use periodyn::model::{SignalPart, SignalPlace, Target};
 use periodyn::output::{BeamQuantity, JointQuantity, NodeQuantity, Quantity, Selection, Solution};
 use periodyn::quantity::Feature;
-use periodyn::solve::{Condition, Free, LinearMethod, Outcome, OutputIs, PeriodicOptions};
+use periodyn::solve::{Condition, Free, LinearMethod, OutputIs, PeriodicOptions};
 use std::f64::consts::TAU;
 use std::sync::Arc;
 
@@ -20,21 +20,6 @@ fn is(output: impl Into<Selection>, feature: Feature, value: f64) -> Arc<dyn Con
         value,
         scale: None,
     })
-}
-
-fn solve_for(
-    model: &Model,
-    period: f64,
-    free: &[Free],
-    conditions: &[Arc<dyn Condition>],
-    options: &PeriodicOptions,
-) -> Solution {
-    let lists = (free, conditions);
-    let solution = Solution::solve_conditioned(model, period, lists, options, &mut |_, _| true);
-    let solution = solution.unwrap();
-    let report = &solution.details().report;
-    assert_eq!(solution.outcome(), Outcome::Converged, "{report:#?}");
-    solution
 }
 
 /// Increments shrink quadratically: the last is rounding after at most so many.

@@ -6,13 +6,11 @@ use common::models::linkages::{hinged_blade, planar_linkage};
 use common::models::small::whirled_beam;
 use common::{
     ball, cosine, damped_section, gravity, hinged_body, largest, mass_on_a_slide, push, revolute,
-    rotation1, spring, steady,
+    rotation1, spring, starting_at, steady,
 };
 use nalgebra::{Matrix3, Vector3};
-use periodyn::collocation::GridState;
 use periodyn::elements::Coordinate;
 use periodyn::error::ErrorKind;
-use periodyn::fourier::TimeGrid;
 use periodyn::model::{JointCoordinate, Model, Signal, SignalPart, SignalPlace, Target};
 use periodyn::motion::Motion;
 use periodyn::output::{
@@ -26,7 +24,6 @@ use periodyn::solve::{
     SensitivityMethod, SensitivityOptions, StaticOptions, follow_branch, solve_sensitivities,
     solve_static,
 };
-use periodyn::system::System;
 use std::f64::consts::TAU;
 use std::sync::Arc;
 
@@ -405,23 +402,6 @@ fn at_trim() {
     assert!(found.derivatives.amax() < 1e-10, "{}", found.derivatives);
 }
 
-/// Options to start at motions that a function of the phase gives to node 0.
-fn from(
-    model: &Model,
-    (points, period): (usize, f64),
-    motion: impl Fn(f64) -> Motion,
-) -> PeriodicOptions {
-    let grid = TimeGrid::new(points, period).unwrap();
-    let mut state = GridState::reference(&System::new(model, period).unwrap(), grid);
-    for (k, at) in state.motions.iter_mut().enumerate().take(points) {
-        *at = motion(TAU * k as f64 / points as f64);
-    }
-    PeriodicOptions {
-        guess: InitialGuess::State(state),
-        ..options(points)
-    }
-}
-
 /// Rayleigh's oscillator `x'' − μ (x' − x'³/3) + x + 0.3 x³ = 0`.
 fn limit_cycle() -> (Model, Solution, Asked) {
     let (mut model, at) = mass_on_a_slide(1.0, &Vector3::x());
@@ -458,7 +438,7 @@ fn limit_cycle() -> (Model, Solution, Asked) {
         parameters,
     };
     let displaced = |t: f64| Motion::new(Matrix3::identity(), Vector3::x() * (1.7 * t.cos()));
-    let start = from(&model, (61, 4.8), displaced);
+    let start = starting_at(options(61), (&model, 61, 4.8), displaced);
     let solution = held(&model, 4.8, &asked, &start);
     (model, solution, asked)
 }
@@ -496,7 +476,7 @@ fn of_the_period_of_a_pendulum() {
         free,
         parameters: vec![g, Free::Parameter(nothing)],
     };
-    let start = from(&model, (41, 2.1), |t| {
+    let start = starting_at(options(41), (&model, 41, 2.1), |t| {
         let turn = nalgebra::Rotation3::new(Vector3::y() * t.cos()).into_inner();
         Motion::new(turn, turn * centre)
     });

@@ -3,17 +3,15 @@
 
 mod common;
 
+use common::models::oscillators::van_der_pol;
 use common::*;
 use nalgebra::{Complex, DMatrix, Vector3};
-use periodyn::collocation::{Collocation, GridState, ScalarEquations};
 use periodyn::elements::{Coordinate, CoordinateLaw, Effort, JointKind, LoadFrame, NodeForceLaw};
-use periodyn::error::{ErrorKind, Result};
-use periodyn::fourier::TimeGrid;
+use periodyn::error::ErrorKind;
 use periodyn::model::*;
 use periodyn::motion::Motion;
 use periodyn::output::Solution;
 use periodyn::solve::*;
-use periodyn::system::System;
 use std::f64::consts::TAU;
 use std::sync::Arc;
 
@@ -537,81 +535,18 @@ fn multipliers_of_a_blade_cost_a_few_solves() {
     }
 }
 
-/// `x = 0` at the first grid point in place of the time of a motion that is not forced, with its
-/// period.
-#[derive(Debug)]
-struct Period;
-
-impl ScalarEquations for Period {
-    fn scales(&self) -> Vec<f64> {
-        vec![TAU]
-    }
-
-    fn apply(&self, values: &[f64], equations: &mut Collocation) -> Result<()> {
-        equations.set_period(values[0])
-    }
-
-    fn residual(&self, equations: &Collocation, state: &GridState, out: &mut [f64]) -> Result<()> {
-        out[0] = state.node(0)[0].position.x / equations.system().scales().length;
-        Ok(())
-    }
-
-    fn gradient(
-        &self,
-        equations: &Collocation,
-        _: &GridState,
-        _: usize,
-        row: &mut [f64],
-    ) -> Result<()> {
-        row[equations.layout().motion(0, 0).start] = 1.0;
-        Ok(())
-    }
-}
-
 /// Van der Pol's limit cycle, on so many points.
-fn van_der_pol(mu: f64, guess: f64, points: usize) -> Solved {
-    let (mut model, _) = mass_on_a_slide(1.0, &Vector3::x());
-    let law = NodeForceLaw {
-        function: Arc::new(move |state, out| {
-            let (x, v) = (state.positions[0].x, state.velocities[0][0]);
-            out.forces[0][0] = mu * (1.0 - x * x) * v - x;
-            if let Some((by_motion, by_velocity)) = &mut out.tangents {
-                by_motion[(0, 0)] = -2.0 * mu * x * v - 1.0;
-                by_velocity[(0, 0)] = mu * (1.0 - x * x);
-            }
-            Ok(())
-        }),
-        gives_tangents: true,
-        frame: LoadFrame::Space,
-    };
-    model.add_node_forces(&[0], law).unwrap();
-    let system = Arc::new(System::new(&model, guess).unwrap());
-    let grid = TimeGrid::new(points, guess).unwrap();
-    let mut equations = Collocation::new(system.clone(), grid).unwrap();
-    equations.set_scalars(Arc::new(Period));
-    let mut state = GridState::reference(&system, grid);
-    for (k, motion) in state.motions.iter_mut().enumerate() {
-        motion.position.x = 2.0 * (TAU * k as f64 / points as f64).sin();
-    }
-    state.scalars = vec![guess];
-    let newton = options(points).newton;
-    let direct = LinearMethod::Direct;
-    let report = solve_with_scalars(equations, &mut state, direct, &newton, &mut |_| true).unwrap();
-    assert_eq!(report.outcome, Outcome::Converged);
-    let grid = TimeGrid::new(points, state.scalars[0]).unwrap();
-    let mut equations = Collocation::new(system.clone(), grid).unwrap();
-    equations.update_kinematics(&state);
-    let states = (state, equations.node_states().to_vec());
-    let record = PeriodicRecord {
-        grids: Vec::new(),
-        coarse_start: None,
-        attempts: Vec::new(),
-        iterative: None,
-        threads: 1,
-        assessment: None,
-        mesh_error: f64::INFINITY,
-    };
-    Solved::known(&system, grid, states, report, Kind::Periodic(record))
+fn limit_cycle(mu: f64, guess: f64, points: usize) -> Solution {
+    let (model, _) = van_der_pol(mu);
+    let at = (&model, points, guess);
+    let start = starting_at(options(points), at, |t| displaced(2.0 * t.sin()));
+    solve_for(
+        &model,
+        guess,
+        &[Free::Frequency],
+        &[Arc::new(Phase)],
+        &start,
+    )
 }
 
 #[test]
@@ -620,9 +555,9 @@ fn limit_cycles_have_a_trivial_multiplier() {
         (0.1, 6.287111272289, 31, 0.5330692592),
         (1.0, 6.663286859323, 51, 8.59695063604e-4),
     ] {
-        let solved = van_der_pol(mu, 6.5, points);
-        assert!((solved.grid.period() - period).abs() < 1e-11);
-        let stability = analyse(&solved);
+        let solved = limit_cycle(mu, 6.5, points);
+        assert!((solved.grid().period() - period).abs() < 1e-11);
+        let stability = analyse(solved.details());
         assert_multipliers(&stability, &[C64::from(1.0), C64::from(rho)], 1e-10);
         assert!(stability.multipliers[0].trivial && !stability.multipliers[1].trivial);
         assert_eq!(stability.verdict, Verdict::Stable);

@@ -12,10 +12,17 @@ pub use models::parts::*;
 pub use models::pendulums::*;
 pub use random::Random;
 
+use nalgebra::{Matrix3, Vector3};
+use periodyn::collocation::GridState;
 use periodyn::elements::Coordinate;
+use periodyn::fourier::TimeGrid;
 use periodyn::model::*;
+use periodyn::motion::Motion;
 use periodyn::output::{JointQuantity, NodeQuantity, Solution};
 use periodyn::solve::*;
+use periodyn::system::System;
+use std::f64::consts::TAU;
+use std::sync::Arc;
 
 /// Options with the tolerance of all tests: the square of such an increment is below rounding, so
 /// that what Newton leaves is rounding alone.
@@ -44,6 +51,44 @@ pub fn try_solve(
     grid_points: usize,
 ) -> periodyn::error::Result<Solution> {
     Solution::solve(model, period, &options(grid_points), &mut |_, _| true)
+}
+
+/// A solve under conditions that must converge.
+pub fn solve_for(
+    model: &Model,
+    period: f64,
+    free: &[Free],
+    conditions: &[Arc<dyn Condition>],
+    options: &PeriodicOptions,
+) -> Solution {
+    let lists = (free, conditions);
+    let solution = Solution::solve_conditioned(model, period, lists, options, &mut |_, _| true);
+    let solution = solution.unwrap();
+    let report = &solution.details().report;
+    assert_eq!(solution.outcome(), Outcome::Converged, "{report:#?}");
+    solution
+}
+
+/// These options, to start at motions that a function of the phase gives to node 0.
+pub fn starting_at(
+    options: PeriodicOptions,
+    (model, points, period): (&Model, usize, f64),
+    motion: impl Fn(f64) -> Motion,
+) -> PeriodicOptions {
+    let grid = TimeGrid::new(points, period).unwrap();
+    let mut state = GridState::reference(&System::new(model, period).unwrap(), grid);
+    for (k, at) in state.motions.iter_mut().enumerate().take(points) {
+        *at = motion(TAU * k as f64 / points as f64);
+    }
+    PeriodicOptions {
+        guess: InitialGuess::State(state),
+        ..options
+    }
+}
+
+/// Moved along x.
+pub fn displaced(x: f64) -> Motion {
+    Motion::new(Matrix3::identity(), Vector3::x() * x)
 }
 
 /// Numbers of points of the grids that an adaptive solve has tried, in order.
