@@ -1853,10 +1853,10 @@ inline Solution solve_conditioned(const Model &model, double period, const Condi
 
 /** Options of Sensitivities::of, with the fields of ::pdn_sensitivity_options. */
 struct SensitivityOptions : pdn_sensitivity_options {
-    SensitivityOptions(SensitivityMethod method = SensitivityMethod::automatic)
+    SensitivityOptions(SensitivityMethod how = SensitivityMethod::automatic)
     {
         pdn_sensitivity_options_init(this, sizeof(pdn_sensitivity_options));
-        this->method = detail::c(method);
+        this->method = detail::c(how);
     }
 };
 
