@@ -289,6 +289,7 @@ impl<L: LinearSolver> LinearSolver for Bordered<L> {
             tolerance: accuracy,
             leading: equations.layout().motions().end,
             essential: rhs.len(),
+            leading_alone: false,
             iteration_limit: ITERATION_LIMIT,
             restart: ITERATION_LIMIT,
         };

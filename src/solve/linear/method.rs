@@ -36,6 +36,8 @@ const AFFORDABLE: f64 = 1e4;
 /// Multiply-adds of a factorisation that take as long as a product and its preconditioner, for each
 /// of these numbers.
 const PRODUCT: f64 = 1e3;
+/// The same that take as long as a value of the Jacobian does to be assembled.
+const VALUE: f64 = 50.0;
 /// The same of few freedoms, all in all: a few seconds. Turning joints have as many in the dense
 /// system that iteration solves.
 const AFFORDABLE_FREEDOMS: f64 = 1e10;
@@ -79,6 +81,11 @@ impl DirectCost {
             work,
             bytes: 2.0 * numbers * size_of::<f64>() as f64,
         }
+    }
+
+    /// Values of the Jacobian, at most.
+    fn values(&self) -> f64 {
+        0.5 * self.bytes / size_of::<f64>() as f64
     }
 }
 
@@ -135,7 +142,8 @@ impl Linear {
                 let cost = DirectCost::of(system, points);
                 falls_back = cost.bytes < TOO_LARGE;
                 let numbers = equations.layout().motions().len() as f64;
-                most_products = (cost.work / (PRODUCT * numbers)) as usize;
+                let with_assembly = cost.work + VALUE * cost.values();
+                most_products = (with_assembly / (PRODUCT * numbers)) as usize;
                 let cheap = numbers < SMALL || cost.work < AFFORDABLE * numbers;
                 let few_freedoms = || {
                     let work = FreedomSolver::work(equations);

@@ -73,6 +73,7 @@ impl Slender {
             tolerance: accuracy,
             leading: equations.layout().motions().end,
             essential: rhs.len(),
+            leading_alone: false,
             iteration_limit: MOST,
             restart: MOST,
         };

@@ -7,7 +7,7 @@ use super::run::Run;
 use super::verdict::Ending;
 use crate::error::Result;
 use crate::solve::linear::dense::largest;
-use crate::solve::linear::solver::{COARSE, LinearSolver};
+use crate::solve::linear::solver::LinearSolver;
 use crate::solve::newton::ERROR_LEFT;
 use crate::solve::report::{Iteration, Outcome};
 use std::ops::ControlFlow;
@@ -35,6 +35,8 @@ struct Judge {
     first: f64,
     /// Whether own unknowns are to converge, too.
     with_own: bool,
+    /// Of simplified increments, relative to their size.
+    accuracy: f64,
 }
 
 impl Judge {
@@ -43,7 +45,7 @@ impl Judge {
     fn next(&self, before: f64, size: f64, change: f64) -> Next {
         let contraction = size / before;
         let contracts = contraction <= CONTRACTION;
-        let left = size.max(change) * contraction;
+        let left = size.max(change) * contraction.max(self.accuracy);
         let ends = size.max(self.first * change) <= self.tolerance
             && (!self.with_own || !contracts || left <= ERROR_LEFT * self.tolerance);
         if ends {
@@ -62,10 +64,12 @@ impl<L: LinearSolver> Run<'_, L> {
     /// Takes steps by the simplified increments that follow the full step by an increment of size
     /// `first`, whose own simplified one is in `increment`. Together they count as an iteration.
     pub fn chord_steps(&mut self, first: f64) -> Result<ControlFlow<Ending>> {
+        let accuracy = self.accuracy_of_simplified(first);
         let judge = Judge {
             tolerance: self.options.tolerance,
             with_own: self.with_multipliers,
             first,
+            accuracy,
         };
         let (mut before, mut size) = (first, self.newton.norm(&self.increment));
         self.newton.contraction = Some(size / before);
@@ -92,7 +96,7 @@ impl<L: LinearSolver> Run<'_, L> {
                     break;
                 }
                 self.increment.copy_from_slice(&self.trial_residual);
-                let solved = self.newton.solve_linear(&mut self.increment, COARSE)?;
+                let solved = self.newton.solve_linear(&mut self.increment, accuracy)?;
                 size = self.newton.norm(&self.increment);
                 // Written so that NaN ends it too.
                 let nearer = solved && size < before;
@@ -129,6 +133,7 @@ mod tests {
         tolerance: 1e-8,
         first: 1e-2,
         with_own: true,
+        accuracy: 1e-4,
     };
 
     #[test]
@@ -147,6 +152,9 @@ mod tests {
         assert_eq!(JUDGE.next(1e-7, 9e-9, 0.0), Next::Step);
         // and what it changes in own unknowns, which motions of the first increment turn.
         assert_eq!(JUDGE.next(1e-6, 1e-10, 1e-3), Next::Step);
+        // and what inaccurate linear solutions leave, however well they contract.
+        assert_eq!(JUDGE.next(1.0, 5e-9, 2e-7), Next::Step);
+        assert_eq!(JUDGE.next(1.0, 5e-9, 5e-8), Next::Last);
         let motions = Judge {
             with_own: false,
             ..JUDGE

@@ -3,7 +3,7 @@
 use super::run::{Line, Run, Test, Trial};
 use crate::collocation::{GridState, ResultantPath};
 use crate::error::Result;
-use crate::solve::linear::solver::{COARSE, LinearSolver};
+use crate::solve::linear::solver::LinearSolver;
 use crate::solve::report::timed;
 
 /// Shortest step.
@@ -73,7 +73,7 @@ impl<L: LinearSolver> Run<'_, L> {
         let accepts = |found: f64| is_monotone(found, step, line.size, tolerance);
         if !has_stations || step == 1.0 && self.stretching * line.size < 1.0 {
             self.increment.copy_from_slice(&self.trial_residual);
-            let found = self.simplify()?;
+            let found = self.simplify(line.size)?;
             if accepts(found) {
                 return Ok(Some((trial, Test::Increment)));
             }
@@ -91,17 +91,18 @@ impl<L: LinearSolver> Run<'_, L> {
         if parted.is_err() {
             return Ok(None);
         }
-        if accepts(self.simplify()?) {
+        if accepts(self.simplify(line.size)?) {
             return Ok(Some((trial, Test::IncrementWithResultants)));
         }
         let forced = step == 1.0 && self.watchdog.allows();
         Ok(forced.then_some((trial, Test::None)))
     }
 
-    /// Replaces the residual in `increment` by the simplified increment, and gives its largest
-    /// motion; infinite if there is none.
-    fn simplify(&mut self) -> Result<f64> {
-        let solved = self.newton.solve_linear(&mut self.increment, COARSE)?;
+    /// Replaces the residual in `increment` by the simplified increment after one of this size, and
+    /// gives its largest motion; infinite if there is none.
+    fn simplify(&mut self, after: f64) -> Result<f64> {
+        let accuracy = self.accuracy_of_simplified(after);
+        let solved = self.newton.solve_linear(&mut self.increment, accuracy)?;
         Ok(match self.newton.norm(&self.increment) {
             size if solved => size,
             _ => f64::INFINITY,

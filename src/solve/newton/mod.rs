@@ -46,7 +46,8 @@ pub(crate) struct Newton<L = Assembled> {
     pub equations: Collocation,
     /// What solves them, linearised.
     pub linear: L,
-    /// What the second increment with the same Jacobian was relative to the first, if it is known.
+    /// What the second increment with the same Jacobian was relative to the first, or the first
+    /// where that was so small that it was the last; none if neither is known.
     contraction: Option<f64>,
     /// Short steps after which it is given up, if there are other ways.
     pub patience: Option<usize>,

@@ -12,6 +12,8 @@ use crate::solve::report::{Iteration, NewtonOptions, Outcome, timed};
 use nalgebra::Vector6;
 use std::ops::ControlFlow;
 
+/// Roughest accuracy of a simplified increment that may be the last.
+const ROUGHEST: f64 = 5e-3;
 /// A step shorter than this is far from a solution.
 const SHORT_STEP: f64 = 0.1;
 
@@ -197,6 +199,13 @@ impl<'a, L: LinearSolver> Run<'a, L> {
         }
     }
 
+    /// Accuracy to which the simplified increment after an increment of this size is found: what its
+    /// error leaves is little beside the tolerance.
+    pub fn accuracy_of_simplified(&self, size: f64) -> f64 {
+        let expected = size * size.max(COARSE);
+        (ERROR_LEFT * self.options.tolerance / expected).clamp(COARSE, ROUGHEST)
+    }
+
     /// Largest change of own unknowns by `increment`, relative to the largest of them.
     pub fn change_of_own(&self) -> f64 {
         let equations = &self.newton.equations;
@@ -252,6 +261,7 @@ impl<'a, L: LinearSolver> Run<'a, L> {
         *self.state = trial.state;
         self.residual.copy_from_slice(&self.trial_residual);
         if is_last {
+            self.newton.contraction = Some(size);
             return Ok(ControlFlow::Break(Ending::plain(Outcome::Converged)));
         }
         if !goes_on {

@@ -125,6 +125,7 @@ impl<L: LinearSolver> Bordered<L> {
                     tolerance: ITERATED,
                     leading: motions,
                     essential: rest.len(),
+                    leading_alone: false,
                     iteration_limit: ITERATION_LIMIT,
                     restart: ITERATION_LIMIT,
                 };

@@ -6,6 +6,7 @@ use crate::solve::linear::dense::probe;
 use crate::workers::Workers;
 use faer::linalg::matmul::matmul;
 use faer::{Accum, MatMut, MatRef, Par};
+use std::ops::Range;
 
 /// A cycle that leaves more than this of the residual is the last.
 const STAGNATION: f64 = 0.9;
@@ -31,6 +32,8 @@ pub(crate) struct GmresOptions {
     pub leading: usize,
     /// Entries of both parts; what comes behind them is not asked for.
     pub essential: usize,
+    /// Whether the second part is not asked for either.
+    pub leading_alone: bool,
     /// Most products.
     pub iteration_limit: usize,
     /// Products between restarts, for which vectors are kept.
@@ -77,12 +80,22 @@ pub(crate) fn gmres(
     workers: &Workers,
     workspace: &mut GmresWorkspace,
 ) -> GmresEnd {
-    let vectors = Vectors { workers };
+    let mut vectors = Vectors {
+        workers,
+        ends: [options.leading, options.essential],
+        weights: [1.0, 1.0],
+    };
     for copy in [&mut workspace.b, &mut workspace.rest] {
         copy.clear();
         copy.extend_from_slice(rhs);
     }
     operator.precondition(&mut workspace.rest);
+    // The solution's two parts are about as large as those of this.
+    let sizes = vectors.sizes(&mut workspace.rest);
+    let larger = sizes[0].max(sizes[1]);
+    if larger.is_finite() && !options.leading_alone {
+        vectors.weights = sizes.map(|size| larger / size.max(SMALLEST_SHARE * larger));
+    }
     let start = vectors.norm(&mut workspace.rest);
     rhs.fill(0.0);
     let end = GmresEnd {
@@ -306,9 +319,14 @@ impl Triangle {
     }
 }
 
-/// Long vectors, worked on by several threads.
+/// Long vectors, worked on by several threads. The smaller of their two parts counts more in products
+/// of two, so that neither drowns in the other.
 struct Vectors<'a> {
     workers: &'a Workers,
+    /// Where the two parts end.
+    ends: [usize; 2],
+    /// Of their entries.
+    weights: [f64; 2],
 }
 
 /// Entries that are worked on in one piece: they stay in the cache meanwhile.
@@ -346,8 +364,34 @@ impl Vectors<'_> {
         self.sums(x, 1, |_, x, _| x.iter_mut().for_each(|x| *x *= factor));
     }
 
+    /// The two parts, and what is behind them, of a piece of `count` entries that starts at `first`,
+    /// each with the weight of its squares.
+    fn parts(&self, first: usize, count: usize) -> [(Range<usize>, f64); 3] {
+        let [one, two] = self.ends.map(|end| end.saturating_sub(first).min(count));
+        let [first, second] = self.weights.map(|weight| weight * weight);
+        [(0..one, first), (one..two, second), (two..count, 1.0)]
+    }
+
+    /// Square of the size of a piece.
+    fn square(&self, first: usize, x: &[f64]) -> f64 {
+        let parts = self.parts(first, x.len()).into_iter();
+        parts
+            .map(|(part, weight)| weight * dot(&x[part.clone()], &x[part]))
+            .sum()
+    }
+
     fn norm(&self, x: &mut [f64]) -> f64 {
-        self.sums(x, 1, |_, x, sum| sum[0] = dot(x, x))[0].sqrt()
+        self.sums(x, 1, |first, x, sum| sum[0] = self.square(first, x))[0].sqrt()
+    }
+
+    /// Sizes of the two parts.
+    fn sizes(&self, x: &mut [f64]) -> [f64; 2] {
+        let squares = self.sums(x, 2, |first, x, sums| {
+            for (sum, (part, weight)) in sums.iter_mut().zip(self.parts(first, x.len())) {
+                *sum = weight * dot(&x[part.clone()], &x[part]);
+            }
+        });
+        [squares[0].sqrt(), squares[1].sqrt()]
     }
 
     /// Size of the smaller of the two parts of `x + V y`, relative to the whole.
@@ -355,10 +399,11 @@ impl Vectors<'_> {
         let mut sum = x.to_vec();
         self.add(&mut sum, basis, y);
         let whole = self.norm(&mut sum);
-        let (first, second) = sum[..options.essential].split_at_mut(options.leading);
-        let shares = [first, second].map(|part| self.norm(part) / whole);
+        let sizes = self.sizes(&mut sum);
+        let asked = if options.leading_alone { 1 } else { 2 };
+        let shares = sizes[..asked].iter().map(|size| size / whole);
         // Of nothing nothing more can be asked than that the rest is right.
-        let counts = shares.into_iter().filter(|share| *share > SMALLEST_SHARE);
+        let counts = shares.filter(|share| *share > SMALLEST_SHARE);
         counts.fold(1.0, f64::min)
     }
 
@@ -367,14 +412,19 @@ impl Vectors<'_> {
     fn project_out(&self, basis: &[f64], w: &mut [f64]) -> (Vec<f64>, f64) {
         let count = basis.len() / w.len();
         let basis = Columns::new(basis, w.len(), count);
-        let mut parts = self.sums(w, count, |first, w, sums| basis.along(first, w, sums));
+        let along = |first: usize, w: &[f64], sums: &mut [f64]| {
+            for (part, weight) in self.parts(first, w.len()) {
+                basis.along(first + part.start, &w[part], weight, sums);
+            }
+        };
+        let mut parts = self.sums(w, count, |first, w, sums| along(first, w, sums));
         let rest = self.sums(w, count, |first, w, sums| {
             basis.add(first, w, &parts, -1.0);
-            basis.along(first, w, sums);
+            along(first, w, sums);
         });
         let length = self.sums(w, 1, |first, w, sum| {
             basis.add(first, w, &rest, -1.0);
-            sum[0] = dot(w, w);
+            sum[0] = self.square(first, w);
         });
         add(&mut parts, &rest, 1.0);
         (parts, length[0].sqrt())
@@ -404,12 +454,15 @@ impl<'a> Columns<'a> {
         MatRef::from_column_major_slice_with_stride(values, rows, self.count, self.size)
     }
 
-    /// `sums = Vᵀ w`, for a piece of `w` that starts at `first`.
-    fn along(&self, first: usize, w: &[f64], sums: &mut [f64]) {
+    /// `sums += weight Vᵀ w`, for a piece of `w` that starts at `first`.
+    fn along(&self, first: usize, w: &[f64], weight: f64, sums: &mut [f64]) {
+        if w.is_empty() {
+            return;
+        }
         let to = MatMut::from_column_major_slice_mut(sums, self.count, 1);
         let w = MatRef::from_column_major_slice(w, w.len(), 1);
         let rows = self.rows(first, w.nrows()).transpose();
-        matmul(to, Accum::Replace, rows, w, 1.0, Par::Seq);
+        matmul(to, Accum::Add, rows, w, weight, Par::Seq);
     }
 
     /// `w += factor V y`, for a piece of `w` that starts at `first`.
@@ -481,6 +534,7 @@ mod tests {
                 tolerance: 1e-10,
                 leading: 40,
                 essential: 40,
+                leading_alone: false,
                 iteration_limit: 200,
                 restart,
             };
@@ -510,6 +564,7 @@ mod tests {
             tolerance: 1e-10,
             leading: 1,
             essential: 2,
+            leading_alone: false,
             iteration_limit: 20,
             restart: 20,
         };
@@ -539,6 +594,7 @@ mod tests {
             tolerance: 1e-6,
             leading: 300,
             essential: 300,
+            leading_alone: false,
             iteration_limit: 200,
             restart: 200,
         };

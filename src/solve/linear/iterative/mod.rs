@@ -385,13 +385,13 @@ impl LinearSolver for Iterative {
                 self.is_scaled = true;
             }
             let motions = equations.layout().motions().end;
-            // Estimates are of motions alone.
-            let is_estimate = accuracy >= ESTIMATE;
             let options = GmresOptions {
                 tolerance: accuracy,
                 leading: motions,
                 iteration_limit: self.limit,
-                essential: if is_estimate { motions } else { rhs.len() },
+                essential: rhs.len(),
+                // Estimates are of motions alone.
+                leading_alone: accuracy >= ESTIMATE,
                 restart: (KEPT / size_of_val(&unknowns[..]))
                     .clamp(RESTART, self.limit.max(RESTART)),
             };

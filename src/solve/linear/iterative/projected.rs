@@ -84,6 +84,7 @@ impl<L: LinearSolver> LinearSolver for Projected<L> {
             tolerance: accuracy,
             leading: rhs.len(),
             essential: rhs.len(),
+            leading_alone: false,
             iteration_limit: ITERATION_LIMIT,
             restart: ITERATION_LIMIT,
         };
