@@ -199,8 +199,8 @@ impl<'a, L: LinearSolver> Run<'a, L> {
         }
     }
 
-    /// Accuracy to which the simplified increment after an increment of this size is found: what its
-    /// error leaves is little beside the tolerance.
+    /// Accuracy to which the simplified increment after an increment of this size is found: what
+    /// its error leaves is little beside the tolerance.
     pub fn accuracy_of_simplified(&self, size: f64) -> f64 {
         let expected = size * size.max(COARSE);
         (ERROR_LEFT * self.options.tolerance / expected).clamp(COARSE, ROUGHEST)

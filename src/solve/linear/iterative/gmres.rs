@@ -319,8 +319,8 @@ impl Triangle {
     }
 }
 
-/// Long vectors, worked on by several threads. The smaller of their two parts counts more in products
-/// of two, so that neither drowns in the other.
+/// Long vectors, worked on by several threads. The smaller of their two parts counts more in
+/// products of two, so that neither drowns in the other.
 struct Vectors<'a> {
     workers: &'a Workers,
     /// Where the two parts end.
@@ -364,8 +364,8 @@ impl Vectors<'_> {
         self.sums(x, 1, |_, x, _| x.iter_mut().for_each(|x| *x *= factor));
     }
 
-    /// The two parts, and what is behind them, of a piece of `count` entries that starts at `first`,
-    /// each with the weight of its squares.
+    /// The two parts, and what is behind them, of a piece of `count` entries that starts at
+    /// `first`, each with the weight of its squares.
     fn parts(&self, first: usize, count: usize) -> [(Range<usize>, f64); 3] {
         let [one, two] = self.ends.map(|end| end.saturating_sub(first).min(count));
         let [first, second] = self.weights.map(|weight| weight * weight);
