@@ -93,8 +93,9 @@ pub(crate) fn gmres(
     // The solution's two parts are about as large as those of this.
     let sizes = vectors.sizes(&mut workspace.rest);
     let larger = sizes[0].max(sizes[1]);
-    if larger.is_finite() && !options.leading_alone {
-        vectors.weights = sizes.map(|size| larger / size.max(SMALLEST_SHARE * larger));
+    if larger.is_finite() && larger > 0.0 && !options.leading_alone {
+        let least = SMALLEST_SHARE.max(FINEST / options.tolerance).min(1.0);
+        vectors.weights = sizes.map(|size| 1.0 / (size / larger).clamp(least, 1.0));
     }
     let start = vectors.norm(&mut workspace.rest);
     rhs.fill(0.0);
@@ -189,7 +190,8 @@ impl<P: Preconditioned> Run<'_, P> {
             if self.end.error <= options.tolerance && self.share.is_none() {
                 // Only now, as it takes a pass over all vectors.
                 let share = vectors.smaller_share(x, basis, &y, options);
-                let share = share.max(FINEST / options.tolerance);
+                let [first, second] = vectors.weights;
+                let share = share.max(FINEST * first.max(second) / options.tolerance);
                 self.share = Some(share);
                 self.end.error = error / (share * whole);
             }
@@ -549,6 +551,53 @@ mod tests {
             let error = x.iter().zip(&exact).map(|(x, e)| (x - e).abs());
             assert!(error.fold(0.0, f64::max) < 1e-9);
         }
+    }
+
+    #[test]
+    fn both_parts_are_as_accurate_as_asked_however_small_one_is() {
+        // The second part is a millionth of the first.
+        let exact: Vec<f64> = (0..40)
+            .map(|i| (i as f64).cos() * if i < 20 { 1.0 } else { 1e-6 })
+            .collect();
+        // Which it does not feel: the operator couples neither to the other.
+        struct Apart;
+        impl Preconditioned for Apart {
+            fn product(&mut self, x: &[f64], y: &mut [f64]) {
+                Plain(20).product(&x[..20], &mut y[..20]);
+                Plain(20).product(&x[20..], &mut y[20..]);
+            }
+            fn precondition(&mut self, _: &mut [f64]) {}
+        }
+        let solve = |leading_alone: bool| {
+            let mut x = vec![0.0; 40];
+            Apart.product(&exact, &mut x);
+            let options = GmresOptions {
+                tolerance: 1e-3,
+                leading: 20,
+                essential: 40,
+                leading_alone,
+                iteration_limit: 40,
+                restart: 40,
+            };
+            let (workers, mut workspace) = (Workers::default(), GmresWorkspace::default());
+            let end = gmres(&mut Apart, &mut x, &options, &workers, &mut workspace);
+            let error = |part: Range<usize>| {
+                let of = |x: &mut dyn Iterator<Item = f64>| x.map(|x| x * x).sum::<f64>().sqrt();
+                let left = of(&mut part.clone().map(|i| x[i] - exact[i]));
+                left / of(&mut part.map(|i| exact[i]))
+            };
+            (end, error(0..20), error(20..40))
+        };
+        let (end, first, second) = solve(false);
+        // An estimate, which counts amplification, and no more than ten times too large.
+        assert!(first <= 1e-3 && second <= 1e-3, "{first:e} {second:e}");
+        assert!(
+            end.error <= 1e-3 && end.error <= 10.0 * first.max(second),
+            "{end:?}"
+        );
+        let (alone, first, second) = solve(true);
+        assert!(first <= 1e-3 && second > 1e-2, "{first:e} {second:e}");
+        assert!(alone.iterations <= end.iterations);
     }
 
     #[test]
