@@ -559,12 +559,13 @@ mod tests {
         let exact: Vec<f64> = (0..40)
             .map(|i| (i as f64).cos() * if i < 20 { 1.0 } else { 1e-6 })
             .collect();
-        // Which it does not feel: the operator couples neither to the other.
+        // What serves the first alone does not serve the second, of another size.
         struct Apart;
         impl Preconditioned for Apart {
             fn product(&mut self, x: &[f64], y: &mut [f64]) {
                 Plain(20).product(&x[..20], &mut y[..20]);
                 Plain(20).product(&x[20..], &mut y[20..]);
+                y[20..].iter_mut().for_each(|y| *y *= 4.0);
             }
             fn precondition(&mut self, _: &mut [f64]) {}
         }
