@@ -139,6 +139,7 @@ enum class Outcome : std::int32_t {
     inconsistent = PDN_INCONSISTENT,
     wrong_assembly = PDN_WRONG_ASSEMBLY,
     tolerance_not_met = PDN_TOLERANCE_NOT_MET,
+    work_limit = PDN_WORK_LIMIT,
 };
 /** How the upper half of harmonics falls, as pdn_diagnostics.decay tells. */
 enum class Decay : std::int32_t {

@@ -45,6 +45,7 @@ pub mod output;
 pub mod quantity;
 pub mod solve;
 pub mod system;
+mod work;
 pub mod workers;
 
 // The models of the tests name the crate as its users do.

@@ -4,6 +4,7 @@
 //! piece: results are the same, bit by bit, for any number of threads.
 
 use crate::error::{Error, ErrorKind, Result};
+use crate::work::Work;
 use rayon::iter::{IntoParallelRefMutIterator, ParallelIterator};
 use rayon::{ThreadPool, ThreadPoolBuilder};
 use std::fmt;
@@ -77,6 +78,7 @@ const WAIT: Duration = Duration::from_millis(50);
 pub struct Workers {
     pool: Option<Arc<Pool>>,
     pulse: Option<Arc<dyn Pulse>>,
+    work: Arc<Work>,
 }
 
 impl fmt::Debug for Workers {
@@ -112,7 +114,7 @@ impl Workers {
         })?;
         Ok(Workers {
             pool: Some(Arc::new(pool)),
-            pulse: None,
+            ..Workers::default()
         })
     }
 
@@ -124,8 +126,11 @@ impl Workers {
     /// Tells that work goes on.
     ///
     /// # Errors
-    /// If it is to end; passed on as those of callbacks are.
+    /// If it is to end, as someone wishes or as it was bounded; passed on as those of callbacks are.
     pub fn pulse(&self) -> Result<()> {
+        if self.work.is_spent() {
+            return Err(Error::new(ErrorKind::Callback, "more work than is allowed"));
+        }
         let Some(pulse) = &self.pulse else {
             return Ok(());
         };
@@ -136,7 +141,12 @@ impl Workers {
         }
     }
 
-    /// Whether work is to end.
+    /// Counts what they do.
+    pub(crate) fn work(&self) -> &Work {
+        &self.work
+    }
+
+    /// Whether someone wishes that work ends.
     pub fn is_stopped(&self) -> bool {
         self.pulse.as_ref().is_some_and(|pulse| pulse.is_stopped())
     }
@@ -193,6 +203,7 @@ impl Workers {
         Workers {
             pool: None,
             pulse: self.pulse.clone(),
+            work: self.work.clone(),
         }
     }
 

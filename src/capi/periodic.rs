@@ -160,11 +160,17 @@ pub struct pdn_periodic_options {
     /// Least time between two calls of progress while an iteration lasts, in seconds; 0 to be
     /// called at any opportunity. Default 0.1.
     pub progress_interval: f64,
+    /// Most work, counted in operations and not in time, of all starts until one has led to a
+    /// solution: this many times that of an easy Newton iteration, by few products or by factors,
+    /// and a constant for small models. From there on 20 times as much, on the finest grid so far.
+    /// What takes more ends as PDN_WORK_LIMIT or, where a coarser grid had a solution, with that as
+    /// PDN_TOLERANCE_NOT_MET. 0 for no bound. Default 60.
+    pub work_limit: f64,
 }
 
 // SAFETY: all fields are plain numbers or pointers, `struct_size` is the first, no padding.
 unsafe impl Options for pdn_periodic_options {
-    const SIZES: &'static [usize] = &[80, 96, 104, 112, 120, 136];
+    const SIZES: &'static [usize] = &[80, 96, 104, 112, 120, 136, 144];
 
     fn defaults() -> Self {
         let core = PeriodicOptions::default();
@@ -178,6 +184,7 @@ unsafe impl Options for pdn_periodic_options {
             oversampling: core.oversampling,
             response_tolerance: adaptation.response_tolerance,
             progress_interval: PROGRESS_INTERVAL,
+            work_limit: core.work_limit,
             ..Self::blank()
         }
     }
@@ -402,6 +409,7 @@ pub(super) fn read_options(
             1 => true,
             other => return Err(Error::value("options.estimate_mesh", "0 or 1", other)),
         },
+        work_limit: call.number(given.work_limit, "options.work_limit")?,
         grid_points: points,
         newton: NewtonOptions {
             tolerance: given.tolerance,

@@ -52,6 +52,9 @@ pub const PDN_WRONG_ASSEMBLY: i32 = 7;
 /// Outcome: converged on the last grid tried, but the estimated error misses the tolerance, as the
 /// report explains; quantities are as good as pdn_diagnostics.error_estimate says.
 pub const PDN_TOLERANCE_NOT_MET: i32 = 8;
+/// Outcome: all work was done that pdn_periodic_options.work_limit allows; the report tells what
+/// was tried.
+pub const PDN_WORK_LIMIT: i32 = 9;
 
 /// Decay of harmonics: not known, as there are too few or the solve has not converged.
 pub const PDN_DECAY_UNKNOWN: i32 = 0;
@@ -128,6 +131,7 @@ pub(super) fn outcome_code(outcome: Outcome) -> i32 {
         Outcome::Inconsistent => PDN_INCONSISTENT,
         Outcome::WrongAssembly => PDN_WRONG_ASSEMBLY,
         Outcome::ToleranceNotMet => PDN_TOLERANCE_NOT_MET,
+        Outcome::WorkLimit => PDN_WORK_LIMIT,
     }
 }
 
@@ -138,8 +142,8 @@ pub(super) fn outcome_code(outcome: Outcome) -> i32 {
 ///
 /// @param solution  the solution; not NULL
 /// @return PDN_CONVERGED, PDN_ITERATION_LIMIT, PDN_STALLED, PDN_SINGULAR, PDN_CANCELLED,
-///     PDN_NO_INITIAL_GUESS, PDN_INCONSISTENT, PDN_WRONG_ASSEMBLY or PDN_TOLERANCE_NOT_MET;
-///     negative, as a ::pdn_status, if the handle is not valid
+///     PDN_NO_INITIAL_GUESS, PDN_INCONSISTENT, PDN_WRONG_ASSEMBLY, PDN_TOLERANCE_NOT_MET or
+///     PDN_WORK_LIMIT; negative, as a ::pdn_status, if the handle is not valid
 ///
 /// Threads: like `const`.
 /// @since 0.1

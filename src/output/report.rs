@@ -18,6 +18,7 @@ impl Outcome {
             Outcome::Cancelled => "cancelled",
             Outcome::Inconsistent => "not converged: constraints contradict each other",
             Outcome::WrongAssembly => "not converged: a joint has closed turned over",
+            Outcome::WorkLimit => "not converged: all work was done that is allowed",
             Outcome::ToleranceNotMet => {
                 "converged on the last grid, but the error tolerance is not met"
             }

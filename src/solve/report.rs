@@ -23,6 +23,8 @@ pub enum Outcome {
     Inconsistent,
     /// A joint has closed turned over, its axes against each other.
     WrongAssembly,
+    /// All work was done that options allow.
+    WorkLimit,
     /// Newton's method has converged on the last grid, but the estimated error misses the
     /// tolerance.
     ToleranceNotMet,
@@ -36,10 +38,12 @@ impl Outcome {
 
     /// Whether it leaves no reason to try something else.
     pub(crate) fn is_final(self) -> bool {
-        matches!(
-            self,
-            Outcome::Converged | Outcome::Cancelled | Outcome::Inconsistent
-        )
+        matches!(self, Outcome::Converged | Outcome::Inconsistent) || self.is_stopped()
+    }
+
+    /// Whether work has ended before its end.
+    pub(crate) fn is_stopped(self) -> bool {
+        matches!(self, Outcome::Cancelled | Outcome::WorkLimit)
     }
 }
 

@@ -102,6 +102,30 @@ static void tolerances_are_met(void)
     pdn_model_free(model);
 }
 
+static void work_is_bounded(void)
+{
+    pdn_model *model = pendulum();
+    pdn_periodic_options options = with_tolerance(1e-6);
+    pdn_solution *solution, *none = NULL;
+
+    CHECK(options.work_limit == 60);
+    options.work_limit = 1e-9;
+    solution = solve(model, &options);
+    CHECK(pdn_solution_outcome(solution) == PDN_WORK_LIMIT);
+    CHECK(reports(solution, "all work was done") && reports(solution, "options.work_limit"));
+    CHECK(reports(solution, "start: the quasi-static motion"));
+    pdn_solution_free(solution);
+
+    options.work_limit = 0;
+    solution = solve(model, &options);
+    CHECK(pdn_solution_outcome(solution) == PDN_CONVERGED);
+    pdn_solution_free(solution);
+
+    options.work_limit = -1;
+    CHECK_STATUS(pdn_solve_periodic(model, PERIOD, &options, &none), PDN_ERR_VALUE);
+    pdn_model_free(model);
+}
+
 static void a_tolerance_that_is_not_met_is_said_so(void)
 {
     pdn_model *model = pendulum();
@@ -224,6 +248,7 @@ static void it_can_be_cancelled_on_any_grid(void)
 int main(void)
 {
     tolerances_are_met();
+    work_is_bounded();
     a_tolerance_that_is_not_met_is_said_so();
     older_options_are_adaptive_with_the_defaults();
     oversampling_leaves_out_aliases();

@@ -96,6 +96,6 @@ impl Tracker<'_> {
     }
 
     pub(crate) fn was_cancelled(&self) -> bool {
-        matches!(self.failure, Some((Outcome::Cancelled, _)))
+        (self.failure.as_ref()).is_some_and(|(outcome, _)| outcome.is_stopped())
     }
 }

@@ -12,6 +12,7 @@ use crate::solve::linear::ordering::plan;
 use crate::solve::linear::solver::{ESTIMATE, LinearSolver};
 use crate::solve::report::{Timings, timed};
 use crate::system::System;
+use crate::work::{LINEARISATION, PRODUCT, RESIDUAL};
 use std::collections::BTreeSet;
 
 /// How linear equations are solved.
@@ -33,14 +34,13 @@ const TOO_LARGE: f64 = 6e9;
 /// Multiply-adds that a factorisation may take for each number that is stored at a node and grid
 /// point, where iteration is the alternative: about what its products take.
 const AFFORDABLE: f64 = 1e4;
-/// Multiply-adds of a factorisation that take as long as a product and its preconditioner, for each
-/// of these numbers.
-const PRODUCT: f64 = 1e3;
-/// The same that take as long as a value of the Jacobian does to be assembled.
+/// Multiply-adds that take as long as a value of the Jacobian does to be assembled.
 const VALUE: f64 = 50.0;
 /// The same of few freedoms, all in all: a few seconds. Turning joints have as many in the dense
 /// system that iteration solves.
 const AFFORDABLE_FREEDOMS: f64 = 1e10;
+/// Products of an iteration of Newton's method that is easy.
+const EASY_PRODUCTS: f64 = 30.0;
 /// So few numbers are not worth the trouble.
 const SMALL: f64 = 1500.0;
 /// What factors of the whole Jacobian take, as planned.
@@ -87,6 +87,15 @@ impl DirectCost {
     fn values(&self) -> f64 {
         0.5 * self.bytes / size_of::<f64>() as f64
     }
+}
+
+/// Multiply-adds of an iteration of Newton's method on a grid of so many points that is easy: by
+/// factors or by few products, as costs less.
+pub(crate) fn easy_iteration(system: &System, points: usize) -> f64 {
+    let numbers = system.layout(points).motions().len() as f64;
+    let by_products = EASY_PRODUCTS * PRODUCT * numbers;
+    let solved = by_products.min(DirectCost::of(system, points).work);
+    solved + (LINEARISATION + 2.0 * RESIDUAL) * numbers
 }
 
 enum Active {

@@ -20,6 +20,7 @@ use crate::solve::linear::solver::{COARSE, ESTIMATE, LinearSolver};
 use crate::solve::newton::assembly::describe_turned_over;
 use crate::solve::report::{Iteration, NewtonOptions, NewtonReport, Outcome, Timings, timed};
 use crate::system::System;
+use crate::work::{LINEARISATION, Work};
 use crate::workers::Workers;
 use norms::{norm, remove_means};
 use run::Run;
@@ -38,6 +39,15 @@ const FAITHFUL: f64 = 0.05;
 const FINEST: f64 = 1e-8;
 /// Accuracy relative to the last increment, so that convergence stays quadratic.
 const FORCING: f64 = 0.1;
+
+/// That all work was done that may be.
+fn describe_work(work: &Work) -> String {
+    format!(
+        "{:.1e} operations were done, and options.work_limit allows {:.1e}",
+        work.done(),
+        work.most()
+    )
+}
 
 /// Newton solver for one system and grid; keeps everything that can be used again.
 #[derive(Debug)]
@@ -152,8 +162,15 @@ impl<L: LinearSolver> Newton<L> {
         pairs.map(|(x, s)| factor * x * s).collect()
     }
 
+    /// Counts an evaluation that takes so much for each number at a node and grid point.
+    fn count_evaluation(&self, work: f64) {
+        let numbers = self.equations.layout().motions().len() as f64;
+        self.equations.workers().work().spend(work * numbers);
+    }
+
     /// Linearises the equations at `state`. `false` if they are singular.
     pub fn linearise(&mut self, state: &GridState) -> Result<bool> {
+        self.count_evaluation(LINEARISATION);
         self.linear
             .linearise(&mut self.equations, state, &mut self.timings)
     }
@@ -192,13 +209,18 @@ impl<L: LinearSolver> Newton<L> {
         observe: &mut dyn FnMut(&Iteration) -> bool,
     ) -> Result<NewtonReport> {
         let mut iterations = Vec::new();
+        let workers = self.equations.workers().clone();
+        let was_bounded = workers.work().bound(true);
         let end = Run::begin(self, state, options, &mut iterations, observe).and_then(|mut run| {
             run.with_multipliers = with_multipliers;
             run.iterate()
         });
         self.equations.set_resultants(Vec::new());
+        let is_spent = workers.work().is_spent();
+        workers.work().bound(was_bounded);
         let ending = match end {
-            Err(_) if self.equations.workers().is_stopped() => Ending::plain(Outcome::Cancelled),
+            Err(_) if workers.is_stopped() => Ending::plain(Outcome::Cancelled),
+            Err(_) if is_spent => Ending::new(Outcome::WorkLimit, describe_work(workers.work())),
             end => end?,
         };
         self.iterations += iterations.len();

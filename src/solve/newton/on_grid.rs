@@ -5,13 +5,19 @@ use crate::collocation::{Collocation, GridState};
 use crate::error::{ErrorKind, Result};
 use crate::fourier::TimeGrid;
 use crate::solve::linear::iterative::Projected;
-use crate::solve::linear::method::{Linear, LinearMethod};
+use crate::solve::linear::method::{Linear, LinearMethod, easy_iteration};
 use crate::solve::report::{Iteration, NewtonOptions, NewtonReport, Outcome, Timings};
 use crate::solve::watch::{Stage, Watching};
 use crate::system::System;
 use crate::workers::Workers;
 use std::sync::Arc;
 use std::time::{Duration, Instant};
+
+/// What is added to the work of an easy iteration, in multiply-adds: on small models more may be
+/// tried.
+const LEAST_ITERATION: f64 = 8e8;
+/// Where there is a solution to go on from, work is seldom in vain: this many times as much.
+const GOING_ON: f64 = 20.0;
 
 /// How equations are solved, on whatever grid.
 pub(crate) struct Means {
@@ -23,9 +29,23 @@ pub(crate) struct Means {
     pub oversampling: usize,
     /// Who shares the work.
     pub workers: Workers,
+    /// Most work, relative to that of an easy iteration on the finest grid; zero without bound.
+    pub work_limit: f64,
+    /// Whether there is a solution to go on from.
+    pub goes_on: bool,
 }
 
 impl Means {
+    /// Allows the work that goes with a grid, if that is more than with those before: to find a
+    /// solution, or to go on from one.
+    pub fn allow(&self, system: &System, grid: TimeGrid) {
+        if self.work_limit > 0.0 {
+            let unit = LEAST_ITERATION + easy_iteration(system, grid.points());
+            let most = self.work_limit * unit * if self.goes_on { GOING_ON } else { 1.0 };
+            self.workers.work().allow_more(most);
+        }
+    }
+
     /// Newton's method on a grid, after that on the `last` one.
     fn on(
         &self,
@@ -34,6 +54,7 @@ impl Means {
         last: Option<&Linear>,
     ) -> Result<Newton<Projected<Linear>>> {
         let start = Instant::now();
+        self.allow(system, grid);
         let mut equations = Collocation::new(system.clone(), grid)?;
         equations.set_workers(self.workers.clone());
         if self.oversampling > 1 {

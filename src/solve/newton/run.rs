@@ -9,6 +9,7 @@ use crate::error::{ErrorKind, Result};
 use crate::solve::linear::dense::largest;
 use crate::solve::linear::solver::{COARSE, LinearSolver};
 use crate::solve::report::{Iteration, NewtonOptions, Outcome, timed};
+use crate::work::RESIDUAL;
 use nalgebra::Vector6;
 use std::ops::ControlFlow;
 
@@ -119,6 +120,7 @@ impl<'a, L: LinearSolver> Run<'a, L> {
 
     /// Linearises, takes a step, and those with the same matrix after it.
     fn advance(&mut self) -> Result<ControlFlow<Ending>> {
+        self.newton.equations.workers().pulse()?;
         let found = self.find_increment()?;
         if let Some(start) = self.watchdog.judge(found) {
             return Ok(self.go_back(start));
@@ -187,6 +189,8 @@ impl<'a, L: LinearSolver> Run<'a, L> {
 
     /// Writes the residual at a trial. `false` if it cannot be evaluated there.
     pub fn evaluate(&mut self, trial: &GridState) -> Result<bool> {
+        self.newton.count_evaluation(RESIDUAL);
+        self.newton.equations.workers().pulse()?;
         let (equations, out) = (&mut self.newton.equations, &mut self.trial_residual);
         let evaluated = timed(&mut self.newton.timings.assembly, || {
             equations.residual(trial, out)

@@ -280,6 +280,7 @@ impl Periodic<'_> {
                 Next::Refine(next) => next,
             };
             deceivable = false;
+            self.on.means.goes_on = true;
             let coarse = self.on.grid;
             let fine = TimeGrid::new(next, coarse.period())?;
             let start = self.on.carry_to(fine, &state)?;
@@ -289,7 +290,8 @@ impl Periodic<'_> {
             };
             // That constraints contradict each other may show between the points of a coarse grid
             // only.
-            if !fine_report.outcome.is_final() {
+            let is_spent = fine_report.outcome == Outcome::WorkLimit;
+            if is_spent || !fine_report.outcome.is_final() {
                 let how = fine_report.outcome.describe();
                 report.outcome = Outcome::ToleranceNotMet;
                 report.explanation =

@@ -79,7 +79,7 @@ impl Periodic<'_> {
         if let Some(start) = start {
             let found = self.on.solve(start)?;
             // What is prolonged may miss constraints that depend on each other.
-            if matches!(found.1.outcome, Outcome::Converged | Outcome::Cancelled) {
+            if found.1.outcome == Outcome::Converged || found.1.outcome.is_stopped() {
                 return Ok(found);
             }
             self.on.begin_again()?;

@@ -144,6 +144,8 @@ pub fn solve_periodic(
         linear: options.linear,
         oversampling: options.oversampling,
         workers: Workers::new(options.threads)?.telling(watching.pulse()),
+        work_limit: options.work_limit,
+        goes_on: false,
     };
     let mut observe = watching.with(observe);
     let (given, chosen) = match &options.guess {
@@ -164,6 +166,9 @@ pub fn solve_periodic(
         coarse_start: None,
         assessed: None,
     };
+    for grid in [wanted, of_starts] {
+        solve.on.means.allow(&system, grid);
+    }
     // All that came before: the system, the loads, the first pattern.
     solve.on.timings.analysis = began.elapsed() - solve.on.newton.timings.analysis;
     let found = match options.grid_points {

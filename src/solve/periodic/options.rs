@@ -38,6 +38,10 @@ pub struct PeriodicOptions {
     /// Whether the error by the mesh of beams is estimated, too, which takes about as long as an
     /// iteration.
     pub estimate_mesh: bool,
+    /// Most work until there is a solution on the first grid, counted in operations and not in
+    /// time, in easy Newton iterations there: by few products or by factors, as takes less. From
+    /// there on 20 times as much, on the finest grid so far. Zero for no bound.
+    pub work_limit: f64,
     /// Who is told how the solve goes on, and may cancel it.
     pub watch: Watch,
 }
@@ -45,6 +49,9 @@ pub struct PeriodicOptions {
 /// The largest factor of oversampling: sixteen times the points leave no alias of products of
 /// thirty-one.
 const MOST_OVERSAMPLING: usize = 16;
+
+/// Easy iterations whose work a solve may take by default.
+const WORK_LIMIT: f64 = 60.0;
 
 impl Default for PeriodicOptions {
     fn default() -> Self {
@@ -59,6 +66,7 @@ impl Default for PeriodicOptions {
             threads: 1,
             oversampling: 1,
             estimate_mesh: false,
+            work_limit: WORK_LIMIT,
             watch: Watch::default(),
         }
     }
@@ -86,6 +94,11 @@ impl PeriodicOptions {
 
     pub(crate) fn validate(&self) -> Result<()> {
         self.newton.validate()?;
+        if !(self.work_limit.is_finite() && self.work_limit >= 0.0) {
+            let expected = "zero or a positive, finite number";
+            let name = "options.work_limit";
+            return Err(Error::value(name, expected, self.work_limit));
+        }
         if !(1..=MOST_OVERSAMPLING).contains(&self.oversampling) {
             let expected = format!("a number from 1 to {MOST_OVERSAMPLING}");
             let name = "options.oversampling";

@@ -111,8 +111,7 @@ impl Starts {
     /// Finds quasi-static motions at the points of another grid from now on.
     pub fn move_to(&mut self, grid: TimeGrid) {
         if self.grid != grid {
-            self.found
-                .retain(|(_, guess)| guess.outcome == Outcome::Cancelled);
+            self.found.retain(|(_, guess)| guess.outcome.is_stopped());
         }
         self.grid = grid;
     }
@@ -254,6 +253,7 @@ impl Starts {
         let guess = self.quasi_static(on, start)?;
         let outcome = match guess.outcome {
             Outcome::Cancelled
+            | Outcome::WorkLimit
             | Outcome::Singular
             | Outcome::Inconsistent
             | Outcome::WrongAssembly => guess.outcome,
@@ -298,7 +298,8 @@ impl Starts {
             let state = match marched {
                 Ok(state) => state,
                 Err((outcome, why)) => {
-                    return Ok(found.or_else(|| Some(nothing(on, outcome, why))));
+                    let tried = found.filter(|_| !outcome.is_stopped());
+                    return Ok(tried.or_else(|| Some(nothing(on, outcome, why))));
                 }
             };
             let change = march.change();
@@ -358,7 +359,7 @@ fn through_inertia(on: &mut OnGrid, mut state: GridState) -> Result<Option<Found
                 step.grow(step.get(), 1.5);
                 found = Some((state.clone(), report));
             }
-            Outcome::Cancelled => {
+            outcome if outcome.is_stopped() => {
                 found = Some((trial, report));
                 break;
             }

@@ -182,7 +182,7 @@ impl<'a> Tracker<'a> {
                 }
                 Err((outcome, explanation)) => {
                     let is_first = reached == 0.0 && outcome == Outcome::Singular;
-                    let goes_on = outcome != Outcome::Cancelled
+                    let goes_on = !outcome.is_stopped()
                         && step.shrink(next - reached)
                         && !(is_first && step.get() < 0.1);
                     if !goes_on {

@@ -90,6 +90,7 @@ impl DirectSolver {
 
     fn factor_fronts(&mut self, values: &[f64]) -> Result<bool> {
         let analysis = &self.analysis;
+        self.workers.work().spend(analysis.work());
         let workers = self.workers.for_work(analysis.work() as usize);
         Factorisation::new(analysis, values, self.smallest_pivot, &workers).run(&mut self.fronts)
     }

@@ -149,6 +149,11 @@ impl Layout {
     }
 }
 
+/// Multiply-adds of eliminating constraints at all points: their gradients are mostly zeros.
+fn elimination(points: f64, constraints: usize, coordinates: usize) -> f64 {
+    0.25 * points * (constraints * constraints * coordinates) as f64
+}
+
 impl FreedomSolver {
     /// Multiply-adds of one factorisation, if that is much cheaper than elimination of node by
     /// node. Not where there are beams: they are stiff in tension by so much that what is left for
@@ -159,12 +164,10 @@ impl FreedomSolver {
 
     fn work_of(layout: &Layout, equations: &Collocation) -> Option<f64> {
         let (points, nodes) = (layout.points as f64, equations.system().nodes() as f64);
-        let (size, freedoms) = (layout.coordinates as f64, layout.freedoms as f64);
-        let constraints = layout.constraints as f64;
+        let freedoms = layout.freedoms as f64;
         // About what a node with its joints takes, one by one.
         let directly = nodes * ((6.0 * points).powi(3) + BOOKKEEPING);
-        // Gradients of constraints are mostly zeros.
-        let here = 0.25 * points * constraints * constraints * size
+        let here = elimination(points, layout.constraints, layout.coordinates)
             + entries(equations) * freedoms.max(1.0)
             + (freedoms * points).powi(3) / 3.0;
         let solvable = equations.system().slenderness() == 0.0
@@ -232,6 +235,8 @@ impl FreedomSolver {
     ) -> Result<bool> {
         let (count, size) = (self.layout.constraints, self.layout.coordinates);
         let rank = self.layout.rank();
+        let points = self.layout.points as f64;
+        workers.work().spend(elimination(points, count, size));
         self.accurate = false;
         let places = (&self.layout, &self.elements[..]);
         for (k, point) in self.points.iter_mut().enumerate() {
@@ -254,6 +259,7 @@ impl FreedomSolver {
         if unknowns == 0 {
             return Ok(true);
         }
+        workers.work().spend((unknowns as f64).powi(3) / 3.0);
         let formed = &mut self.workspace.matrix;
         formed.resize(unknowns * unknowns, 0.0);
         self.forces.between(layout, &self.points, values, formed);

@@ -3,6 +3,7 @@
 //! section 8.3.
 
 use crate::solve::linear::dense::probe;
+use crate::work::PROJECTION;
 use crate::workers::Workers;
 use faer::linalg::matmul::matmul;
 use faer::{Accum, MatMut, MatRef, Par};
@@ -413,6 +414,7 @@ impl Vectors<'_> {
     /// none; returns these parts, and the length of what is left.
     fn project_out(&self, basis: &[f64], w: &mut [f64]) -> (Vec<f64>, f64) {
         let count = basis.len() / w.len();
+        self.workers.work().spend(PROJECTION * basis.len() as f64);
         let basis = Columns::new(basis, w.len(), count);
         let along = |first: usize, w: &[f64], sums: &mut [f64]| {
             for (part, weight) in self.parts(first, w.len()) {

@@ -155,6 +155,7 @@ impl Interface {
         // The old factors' memory first.
         self.factors = None;
         while let Some(reach) = self.reach {
+            workers.work().spend(OF_DENSE * reach.work());
             let Some(mut band) = HarmonicBand::new(reach, &self.parts, stiffness, workers)? else {
                 self.reach = None;
                 break;
@@ -176,6 +177,7 @@ impl Interface {
         if !self.may_be_dense() {
             return Ok(false);
         }
+        workers.work().spend(dense_work(self.size()));
         let dense = self.factor_densely(stiffness, workers)?;
         self.factors = dense.map(Factors::Dense);
         Ok(self.factors.is_some())

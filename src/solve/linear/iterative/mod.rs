@@ -37,6 +37,7 @@ use crate::solve::linear::diagnosis::Singularity;
 use crate::solve::linear::slender::SLENDER;
 use crate::solve::linear::solver::{ESTIMATE, LinearSolver};
 use crate::solve::report::{Timings, timed};
+use crate::work::PRODUCT;
 use body_circulant::BodyCirculant;
 use constraints::Joints;
 pub(crate) use gmres::{GmresOptions, GmresWorkspace, Preconditioned, gmres};
@@ -222,6 +223,8 @@ struct Operator<'a> {
 
 impl Preconditioned for Operator<'_> {
     fn product(&mut self, x: &[f64], y: &mut [f64]) {
+        let numbers = self.equations.layout().motions().len() as f64;
+        self.equations.workers().work().spend(PRODUCT * numbers);
         self.tangent.apply(self.equations, x, y);
     }
 
