@@ -6,6 +6,7 @@ mod judgement;
 mod period_map;
 mod resolution;
 mod spectrum;
+mod step_map;
 
 use crate::error::{Error, ErrorKind, Result, require_finite};
 use crate::solve::report::Outcome;
