@@ -1,5 +1,5 @@
 //! Families of solutions by the solves that they cost: points of branches with their stability,
-//! and multipliers.
+//! and multipliers. With arguments only the tables whose names contain one of them.
 
 mod common;
 
@@ -14,11 +14,18 @@ use periodyn::solve::{
 use std::f64::consts::TAU;
 use std::time::Duration;
 
-const REPETITIONS: usize = 5;
+const REPETITIONS: usize = 3;
 
 fn main() {
-    multipliers();
-    branches();
+    let asked: Vec<String> = std::env::args()
+        .skip(1)
+        .filter(|a| !a.starts_with('-'))
+        .collect();
+    for (name, measure) in [("multipliers", multipliers as fn()), ("branches", branches)] {
+        if asked.is_empty() || asked.iter().any(|a| name.contains(&a[..])) {
+            measure();
+        }
+    }
 }
 
 fn milliseconds(time: Duration) -> String {

@@ -318,14 +318,28 @@ impl Spectrum {
         !self.shifts[j] || self.shifts.iter().filter(|shift| **shift).count() == 1
     }
 
-    /// Largest error of modes of up to this frequency.
-    pub fn worst(&self, highest: f64) -> f64 {
-        let counts = |j: &usize| self.counts(*j) && self.frequencies[*j].abs() <= highest;
+    /// Largest error of modes of up to this frequency whose multipliers are no smaller than `least`.
+    pub fn worst(&self, highest: f64, least: f64) -> f64 {
+        let counts = |j: &usize| {
+            let within = self.frequencies[*j].abs() <= highest && self.values[*j].norm() >= least;
+            self.counts(*j) && within
+        };
         let errors = (0..self.count()).filter(counts).map(|j| {
             let size = self.values[j].norm().max(1.0);
             self.errors[j] / size
         });
         errors.fold(0.0, f64::max)
+    }
+
+    /// Adds an error, relative to multipliers that are larger than 1, to all.
+    pub fn add_error(&mut self, error: f64, tolerance: f64) {
+        for (value, own) in self.values.iter().zip(&mut self.errors) {
+            // Of what dies within the period nothing is known but that.
+            *own += match value.norm() {
+                size if size < tolerance => size,
+                size => error * size.max(1.0),
+            };
+        }
     }
 
     /// Estimates errors by what came with half as many steps. Whether all are so alike that the

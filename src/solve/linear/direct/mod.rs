@@ -34,6 +34,8 @@ const INACCURATE: f64 = 1e-9;
 /// Change by an earlier refinement, relative to the accuracy that is asked for, that leaves none to
 /// be made.
 const UNREFINED: f64 = 0.1;
+/// Accuracy, relative to what is coarse, that still is.
+const FINER: f64 = 0.1;
 /// Most refinements of a solve.
 const REFINEMENTS: usize = 4;
 
@@ -234,7 +236,8 @@ impl DirectSolver {
         rhs: &mut [f64],
         (motions, accuracy): (usize, f64),
     ) -> Result<bool> {
-        let is_enough = accuracy >= COARSE && self.correction <= UNREFINED * accuracy;
+        // The finer are those of solvers around this one.
+        let is_enough = accuracy >= FINER * COARSE && self.correction <= UNREFINED * accuracy;
         if self.accurate || is_enough {
             return Ok(self.solve(rhs));
         }
