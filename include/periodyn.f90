@@ -2622,6 +2622,7 @@ module periodyn
         procedure, public :: floquet => solution_floquet
         procedure, public :: solve_stability => solution_solve_stability
         procedure, public :: sensitivities => solution_sensitivities
+        procedure, public :: multiplier_sensitivities => solution_multiplier_sensitivities
         procedure, public :: parameter => solution_parameter
         procedure, public :: history => solution_history
         procedure, public :: decay => solution_decay
@@ -4887,6 +4888,30 @@ contains
         call report(pdn_solution_sensitivities(self%c, sensitivities%c, held, options, derivatives, &
             size(derivatives, 1, kind=c_size_t), size(derivatives, 2, kind=c_size_t)), stat, errmsg)
     end subroutine solution_sensitivities
+
+    subroutine solution_multiplier_sensitivities(self, sensitivities, stability, number, derivatives, &
+        conditions, options, stat, errmsg)
+        class(pdn_solution), intent(in) :: self
+        type(pdn_sensitivities), intent(in) :: sensitivities
+        type(pdn_stability), intent(in) :: stability
+        integer(c_int32_t), intent(in) :: number
+        complex(c_double), intent(out) :: derivatives(:)
+        type(pdn_conditions), intent(in), optional :: conditions
+        type(pdn_sensitivity_options), intent(in), optional :: options
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        real(c_double) :: re(size(derivatives)), im(size(derivatives))
+        type(c_ptr) :: held
+
+        held = c_null_ptr
+        if (present(conditions)) held = conditions%c
+        re = 0
+        im = 0
+        call report(pdn_solution_multiplier_sensitivities(self%c, sensitivities%c, stability%c, &
+            number, held, options, re, im, size(derivatives, kind=c_size_t)), &
+            stat, errmsg)
+        derivatives = cmplx(re, im, c_double)
+    end subroutine solution_multiplier_sensitivities
 
     ! Finds a periodic response that meets conditions, and as many free parameters.
     subroutine model_solve_conditioned(self, period, conditions, solution, options, initial, stat, errmsg)

@@ -1861,6 +1861,8 @@ struct SensitivityOptions : pdn_sensitivity_options {
     }
 };
 
+class Stability;
+
 /** What is differentiated, by what: rows and columns of derivatives. */
 class Sensitivities
 {
@@ -1904,6 +1906,13 @@ class Sensitivities
             derivatives.data(), dependents_, parameters_));
         return derivatives;
     }
+
+    /** Derivatives of a Floquet multiplier of a solution by the parameters. */
+    std::vector<std::complex<double>> of_multiplier(const Solution &solution,
+                                                    const Stability &stability,
+                                                    std::int32_t number,
+                                                    const Conditions *conditions = nullptr,
+                                                    const SensitivityOptions &options = {}) const;
 
   private:
     std::unique_ptr<pdn_sensitivities, detail::Free> handle_;
@@ -2244,6 +2253,22 @@ class Stability
   private:
     std::unique_ptr<pdn_stability, detail::Free> handle_;
 };
+
+inline std::vector<std::complex<double>>
+Sensitivities::of_multiplier(const Solution &solution, const Stability &stability,
+                             std::int32_t number, const Conditions *conditions,
+                             const SensitivityOptions &options) const
+{
+    std::vector<double> re(parameters_), im(parameters_);
+    detail::check(pdn_solution_multiplier_sensitivities(
+        solution.get(), get(), stability.get(), number, conditions ? conditions->get() : nullptr,
+        &options, re.data(), im.data(), parameters_));
+    std::vector<std::complex<double>> derivatives;
+    for (std::size_t i = 0; i < parameters_; ++i) {
+        derivatives.emplace_back(re[i], im[i]);
+    }
+    return derivatives;
+}
 
 /** Finds what small disturbances of a periodic solution are multiplied by in a period. */
 inline Stability solve_stability(const Solution &solution, const StabilityOptions &options = {})

@@ -206,6 +206,8 @@ def main():
         "accuracy": accuracy_table(directory),
         "floors": plain(read(directory, "floors")),
         "krylov": plain(read(directory, "krylov")),
+        "multipliers": plain(read(directory, "multipliers")),
+        "branches": plain(read(directory, "branches")),
         "scaling": plain(read(directory, "scaling")),
         "exponents": plain(read(directory, "exponents")),
     }

@@ -5,11 +5,11 @@ mod common;
 use common::models::linkages::{hinged_blade, planar_linkage};
 use common::models::small::whirled_beam;
 use common::{
-    ball, cosine, damped_section, gravity, hinged_body, largest, mass_on_a_slide, push, revolute,
-    rotation1, spring, starting_at, steady,
+    ball, cosine, damped_section, gravity, hinged_body, join, largest, mass_on_a_slide, push,
+    revolute, rotation1, spring, starting_at, steady,
 };
 use nalgebra::{Matrix3, Vector3};
-use periodyn::elements::Coordinate;
+use periodyn::elements::{Coordinate, JointKind};
 use periodyn::error::ErrorKind;
 use periodyn::model::{JointCoordinate, Model, Signal, SignalPart, SignalPlace, Target};
 use periodyn::motion::Motion;
@@ -20,9 +20,10 @@ use periodyn::output::{
 use periodyn::quantity::{Feature, Peak};
 use periodyn::solve::{
     BranchOptions, Condition, Dependent, Event, Free, Given, InitialGuess, JointCoordinateIs,
-    LinearMethod, NewtonOptions, Outcome, OutputIs, PeriodicOptions, Phase, Sensitivities,
-    SensitivityMethod, SensitivityOptions, StaticOptions, follow_branch, solve_sensitivities,
-    solve_static,
+    LinearMethod, Multiplier, MultiplierSensitivities, NewtonOptions, Outcome, OutputIs,
+    PeriodicOptions, Phase, Sensitivities, SensitivityMethod, SensitivityOptions, Stability,
+    StabilityOptions, StaticOptions, follow_branch, solve_multiplier_sensitivities,
+    solve_sensitivities, solve_stability, solve_static,
 };
 use std::f64::consts::TAU;
 use std::sync::Arc;
@@ -734,4 +735,137 @@ fn a_fold_has_none() {
             }
         }
     }
+}
+
+/// Derivatives of multipliers, and the multipliers, of which `stability` tells.
+fn of_multipliers(
+    solution: &Solution,
+    asked: &Asked,
+    stability: &Stability,
+    numbers: &[usize],
+) -> periodyn::error::Result<MultiplierSensitivities> {
+    solve_multiplier_sensitivities(
+        (solution.model(), solution.details()),
+        (&asked.free, &asked.conditions),
+        (stability, numbers),
+        &asked.parameters,
+        &SensitivityOptions::default(),
+    )
+}
+
+fn analysed(solution: &Solution) -> Stability {
+    let options = StabilityOptions {
+        tolerance: 1e-11,
+        ..StabilityOptions::default()
+    };
+    solve_stability(solution.details(), &options).unwrap()
+}
+
+/// Checks them against differences of multipliers that the period map gives, by steps of this part
+/// of the scales.
+fn check_multipliers(solution: &Solution, asked: &Asked, step: f64) {
+    let stability = analysed(solution);
+    let known = |m: &&Multiplier| !m.trivial && m.value.norm() > 1e-3;
+    let all = stability.multipliers.iter().enumerate();
+    let numbers: Vec<usize> = all.filter(|(_, m)| known(m)).map(|(i, _)| i).collect();
+    assert!(!numbers.is_empty());
+    let found = of_multipliers(solution, asked, &stability, &numbers).unwrap();
+    let (model, period) = (solution.model(), solution.grid().period());
+    for (j, &parameter) in asked.parameters.iter().enumerate() {
+        let scale = match parameter {
+            Free::Frequency => TAU / period,
+            Free::Parameter(id) => model.parameters()[id].scale,
+        };
+        let h = step * scale;
+        let at = [1.0, -1.0, 2.0, -2.0].map(|n| {
+            let beside = analysed(&beside(solution, asked, parameter, n * h));
+            numbers
+                .iter()
+                .zip(&found.values)
+                .map(move |(_, value)| {
+                    let near = |m: &&Multiplier| (m.value - value).norm();
+                    let all = beside.multipliers.iter();
+                    let nearest = all.min_by(|a, b| near(a).total_cmp(&near(b)));
+                    nearest.unwrap().value
+                })
+                .collect::<Vec<_>>()
+        });
+        let [a, b, c, d] = at;
+        for (i, &number) in numbers.iter().enumerate() {
+            let difference = ((a[i] - b[i]) * 8.0 - (c[i] - d[i])) / (12.0 * h);
+            let derivative = found.derivatives[(i, j)];
+            let error = (derivative - difference).norm() * scale;
+            println!("{number} by {parameter:?}: {derivative:.9}, off by {error:.1e}");
+            let size = (derivative.norm() * scale).max(found.values[i].norm());
+            assert!(error < 1e-8 * size, "{derivative} {difference}: {error:e}");
+            let value = stability.multipliers[number].value;
+            assert!((found.values[i] - value).norm() < 1e-9);
+        }
+    }
+}
+
+#[test]
+fn of_multipliers_of_a_nonlinear_oscillator() {
+    let (model, _, parameters) = oscillator();
+    let asked = Asked {
+        parameters,
+        ..Asked::default()
+    };
+    let solution = held(&model, TAU / 1.4, &asked, &options(41));
+    check_multipliers(&solution, &asked, 5e-4);
+}
+
+#[test]
+fn of_the_multiplier_of_a_limit_cycle() {
+    let (_, solution, asked) = limit_cycle();
+    check_multipliers(&solution, &asked, 3e-3);
+    // That of a shift in time is 1 whatever the parameters.
+    let stability = analysed(&solution);
+    let is_trivial = |m: &Multiplier| m.trivial;
+    let number = stability.multipliers.iter().position(is_trivial).unwrap();
+    let error = of_multipliers(&solution, &asked, &stability, &[number]).unwrap_err();
+    assert_eq!(error.kind(), ErrorKind::NotAvailable);
+    assert!(error.to_string().contains("time or space"), "{error}");
+    let error = of_multipliers(&solution, &asked, &stability, &[9]).unwrap_err();
+    assert_eq!(error.kind(), ErrorKind::Identifier);
+}
+
+#[test]
+fn multipliers_that_are_equal_have_none() {
+    // Two oscillators that do not know of each other.
+    let mut model = Model::new();
+    let mut springs = Vec::new();
+    for axis in [Vector3::x(), Vector3::y()] {
+        let body = ball(&mut model, 1.0, 1.0, &Vector3::zeros());
+        let members = [None, Some(body)];
+        let slide = join(
+            &mut model,
+            JointKind::Prismatic,
+            members,
+            &Vector3::zeros(),
+            &axis,
+        );
+        let at = JointCoordinate {
+            joint: slide,
+            coordinate: Coordinate::Displacement1,
+        };
+        let spring = model.add_polynomial_spring_damper(at, &[2.0], &[0.1], 0.0);
+        springs.push(spring.unwrap());
+        model.add_actuator(at, &cosine(1.0)).unwrap();
+    }
+    let stiffness = moved(
+        &mut model,
+        "stiffness",
+        2.0,
+        &[(Target::Stiffness(springs[0], 1), 1.0)],
+    );
+    let asked = Asked {
+        parameters: vec![stiffness],
+        ..Asked::default()
+    };
+    let solution = held(&model, TAU / 1.1, &asked, &options(5));
+    let stability = analysed(&solution);
+    let error = of_multipliers(&solution, &asked, &stability, &[0]).unwrap_err();
+    assert_eq!(error.kind(), ErrorKind::NotAvailable);
+    assert!(error.to_string().contains("is as large"), "{error}");
 }

@@ -3,6 +3,7 @@
 use faer::{Accum, Mat, Par, linalg::matmul::matmul};
 use periodyn::model::Model;
 use periodyn::solve::{Outcome, PeriodicOptions, solve_periodic};
+use rustix::time::{ClockId, clock_gettime};
 use std::time::{Duration, Instant};
 
 /// Time of 10⁹ double-precision multiply-adds in faer's matrix product on one core.
@@ -37,6 +38,17 @@ pub fn bandwidth() -> f64 {
         .min();
     // Counted as is usual: what is written is not read first.
     (3 * count * size_of::<f64>()) as f64 / shortest.unwrap().as_secs_f64()
+}
+
+/// Processor time of `work` on all threads, and what it gave.
+pub fn processor_time<T>(work: impl FnOnce() -> T) -> (Duration, T) {
+    let now = || {
+        let time = clock_gettime(ClockId::ProcessCPUTime);
+        Duration::new(time.tv_sec as u64, time.tv_nsec as u32)
+    };
+    let start = now();
+    let given = work();
+    (now() - start, given)
 }
 
 /// The one in the middle.

@@ -4,15 +4,20 @@ use super::condition::{Conditions, feature, free_parameter, pdn_conditions};
 use super::guard::{free, guard, init};
 use super::handle::Handle;
 use super::linear_solver::read_linear_solver;
-use super::model::choose;
+use super::model::{choose, index};
 use super::options::Options;
 use super::parameter::PDN_FREQUENCY;
 use super::quantity::{pdn_quantity, selection};
 use super::solution::pdn_solution;
+use super::stability::pdn_stability;
 use super::status::pdn_status;
 use crate::error::{Error, Result};
 use crate::quantity::Peak;
-use crate::solve::{Dependent, SensitivityMethod, SensitivityOptions, solve_sensitivities};
+use crate::solve::{
+    Dependent, SensitivityMethod, SensitivityOptions, solve_multiplier_sensitivities,
+    solve_sensitivities,
+};
+use nalgebra::Complex;
 
 /// Feature of a quantity, for sensitivities: its largest value over the period.
 pub const PDN_FEATURE_LARGEST: i32 = 504;
@@ -272,19 +277,7 @@ pub unsafe extern "C" fn pdn_solution_sensitivities(
             })
         });
         let by = lists.parameters.iter().map(|&id| free_parameter(model, id));
-        let methods = [
-            (PDN_SENSITIVITY_AUTOMATIC, SensitivityMethod::Automatic),
-            (PDN_SENSITIVITY_DIRECT, SensitivityMethod::Direct),
-            (PDN_SENSITIVITY_ADJOINT, SensitivityMethod::Adjoint),
-        ];
-        let expected = "a constant PDN_SENSITIVITY_...";
-        let threads = usize::try_from(given.threads);
-        let options = SensitivityOptions {
-            method: choose(&methods, given.method, "options.method", expected)?,
-            linear: read_linear_solver(given.linear_solver)?,
-            threads: threads
-                .map_err(|_| Error::value("options.threads", "zero or more", given.threads))?,
-        };
+        let options = read_options(&given)?;
         let found = solve_sensitivities(
             (model, solution.details()),
             (&free, &conditions),
@@ -293,6 +286,101 @@ pub unsafe extern "C" fn pdn_solution_sensitivities(
             &options,
         )?;
         out.set(found.derivatives.as_slice());
+        Ok(())
+    })
+}
+
+fn read_options(given: &pdn_sensitivity_options) -> Result<SensitivityOptions> {
+    let methods = [
+        (PDN_SENSITIVITY_AUTOMATIC, SensitivityMethod::Automatic),
+        (PDN_SENSITIVITY_DIRECT, SensitivityMethod::Direct),
+        (PDN_SENSITIVITY_ADJOINT, SensitivityMethod::Adjoint),
+    ];
+    let expected = "a constant PDN_SENSITIVITY_...";
+    let threads = usize::try_from(given.threads);
+    Ok(SensitivityOptions {
+        method: choose(&methods, given.method, "options.method", expected)?,
+        linear: read_linear_solver(given.linear_solver)?,
+        threads: threads
+            .map_err(|_| Error::value("options.threads", "zero or more", given.threads))?,
+    })
+}
+
+/// Derivatives of a Floquet multiplier of a periodic solution by parameters of its model.
+///
+/// The solution follows the parameters, and so do the free parameters of `conditions`, so that
+/// these go on to be met. The multiplier is first found once more, from the equations on the grid
+/// of the solution, whose derivatives these are: that takes a complex factorisation for each of a
+/// few iterations. A multiplier that is not the only one of its value, or that is 1 because its mode
+/// moves the solution in time or space, has no derivatives.
+///
+/// @param solution  a converged solution of ::pdn_solve_periodic, ::pdn_solve_conditioned or one
+///     like it; not NULL
+/// @param sensitivities  the parameters; what else it lists is of no account; not NULL
+/// @param stability  the multipliers of this solution; not NULL
+/// @param number  number of the multiplier among these, from 0
+/// @param conditions  free parameters and as many conditions; NULL for none
+/// @param options  may be NULL for the defaults; the method is of no account
+/// @param re  receives derivatives of the real part, one for each parameter
+/// @param im  those of the imaginary part
+/// @param parameters  number of the parameters
+/// @return PDN_OK; PDN_ERR_NULL; PDN_ERR_STRUCT_SIZE; PDN_ERR_SIZE; PDN_ERR_ID; PDN_ERR_VALUE (a
+///     parameter twice, or free; multipliers of another period); PDN_ERR_NOT_PERIODIC (PDN_FREQUENCY,
+///     and something has a frequency of its own); PDN_ERR_NOT_AVAILABLE (as of
+///     ::pdn_solution_sensitivities; a multiplier that has no derivatives, or whose mode the grid
+///     does not resolve); PDN_ERR_CALLBACK; PDN_ERR_OVERFLOW; PDN_ERR_MEMORY
+///
+/// Threads: like a `const` use of `solution`, `sensitivities`, `stability` and `conditions`.
+/// Functions of yours are called on this thread.
+/// @since 0.1
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn pdn_solution_multiplier_sensitivities(
+    solution: *const pdn_solution,
+    sensitivities: *const pdn_sensitivities,
+    stability: *const pdn_stability,
+    number: i32,
+    conditions: *const pdn_conditions,
+    options: *const pdn_sensitivity_options,
+    re: *mut f64,
+    im: *mut f64,
+    parameters: usize,
+) -> pdn_status {
+    guard(|call| {
+        let solution = call.shared(solution, "solution")?;
+        let lists = call.shared(sensitivities, "sensitivities")?;
+        let stability = call.shared(stability, "stability")?;
+        let none = std::sync::Arc::new(Conditions::default());
+        let conditions = match conditions.is_null() {
+            true => none,
+            false => call.shared(conditions, "conditions")?,
+        };
+        let given = call.options(options, "options")?;
+        let count = stability.multipliers.len();
+        let number = index(number, count, "number", "a multiplier's number")?;
+        if parameters != lists.parameters.len() {
+            return Err(Error::size(
+                "parameters",
+                lists.parameters.len(),
+                parameters,
+            ));
+        }
+        let re = call.out_slice(re, parameters, parameters, "re")?;
+        let im = call.out_slice(im, parameters, parameters, "im")?;
+        let model = solution.model();
+        let (free, conditions) = conditions.of(model)?;
+        let by = lists.parameters.iter().map(|&id| free_parameter(model, id));
+        let found = solve_multiplier_sensitivities(
+            (model, solution.details()),
+            (&free, &conditions),
+            (&stability, &[number]),
+            &by.collect::<Result<Vec<_>>>()?,
+            &read_options(&given)?,
+        )?;
+        let part = |of: fn(&Complex<f64>) -> f64| -> Vec<f64> {
+            found.derivatives.iter().map(of).collect()
+        };
+        re.set(&part(|z| z.re));
+        im.set(&part(|z| z.im));
         Ok(())
     })
 }

@@ -42,7 +42,8 @@ pub use periodic::solve_periodic;
 pub use report::{Iteration, NewtonOptions, NewtonReport, Outcome, Timings};
 pub use result::{Assessment, GridTried, Kind, MarchRecord, PeriodicRecord, Solved, Unheld};
 pub use sensitivities::{
-    Dependent, Sensitivities, SensitivityMethod, SensitivityOptions, solve_sensitivities,
+    Dependent, MultiplierSensitivities, Sensitivities, SensitivityMethod, SensitivityOptions,
+    solve_multiplier_sensitivities, solve_sensitivities,
 };
 pub use stability::{
     Multiplier, Stability, StabilityMethod, StabilityOptions, Verdict, solve_stability,

@@ -123,6 +123,42 @@ static void held(void)
     pdn_sensitivities_free(s);
     pdn_sensitivities_free(NULL);
 
+    /* Multipliers exp(s T), s = -c / 2m + i sqrt(k / m - (c / 2m)^2). */
+    pdn_stability *stability;
+    CHECK_STATUS(pdn_sensitivities_new(&s), PDN_OK);
+    CHECK_STATUS(pdn_sensitivities_add_parameter(s, stiffness), PDN_OK);
+    CHECK_STATUS(pdn_sensitivities_add_parameter(s, nothing), PDN_OK);
+    CHECK_STATUS(pdn_sensitivities_add_parameter(s, PDN_FREQUENCY), PDN_OK);
+    CHECK_STATUS(pdn_solve_stability(solution, NULL, &stability), PDN_OK);
+    double by[3][2] = {{0, 0}, {0, 0}, {0, 0}};
+    for (int i = 0; i < 3; i += 2) {
+        const double places[4] = {-2, -1, 1, 2}, weights[4] = {1, -8, 8, -1};
+        for (int k = 0; k < 4; ++k) {
+            double step[3] = {0, 0, 0};
+            step[i] = places[k] * h;
+            const double damping = DAMPING / (2 * MASS), of = weights[k] / (12 * h);
+            const double turning = sqrt((STIFFNESS + step[0]) / MASS - damping * damping);
+            const double period = 2 * PI / (w + step[2]), size = exp(-damping * period);
+            by[i][0] += of * size * cos(turning * period);
+            by[i][1] += of * size * sin(turning * period);
+        }
+    }
+    double re[3], im[3];
+    CHECK_STATUS(pdn_solution_multiplier_sensitivities(solution, s, stability, 0, NULL, NULL, re, im,
+                                                       3), PDN_OK);
+    for (int i = 0; i < 3; ++i) {
+        CHECK_NEAR(re[i], by[i][0], 1e-8);
+        CHECK_NEAR(im[i], by[i][1], 1e-8);
+    }
+    CHECK_STATUS(pdn_solution_multiplier_sensitivities(solution, s, stability, 2, NULL, NULL, re, im,
+                                                       3), PDN_ERR_ID);
+    CHECK_STATUS(pdn_solution_multiplier_sensitivities(solution, s, stability, 0, NULL, NULL, re, im,
+                                                       2), PDN_ERR_SIZE);
+    CHECK_STATUS(pdn_solution_multiplier_sensitivities(solution, s, NULL, 0, NULL, NULL, re, im, 3),
+                 PDN_ERR_NULL);
+    pdn_stability_free(stability);
+    pdn_sensitivities_free(s);
+
     /* A constant has no peak; a statical solution no sensitivities. */
     pdn_quantity y;
     PDN_INIT(pdn_quantity, &y);

@@ -218,10 +218,7 @@ impl Walk<'_> {
         }
         tangent.iter_mut().for_each(|x| *x /= length);
         let known = tangent.iter().all(|x| x.is_finite());
-        Ok(known.then_some(Place {
-            state: state.clone(),
-            tangent,
-        }))
+        Ok(known.then(|| Place::new(state.clone(), tangent)))
     }
 }
 

@@ -288,7 +288,7 @@ impl Walk<'_> {
             return Ok(None);
         }
         let cosine = self.inner(&tangent, &from.tangent).clamp(-1.0, 1.0);
-        let to = Place { state, tangent };
+        let to = Place::new(state, tangent);
         Ok(Some(Found {
             event,
             stepped: Stepped {

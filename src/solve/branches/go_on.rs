@@ -90,7 +90,7 @@ impl Follow<'_, '_> {
                 }
                 self.walk.first_tangent(state)?
             }
-            Some(tangent) => match self.walk.step(&Place { state, tangent }, 0.0)? {
+            Some(tangent) => match self.walk.step(&Place::new(state, tangent), 0.0)? {
                 Ok(stepped) => Some(stepped.to),
                 Err(report) => {
                     self.ends(BranchEnd::NoStart, no_first_point(&report));
@@ -147,10 +147,7 @@ impl Place {
     fn at(state: GridState, walk: &Walk) -> Self {
         let layout = walk.newton.equations.system().layout(state.points());
         let size = layout.with_scalars(walk.scales.len()).size();
-        Place {
-            state,
-            tangent: vec![0.0; size],
-        }
+        Place::new(state, vec![0.0; size])
     }
 }
 

@@ -97,10 +97,10 @@ impl Walk<'_> {
         let from = TimeGrid::new(from, equations.grid().period())?;
         let to = TimeGrid::new(to, equations.grid().period())?;
         match place.state.resampled(system, from, 0.0, to, &self.workers) {
-            Ok(state) => Ok(Some(Place {
-                tangent: self.resampled(&place.tangent, from, points),
-                state,
-            })),
+            Ok(state) => {
+                let tangent = self.resampled(&place.tangent, from, points);
+                Ok(Some(Place::new(state, tangent)))
+            }
             Err(e) if e.kind() == ErrorKind::GridTooCoarse => Ok(None),
             Err(e) => Err(e),
         }

@@ -239,7 +239,7 @@ impl Follow<'_, '_> {
         let system = self.walk.newton.equations.system().clone();
         while length >= self.walk.options.smallest_step {
             singular.frequency = here.frequency;
-            let Place { state, tangent } = &here.place;
+            let Place { state, tangent, .. } = &here.place;
             let predicted = state.incremented(&system, tangent, length);
             let arc: Arc<dyn Condition> = Arc::new(self.walk.arc(state, tangent, length));
             let basis = (&here.located.tangents[..], arc);

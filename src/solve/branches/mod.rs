@@ -19,7 +19,7 @@ mod go_on;
 mod grid;
 mod locus;
 mod multipliers;
-mod singular;
+pub(in crate::solve) mod singular;
 mod step;
 mod switch;
 mod walk;

@@ -5,7 +5,7 @@ use crate::error::Result;
 use crate::fourier::TimeGrid;
 use crate::solve::periodic::conditioned::known;
 use crate::solve::report::{NewtonReport, Outcome};
-use crate::solve::stability::{Stability, Verdict, solve_stability};
+use crate::solve::stability::{Stability, Verdict, solve_stability_after};
 use crate::system::System;
 use serde::{Deserialize, Serialize};
 use std::sync::Arc;
@@ -57,11 +57,11 @@ impl Multipliers {
 
 impl Walk<'_> {
     /// Multipliers at a place, if they are wanted and can be found.
-    pub fn multipliers(&self, place: &Place) -> Result<Option<Multipliers>> {
+    pub fn multipliers(&mut self, place: &Place) -> Result<Option<Multipliers>> {
         found_or_none(self.find_multipliers(place))
     }
 
-    fn find_multipliers(&self, place: &Place) -> Result<Option<Multipliers>> {
+    fn find_multipliers(&mut self, place: &Place) -> Result<Option<Multipliers>> {
         let Some(options) = &self.options.stability else {
             return Ok(None);
         };
@@ -74,7 +74,7 @@ impl Walk<'_> {
         let report = NewtonReport::ended(Outcome::Converged, String::new());
         let threads = self.options.periodic.threads;
         let solved = known(&system, (grid, state), report, threads, Vec::new())?;
-        let found = solve_stability(&solved, options)?;
+        let found = solve_stability_after(&mut self.experience, &solved, options)?;
         let pairs = found.multipliers.iter();
         let pairs = pairs.filter(|m| !m.trivial && m.value.im > m.error);
         let pairs = pairs.map(|m| Pair {
@@ -88,7 +88,7 @@ impl Walk<'_> {
     }
 
     /// What they say.
-    pub fn stability(&self, place: &Place) -> Result<Option<PointStability>> {
+    pub fn stability(&mut self, place: &Place) -> Result<Option<PointStability>> {
         Ok(self.multipliers(place)?.map(|found| found.stability))
     }
 }

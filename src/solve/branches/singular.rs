@@ -17,12 +17,14 @@ const STEP: f64 = 1e-5;
 /// Shift, over the frequency, where the equations are singular to rounding.
 const BESIDE: f64 = 1e-9;
 
-/// `σ`, of which `J(iω) v + σ a = 0` and `b·v = 1`: zero where the Jacobian `J` for increments
-/// `exp(iωt) Δu` is singular.
-pub(super) struct Singular {
+/// `σ`, of which `J(μ) v + σ a = 0` and `b·v = 1`: zero where the Jacobian `J` for increments
+/// `exp(μt) Δu`, with `μ = iω` at events, is singular.
+pub(in crate::solve) struct Singular {
     pub event: Event,
-    /// `ω`: zero but at torus points.
+    /// `ω`: zero but at torus points, and for exponents.
     pub frequency: f64,
+    /// Real part of the exponent beside `iω`: zero at events.
+    pub growth: f64,
     equations: Collocation,
     /// For products at other states.
     tangent: Tangent,
@@ -42,6 +44,24 @@ impl Singular {
         equations: &Collocation,
         state: &GridState,
     ) -> Result<Option<Self>> {
+        Self::with_exponent(event, C64::new(0.0, frequency), equations, state)
+    }
+
+    /// For an exponent of disturbances, which is nearly this.
+    pub fn of_exponent(
+        exponent: C64,
+        equations: &Collocation,
+        state: &GridState,
+    ) -> Result<Option<Self>> {
+        Self::with_exponent(Event::Torus, exponent, equations, state)
+    }
+
+    fn with_exponent(
+        event: Event,
+        exponent: C64,
+        equations: &Collocation,
+        state: &GridState,
+    ) -> Result<Option<Self>> {
         let mut equations = equations.clone();
         equations.ground(0.0);
         let pattern = Pattern::new(equations.system(), equations.grid().points());
@@ -52,7 +72,8 @@ impl Singular {
         normalise(&mut border, motions.end);
         let mut singular = Singular {
             event,
-            frequency,
+            frequency: exponent.im,
+            growth: exponent.re,
             pencil: Pencil::new(pattern, matrices, workers)?,
             borders: [border.clone(), border],
             vectors: [Vec::new(), Vec::new()],
@@ -85,8 +106,9 @@ impl Singular {
         self.event == Event::Torus
     }
 
-    fn exponent(&self) -> C64 {
-        C64::new(0.0, self.frequency)
+    /// `μ`.
+    pub fn exponent(&self) -> C64 {
+        C64::new(self.growth, self.frequency)
     }
 
     /// Finds the vectors with the present borders. `false` if that cannot be done.
@@ -128,6 +150,16 @@ impl Singular {
         let [v, w] = &self.vectors;
         // Of second order in the errors of both.
         Ok(Some(-product(w, &self.pencil.product(self.exponent(), v))))
+    }
+
+    /// Number of unknowns, with free parameters.
+    pub fn unknowns(&self) -> usize {
+        self.equations.layout().size()
+    }
+
+    /// Derivative of `σ` by `μ` at the state of the last value.
+    pub fn by_exponent(&self) -> C64 {
+        self.by_frequency() / C64::i()
     }
 
     /// Derivative of `σ` by `ω` at the state of the last value.

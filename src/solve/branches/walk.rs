@@ -12,6 +12,7 @@ use crate::solve::linear::bordered::Bordered;
 use crate::solve::linear::method::Linear;
 use crate::solve::newton::Newton;
 use crate::solve::report::{Iteration, NewtonOptions, NewtonReport, Outcome};
+use crate::solve::stability::Experience;
 use crate::solve::watch::{Stage, Watching};
 use crate::system::System;
 use crate::workers::Workers;
@@ -19,8 +20,11 @@ use std::sync::Arc;
 
 /// Most Newton iterations of a step.
 const ITERATION_LIMIT: usize = 8;
-/// Accuracy of tangents.
-const TANGENT: f64 = 1e-9;
+/// Accuracy of tangents, and of those by factors of a state nearby, of which nothing is better
+/// than was asked for.
+const TANGENT: [f64; 2] = [1e-9, 1e-12];
+/// Steps with the same matrix that are worth no other one: that takes borders, too.
+const CHORDS: i32 = 6;
 
 /// A solution and the direction in which the branch goes on.
 #[derive(Debug, Clone)]
@@ -29,6 +33,19 @@ pub(super) struct Place {
     pub state: GridState,
     /// Of unit length; not scaled.
     pub tangent: Vec<f64>,
+    /// Its derivative by the arc length, if it is known; else empty.
+    pub bend: Vec<f64>,
+}
+
+impl Place {
+    /// Where nothing is known of how the branch bends.
+    pub fn new(state: GridState, tangent: Vec<f64>) -> Self {
+        Place {
+            state,
+            tangent,
+            bend: Vec::new(),
+        }
+    }
 }
 
 /// A step that led to a solution.
@@ -57,6 +74,10 @@ pub(super) struct Walk<'a> {
     pub determinants: Option<Determinants>,
     /// Newton iterations on earlier grids.
     before: usize,
+    /// Whether the equations were linearised last near the end of a solve.
+    near: bool,
+    /// What the last multipliers have taken.
+    pub experience: Option<Experience>,
 }
 
 impl<'a> Walk<'a> {
@@ -83,6 +104,8 @@ impl<'a> Walk<'a> {
             workers,
             watching,
             before: 0,
+            near: false,
+            experience: None,
         })
     }
 
@@ -135,7 +158,10 @@ impl<'a> Walk<'a> {
         };
         let watching = self.watching.clone();
         let mut observe = |iteration: &Iteration| watching.iteration(Stage::Newton, iteration);
-        match self.newton.solve(state, &options, &mut observe) {
+        let solved = self.newton.solve(state, &options, &mut observe);
+        let converged = |report: &NewtonReport| report.outcome == Outcome::Converged;
+        self.near = solved.as_ref().is_ok_and(converged) && self.newton.contracts();
+        match solved {
             Err(e) if self.watching.cancels(&e) => {
                 Ok(NewtonReport::ended(Outcome::Cancelled, String::new()))
             }
@@ -192,21 +218,46 @@ impl<'a> Walk<'a> {
         if tangent[last] * wanted < 0.0 {
             tangent.iter_mut().for_each(|x| *x = -*x);
         }
-        Ok(Some(Place { state, tangent }))
+        Ok(Some(Place::new(state, tangent)))
+    }
+
+    /// The scaled direction at a solution that only the last condition is not met along; by factors
+    /// of a state nearby, if there are some.
+    fn direction(&mut self, state: &GridState, nearby: bool) -> Result<Option<Vec<f64>>> {
+        let newton = &mut self.newton;
+        let regular = match nearby {
+            true => {
+                let (equations, timings) = (&mut newton.equations, &mut newton.timings);
+                newton.linear.move_to(equations, state, timings)?
+            }
+            false => newton.linearise(state)?,
+        };
+        if !regular {
+            return Ok(None);
+        }
+        let mut rows = vec![0.0; newton.equations.layout().size()];
+        if let Some(last) = rows.last_mut() {
+            *last = 1.0;
+        }
+        let solved = newton.solve_linear(&mut rows, TANGENT[usize::from(nearby)])?;
+        Ok(solved.then_some(rows))
     }
 
     /// The tangent at a solution, along the one `before` if there is one; none if the equations are
     /// singular.
     fn tangent(&mut self, state: &GridState, before: Option<&[f64]>) -> Result<Option<Vec<f64>>> {
-        if !self.newton.linearise(state)? {
+        let near = std::mem::take(&mut self.near);
+        let with_present_factors = match near {
+            true => self.direction(state, true)?,
+            false => None,
+        };
+        let found = match with_present_factors {
+            Some(rows) => Some(rows),
+            None => self.direction(state, false)?,
+        };
+        let Some(rows) = found else {
             return Ok(None);
-        }
-        let layout = self.newton.equations.layout();
-        let mut rows = vec![0.0; layout.size()];
-        rows[layout.size() - 1] = 1.0;
-        if !self.newton.solve_linear(&mut rows, TANGENT)? {
-            return Ok(None);
-        }
+        };
         let mut tangent = self.newton.unscaled(&rows, 1.0);
         let mut length = self.inner(&tangent, &tangent).sqrt();
         if before.is_some_and(|before| self.inner(&tangent, before) < 0.0) {
@@ -248,7 +299,15 @@ impl<'a> Walk<'a> {
         self.set_condition(Arc::new(arc), &from.state)?;
         let system = self.newton.equations.system().clone();
         let predicted = from.state.incremented(&system, &from.tangent, length);
-        let mut state = predicted.clone();
+        let mut state = match from.bend.is_empty() {
+            true => predicted.clone(),
+            false => {
+                let both = from.tangent.iter().zip(&from.bend);
+                let to = both.map(|(t, b)| length * (t + 0.5 * length * b));
+                let to: Vec<f64> = to.collect();
+                from.state.incremented(&system, &to, 1.0)
+            }
+        };
         let report = self.solve(&mut state, ITERATION_LIMIT)?;
         if report.outcome != Outcome::Converged {
             return Ok(Err(report));
@@ -259,12 +318,26 @@ impl<'a> Walk<'a> {
         };
         let error = self.away(&predicted, &state);
         let cosine = self.inner(&tangent, &from.tangent).clamp(-1.0, 1.0);
+        let bend = match length.abs() >= self.options.smallest_step {
+            true => {
+                let change = tangent.iter().zip(&from.tangent);
+                change
+                    .map(|(now, before)| (now - before) / length)
+                    .collect()
+            }
+            false => Vec::new(),
+        };
+        let to = Place {
+            state,
+            tangent,
+            bend,
+        };
         Ok(Ok(Stepped {
             shown: Shown {
                 angle: cosine.acos(),
                 prediction: self.inner(&error, &error).sqrt() / length.abs(),
             },
-            to: Place { state, tangent },
+            to,
             iterations: report.iterations.len(),
         }))
     }
@@ -314,6 +387,7 @@ impl<'a> Walk<'a> {
             &self.workers,
         )?;
         let newton = std::mem::replace(&mut self.newton, next);
+        self.near = false;
         let determinants = Determinants::wanted(self.options, &self.newton.equations);
         let determinants = std::mem::replace(&mut self.determinants, determinants);
         self.before += newton.iterations;
@@ -321,13 +395,14 @@ impl<'a> Walk<'a> {
             newton,
             determinants,
         };
-        Ok(Some((Place { state, tangent }, before)))
+        Ok(Some((Place::new(state, tangent), before)))
     }
 
     /// Takes the grid back that there was before.
     pub fn give_back(&mut self, before: Before) {
         self.before += self.newton.iterations;
         self.newton = before.newton;
+        self.near = false;
         self.determinants = before.determinants;
         self.before -= self.newton.iterations;
     }
@@ -359,7 +434,9 @@ fn solver(
     let mut equations = Collocation::new(system.clone(), grid)?;
     equations.set_workers(workers.clone());
     equations.set_scalars(Arc::new(conditioned.clone()));
-    Ok(Newton::bordered(equations, options.periodic.linear))
+    let mut newton = Newton::bordered(equations, options.periodic.linear);
+    newton.chords = CHORDS;
+    Ok(newton)
 }
 
 /// An increment on another grid.

@@ -8,6 +8,7 @@ use faer::linalg::lu::partial_pivoting::factor::{lu_in_place, lu_in_place_scratc
 use faer::linalg::matmul::matmul;
 use faer::linalg::triangular_solve::{
     solve_lower_triangular_in_place, solve_unit_lower_triangular_in_place,
+    solve_upper_triangular_in_place,
 };
 use faer::{Accum, Mat, MatMut, MatRef, Par};
 
@@ -90,6 +91,18 @@ pub(crate) fn solve_lower(
     };
     by_columns(x, l.nrows() * l.nrows() / 2, workers, |_, x| {
         solve(l, x, par)
+    })
+}
+
+/// `X = U⁻¹ X` with the upper triangle of `u`.
+pub(crate) fn solve_upper(
+    u: MatRef<f64>,
+    x: MatMut<f64>,
+    par: Par,
+    workers: &Workers,
+) -> Result<()> {
+    by_columns(x, u.nrows() * u.nrows() / 2, workers, |_, x| {
+        solve_upper_triangular_in_place(u, x, par)
     })
 }
 

@@ -22,7 +22,7 @@ use crate::solve::linear::diagnosis::Singularity;
 use crate::solve::linear::iterative::{
     GmresOptions, GmresWorkspace, Outer, SHARPEST, solve_around,
 };
-use crate::solve::linear::solver::LinearSolver;
+use crate::solve::linear::solver::{COARSE, LinearSolver};
 use crate::solve::report::{Timings, timed};
 use nalgebra::{DMatrix, DVector};
 
@@ -202,6 +202,24 @@ impl<L: LinearSolver> Bordered<L> {
             determined: true,
             workspace: GmresWorkspace::default(),
         }
+    }
+
+    /// Takes the equations at `state`, which is near that where they were linearised: with factors
+    /// of those there. `false` if these do not serve.
+    pub fn move_to(
+        &mut self,
+        equations: &mut Collocation,
+        state: &GridState,
+        timings: &mut Timings,
+    ) -> Result<bool> {
+        self.borders = timed(&mut timings.assembly, || Borders::at(equations, state))?;
+        let inner = &mut self.inner;
+        let solve = |x: &mut [f64]| inner.solve(equations, x, COARSE, timings);
+        let determined = self.borders.eliminate(solve)?;
+        timed(&mut timings.assembly, || {
+            self.tangent.evaluate(equations, state)
+        })?;
+        Ok(determined)
     }
 
     /// Factors `J` at `state`, between the present borders.

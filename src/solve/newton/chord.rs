@@ -13,7 +13,7 @@ use crate::solve::report::{Iteration, Outcome};
 use std::ops::ControlFlow;
 
 /// The same matrix is used again while it is expected to end the iteration within so many steps.
-const STEPS: i32 = 3;
+pub(super) const STEPS: i32 = 3;
 /// Largest contraction, from one increment to the next with the same matrix, that is worth another.
 const CONTRACTION: f64 = 0.2;
 
@@ -31,6 +31,8 @@ enum Next {
 /// What a simplified increment is judged by.
 struct Judge {
     tolerance: f64,
+    /// Steps within which it is to end.
+    steps: i32,
     /// Size of the increment that the matrix was factored for.
     first: f64,
     /// Whether own unknowns are to converge, too.
@@ -51,7 +53,7 @@ impl Judge {
         if ends {
             return Next::Last;
         }
-        let expected = size * contraction.powi(STEPS);
+        let expected = size * contraction.powi(self.steps);
         // Written so that NaN does not go on.
         match contracts && expected <= self.tolerance {
             true => Next::Step,
@@ -67,6 +69,7 @@ impl<L: LinearSolver> Run<'_, L> {
         let accuracy = self.accuracy_of_simplified(first);
         let judge = Judge {
             tolerance: self.options.tolerance,
+            steps: self.newton.chords,
             with_own: self.with_multipliers,
             first,
             accuracy,
@@ -131,6 +134,7 @@ mod tests {
 
     const JUDGE: Judge = Judge {
         tolerance: 1e-8,
+        steps: STEPS,
         first: 1e-2,
         with_own: true,
         accuracy: 1e-4,

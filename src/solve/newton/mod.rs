@@ -59,6 +59,8 @@ pub(crate) struct Newton<L = Assembled> {
     /// What the second increment with the same Jacobian was relative to the first, or the first
     /// where that was so small that it was the last; none if neither is known.
     contraction: Option<f64>,
+    /// Steps with the same matrix that are worth no other one.
+    pub chords: i32,
     /// Short steps after which it is given up, if there are other ways.
     pub patience: Option<usize>,
     /// Iterations since this object was made.
@@ -126,6 +128,7 @@ impl<L: LinearSolver> Newton<L> {
             linear,
             contraction: None,
             patience: None,
+            chords: chord::STEPS,
             iterations: 0,
             equations,
             timings: Timings::default(),
@@ -166,6 +169,13 @@ impl<L: LinearSolver> Newton<L> {
     fn count_evaluation(&self, work: f64) {
         let numbers = self.equations.layout().motions().len() as f64;
         self.equations.workers().work().spend(work * numbers);
+    }
+
+    /// Whether the Jacobian of the last linearisation is nearly that where the last solve has
+    /// converged.
+    pub fn contracts(&self) -> bool {
+        // Without another increment that linearisation was as good as there.
+        self.contraction.is_none_or(|c| c <= FAITHFUL)
     }
 
     /// Linearises the equations at `state`. `false` if they are singular.

@@ -48,6 +48,11 @@ impl Explicit {
         })
     }
 
+    /// The equations with all parameters as unknowns, and the motion with their values.
+    pub fn at(&self) -> (&Collocation, &GridState) {
+        (&self.equations, &self.state)
+    }
+
     /// The scaled residual, and that of the conditions behind it.
     pub fn residual(&mut self) -> Result<&[f64]> {
         self.equations.residual(&self.state, &mut self.residual)?;

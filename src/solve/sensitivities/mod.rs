@@ -3,12 +3,15 @@
 //!
 //! * `dependents.rs`: what is differentiated, and its gradient by all unknowns;
 //! * `explicit.rs`: what residual, conditions and dependents change with a parameter at fixed
-//!   unknowns.
+//!   unknowns;
+//! * `multipliers.rs`: the same of Floquet multipliers.
 
 mod dependents;
 mod explicit;
+mod multipliers;
 
 pub use dependents::Dependent;
+pub use multipliers::{MultiplierSensitivities, solve_multiplier_sensitivities};
 
 use crate::collocation::{Collocation, GridState};
 use crate::error::{Error, ErrorKind, Result};
@@ -107,51 +110,15 @@ pub fn solve_sensitivities(
     options: &SensitivityOptions,
 ) -> Result<Sensitivities> {
     let began = Instant::now();
-    require_solution(solve)?;
-    if conditions.len() != free.len() {
-        let expected = format!("as many as there are free parameters ({})", free.len());
-        return Err(Error::size("conditions", expected, conditions.len()));
-    }
-    require_parameters(model, free, parameters)?;
-    let period = solve.grid.period();
-    let moving: Vec<Free> = parameters
-        .iter()
-        .copied()
-        .filter(|p| moves(model, *p))
-        .collect();
-    let mut equations = Collocation::new(solve.system.clone(), solve.grid)?;
-    equations.set_workers(Workers::new(options.threads)?);
-    let mut state = solve.state.clone();
-    state.scalars.clear();
-    equations.update_kinematics(&state);
-
-    // With all parameters as unknowns, which tells what depends on them.
-    let all: Vec<Free> = free.iter().chain(&moving).copied().collect();
-    let all = Conditioned::new(model, period, &all)?;
-    let values = all.values(period)?;
-    let mut held = conditions.to_vec();
-    held.extend(
-        (free.len()..values.len()).map(|free| -> Arc<dyn Condition> {
-            let value = values[free];
-            Arc::new(Given { free, value })
-        }),
-    );
-    let all = all.under(&held, &equations, &state)?;
-    let bordered = Conditioned::new(model, period, free)?;
-    let bordered = bordered.under(conditions, &equations, &state)?;
-
-    let mut found = Found::new(dependents, free, &equations, &state)?;
-    let mut explicit = Explicit::new(equations.clone(), (free.len(), all), &state, &values)?;
-    let mut inner = equations;
-    if !free.is_empty() {
-        state.scalars = values[..free.len()].to_vec();
-        inner.set_scalars(Arc::new(bordered));
-    }
-    for (index, parameter) in free.iter().enumerate() {
-        let column = explicit.of_dependents((index, *parameter), &found)?;
-        found.add_column(column);
-    }
-    require_same(&mut inner, &state, &mut explicit)?;
+    let prepared = Prepared::new((model, solve), (free, conditions), parameters, options)?;
+    let mut found = Found::new(dependents, free, &prepared.equations, &prepared.state)?;
+    let Prepared {
+        equations: inner,
+        state,
+        mut explicit,
+        moving,
+        values,
+    } = prepared.with_free((model, free), conditions, &mut found)?;
     let mut solver = Solver::new(inner, state, options, (dependents.len(), moving.len()))?;
     let scaled = found.rows(&solver.newton.equations, &solver.state)?;
     let mut columns = Vec::with_capacity(moving.len());
@@ -175,6 +142,84 @@ pub fn solve_sensitivities(
         solves: solver.solves,
         time: began.elapsed(),
     })
+}
+
+/// The equations of a motion, before they are linearised.
+struct Prepared {
+    /// With the free parameters and their conditions, in the end.
+    equations: Collocation,
+    state: GridState,
+    /// With all parameters as unknowns, which tells what depends on them.
+    explicit: Explicit,
+    /// Parameters that move anything.
+    moving: Vec<Free>,
+    /// Values of the free ones, and then of these.
+    values: Vec<f64>,
+}
+
+impl Prepared {
+    /// Still without what is free.
+    fn new(
+        (model, solve): (&Model, &Solved),
+        (free, conditions): (&[Free], &[Arc<dyn Condition>]),
+        parameters: &[Free],
+        options: &SensitivityOptions,
+    ) -> Result<Self> {
+        require_solution(solve)?;
+        if conditions.len() != free.len() {
+            let expected = format!("as many as there are free parameters ({})", free.len());
+            return Err(Error::size("conditions", expected, conditions.len()));
+        }
+        require_parameters(model, free, parameters)?;
+        let period = solve.grid.period();
+        let moving = parameters.iter().copied().filter(|p| moves(model, *p));
+        let moving: Vec<Free> = moving.collect();
+        let mut equations = Collocation::new(solve.system.clone(), solve.grid)?;
+        equations.set_workers(Workers::new(options.threads)?);
+        let mut state = solve.state.clone();
+        state.scalars.clear();
+        equations.update_kinematics(&state);
+        let all: Vec<Free> = free.iter().chain(&moving).copied().collect();
+        let all = Conditioned::new(model, period, &all)?;
+        let values = all.values(period)?;
+        let mut held = conditions.to_vec();
+        held.extend(
+            (free.len()..values.len()).map(|free| -> Arc<dyn Condition> {
+                let value = values[free];
+                Arc::new(Given { free, value })
+            }),
+        );
+        let all = all.under(&held, &equations, &state)?;
+        Ok(Prepared {
+            explicit: Explicit::new(equations.clone(), (free.len(), all), &state, &values)?,
+            equations,
+            state,
+            moving,
+            values,
+        })
+    }
+
+    /// With the free parameters as unknowns, and what the dependents change with them.
+    fn with_free(
+        mut self,
+        (model, free): (&Model, &[Free]),
+        conditions: &[Arc<dyn Condition>],
+        found: &mut Found,
+    ) -> Result<Self> {
+        let period = self.equations.grid().period();
+        let bordered = Conditioned::new(model, period, free)?;
+        let bordered = bordered.under(conditions, &self.equations, &self.state)?;
+        if !free.is_empty() {
+            self.state.scalars = self.values[..free.len()].to_vec();
+            self.equations.set_scalars(Arc::new(bordered));
+        }
+        for (index, parameter) in free.iter().enumerate() {
+            let column = self.explicit.of_dependents((index, *parameter), found)?;
+            found.add_column(column);
+        }
+        require_same(&mut self.equations, &self.state, &mut self.explicit)?;
+        Ok(self)
+    }
 }
 
 /// Checks that a solve has found a periodic motion.

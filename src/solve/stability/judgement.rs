@@ -55,6 +55,11 @@ impl Judgement {
         self.limit.min(highest)
     }
 
+    /// Whether there is a verdict.
+    pub fn is_known(&self) -> bool {
+        self.verdict != Verdict::NotKnown
+    }
+
     /// The result.
     pub fn stability(
         self,

@@ -1,48 +1,37 @@
 //! The map of disturbances over the steps of a period, by Radau's method IIA in index-3 form about
 //! a known motion.
 
-use crate::collocation::{
-    Collocation, GridState, Increment, Pattern, RadauStep, STAGES, Stages, Tangent,
-};
+use super::step_map::{Common, Internal, Memory, StepMap};
+use crate::collocation::{Collocation, GridState, Pattern, RadauStep, STAGES, Stages, Tangent};
 use crate::elements::{Measure, NodeState, Unknown};
 use crate::error::Result;
 use crate::fourier::TimeGrid;
-use crate::motion::DualVector;
-use crate::solve::linear::dense::largest;
 use crate::solve::linear::direct::DirectSolver;
 use crate::solve::result::Solved;
 use crate::workers::Workers;
-use nalgebra::Vector6;
+use faer::{Mat, MatRef};
 use std::f64::consts::TAU;
 use std::ops::Range;
 
-/// Most corrections by which the compliance of dependent constraints is taken back.
-const CORRECTIONS: usize = 12;
-/// A correction smaller than this, relative to the solution, is the last.
-const CORRECTED: f64 = 1e-13;
-/// Accuracy that is asked of linear solves.
-const ACCURACY: f64 = 1e-12;
-/// Change of a solution by refinement that makes the next ones do without.
-const UNREFINED: f64 = 1e-11;
+/// Disturbances that are taken through a step together.
+const TOGETHER: usize = 64;
+/// Most memory for factors of steps that are kept, in bytes.
+const MOST_KEPT: usize = 1 << 28;
 
 /// What the period map needs of a periodic solution, for one number of steps.
 pub(super) struct PeriodMap {
     stages: Stages,
     rule: RadauStep,
-    equations: Collocation,
+    common: Common,
     state: GridState,
     tangent: Tangent,
     pattern: Pattern,
     values: Vec<f64>,
     solver: DirectSolver,
-    steps: usize,
-    /// What the entries of a disturbance are measured in.
-    scales: Vec<f64>,
-    /// Places of the internal states at the last stage among all own unknowns, and how far apart
-    /// those of two stages are.
-    internal: Vec<[usize; 2]>,
-    increment: Increment,
-    rhs: Vec<f64>,
+    /// Steps that were factored, and the bytes that they take.
+    kept: Vec<Option<StepMap>>,
+    bytes: usize,
+    memory: Memory,
 }
 
 impl PeriodMap {
@@ -69,50 +58,57 @@ impl PeriodMap {
             }
         }
         let mut internal = Vec::new();
-        for placed in system.elements().iter().filter(|p| p.has_states) {
+        let elements = system.elements().iter().enumerate();
+        for (element, placed) in elements.filter(|(_, placed)| placed.has_states) {
+            let first = scales.len();
             for row in 0..placed.element.own_unknowns() {
-                let place = placed.first_own + row;
-                if let Unknown::State { measure, .. } = system.unknown(place) {
-                    let last = placed.own_at(STAGES, STAGES - 1);
-                    internal.push([last.start + row, last.len()]);
-                    scales.push(match measure {
-                        Measure::Length => length,
-                        Measure::Angle => 1.0,
-                    });
-                }
+                let scale = match system.unknown(placed.first_own + row) {
+                    Unknown::State {
+                        measure: Measure::Length,
+                        ..
+                    } => length,
+                    _ => 1.0,
+                };
+                scales.push(scale);
             }
+            internal.push(Internal {
+                element,
+                places: first..scales.len(),
+            });
         }
-        let size = equations.size();
+        let tangent = Tangent::new(system, STAGES);
+        let couplings = tangent.couplings().iter().cloned().enumerate();
+        let rule = stages.rule();
         Ok(PeriodMap {
-            rule: stages.rule(),
+            common: Common {
+                equations,
+                weights: rule.weights,
+                scales,
+                internal,
+                moving: couplings.filter(|(_, coupling)| coupling.moving).collect(),
+            },
+            rule,
             stages,
             state: GridState::at_points(system, STAGES),
-            tangent: Tangent::new(system, STAGES),
+            tangent,
             values: vec![0.0; pattern.entries()],
             pattern,
             solver,
-            steps,
-            scales,
-            internal,
-            increment: Increment {
-                x: vec![0.0; size],
-                rates: vec![[Vector6::zeros(); 2]; STAGES * system.nodes()],
-                own_rates: vec![0.0; STAGES * system.own_unknowns()],
-            },
-            rhs: vec![0.0; size],
-            equations,
+            kept: (0..steps).map(|_| None).collect(),
+            bytes: 0,
+            memory: Memory::default(),
         })
     }
 
     /// Entries of a disturbance: of each node its increment and that of its velocity; then internal
     /// states.
     pub fn size(&self) -> usize {
-        self.scales.len()
+        self.common.scales.len()
     }
 
     /// Steps to the period.
     pub fn steps(&self) -> usize {
-        self.steps
+        self.kept.len()
     }
 
     /// The motion of a node at the end of a step.
@@ -122,123 +118,59 @@ impl PeriodMap {
 
     /// Takes disturbances, scaled, from the start of the first of some steps to the end of the
     /// last; `after` sees them at the end of each. `false` if a step's equations are singular.
+    /// Factors are kept for the next sweep, if `keep` and as far as there is memory for them.
     ///
     /// # Errors
     /// Those of elements and signals, or if work is to end.
     pub fn sweep(
         &mut self,
-        steps: Range<usize>,
-        columns: &mut [Vec<f64>],
-        mut after: impl FnMut(usize, &[Vec<f64>]),
+        (steps, keep): (Range<usize>, bool),
+        columns: &mut Mat<f64>,
+        mut after: impl FnMut(usize, MatRef<f64>),
     ) -> Result<bool> {
+        let mut spare = None;
         for step in steps {
-            let equations = &mut self.equations;
-            (self.stages).set(step, &mut self.rule, equations, &mut self.state)?;
-            let (tangent, values) = (&mut self.tangent, &mut self.values);
-            equations.jacobian(&self.state, &self.pattern, tangent, values)?;
-            if !self.solver.factor(&self.values)? {
-                return Ok(false);
-            }
-            for column in columns.iter_mut() {
-                self.equations.workers().pulse()?;
-                if !self.propagate(column)? {
+            let mut map = match self.kept[step].take() {
+                Some(map) => {
+                    self.bytes -= map.bytes();
+                    map
+                }
+                None => {
+                    let map = spare.take().unwrap_or_else(|| StepMap::new(&self.solver));
+                    match self.factored(step, map)? {
+                        Some(map) => map,
+                        None => return Ok(false),
+                    }
+                }
+            };
+            for first in (0..columns.ncols()).step_by(TOGETHER) {
+                self.common.equations.workers().pulse()?;
+                let count = TOGETHER.min(columns.ncols() - first);
+                let some = columns.as_mut().subcols_mut(first, count);
+                if !map.propagate(&self.common, some, &mut self.memory)? {
                     return Ok(false);
                 }
             }
-            after(step, columns);
+            after(step, columns.as_ref());
+            let bytes = map.bytes();
+            match keep && self.bytes + bytes <= MOST_KEPT {
+                true => {
+                    self.bytes += bytes;
+                    self.kept[step] = Some(map);
+                }
+                false => spare = Some(map),
+            }
         }
         Ok(true)
     }
 
-    /// Takes one disturbance to the end of the step that was factored.
-    fn propagate(&mut self, column: &mut [f64]) -> Result<bool> {
-        column
-            .iter_mut()
-            .zip(&self.scales)
-            .for_each(|(x, s)| *x *= s);
-        let nodes = self.equations.system().nodes();
-        let weights = &self.rule.weights;
-        // What the start gives the stages, as if these did not move.
-        for (node, entries) in column[..12 * nodes].chunks_exact(12).enumerate() {
-            let u = Vector6::from_column_slice(&entries[..6]);
-            let v = Vector6::from_column_slice(&entries[6..]);
-            for k in 0..STAGES {
-                self.increment.rates[node * STAGES + k] = [
-                    u * weights.start[k],
-                    u * weights.second_start[k] + v * weights.start[k],
-                ];
-            }
-        }
-        let count = self.internal.len();
-        let states = column.len() - count;
-        for (x, [last, stride]) in column[states..].iter().zip(&self.internal) {
-            for k in 0..STAGES {
-                let at = last - (STAGES - 1 - k) * stride;
-                self.increment.own_rates[at] = x * weights.start[k];
-            }
-        }
-        self.tangent
-            .forces(&self.equations, &self.increment, &mut self.rhs);
-        self.rhs.iter_mut().for_each(|x| *x = -*x);
-        if !self.solve()? {
-            return Ok(false);
-        }
-        let (scales, layout) = (self.equations.column_scale(), self.equations.layout());
-        let weights = &self.rule.weights;
-        for (node, entries) in column[..12 * nodes].chunks_exact_mut(12).enumerate() {
-            let start = Vector6::from_column_slice(&entries[..6]);
-            let (mut end, mut rate) = (Vector6::zeros(), start * weights.start[STAGES - 1]);
-            for k in 0..STAGES {
-                let at = layout.motion(node, k);
-                let scale = Vector6::from_column_slice(&scales[at.clone()]);
-                end = Vector6::from_column_slice(&self.rhs[at]).component_mul(&scale);
-                rate += end * weights.first[STAGES - 1][k];
-            }
-            let twist = &self.rule.nodes[node * STAGES + STAGES - 1].twist;
-            let skew = DualVector::from_twist(twist).skew();
-            rate += (skew * DualVector::from_twist(&end)).to_twist();
-            entries[..6].copy_from_slice(end.as_slice());
-            entries[6..].copy_from_slice(rate.as_slice());
-        }
-        for (x, [last, _]) in column[states..].iter_mut().zip(&self.internal) {
-            let at = layout.own().start + last;
-            *x = self.rhs[at] * scales[at];
-        }
-        column
-            .iter_mut()
-            .zip(&self.scales)
-            .for_each(|(x, s)| *x /= s);
-        Ok(true)
-    }
-
-    /// Solves with the factors of the step, without the compliance that these have where
-    /// constraints depend on each other.
-    fn solve(&mut self) -> Result<bool> {
-        let motions = self.equations.layout().motions().end;
-        let asked = (motions, ACCURACY);
-        if !self.equations.is_regularised() && self.solver.is_accurate_to(UNREFINED) {
-            return Ok(self.solver.solve(&mut self.rhs));
-        }
-        if !(self.solver).solve_refined(&self.values, &mut self.rhs, asked)? {
-            return Ok(false);
-        }
-        if !self.equations.is_regularised() {
-            return Ok(true);
-        }
-        let mut correction = self.rhs.clone();
-        let mut rest = vec![0.0; self.rhs.len()];
-        for _ in 0..CORRECTIONS {
-            self.equations.compliance_of(&correction, &mut rest);
-            if !(self.solver).solve_refined(&self.values, &mut rest, asked)? {
-                return Ok(false);
-            }
-            std::mem::swap(&mut correction, &mut rest);
-            let sum = self.rhs.iter_mut().zip(&correction);
-            sum.for_each(|(x, d)| *x += d);
-            if largest(&correction[..motions]) <= CORRECTED * largest(&self.rhs[..motions]) {
-                break;
-            }
-        }
-        Ok(true)
+    /// A step, in the memory of another.
+    fn factored(&mut self, step: usize, mut map: StepMap) -> Result<Option<StepMap>> {
+        let equations = &mut self.common.equations;
+        (self.stages).set(step, &mut self.rule, equations, &mut self.state)?;
+        let (tangent, values) = (&mut self.tangent, &mut self.values);
+        equations.jacobian(&self.state, &self.pattern, tangent, values)?;
+        let regular = map.factor(&self.common, &self.tangent, &self.values, &self.rule)?;
+        Ok(regular.then_some(map))
     }
 }

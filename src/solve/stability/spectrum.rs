@@ -42,7 +42,7 @@ const FLAT: f64 = 1e-9;
 pub(super) type Rough = (Complex<f64>, f64);
 
 /// Multipliers of the modes that the steps do not kill at once.
-#[derive(Debug, Clone, Default)]
+#[derive(Debug, Clone)]
 pub(super) struct Spectrum {
     pub values: Vec<Complex<f64>>,
     /// Angular frequency of each over the period, with the sign of its turning.
@@ -50,10 +50,23 @@ pub(super) struct Spectrum {
     pub errors: Vec<f64>,
     /// Whether the mode is a motion in time or space.
     pub shifts: Vec<bool>,
-    /// Of each, the part of each disturbance that was followed.
-    vectors: Vec<Vec<Complex<f64>>>,
+    /// Of each, the part of each disturbance that was followed: real and imaginary parts.
+    parts: [Mat<f64>; 2],
     /// Increments of the nodes at the end of each step, of each disturbance; scaled.
-    samples: Vec<Vec<Vec<f64>>>,
+    samples: Vec<Mat<f64>>,
+}
+
+impl Default for Spectrum {
+    fn default() -> Self {
+        Spectrum {
+            values: Vec::new(),
+            frequencies: Vec::new(),
+            errors: Vec::new(),
+            shifts: Vec::new(),
+            parts: [Mat::new(), Mat::new()],
+            samples: Vec::new(),
+        }
+    }
 }
 
 /// The spectrum of a period map of at most so many `states`; none if steps are singular.
@@ -66,10 +79,7 @@ pub(super) fn spectrum(
     let Some(basis) = basis(map, states, guess)? else {
         return Ok(None);
     };
-    let (size, count, steps) = (basis.nrows(), basis.ncols(), map.steps());
-    let mut columns: Vec<Vec<f64>> = (0..count).map(|j| basis.col_as_slice(j).to_vec()).collect();
-    let mut samples = Vec::with_capacity(steps);
-    let mut rates = Vec::with_capacity(steps);
+    let (count, steps) = (basis.ncols(), map.steps());
     let nodes = solve.system.nodes();
     if 12 * nodes * count * steps * size_of::<f64>() > MOST_MEMORY {
         let message = format!(
@@ -78,16 +88,14 @@ pub(super) fn spectrum(
         );
         return Err(Error::new(ErrorKind::OutOfMemory, message));
     }
-    let regular = map.sweep(0..steps, &mut columns, |_, columns| {
-        let part = |of: usize| -> Vec<Vec<f64>> {
-            let entries = |column: &Vec<f64>| -> Vec<f64> {
-                let of_nodes = column[..12 * nodes].chunks_exact(12);
-                of_nodes
-                    .flat_map(|node| &node[of..of + 6])
-                    .copied()
-                    .collect()
-            };
-            columns.iter().map(entries).collect()
+    let mut columns = basis.clone();
+    let mut samples = Vec::with_capacity(steps);
+    let mut rates = Vec::with_capacity(steps);
+    let regular = map.sweep((0..steps, false), &mut columns, |_, columns| {
+        let part = |of: usize| {
+            Mat::from_fn(6 * nodes, count, |i, j| {
+                columns[(12 * (i / 6) + of + i % 6, j)]
+            })
         };
         samples.push(part(0));
         rates.push(part(6));
@@ -95,24 +103,20 @@ pub(super) fn spectrum(
     if !regular {
         return Ok(None);
     }
-    let ends = Mat::from_fn(size, count, |i, j| columns[j][i]);
-    let square = basis.transpose() * &ends;
+    let square = basis.transpose() * &columns;
     let Some((values, vectors)) = eigenvectors(&square) else {
         return Ok(None);
     };
+    let part = |of: fn(c64) -> f64| Mat::from_fn(count, count, |i, j| of(vectors[(i, j)]));
     let mut found = Spectrum {
         errors: rounding(&square, &vectors, steps),
-        vectors: (0..count)
-            .map(|j| (0..count).map(|i| vectors[(i, j)]).collect())
-            .collect(),
+        parts: [part(|z| z.re), part(|z| z.im)],
         samples,
+        values,
         ..Spectrum::default()
     };
-    found.values = values;
     found.make_rates(map, solve, &mut rates);
-    found.frequencies = (0..count)
-        .map(|j| found.frequency(j, &rates, solve))
-        .collect();
+    found.frequencies = found.frequencies(&rates, solve);
     found.shifts = vec![false; count];
     let is_near_one = |value: &Complex<f64>| (value - 1.0).norm() < NEAR_ONE;
     if found.values.iter().any(is_near_one) {
@@ -133,20 +137,20 @@ fn basis(map: &mut PeriodMap, states: usize, guess: usize) -> Result<Option<Mat<
         _ if states <= FIRST => states,
         _ => (guess + MORE).min(states),
     };
+    let mut random = Random::new(count);
+    let mut matrix = Mat::<f64>::zeros(map.size(), 0);
     loop {
         // All that there are need only obey the constraints.
         let (part, dead) = match count == states {
             true => (CLEANING, NOTHING),
             false => (steps / PART, DEAD),
         };
-        let mut random = Random::new(count);
-        let mut columns: Vec<Vec<f64>> = (0..count)
-            .map(|_| (0..map.size()).map(|_| random.next()).collect())
-            .collect();
-        if !map.sweep(steps - part..steps, &mut columns, |_, _| ())? {
+        let mut more = Mat::from_fn(map.size(), count - matrix.ncols(), |_, _| random.next());
+        if !map.sweep((steps - part..steps, true), &mut more, |_, _| ())? {
             return Ok(None);
         }
-        let matrix = Mat::from_fn(map.size(), count, |i, j| columns[j][i]);
+        let before = matrix.ncols();
+        matrix.resize_with(map.size(), count, |i, j| more[(i, j - before)]);
         let factors = matrix.col_piv_qr();
         let triangle = factors.thin_R();
         let largest = triangle.get(0, 0).abs();
@@ -189,24 +193,17 @@ impl Spectrum {
 
     /// Number of nodes.
     pub fn nodes(&self) -> usize {
-        let first = self.samples.first().and_then(|columns| columns.first());
-        first.map_or(0, |column| column.len() / 6)
+        self.samples
+            .first()
+            .map_or(0, |columns| columns.nrows() / 6)
     }
 
     /// The disturbance of mode `j` at the end of a step, scaled.
     fn disturbance(&self, j: usize, step: usize) -> Vec<Complex<f64>> {
-        self.combined(j, &self.samples[step])
-    }
-
-    /// What mode `j` is of the disturbances that were followed.
-    fn combined(&self, j: usize, columns: &[Vec<f64>]) -> Vec<Complex<f64>> {
-        let mut sum = vec![Complex::default(); columns.first().map_or(0, Vec::len)];
-        for (column, part) in columns.iter().zip(&self.vectors[j]) {
-            sum.iter_mut()
-                .zip(column)
-                .for_each(|(s, x)| *s += part * *x);
-        }
-        sum
+        let columns = &self.samples[step];
+        let [re, im] = self.parts.each_ref().map(|part| columns * part.col(j));
+        let entries = re.iter().zip(im.iter());
+        entries.map(|(re, im)| Complex::new(*re, *im)).collect()
     }
 
     /// Mode `j` at a node over the period, for this exponent; scaled.
@@ -241,15 +238,16 @@ impl Spectrum {
 
     /// Makes rates of increments, `Δu̇ = Δv − ṽ Δu`, of changes of velocities in the unit of time
     /// of the period.
-    fn make_rates(&self, map: &PeriodMap, solve: &Solved, rates: &mut [Vec<Vec<f64>>]) {
+    fn make_rates(&self, map: &PeriodMap, solve: &Solved, rates: &mut [Mat<f64>]) {
         let (length, unit) = (solve.system.scales().length, TAU / solve.grid.period());
         let units = [length, length, length, 1.0, 1.0, 1.0];
         for (step, (rates, samples)) in rates.iter_mut().zip(&self.samples).enumerate() {
-            for (rates, samples) in rates.iter_mut().zip(samples) {
-                let nodes = rates.chunks_exact_mut(6).zip(samples.chunks_exact(6));
-                for (node, (rate, u)) in nodes.enumerate() {
+            for node in 0..self.nodes() {
+                let skew = DualVector::from_twist(&map.end(step, node).twist).skew();
+                for j in 0..self.count() {
+                    let u = &samples.col_as_slice(j)[6 * node..][..6];
+                    let rate = &mut rates.col_as_slice_mut(j)[6 * node..][..6];
                     let u = Vector6::from_fn(|i, _| u[i] * units[i]);
-                    let skew = DualVector::from_twist(&map.end(step, node).twist).skew();
                     let carried = (skew * DualVector::from_twist(&u)).to_twist();
                     for i in 0..6 {
                         rate[i] = rate[i] * unit - carried[i] / units[i];
@@ -259,34 +257,52 @@ impl Spectrum {
         }
     }
 
-    /// Size of the rates of mode `j` relative to its own, without its growth, in the mean over the
-    /// period.
-    fn frequency(&self, j: usize, rates: &[Vec<Vec<f64>>], solve: &Solved) -> f64 {
-        let steps = self.samples.len();
-        let size = self.values[j].norm();
-        let decay = size.powf(1.0 / steps as f64);
-        let growth_rate = size.ln() / solve.grid.period();
-        if !(decay > 0.0 && growth_rate.is_finite()) {
-            return 0.0;
-        }
-        let (mut turning, mut square, mut of_rates) = (0.0, 0.0, 0.0);
-        let mut growth = 1.0;
-        for (step, rates) in rates.iter().enumerate() {
-            growth *= decay;
-            let now = self.combined(j, &self.samples[step]);
-            for (u, rate) in now.iter().zip(self.combined(j, rates)) {
-                let (u, rate) = (u / growth, (rate - u * growth_rate) / growth);
-                turning += (u.conj() * rate).im;
-                square += u.norm_sqr();
-                of_rates += rate.norm_sqr();
+    /// Sizes of the rates of all modes relative to their own, without their growth, in the mean
+    /// over the period.
+    fn frequencies(&self, rates: &[Mat<f64>], solve: &Solved) -> Vec<f64> {
+        let steps = self.samples.len() as f64;
+        // Of a pair that with the positive imaginary part, which comes first.
+        let ones = (0..self.count()).filter(|&j| self.values[j].im >= 0.0);
+        let ones: Vec<usize> = ones.collect();
+        let of_ones =
+            |part: &Mat<f64>| Mat::from_fn(self.count(), ones.len(), |i, j| part[(i, ones[j])]);
+        let parts = self.parts.each_ref().map(of_ones);
+        let sizes = ones.iter().map(|&j| self.values[j].norm());
+        let sizes: Vec<f64> = sizes.collect();
+        let mut sums = vec![[0.0; 3]; ones.len()];
+        for (step, (samples, rates)) in self.samples.iter().zip(rates).enumerate() {
+            let now = parts.each_ref().map(|part| samples * part);
+            let rate = parts.each_ref().map(|part| rates * part);
+            for (j, (sums, size)) in sums.iter_mut().zip(&sizes).enumerate() {
+                let growth = size.powf((step + 1) as f64 / steps);
+                let growth_rate = size.ln() / solve.grid.period();
+                let [re, im] = now.each_ref().map(|part| part.col_as_slice(j));
+                let [rate_re, rate_im] = rate.each_ref().map(|part| part.col_as_slice(j));
+                let entries = re.iter().zip(im).zip(rate_re.iter().zip(rate_im));
+                let mut step = [0.0; 3];
+                for ((re, im), (rate_re, rate_im)) in entries {
+                    let (rate_re, rate_im) =
+                        (rate_re - growth_rate * re, rate_im - growth_rate * im);
+                    step[0] += re * rate_im - im * rate_re;
+                    step[1] += re * re + im * im;
+                    step[2] += rate_re * rate_re + rate_im * rate_im;
+                }
+                for (sum, term) in sums.iter_mut().zip(step) {
+                    *sum += term / growth / growth;
+                }
             }
         }
-        let frequency = (of_rates / square).sqrt().copysign(turning);
-        if frequency.is_finite() {
-            frequency
-        } else {
-            0.0
+        let mut frequencies = vec![0.0; self.count()];
+        for (&j, [turning, square, of_rates]) in ones.iter().zip(sums) {
+            let frequency = (of_rates / square).sqrt().copysign(turning);
+            if frequency.is_finite() {
+                frequencies[j] = frequency;
+                if self.values[j].im > 0.0 {
+                    frequencies[j + 1] = -frequency;
+                }
+            }
         }
+        frequencies
     }
 
     /// The multipliers with their frequencies.
@@ -302,14 +318,28 @@ impl Spectrum {
         !self.shifts[j] || self.shifts.iter().filter(|shift| **shift).count() == 1
     }
 
-    /// Largest error of modes of up to this frequency.
-    pub fn worst(&self, highest: f64) -> f64 {
-        let counts = |j: &usize| self.counts(*j) && self.frequencies[*j].abs() <= highest;
+    /// Largest error of modes of up to this frequency whose multipliers are no smaller than `least`.
+    pub fn worst(&self, highest: f64, least: f64) -> f64 {
+        let counts = |j: &usize| {
+            let within = self.frequencies[*j].abs() <= highest && self.values[*j].norm() >= least;
+            self.counts(*j) && within
+        };
         let errors = (0..self.count()).filter(counts).map(|j| {
             let size = self.values[j].norm().max(1.0);
             self.errors[j] / size
         });
         errors.fold(0.0, f64::max)
+    }
+
+    /// Adds an error, relative to multipliers that are larger than 1, to all.
+    pub fn add_error(&mut self, error: f64, tolerance: f64) {
+        for (value, own) in self.values.iter().zip(&mut self.errors) {
+            // Of what dies within the period nothing is known but that.
+            *own += match value.norm() {
+                size if size < tolerance => size,
+                size => error * size.max(1.0),
+            };
+        }
     }
 
     /// Estimates errors by what came with half as many steps. Whether all are so alike that the

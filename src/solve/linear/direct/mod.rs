@@ -3,7 +3,10 @@
 //! dense kernels. See docs/theory.md, section 8.1.
 
 mod analysis;
+mod columns;
 mod factorisation;
+
+pub use columns::Columns;
 
 use crate::collocation::Pattern;
 use crate::error::Result;
@@ -17,6 +20,7 @@ use crate::solve::linear::front::Front;
 use crate::solve::linear::solver::COARSE;
 use crate::workers::Workers;
 use faer::Mat;
+use std::sync::Arc;
 
 /// A pivot smaller than this, relative to its column, waits for constraints to be eliminated with.
 const SMALLEST_PIVOT: f64 = 1e-9;
@@ -30,13 +34,15 @@ const INACCURATE: f64 = 1e-9;
 /// Change by an earlier refinement, relative to the accuracy that is asked for, that leaves none to
 /// be made.
 const UNREFINED: f64 = 0.1;
+/// Accuracy, relative to what is coarse, that still is.
+const FINER: f64 = 0.1;
 /// Most refinements of a solve.
 const REFINEMENTS: usize = 4;
 
 /// Direct solver for matrices of one pattern.
 #[derive(Debug)]
 pub struct DirectSolver {
-    analysis: Analysis,
+    analysis: Arc<Analysis>,
     fronts: Vec<Front>,
     factored: bool,
     /// Largest entry of the matrix.
@@ -53,6 +59,18 @@ impl DirectSolver {
     /// Orders and analyses matrices of `pattern`.
     pub fn new(pattern: &Pattern) -> Self {
         let analysis = Analysis::new(pattern.groups(), pattern.node_groups(), pattern.panels());
+        Self::with(Arc::new(analysis))
+    }
+
+    /// Another one for matrices of the same pattern.
+    pub fn another(&self) -> Self {
+        DirectSolver {
+            workers: self.workers.clone(),
+            ..Self::with(self.analysis.clone())
+        }
+    }
+
+    fn with(analysis: Arc<Analysis>) -> Self {
         DirectSolver {
             fronts: analysis.plans.iter().map(|_| Front::empty()).collect(),
             analysis,
@@ -188,8 +206,7 @@ impl DirectSolver {
     }
 
     /// Numbers that the factors take.
-    #[cfg(test)]
-    fn size_of_factors(&self) -> usize {
+    pub fn size_of_factors(&self) -> usize {
         let sizes = self.fronts.iter().map(|front| {
             let (upper, lower) = (&front.upper, &front.lower);
             upper.nrows() * upper.ncols() + lower.nrows() * lower.ncols()
@@ -220,7 +237,8 @@ impl DirectSolver {
         rhs: &mut [f64],
         (motions, accuracy): (usize, f64),
     ) -> Result<bool> {
-        let is_enough = accuracy >= COARSE && self.correction <= UNREFINED * accuracy;
+        // The finer are those of solvers around this one.
+        let is_enough = accuracy >= FINER * COARSE && self.correction <= UNREFINED * accuracy;
         if self.accurate || is_enough {
             return Ok(self.solve(rhs));
         }
@@ -534,7 +552,16 @@ mod tests {
             let (ours, theirs) = (error(&|i| found[i]), error(&|i| reference[(i, 0)]));
             let mut transposed = (dense.transpose() * &exact).col_as_slice(0).to_vec();
             assert!(solver.solve_transposed(&mut transposed));
-            for ours in [ours, error(&|i| transposed[i])] {
+            // Together with one of another size and sign.
+            let mut several = Mat::from_fn(size, 2, |i, j| [-2.0, 1.0][j] * rhs[(i, 0)]);
+            let mut memory = Columns::default();
+            assert!(solver.solve_columns(several.as_mut(), &mut memory).unwrap());
+            for ours in [
+                ours,
+                error(&|i| transposed[i]),
+                error(&|i| -0.5 * several[(i, 0)]),
+                error(&|i| several[(i, 1)]),
+            ] {
                 assert!(
                     ours < 100.0 * theirs.max(1e-13),
                     "{points}: {ours:e} against {theirs:e}"

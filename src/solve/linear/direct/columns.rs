@@ -1,0 +1,134 @@
+//! Substitution of several right sides at a time, by dense products of the factors with all of
+//! them.
+
+use super::DirectSolver;
+use crate::error::Result;
+use crate::solve::linear::blocks::{Diagonal, solve_lower, solve_upper, subtract_matmul};
+use faer::{Mat, MatMut, Par};
+
+/// Memory for substitutions of several right sides.
+#[derive(Debug)]
+pub struct Columns {
+    /// What each front's equations come to, one front after the other.
+    reduced: Mat<f64>,
+    /// Those of a front's boundary.
+    boundary: Mat<f64>,
+}
+
+impl Default for Columns {
+    fn default() -> Self {
+        Columns {
+            reduced: Mat::new(),
+            boundary: Mat::new(),
+        }
+    }
+}
+
+impl Columns {
+    fn resize(&mut self, rows: usize, boundary: usize, columns: usize) {
+        let grow = |matrix: &mut Mat<f64>, rows: usize| {
+            if matrix.nrows() < rows || matrix.ncols() < columns {
+                *matrix = Mat::zeros(rows, columns);
+            }
+        };
+        grow(&mut self.reduced, rows);
+        grow(&mut self.boundary, boundary);
+    }
+}
+
+impl DirectSolver {
+    /// As [`DirectSolver::solve`], for each column.
+    ///
+    /// # Errors
+    /// If work is to end.
+    pub fn solve_columns(&self, mut rhs: MatMut<f64>, memory: &mut Columns) -> Result<bool> {
+        if !self.factored {
+            return Ok(false);
+        }
+        let (size, count) = (rhs.nrows(), rhs.ncols());
+        let beyond = self.fronts.iter().map(|front| front.lower.nrows());
+        memory.resize(size, beyond.max().unwrap_or(0), count);
+        let (mut reduced, mut boundary) = (
+            memory.reduced.as_mut().subcols_mut(0, count),
+            memory.boundary.as_mut().subcols_mut(0, count),
+        );
+        let plans = self.analysis.plans.iter().map(|plan| &plan.boundary[..]);
+        let mut first = 0;
+        for (groups, front) in plans.clone().zip(&self.fronts) {
+            let own = front.rows.len();
+            let mut y = reduced.as_mut().subrows_mut(first, own);
+            gather_rows(&front.rows, rhs.as_mut(), y.as_mut());
+            let factors = front.upper.as_ref().subcols(0, own);
+            solve_lower(
+                (factors, Diagonal::Ones),
+                y.as_mut(),
+                Par::Seq,
+                &self.workers,
+            )?;
+            let mut local = boundary.as_mut().subrows_mut(0, front.lower.nrows());
+            self.gather_columns(&front.delayed_rows, groups, rhs.as_mut(), local.as_mut());
+            let (lower, y) = (front.lower.as_ref(), y.as_ref());
+            subtract_matmul(local.as_mut(), lower, y, Par::Seq, &self.workers)?;
+            self.scatter_columns(&front.delayed_rows, groups, local, rhs.as_mut());
+            first += own;
+        }
+        for (groups, front) in plans.zip(&self.fronts).rev() {
+            let own = front.rows.len();
+            first -= own;
+            let mut y = reduced.as_mut().subrows_mut(first, own);
+            let mut local = boundary.as_mut().subrows_mut(0, front.lower.nrows());
+            self.gather_columns(&front.delayed_columns, groups, rhs.as_mut(), local.as_mut());
+            let (factors, beyond) = front.upper.as_ref().split_at_col(own);
+            subtract_matmul(y.as_mut(), beyond, local.as_ref(), Par::Seq, &self.workers)?;
+            solve_upper(factors, y.as_mut(), Par::Seq, &self.workers)?;
+            for (mut to, from) in rhs.as_mut().col_iter_mut().zip(y.as_ref().col_iter()) {
+                for (&column, x) in front.columns.iter().zip(from.iter()) {
+                    to[column] = *x;
+                }
+            }
+        }
+        let is_finite = |j: usize| rhs.as_ref().col(j).iter().all(|x| x.is_finite());
+        Ok((0..count).all(is_finite))
+    }
+
+    /// Rows at some places, and those of some groups.
+    fn gather_columns(
+        &self,
+        places: &[usize],
+        groups: &[usize],
+        from: MatMut<f64>,
+        mut to: MatMut<f64>,
+    ) {
+        for (to, from) in to.as_mut().col_iter_mut().zip(from.as_ref().col_iter()) {
+            let groups = groups.iter().flat_map(|&g| self.analysis.groups[g].clone());
+            let rows = places.iter().copied().chain(groups);
+            to.iter_mut()
+                .zip(rows)
+                .for_each(|(to, row)| *to = from[row]);
+        }
+    }
+
+    /// The reverse.
+    fn scatter_columns(
+        &self,
+        places: &[usize],
+        groups: &[usize],
+        from: MatMut<f64>,
+        mut to: MatMut<f64>,
+    ) {
+        for (mut to, from) in to.as_mut().col_iter_mut().zip(from.as_ref().col_iter()) {
+            let groups = groups.iter().flat_map(|&g| self.analysis.groups[g].clone());
+            let rows = places.iter().copied().chain(groups);
+            from.iter()
+                .zip(rows)
+                .for_each(|(from, row)| to[row] = *from);
+        }
+    }
+}
+
+fn gather_rows(rows: &[usize], from: MatMut<f64>, mut to: MatMut<f64>) {
+    for (to, from) in to.as_mut().col_iter_mut().zip(from.as_ref().col_iter()) {
+        let rows = to.iter_mut().zip(rows);
+        rows.for_each(|(to, &row)| *to = from[row]);
+    }
+}
