@@ -15,6 +15,7 @@ use crate::fourier::PeriodicSeries;
 use crate::output::{
     BeamQuantity, JointQuantity, NodeQuantity, Quantity, ResolvedIn, Selection, Solution,
 };
+use crate::quantity::require_numbers;
 use crate::solve::{Iteration, Outcome};
 use libc::c_char;
 use std::ptr::null_mut;
@@ -357,7 +358,7 @@ pub unsafe extern "C" fn pdn_solution_diagnostics(
 /// @param increments  array of length [count] for the largest increment of each; may be NULL
 /// @param steps  array of length [count] for the fraction of the increment taken; may be NULL
 /// @param count  number of iterations, as pdn_diagnostics.iterations tells
-/// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_SIZE
+/// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_SIZE, PDN_ERR_OVERFLOW
 ///
 /// Threads: like `const`.
 /// @since 0.1
@@ -388,6 +389,7 @@ pub unsafe extern "C" fn pdn_solution_history(
         for (out, value) in columns {
             if let Some(out) = out {
                 let values: Vec<f64> = iterations.iter().map(value).collect();
+                require_numbers("history", &values)?;
                 out.set(&values);
             }
         }
@@ -401,7 +403,7 @@ pub unsafe extern "C" fn pdn_solution_history(
 /// @param solution  the solution; not NULL
 /// @param amplitudes  array of length [count], harmonics 0, 1, ..., (N - 1) / 2
 /// @param count  (N + 1) / 2, for N grid points
-/// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_SIZE
+/// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_SIZE, PDN_ERR_OVERFLOW
 ///
 /// Threads: like `const`.
 /// @since 0.1
@@ -415,6 +417,7 @@ pub unsafe extern "C" fn pdn_solution_decay(
         let solution = call.shared(solution, "solution")?;
         let harmonics = &solution.diagnostics().harmonics;
         require_count(count, harmonics.len())?;
+        require_numbers("amplitudes", harmonics)?;
         call.out_slice(amplitudes, count, count, "amplitudes")?
             .set(harmonics);
         Ok(())

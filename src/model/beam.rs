@@ -247,6 +247,8 @@ impl Model {
 
     fn place_beam_element(&mut self, nodes: &[usize], sections: SectionLine) -> Result<usize> {
         self.require_axis_along(nodes)?;
+        // Between stations they may be too large to be numbers.
+        sections.validate()?;
         let nodes = nodes.to_vec();
         let definition = BeamDefinition {
             nodes,
