@@ -87,8 +87,11 @@ fn modes_of_bodies_beyond_all_bounds_have_numbers_or_overflow() {
             &Matrix3::from_diagonal_element(mass),
             &Vector3::z(),
         );
-        spring(&mut turning, rotation1(joint), 1.0, 0.0);
-        for model in [model, turning] {
+        let free = turning.clone();
+        spring(&mut turning, rotation1(joint), mass, 0.0);
+        let mut weak = free.clone();
+        spring(&mut weak, rotation1(joint), 1.0, 0.0);
+        for model in [model, turning, free, weak] {
             for mode in modes_of(&model).iter().flat_map(Modes::modes) {
                 let numbers = [mode.modal_mass, mode.residual, mode.frequency()];
                 assert!(
