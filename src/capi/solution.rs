@@ -12,6 +12,7 @@ use super::status::pdn_status;
 use crate::collocation::DecayKind;
 use crate::error::{Error, ErrorKind, Result};
 use crate::fourier::PeriodicSeries;
+use crate::memory;
 use crate::output::{
     BeamQuantity, JointQuantity, NodeQuantity, Quantity, ResolvedIn, Selection, Solution,
 };
@@ -1041,6 +1042,7 @@ pub(super) fn harmonics_of<Q: Into<Selection>>(
         let quantity = quantity(call)?.into();
         let single = quantity.components();
         let many = single * to.harmonics;
+        memory::require_items("harmonics", many, 2 * size_of::<f64>())?;
         let mean = call.out_slice_optional(to.mean, single, "mean")?;
         let rate = call.out_slice_optional(to.rate, single, "rate")?;
         let cosines = call.out_slice_optional(to.cosines, many, "cosines")?;

@@ -6,6 +6,7 @@ use crate::collocation::too_coarse;
 use crate::elements::NodeState;
 use crate::error::Result;
 use crate::fourier::{CardinalWeights, PeriodicSeries};
+use crate::memory;
 use crate::motion::PeriodicMotion;
 use crate::quantity::{
     BeamQuantity, Extremes, ForceQuantity, Forces, History, JointQuantity, NodeQuantity, Probe,
@@ -46,6 +47,9 @@ impl Solution {
     /// motion of a node cannot be interpolated.
     pub fn sample(&self, what: impl Into<Selection>, times: &[f64]) -> Result<Vec<f64>> {
         let selection = what.into();
+        let count = times.len().saturating_mul(selection.quantity.components());
+        // As values, and on the way to these.
+        memory::require_items("values at these times", count, 2 * size_of::<f64>())?;
         let probe = selection.quantity.probe(&self.solve.system)?;
         let values = match selection.quantity {
             Quantity::Node(node, quantity) => self.sample_node(node, quantity, times),

@@ -38,6 +38,9 @@ pub struct PeriodicOptions {
     /// Whether the error by the mesh of beams is estimated, too, which takes about as long as an
     /// iteration.
     pub estimate_mesh: bool,
+    /// Bytes of memory that the solve may take, by an estimate made before it is begun on a grid,
+    /// or any number if zero. Grids of adaptive solves that would take more are not tried.
+    pub memory_limit: usize,
     /// Who is told how the solve goes on, and may cancel it.
     pub watch: Watch,
 }
@@ -59,6 +62,7 @@ impl Default for PeriodicOptions {
             threads: 1,
             oversampling: 1,
             estimate_mesh: false,
+            memory_limit: 0,
             watch: Watch::default(),
         }
     }

@@ -407,7 +407,7 @@ impl LinearSolver for Iterative {
                 &options,
                 workers,
                 &mut self.workspace,
-            );
+            )?;
             self.record.products.push(end.iterations);
             self.count_bytes(end.iterations.min(options.restart), unknowns.len());
             timings.substitution += began.elapsed();
