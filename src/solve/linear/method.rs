@@ -42,6 +42,8 @@ const VALUE: f64 = 50.0;
 /// The same of few freedoms, all in all: a few seconds. Turning joints have as many in the dense
 /// system that iteration solves.
 const AFFORDABLE_FREEDOMS: f64 = 1e10;
+/// Factors with pivots that wait take more than was planned, by so much.
+const DELAYED: f64 = 1.2;
 /// A preconditioner, and the vectors of the iteration, in terms of the tangents' bytes, about.
 const PRECONDITIONER: f64 = 2.0;
 /// So few numbers are not worth the trouble.
@@ -190,7 +192,7 @@ impl Plan {
             }
         };
         let own = match choice {
-            Choice::Direct => direct_bytes,
+            Choice::Direct => DELAYED * direct_bytes,
             Choice::Iterative(_) | Choice::IterativeFirst { .. } => PRECONDITIONER * tangent,
         };
         Plan {
