@@ -1783,6 +1783,13 @@ typedef struct pdn_periodic_options {
      * called at any opportunity. Default 0.1.
      */
     double progress_interval;
+    /**
+     * Bytes of memory that the solve may take, by an estimate that is made before it is begun on a
+     * grid: one that would take more is PDN_ERR_MEMORY, and its message tells the estimate. If
+     * grid_points is 0, only the first grid is refused so; finer ones that would take more end the
+     * solve as PDN_TOLERANCE_NOT_MET. 0 for no limit but that of the system. Default 0.
+     */
+    size_t memory_limit;
 } pdn_periodic_options;
 
 /**
@@ -3980,7 +3987,7 @@ pdn_status pdn_solution_diagnostics(const struct pdn_solution *solution,
  * @param increments  array of length [count] for the largest increment of each; may be NULL
  * @param steps  array of length [count] for the fraction of the increment taken; may be NULL
  * @param count  number of iterations, as pdn_diagnostics.iterations tells
- * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_SIZE
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_SIZE, PDN_ERR_OVERFLOW
  *
  * Threads: like `const`.
  * @since 0.1
@@ -3999,7 +4006,7 @@ pdn_status pdn_solution_history(const struct pdn_solution *solution,
  * @param solution  the solution; not NULL
  * @param amplitudes  array of length [count], harmonics 0, 1, ..., (N - 1) / 2
  * @param count  (N + 1) / 2, for N grid points
- * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_SIZE
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_SIZE, PDN_ERR_OVERFLOW
  *
  * Threads: like `const`.
  * @since 0.1
@@ -4775,7 +4782,8 @@ void pdn_periodic_options_init(struct pdn_periodic_options *options,
  *     start of arrays without their number); PDN_ERR_VALUE; PDN_ERR_STRUCT_SIZE; PDN_ERR_MODEL (no
  *     node, a beam too distorted); PDN_ERR_NOT_PERIODIC (a prescribed motion or load that does not
  *     repeat, a spring on an angle that gains turns); PDN_ERR_GRID_TOO_COARSE (of the initial
- *     solution); PDN_ERR_CALLBACK (of a signal); PDN_ERR_MEMORY
+ *     solution); PDN_ERR_CALLBACK (of a signal); PDN_ERR_OVERFLOW (numbers too large to compute
+ *     with); PDN_ERR_MEMORY
  *
  * Threads: like a `const` use of `model` and of `options.initial`. Signals' functions and
  * `progress` are called on this thread.
@@ -5534,7 +5542,7 @@ void pdn_static_options_init(struct pdn_static_options *options,
  *     needed but not given, an initial solution of another model); PDN_ERR_STRUCT_SIZE;
  *     PDN_ERR_MODEL (no node, a beam too distorted); PDN_ERR_NOT_PERIODIC (gravity across the axis
  *     of rotation); PDN_ERR_GRID_TOO_COARSE (of the initial solution); PDN_ERR_CALLBACK (of a
- *     signal); PDN_ERR_MEMORY
+ *     signal); PDN_ERR_OVERFLOW (numbers too large to compute with); PDN_ERR_MEMORY
  *
  * Threads: like a `const` use of `model` and of `options.initial`. Signals' functions and
  * `progress` are called on this thread.
@@ -5711,7 +5719,7 @@ pdn_status pdn_modes_shape(const struct pdn_modes *modes,
  * @param out  the solution; free it with ::pdn_solution_free; written on success only
  * @return PDN_OK; PDN_ERR_NULL; PDN_ERR_ID; PDN_ERR_NOT_FINITE; PDN_ERR_MODEL or
  *     PDN_ERR_GRID_TOO_COARSE (an amplitude so large that beams fold or turns cannot be followed);
- *     PDN_ERR_CALLBACK; PDN_ERR_MEMORY
+ *     PDN_ERR_OVERFLOW (one larger still); PDN_ERR_CALLBACK; PDN_ERR_MEMORY
  *
  * Threads: like `const`; signals' functions are called on this thread.
  * @since 0.1
@@ -5776,7 +5784,7 @@ void pdn_march_options_init(struct pdn_march_options *options,
  *     that is needed but not given, an initial solution of another model, rotations that are
  *     none); PDN_ERR_STRUCT_SIZE; PDN_ERR_MODEL (no node, a beam too distorted);
  *     PDN_ERR_GRID_TOO_COARSE (of the initial solution); PDN_ERR_CALLBACK (of a signal or force);
- *     PDN_ERR_MEMORY
+ *     PDN_ERR_OVERFLOW (numbers too large to compute with); PDN_ERR_MEMORY
  *
  * Threads: like a `const` use of `model` and of `options.initial`. Signals' functions and
  * `progress` are called on this thread.

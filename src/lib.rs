@@ -39,6 +39,7 @@ pub mod collocation;
 pub mod elements;
 pub mod error;
 pub mod fourier;
+pub(crate) mod memory;
 pub mod model;
 pub mod motion;
 pub mod output;

@@ -416,6 +416,46 @@ fn damaged_and_foreign_files_are_refused() {
     assert_eq!(error.kind().code(), -300);
 }
 
+/// A file of the format with this body, and a checksum that fits.
+fn with_body(original: &[u8], body: &[u8]) -> Vec<u8> {
+    let mut header = original[..24].to_vec();
+    header[16..].copy_from_slice(&(body.len() as u64).to_le_bytes());
+    let covered = [&header[8..12], &header[16..], body].concat();
+    header[12..16].copy_from_slice(&crc32fast::hash(&covered).to_le_bytes());
+    [&header, body].concat()
+}
+
+#[test]
+fn forged_files_take_neither_memory_nor_stack_out_of_proportion() {
+    let directory = tempfile::tempdir().unwrap();
+    let path = directory.path().join("forged.pdn");
+    mechanism(1, false).solve(3).save(&path).unwrap();
+    let original = fs::read(&path).unwrap();
+    // A list of numbers of one byte each, which are read into eight.
+    let name = |name: &str| [&[0xa0 | name.len() as u8], name.as_bytes()].concat();
+    let count = 8_000_000u32;
+    let start = [
+        &[0x81],
+        &name("prescribed_start")[..],
+        &[0xdd],
+        &count.to_be_bytes(),
+    ]
+    .concat();
+    let dense = [start, vec![1; count as usize]].concat();
+    let what = "values, too many for its 8000023 bytes";
+    assert_refused(&path, &with_body(&original, &dense), what);
+    // Lists within lists, of a field that is not known and so skipped.
+    for depth in [65, 1000, 100_000] {
+        let deep = [&[0x81], &name("unknown")[..], &vec![0x91; depth], &[0xc0]].concat();
+        let file = with_body(&original, &deep);
+        let path = path.clone();
+        // Of the least stack that docs/abi.md promises to suffice.
+        let least = std::thread::Builder::new().stack_size(256 << 10);
+        let thread = least.spawn(move || assert_refused(&path, &file, "depth limit exceeded"));
+        thread.unwrap().join().unwrap();
+    }
+}
+
 /// Files that were changed on purpose, with a checksum that fits: refused, or harmless.
 #[test]
 fn forged_files_do_no_harm() {
@@ -439,13 +479,7 @@ fn forge(solution: &Solution) {
     let path = directory.path().join("forged.pdn");
     solution.save(&path).unwrap();
     let original = fs::read(&path).unwrap();
-    let checked = |body: &[u8]| -> Vec<u8> {
-        let mut header = original[..24].to_vec();
-        header[16..].copy_from_slice(&(body.len() as u64).to_le_bytes());
-        let covered = [&header[8..12], &header[16..], body].concat();
-        header[12..16].copy_from_slice(&crc32fast::hash(&covered).to_le_bytes());
-        [&header, body].concat()
-    };
+    let checked = |body: &[u8]| with_body(&original, body);
     let body = &original[24..];
     assert!(checked(body) == original, "the header is not as described");
 

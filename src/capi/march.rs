@@ -133,7 +133,7 @@ pub unsafe extern "C" fn pdn_march_options_init(
 ///     that is needed but not given, an initial solution of another model, rotations that are
 ///     none); PDN_ERR_STRUCT_SIZE; PDN_ERR_MODEL (no node, a beam too distorted);
 ///     PDN_ERR_GRID_TOO_COARSE (of the initial solution); PDN_ERR_CALLBACK (of a signal or force);
-///     PDN_ERR_MEMORY
+///     PDN_ERR_OVERFLOW (numbers too large to compute with); PDN_ERR_MEMORY
 ///
 /// Threads: like a `const` use of `model` and of `options.initial`. Signals' functions and
 /// `progress` are called on this thread.

@@ -9,6 +9,7 @@ use super::solution::{outcome_code, pdn_solution};
 use super::statics::{pdn_static_options, read_static_options};
 use super::status::pdn_status;
 use crate::error::Result;
+use crate::memory;
 use crate::output::Modes;
 use crate::solve::ModesOptions;
 use libc::c_char;
@@ -291,7 +292,8 @@ pub unsafe extern "C" fn pdn_modes_shape(
         let length = count.saturating_mul(6);
         let real = call.out_slice(real, length, length, "real")?;
         let imaginary = call.out_slice_optional(imaginary, length, "imaginary")?;
-        let (mut re, mut im) = (Vec::with_capacity(length), Vec::with_capacity(length));
+        let mut re = memory::room("the shape", length)?;
+        let mut im = memory::room("the shape", length)?;
         let total = modes.mode(mode)?.shape.len();
         for (k, &node) in nodes.iter().enumerate() {
             let node = index(node, total, &format!("nodes[{k}]"), "a node id")?;
@@ -320,7 +322,7 @@ pub unsafe extern "C" fn pdn_modes_shape(
 /// @param out  the solution; free it with ::pdn_solution_free; written on success only
 /// @return PDN_OK; PDN_ERR_NULL; PDN_ERR_ID; PDN_ERR_NOT_FINITE; PDN_ERR_MODEL or
 ///     PDN_ERR_GRID_TOO_COARSE (an amplitude so large that beams fold or turns cannot be followed);
-///     PDN_ERR_CALLBACK; PDN_ERR_MEMORY
+///     PDN_ERR_OVERFLOW (one larger still); PDN_ERR_CALLBACK; PDN_ERR_MEMORY
 ///
 /// Threads: like `const`; signals' functions are called on this thread.
 /// @since 0.1

@@ -16,7 +16,7 @@ use crate::motion::{Motion, is_rotation, polar_rotation};
 use crate::output::Solution;
 use crate::solve::{
     Adaptation, GridPoints, InitialGuess, NewtonOptions, PeriodicOptions, Progress, Stage, Start,
-    Watch,
+    Watch, require_states,
 };
 use crate::system::System;
 use libc::c_void;
@@ -166,6 +166,11 @@ pub struct pdn_periodic_options {
     /// What takes more ends as PDN_WORK_LIMIT or, where a coarser grid had a solution, with that as
     /// PDN_TOLERANCE_NOT_MET. 0 for no bound. Default 60.
     pub work_limit: f64,
+    /// Bytes of memory that the solve may take, by an estimate that is made before it is begun on a
+    /// grid: one that would take more is PDN_ERR_MEMORY, and its message tells the estimate. If
+    /// grid_points is 0, only the first grid is refused so; finer ones that would take more end the
+    /// solve as PDN_TOLERANCE_NOT_MET. 0 for no limit but that of the system. Default 0.
+    pub memory_limit: usize,
 }
 
 // SAFETY: all fields are plain numbers or pointers, `struct_size` is the first, no padding.
@@ -223,7 +228,8 @@ pub unsafe extern "C" fn pdn_periodic_options_init(
 ///     start of arrays without their number); PDN_ERR_VALUE; PDN_ERR_STRUCT_SIZE; PDN_ERR_MODEL (no
 ///     node, a beam too distorted); PDN_ERR_NOT_PERIODIC (a prescribed motion or load that does not
 ///     repeat, a spring on an angle that gains turns); PDN_ERR_GRID_TOO_COARSE (of the initial
-///     solution); PDN_ERR_CALLBACK (of a signal); PDN_ERR_MEMORY
+///     solution); PDN_ERR_CALLBACK (of a signal); PDN_ERR_OVERFLOW (numbers too large to compute
+///     with); PDN_ERR_MEMORY
 ///
 /// Threads: like a `const` use of `model` and of `options.initial`. Signals' functions and
 /// `progress` are called on this thread.
@@ -390,6 +396,7 @@ pub(super) fn read_options(
             }
             (None, GridPoints::Fixed(points)) => grid_of(points)?,
         };
+        require_states(model.node_count(), grid.points())?;
         InitialGuess::State(initial.prolonged_to(model, grid)?)
     } else if given.guess_positions.is_null() && given.guess_rotations.is_null() {
         start
@@ -411,6 +418,7 @@ pub(super) fn read_options(
         },
         work_limit: call.number(given.work_limit, "options.work_limit")?,
         grid_points: points,
+        memory_limit: given.memory_limit,
         newton: NewtonOptions {
             tolerance: given.tolerance,
             iteration_limit: given.iteration_limit,
@@ -447,6 +455,7 @@ fn read_guess(
             return Err(null(name));
         }
     }
+    require_states(model.node_count(), grid.points())?;
     let count = grid.points() * model.node_count();
     let positions = call.numbers(given.guess_positions, 3 * count, "options.guess_positions")?;
     let rotations = call.numbers(given.guess_rotations, 9 * count, "options.guess_rotations")?;

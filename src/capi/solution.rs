@@ -12,9 +12,11 @@ use super::status::pdn_status;
 use crate::collocation::DecayKind;
 use crate::error::{Error, ErrorKind, Result};
 use crate::fourier::PeriodicSeries;
+use crate::memory;
 use crate::output::{
     BeamQuantity, JointQuantity, NodeQuantity, Quantity, ResolvedIn, Selection, Solution,
 };
+use crate::quantity::require_numbers;
 use crate::solve::{Iteration, Outcome};
 use libc::c_char;
 use std::ptr::null_mut;
@@ -361,7 +363,7 @@ pub unsafe extern "C" fn pdn_solution_diagnostics(
 /// @param increments  array of length [count] for the largest increment of each; may be NULL
 /// @param steps  array of length [count] for the fraction of the increment taken; may be NULL
 /// @param count  number of iterations, as pdn_diagnostics.iterations tells
-/// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_SIZE
+/// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_SIZE, PDN_ERR_OVERFLOW
 ///
 /// Threads: like `const`.
 /// @since 0.1
@@ -392,6 +394,7 @@ pub unsafe extern "C" fn pdn_solution_history(
         for (out, value) in columns {
             if let Some(out) = out {
                 let values: Vec<f64> = iterations.iter().map(value).collect();
+                require_numbers("history", &values)?;
                 out.set(&values);
             }
         }
@@ -405,7 +408,7 @@ pub unsafe extern "C" fn pdn_solution_history(
 /// @param solution  the solution; not NULL
 /// @param amplitudes  array of length [count], harmonics 0, 1, ..., (N - 1) / 2
 /// @param count  (N + 1) / 2, for N grid points
-/// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_SIZE
+/// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_SIZE, PDN_ERR_OVERFLOW
 ///
 /// Threads: like `const`.
 /// @since 0.1
@@ -419,6 +422,7 @@ pub unsafe extern "C" fn pdn_solution_decay(
         let solution = call.shared(solution, "solution")?;
         let harmonics = &solution.diagnostics().harmonics;
         require_count(count, harmonics.len())?;
+        require_numbers("amplitudes", harmonics)?;
         call.out_slice(amplitudes, count, count, "amplitudes")?
             .set(harmonics);
         Ok(())
@@ -1042,6 +1046,7 @@ pub(super) fn harmonics_of<Q: Into<Selection>>(
         let quantity = quantity(call)?.into();
         let single = quantity.components();
         let many = single * to.harmonics;
+        memory::require_items("harmonics", many, 2 * size_of::<f64>())?;
         let mean = call.out_slice_optional(to.mean, single, "mean")?;
         let rate = call.out_slice_optional(to.rate, single, "rate")?;
         let cosines = call.out_slice_optional(to.cosines, many, "cosines")?;

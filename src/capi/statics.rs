@@ -106,7 +106,7 @@ pub unsafe extern "C" fn pdn_static_options_init(
 ///     needed but not given, an initial solution of another model); PDN_ERR_STRUCT_SIZE;
 ///     PDN_ERR_MODEL (no node, a beam too distorted); PDN_ERR_NOT_PERIODIC (gravity across the axis
 ///     of rotation); PDN_ERR_GRID_TOO_COARSE (of the initial solution); PDN_ERR_CALLBACK (of a
-///     signal); PDN_ERR_MEMORY
+///     signal); PDN_ERR_OVERFLOW (numbers too large to compute with); PDN_ERR_MEMORY
 ///
 /// Threads: like a `const` use of `model` and of `options.initial`. Signals' functions and
 /// `progress` are called on this thread.

@@ -176,6 +176,16 @@ mod tests {
     }
 
     #[test]
+    fn a_last_harmonic_that_vanishes_by_symmetry_tells_nothing() {
+        let even = |j: i32| if j % 2 == 0 { 0.5f64.powi(j) } else { 0.0 };
+        let of = |last: i32| Decay::from_amplitudes((0..=last).map(even).collect());
+        let (with, without) = (of(13), of(12));
+        assert_eq!(with.amplitudes.len(), 14);
+        assert_eq!((with.tail, with.ratio), (without.tail, without.ratio));
+        assert_eq!((with.kind, with.order), (without.kind, without.order));
+    }
+
+    #[test]
     fn smooth_responses_kinks_and_rounding_are_told_apart() {
         let of = |amplitude: &dyn Fn(f64) -> f64, last: i32| {
             Decay::from_amplitudes((0..=last).map(|j| amplitude(j as f64)).collect())

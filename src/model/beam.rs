@@ -4,6 +4,7 @@ use super::validation::require_ascending;
 use super::{InertiaDefinition, Model, SectionInput, straight_line};
 use crate::elements::{Beam, Section, SectionLine, lobatto_points};
 use crate::error::{Error, Result, require_finite};
+use crate::memory;
 use crate::motion::{Motion, rotation_from_vector};
 use nalgebra::Vector3;
 use serde::{Deserialize, Serialize};
@@ -247,6 +248,8 @@ impl Model {
 
     fn place_beam_element(&mut self, nodes: &[usize], sections: SectionLine) -> Result<usize> {
         self.require_axis_along(nodes)?;
+        // Between stations they may be too large to be numbers.
+        sections.validate()?;
         let nodes = nodes.to_vec();
         let definition = BeamDefinition {
             nodes,
@@ -409,6 +412,11 @@ impl Model {
         degree: usize,
     ) -> Result<BeamIds> {
         let before = (self.nodes.len(), self.beams.len(), self.inertias.len());
+        let elements = boundaries.len() - 1;
+        let node = size_of::<Motion>() + size_of::<usize>();
+        // Lists grow to twice their length at times.
+        let bytes = 2 * (degree * node + size_of::<BeamDefinition>() + 3 * size_of::<Section>());
+        memory::require_items("nodes and elements of the beam", elements, bytes)?;
         let mesh = |model: &mut Model| -> Result<BeamIds> {
             let node_at = |model: &mut Model, fraction: f64| -> Result<usize> {
                 let frame = line(fraction)?;

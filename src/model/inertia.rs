@@ -31,6 +31,16 @@ fn one() -> f64 {
     1.0
 }
 
+impl InertiaDefinition {
+    /// The inertia of a body, with its factor.
+    pub(super) fn of_body(&self) -> Option<Matrix6<f64>> {
+        match self {
+            InertiaDefinition::Beam => None,
+            InertiaDefinition::Body { matrix, factor, .. } => Some(**matrix * *factor),
+        }
+    }
+}
+
 /// As a file has it. In the first version of the format that of beams was written out, too.
 #[derive(Deserialize)]
 #[serde(untagged)]

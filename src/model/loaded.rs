@@ -40,15 +40,12 @@ impl Model {
             model.beams.push(beam);
         }
         for inertia in self.inertias {
-            if let InertiaDefinition::Body {
-                node,
-                matrix,
-                factor,
-            } = &inertia
-            {
+            if let InertiaDefinition::Body { node, factor, .. } = &inertia {
                 model.require_node("inertia", *node)?;
-                require_finite("inertia", matrix.as_slice())?;
                 require_finite("inertia", &[*factor])?;
+            }
+            if let Some(matrix) = inertia.of_body() {
+                require_finite("inertia", matrix.as_slice())?;
             }
             model.inertias.push(inertia);
         }

@@ -3,7 +3,7 @@
 //! What a parameter moves is a number of a definition, its target: it is set to a factor times the
 //! parameter's value. A new target is a line of [`Target`] and one of `Model::number`.
 
-use super::{ForceDefinition, InertiaDefinition, Model, Signal};
+use super::{BeamDefinition, ForceDefinition, InertiaDefinition, Model, Signal};
 use crate::error::{Error, ErrorKind, Result, require_finite, require_positive_number};
 use serde::{Deserialize, Serialize};
 
@@ -156,9 +156,7 @@ impl Model {
             );
             return Err(Error::new(ErrorKind::Value, message));
         }
-        let number = factor * value;
-        require_finite("factor times the value", &[number])?;
-        *self.number(target).ok_or_else(|| no_such(target))? = number;
+        self.move_target(target, factor * value)?;
         self.parameters[parameter].targets.push((target, factor));
         Ok(())
     }
@@ -166,14 +164,56 @@ impl Model {
     /// Gives a parameter another value, and what it moves.
     pub fn set_parameter(&mut self, parameter: usize, value: f64) -> Result<()> {
         require_finite("value", &[value])?;
-        let targets = self.require_parameter(parameter)?.targets.clone();
-        for (target, factor) in targets {
-            let number = factor * value;
-            require_finite("factor times the value", &[number])?;
-            *self.number(target).ok_or_else(|| no_such(target))? = number;
+        let Parameter {
+            value: before,
+            targets,
+            ..
+        } = self.require_parameter(parameter)?.clone();
+        for (i, (target, factor)) in targets.iter().enumerate() {
+            if let Err(error) = self.move_target(*target, factor * value) {
+                for (target, factor) in &targets[..i] {
+                    self.move_target(*target, factor * before)?;
+                }
+                return Err(error);
+            }
         }
         self.parameters[parameter].value = value;
         Ok(())
+    }
+
+    /// Gives a target a number, if it and what it is a factor of are numbers then.
+    fn move_target(&mut self, target: Target, number: f64) -> Result<()> {
+        require_finite("factor times the value", &[number])?;
+        let place = self.number(target).ok_or_else(|| no_such(target))?;
+        let before = std::mem::replace(place, number);
+        let checked = self.require_scaled(target);
+        if checked.is_err()
+            && let Some(place) = self.number(target)
+        {
+            *place = before;
+        }
+        checked
+    }
+
+    /// Checks that what a target is a factor of has finite entries.
+    fn require_scaled(&self, target: Target) -> Result<()> {
+        match target {
+            Target::Inertia(body) => {
+                let bodies = self.inertias.iter().filter_map(InertiaDefinition::of_body);
+                bodies.skip(body).take(1).try_for_each(|matrix| {
+                    require_finite("inertia times its factor", matrix.as_slice())
+                })
+            }
+            Target::BeamStiffness(element)
+            | Target::BeamMass(element)
+            | Target::BeamDamping(element) => {
+                let BeamDefinition {
+                    sections, factors, ..
+                } = &self.beams[element];
+                sections.scaled(factors).validate()
+            }
+            _ => Ok(()),
+        }
     }
 
     /// The parameters, in the order of their ids.

@@ -1,7 +1,8 @@
 //! How far to trust a solution: decay of its harmonics, and the equations between grid points.
 
 use crate::collocation::{DecayKind, ResidualBetween};
-use crate::error::Result;
+use crate::error::{Error, ErrorKind, Result, require_finite};
+use crate::quantity::require_numbers;
 use crate::solve::{Outcome, Solved};
 use serde::{Deserialize, Serialize};
 
@@ -40,6 +41,25 @@ fn unknown() -> f64 {
 }
 
 impl Diagnostics {
+    /// Checks what a file says: estimates may be infinite, but not without any value.
+    pub(super) fn require_told(&self) -> Result<()> {
+        require_finite("harmonics", &self.harmonics)?;
+        require_finite("least resolved time", &[self.least_resolved_time])?;
+        let ResidualBetween {
+            force,
+            constraint,
+            time,
+        } = self.between;
+        require_finite("time between grid points", &[time])?;
+        let (error, order) = (self.error_estimate, self.decay_order);
+        let estimates = [error, self.mesh_error, force, constraint, order];
+        if estimates.iter().any(|x| x.is_nan()) {
+            let message = "error estimates: one is not a number";
+            return Err(Error::new(ErrorKind::NotFinite, message));
+        }
+        Ok(())
+    }
+
     /// Diagnostics of a solve.
     pub(super) fn of(solve: &Solved) -> Result<Self> {
         let none = |harmonics: usize| Diagnostics {
@@ -59,6 +79,10 @@ impl Diagnostics {
         }
         let found = solve.assess()?;
         let known = solve.report.outcome.is_solution();
+        match require_numbers("harmonics of the motions", &found.decay.amplitudes) {
+            Err(_) if !known => return Ok(none(solve.grid.harmonics() + 1)),
+            numbers => numbers?,
+        }
         Ok(Diagnostics {
             harmonics: found.decay.amplitudes,
             error_estimate: found.error,

@@ -17,6 +17,7 @@ use super::saved_branch::BranchContent;
 use super::solution::Solution;
 use super::write::{refused, write_file};
 use crate::error::{Error, ErrorKind, Result};
+use crate::memory;
 use crate::model::Model;
 use crate::solve::Branch;
 use serde::Serialize;
@@ -48,6 +49,18 @@ const BRANCH: Format = Format {
 /// The version that is written, and the latest that can be read.
 const VERSION: u32 = 2;
 const HEADER: usize = 24;
+/// Room for the probe by which reading notices the end of a file.
+const MARGIN: usize = 64;
+/// A saved number takes 9 bytes, a field its name: values of a file have at least so many bytes on
+/// average. One of a byte each would be read into many times its size.
+const BYTES_OF_A_VALUE: usize = 4;
+/// Values within values: more than any saved one has, and no more than a small stack bears.
+const DEPTH: usize = 64;
+/// So many values may be as short as they like.
+const SHORT_VALUES: usize = 1 << 16;
+/// Memory for what a byte of a file is read into: a number of 9 bytes takes 8, in lists that grow
+/// to twice their length.
+const BYTES_PER_BYTE: usize = 2;
 
 impl Solution {
     /// Saves the solution with its model, whether it has converged or not.
@@ -148,7 +161,13 @@ impl Format {
         head.map_err(|e| refused("read", path, &e))?;
         let (checksum, length) = self.read_header(&header).map_err(file_of)?;
         // As long as the file is, whatever its header says.
-        let mut body = Vec::new();
+        let there = file
+            .metadata()
+            .map_or(0, |it| it.len())
+            .saturating_sub(HEADER as u64);
+        let expected = usize::try_from(there.min(length)).unwrap_or(usize::MAX);
+        // What is read grows once more where the file goes on.
+        let mut body = memory::room("the file", expected.saturating_add(MARGIN))?;
         let rest = file.take(length.saturating_add(1)).read_to_end(&mut body);
         rest.map_err(|e| refused("read", path, &e))?;
         let found = body.len() as u64;
@@ -162,7 +181,11 @@ impl Format {
         if checksum != checksum_of(&header, &body) {
             return Err(file_of("is damaged: its checksum is wrong".into()));
         }
-        let content = rmp_serde::from_slice(&body)
+        require_substance(&body).map_err(file_of)?;
+        memory::require_items("what the file holds", body.len(), BYTES_PER_BYTE)?;
+        let mut reader = rmp_serde::Deserializer::from_read_ref(&body[..]);
+        reader.set_max_depth(DEPTH);
+        let content = C::deserialize(&mut reader)
             .map_err(|e| file_of(format!("is no {} that can be read: {e}", self.what)))?;
         build(content).map_err(|e| file_of(format!("is no valid {}: {e}", self.what)))
     }
@@ -201,6 +224,60 @@ impl Format {
             )),
         }
     }
+}
+
+/// Checks that a body's values have as many bytes as saved ones have.
+fn require_substance(body: &[u8]) -> std::result::Result<(), String> {
+    let most = SHORT_VALUES + body.len() / BYTES_OF_A_VALUE;
+    let mut rest = body;
+    for _ in 0..=most {
+        let Some((&marker, after)) = rest.split_first() else {
+            return Ok(());
+        };
+        // What is not well formed is told where it is read.
+        let Some(next) = payload(marker, after).and_then(|length| after.get(length..)) else {
+            return Ok(());
+        };
+        rest = next;
+    }
+    Err(format!(
+        "holds more than {most} values, too many for its {} bytes",
+        body.len()
+    ))
+}
+
+/// Bytes that belong to a value of MessagePack after its marker, but for items of arrays and maps,
+/// which are values of their own.
+fn payload(marker: u8, after: &[u8]) -> Option<usize> {
+    let number = |count: usize| -> Option<usize> {
+        let bytes = after.get(..count)?;
+        Some(
+            bytes
+                .iter()
+                .fold(0, |sum, &byte| sum << 8 | usize::from(byte)),
+        )
+    };
+    Some(match marker {
+        // Small numbers, small maps and arrays; nil and truth values.
+        0x00..=0x9f | 0xc0..=0xc3 | 0xe0..=0xff => 0,
+        0xa0..=0xbf => usize::from(marker & 0x1f),
+        // Text and bytes, and what is of a type of its own, after their length.
+        0xc4 | 0xd9 => 1 + number(1)?,
+        0xc5 | 0xda => 2 + number(2)?,
+        0xc6 | 0xdb => 4 + number(4)?,
+        0xc7 => 2 + number(1)?,
+        0xc8 => 3 + number(2)?,
+        0xc9 => 5 + number(4)?,
+        // Numbers.
+        0xcc | 0xd0 => 1,
+        0xcd | 0xd1 => 2,
+        0xca | 0xce | 0xd2 => 4,
+        0xcb | 0xcf | 0xd3 => 8,
+        0xd4..=0xd8 => 1 + (1 << (marker - 0xd4)),
+        // Larger arrays and maps: their length.
+        0xdc | 0xde => 2,
+        0xdd | 0xdf => 4,
+    })
 }
 
 /// CRC-32 of the version, the length and the body.

@@ -6,11 +6,22 @@ use crate::collocation::too_coarse;
 use crate::elements::NodeState;
 use crate::error::Result;
 use crate::fourier::{CardinalWeights, PeriodicSeries};
+use crate::memory;
 use crate::motion::PeriodicMotion;
 use crate::quantity::{
     BeamQuantity, Extremes, ForceQuantity, Forces, History, JointQuantity, NodeQuantity, Probe,
     Quantity, Samples, Selection, require_closed, require_numbers,
 };
+
+/// Passes series of numbers: sums over the grid may be too large where their terms are not.
+fn numbered(series: Vec<PeriodicSeries>) -> Result<Vec<PeriodicSeries>> {
+    for s in &series {
+        require_numbers("harmonics", &[s.mean, s.rate])?;
+        require_numbers("harmonics", &s.cosines)?;
+        require_numbers("harmonics", &s.sines)?;
+    }
+    Ok(series)
+}
 
 impl Solution {
     /// The motion that quantities are taken of.
@@ -36,6 +47,9 @@ impl Solution {
     /// motion of a node cannot be interpolated.
     pub fn sample(&self, what: impl Into<Selection>, times: &[f64]) -> Result<Vec<f64>> {
         let selection = what.into();
+        let count = times.len().saturating_mul(selection.quantity.components());
+        // As values, and on the way to these.
+        memory::require_items("values at these times", count, 2 * size_of::<f64>())?;
         let probe = selection.quantity.probe(&self.solve.system)?;
         let values = match selection.quantity {
             Quantity::Node(node, quantity) => self.sample_node(node, quantity, times),
@@ -134,7 +148,7 @@ impl Solution {
         let probe = quantity.probe(&self.solve.system)?;
         let (Quantity::Node(node, of_node), Some(_)) = (quantity, &self.filter) else {
             let samples = probe.samples(&self.history())?;
-            return Ok(samples.series(self.grid(), self.filter.as_ref()));
+            return numbered(samples.series(self.grid(), self.filter.as_ref()));
         };
         // Of the filtered motion, which is not filtered once more.
         let times: Vec<f64> = self.grid().times().collect();
@@ -148,7 +162,7 @@ impl Solution {
         if of_node == NodeQuantity::Quaternion {
             require_closed(node, &samples)?;
         }
-        Ok(samples.series(self.grid(), None))
+        numbered(samples.series(self.grid(), None))
     }
 
     /// Smallest and largest value of each component of a quantity, or of one: of its series over a
@@ -159,7 +173,11 @@ impl Solution {
     pub fn extremes(&self, what: impl Into<Selection>) -> Result<Vec<Extremes>> {
         let selection = what.into();
         if !self.is_trajectory() {
-            return Ok(self.series(selection)?.iter().map(Extremes::of).collect());
+            let found: Vec<_> = self.series(selection)?.iter().map(Extremes::of).collect();
+            for extremes in &found {
+                require_numbers("extremes", &[extremes.smallest, extremes.largest])?;
+            }
+            return Ok(found);
         }
         let probe = selection.quantity.probe(&self.solve.system)?;
         let times = self.solve.times();

@@ -245,6 +245,7 @@ impl Solution {
             "prescribed coordinates",
         )?;
         require(self.diagnostics.harmonics.len() == harmonics, "harmonics")?;
+        self.diagnostics.require_told()?;
         require(self.forces.len() == self.model.forces.len(), "forces")?;
         for record in self.forces.iter().flatten() {
             require(record.fits(points), "values of forces")?;

@@ -8,6 +8,7 @@ use super::write::{directory_of, plain, refused, write_file};
 use super::{BeamQuantity, JointQuantity, NodeQuantity, ResolvedIn, Solution};
 use crate::elements::{Element, NodeState};
 use crate::error::{Error, Result, require_finite};
+use crate::memory;
 use crate::model::InertiaDefinition;
 use crate::motion::Motion;
 use crate::quantity::{Neighbours, require_station};
@@ -18,6 +19,8 @@ use std::path::Path;
 
 /// Most points drawn on one beam element.
 const MOST_POINTS: usize = 1000;
+/// Bytes that a point takes at a time, at most: a frame, and up to nine vectors, twice.
+const DRAWN: usize = 2 * (size_of::<Motion>() + 9 * size_of::<[f64; 3]>());
 
 /// What is drawn of a beam element at one time: points in a row.
 struct BeamPoints {
@@ -92,6 +95,11 @@ impl Solution {
             let expected = "a name without control characters";
             return Err(Error::value("path", expected, format!("{stem:?}")));
         };
+        let drawn = self.model().beams.len() * points_per_element
+            + self.model().nodes.len()
+            + self.model().joints.len();
+        let drawn = drawn.saturating_mul(times.len());
+        memory::require_items("an animation", drawn, DRAWN)?;
         let mut parts = vec![
             ("beams", self.beams_drawn(times, points_per_element)?),
             ("bodies", self.bodies_drawn(times)?),
@@ -323,7 +331,8 @@ fn file_name(part: &str, k: usize) -> String {
 fn write_pieces(path: &Path, stem: &str, parts: &[(&str, Vec<PolyData>)]) -> io::Result<()> {
     let parent = directory_of(path);
     let temporary = tempfile::Builder::new()
-        .prefix(&format!(".{stem}."))
+        // Not of its own name, which may be as long as names can be.
+        .prefix(".periodyn.")
         .tempdir_in(&parent)
         .map_err(plain)?;
     let mut names = Vec::new();

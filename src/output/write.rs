@@ -19,8 +19,12 @@ pub(super) fn refused(what: &str, path: &Path, error: &io::Error) -> Error {
         io::ErrorKind::NotADirectory => "it is beyond what is no directory".into(),
         _ => error.to_string(),
     };
+    let kind = match error.kind() {
+        io::ErrorKind::OutOfMemory => ErrorKind::OutOfMemory,
+        _ => ErrorKind::Io,
+    };
     let message = format!("path: cannot {what} \"{}\": {reason}", path.display());
-    Error::new(ErrorKind::Io, message)
+    Error::new(kind, message)
 }
 
 /// Writes a file by `write`, which sees a buffer. A file that is there already is replaced when all

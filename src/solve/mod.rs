@@ -6,6 +6,7 @@ mod conditions;
 mod equilibrium;
 mod linear;
 mod marching;
+mod memory;
 mod modes;
 mod newton;
 mod periodic;
@@ -33,6 +34,7 @@ pub use linear::iterative::{IterativeRecord, LinearTrial, Preconditioner, try_li
 pub use linear::method::{DirectCost, LinearMethod};
 pub use marching::shooting::{ShootingOptions, solve_shooting};
 pub use marching::{MarchEnd, MarchOptions, MarchStart, StartState, march};
+pub(crate) use memory::require_states;
 pub use modes::{Mode, ModesOptions, ModesSolve, solve_modes};
 pub use newton::solve_with_scalars;
 pub use periodic::adaptive::Adaptation;

@@ -134,6 +134,13 @@ impl System {
         found.collect()
     }
 
+    /// Number of signals that are functions of the user.
+    pub fn function_signals(&self) -> usize {
+        let is_function = |signal: &BoundSignal| matches!(signal, BoundSignal::Function(_));
+        let signals = self.signals.iter().map(|driven| &driven.signal);
+        signals.filter(|signal| is_function(signal)).count()
+    }
+
     /// What a signal drives, for messages.
     pub fn signal_place(&self, signal: usize) -> &str {
         &self.signals[signal].place

@@ -122,7 +122,7 @@ AT(pdn_progress, start, 68);
 AT(pdn_progress, iterated, 72);
 AT(pdn_progress, reserved, 76);
 
-SIZE(pdn_periodic_options, 144);
+SIZE(pdn_periodic_options, 152);
 AT(pdn_periodic_options, struct_size, 0);
 AT(pdn_periodic_options, grid_points, 8);
 AT(pdn_periodic_options, harmonics, 16);
@@ -143,6 +143,7 @@ AT(pdn_periodic_options, start, 120);
 AT(pdn_periodic_options, estimate_mesh, 124);
 AT(pdn_periodic_options, progress_interval, 128);
 AT(pdn_periodic_options, work_limit, 136);
+AT(pdn_periodic_options, memory_limit, 144);
 
 IS(PDN_OK, 0);
 IS(PDN_ERR_NULL, -1);

@@ -4,7 +4,7 @@
 use super::{Beam, Station, about_axis};
 use crate::elements::Inertia;
 use crate::elements::shape::{gauss_legendre, shape_functions};
-use crate::error::{Error, ErrorKind, Result};
+use crate::error::{Error, ErrorKind, Result, require_finite};
 use crate::motion::Motion;
 use nalgebra::{DMatrix, Matrix3, Matrix6, Vector3};
 
@@ -181,6 +181,7 @@ impl Beam {
                 }
             }
         }
+        require_finite("inertia of the beam", mass.as_slice())?;
         Ok(Inertia::consistent(
             self.nodes.clone(),
             mass,

@@ -1,7 +1,8 @@
 //! Large dense factorisations and products, in blocks of little work each, so that it can be told
 //! between them that work goes on.
 
-use crate::error::{Error, ErrorKind, Result};
+use crate::error::Result;
+use crate::memory;
 use crate::workers::Workers;
 use faer::dyn_stack::{MemBuffer, MemStack};
 use faer::linalg::lu::partial_pivoting::factor::{lu_in_place, lu_in_place_scratch};
@@ -24,8 +25,10 @@ const WHOLE: usize = 1024;
 /// Takes memory for a matrix.
 pub(crate) fn reserve(matrix: &mut Mat<f64>, rows: usize, columns: usize) -> Result<()> {
     matrix.try_reserve(rows, columns).map_err(|_| {
-        let message = format!("a dense block of {rows} × {columns} does not fit in memory");
-        Error::new(ErrorKind::OutOfMemory, message)
+        let bytes = rows
+            .saturating_mul(columns)
+            .saturating_mul(size_of::<f64>());
+        memory::lacking(&format!("a dense block of {rows} × {columns}"), bytes)
     })
 }
 

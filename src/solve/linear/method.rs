@@ -13,6 +13,7 @@ use crate::solve::linear::solver::{ESTIMATE, LinearSolver};
 use crate::solve::report::{Timings, timed};
 use crate::system::System;
 use crate::work::{LINEARISATION, PRODUCT, RESIDUAL};
+use nalgebra::Matrix6;
 use std::collections::BTreeSet;
 
 /// How linear equations are solved.
@@ -41,6 +42,10 @@ const VALUE: f64 = 50.0;
 const AFFORDABLE_FREEDOMS: f64 = 1e10;
 /// Products of an iteration of Newton's method that is easy.
 const EASY_PRODUCTS: f64 = 30.0;
+/// Factors with pivots that wait take more than was planned, by so much.
+const DELAYED: f64 = 1.2;
+/// A preconditioner, and the vectors of the iteration, in terms of the tangents' bytes, about.
+const PRECONDITIONER: f64 = 2.0;
 /// So few numbers are not worth the trouble.
 const SMALL: f64 = 1500.0;
 /// What factors of the whole Jacobian take, as planned.
@@ -136,20 +141,45 @@ pub(crate) struct Linear {
     given_up: Option<IterativeRecord>,
 }
 
-impl Linear {
-    /// For `equations`, as `method` says.
-    pub fn new(equations: &Collocation, method: LinearMethod) -> Self {
+/// Which solver it is to be.
+enum Choice {
+    /// Factors of the whole Jacobian, or of few freedoms.
+    Direct,
+    /// Iteration alone.
+    Iterative(Option<Preconditioner>),
+    /// Iteration, which gives up for factors of so many multiply-adds.
+    IterativeFirst { work: f64, products: usize },
+}
+
+/// What is going to solve some equations.
+pub(crate) struct Plan {
+    choice: Choice,
+    method: LinearMethod,
+    falls_back: bool,
+    most_products: usize,
+    /// Bytes of it, at most about; of iteration without a system of joints that turn.
+    pub bytes: f64,
+}
+
+impl Plan {
+    /// For `equations`, as `method` says, with at most so many bytes where it says nothing.
+    pub fn of(equations: &Collocation, method: LinearMethod, most_bytes: f64) -> Self {
         let (system, points) = (equations.system(), equations.grid().points());
-        let direct = || Active::Direct(Box::new(Assembled::new(equations)));
-        let iterative = |p| Active::Iterative(Box::new(Iterative::new(equations, p)));
         let mut falls_back = false;
         let mut most_products = usize::MAX;
-        let active = match method {
-            LinearMethod::Direct => direct(),
-            LinearMethod::Iterative(preconditioner) => iterative(preconditioner),
+        let tangent = tangent_bytes(system, points);
+        let mut direct_bytes = 0.0;
+        let choice = match method {
+            LinearMethod::Direct => {
+                direct_bytes = DirectCost::of(system, points).bytes;
+                Choice::Direct
+            }
+            LinearMethod::Iterative(preconditioner) => Choice::Iterative(preconditioner),
             LinearMethod::Automatic => {
                 let cost = DirectCost::of(system, points);
-                falls_back = cost.bytes < TOO_LARGE;
+                direct_bytes = cost.bytes;
+                let (large, too_large) = (LARGE.min(most_bytes), TOO_LARGE.min(most_bytes));
+                falls_back = cost.bytes < too_large;
                 let numbers = equations.layout().motions().len() as f64;
                 let with_assembly = cost.work + VALUE * cost.values();
                 most_products = (with_assembly / (PRODUCT * numbers)) as usize;
@@ -158,24 +188,68 @@ impl Linear {
                     let work = FreedomSolver::work(equations);
                     work.is_some_and(|work| work < AFFORDABLE_FREEDOMS)
                 };
-                if cost.bytes < LARGE && cheap || falls_back && few_freedoms() {
-                    direct()
+                if cost.bytes < large && cheap || falls_back && few_freedoms() {
+                    Choice::Direct
                 } else if falls_back {
-                    let iterative =
-                        Iterative::new(equations, None).or_directly(cost.work, most_products);
-                    Active::Iterative(Box::new(iterative))
+                    Choice::IterativeFirst {
+                        work: cost.work,
+                        products: most_products,
+                    }
                 } else {
-                    iterative(None)
+                    Choice::Iterative(None)
                 }
+            }
+        };
+        let own = match choice {
+            Choice::Direct => DELAYED * direct_bytes,
+            Choice::Iterative(_) | Choice::IterativeFirst { .. } => PRECONDITIONER * tangent,
+        };
+        Plan {
+            choice,
+            method,
+            falls_back,
+            most_products,
+            bytes: tangent + own,
+        }
+    }
+}
+
+/// Bytes of the tangents of all elements, about.
+pub(crate) fn tangent_bytes(system: &System, points: usize) -> f64 {
+    let pairs = system.elements().iter().map(|placed| {
+        let nodes = placed.element.nodes().len() as f64;
+        nodes * (nodes + placed.element.own_unknowns() as f64 / 6.0)
+    });
+    let matrices = 3.0 * size_of::<Matrix6<f64>>() as f64;
+    pairs.sum::<f64>() * matrices * points as f64
+}
+
+impl Linear {
+    /// For `equations`, as `method` says.
+    pub fn new(equations: &Collocation, method: LinearMethod) -> Self {
+        Self::planned(equations, Plan::of(equations, method, f64::INFINITY))
+    }
+
+    /// For `equations`, as planned.
+    pub fn planned(equations: &Collocation, plan: Plan) -> Self {
+        let iterative = |preconditioner| Iterative::new(equations, preconditioner);
+        let active = match plan.choice {
+            Choice::Direct => Active::Direct(Box::new(Assembled::new(equations))),
+            Choice::Iterative(preconditioner) => {
+                Active::Iterative(Box::new(iterative(preconditioner)))
+            }
+            Choice::IterativeFirst { work, products } => {
+                let first = iterative(None).or_directly(work, products);
+                Active::Iterative(Box::new(first))
             }
         };
         Linear {
             active,
-            falls_back,
-            may_iterate: method == LinearMethod::Automatic,
+            falls_back: plan.falls_back,
+            may_iterate: plan.method == LinearMethod::Automatic,
             last: None,
             products: 0,
-            most_products,
+            most_products: plan.most_products,
             given_up: None,
         }
     }

@@ -84,8 +84,8 @@ impl Slender {
         };
         let workers = equations.workers();
         let end = gmres(&mut operator, rhs, &options, workers, &mut self.workspace);
-        // Written so that NaN fails too.
-        end.error <= accuracy
+        // Written so that NaN fails too. Without memory for it, refinement does.
+        end.is_ok_and(|end| end.error <= accuracy)
     }
 
     /// Whether the Jacobian resists the motion that its factors, by which `substitute` solves, find

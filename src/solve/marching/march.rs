@@ -1,12 +1,13 @@
 //! The march, in steps that fit its periods and its end.
 
 use crate::error::Result;
+use crate::memory;
 use crate::model::Model;
 use crate::solve::marching::marcher::Marcher;
 use crate::solve::marching::options::{END, MarchEnd, MarchOptions};
 use crate::solve::marching::repetition::{difference, distance, is_periodic};
 use crate::solve::marching::start::begin;
-use crate::solve::marching::trajectory::{Kept, finish};
+use crate::solve::marching::trajectory::{Kept, finish, require_steps};
 use crate::solve::marching::{Stop, Tried, refused};
 use crate::solve::report::{Iteration, Outcome};
 use crate::solve::result::Solved;
@@ -27,6 +28,9 @@ const CHANGE: (f64, f64) = (0.2, 2.0);
 const WORTHWHILE: f64 = 1.2;
 /// What a step that does not converge is shortened to.
 const RETREAT: f64 = 0.25;
+
+/// Memory is asked for before each of so many steps.
+const STEPS_AT_A_TIME: usize = 256;
 
 /// How a march went on, and its states.
 struct Run<'a> {
@@ -80,6 +84,11 @@ impl Run<'_> {
 
     /// Keeps the state after a step, and tells of it.
     fn keep(&mut self) -> Tried<()> {
+        let kept = self.kept.len();
+        if kept.is_multiple_of(STEPS_AT_A_TIME) {
+            require_steps(self.marcher.newton.equations.system(), STEPS_AT_A_TIME)?;
+        }
+        memory::reserve("steps of the march", &mut self.kept, 1)?;
         self.kept.push(Kept::of(self.marcher.now()));
         let last = Iteration {
             number: self.marcher.record.steps,
@@ -194,6 +203,11 @@ pub fn march(
     )?);
     let scale = system.scales().length;
     require_reproducible_forces(model, scale, options.span(), options.start_time)?;
+    if let (MarchEnd::Duration(duration), None, 0) =
+        (options.end, options.error_tolerance, options.stored_periods)
+    {
+        require_steps(&system, (duration / length) as usize)?;
+    }
     let time = options.start_time;
     let watching = options.watch.begin(Stage::March { time }, 1);
     let workers = Workers::default().telling(watching.pulse());

@@ -145,3 +145,39 @@ impl Marcher {
             .fold(0.0, f64::max)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::solve::marching::options::MarchEnd;
+    use crate::system::{Regime, Transient};
+    use crate::test_models::pendulums::oscillator;
+
+    #[test]
+    fn another_length_of_step_changes_what_it_starts_from() {
+        let regime = Regime::March(Transient {
+            period: None,
+            duration: 1.0,
+            step: 0.1,
+        });
+        let system = Arc::new(System::in_regime(&oscillator().0, regime).unwrap());
+        let options = MarchOptions::with_step(0.1, MarchEnd::Duration(1.0));
+        let mut start = MotionState::at_rest(0.0, GridState::at_points(&system, 1));
+        let begun = Marcher::new(
+            &system,
+            &options,
+            0.1,
+            (&mut start, true),
+            &Workers::default(),
+        );
+        let Ok(mut marcher) = begun else {
+            panic!("the start is consistent");
+        };
+        marcher.step.start.twist_rate[0][0] = 1.0;
+        marcher.step.start.averaged[0][0] = 0.7;
+        marcher.set_length(0.2);
+        assert!((marcher.now().averaged[0][0] - 0.4).abs() < 1e-15);
+        marcher.set_length(0.2);
+        assert!((marcher.now().averaged[0][0] - 0.4).abs() < 1e-15);
+    }
+}

@@ -40,6 +40,23 @@ pub(super) fn is_periodic(changes: &[f64], tolerance: f64) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::collocation::GridState;
+    use crate::system::System;
+    use crate::test_models::pendulums::oscillator;
+
+    #[test]
+    fn what_is_back_in_its_place_but_moves_otherwise_is_not_repeated() {
+        let system = System::new(&oscillator().0, 1.0).unwrap();
+        let scales = system.scales();
+        let rest = MotionState::at_rest(0.0, GridState::at_points(&system, 1));
+        let mut moving = rest.clone();
+        moving.twist[0][0] = 0.3 * scales.length;
+        let period = 2.0;
+        let expected = 0.3 * period / TAU;
+        let found = difference(&rest, &moving, scales, period);
+        assert!((found - expected).abs() < 1e-15, "{found} {expected}");
+        assert_eq!(difference(&rest, &rest, scales, period), 0.0);
+    }
 
     #[test]
     fn slow_decay_is_told_from_being_there() {

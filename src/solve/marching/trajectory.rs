@@ -4,6 +4,7 @@ use crate::collocation::{GridState, MotionState};
 use crate::elements::NodeState;
 use crate::error::Result;
 use crate::fourier::TimeGrid;
+use crate::memory;
 use crate::motion::Motion;
 use crate::solve::marching::Refusal;
 use crate::solve::report::{NewtonReport, Outcome};
@@ -29,6 +30,17 @@ impl Kept {
     }
 }
 
+/// Checks that so many steps can be kept, and put together.
+///
+/// # Errors
+/// [`crate::error::ErrorKind::OutOfMemory`].
+pub(super) fn require_steps(system: &System, steps: usize) -> Result<()> {
+    let node = size_of::<Motion>() + size_of::<NodeState>();
+    let own = size_of::<f64>() * (system.own_unknowns() + system.tracked());
+    let step = system.nodes().saturating_mul(node) + own + size_of::<Kept>();
+    memory::require_items("steps of the march", steps, 2 * step)
+}
+
 /// Puts the states of all times together.
 pub(super) fn finish(
     system: &Arc<System>,
@@ -37,6 +49,7 @@ pub(super) fn finish(
     refusal: Option<Refusal>,
 ) -> Result<Solved> {
     let points = kept.len();
+    require_steps(system, points / 2)?;
     let mut state = GridState::at_points(system, points);
     let mut node_states = vec![NodeState::at_rest(Motion::identity()); points * system.nodes()];
     for (k, kept) in kept.iter().enumerate() {

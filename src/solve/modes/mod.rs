@@ -8,6 +8,7 @@ pub(crate) mod pencil;
 
 use crate::collocation::{Collocation, Pattern};
 use crate::error::{Error, ErrorKind, Result, require_finite};
+use crate::memory;
 use crate::model::Model;
 use crate::solve::equilibrium::{Indifferent, StaticOptions, find_equilibrium};
 use crate::solve::modes::eigen::{EigenPair, Search, Target};
@@ -180,6 +181,9 @@ fn find_modes(solve: &mut ModesSolve, options: &ModesOptions, watching: &Watchin
         let message = "modes: the model's stiffnesses and masses are too far apart to compute with";
         return Err(Error::new(ErrorKind::Overflow, message));
     }
+    // Vectors of the search, and the modes, in complex numbers.
+    let wanted = options.count.min(equations.size());
+    memory::require_items("the modes", 4 * wanted, equations.size() * size_of::<C64>())?;
     let target = options
         .near_frequency
         .map_or(Target::Smallest, Target::Near);
@@ -203,12 +207,21 @@ fn find_modes(solve: &mut ModesSolve, options: &ModesOptions, watching: &Watchin
             energy,
         )
     });
-    solve.modes = modes.collect();
+    solve.modes = modes.collect::<Result<_>>()?;
     Ok(())
 }
 
 /// Unscaled mode of a scaled pair.
-fn mode(pencil: &Pencil, pair: EigenPair, motions: usize, scales: &[f64], energy: f64) -> Mode {
+///
+/// # Errors
+/// [`ErrorKind::Overflow`].
+fn mode(
+    pencil: &Pencil,
+    pair: EigenPair,
+    motions: usize,
+    scales: &[f64],
+    energy: f64,
+) -> Result<Mode> {
     let EigenPair { value, mut vector } = pair;
     let largest = vector[..motions].iter().fold(C64::default(), |m, x| {
         // Of equal ones the first, whatever their rounding.
@@ -241,11 +254,17 @@ fn mode(pencil: &Pencil, pair: EigenPair, motions: usize, scales: &[f64], energy
     let unscaled: Vec<C64> = vector.iter().zip(scales).map(|(x, s)| x * *s).collect();
     let (motion, own) = unscaled.split_at(motions);
     let node = |u: &[C64]| std::array::from_fn(|i| u[i]);
-    Mode {
+    let modal_mass = modal_mass * energy;
+    let numbers = [value.re, value.im, residual, modal_mass];
+    if !(numbers.iter().all(|x| x.is_finite()) && unscaled.iter().all(|x| x.is_finite())) {
+        let message = "a mode is too large to be numbers";
+        return Err(Error::new(ErrorKind::Overflow, message));
+    }
+    Ok(Mode {
         eigenvalue: value,
         residual,
-        modal_mass: modal_mass * energy,
+        modal_mass,
         shape: motion.chunks_exact(6).map(node).collect(),
         own: own.to_vec(),
-    }
+    })
 }

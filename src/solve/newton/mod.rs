@@ -15,8 +15,11 @@ mod watchdog;
 use crate::collocation::{Collocation, GridState, TimeRule};
 use crate::error::Result;
 use crate::fourier::TimeGrid;
+use crate::memory;
 use crate::solve::linear::assembled::Assembled;
+use crate::solve::linear::method::tangent_bytes;
 use crate::solve::linear::solver::{COARSE, ESTIMATE, LinearSolver};
+use crate::solve::memory::of_grid;
 use crate::solve::newton::assembly::describe_turned_over;
 use crate::solve::report::{Iteration, NewtonOptions, NewtonReport, Outcome, Timings, timed};
 use crate::system::System;
@@ -48,6 +51,9 @@ fn describe_work(work: &Work) -> String {
         work.most()
     )
 }
+
+/// Matrices and factors of the equations at an instant, in terms of the tangents.
+const AT_INSTANT: f64 = 3.0;
 
 /// Newton solver for one system and grid; keeps everything that can be used again.
 #[derive(Debug)]
@@ -83,6 +89,8 @@ impl Newton {
     /// The same for a grid of one point: an equilibrium, or a step in time.
     pub fn at_instant(system: &Arc<System>, workers: &Workers) -> Result<Self> {
         let instant = TimeGrid::new(1, system.period())?;
+        let bytes = of_grid(system, 1) as f64 + AT_INSTANT * tangent_bytes(system, 1);
+        memory::require("the equations at an instant", bytes as usize)?;
         let mut equations = Collocation::new(system.clone(), instant)?;
         equations.set_workers(workers.clone());
         Ok(Newton::new(equations))

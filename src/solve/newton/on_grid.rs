@@ -5,7 +5,8 @@ use crate::collocation::{Collocation, GridState};
 use crate::error::{ErrorKind, Result};
 use crate::fourier::TimeGrid;
 use crate::solve::linear::iterative::Projected;
-use crate::solve::linear::method::{Linear, LinearMethod, easy_iteration};
+use crate::solve::linear::method::{Linear, LinearMethod, Plan, easy_iteration};
+use crate::solve::memory::{MemoryLimit, of_grid};
 use crate::solve::report::{Iteration, NewtonOptions, NewtonReport, Outcome, Timings};
 use crate::solve::watch::{Stage, Watching};
 use crate::system::System;
@@ -33,6 +34,8 @@ pub(crate) struct Means {
     pub work_limit: f64,
     /// Whether there is a solution to go on from.
     pub goes_on: bool,
+    /// What it may take of memory.
+    pub memory: MemoryLimit,
 }
 
 impl Means {
@@ -55,12 +58,19 @@ impl Means {
     ) -> Result<Newton<Projected<Linear>>> {
         let start = Instant::now();
         self.allow(system, grid);
+        let sampled = grid.points().saturating_mul(self.oversampling);
+        self.memory.require_grid(system, sampled)?;
         let mut equations = Collocation::new(system.clone(), grid)?;
         equations.set_workers(self.workers.clone());
         if self.oversampling > 1 {
             equations.oversample(self.oversampling)?;
         }
-        let mut linear = Linear::new(&equations, self.linear);
+        let states = of_grid(system, sampled) as f64;
+        let most = self.memory.bytes() - states;
+        let plan = Plan::of(&equations, self.linear, most);
+        let what = format!("a solve on a grid of {} points", grid.points());
+        self.memory.require(&what, (states + plan.bytes) as usize)?;
+        let mut linear = Linear::planned(&equations, plan);
         if let Some(last) = last {
             linear = linear.after(last);
         }
@@ -191,10 +201,11 @@ impl<'a> OnGrid<'a> {
         if grid == self.grid {
             return Ok(());
         }
+        let last = self.newton.linear.sampled();
+        let next = self.means.on(&self.system, grid, Some(last))?;
         self.grid = grid;
         self.watching.grid(grid.points());
-        let last = self.newton.linear.sampled();
-        self.replace_solver(self.means.on(&self.system, grid, Some(last))?);
+        self.replace_solver(next);
         Ok(())
     }
 
@@ -217,6 +228,9 @@ impl<'a> OnGrid<'a> {
     /// between grid points know too much of stretching by turns that are a little off.
     pub fn carry_to(&mut self, grid: TimeGrid, state: &GridState) -> Result<Option<GridState>> {
         let (from, began) = (self.grid, Instant::now());
+        self.means
+            .memory
+            .require_grid(&self.system, grid.points())?;
         let equations = &mut self.newton.equations;
         equations.update_kinematics(state);
         let resultants = equations.resampled_resultants(0.0, grid)?;

@@ -3,7 +3,7 @@
 
 use super::Periodic;
 use crate::collocation::{Decay, DecayKind, GridState};
-use crate::error::{Error, Result, require_positive_number};
+use crate::error::{Error, ErrorKind, Result, require_positive_number};
 use crate::fourier::TimeGrid;
 use crate::solve::newton::on_grid::Found;
 use crate::solve::periodic::loads::Loads;
@@ -283,7 +283,14 @@ impl Periodic<'_> {
             self.on.means.goes_on = true;
             let coarse = self.on.grid;
             let fine = TimeGrid::new(next, coarse.period())?;
-            let start = self.on.carry_to(fine, &state)?;
+            let start = match self.on.carry_to(fine, &state) {
+                Err(error) if error.kind() == ErrorKind::OutOfMemory => {
+                    report.outcome = Outcome::ToleranceNotMet;
+                    report.explanation = missed(&error.to_string());
+                    break;
+                }
+                start => start?,
+            };
             let (fine, fine_report) = match &start {
                 Some(start) => self.find_from_carried(start.clone(), found.error)?,
                 None => self.starts.solve(&mut self.on)?,

@@ -24,6 +24,8 @@ pub(crate) struct Loads {
     spectra: Vec<Spectrum>,
 }
 
+/// Functions are looked at at so many times as many times as a grid has points.
+const SAMPLED: usize = 4;
 /// Relative amplitudes that are rounding.
 const ROUNDING: f64 = 1e-13;
 /// Share of the motions that the first grid may do without.
@@ -70,11 +72,19 @@ impl Spectrum {
 }
 
 impl Loads {
+    /// Samples that are taken of functions, at most, for a grid of so many points.
+    pub fn samples(system: &System, points: usize) -> usize {
+        system.function_signals().saturating_mul(SAMPLED * points)
+    }
+
     /// Of `system`, whose functions are looked at for as many harmonics as twice the `points` of a
     /// grid have.
     pub fn of(system: &System, points: usize) -> Result<Self> {
         let prescribed = system.prescribed_measures().count();
-        let spectra = system.spectra(4 * points + 1)?.into_iter().enumerate();
+        let spectra = system
+            .spectra(SAMPLED * points + 1)?
+            .into_iter()
+            .enumerate();
         let spectra = spectra.map(|(i, series)| Spectrum::new(series, i < prescribed));
         Ok(Loads {
             spectra: spectra.collect(),

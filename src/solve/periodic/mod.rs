@@ -19,6 +19,7 @@ mod waves;
 use crate::error::Result;
 use crate::fourier::TimeGrid;
 use crate::model::Model;
+use crate::solve::memory::MemoryLimit;
 use crate::solve::newton::on_grid::{Found, Means, OnGrid};
 use crate::solve::report::{Iteration, Outcome};
 use crate::solve::result::{Assessment, GridTried, Kind, PeriodicRecord, Solved};
@@ -133,6 +134,13 @@ pub fn solve_periodic(
     TimeGrid::new(points, period)?;
     let system = Arc::new(System::new(model, period)?);
     require_periodic_forces(model, system.scales().length, period)?;
+    let limit = MemoryLimit(options.memory_limit);
+    limit.require_grid(&system, points)?;
+    let samples = Loads::samples(&system, largest);
+    limit.require(
+        "harmonics of the signals",
+        4 * samples.saturating_mul(size_of::<f64>()),
+    )?;
     let loads = Loads::of(&system, largest)?;
     let first = FirstGrids::of(options, &loads);
     let [wanted, of_starts, grid] =
@@ -146,6 +154,7 @@ pub fn solve_periodic(
         workers: Workers::new(options.threads)?.telling(watching.pulse()),
         work_limit: options.work_limit,
         goes_on: false,
+        memory: limit,
     };
     let mut observe = watching.with(observe);
     let (given, chosen) = match &options.guess {

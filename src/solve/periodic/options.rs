@@ -42,6 +42,9 @@ pub struct PeriodicOptions {
     /// time, in easy Newton iterations there: by few products or by factors, as takes less. From
     /// there on 20 times as much, on the finest grid so far. Zero for no bound.
     pub work_limit: f64,
+    /// Bytes of memory that the solve may take, by an estimate made before it is begun on a grid,
+    /// or any number if zero. Grids of adaptive solves that would take more are not tried.
+    pub memory_limit: usize,
     /// Who is told how the solve goes on, and may cancel it.
     pub watch: Watch,
 }
@@ -67,6 +70,7 @@ impl Default for PeriodicOptions {
             oversampling: 1,
             estimate_mesh: false,
             work_limit: WORK_LIMIT,
+            memory_limit: 0,
             watch: Watch::default(),
         }
     }

@@ -1,6 +1,7 @@
 //! Multipliers and modes of the period map, for one number of steps.
 
 use crate::error::{Error, ErrorKind, Result};
+use crate::memory;
 use crate::motion::DualVector;
 use crate::solve::linear::eigenvalues::eigenvectors;
 use crate::solve::modes::krylov::Random;
@@ -120,7 +121,7 @@ pub(super) fn spectrum(
     found.shifts = vec![false; count];
     let is_near_one = |value: &Complex<f64>| (value - 1.0).norm() < NEAR_ONE;
     if found.values.iter().any(is_near_one) {
-        let shifts = Shifts::new(map, solve);
+        let shifts = Shifts::new(map, solve)?;
         let is_shift =
             |j: usize| is_near_one(&found.values[j]) && shifts.outside(&found, j) < OUTSIDE;
         found.shifts = (0..count).map(is_shift).collect();
@@ -382,11 +383,14 @@ struct Shifts {
 }
 
 impl Shifts {
-    fn new(map: &PeriodMap, solve: &Solved) -> Self {
+    fn new(map: &PeriodMap, solve: &Solved) -> Result<Self> {
         let (nodes, steps) = (solve.system.nodes(), map.steps());
         let length = solve.system.scales().length;
         let scaled =
             |u: &Vector6<f64>| Vector6::from_fn(|i, _| u[i] / if i < 3 { length } else { 1.0 });
+        // The basis, its decomposition, and modes beside it.
+        let entries = (3 * 7 + 2) * 6 * nodes * steps;
+        memory::require_items("modes over the period", entries, size_of::<f64>())?;
         let mut basis = DMatrix::zeros(6 * nodes * steps, 7);
         for step in 0..steps {
             for node in 0..nodes {
@@ -418,10 +422,10 @@ impl Shifts {
             .map(|s| s.0)
             .collect();
         let directions = decomposition.u.unwrap_or_default();
-        Shifts {
+        Ok(Shifts {
             directions: directions.select_columns(&kept),
             nodes,
-        }
+        })
     }
 
     /// Share of mode `j` that is no such motion.

@@ -285,3 +285,49 @@ impl TimeRule for AlphaStep {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::system::System;
+    use crate::test_models::pendulums::oscillator;
+
+    /// A node that moves with `v̇ = rate + jerk t`, and the step's `a` that belongs to it.
+    fn with_jerk(method: &GeneralizedAlpha, h: f64, rate: f64, jerk: f64) -> MotionState {
+        let system = System::new(&oscillator().0, 1.0).unwrap();
+        let mut start = MotionState::at_rest(0.0, GridState::at_points(&system, 1));
+        start.twist[0][0] = 0.4;
+        start.twist_rate[0][0] = rate;
+        start.averaged[0][0] = rate + method.shift() * h * jerk;
+        start
+    }
+
+    #[test]
+    fn a_step_errs_by_its_constant() {
+        let (h, rate, jerk) = (0.3, 0.7, -1.9);
+        for radius in [0.0, 0.5, 0.8, 1.0] {
+            let method = GeneralizedAlpha::new(radius);
+            let start = with_jerk(&method, h, rate, jerk);
+            let exact = 0.4 * h + rate * h * h / 2.0 + jerk * h.powi(3) / 6.0;
+            let psi = exact + method.error_constant() * jerk * h.powi(3);
+            let step = AlphaStep::new(method, h, start);
+            let at = &step.start;
+            let all = [&at.twist[0], &at.twist_rate[0], &at.averaged[0]];
+            let [_, end, _] = step.end(&(Vector6::x() * psi), all);
+            // With this increment, acceleration at the end is that of the motion.
+            assert!(
+                (end[0] - (rate + jerk * h)).abs() < 1e-12,
+                "{radius}: {end}"
+            );
+        }
+    }
+
+    #[test]
+    fn steps_of_another_length_start_from_what_belongs_to_them() {
+        let method = GeneralizedAlpha::new(0.5);
+        let mut start = with_jerk(&method, 0.3, 0.7, -1.9);
+        start.change_step(1.7);
+        let expected = with_jerk(&method, 0.3 * 1.7, 0.7, -1.9);
+        assert!((start.averaged[0] - expected.averaged[0]).amax() < 1e-15);
+    }
+}

@@ -135,7 +135,7 @@ impl<L: LinearSolver> Bordered<L> {
                     &options,
                     &workers,
                     &mut self.workspace,
-                );
+                )?;
             } else {
                 operator.precondition(&mut correction);
             }

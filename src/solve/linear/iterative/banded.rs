@@ -1,6 +1,7 @@
 //! LU of banded matrices, in place, with pivots.
 
-use crate::error::{Error, ErrorKind, Result};
+use crate::error::Result;
+use crate::memory;
 use crate::solve::linear::blocks;
 use crate::workers::Workers;
 use faer::dyn_stack::{MemBuffer, MemStack};
@@ -36,10 +37,7 @@ impl Banded {
             values: Vec::new(),
         };
         let count = size * (matrix.stride() + 1);
-        matrix.values.try_reserve_exact(count).map_err(|_| {
-            let message = format!("a band of {size} × {reach} does not fit in memory");
-            Error::new(ErrorKind::OutOfMemory, message)
-        })?;
+        matrix.values = memory::room(&format!("a band of {size} × {reach}"), count)?;
         for end in (PIECE..count).step_by(PIECE).chain([count]) {
             matrix.values.resize(end, 0.0);
             workers.pulse()?;

@@ -2,6 +2,8 @@
 //! unknowns, not by residuals, in which stiff directions drown soft ones. See docs/theory.md,
 //! section 8.3.
 
+use crate::error::Result;
+use crate::memory;
 use crate::solve::linear::dense::probe;
 use crate::work::PROJECTION;
 use crate::workers::Workers;
@@ -64,6 +66,34 @@ pub(crate) struct GmresWorkspace {
     rest: Vec<f64>,
 }
 
+/// Vectors that are kept at least, where memory is short.
+const LEAST_KEPT: usize = 20;
+
+impl GmresWorkspace {
+    /// Takes the memory of a solve for a right side of so many entries, which keeps fewer vectors
+    /// where there is not enough.
+    ///
+    /// # Errors
+    /// [`crate::error::ErrorKind::OutOfMemory`].
+    pub fn take(&mut self, options: &mut GmresOptions, entries: usize) -> Result<()> {
+        options.restart = options.restart.min(options.iteration_limit);
+        while self.basis.len() < (options.restart + 1) * entries {
+            let bytes = (options.restart + 3).saturating_mul(entries * size_of::<f64>());
+            match memory::require("vectors of the iteration", bytes) {
+                // What is not written to is not taken.
+                Ok(()) => self.basis = vec![0.0; (options.restart + 1) * entries],
+                Err(_) if options.restart > LEAST_KEPT => {
+                    // That of the solves before first.
+                    self.basis = Vec::new();
+                    options.restart = (options.restart / 2).max(LEAST_KEPT);
+                }
+                Err(error) => return Err(error),
+            }
+        }
+        Ok(())
+    }
+}
+
 /// A preconditioned operator: what is asked of it are `P⁻¹ A x` and `P⁻¹ b`, in place.
 pub(crate) trait Preconditioned {
     /// `y = A x`.
@@ -80,7 +110,10 @@ pub(crate) fn gmres(
     options: &GmresOptions,
     workers: &Workers,
     workspace: &mut GmresWorkspace,
-) -> GmresEnd {
+) -> Result<GmresEnd> {
+    let mut options = *options;
+    workspace.take(&mut options, rhs.len())?;
+    let options = &options;
     let mut vectors = Vectors {
         workers,
         ends: [options.leading, options.essential],
@@ -106,12 +139,7 @@ pub(crate) fn gmres(
         stagnated: false,
     };
     if start == 0.0 || !start.is_finite() {
-        return end;
-    }
-    // Memory that is not written to is not taken.
-    let vectors_kept = options.restart.min(options.iteration_limit) + 1;
-    if workspace.basis.len() < vectors_kept * rhs.len() {
-        workspace.basis = vec![0.0; vectors_kept * rhs.len()];
+        return Ok(end);
     }
     let mut run = Run {
         operator,
@@ -133,7 +161,7 @@ pub(crate) fn gmres(
             break;
         }
     }
-    run.end
+    Ok(run.end)
 }
 
 /// A solve on its way.
@@ -548,7 +576,8 @@ mod tests {
                 &options,
                 &Workers::default(),
                 &mut GmresWorkspace::default(),
-            );
+            )
+            .unwrap();
             assert!(end.error <= 1e-10, "{end:?}");
             let error = x.iter().zip(&exact).map(|(x, e)| (x - e).abs());
             assert!(error.fold(0.0, f64::max) < 1e-9);
@@ -583,7 +612,7 @@ mod tests {
                 restart: 40,
             };
             let (workers, mut workspace) = (Workers::default(), GmresWorkspace::default());
-            let end = gmres(&mut Apart, &mut x, &options, &workers, &mut workspace);
+            let end = gmres(&mut Apart, &mut x, &options, &workers, &mut workspace).unwrap();
             let error = |part: Range<usize>| {
                 let of = |x: &mut dyn Iterator<Item = f64>| x.map(|x| x * x).sum::<f64>().sqrt();
                 let left = of(&mut part.clone().map(|i| x[i] - exact[i]));
@@ -627,7 +656,8 @@ mod tests {
             &options,
             &Workers::default(),
             &mut GmresWorkspace::default(),
-        );
+        )
+        .unwrap();
         assert!(end.error > 0.5 && x.iter().all(|x| x.is_finite()));
     }
 
@@ -658,7 +688,8 @@ mod tests {
             &options,
             &Workers::default(),
             &mut GmresWorkspace::default(),
-        );
+        )
+        .unwrap();
         assert!(end.error > 0.5 && !end.stagnated, "{end:?}");
         assert!(end.iterations < TELLING + 5, "{end:?}");
     }

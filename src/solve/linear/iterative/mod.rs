@@ -410,7 +410,7 @@ impl LinearSolver for Iterative {
                 &options,
                 workers,
                 &mut self.workspace,
-            );
+            )?;
             self.record.products.push(end.iterations);
             self.count_bytes(end.iterations.min(options.restart), unknowns.len());
             timings.substitution += began.elapsed();

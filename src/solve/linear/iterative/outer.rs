@@ -75,7 +75,7 @@ pub(crate) fn solve_around<L: LinearSolver, O: Outer<L>>(
         timings,
         end: Ok(true),
     };
-    let end = gmres(&mut operator, rhs, options, &workers, workspace);
+    let end = gmres(&mut operator, rhs, options, &workers, workspace)?;
     let inner = operator.end;
     // What the inner solver has not booked.
     let booked = timings.sum() - before;

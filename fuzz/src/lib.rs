@@ -1,0 +1,8 @@
+//! What the fuzz targets do with bytes, whoever makes these up: libFuzzer, or `tests/fuzz.rs` from
+//! seeds and the corpus.
+
+pub mod bytes;
+pub mod calls;
+pub mod files;
+mod given;
+mod promises;

@@ -1,0 +1,74 @@
+//! What a solve takes of memory, estimated before it is taken.
+
+use crate::elements::NodeState;
+use crate::error::{Error, ErrorKind, Result};
+use crate::memory;
+use crate::motion::Motion;
+use crate::system::System;
+
+/// States over the grid that a solve keeps at a time: where it is, came from, and tries to go.
+const STATES: usize = 6;
+/// Vectors of unknowns that it keeps: increments, residuals, scales, right sides.
+const VECTORS: usize = 12;
+
+/// Bytes of the states and vectors of so many nodes and own unknowns of elements, at so many
+/// points.
+fn states_and_vectors(nodes: usize, own: usize, points: usize) -> usize {
+    let number = size_of::<f64>();
+    let node = STATES * size_of::<Motion>() + 2 * size_of::<NodeState>() + VECTORS * 6 * number;
+    let at_point = nodes.saturating_mul(node) + own.saturating_mul((STATES + VECTORS) * number);
+    points.saturating_mul(at_point)
+}
+
+/// The bytes that a solve may take; any number if zero.
+#[derive(Debug, Clone, Copy, Default)]
+pub(crate) struct MemoryLimit(pub usize);
+
+impl MemoryLimit {
+    /// Bytes that may be taken, as far as it is up to the user.
+    pub fn bytes(self) -> f64 {
+        match self.0 {
+            0 => f64::INFINITY,
+            bytes => bytes as f64,
+        }
+    }
+
+    /// Checks that so many bytes may be taken, and are to be had.
+    ///
+    /// # Errors
+    /// [`ErrorKind::OutOfMemory`], with the estimate.
+    pub fn require(self, what: &str, bytes: usize) -> Result<()> {
+        if bytes as f64 > self.bytes() {
+            let message = format!(
+                "{what} takes about {bytes} bytes of memory, more than options.memory_limit allows \
+                 ({})",
+                self.0
+            );
+            return Err(Error::new(ErrorKind::OutOfMemory, message));
+        }
+        memory::require(what, bytes)
+    }
+
+    /// Checks that a system's states on a grid of so many points are to be had.
+    ///
+    /// # Errors
+    /// The same.
+    pub fn require_grid(self, system: &System, points: usize) -> Result<()> {
+        let what = format!("a grid of {points} points");
+        self.require(&what, of_grid(system, points))
+    }
+}
+
+/// Bytes that a system takes on a grid, without linear equations.
+pub(crate) fn of_grid(system: &System, points: usize) -> usize {
+    states_and_vectors(system.nodes(), system.own_unknowns(), points)
+}
+
+/// Checks that states of so many nodes on a grid are to be had.
+///
+/// # Errors
+/// [`ErrorKind::OutOfMemory`].
+pub(crate) fn require_states(nodes: usize, points: usize) -> Result<()> {
+    let what = format!("a grid of {points} points");
+    memory::require(&what, states_and_vectors(nodes, 0, points))
+}
