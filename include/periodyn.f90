@@ -355,6 +355,7 @@ module periodyn_c
         integer(c_int32_t) :: start
         integer(c_int32_t) :: estimate_mesh
         real(c_double) :: progress_interval
+        integer(c_size_t) :: memory_limit
     end type pdn_periodic_options
 
     type, bind(C) :: pdn_sensitivity_options

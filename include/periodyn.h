@@ -16,6 +16,7 @@
  * @par Memory
  * What a `_new` or an output of handle type gave is the caller's, to be freed by the `_free` of its
  * type, in any order; NULL may be freed. Arrays and texts are copied in and out.
+ * Any function may return PDN_ERR_MEMORY, also where it is not named: then nothing has changed.
  */
 
 /* Written by cbindgen from src/capi. To change it: PDN_BLESS=1 cargo test --test header */
@@ -367,6 +368,12 @@
  * report explains; quantities are as good as pdn_diagnostics.error_estimate says.
  */
 #define PDN_TOLERANCE_NOT_MET 8
+
+/**
+ * Outcome: all work was done that pdn_periodic_options.work_limit allows; the report tells what
+ * was tried.
+ */
+#define PDN_WORK_LIMIT 9
 
 /**
  * Decay of harmonics: not known, as there are too few or the solve has not converged.
@@ -1783,6 +1790,14 @@ typedef struct pdn_periodic_options {
      * called at any opportunity. Default 0.1.
      */
     double progress_interval;
+    /**
+     * Most work, counted in operations and not in time, of all starts until one has led to a
+     * solution: this many times that of an easy Newton iteration, by few products or by factors,
+     * and a constant for small models. From there on 20 times as much, on the finest grid so far.
+     * What takes more ends as PDN_WORK_LIMIT or, where a coarser grid had a solution, with that as
+     * PDN_TOLERANCE_NOT_MET. 0 for no bound. Default 60.
+     */
+    double work_limit;
     /**
      * Bytes of memory that the solve may take, by an estimate that is made before it is begun on a
      * grid: one that would take more is PDN_ERR_MEMORY, and its message tells the estimate. If
@@ -3924,8 +3939,8 @@ void pdn_solution_free(struct pdn_solution *solution);
  *
  * @param solution  the solution; not NULL
  * @return PDN_CONVERGED, PDN_ITERATION_LIMIT, PDN_STALLED, PDN_SINGULAR, PDN_CANCELLED,
- *     PDN_NO_INITIAL_GUESS, PDN_INCONSISTENT, PDN_WRONG_ASSEMBLY or PDN_TOLERANCE_NOT_MET;
- *     negative, as a ::pdn_status, if the handle is not valid
+ *     PDN_NO_INITIAL_GUESS, PDN_INCONSISTENT, PDN_WRONG_ASSEMBLY, PDN_TOLERANCE_NOT_MET or
+ *     PDN_WORK_LIMIT; negative, as a ::pdn_status, if the handle is not valid
  *
  * Threads: like `const`.
  * @since 0.1
@@ -5204,6 +5219,46 @@ pdn_status pdn_solution_sensitivities(const struct pdn_solution *solution,
                                       double *derivatives,
                                       size_t dependents,
                                       size_t parameters);
+
+/**
+ * Derivatives of a Floquet multiplier of a periodic solution by parameters of its model.
+ *
+ * The solution follows the parameters, and so do the free parameters of `conditions`, so that
+ * these go on to be met. The multiplier is first found once more, from the equations on the grid
+ * of the solution, whose derivatives these are: that takes a complex factorisation for each of a
+ * few iterations. A multiplier that is not the only one of its value, or that is 1 because its mode
+ * moves the solution in time or space, has no derivatives.
+ *
+ * @param solution  a converged solution of ::pdn_solve_periodic, ::pdn_solve_conditioned or one
+ *     like it; not NULL
+ * @param sensitivities  the parameters; what else it lists is of no account; not NULL
+ * @param stability  the multipliers of this solution; not NULL
+ * @param number  number of the multiplier among these, from 0
+ * @param conditions  free parameters and as many conditions; NULL for none
+ * @param options  may be NULL for the defaults; the method is of no account
+ * @param re  receives derivatives of the real part, one for each parameter
+ * @param im  those of the imaginary part
+ * @param parameters  number of the parameters
+ * @return PDN_OK; PDN_ERR_NULL; PDN_ERR_STRUCT_SIZE; PDN_ERR_SIZE; PDN_ERR_ID; PDN_ERR_VALUE (a
+ *     parameter twice, or free; multipliers of another period); PDN_ERR_NOT_PERIODIC (PDN_FREQUENCY,
+ *     and something has a frequency of its own); PDN_ERR_NOT_AVAILABLE (as of
+ *     ::pdn_solution_sensitivities; a multiplier that has no derivatives, or whose mode the grid
+ *     does not resolve); PDN_ERR_CALLBACK; PDN_ERR_OVERFLOW; PDN_ERR_MEMORY
+ *
+ * Threads: like a `const` use of `solution`, `sensitivities`, `stability` and `conditions`.
+ * Functions of yours are called on this thread.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_solution_multiplier_sensitivities(const struct pdn_solution *solution,
+                                                 const struct pdn_sensitivities *sensitivities,
+                                                 const struct pdn_stability *stability,
+                                                 int32_t number,
+                                                 const struct pdn_conditions *conditions,
+                                                 const struct pdn_sensitivity_options *options,
+                                                 double *re,
+                                                 double *im,
+                                                 size_t parameters);
 
 /**
  * Sets a point to zero; use `PDN_INIT(pdn_branch_point, &point)`.

@@ -1009,6 +1009,12 @@ class PeriodicOptions(Struct):
     """Least time between two calls of progress while an iteration lasts, in seconds; 0 to be
     called at any opportunity. Default 0.1.
     """
+    memory_limit = Number("memory_limit")
+    """Bytes of memory that the solve may take, by an estimate that is made before it is begun on a
+    grid: one that would take more is ERR_MEMORY, and its message tells the estimate. If
+    grid_points is 0, only the first grid is refused so; finer ones that would take more end the
+    solve as TOLERANCE_NOT_MET. 0 for no limit but that of the system. Default 0.
+    """
 
 
 class SensitivityOptions(Struct):
@@ -2883,6 +2889,7 @@ class Model(ModelExtras):
         start=None,
         estimate_mesh=None,
         progress_interval=None,
+        memory_limit=None,
     ):
         """Finds the periodic response of a model directly, by Fourier spectral collocation.
 
@@ -2945,6 +2952,11 @@ class Model(ModelExtras):
                 oversampling. Default 0.
             progress_interval: Least time between two calls of progress while an iteration
                 lasts, in seconds; 0 to be called at any opportunity. Default 0.1.
+            memory_limit: Bytes of memory that the solve may take, by an estimate that is made
+                before it is begun on a grid: one that would take more is ERR_MEMORY, and its
+                message tells the estimate. If grid_points is 0, only the first grid is refused
+                so; finer ones that would take more end the solve as TOLERANCE_NOT_MET. 0 for no
+                limit but that of the system. Default 0.
 
         Returns:
             Solution: the solution, also if it has not converged
@@ -2967,6 +2979,7 @@ class Model(ModelExtras):
             start=start,
             estimate_mesh=estimate_mesh,
             progress_interval=progress_interval,
+            memory_limit=memory_limit,
         )
         like("guess_positions", guess_positions, (self.node_count(), points_of(options), 3))
         like("guess_rotations", guess_rotations, (self.node_count(), points_of(options), 3, 3))
@@ -3072,6 +3085,7 @@ class Model(ModelExtras):
         start=None,
         estimate_mesh=None,
         progress_interval=None,
+        memory_limit=None,
     ):
         """Finds a periodic response that meets conditions, and the values of as many free
         parameters.
@@ -3136,6 +3150,11 @@ class Model(ModelExtras):
                 oversampling. Default 0.
             progress_interval: Least time between two calls of progress while an iteration
                 lasts, in seconds; 0 to be called at any opportunity. Default 0.1.
+            memory_limit: Bytes of memory that the solve may take, by an estimate that is made
+                before it is begun on a grid: one that would take more is ERR_MEMORY, and its
+                message tells the estimate. If grid_points is 0, only the first grid is refused
+                so; finer ones that would take more end the solve as TOLERANCE_NOT_MET. 0 for no
+                limit but that of the system. Default 0.
 
         Returns:
             Solution: the solution, also if it has not converged: Solution.parameter tells the
@@ -3159,6 +3178,7 @@ class Model(ModelExtras):
             start=start,
             estimate_mesh=estimate_mesh,
             progress_interval=progress_interval,
+            memory_limit=memory_limit,
         )
         like("guess_positions", guess_positions, (self.node_count(), points_of(options), 3))
         like("guess_rotations", guess_rotations, (self.node_count(), points_of(options), 3, 3))
