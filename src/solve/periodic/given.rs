@@ -23,6 +23,10 @@ const FAR: f64 = 0.001;
 const LEAST_COARSE: usize = 7;
 /// Most iterations on it: more would take longer than those it is to spare.
 const MOST_COARSE: usize = 8;
+/// Estimated error from which Newton's method factors once more on the finer grid. A grid with half
+/// the harmonics spares that, if it has so many times the points of the first one.
+const ONCE_MORE: f64 = 1e-5;
+const FINER: f64 = 1.5;
 
 impl Periodic<'_> {
     /// On this grid, which may be finer than the present one, from a given state or the library's
@@ -48,8 +52,8 @@ impl Periodic<'_> {
         if !self.starts.is_quasi_static() {
             return self.find_at(grid);
         }
-        let half = grid.of_half_the_harmonics().points();
-        let coarser = TimeGrid::new(half.min(self.coarse), grid.period())?;
+        let half = grid.of_half_the_harmonics();
+        let coarser = TimeGrid::new(half.points().min(self.coarse), grid.period())?;
         let is_first = self.on.grid == grid;
         if is_first && coarser.points() < LEAST_COARSE {
             return self.find_near(grid);
@@ -63,11 +67,12 @@ impl Periodic<'_> {
             }
             most = most.min(MOST_COARSE);
         }
+        let by_factors = is_first && self.on.newton.linear.sampled().is_direct();
         self.on.move_to(coarser)?;
-        let coarse = self.on.grid;
-        let start = match self.on_coarse_grid(distance, most)? {
+        let start = match self.on_coarse_grids(distance, most, by_factors.then_some(half))? {
             // Cancelled.
             Some((state, report)) if report.outcome != Outcome::Converged => {
+                let coarse = self.on.grid;
                 self.on.move_to(grid)?;
                 let reached = self.on.carried(&state, coarse)?;
                 let reference = || GridState::reference(&self.on.system, grid);
@@ -108,20 +113,51 @@ impl Periodic<'_> {
         self.starts.solve(&mut self.on)
     }
 
+    /// A solution on the present grid, which is coarse, from the quasi-static motion, and from that
+    /// one on `finer` where that spares factors of the last grid; see [`Self::on_coarse_grid`].
+    fn on_coarse_grids(
+        &mut self,
+        distance: f64,
+        most: usize,
+        finer: Option<TimeGrid>,
+    ) -> Result<Option<Found>> {
+        let first = self.starts.first();
+        let Some(start) = self.starts.quasi_static_here(&mut self.on, first)? else {
+            return Ok(None);
+        };
+        let found = self.on_coarse_grid(start, distance, most)?;
+        let leaves_much = |finer: TimeGrid| {
+            self.coarse_start.as_ref().is_some_and(|tried| {
+                let larger = finer.points() as f64 >= FINER * tried.points as f64;
+                larger && tried.error_estimate > ONCE_MORE
+            })
+        };
+        match (found, finer) {
+            (Some((state, _)), Some(finer)) if leaves_much(finer) => {
+                match self.on.carry_to(finer, &state)? {
+                    Some(start) => self.on_coarse_grid(start, distance, most),
+                    None => Ok(None),
+                }
+            }
+            (found, _) => Ok(found),
+        }
+    }
+
     /// A solution on the present grid, which is coarse, if `most` iterations find one with an
     /// error that is small beside the `distance` of the quasi-static motion, or what was reached
     /// when that was cancelled.
-    fn on_coarse_grid(&mut self, distance: f64, most: usize) -> Result<Option<Found>> {
+    fn on_coarse_grid(
+        &mut self,
+        start: GridState,
+        distance: f64,
+        most: usize,
+    ) -> Result<Option<Found>> {
         let on = &mut self.on;
         let enough = NewtonOptions {
             tolerance: on.means.newton.tolerance.max(ENOUGH),
             iteration_limit: most,
         };
-        let first = self.starts.first();
-        let Some(state) = self.starts.quasi_static_here(on, first)? else {
-            return Ok(None);
-        };
-        let (state, report) = on.solve_to(state, &enough)?;
+        let (state, report) = on.solve_to(start, &enough)?;
         match report.outcome {
             Outcome::Converged => {}
             Outcome::Cancelled => return Ok(Some((state, report))),
