@@ -369,6 +369,12 @@
 #define PDN_TOLERANCE_NOT_MET 8
 
 /**
+ * Outcome: all work was done that pdn_periodic_options.work_limit allows; the report tells what
+ * was tried.
+ */
+#define PDN_WORK_LIMIT 9
+
+/**
  * Decay of harmonics: not known, as there are too few or the solve has not converged.
  */
 #define PDN_DECAY_UNKNOWN 0
@@ -1783,6 +1789,14 @@ typedef struct pdn_periodic_options {
      * called at any opportunity. Default 0.1.
      */
     double progress_interval;
+    /**
+     * Most work, counted in operations and not in time, of all starts until one has led to a
+     * solution: this many times that of an easy Newton iteration, by few products or by factors,
+     * and a constant for small models. From there on 20 times as much, on the finest grid so far.
+     * What takes more ends as PDN_WORK_LIMIT or, where a coarser grid had a solution, with that as
+     * PDN_TOLERANCE_NOT_MET. 0 for no bound. Default 60.
+     */
+    double work_limit;
     /**
      * Bytes of memory that the solve may take, by an estimate that is made before it is begun on a
      * grid: one that would take more is PDN_ERR_MEMORY, and its message tells the estimate. If
@@ -3924,8 +3938,8 @@ void pdn_solution_free(struct pdn_solution *solution);
  *
  * @param solution  the solution; not NULL
  * @return PDN_CONVERGED, PDN_ITERATION_LIMIT, PDN_STALLED, PDN_SINGULAR, PDN_CANCELLED,
- *     PDN_NO_INITIAL_GUESS, PDN_INCONSISTENT, PDN_WRONG_ASSEMBLY or PDN_TOLERANCE_NOT_MET;
- *     negative, as a ::pdn_status, if the handle is not valid
+ *     PDN_NO_INITIAL_GUESS, PDN_INCONSISTENT, PDN_WRONG_ASSEMBLY, PDN_TOLERANCE_NOT_MET or
+ *     PDN_WORK_LIMIT; negative, as a ::pdn_status, if the handle is not valid
  *
  * Threads: like `const`.
  * @since 0.1
