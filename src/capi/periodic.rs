@@ -175,7 +175,7 @@ pub struct pdn_periodic_options {
 
 // SAFETY: all fields are plain numbers or pointers, `struct_size` is the first, no padding.
 unsafe impl Options for pdn_periodic_options {
-    const SIZES: &'static [usize] = &[80, 96, 104, 112, 120, 136, 144];
+    const SIZES: &'static [usize] = &[80, 96, 104, 112, 120, 136, 152];
 
     fn defaults() -> Self {
         let core = PeriodicOptions::default();
