@@ -126,7 +126,7 @@ impl Workers {
     /// Tells that work goes on.
     ///
     /// # Errors
-    /// If it is to end, as someone wishes or as it was bounded; passed on as those of callbacks are.
+    /// If it is to end, as someone wishes or as it was bounded; passed on as those of callbacks.
     pub fn pulse(&self) -> Result<()> {
         if self.work.is_spent() {
             return Err(Error::new(ErrorKind::Callback, "more work than is allowed"));

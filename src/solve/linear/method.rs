@@ -181,6 +181,7 @@ impl Plan {
                 let (large, too_large) = (LARGE.min(most_bytes), TOO_LARGE.min(most_bytes));
                 falls_back = cost.bytes < too_large;
                 let numbers = equations.layout().motions().len() as f64;
+                let products = (cost.work / (PRODUCT * numbers)) as usize;
                 let with_assembly = cost.work + VALUE * cost.values();
                 most_products = (with_assembly / (PRODUCT * numbers)) as usize;
                 let cheap = numbers < SMALL || cost.work < AFFORDABLE * numbers;
@@ -193,7 +194,7 @@ impl Plan {
                 } else if falls_back {
                     Choice::IterativeFirst {
                         work: cost.work,
-                        products: most_products,
+                        products,
                     }
                 } else {
                     Choice::Iterative(None)
