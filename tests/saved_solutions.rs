@@ -445,7 +445,7 @@ fn forged_files_take_neither_memory_nor_stack_out_of_proportion() {
     let what = "values, too many for its 8000023 bytes";
     assert_refused(&path, &with_body(&original, &dense), what);
     // Lists within lists, of a field that is not known and so skipped.
-    for depth in [65, 1000, 100_000] {
+    for depth in [65, 1000, 50_000] {
         let deep = [&[0x81], &name("unknown")[..], &vec![0x91; depth], &[0xc0]].concat();
         let file = with_body(&original, &deep);
         let path = path.clone();

@@ -53,9 +53,9 @@ fn shaken_by_moments() -> (Model, usize) {
     let (mut model, hinge) = hinged_body(2.0, &Vector3::zeros(), &inertia, &Vector3::y());
     let at = rotation1(hinge);
     model
-        .add_polynomial_spring_damper(at, &[3.0, 0.0, 5.0], &[0.4], 0.0)
+        .add_polynomial_spring_damper(at, &[3.0, 0.0, 80.0], &[0.4], 0.0)
         .unwrap();
-    let moment = Signal::harmonics(0.0, 0.0, &[1.0, 0.3], &[0.0, 0.0]).unwrap();
+    let moment = Signal::harmonics(0.0, 0.0, &[0.25, 0.075], &[0.0, 0.0]).unwrap();
     model.add_actuator(at, &moment).unwrap();
     (model, hinge)
 }
@@ -80,9 +80,9 @@ fn moments_that_are_not_balanced_between_grid_points_show() {
     let (mut left, mut level) = (0.0f64, 0.0f64);
     for k in 0..points {
         let inertia = 0.7 * acceleration[k];
-        let spring = 3.0 * angle[k] + 5.0 * angle[k].powi(3) + 0.4 * rate[k];
+        let spring = 3.0 * angle[k] + 80.0 * angle[k].powi(3) + 0.4 * rate[k];
         let phase = TAU * times[k] / period;
-        let moment = phase.cos() + 0.3 * (2.0 * phase).cos();
+        let moment = 0.25 * phase.cos() + 0.075 * (2.0 * phase).cos();
         left = left.max((inertia + spring - moment).abs());
         level = [inertia, spring, moment]
             .iter()
