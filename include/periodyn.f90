@@ -1937,6 +1937,22 @@ module periodyn_c
             integer(c_int32_t) :: pdn_solution_sensitivities
         end function pdn_solution_sensitivities
 
+        ! Derivatives of a Floquet multiplier of a periodic solution by parameters of its model
+        function pdn_solution_multiplier_sensitivities(solution, sensitivities, stability, number, &
+            conditions, options, re, im, parameters) bind(C, name="pdn_solution_multiplier_sensitivities")
+            import
+            type(c_ptr), value :: solution
+            type(c_ptr), value :: sensitivities
+            type(c_ptr), value :: stability
+            integer(c_int32_t), value :: number
+            type(c_ptr), value :: conditions
+            type(pdn_sensitivity_options), intent(in), optional :: options
+            real(c_double), intent(inout) :: re
+            real(c_double), intent(inout) :: im
+            integer(c_size_t), value :: parameters
+            integer(c_int32_t) :: pdn_solution_multiplier_sensitivities
+        end function pdn_solution_multiplier_sensitivities
+
         ! Sets a point to zero; use `PDN_INIT(pdn_branch_point, &point)`
         subroutine pdn_branch_point_init(point, struct_size) bind(C, name="pdn_branch_point_init")
             import

@@ -4665,6 +4665,65 @@ class Solution(SolutionExtras):
         )
         return derivatives
 
+    def multiplier_sensitivities(
+        self,
+        sensitivities,
+        stability,
+        number,
+        parameters,
+        conditions=None,
+        *,
+        method=None,
+        linear_solver=None,
+        threads=None,
+    ):
+        """Derivatives of a Floquet multiplier of a periodic solution by parameters of its model.
+
+        The solution follows the parameters, and so do the free parameters of `conditions`, so
+        that these go on to be met. The multiplier is first found once more, from the equations
+        on the grid of the solution, whose derivatives these are: that takes a complex
+        factorisation for each of a few iterations. A multiplier that is not the only one of its
+        value, or that is 1 because its mode moves the solution in time or space, has no
+        derivatives.
+
+        Args:
+            sensitivities: the parameters; what else it lists is of no account
+            stability: the multipliers of this solution
+            number: number of the multiplier among these, from 0
+            conditions: free parameters and as many conditions; None for none
+            method: SENSITIVITY_AUTOMATIC, the default, SENSITIVITY_DIRECT or
+                SENSITIVITY_ADJOINT.
+            linear_solver: How linear equations are solved: LINEAR_AUTOMATIC, ... Default
+                LINEAR_AUTOMATIC.
+            threads: Threads that share the work; 0 for as many as there are processors. Default
+                1.
+            parameters: number of the parameters
+
+        Returns:
+            re: receives derivatives of the real part, one for each parameter
+            im: those of the imaginary part
+        """
+        options = SensitivityOptions(
+            method=method,
+            linear_solver=linear_solver,
+            threads=threads,
+        )
+        re = ffi.new("double *")
+        im = ffi.new("double *")
+        call(
+            lib.pdn_solution_multiplier_sensitivities,
+            self._c,
+            pointer(sensitivities),
+            pointer(stability),
+            number,
+            pointer(conditions),
+            options._c,
+            re,
+            im,
+            parameters,
+        )
+        return re[0], im[0]
+
     def march(self):
         """Figures of a march: steps, periods, how much the last of them differ, how much the start
         was changed.

@@ -144,16 +144,19 @@ static void held(void)
         }
     }
     double re[3], im[3];
-    CHECK_STATUS(pdn_solution_multiplier_sensitivities(solution, s, stability, 0, NULL, NULL, re, im,
-                                                       3), PDN_OK);
+    CHECK_STATUS(pdn_solution_multiplier_sensitivities(solution, s, stability, 0, NULL, NULL, re,
+                                                       im, 3),
+                 PDN_OK);
     for (int i = 0; i < 3; ++i) {
         CHECK_NEAR(re[i], by[i][0], 1e-8);
         CHECK_NEAR(im[i], by[i][1], 1e-8);
     }
-    CHECK_STATUS(pdn_solution_multiplier_sensitivities(solution, s, stability, 2, NULL, NULL, re, im,
-                                                       3), PDN_ERR_ID);
-    CHECK_STATUS(pdn_solution_multiplier_sensitivities(solution, s, stability, 0, NULL, NULL, re, im,
-                                                       2), PDN_ERR_SIZE);
+    CHECK_STATUS(pdn_solution_multiplier_sensitivities(solution, s, stability, 2, NULL, NULL, re,
+                                                       im, 3),
+                 PDN_ERR_ID);
+    CHECK_STATUS(pdn_solution_multiplier_sensitivities(solution, s, stability, 0, NULL, NULL, re,
+                                                       im, 2),
+                 PDN_ERR_SIZE);
     CHECK_STATUS(pdn_solution_multiplier_sensitivities(solution, s, NULL, 0, NULL, NULL, re, im, 3),
                  PDN_ERR_NULL);
     pdn_stability_free(stability);

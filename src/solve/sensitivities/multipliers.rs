@@ -157,7 +157,7 @@ fn require_simple(solve: &Solved, stability: &Stability, numbers: &[usize]) -> R
 struct Direction {
     /// Not scaled, for what counts as 1 in a parameter.
     direction: Vec<f64>,
-    /// Of motions, relative to what counts as 1 in them; at least that of the parameter, which is 1.
+    /// Of motions, relative to what counts as 1 in them; at least 1, which is the parameter's.
     size: f64,
     /// What counts as 1 in the parameter.
     scale: f64,

@@ -319,7 +319,7 @@ impl Spectrum {
         !self.shifts[j] || self.shifts.iter().filter(|shift| **shift).count() == 1
     }
 
-    /// Largest error of modes of up to this frequency whose multipliers are no smaller than `least`.
+    /// Largest error of modes of up to this frequency with multipliers no smaller than `least`.
     pub fn worst(&self, highest: f64, least: f64) -> f64 {
         let counts = |j: &usize| {
             let within = self.frequencies[*j].abs() <= highest && self.values[*j].norm() >= least;
