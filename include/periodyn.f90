@@ -79,6 +79,7 @@ module periodyn_c
     integer(c_int32_t), parameter :: PDN_INCONSISTENT = 6
     integer(c_int32_t), parameter :: PDN_WRONG_ASSEMBLY = 7
     integer(c_int32_t), parameter :: PDN_TOLERANCE_NOT_MET = 8
+    integer(c_int32_t), parameter :: PDN_WORK_LIMIT = 9
     integer(c_int32_t), parameter :: PDN_DECAY_UNKNOWN = 0
     integer(c_int32_t), parameter :: PDN_DECAY_FAST = 1
     integer(c_int32_t), parameter :: PDN_DECAY_SLOW = 2
@@ -355,6 +356,7 @@ module periodyn_c
         integer(c_int32_t) :: start
         integer(c_int32_t) :: estimate_mesh
         real(c_double) :: progress_interval
+        real(c_double) :: work_limit
         integer(c_size_t) :: memory_limit
     end type pdn_periodic_options
 
@@ -1947,8 +1949,8 @@ module periodyn_c
             integer(c_int32_t), value :: number
             type(c_ptr), value :: conditions
             type(pdn_sensitivity_options), intent(in), optional :: options
-            real(c_double), intent(inout) :: re
-            real(c_double), intent(inout) :: im
+            real(c_double), intent(inout) :: re(*)
+            real(c_double), intent(inout) :: im(*)
             integer(c_size_t), value :: parameters
             integer(c_int32_t) :: pdn_solution_multiplier_sensitivities
         end function pdn_solution_multiplier_sensitivities

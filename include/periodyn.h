@@ -5226,13 +5226,8 @@ pdn_status pdn_solution_sensitivities(const struct pdn_solution *solution,
  * The solution follows the parameters, and so do the free parameters of `conditions`, so that
  * these go on to be met. The multiplier is first found once more, from the equations on the grid
  * of the solution, whose derivatives these are: that takes a complex factorisation for each of a
-<<<<<<< HEAD
- * few iterations. A multiplier that is not the only one of its value, or that is 1 because its mode
- * moves the solution in time or space, has no derivatives.
-=======
  * few iterations. A multiplier that is not the only one of its value, or that is 1 because its
  * mode moves the solution in time or space, has no derivatives.
->>>>>>> families
  *
  * @param solution  a converged solution of ::pdn_solve_periodic, ::pdn_solve_conditioned or one
  *     like it; not NULL
@@ -5241,17 +5236,12 @@ pdn_status pdn_solution_sensitivities(const struct pdn_solution *solution,
  * @param number  number of the multiplier among these, from 0
  * @param conditions  free parameters and as many conditions; NULL for none
  * @param options  may be NULL for the defaults; the method is of no account
- * @param re  receives derivatives of the real part, one for each parameter
- * @param im  those of the imaginary part
+ * @param re  array of length [parameters]: derivatives of the real part
+ * @param im  array of length [parameters]: those of the imaginary part
  * @param parameters  number of the parameters
  * @return PDN_OK; PDN_ERR_NULL; PDN_ERR_STRUCT_SIZE; PDN_ERR_SIZE; PDN_ERR_ID; PDN_ERR_VALUE (a
-<<<<<<< HEAD
- *     parameter twice, or free; multipliers of another period); PDN_ERR_NOT_PERIODIC (PDN_FREQUENCY,
- *     and something has a frequency of its own); PDN_ERR_NOT_AVAILABLE (as of
-=======
  *     parameter twice, or free; multipliers of another period); PDN_ERR_NOT_PERIODIC
  *     (PDN_FREQUENCY, and something has a frequency of its own); PDN_ERR_NOT_AVAILABLE (as of
->>>>>>> families
  *     ::pdn_solution_sensitivities; a multiplier that has no derivatives, or whose mode the grid
  *     does not resolve); PDN_ERR_CALLBACK; PDN_ERR_OVERFLOW; PDN_ERR_MEMORY
  *

@@ -164,6 +164,10 @@ TOLERANCE_NOT_MET = 8
 """Outcome: converged on the last grid tried, but the estimated error misses the tolerance, as the
 report explains; quantities are as good as Diagnostics.error_estimate says.
 """
+WORK_LIMIT = 9
+"""Outcome: all work was done that PeriodicOptions.work_limit allows; the report tells what was
+tried.
+"""
 DECAY_UNKNOWN = 0
 """Decay of harmonics: not known, as there are too few or the solve has not converged."""
 DECAY_FAST = 1
@@ -437,6 +441,7 @@ OUTCOMES = {
     6: "INCONSISTENT",
     7: "WRONG_ASSEMBLY",
     8: "TOLERANCE_NOT_MET",
+    9: "WORK_LIMIT",
 }
 """Names of the outcomes of a solve."""
 COMPONENTS = {
@@ -1008,6 +1013,13 @@ class PeriodicOptions(Struct):
     progress_interval = Number("progress_interval")
     """Least time between two calls of progress while an iteration lasts, in seconds; 0 to be
     called at any opportunity. Default 0.1.
+    """
+    work_limit = Number("work_limit")
+    """Most work, counted in operations and not in time, of all starts until one has led to a
+    solution: this many times that of an easy Newton iteration, by few products or by factors,
+    and a constant for small models. From there on 20 times as much, on the finest grid so far.
+    What takes more ends as WORK_LIMIT or, where a coarser grid had a solution, with that as
+    TOLERANCE_NOT_MET. 0 for no bound. Default 60.
     """
     memory_limit = Number("memory_limit")
     """Bytes of memory that the solve may take, by an estimate that is made before it is begun on a
@@ -2889,6 +2901,7 @@ class Model(ModelExtras):
         start=None,
         estimate_mesh=None,
         progress_interval=None,
+        work_limit=None,
         memory_limit=None,
     ):
         """Finds the periodic response of a model directly, by Fourier spectral collocation.
@@ -2952,6 +2965,12 @@ class Model(ModelExtras):
                 oversampling. Default 0.
             progress_interval: Least time between two calls of progress while an iteration
                 lasts, in seconds; 0 to be called at any opportunity. Default 0.1.
+            work_limit: Most work, counted in operations and not in time, of all starts until
+                one has led to a solution: this many times that of an easy Newton iteration, by
+                few products or by factors, and a constant for small models. From there on 20
+                times as much, on the finest grid so far. What takes more ends as WORK_LIMIT or,
+                where a coarser grid had a solution, with that as TOLERANCE_NOT_MET. 0 for no
+                bound. Default 60.
             memory_limit: Bytes of memory that the solve may take, by an estimate that is made
                 before it is begun on a grid: one that would take more is ERR_MEMORY, and its
                 message tells the estimate. If grid_points is 0, only the first grid is refused
@@ -2979,6 +2998,7 @@ class Model(ModelExtras):
             start=start,
             estimate_mesh=estimate_mesh,
             progress_interval=progress_interval,
+            work_limit=work_limit,
             memory_limit=memory_limit,
         )
         like("guess_positions", guess_positions, (self.node_count(), points_of(options), 3))
@@ -3085,6 +3105,7 @@ class Model(ModelExtras):
         start=None,
         estimate_mesh=None,
         progress_interval=None,
+        work_limit=None,
         memory_limit=None,
     ):
         """Finds a periodic response that meets conditions, and the values of as many free
@@ -3150,6 +3171,12 @@ class Model(ModelExtras):
                 oversampling. Default 0.
             progress_interval: Least time between two calls of progress while an iteration
                 lasts, in seconds; 0 to be called at any opportunity. Default 0.1.
+            work_limit: Most work, counted in operations and not in time, of all starts until
+                one has led to a solution: this many times that of an easy Newton iteration, by
+                few products or by factors, and a constant for small models. From there on 20
+                times as much, on the finest grid so far. What takes more ends as WORK_LIMIT or,
+                where a coarser grid had a solution, with that as TOLERANCE_NOT_MET. 0 for no
+                bound. Default 60.
             memory_limit: Bytes of memory that the solve may take, by an estimate that is made
                 before it is begun on a grid: one that would take more is ERR_MEMORY, and its
                 message tells the estimate. If grid_points is 0, only the first grid is refused
@@ -3178,6 +3205,7 @@ class Model(ModelExtras):
             start=start,
             estimate_mesh=estimate_mesh,
             progress_interval=progress_interval,
+            work_limit=work_limit,
             memory_limit=memory_limit,
         )
         like("guess_positions", guess_positions, (self.node_count(), points_of(options), 3))
@@ -4700,16 +4728,16 @@ class Solution(SolutionExtras):
             parameters: number of the parameters
 
         Returns:
-            re: receives derivatives of the real part, one for each parameter
-            im: those of the imaginary part
+            re, of shape (parameters): derivatives of the real part
+            im, of shape (parameters): those of the imaginary part
         """
         options = SensitivityOptions(
             method=method,
             linear_solver=linear_solver,
             threads=threads,
         )
-        re = ffi.new("double *")
-        im = ffi.new("double *")
+        re = reals.empty((parameters,))
+        im = reals.empty((parameters,))
         call(
             lib.pdn_solution_multiplier_sensitivities,
             self._c,
@@ -4718,11 +4746,11 @@ class Solution(SolutionExtras):
             number,
             pointer(conditions),
             options._c,
-            re,
-            im,
+            pointer(re),
+            pointer(im),
             parameters,
         )
-        return re[0], im[0]
+        return re, im
 
     def march(self):
         """Figures of a march: steps, periods, how much the last of them differ, how much the start
