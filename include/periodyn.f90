@@ -1949,8 +1949,8 @@ module periodyn_c
             integer(c_int32_t), value :: number
             type(c_ptr), value :: conditions
             type(pdn_sensitivity_options), intent(in), optional :: options
-            real(c_double), intent(inout) :: re
-            real(c_double), intent(inout) :: im
+            real(c_double), intent(inout) :: re(*)
+            real(c_double), intent(inout) :: im(*)
             integer(c_size_t), value :: parameters
             integer(c_int32_t) :: pdn_solution_multiplier_sensitivities
         end function pdn_solution_multiplier_sensitivities

@@ -5236,8 +5236,8 @@ pdn_status pdn_solution_sensitivities(const struct pdn_solution *solution,
  * @param number  number of the multiplier among these, from 0
  * @param conditions  free parameters and as many conditions; NULL for none
  * @param options  may be NULL for the defaults; the method is of no account
- * @param re  receives derivatives of the real part, one for each parameter
- * @param im  those of the imaginary part
+ * @param re  array of length [parameters]: derivatives of the real part
+ * @param im  array of length [parameters]: those of the imaginary part
  * @param parameters  number of the parameters
  * @return PDN_OK; PDN_ERR_NULL; PDN_ERR_STRUCT_SIZE; PDN_ERR_SIZE; PDN_ERR_ID; PDN_ERR_VALUE (a
  *     parameter twice, or free; multipliers of another period); PDN_ERR_NOT_PERIODIC

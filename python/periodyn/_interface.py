@@ -4730,16 +4730,16 @@ class Solution(SolutionExtras):
             parameters: number of the parameters
 
         Returns:
-            re: receives derivatives of the real part, one for each parameter
-            im: those of the imaginary part
+            re, of shape (parameters): derivatives of the real part
+            im, of shape (parameters): those of the imaginary part
         """
         options = SensitivityOptions(
             method=method,
             linear_solver=linear_solver,
             threads=threads,
         )
-        re = ffi.new("double *")
-        im = ffi.new("double *")
+        re = reals.empty((parameters,))
+        im = reals.empty((parameters,))
         call(
             lib.pdn_solution_multiplier_sensitivities,
             self._c,
@@ -4748,11 +4748,11 @@ class Solution(SolutionExtras):
             number,
             pointer(conditions),
             options._c,
-            re,
-            im,
+            pointer(re),
+            pointer(im),
             parameters,
         )
-        return re[0], im[0]
+        return re, im
 
     def march(self):
         """Figures of a march: steps, periods, how much the last of them differ, how much the start
