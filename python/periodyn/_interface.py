@@ -4710,11 +4710,9 @@ class Solution(SolutionExtras):
         The solution follows the parameters, and so do the free parameters of `conditions`, so
         that these go on to be met. The multiplier is first found once more, from the equations
         on the grid of the solution, whose derivatives these are: that takes a complex
-        factorisation for each of a <<<<<<< HEAD few iterations. A multiplier that is not the
-        only one of its value, or that is 1 because its mode moves the solution in time or
-        space, has no derivatives. ======= few iterations. A multiplier that is not the only one
-        of its value, or that is 1 because its mode moves the solution in time or space, has no
-        derivatives. >>>>>>> families
+        factorisation for each of a few iterations. A multiplier that is not the only one of its
+        value, or that is 1 because its mode moves the solution in time or space, has no
+        derivatives.
 
         Args:
             sensitivities: the parameters; what else it lists is of no account
