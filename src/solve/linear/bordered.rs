@@ -308,6 +308,7 @@ impl<L: LinearSolver> LinearSolver for Bordered<L> {
             leading: equations.layout().motions().end,
             essential: rhs.len(),
             leading_alone: false,
+            rounding: None,
             iteration_limit: ITERATION_LIMIT,
             restart: ITERATION_LIMIT,
         };

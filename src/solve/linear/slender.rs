@@ -74,6 +74,7 @@ impl Slender {
             leading: equations.layout().motions().end,
             essential: rhs.len(),
             leading_alone: false,
+            rounding: None,
             iteration_limit: MOST,
             restart: MOST,
         };

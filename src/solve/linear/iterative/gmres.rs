@@ -2,14 +2,11 @@
 //! unknowns, not by residuals, in which stiff directions drown soft ones. See docs/theory.md,
 //! section 8.3.
 
+use super::least_squares::LeastSquares;
+use super::long_vectors::{SMALLEST_SHARE, Vectors, small_norm};
 use crate::error::Result;
 use crate::memory;
-use crate::solve::linear::dense::probe;
-use crate::work::PROJECTION;
 use crate::workers::Workers;
-use faer::linalg::matmul::matmul;
-use faer::{Accum, MatMut, MatRef, Par};
-use std::ops::Range;
 
 /// A cycle that leaves more than this of the residual is the last.
 const STAGNATION: f64 = 0.9;
@@ -20,10 +17,11 @@ const TELLING: usize = 30;
 /// convergence becomes faster on the way.
 const HOPELESS: f64 = 1.5;
 
-/// A part that is smaller than this may be nothing but rounding.
-const SMALLEST_SHARE: f64 = 1e-8;
 /// Error relative to the whole solution that is not undercut.
 const FINEST: f64 = 1e-10;
+
+/// Rounding is this much less than what is asked of a part that is weighted up.
+const NOISE: f64 = 10.0;
 
 /// When to stop.
 #[derive(Debug, Clone, Copy)]
@@ -37,6 +35,9 @@ pub(crate) struct GmresOptions {
     pub essential: usize,
     /// Whether the second part is not asked for either.
     pub leading_alone: bool,
+    /// Rounding in a preconditioned product, relative to the largest entry, if that is known: a
+    /// smaller part is not weighted up to where this is all there is.
+    pub rounding: Option<f64>,
     /// Most products.
     pub iteration_limit: usize,
     /// Products between restarts, for which vectors are kept.
@@ -125,11 +126,16 @@ pub(crate) fn gmres(
     }
     operator.precondition(&mut workspace.rest);
     // The solution's two parts are about as large as those of this.
-    let sizes = vectors.sizes(&mut workspace.rest);
-    let larger = sizes[0].max(sizes[1]);
-    if larger.is_finite() && larger > 0.0 && !options.leading_alone {
-        let least = SMALLEST_SHARE.max(FINEST / options.tolerance).min(1.0);
-        vectors.weights = sizes.map(|size| 1.0 / (size / larger).clamp(least, 1.0));
+    if let (Some(rounding), false) = (options.rounding, options.leading_alone) {
+        let sizes = vectors.sizes(&mut workspace.rest);
+        let larger = sizes[0].max(sizes[1]);
+        let least = SMALLEST_SHARE
+            .max(FINEST / options.tolerance)
+            .max(NOISE * rounding / options.tolerance);
+        // Written so that NaN does not count.
+        if larger > 0.0 && least < 1.0 {
+            vectors.weights = sizes.map(|size| 1.0 / (size / larger).clamp(least, 1.0));
+        }
     }
     let start = vectors.norm(&mut workspace.rest);
     rhs.fill(0.0);
@@ -218,7 +224,7 @@ impl<P: Preconditioned> Run<'_, P> {
             self.end.error = error / (self.share.unwrap_or(1.0) * whole);
             if self.end.error <= options.tolerance && self.share.is_none() {
                 // Only now, as it takes a pass over all vectors.
-                let share = vectors.smaller_share(x, basis, &y, options);
+                let share = vectors.smaller_share(x, basis, &y, options.leading_alone);
                 let [first, second] = vectors.weights;
                 let share = share.max(FINEST * first.max(second) / options.tolerance);
                 self.share = Some(share);
@@ -256,289 +262,10 @@ impl<P: Preconditioned> Run<'_, P> {
     }
 }
 
-/// What is to be as small as it can be in a cycle: a right side of one entry, less the Hessenberg
-/// matrix times what is sought.
-struct LeastSquares {
-    triangle: Triangle,
-    rotations: Vec<(f64, f64)>,
-    /// The right side, rotated.
-    rotated: Vec<f64>,
-}
-
-impl LeastSquares {
-    fn new(right_side: f64) -> Self {
-        LeastSquares {
-            triangle: Triangle::default(),
-            rotations: Vec::new(),
-            rotated: vec![right_side],
-        }
-    }
-
-    /// Adds a column of the matrix, and its entry `below` the diagonal. `false` if that is zero,
-    /// and nothing to be added.
-    fn push(&mut self, mut column: Vec<f64>, below: f64) -> bool {
-        for (i, (c, s)) in self.rotations.iter().enumerate() {
-            let (upper, lower) = (column[i], column[i + 1]);
-            column[i] = c * upper + s * lower;
-            column[i + 1] = c * lower - s * upper;
-        }
-        let j = self.rotations.len();
-        let diagonal = column[j].hypot(below);
-        if diagonal == 0.0 {
-            return false;
-        }
-        let (c, s) = (column[j] / diagonal, below / diagonal);
-        column[j] = diagonal;
-        self.rotations.push((c, s));
-        self.triangle.columns.push(column);
-        let last = self.rotated[j];
-        self.rotated[j] = c * last;
-        self.rotated.push(-s * last);
-        true
-    }
-
-    /// What is sought.
-    fn solve(&self) -> Vec<f64> {
-        self.triangle.solve(&self.rotated)
-    }
-
-    /// Size of what is left of the right side.
-    fn rest(&self) -> f64 {
-        self.rotated[self.rotations.len()].abs()
-    }
-}
-
-/// Upper triangle that rotations make of the Hessenberg matrix, column by column.
-#[derive(Default)]
-struct Triangle {
-    columns: Vec<Vec<f64>>,
-}
-
-impl Triangle {
-    /// Solves `R y = x` for the first entries of `x`.
-    fn solve(&self, x: &[f64]) -> Vec<f64> {
-        let mut y = x[..self.columns.len()].to_vec();
-        for i in (0..y.len()).rev() {
-            let (head, tail) = y.split_at_mut(i);
-            tail[0] /= self.columns[i][i];
-            add(head, &self.columns[i][..i], -tail[0]);
-        }
-        y
-    }
-
-    /// Solves `Rᵀ y = x`.
-    fn solve_transposed(&self, x: &[f64]) -> Vec<f64> {
-        let mut y: Vec<f64> = Vec::with_capacity(x.len());
-        for (column, x) in self.columns.iter().zip(x) {
-            let known = dot(&column[..y.len()], &y);
-            y.push((x - known) / column[y.len()]);
-        }
-        y
-    }
-
-    /// Size of `R⁻¹`, by a few steps of the power method.
-    fn inverse_size(&self) -> f64 {
-        let mut x = probe(self.columns.len());
-        let mut size = 0.0;
-        for _ in 0..3 {
-            let length = small_norm(&x);
-            x.iter_mut().for_each(|x| *x /= length);
-            x = self.solve(&self.solve_transposed(&x));
-            size = small_norm(&x).sqrt();
-        }
-        size
-    }
-}
-
-/// Long vectors, worked on by several threads. The smaller of their two parts counts more in
-/// products of two, so that neither drowns in the other.
-struct Vectors<'a> {
-    workers: &'a Workers,
-    /// Where the two parts end.
-    ends: [usize; 2],
-    /// Of their entries.
-    weights: [f64; 2],
-}
-
-/// Entries that are worked on in one piece: they stay in the cache meanwhile.
-const PIECE: usize = 1 << 12;
-
-impl Vectors<'_> {
-    /// Works on pieces of a vector, each with where it starts, and sums `count` sums of each,
-    /// whatever the number of threads.
-    fn sums(
-        &self,
-        x: &mut [f64],
-        count: usize,
-        work: impl Fn(usize, &mut [f64], &mut [f64]) + Sync,
-    ) -> Vec<f64> {
-        let mut sums = vec![0.0; x.len().div_ceil(PIECE) * count];
-        let of_pieces = sums.chunks_mut(count.max(1));
-        let mut pieces: Vec<_> = x.chunks_mut(PIECE).zip(of_pieces).collect();
-        let item = |piece: usize, x: &mut [f64], sums: &mut [f64]| work(piece * PIECE, x, sums);
-        self.workers
-            .each(&mut pieces, |i, (x, sums)| item(i, x, sums));
-        let mut total = vec![0.0; count];
-        for of_piece in sums.chunks(count.max(1)) {
-            add(&mut total, of_piece, 1.0);
-        }
-        total
-    }
-
-    /// `x += V y`, for as many of the vectors as `y` has entries.
-    fn add(&self, x: &mut [f64], basis: &[f64], y: &[f64]) {
-        let basis = Columns::new(basis, x.len(), y.len());
-        self.sums(x, 1, |first, x, _| basis.add(first, x, y, 1.0));
-    }
-
-    fn scale(&self, x: &mut [f64], factor: f64) {
-        self.sums(x, 1, |_, x, _| x.iter_mut().for_each(|x| *x *= factor));
-    }
-
-    /// The two parts, and what is behind them, of a piece of `count` entries that starts at
-    /// `first`, each with the weight of its squares.
-    fn parts(&self, first: usize, count: usize) -> [(Range<usize>, f64); 3] {
-        let [one, two] = self.ends.map(|end| end.saturating_sub(first).min(count));
-        let [first, second] = self.weights.map(|weight| weight * weight);
-        [(0..one, first), (one..two, second), (two..count, 1.0)]
-    }
-
-    /// Square of the size of a piece.
-    fn square(&self, first: usize, x: &[f64]) -> f64 {
-        let parts = self.parts(first, x.len()).into_iter();
-        parts
-            .map(|(part, weight)| weight * dot(&x[part.clone()], &x[part]))
-            .sum()
-    }
-
-    fn norm(&self, x: &mut [f64]) -> f64 {
-        self.sums(x, 1, |first, x, sum| sum[0] = self.square(first, x))[0].sqrt()
-    }
-
-    /// Sizes of the two parts.
-    fn sizes(&self, x: &mut [f64]) -> [f64; 2] {
-        let squares = self.sums(x, 2, |first, x, sums| {
-            for (sum, (part, weight)) in sums.iter_mut().zip(self.parts(first, x.len())) {
-                *sum = weight * dot(&x[part.clone()], &x[part]);
-            }
-        });
-        [squares[0].sqrt(), squares[1].sqrt()]
-    }
-
-    /// Size of the smaller of the two parts of `x + V y`, relative to the whole.
-    fn smaller_share(&self, x: &[f64], basis: &[f64], y: &[f64], options: &GmresOptions) -> f64 {
-        let mut sum = x.to_vec();
-        self.add(&mut sum, basis, y);
-        let whole = self.norm(&mut sum);
-        let sizes = self.sizes(&mut sum);
-        let asked = if options.leading_alone { 1 } else { 2 };
-        let shares = sizes[..asked].iter().map(|size| size / whole);
-        // Of nothing nothing more can be asked than that the rest is right.
-        let counts = shares.filter(|share| *share > SMALLEST_SHARE);
-        counts.fold(1.0, f64::min)
-    }
-
-    /// Takes from `w` its parts along orthonormal `basis` vectors, twice so that rounding leaves
-    /// none; returns these parts, and the length of what is left.
-    fn project_out(&self, basis: &[f64], w: &mut [f64]) -> (Vec<f64>, f64) {
-        let count = basis.len() / w.len();
-        self.workers.work().spend(PROJECTION * basis.len() as f64);
-        let basis = Columns::new(basis, w.len(), count);
-        let along = |first: usize, w: &[f64], sums: &mut [f64]| {
-            for (part, weight) in self.parts(first, w.len()) {
-                basis.along(first + part.start, &w[part], weight, sums);
-            }
-        };
-        let mut parts = self.sums(w, count, |first, w, sums| along(first, w, sums));
-        let rest = self.sums(w, count, |first, w, sums| {
-            basis.add(first, w, &parts, -1.0);
-            along(first, w, sums);
-        });
-        let length = self.sums(w, 1, |first, w, sum| {
-            basis.add(first, w, &rest, -1.0);
-            sum[0] = self.square(first, w);
-        });
-        add(&mut parts, &rest, 1.0);
-        (parts, length[0].sqrt())
-    }
-}
-
-/// Vectors of one size, one behind the other.
-#[derive(Clone, Copy)]
-struct Columns<'a> {
-    values: &'a [f64],
-    size: usize,
-    count: usize,
-}
-
-impl<'a> Columns<'a> {
-    fn new(values: &'a [f64], size: usize, count: usize) -> Self {
-        Columns {
-            values,
-            size,
-            count,
-        }
-    }
-
-    /// So many rows from `first` on.
-    fn rows(&self, first: usize, rows: usize) -> MatRef<'a, f64> {
-        let values = &self.values[first..(self.count - 1) * self.size + first + rows];
-        MatRef::from_column_major_slice_with_stride(values, rows, self.count, self.size)
-    }
-
-    /// `sums += weight Vᵀ w`, for a piece of `w` that starts at `first`.
-    fn along(&self, first: usize, w: &[f64], weight: f64, sums: &mut [f64]) {
-        if w.is_empty() {
-            return;
-        }
-        let to = MatMut::from_column_major_slice_mut(sums, self.count, 1);
-        let w = MatRef::from_column_major_slice(w, w.len(), 1);
-        let rows = self.rows(first, w.nrows()).transpose();
-        matmul(to, Accum::Add, rows, w, weight, Par::Seq);
-    }
-
-    /// `w += factor V y`, for a piece of `w` that starts at `first`.
-    fn add(&self, first: usize, w: &mut [f64], y: &[f64], factor: f64) {
-        if self.count == 0 {
-            return;
-        }
-        let rows = self.rows(first, w.len());
-        let y = MatRef::from_column_major_slice(y, self.count, 1);
-        let to = MatMut::from_column_major_slice_mut(w, rows.nrows(), 1);
-        matmul(to, Accum::Add, rows, y, factor, Par::Seq);
-    }
-}
-
-/// `y += factor x`.
-fn add(y: &mut [f64], x: &[f64], factor: f64) {
-    y.iter_mut().zip(x).for_each(|(y, x)| *y += factor * x);
-}
-
-fn small_norm(x: &[f64]) -> f64 {
-    dot(x, x).sqrt()
-}
-
-/// Sums in eight parts side by side, in an order that does not depend on anything but the length.
-fn dot(x: &[f64], y: &[f64]) -> f64 {
-    let mut parts = [0.0; 8];
-    let (x_chunks, y_chunks) = (x.chunks_exact(8), y.chunks_exact(8));
-    let rest: f64 = x_chunks
-        .remainder()
-        .iter()
-        .zip(y_chunks.remainder())
-        .map(|(x, y)| x * y)
-        .sum();
-    for (x, y) in x_chunks.zip(y_chunks) {
-        for i in 0..8 {
-            parts[i] += x[i] * y[i];
-        }
-    }
-    parts.iter().sum::<f64>() + rest
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
+    use std::ops::Range;
 
     /// A matrix with a diagonal from 1 to 2 and a rotation, and no preconditioner.
     struct Plain(usize);
@@ -567,6 +294,7 @@ mod tests {
                 leading: 40,
                 essential: 40,
                 leading_alone: false,
+                rounding: None,
                 iteration_limit: 200,
                 restart,
             };
@@ -608,6 +336,7 @@ mod tests {
                 leading: 20,
                 essential: 40,
                 leading_alone,
+                rounding: Some(f64::EPSILON),
                 iteration_limit: 40,
                 restart: 40,
             };
@@ -646,6 +375,7 @@ mod tests {
             leading: 1,
             essential: 2,
             leading_alone: false,
+            rounding: None,
             iteration_limit: 20,
             restart: 20,
         };
@@ -677,6 +407,7 @@ mod tests {
             leading: 300,
             essential: 300,
             leading_alone: false,
+            rounding: None,
             iteration_limit: 200,
             restart: 200,
         };

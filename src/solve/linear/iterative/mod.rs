@@ -2,7 +2,8 @@
 //! preconditioners that know what is nearly constant, in time or in the frames of the bodies. See
 //! docs/theory.md, section 8.3.
 //!
-//! * `gmres`: the iteration itself, on any operator. `projected` iterates on oversampled equations.
+//! * `gmres`: the iteration itself, on any operator, in `long_vectors` and `least_squares`.
+//!   `projected` iterates on oversampled equations.
 //! * `body_circulant`: bodies averaged over time, joints as they are. In `constraints` which of
 //!   these may be averaged too, in `mean` the averages, in `resultants` those of stress resultants,
 //!   in `interface` the system of the joints that turn.
@@ -16,11 +17,14 @@ mod block_lu;
 mod body_circulant;
 mod constraints;
 mod dense;
+mod factors;
 mod gmres;
 mod harmonic_band;
 mod interface;
 mod lanes;
 mod layout;
+mod least_squares;
+mod long_vectors;
 mod mean;
 mod outer;
 mod part;
@@ -38,15 +42,13 @@ use crate::solve::linear::slender::SLENDER;
 use crate::solve::linear::solver::{ESTIMATE, LinearSolver};
 use crate::solve::report::{Timings, timed};
 use crate::work::PRODUCT;
-use body_circulant::BodyCirculant;
-use constraints::Joints;
+use factors::Factors;
 pub(crate) use gmres::{GmresOptions, GmresWorkspace, Preconditioned, gmres};
 use interface::{Bounds, LEFT_OUT, likely_work};
 pub(crate) use outer::{Outer, SHARPEST, solve_around};
 pub(crate) use projected::Projected;
 use serde::{Deserialize, Serialize};
 use std::time::{Duration, Instant};
-use time_local::TimeLocal;
 pub(crate) use trial::missing_inertia;
 pub use trial::{LinearTrial, try_linear_solve};
 
@@ -59,11 +61,6 @@ const KEPT: usize = 500_000_000;
 /// A solve that takes so many products more than the first with its preconditioner asks for a new
 /// one.
 const MANY: usize = 10;
-/// Size of the unknowns of stress resultants relative to the others: what matters are these.
-const RESULTANT_SHARE: f64 = 0.03;
-/// Multiply-adds of the system of the joints, for each unknown, that are little beside the products
-/// of a solve.
-const CHEAP: f64 = 2000.0;
 /// Time-local preconditioning is cheap. It is kept where it takes no more products than this,
 const FEW: usize = 12;
 /// or than this, where the system of the joints would take
@@ -118,73 +115,6 @@ pub struct IterativeRecord {
     pub bytes: usize,
 }
 
-enum Factors {
-    Body(Box<BodyCirculant>),
-    Local(Box<TimeLocal>),
-}
-
-impl Factors {
-    fn new(
-        equations: &Collocation,
-        tangent: &Tangent,
-        preconditioner: Preconditioner,
-        bounds: Bounds,
-    ) -> Result<Option<Self>> {
-        let circulant = |joints: Joints| -> Result<Option<Self>> {
-            let factors = BodyCirculant::new(equations, tangent, joints, bounds)?;
-            Ok(factors.map(|f| Factors::Body(Box::new(f))))
-        };
-        match preconditioner {
-            Preconditioner::BodyCirculant => circulant(Joints::Exact),
-            Preconditioner::Circulant => circulant(Joints::Averaged),
-            Preconditioner::TimeLocal => {
-                Ok(TimeLocal::new(equations, tangent).map(|f| Factors::Local(Box::new(f))))
-            }
-        }
-    }
-
-    /// `x = P⁻¹ x`, for the first `size` of the unknowns, and for stress resultants behind them.
-    fn apply(&mut self, x: &mut [f64], size: usize) {
-        let (x, resultants) = x.split_at_mut(size);
-        match self {
-            Factors::Body(factors) => factors.apply(x, resultants),
-            Factors::Local(factors) => factors.apply(x),
-        }
-    }
-
-    /// Whether new ones take little beside a solve.
-    fn are_cheap(&self, unknowns: usize) -> bool {
-        match self {
-            Factors::Body(factors) => factors.interface_work() < CHEAP * unknowns as f64,
-            Factors::Local(_) => false,
-        }
-    }
-
-    /// Gives unknowns of stress resultants a size that goes with that of the others, for a right
-    /// side of `size` entries and zeros behind them.
-    fn scale_resultants(&mut self, tangent: &mut Tangent, rhs: &[f64], size: usize) {
-        let Factors::Body(factors) = self else {
-            return;
-        };
-        let mut first = rhs.to_vec();
-        let (x, resultants) = first.split_at_mut(size);
-        factors.apply(x, resultants);
-        let norm = |x: &[f64]| x.iter().map(|x| x * x).sum::<f64>().sqrt();
-        let scale = norm(resultants) / (RESULTANT_SHARE * norm(x));
-        if scale.is_finite() && scale > 0.0 {
-            factors.resultants.scale = scale;
-            tangent.set_resultant_scale(scale);
-        }
-    }
-
-    fn bytes(&self) -> usize {
-        match self {
-            Factors::Body(factors) => factors.bytes(),
-            Factors::Local(factors) => factors.bytes(),
-        }
-    }
-}
-
 /// GMRES on the Jacobian as an operator.
 pub(crate) struct Iterative {
     tangent: Tangent,
@@ -209,6 +139,8 @@ pub(crate) struct Iterative {
     is_scaled: bool,
     /// Products of the first solve with the factors.
     first_products: Option<usize>,
+    /// Growth of the factors: size of the inverse of what they factor times that of the Jacobian.
+    growth: Option<f64>,
     /// Products that a solve may take.
     limit: usize,
     workspace: GmresWorkspace,
@@ -249,6 +181,7 @@ impl Iterative {
             is_old: false,
             is_scaled: false,
             first_products: None,
+            growth: None,
             limit: ITERATION_LIMIT,
             workspace: GmresWorkspace::default(),
             record: IterativeRecord::default(),
@@ -280,6 +213,7 @@ impl Iterative {
         // The memory of the old ones first.
         self.factors = None;
         self.first_products = None;
+        self.growth = None;
         self.is_scaled = false;
         self.tangent.set_resultant_scale(1.0);
         while let Some(&(preconditioner, limit)) = self.candidates.first() {
@@ -335,6 +269,25 @@ impl Iterative {
         vec![local(few), body, local(most)]
     }
 
+    /// A vector without pattern, the largest entry of its product, and the growth of the factors.
+    fn respond(&mut self, equations: &Collocation) -> Option<(Vec<f64>, f64, f64)> {
+        let factors = self.factors.as_mut()?;
+        let probe = probe(equations.size());
+        let mut product = vec![0.0; probe.len()];
+        self.tangent.apply(equations, &probe, &mut product);
+        let product = largest(&product);
+        let mut response = probe.clone();
+        factors.apply(&mut response, equations.size());
+        let growth = largest(&response) * product;
+        Some((probe, product, growth))
+    }
+
+    fn find_growth(&mut self, equations: &Collocation) {
+        if self.growth.is_none() {
+            self.growth = self.respond(equations).map(|(_, _, growth)| growth);
+        }
+    }
+
     fn count_bytes(&mut self, vectors: usize, size: usize) {
         let factors = self.factors.as_ref().map_or(0, Factors::bytes);
         let bytes = self.tangent.bytes() + factors + (vectors + 4) * size * size_of::<f64>();
@@ -373,6 +326,7 @@ impl LinearSolver for Iterative {
     ) -> Result<bool> {
         loop {
             let began = Instant::now();
+            self.find_growth(equations);
             let Some(factors) = &mut self.factors else {
                 return Ok(false);
             };
@@ -395,6 +349,7 @@ impl LinearSolver for Iterative {
                 essential: rhs.len(),
                 // Estimates are of motions alone.
                 leading_alone: accuracy >= ESTIMATE,
+                rounding: self.growth.map(|growth| f64::EPSILON * growth),
                 restart: (KEPT / size_of_val(&unknowns[..]))
                     .clamp(RESTART, self.limit.max(RESTART)),
             };
@@ -443,16 +398,10 @@ impl LinearSolver for Iterative {
     }
 
     fn growth(&mut self, equations: &mut Collocation) -> f64 {
-        let Some(factors) = &mut self.factors else {
+        let Some((mut probe, product, growth)) = self.respond(equations) else {
             return f64::INFINITY;
         };
-        let mut probe = probe(equations.size());
-        let mut product = vec![0.0; probe.len()];
-        self.tangent.apply(equations, &probe, &mut product);
-        let product = largest(&product);
-        let mut response = probe.clone();
-        factors.apply(&mut response, equations.size());
-        let growth = largest(&response) * product;
+        self.growth = Some(growth);
         if growth <= self.suspect {
             return growth;
         }

@@ -1,0 +1,83 @@
+//! Preconditioners, factored.
+
+use super::Preconditioner;
+use super::body_circulant::BodyCirculant;
+use super::constraints::Joints;
+use super::interface::Bounds;
+use super::time_local::TimeLocal;
+use crate::collocation::{Collocation, Tangent};
+use crate::error::Result;
+
+/// Size of the unknowns of stress resultants relative to the others: what matters are these.
+const RESULTANT_SHARE: f64 = 0.03;
+/// Multiply-adds of the system of the joints, for each unknown, that are little beside the products
+/// of a solve.
+const CHEAP: f64 = 2000.0;
+
+/// What the Jacobian is approximated by, factored.
+pub(super) enum Factors {
+    Body(Box<BodyCirculant>),
+    Local(Box<TimeLocal>),
+}
+
+impl Factors {
+    pub fn new(
+        equations: &Collocation,
+        tangent: &Tangent,
+        preconditioner: Preconditioner,
+        bounds: Bounds,
+    ) -> Result<Option<Self>> {
+        let circulant = |joints: Joints| -> Result<Option<Self>> {
+            let factors = BodyCirculant::new(equations, tangent, joints, bounds)?;
+            Ok(factors.map(|f| Factors::Body(Box::new(f))))
+        };
+        match preconditioner {
+            Preconditioner::BodyCirculant => circulant(Joints::Exact),
+            Preconditioner::Circulant => circulant(Joints::Averaged),
+            Preconditioner::TimeLocal => {
+                Ok(TimeLocal::new(equations, tangent).map(|f| Factors::Local(Box::new(f))))
+            }
+        }
+    }
+
+    /// `x = P⁻¹ x`, for the first `size` of the unknowns, and for stress resultants behind them.
+    pub fn apply(&mut self, x: &mut [f64], size: usize) {
+        let (x, resultants) = x.split_at_mut(size);
+        match self {
+            Factors::Body(factors) => factors.apply(x, resultants),
+            Factors::Local(factors) => factors.apply(x),
+        }
+    }
+
+    /// Whether new ones take little beside a solve.
+    pub fn are_cheap(&self, unknowns: usize) -> bool {
+        match self {
+            Factors::Body(factors) => factors.interface_work() < CHEAP * unknowns as f64,
+            Factors::Local(_) => false,
+        }
+    }
+
+    /// Gives unknowns of stress resultants a size that goes with that of the others, for a right
+    /// side of `size` entries and zeros behind them.
+    pub fn scale_resultants(&mut self, tangent: &mut Tangent, rhs: &[f64], size: usize) {
+        let Factors::Body(factors) = self else {
+            return;
+        };
+        let mut first = rhs.to_vec();
+        let (x, resultants) = first.split_at_mut(size);
+        factors.apply(x, resultants);
+        let norm = |x: &[f64]| x.iter().map(|x| x * x).sum::<f64>().sqrt();
+        let scale = norm(resultants) / (RESULTANT_SHARE * norm(x));
+        if scale.is_finite() && scale > 0.0 {
+            factors.resultants.scale = scale;
+            tangent.set_resultant_scale(scale);
+        }
+    }
+
+    pub fn bytes(&self) -> usize {
+        match self {
+            Factors::Body(factors) => factors.bytes(),
+            Factors::Local(factors) => factors.bytes(),
+        }
+    }
+}
