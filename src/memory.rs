@@ -47,7 +47,7 @@ mod tests {
         let most = isize::MAX as usize;
         let errors = [
             require("a grid", most).unwrap_err(),
-            require_items("a grid", usize::MAX, 8).unwrap_err(),
+            require_items("a grid", most / 8, 8).unwrap_err(),
             room::<u64>("a grid", most / 8).unwrap_err(),
             reserve("a grid", &mut vec![1u8], most - 1).unwrap_err(),
         ];
@@ -57,6 +57,9 @@ mod tests {
             assert!(message.starts_with("a grid: "), "{message}");
             assert!(message.contains("922337203685477"), "{message}");
         }
+        // More than can be counted.
+        let uncounted = require_items("a grid", usize::MAX, 8).unwrap_err();
+        assert_eq!(uncounted.kind(), ErrorKind::OutOfMemory);
         require("nothing", 0).unwrap();
         require("little", 1 << 20).unwrap();
         assert!(room::<u8>("three", 3).unwrap().capacity() >= 3);

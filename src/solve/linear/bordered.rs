@@ -308,7 +308,7 @@ impl<L: LinearSolver> LinearSolver for Bordered<L> {
             leading: equations.layout().motions().end,
             essential: rhs.len(),
             leading_alone: false,
-            rounding: None,
+            is_balanced: false,
             iteration_limit: ITERATION_LIMIT,
             restart: ITERATION_LIMIT,
         };

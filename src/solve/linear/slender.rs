@@ -74,7 +74,7 @@ impl Slender {
             leading: equations.layout().motions().end,
             essential: rhs.len(),
             leading_alone: false,
-            rounding: None,
+            is_balanced: false,
             iteration_limit: MOST,
             restart: MOST,
         };

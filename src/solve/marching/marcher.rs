@@ -155,12 +155,13 @@ mod tests {
 
     #[test]
     fn another_length_of_step_changes_what_it_starts_from() {
+        let (model, period) = oscillator();
         let regime = Regime::March(Transient {
-            period: None,
+            period: Some(period),
             duration: 1.0,
             step: 0.1,
         });
-        let system = Arc::new(System::in_regime(&oscillator().0, regime).unwrap());
+        let system = Arc::new(System::in_regime(&model, regime).unwrap());
         let options = MarchOptions::with_step(0.1, MarchEnd::Duration(1.0));
         let mut start = MotionState::at_rest(0.0, GridState::at_points(&system, 1));
         let begun = Marcher::new(

@@ -126,7 +126,7 @@ impl<L: LinearSolver> Bordered<L> {
                     leading: motions,
                     essential: rest.len(),
                     leading_alone: false,
-                    rounding: None,
+                    is_balanced: false,
                     iteration_limit: ITERATION_LIMIT,
                     restart: ITERATION_LIMIT,
                 };

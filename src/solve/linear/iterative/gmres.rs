@@ -20,9 +20,6 @@ const HOPELESS: f64 = 1.5;
 /// Error relative to the whole solution that is not undercut.
 const FINEST: f64 = 1e-10;
 
-/// Rounding is this much less than what is asked of a part that is weighted up.
-const NOISE: f64 = 10.0;
-
 /// When to stop.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct GmresOptions {
@@ -35,9 +32,8 @@ pub(crate) struct GmresOptions {
     pub essential: usize,
     /// Whether the second part is not asked for either.
     pub leading_alone: bool,
-    /// Rounding in a preconditioned product, relative to the largest entry, if that is known: a
-    /// smaller part is not weighted up to where this is all there is.
-    pub rounding: Option<f64>,
+    /// Whether the smaller part counts as much as the larger.
+    pub is_balanced: bool,
     /// Most products.
     pub iteration_limit: usize,
     /// Products between restarts, for which vectors are kept.
@@ -125,15 +121,13 @@ pub(crate) fn gmres(
         copy.extend_from_slice(rhs);
     }
     operator.precondition(&mut workspace.rest);
-    // The solution's two parts are about as large as those of this.
-    if let (Some(rounding), false) = (options.rounding, options.leading_alone) {
+    if options.is_balanced {
+        // The solution's two parts are about as large as those of this.
         let sizes = vectors.sizes(&mut workspace.rest);
         let larger = sizes[0].max(sizes[1]);
-        let least = SMALLEST_SHARE
-            .max(FINEST / options.tolerance)
-            .max(NOISE * rounding / options.tolerance);
+        let least = SMALLEST_SHARE.max(FINEST / options.tolerance).min(1.0);
         // Written so that NaN does not count.
-        if larger > 0.0 && least < 1.0 {
+        if larger > 0.0 {
             vectors.weights = sizes.map(|size| 1.0 / (size / larger).clamp(least, 1.0));
         }
     }
@@ -294,7 +288,7 @@ mod tests {
                 leading: 40,
                 essential: 40,
                 leading_alone: false,
-                rounding: None,
+                is_balanced: false,
                 iteration_limit: 200,
                 restart,
             };
@@ -336,7 +330,7 @@ mod tests {
                 leading: 20,
                 essential: 40,
                 leading_alone,
-                rounding: Some(f64::EPSILON),
+                is_balanced: !leading_alone,
                 iteration_limit: 40,
                 restart: 40,
             };
@@ -375,7 +369,7 @@ mod tests {
             leading: 1,
             essential: 2,
             leading_alone: false,
-            rounding: None,
+            is_balanced: false,
             iteration_limit: 20,
             restart: 20,
         };
@@ -407,7 +401,7 @@ mod tests {
             leading: 300,
             essential: 300,
             leading_alone: false,
-            rounding: None,
+            is_balanced: false,
             iteration_limit: 200,
             restart: 200,
         };

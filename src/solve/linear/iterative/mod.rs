@@ -68,6 +68,10 @@ const FEW_FOR_A_LARGE_INTERFACE: usize = 60;
 /// more multiply-adds than this.
 const LARGE_INTERFACE: f64 = 5e10;
 
+/// Beams that are so much stiffer in tension than in bending feel errors of motions that are none
+/// for others: the smaller part asks more of the whole there.
+const STRETCHING: f64 = 1e6;
+
 /// Growth of a preconditioner that means a Jacobian which may be singular.
 const SUSPECT: f64 = 1e13;
 /// The same for each time that a beam is stiffer in tension than in bending.
@@ -139,8 +143,6 @@ pub(crate) struct Iterative {
     is_scaled: bool,
     /// Products of the first solve with the factors.
     first_products: Option<usize>,
-    /// Growth of the factors: size of the inverse of what they factor times that of the Jacobian.
-    growth: Option<f64>,
     /// Products that a solve may take.
     limit: usize,
     workspace: GmresWorkspace,
@@ -181,7 +183,6 @@ impl Iterative {
             is_old: false,
             is_scaled: false,
             first_products: None,
-            growth: None,
             limit: ITERATION_LIMIT,
             workspace: GmresWorkspace::default(),
             record: IterativeRecord::default(),
@@ -213,7 +214,6 @@ impl Iterative {
         // The memory of the old ones first.
         self.factors = None;
         self.first_products = None;
-        self.growth = None;
         self.is_scaled = false;
         self.tangent.set_resultant_scale(1.0);
         while let Some(&(preconditioner, limit)) = self.candidates.first() {
@@ -269,25 +269,6 @@ impl Iterative {
         vec![local(few), body, local(most)]
     }
 
-    /// A vector without pattern, the largest entry of its product, and the growth of the factors.
-    fn respond(&mut self, equations: &Collocation) -> Option<(Vec<f64>, f64, f64)> {
-        let factors = self.factors.as_mut()?;
-        let probe = probe(equations.size());
-        let mut product = vec![0.0; probe.len()];
-        self.tangent.apply(equations, &probe, &mut product);
-        let product = largest(&product);
-        let mut response = probe.clone();
-        factors.apply(&mut response, equations.size());
-        let growth = largest(&response) * product;
-        Some((probe, product, growth))
-    }
-
-    fn find_growth(&mut self, equations: &Collocation) {
-        if self.growth.is_none() {
-            self.growth = self.respond(equations).map(|(_, _, growth)| growth);
-        }
-    }
-
     fn count_bytes(&mut self, vectors: usize, size: usize) {
         let factors = self.factors.as_ref().map_or(0, Factors::bytes);
         let bytes = self.tangent.bytes() + factors + (vectors + 4) * size * size_of::<f64>();
@@ -326,7 +307,6 @@ impl LinearSolver for Iterative {
     ) -> Result<bool> {
         loop {
             let began = Instant::now();
-            self.find_growth(equations);
             let Some(factors) = &mut self.factors else {
                 return Ok(false);
             };
@@ -342,14 +322,15 @@ impl LinearSolver for Iterative {
                 self.is_scaled = true;
             }
             let motions = equations.layout().motions().end;
+            // Estimates are of motions alone.
+            let is_estimate = accuracy >= ESTIMATE;
             let options = GmresOptions {
                 tolerance: accuracy,
                 leading: motions,
                 iteration_limit: self.limit,
                 essential: rhs.len(),
-                // Estimates are of motions alone.
-                leading_alone: accuracy >= ESTIMATE,
-                rounding: self.growth.map(|growth| f64::EPSILON * growth),
+                leading_alone: is_estimate,
+                is_balanced: !is_estimate && equations.system().slenderness() < STRETCHING,
                 restart: (KEPT / size_of_val(&unknowns[..]))
                     .clamp(RESTART, self.limit.max(RESTART)),
             };
@@ -398,10 +379,16 @@ impl LinearSolver for Iterative {
     }
 
     fn growth(&mut self, equations: &mut Collocation) -> f64 {
-        let Some((mut probe, product, growth)) = self.respond(equations) else {
+        let Some(factors) = &mut self.factors else {
             return f64::INFINITY;
         };
-        self.growth = Some(growth);
+        let mut probe = probe(equations.size());
+        let mut product = vec![0.0; probe.len()];
+        self.tangent.apply(equations, &probe, &mut product);
+        let product = largest(&product);
+        let mut response = probe.clone();
+        factors.apply(&mut response, equations.size());
+        let growth = largest(&response) * product;
         if growth <= self.suspect {
             return growth;
         }

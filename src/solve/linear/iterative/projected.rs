@@ -85,7 +85,7 @@ impl<L: LinearSolver> LinearSolver for Projected<L> {
             leading: rhs.len(),
             essential: rhs.len(),
             leading_alone: false,
-            rounding: None,
+            is_balanced: false,
             iteration_limit: ITERATION_LIMIT,
             restart: ITERATION_LIMIT,
         };
