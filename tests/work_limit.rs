@@ -25,13 +25,13 @@ fn solve(example: &Example, work_limit: f64, threads: usize) -> Solution {
 }
 
 #[test]
-fn work_that_is_not_allowed_ends_a_solve_which_tells_what_was_tried() {
+fn work_that_is_not_allowed_ends_a_solve_which_says_so() {
     let example = rigid_slider_crank(120.0);
     let found = solve(&example, 1e-9, 1);
     assert_eq!(found.outcome(), Outcome::WorkLimit);
     let report = found.report();
     println!("{report}");
-    for words in ["all work was done", "options.work_limit allows", "start: "] {
+    for words in ["all work was done", "options.work_limit allows"] {
         assert!(report.contains(words), "no {words} in: {report}");
     }
     // Without bound, and with that of the defaults, it is the same solution.

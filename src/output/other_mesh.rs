@@ -1,5 +1,5 @@
 //! A solution as the start for a model whose beams have other meshes.
-//! See docs/theory.md, section 9.9.
+//! See docs/theory.md, section 9.10.
 
 use super::solution::Solution;
 use crate::collocation::GridState;
