@@ -485,7 +485,7 @@ impl Session<'_, '_> {
             4 => {
                 let mut found = defaults!(pdn_diagnostics, pdn_diagnostics_init);
                 call!(pdn_solution_diagnostics(solution, &mut found));
-                let harmonics = (found.grid_points + 1) / 2;
+                let harmonics = found.grid_points.div_ceil(2);
                 let mut amplitudes = vec![0.0; harmonics];
                 let (length, place) = (amplitudes.len(), amplitudes.as_mut_ptr());
                 let status = call!(pdn_solution_decay(solution, place, length));

@@ -155,9 +155,9 @@ mod tests {
 
     #[test]
     fn another_length_of_step_changes_what_it_starts_from() {
-        let (model, period) = oscillator();
+        let (model, _) = oscillator();
         let regime = Regime::March(Transient {
-            period: Some(period),
+            period: Some(2.0),
             duration: 1.0,
             step: 0.1,
         });
