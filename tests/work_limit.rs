@@ -1,7 +1,6 @@
 //! The work of a solve is bounded, and what ends for that says so.
 
 #[path = "common/mod.rs"]
-#[allow(dead_code, unused_imports)]
 mod common;
 #[path = "adaptive/examples.rs"]
 #[allow(dead_code)]
