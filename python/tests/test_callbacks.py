@@ -62,7 +62,7 @@ def test_control_c_ends_a_solve():
     timer.start()
     began = time.monotonic()
     with pytest.raises(KeyboardInterrupt):
-        model.march(duration=1e6, step=1e-2)
+        model.march(duration=1e6, step=1e-2, period=1.0, stored_periods=1)
     timer.join()
     assert time.monotonic() - began < 30
 

@@ -20,7 +20,7 @@ use crate::error::Result;
 use crate::solve::linear::dense::{largest, probe};
 use crate::solve::linear::diagnosis::Singularity;
 use crate::solve::linear::iterative::{
-    GmresOptions, GmresWorkspace, Outer, SHARPEST, solve_around,
+    GmresOptions, GmresWorkspace, Outer, Parts, SHARPEST, solve_around,
 };
 use crate::solve::linear::solver::{COARSE, LinearSolver};
 use crate::solve::report::{Timings, timed};
@@ -307,8 +307,7 @@ impl<L: LinearSolver> LinearSolver for Bordered<L> {
             tolerance: accuracy,
             leading: equations.layout().motions().end,
             essential: rhs.len(),
-            leading_alone: false,
-            is_balanced: false,
+            parts: Parts::AsTheyAre,
             iteration_limit: ITERATION_LIMIT,
             restart: ITERATION_LIMIT,
         };

@@ -8,7 +8,7 @@
 use crate::collocation::{Collocation, GridState, Tangent};
 use crate::error::Result;
 use crate::solve::linear::dense::{largest, probe};
-use crate::solve::linear::iterative::{GmresOptions, GmresWorkspace, Preconditioned, gmres};
+use crate::solve::linear::iterative::{GmresOptions, GmresWorkspace, Parts, Preconditioned, gmres};
 
 /// Axial over bending stiffness from which on rounding matters.
 pub(crate) const SLENDER: f64 = 1e7;
@@ -73,8 +73,7 @@ impl Slender {
             tolerance: accuracy,
             leading: equations.layout().motions().end,
             essential: rhs.len(),
-            leading_alone: false,
-            is_balanced: false,
+            parts: Parts::AsTheyAre,
             iteration_limit: MOST,
             restart: MOST,
         };

@@ -99,7 +99,7 @@ impl Newton {
     /// Sign of the Jacobian's determinant at `state`, where the last solve ended, and logarithm of
     /// its size; none if it is singular.
     pub fn determinant(&mut self, state: &GridState) -> Result<Option<(f64, f64)>> {
-        if self.contraction.is_some_and(|c| c <= FAITHFUL) {
+        if self.contraction.is_some() && self.contracts() {
             return Ok(Some(self.linear.determinant()));
         }
         let regular = self.linearise(state)?;

@@ -5,7 +5,7 @@ use super::{Bordered, Borders, ITERATION_LIMIT};
 use crate::collocation::{Collocation, Tangent};
 use crate::error::Result;
 use crate::solve::linear::dense::largest;
-use crate::solve::linear::iterative::{GmresOptions, Preconditioned, SHARPEST, gmres};
+use crate::solve::linear::iterative::{GmresOptions, Parts, Preconditioned, SHARPEST, gmres};
 use crate::solve::linear::solver::LinearSolver;
 use crate::solve::report::Timings;
 
@@ -125,8 +125,7 @@ impl<L: LinearSolver> Bordered<L> {
                     tolerance: ITERATED,
                     leading: motions,
                     essential: rest.len(),
-                    leading_alone: false,
-                    is_balanced: false,
+                    parts: Parts::AsTheyAre,
                     iteration_limit: ITERATION_LIMIT,
                     restart: ITERATION_LIMIT,
                 };

@@ -57,7 +57,7 @@ impl DirectSolver {
         for (groups, front) in plans.clone().zip(&self.fronts) {
             let own = front.rows.len();
             let mut y = reduced.as_mut().subrows_mut(first, own);
-            gather_rows(&front.rows, rhs.as_mut(), y.as_mut());
+            self.gather_columns(&front.rows, &[], rhs.as_mut(), y.as_mut());
             let factors = front.upper.as_ref().subcols(0, own);
             solve_lower(
                 (factors, Diagonal::Ones),
@@ -123,12 +123,5 @@ impl DirectSolver {
                 .zip(rows)
                 .for_each(|(from, row)| to[row] = *from);
         }
-    }
-}
-
-fn gather_rows(rows: &[usize], from: MatMut<f64>, mut to: MatMut<f64>) {
-    for (to, from) in to.as_mut().col_iter_mut().zip(from.as_ref().col_iter()) {
-        let rows = to.iter_mut().zip(rows);
-        rows.for_each(|(to, &row)| *to = from[row]);
     }
 }

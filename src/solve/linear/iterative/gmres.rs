@@ -3,7 +3,7 @@
 //! section 8.3.
 
 use super::least_squares::LeastSquares;
-use super::long_vectors::{SMALLEST_SHARE, Vectors, small_norm};
+use super::long_vectors::{Parts, SMALLEST_SHARE, Vectors, small_norm};
 use crate::error::Result;
 use crate::memory;
 use crate::workers::Workers;
@@ -30,10 +30,8 @@ pub(crate) struct GmresOptions {
     pub leading: usize,
     /// Entries of both parts; what comes behind them is not asked for.
     pub essential: usize,
-    /// Whether the second part is not asked for either.
-    pub leading_alone: bool,
-    /// Whether the smaller part counts as much as the larger.
-    pub is_balanced: bool,
+    /// How the two parts count.
+    pub parts: Parts,
     /// Most products.
     pub iteration_limit: usize,
     /// Products between restarts, for which vectors are kept.
@@ -121,7 +119,7 @@ pub(crate) fn gmres(
         copy.extend_from_slice(rhs);
     }
     operator.precondition(&mut workspace.rest);
-    if options.is_balanced {
+    if options.parts == Parts::Balanced {
         // The solution's two parts are about as large as those of this.
         let sizes = vectors.sizes(&mut workspace.rest);
         let larger = sizes[0].max(sizes[1]);
@@ -218,7 +216,7 @@ impl<P: Preconditioned> Run<'_, P> {
             self.end.error = error / (self.share.unwrap_or(1.0) * whole);
             if self.end.error <= options.tolerance && self.share.is_none() {
                 // Only now, as it takes a pass over all vectors.
-                let share = vectors.smaller_share(x, basis, &y, options.leading_alone);
+                let share = vectors.smaller_share(x, basis, &y, options.parts);
                 let [first, second] = vectors.weights;
                 let share = share.max(FINEST * first.max(second) / options.tolerance);
                 self.share = Some(share);
@@ -287,8 +285,7 @@ mod tests {
                 tolerance: 1e-10,
                 leading: 40,
                 essential: 40,
-                leading_alone: false,
-                is_balanced: false,
+                parts: Parts::AsTheyAre,
                 iteration_limit: 200,
                 restart,
             };
@@ -322,15 +319,14 @@ mod tests {
             }
             fn precondition(&mut self, _: &mut [f64]) {}
         }
-        let solve = |leading_alone: bool| {
+        let solve = |parts: Parts| {
             let mut x = vec![0.0; 40];
             Apart.product(&exact, &mut x);
             let options = GmresOptions {
                 tolerance: 1e-3,
                 leading: 20,
                 essential: 40,
-                leading_alone,
-                is_balanced: !leading_alone,
+                parts,
                 iteration_limit: 40,
                 restart: 40,
             };
@@ -343,14 +339,14 @@ mod tests {
             };
             (end, error(0..20), error(20..40))
         };
-        let (end, first, second) = solve(false);
+        let (end, first, second) = solve(Parts::Balanced);
         // An estimate, which counts amplification, and no more than ten times too large.
         assert!(first <= 1e-3 && second <= 1e-3, "{first:e} {second:e}");
         assert!(
             end.error <= 1e-3 && end.error <= 10.0 * first.max(second),
             "{end:?}"
         );
-        let (alone, first, second) = solve(true);
+        let (alone, first, second) = solve(Parts::LeadingAlone);
         assert!(first <= 1e-3 && second > 1e-2, "{first:e} {second:e}");
         assert!(alone.iterations <= end.iterations);
     }
@@ -368,8 +364,7 @@ mod tests {
             tolerance: 1e-10,
             leading: 1,
             essential: 2,
-            leading_alone: false,
-            is_balanced: false,
+            parts: Parts::AsTheyAre,
             iteration_limit: 20,
             restart: 20,
         };
@@ -400,8 +395,7 @@ mod tests {
             tolerance: 1e-6,
             leading: 300,
             essential: 300,
-            leading_alone: false,
-            is_balanced: false,
+            parts: Parts::AsTheyAre,
             iteration_limit: 200,
             restart: 200,
         };

@@ -6,6 +6,17 @@ use faer::linalg::matmul::matmul;
 use faer::{Accum, MatMut, MatRef, Par};
 use std::ops::Range;
 
+/// How the two parts of a solution count.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Parts {
+    /// Only the first is asked for.
+    LeadingAlone,
+    /// By their entries, until the smaller is accurate, too.
+    AsTheyAre,
+    /// The smaller weighs as much as the larger.
+    Balanced,
+}
+
 /// A part that is smaller than this may be nothing but rounding.
 pub(super) const SMALLEST_SHARE: f64 = 1e-8;
 
@@ -85,12 +96,12 @@ impl Vectors<'_> {
     }
 
     /// Size of the smaller of the two parts of `x + V y`, relative to the whole.
-    pub fn smaller_share(&self, x: &[f64], basis: &[f64], y: &[f64], leading_alone: bool) -> f64 {
+    pub fn smaller_share(&self, x: &[f64], basis: &[f64], y: &[f64], parts: Parts) -> f64 {
         let mut sum = x.to_vec();
         self.add(&mut sum, basis, y);
         let whole = self.norm(&mut sum);
         let sizes = self.sizes(&mut sum);
-        let asked = if leading_alone { 1 } else { 2 };
+        let asked = if parts == Parts::LeadingAlone { 1 } else { 2 };
         let shares = sizes[..asked].iter().map(|size| size / whole);
         // Of nothing nothing more can be asked than that the rest is right.
         let counts = shares.filter(|share| *share > SMALLEST_SHARE);

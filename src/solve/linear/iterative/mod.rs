@@ -45,6 +45,7 @@ use crate::work::PRODUCT;
 use factors::Factors;
 pub(crate) use gmres::{GmresOptions, GmresWorkspace, Preconditioned, gmres};
 use interface::{Bounds, LEFT_OUT, likely_work};
+pub(crate) use long_vectors::Parts;
 pub(crate) use outer::{Outer, SHARPEST, solve_around};
 pub(crate) use projected::Projected;
 use serde::{Deserialize, Serialize};
@@ -122,6 +123,8 @@ pub struct IterativeRecord {
 /// GMRES on the Jacobian as an operator.
 pub(crate) struct Iterative {
     tangent: Tangent,
+    /// Of the system.
+    slenderness: f64,
     /// What was asked for, if anything was.
     wanted: Option<Preconditioner>,
     /// Multiply-adds that factors of the whole Jacobian would take, if they are to be had.
@@ -170,14 +173,16 @@ impl Preconditioned for Operator<'_> {
 impl Iterative {
     /// For `equations`, with this preconditioner or, if none is named, with what suits them.
     pub fn new(equations: &Collocation, wanted: Option<Preconditioner>) -> Self {
+        let slenderness = equations.system().slenderness();
         Iterative {
+            slenderness,
             tangent: Tangent::with_resultants_apart(equations.system(), equations.grid().points()),
             wanted,
             direct_work: None,
             iteration_limit: LARGEST_ITERATION_LIMIT,
             fails_locally: false,
             left_out: LEFT_OUT,
-            suspect: SUSPECT.max(SUSPECT_SLENDER * equations.system().slenderness()),
+            suspect: SUSPECT.max(SUSPECT_SLENDER * slenderness),
             candidates: Vec::new(),
             factors: None,
             is_old: false,
@@ -322,15 +327,17 @@ impl LinearSolver for Iterative {
                 self.is_scaled = true;
             }
             let motions = equations.layout().motions().end;
-            // Estimates are of motions alone.
-            let is_estimate = accuracy >= ESTIMATE;
             let options = GmresOptions {
                 tolerance: accuracy,
                 leading: motions,
                 iteration_limit: self.limit,
                 essential: rhs.len(),
-                leading_alone: is_estimate,
-                is_balanced: !is_estimate && equations.system().slenderness() < STRETCHING,
+                parts: match () {
+                    // Estimates are of motions alone.
+                    () if accuracy >= ESTIMATE => Parts::LeadingAlone,
+                    () if self.slenderness < STRETCHING => Parts::Balanced,
+                    () => Parts::AsTheyAre,
+                },
                 restart: (KEPT / size_of_val(&unknowns[..]))
                     .clamp(RESTART, self.limit.max(RESTART)),
             };
@@ -403,9 +410,9 @@ impl LinearSolver for Iterative {
         }
     }
 
-    fn is_resisted(&mut self, equations: &mut Collocation) -> bool {
+    fn is_resisted(&mut self, _: &mut Collocation) -> bool {
         // What was solved to some accuracy was.
-        equations.system().slenderness() > SLENDER
+        self.slenderness > SLENDER
     }
 
     fn explain(&mut self, _: &mut Collocation, _: &GridState) -> Singularity {

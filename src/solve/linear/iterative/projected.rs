@@ -2,6 +2,7 @@
 //! Jacobian, with that of the grid's own points for a preconditioner.
 
 use super::gmres::{GmresOptions, GmresWorkspace};
+use super::long_vectors::Parts;
 use super::outer::{Outer, solve_around};
 use crate::collocation::{Collocation, GridState, OversampledTangent};
 use crate::error::Result;
@@ -84,8 +85,7 @@ impl<L: LinearSolver> LinearSolver for Projected<L> {
             tolerance: accuracy,
             leading: rhs.len(),
             essential: rhs.len(),
-            leading_alone: false,
-            is_balanced: false,
+            parts: Parts::AsTheyAre,
             iteration_limit: ITERATION_LIMIT,
             restart: ITERATION_LIMIT,
         };
