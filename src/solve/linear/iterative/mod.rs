@@ -171,6 +171,16 @@ impl Preconditioned for Operator<'_> {
 }
 
 impl Iterative {
+    /// How motions and multipliers count in a solve this accurate.
+    fn parts(&self, accuracy: f64) -> Parts {
+        match () {
+            // Estimates are of motions alone.
+            () if accuracy >= ESTIMATE => Parts::LeadingAlone,
+            () if self.slenderness < STRETCHING => Parts::Balanced,
+            () => Parts::AsTheyAre,
+        }
+    }
+
     /// For `equations`, with this preconditioner or, if none is named, with what suits them.
     pub fn new(equations: &Collocation, wanted: Option<Preconditioner>) -> Self {
         let slenderness = equations.system().slenderness();
@@ -332,12 +342,7 @@ impl LinearSolver for Iterative {
                 leading: motions,
                 iteration_limit: self.limit,
                 essential: rhs.len(),
-                parts: match () {
-                    // Estimates are of motions alone.
-                    () if accuracy >= ESTIMATE => Parts::LeadingAlone,
-                    () if self.slenderness < STRETCHING => Parts::Balanced,
-                    () => Parts::AsTheyAre,
-                },
+                parts: self.parts(accuracy),
                 restart: (KEPT / size_of_val(&unknowns[..]))
                     .clamp(RESTART, self.limit.max(RESTART)),
             };
