@@ -170,17 +170,17 @@ impl Preconditioned for Operator<'_> {
     }
 }
 
-impl Iterative {
-    /// How motions and multipliers count in a solve this accurate.
-    fn parts(&self, accuracy: f64) -> Parts {
-        match () {
-            // Estimates are of motions alone.
-            () if accuracy >= ESTIMATE => Parts::LeadingAlone,
-            () if self.slenderness < STRETCHING => Parts::Balanced,
-            () => Parts::AsTheyAre,
-        }
+/// How motions and multipliers count in a solve this accurate, of a system this slender.
+fn parts(slenderness: f64, accuracy: f64) -> Parts {
+    match () {
+        // Estimates are of motions alone.
+        () if accuracy >= ESTIMATE => Parts::LeadingAlone,
+        () if slenderness < STRETCHING => Parts::Balanced,
+        () => Parts::AsTheyAre,
     }
+}
 
+impl Iterative {
     /// For `equations`, with this preconditioner or, if none is named, with what suits them.
     pub fn new(equations: &Collocation, wanted: Option<Preconditioner>) -> Self {
         let slenderness = equations.system().slenderness();
@@ -342,7 +342,7 @@ impl LinearSolver for Iterative {
                 leading: motions,
                 iteration_limit: self.limit,
                 essential: rhs.len(),
-                parts: self.parts(accuracy),
+                parts: parts(self.slenderness, accuracy),
                 restart: (KEPT / size_of_val(&unknowns[..]))
                     .clamp(RESTART, self.limit.max(RESTART)),
             };
