@@ -89,7 +89,7 @@ fn beam_element(bencher: Bencher, (count, with_tangents): (usize, bool)) {
             signals: &[],
             coordinates: &[],
             gravity: Vector3::zeros(),
-            inertia_factor: 1.0,
+            inertial: periodyn::elements::InertialForces::FULL,
             time: 0.0,
         };
         beam.evaluate(&instant, &mut out).unwrap();

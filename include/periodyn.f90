@@ -140,6 +140,8 @@ module periodyn_c
     integer(c_int32_t), parameter :: PDN_START_RIGID_ROTATION = 3
     integer(c_int32_t), parameter :: PDN_START_RAISED_INERTIA = 4
     integer(c_int32_t), parameter :: PDN_START_MARCH = 5
+    integer(c_int32_t), parameter :: PDN_START_LOWERED_DAMPING = 6
+    integer(c_int32_t), parameter :: PDN_START_RAISED_LOADS = 7
     integer(c_int32_t), parameter :: PDN_LINEAR_AUTOMATIC = 0
     integer(c_int32_t), parameter :: PDN_LINEAR_DIRECT = 1
     integer(c_int32_t), parameter :: PDN_LINEAR_ITERATIVE = 2

@@ -686,6 +686,17 @@
 #define PDN_START_MARCH 5
 
 /**
+ * Start of a periodic solve: the quasi-static motion, and added damping taken away in steps.
+ */
+#define PDN_START_LOWERED_DAMPING 6
+
+/**
+ * Start of a periodic solve: the reference configuration, and loads and prescribed motions raised
+ * in steps; not where these gain whole turns in a period.
+ */
+#define PDN_START_RAISED_LOADS 7
+
+/**
  * Linear equations: solved directly where that is quick, by iteration otherwise.
  */
 #define PDN_LINEAR_AUTOMATIC 0

@@ -251,6 +251,8 @@ enum class Start : std::int32_t {
     rigid_rotation = PDN_START_RIGID_ROTATION,
     raised_inertia = PDN_START_RAISED_INERTIA,
     march = PDN_START_MARCH,
+    lowered_damping = PDN_START_LOWERED_DAMPING,
+    raised_loads = PDN_START_RAISED_LOADS,
 };
 enum class NodeQuantity : std::int32_t {
     position = PDN_NODE_POSITION,

@@ -309,6 +309,12 @@ START_RAISED_INERTIA = 4
 """Start of a periodic solve: the quasi-static motion, and inertial forces raised in steps."""
 START_MARCH = 5
 """Start of a periodic solve: a march in time with strong numerical dissipation."""
+START_LOWERED_DAMPING = 6
+"""Start of a periodic solve: the quasi-static motion, and added damping taken away in steps."""
+START_RAISED_LOADS = 7
+"""Start of a periodic solve: the reference configuration, and loads and prescribed motions raised
+in steps; not where these gain whole turns in a period.
+"""
 LINEAR_AUTOMATIC = 0
 """Linear equations: solved directly where that is quick, by iteration otherwise."""
 LINEAR_DIRECT = 1

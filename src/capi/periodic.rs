@@ -46,6 +46,11 @@ pub const PDN_START_RIGID_ROTATION: i32 = 3;
 pub const PDN_START_RAISED_INERTIA: i32 = 4;
 /// Start of a periodic solve: a march in time with strong numerical dissipation.
 pub const PDN_START_MARCH: i32 = 5;
+/// Start of a periodic solve: the quasi-static motion, and added damping taken away in steps.
+pub const PDN_START_LOWERED_DAMPING: i32 = 6;
+/// Start of a periodic solve: the reference configuration, and loads and prescribed motions raised
+/// in steps; not where these gain whole turns in a period.
+pub const PDN_START_RAISED_LOADS: i32 = 7;
 
 /// How far a solve is, as told to a ::pdn_progress_fn.
 #[repr(C)]
@@ -318,6 +323,8 @@ fn start_code(start: Start) -> i32 {
         Start::RigidRotation => PDN_START_RIGID_ROTATION,
         Start::RaisedInertia => PDN_START_RAISED_INERTIA,
         Start::March => PDN_START_MARCH,
+        Start::LoweredDamping => PDN_START_LOWERED_DAMPING,
+        Start::RaisedLoads => PDN_START_RAISED_LOADS,
     }
 }
 
@@ -329,6 +336,8 @@ fn read_start(value: i32) -> Result<InitialGuess> {
         PDN_START_RIGID_ROTATION => Start::RigidRotation,
         PDN_START_RAISED_INERTIA => Start::RaisedInertia,
         PDN_START_MARCH => Start::March,
+        PDN_START_LOWERED_DAMPING => Start::LoweredDamping,
+        PDN_START_RAISED_LOADS => Start::RaisedLoads,
         _ => {
             let expected = "a constant PDN_START_...";
             return Err(Error::value("options.start", expected, value));

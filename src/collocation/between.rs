@@ -8,7 +8,7 @@
 use super::problem::Collocation;
 use super::resampled::ResampledNodes;
 use super::state::GridState;
-use crate::elements::{Measure, NodeState, Unknown};
+use crate::elements::{InertialForces, Measure, NodeState, Unknown};
 use crate::error::Result;
 use crate::fourier::{Analysis, TimeGrid};
 use crate::system::{Conditions, OwnValues, System, Workspace};
@@ -202,7 +202,7 @@ impl Defect {
                     time: time(k),
                     signals: &signals[k * count..][..count],
                     coordinates: state.tracked(system, k),
-                    inertia_factor: 1.0,
+                    inertial: InertialForces::FULL,
                 };
                 let node_state = |node: usize| nodes.states[node * points + k];
                 *found = scratch.unbalance(system, &conditions, node_state, |place| {

@@ -2,7 +2,7 @@
 
 use super::division::Share;
 use super::state::GridState;
-use crate::elements::{Contribution, NodeState};
+use crate::elements::{Contribution, InertialForces, NodeState};
 use crate::error::Result;
 use crate::system::{Conditions, OwnValues, Placed, System, Workspace};
 use crate::workers::Workers;
@@ -18,7 +18,7 @@ pub(super) struct Instants {
     pub(super) times: Vec<f64>,
     /// Signal `s` at grid point `k`, at `k × count + s`.
     pub(super) signals: Vec<f64>,
-    pub(super) inertia_factor: f64,
+    pub(super) inertial: InertialForces,
     /// Node `a` at grid point `k`, at `a N + k`.
     pub(super) states: Vec<NodeState>,
     /// Rates of internal states, in the order of the multipliers; zero for these.
@@ -81,7 +81,7 @@ impl Instants {
             time: self.times[k],
             signals: &self.signals[k * signal_count..][..signal_count],
             coordinates: state.tracked(&self.system, k),
-            inertia_factor: self.inertia_factor,
+            inertial: self.inertial,
         };
         let node_state = |node: usize| self.states[node * self.points + k];
         let first_station = k * self.system.stations();

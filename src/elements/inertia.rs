@@ -1,7 +1,7 @@
 //! Inertia that is constant in the material frames of its nodes: rigid bodies and beams
 //! (docs/theory.md, section 6.1).
 
-use super::{Contribution, Element, Instant, NodeState};
+use super::{Contribution, Element, InertialForces, Instant, NodeState};
 use crate::error::Result;
 use crate::motion::{Motion, halves, joined, product, skew, transposed_product};
 use nalgebra::{DMatrix, DVector, Matrix3, Matrix6, Matrix6x3, Vector3, Vector6};
@@ -127,7 +127,7 @@ impl Element for Inertia {
     }
 
     fn evaluate(&self, instant: &Instant, out: &mut Contribution) -> Result<()> {
-        let factor = instant.inertia_factor;
+        let InertialForces { factor, damping } = instant.inertial;
         let (rows, masses) = (self.mass.nrows(), self.mass.as_slice());
         let block = |a: usize, b: usize| {
             let column = |j: usize| &masses[(6 * b + j) * rows + 6 * a..][..6];
@@ -145,7 +145,7 @@ impl Element for Inertia {
                 force += product(&m, &other.twist_rate);
                 momentum += product(&m, &other.twist);
             }
-            force = (force + gyroscopic(&node.twist, &momentum)) * factor;
+            force = (force + gyroscopic(&node.twist, &momentum)) * factor + momentum * damping;
             let gravity = transposed_product(&node.motion.rotation, &instant.gravity);
             force -= product(&self.shares[a], &gravity);
             out.add_force(a, &force);
@@ -159,7 +159,7 @@ impl Element for Inertia {
                 let m = block(a, b);
                 let mut mass = out.mass.fixed_view_mut::<6, 6>(6 * a, 6 * b);
                 mass += m * factor;
-                out.add_damping(a, b, &(product(&twist_skew, &m) * -factor));
+                out.add_damping(a, b, &(m * damping - product(&twist_skew, &m) * factor));
             }
             out.add_damping(a, a, &(momentum_matrix(&momentum) * -factor));
         }

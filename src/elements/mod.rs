@@ -69,8 +69,25 @@ pub struct Instant<'a> {
     pub coordinates: &'a [f64],
     /// Acceleration of gravity, in the inertial frame.
     pub gravity: Vector3<f64>,
-    /// Factor of the inertial forces: 1, or less on the way to a solution.
-    pub inertia_factor: f64,
+    /// How inertia counts.
+    pub inertial: InertialForces,
+}
+
+/// Forces that inertia makes: as they are, or others on the way to a solution.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct InertialForces {
+    /// Factor of the inertial forces.
+    pub factor: f64,
+    /// Forces against the momenta, per unit of these: added damping, in 1/time.
+    pub damping: f64,
+}
+
+impl InertialForces {
+    /// As they are.
+    pub const FULL: Self = InertialForces {
+        factor: 1.0,
+        damping: 0.0,
+    };
 }
 
 /// What a quantity measures.

@@ -406,7 +406,10 @@ fn residual(
         signals: &[0.3, -0.8, 0.5, 0.9, 0.2, -0.4],
         coordinates: &case.coordinates,
         gravity: Vector3::new(0.3, -0.5, -9.0),
-        inertia_factor: 0.9,
+        inertial: InertialForces {
+            factor: 0.9,
+            damping: 0.7,
+        },
     };
     case.element.evaluate(&instant, &mut out).unwrap();
     out
@@ -582,7 +585,7 @@ fn extrapolated_resultants_are_tangent_to_those_of_the_strains() {
                 signals: &[0.3, -0.8, 0.5, 0.9, 0.2, -0.4],
                 coordinates: &case.coordinates,
                 gravity: Vector3::zeros(),
-                inertia_factor: 1.0,
+                inertial: InertialForces::FULL,
             };
             case.element.evaluate(&instant, out).unwrap();
         }

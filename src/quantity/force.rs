@@ -5,7 +5,7 @@ use super::record::ForceRecord;
 use super::samples::Samples;
 use super::variation::Variation;
 use super::{Probe, require_id};
-use crate::elements::{LoadFrame, OutputVariation};
+use crate::elements::{InertialForces, LoadFrame, OutputVariation};
 use crate::error::{Error, ErrorKind, Result};
 use crate::motion::{halves, joined, turned};
 use crate::system::{Conditions, ElementRole, OwnValues, Placed, System};
@@ -81,7 +81,7 @@ pub(crate) fn exerted(
         time: history.times[k],
         signals,
         coordinates,
-        inertia_factor: 1.0,
+        inertial: InertialForces::FULL,
     };
     let own = OwnValues {
         values,
@@ -263,7 +263,7 @@ impl Probe for ForceProbe {
             time: history.times[k],
             signals: &signals[k * count..][..count],
             coordinates: history.state.tracked(system, k),
-            inertia_factor: 1.0,
+            inertial: InertialForces::FULL,
         };
         let own = OwnValues {
             values,

@@ -21,9 +21,23 @@ pub enum Start {
     /// A march in time, from the quasi-static motion or rigid rotation, with strong numerical
     /// dissipation.
     March,
+    /// The quasi-static motion, and damping of all momenta that is taken away in steps.
+    LoweredDamping,
+    /// The reference configuration, and loads and prescribed motions that are raised in steps.
+    RaisedLoads,
 }
 
 impl Start {
+    /// Whether it is one state, from which Newton's method is tried.
+    pub(crate) fn is_quick(&self) -> bool {
+        match self {
+            Start::QuasiStatic | Start::SteadyRotation | Start::RigidRotation => true,
+            Start::RaisedInertia | Start::March | Start::LoweredDamping | Start::RaisedLoads => {
+                false
+            }
+        }
+    }
+
     /// What it is, for people.
     pub fn describe(self) -> &'static str {
         match self {
@@ -32,6 +46,8 @@ impl Start {
             Start::RigidRotation => "rigid rotation",
             Start::RaisedInertia => "raising inertial forces from the quasi-static motion",
             Start::March => "a dissipative march in time",
+            Start::LoweredDamping => "added damping that is taken away in steps",
+            Start::RaisedLoads => "raising loads from the reference configuration",
         }
     }
 }

@@ -1,7 +1,7 @@
 //! What elements exert at one instant.
 
 use super::{ElementRole, Placed, System, turning};
-use crate::elements::{Contribution, Instant, NodeState, OutputVariation};
+use crate::elements::{Contribution, InertialForces, Instant, NodeState, OutputVariation};
 use crate::error::Result;
 use nalgebra::{DVector, Vector6};
 
@@ -25,8 +25,8 @@ pub struct Conditions<'a> {
     pub signals: &'a [f64],
     /// Last values of the tracked coordinates.
     pub coordinates: &'a [f64],
-    /// Factor of the inertial forces.
-    pub inertia_factor: f64,
+    /// How inertia counts.
+    pub inertial: InertialForces,
 }
 
 /// Scratch for evaluating elements: one contribution for each size of element.
@@ -86,7 +86,7 @@ impl System {
             signals: conditions.signals,
             coordinates: conditions.coordinates,
             gravity: self.gravity(conditions.signals),
-            inertia_factor: conditions.inertia_factor,
+            inertial: conditions.inertial,
         }
     }
 
@@ -150,7 +150,7 @@ impl System {
             time: 0.0,
             signals,
             coordinates: &zeros[..self.tracked()],
-            inertia_factor: 1.0,
+            inertial: InertialForces::FULL,
         };
         let own = OwnValues {
             values: &zeros[..count],

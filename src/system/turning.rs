@@ -139,7 +139,7 @@ impl System {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::elements::{Element, Inertia, Instant, rigid_body_inertia};
+    use crate::elements::{Element, Inertia, InertialForces, Instant, rigid_body_inertia};
     use crate::motion::{Motion, rotation_from_vector};
     use nalgebra::Matrix3;
 
@@ -200,7 +200,7 @@ mod tests {
                 signals: &[],
                 coordinates: &[],
                 gravity: Vector3::new(1.0, -2.0, 0.5),
-                inertia_factor: 1.0,
+                inertial: InertialForces::FULL,
                 time: 0.0,
             };
             body.evaluate(&instant, &mut out).unwrap();

@@ -445,10 +445,11 @@ static void the_start_may_be_chosen(void)
     pdn_periodic_options options = on_grid(11);
     pdn_solution *solution, *none = NULL;
     CHECK(options.start == PDN_START_AUTOMATIC && options.progress_interval == 0.1);
-    const int32_t starts[] = {PDN_START_QUASI_STATIC, PDN_START_RAISED_INERTIA, PDN_START_MARCH};
+    const int32_t starts[] = {PDN_START_QUASI_STATIC, PDN_START_RAISED_INERTIA, PDN_START_MARCH,
+                              PDN_START_LOWERED_DAMPING, PDN_START_RAISED_LOADS};
     const char *const names[] = {"the quasi-static motion on", "raising inertial forces",
-                                 "a dissipative march"};
-    for (int i = 0; i < 3; ++i) {
+                                 "a dissipative march", "added damping", "raising loads"};
+    for (int i = 0; i < 5; ++i) {
         options.start = starts[i];
         solution = solve(model, &options);
         check_exact(solution, PERIOD);
@@ -459,7 +460,7 @@ static void the_start_may_be_chosen(void)
     }
     options.start = PDN_START_RIGID_ROTATION; /* nothing turns */
     CHECK(outcome_of(model, &options) == PDN_NO_INITIAL_GUESS);
-    options.start = 6;
+    options.start = 8;
     CHECK(pdn_solve_periodic(model, PERIOD, &options, &none) == PDN_ERR_VALUE);
     CHECK_MESSAGE("options.start: expected a constant PDN_START_...");
     options.start = PDN_START_AUTOMATIC;

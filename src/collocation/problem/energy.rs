@@ -3,7 +3,7 @@
 use super::Collocation;
 use crate::collocation::rule::RuleWorkspace;
 use crate::collocation::state::GridState;
-use crate::elements::{Element, Inertia, NodeState};
+use crate::elements::{Element, Inertia, InertialForces, NodeState};
 use crate::error::{Error, ErrorKind, Result};
 use crate::system::{Conditions, ElementRole, OwnValues, Placed};
 use nalgebra::{DVector, Vector6};
@@ -27,7 +27,7 @@ impl Collocation {
             time: self.instants.times[k],
             signals: &self.instants.signals[k * count..][..count],
             coordinates: state.tracked(&self.system, k),
-            inertia_factor: 1.0,
+            inertial: InertialForces::FULL,
         }
     }
 

@@ -12,7 +12,7 @@ use super::division::Division;
 use super::instants::Instants;
 use super::rule::{Spectral, TimeRule};
 use super::state::GridState;
-use crate::elements::{Measure, NodeState, Unknown};
+use crate::elements::{InertialForces, Measure, NodeState, Unknown};
 use crate::error::Result;
 use crate::fourier::TimeGrid;
 use crate::motion::Motion;
@@ -64,8 +64,8 @@ pub struct Conditions {
     pub start: f64,
     /// Fraction of all loads and prescribed motions.
     pub load_factor: f64,
-    /// Fraction of the inertial forces.
-    pub inertia_factor: f64,
+    /// How inertia counts.
+    pub inertial: InertialForces,
 }
 
 impl Conditions {
@@ -74,7 +74,7 @@ impl Conditions {
         Conditions {
             start,
             load_factor: 1.0,
-            inertia_factor: 1.0,
+            inertial: InertialForces::FULL,
         }
     }
 }
@@ -122,7 +122,7 @@ impl Collocation {
                 points,
                 times: vec![0.0; points],
                 signals: vec![0.0; system.signals() * points],
-                inertia_factor: 1.0,
+                inertial: InertialForces::FULL,
                 states: Vec::new(),
                 rates: vec![0.0; system.own_unknowns() * points],
                 resultants: Vec::new(),
@@ -222,7 +222,7 @@ impl Collocation {
     /// Those of signals.
     pub fn set_conditions(&mut self, conditions: Conditions) -> Result<()> {
         let count = self.system.signals();
-        self.instants.inertia_factor = conditions.inertia_factor;
+        self.instants.inertial = conditions.inertial;
         // Of another period signals are the same functions of the phase.
         let stretch = self.system.period() / self.grid.period();
         for k in 0..self.grid.points() {
@@ -245,7 +245,7 @@ impl Collocation {
     /// Those of signals.
     pub fn set_times(&mut self, times: &[f64]) -> Result<()> {
         let count = self.system.signals();
-        self.instants.inertia_factor = 1.0;
+        self.instants.inertial = InertialForces::FULL;
         self.instants.times.copy_from_slice(times);
         for (k, &time) in times.iter().enumerate() {
             let values = &mut self.instants.signals[k * count..][..count];

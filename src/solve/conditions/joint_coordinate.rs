@@ -2,7 +2,7 @@
 
 use super::Condition;
 use crate::collocation::{Collocation, GridState};
-use crate::elements::{Contribution, Element, Instant, Measure, Prescribed};
+use crate::elements::{Contribution, Element, InertialForces, Instant, Measure, Prescribed};
 use crate::error::{Error, ErrorKind, Result};
 use crate::model::JointCoordinate;
 use nalgebra::Vector3;
@@ -46,7 +46,7 @@ impl JointCoordinateIs {
             signals: &[self.value],
             coordinates: &[],
             gravity: Vector3::zeros(),
-            inertia_factor: 1.0,
+            inertial: InertialForces::FULL,
         };
         element.evaluate(&instant, &mut out)?;
         Ok((out.constraint[0], nodes, out))

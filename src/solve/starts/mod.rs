@@ -2,18 +2,19 @@
 //! See docs/theory.md, section 9.
 
 mod dissipative_march;
+mod in_steps;
 pub(crate) mod quasi_static;
 
-use crate::collocation::{Conditions, GridState};
+use crate::collocation::GridState;
 use crate::error::Result;
 use crate::fourier::TimeGrid;
-use crate::solve::linear::method::DirectCost;
 use crate::solve::newton::on_grid::{Found, OnGrid};
 use crate::solve::report::{NewtonReport, Outcome};
 use crate::solve::start::{Attempt, Start};
-use crate::solve::step_length::StepLength;
 use crate::system::{Driven, System};
 use dissipative_march::DissipativeMarch;
+pub(crate) use in_steps::affords_more;
+use in_steps::{lowered_damping, raised_inertia, raised_loads};
 use quasi_static::{Guess, inertial_displacement, quasi_static};
 use std::sync::Arc;
 use std::time::Instant;
@@ -22,12 +23,6 @@ use std::time::Instant;
 /// from the last of several.
 pub(crate) const PATIENCE: usize = 4;
 const LAST_PATIENCE: usize = 8;
-/// Smallest step of the continuation in the inertia factor.
-const SMALLEST_INERTIA_STEP: f64 = 1.0 / 16.0;
-/// Least and largest number of Newton iterations that this continuation may take, and multiply-adds
-/// of their factorisations.
-const RAISING: [usize; 2] = [12, 40];
-const RAISING_WORK: f64 = 2e10;
 /// Periods that a march takes at most.
 const MOST_PERIODS: usize = 24;
 /// Changes from one period to the next, relative to the characteristic length or in radians, at
@@ -98,7 +93,12 @@ impl Starts {
         if first == Start::SteadyRotation {
             starts.extend([Start::RigidRotation, Start::QuasiStatic]);
         }
-        starts.extend([Start::RaisedInertia, Start::March]);
+        starts.extend([
+            Start::RaisedInertia,
+            Start::March,
+            Start::LoweredDamping,
+            Start::RaisedLoads,
+        ]);
         starts
     }
 
@@ -179,8 +179,7 @@ impl Starts {
     /// Solves from the quasi-static starts and rigid rotation alone.
     pub fn solve_at_once(&mut self, on: &mut OnGrid) -> Result<Found> {
         let all = self.all();
-        let quick = |start: &Start| !matches!(start, Start::RaisedInertia | Start::March);
-        let quick: Vec<Start> = all.iter().copied().filter(quick).collect();
+        let quick: Vec<Start> = all.iter().copied().filter(Start::is_quick).collect();
         self.solve_from(on, if quick.is_empty() { &all } else { &quick })
     }
 
@@ -239,9 +238,14 @@ impl Starts {
                 None => Ok(None),
             },
             Start::RaisedInertia => match self.quasi_static_here(on, Start::QuasiStatic)? {
-                Some(state) => through_inertia(on, state),
+                Some(state) => raised_inertia(on, state),
                 None => Ok(None),
             },
+            Start::LoweredDamping => match self.quasi_static_here(on, self.first())? {
+                Some(state) => lowered_damping(on, state),
+                None => Ok(None),
+            },
+            Start::RaisedLoads => raised_loads(on),
             Start::March => self.through_march(on),
         }
     }
@@ -328,51 +332,4 @@ impl Starts {
 fn nothing(on: &OnGrid, outcome: Outcome, why: String) -> Found {
     let state = GridState::reference(&on.system, on.grid);
     (state, NewtonReport::ended(outcome, why))
-}
-
-/// Whether the fewest iterations of one more way to start on the present grid are little work.
-pub(crate) fn affords_more(on: &OnGrid) -> bool {
-    let work = DirectCost::of(&on.system, on.grid.points()).work;
-    RAISING[0] as f64 * work <= RAISING_WORK
-}
-
-/// Raises the inertial forces in steps, from a solution without them.
-fn through_inertia(on: &mut OnGrid, mut state: GridState) -> Result<Option<Found>> {
-    let mut reached = 0.0f64;
-    let mut step = StepLength::halved(0.25, SMALLEST_INERTIA_STEP..=1.0);
-    let before = on.newton.iterations;
-    let work = DirectCost::of(&on.system, on.grid.points()).work;
-    let most = ((RAISING_WORK / work) as usize).clamp(RAISING[0], RAISING[1]);
-    let mut found = None;
-    while reached < 1.0 {
-        let next = (reached + step.get()).min(1.0);
-        let mut goes_on = true;
-        on.newton.equations.set_conditions(Conditions {
-            inertia_factor: next,
-            ..Conditions::at(0.0)
-        })?;
-        let (trial, report) = on.solve(state.clone())?;
-        match report.outcome {
-            Outcome::Converged => {
-                state = trial;
-                reached = next;
-                step.grow(step.get(), 1.5);
-                found = Some((state.clone(), report));
-            }
-            outcome if outcome.is_stopped() => {
-                found = Some((trial, report));
-                break;
-            }
-            _ => goes_on = step.shrink(step.get()),
-        }
-        let spent = on.newton.iterations - before;
-        if reached < 1.0 && (!goes_on || spent > most) {
-            let why = format!("ended at the fraction {reached:.3} of inertial forces");
-            let report = NewtonReport::ended(Outcome::Stalled, why);
-            found = Some((state, report));
-            break;
-        }
-    }
-    on.newton.equations.set_conditions(Conditions::at(0.0))?;
-    Ok(found)
 }

@@ -2,6 +2,7 @@
 
 use super::{Iterative, Preconditioner};
 use crate::collocation::{Collocation, Conditions, GridState};
+use crate::elements::InertialForces;
 use crate::error::Result;
 use crate::solve::linear::solver::LinearSolver;
 use crate::solve::report::Timings;
@@ -97,7 +98,10 @@ pub fn try_linear_solve(
 pub(crate) fn missing_inertia(equations: &mut Collocation, state: &GridState) -> Result<Vec<f64>> {
     let mut residual = vec![0.0; equations.size()];
     equations.set_conditions(Conditions {
-        inertia_factor: 1.0 - PART,
+        inertial: InertialForces {
+            factor: 1.0 - PART,
+            damping: 0.0,
+        },
         ..Conditions::at(0.0)
     })?;
     equations.residual(state, &mut residual)?;
