@@ -20,6 +20,8 @@ pub struct ActedCoordinate {
     tracked: usize,
     /// Number of the signal that prescribes it, if one does, and so tells its whole turns.
     prescribed: Option<usize>,
+    /// Its value in the reference configuration.
+    reference: f64,
 }
 
 /// The coordinate at one instant.
@@ -33,12 +35,13 @@ pub(super) struct ActedState {
 
 impl ActedCoordinate {
     /// `coordinate` of `joint`, which is tracked coordinate number `tracked` and, maybe,
-    /// `prescribed` by the signal of that number.
+    /// `prescribed` by the signal of that number, with its value in the `reference` configuration.
     pub fn new(
         joint: &Joint,
         coordinate: Coordinate,
         tracked: usize,
         prescribed: Option<usize>,
+        reference: f64,
     ) -> Self {
         ActedCoordinate {
             pair: joint.pair.clone(),
@@ -46,6 +49,7 @@ impl ActedCoordinate {
             coordinate,
             tracked,
             prescribed,
+            reference,
         }
     }
 
@@ -74,7 +78,8 @@ impl ActedCoordinate {
         };
         q.value = self.kind.follow(self.coordinate, q.value, near);
         // A length of the order of what a solve leaves is none.
-        if self.kind == JointKind::Strut && q.value <= 1e-8 * self.pair.extent(instant.nodes) {
+        let extent = || self.pair.extent(instant.nodes).max(self.reference);
+        if self.kind == JointKind::Strut && q.value <= 1e-8 * extent() {
             let message = "the points of its strut coincide: its force has no direction";
             return Err(Error::new(ErrorKind::Model, message));
         }

@@ -236,7 +236,7 @@ fn cases() -> Vec<Case> {
                     add(
                         name,
                         Box::new(CoordinateForce::new(
-                            ActedCoordinate::new(&joint, coordinate, 0, None),
+                            ActedCoordinate::new(&joint, coordinate, 0, None, 0.0),
                             law,
                         )),
                     );
@@ -267,7 +267,7 @@ fn cases() -> Vec<Case> {
                 add(
                     "viscoelastic",
                     Box::new(Viscoelastic::new(
-                        ActedCoordinate::new(&joint, coordinate, 0, None),
+                        ActedCoordinate::new(&joint, coordinate, 0, None, 0.0),
                         0.8,
                         0.2,
                         branches,

@@ -401,7 +401,8 @@ impl<'a> Builder<'a> {
         let prescribed = self.model.prescribed_index(at);
         let tracked = self.system.tracked.len();
         self.system.tracked.push(*at);
-        ActedCoordinate::new(joint, at.coordinate, tracked, prescribed)
+        let reference = self.model.reference_coordinate(at);
+        ActedCoordinate::new(joint, at.coordinate, tracked, prescribed, reference)
     }
 
     /// Follows the angles that no force acts on; those of prescribed ones are told by their
