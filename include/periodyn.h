@@ -1802,11 +1802,11 @@ typedef struct pdn_periodic_options {
      */
     double progress_interval;
     /**
-     * Most work, counted in operations and not in time, of all starts until one has led to a
-     * solution: this many times that of an easy Newton iteration, by few products or by factors,
-     * and a constant for small models. From there on 20 times as much, on the finest grid so far.
-     * What takes more ends as PDN_WORK_LIMIT or, where a coarser grid had a solution, with that as
-     * PDN_TOLERANCE_NOT_MET. 0 for no bound. Default 60.
+     * Most work, counted in operations and not in time, of all starts and grids: this many times
+     * that of an easy Newton iteration on the finest grid so far, by few products or by factors,
+     * and a constant for small models. What takes more ends as PDN_WORK_LIMIT or, where a coarser
+     * grid had a solution, with that as PDN_TOLERANCE_NOT_MET. Twice that on a given grid. 0 for
+     * no bound. Default 25.
      */
     double work_limit;
     /**

@@ -1021,11 +1021,11 @@ class PeriodicOptions(Struct):
     called at any opportunity. Default 0.1.
     """
     work_limit = Number("work_limit")
-    """Most work, counted in operations and not in time, of all starts until one has led to a
-    solution: this many times that of an easy Newton iteration, by few products or by factors,
-    and a constant for small models. From there on 20 times as much, on the finest grid so far.
-    What takes more ends as WORK_LIMIT or, where a coarser grid had a solution, with that as
-    TOLERANCE_NOT_MET. 0 for no bound. Default 60.
+    """Most work, counted in operations and not in time, of all starts and grids: this many times
+    that of an easy Newton iteration on the finest grid so far, by few products or by factors,
+    and a constant for small models. What takes more ends as WORK_LIMIT or, where a coarser grid
+    had a solution, with that as TOLERANCE_NOT_MET. Twice that on a given grid. 0 for no bound.
+    Default 25.
     """
     memory_limit = Number("memory_limit")
     """Bytes of memory that the solve may take, by an estimate that is made before it is begun on a
@@ -2971,12 +2971,11 @@ class Model(ModelExtras):
                 oversampling. Default 0.
             progress_interval: Least time between two calls of progress while an iteration
                 lasts, in seconds; 0 to be called at any opportunity. Default 0.1.
-            work_limit: Most work, counted in operations and not in time, of all starts until
-                one has led to a solution: this many times that of an easy Newton iteration, by
-                few products or by factors, and a constant for small models. From there on 20
-                times as much, on the finest grid so far. What takes more ends as WORK_LIMIT or,
-                where a coarser grid had a solution, with that as TOLERANCE_NOT_MET. 0 for no
-                bound. Default 60.
+            work_limit: Most work, counted in operations and not in time, of all starts and
+                grids: this many times that of an easy Newton iteration on the finest grid so
+                far, by few products or by factors, and a constant for small models. What takes
+                more ends as WORK_LIMIT or, where a coarser grid had a solution, with that as
+                TOLERANCE_NOT_MET. Twice that on a given grid. 0 for no bound. Default 25.
             memory_limit: Bytes of memory that the solve may take, by an estimate that is made
                 before it is begun on a grid: one that would take more is ERR_MEMORY, and its
                 message tells the estimate. If grid_points is 0, only the first grid is refused
@@ -3177,12 +3176,11 @@ class Model(ModelExtras):
                 oversampling. Default 0.
             progress_interval: Least time between two calls of progress while an iteration
                 lasts, in seconds; 0 to be called at any opportunity. Default 0.1.
-            work_limit: Most work, counted in operations and not in time, of all starts until
-                one has led to a solution: this many times that of an easy Newton iteration, by
-                few products or by factors, and a constant for small models. From there on 20
-                times as much, on the finest grid so far. What takes more ends as WORK_LIMIT or,
-                where a coarser grid had a solution, with that as TOLERANCE_NOT_MET. 0 for no
-                bound. Default 60.
+            work_limit: Most work, counted in operations and not in time, of all starts and
+                grids: this many times that of an easy Newton iteration on the finest grid so
+                far, by few products or by factors, and a constant for small models. What takes
+                more ends as WORK_LIMIT or, where a coarser grid had a solution, with that as
+                TOLERANCE_NOT_MET. Twice that on a given grid. 0 for no bound. Default 25.
             memory_limit: Bytes of memory that the solve may take, by an estimate that is made
                 before it is begun on a grid: one that would take more is ERR_MEMORY, and its
                 message tells the estimate. If grid_points is 0, only the first grid is refused

@@ -165,11 +165,11 @@ pub struct pdn_periodic_options {
     /// Least time between two calls of progress while an iteration lasts, in seconds; 0 to be
     /// called at any opportunity. Default 0.1.
     pub progress_interval: f64,
-    /// Most work, counted in operations and not in time, of all starts until one has led to a
-    /// solution: this many times that of an easy Newton iteration, by few products or by factors,
-    /// and a constant for small models. From there on 20 times as much, on the finest grid so far.
-    /// What takes more ends as PDN_WORK_LIMIT or, where a coarser grid had a solution, with that as
-    /// PDN_TOLERANCE_NOT_MET. 0 for no bound. Default 60.
+    /// Most work, counted in operations and not in time, of all starts and grids: this many times
+    /// that of an easy Newton iteration on the finest grid so far, by few products or by factors,
+    /// and a constant for small models. What takes more ends as PDN_WORK_LIMIT or, where a coarser
+    /// grid had a solution, with that as PDN_TOLERANCE_NOT_MET. Twice that on a given grid. 0 for
+    /// no bound. Default 25.
     pub work_limit: f64,
     /// Bytes of memory that the solve may take, by an estimate that is made before it is begun on a
     /// grid: one that would take more is PDN_ERR_MEMORY, and its message tells the estimate. If

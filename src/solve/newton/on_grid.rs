@@ -16,9 +16,9 @@ use std::time::{Duration, Instant};
 
 /// What is added to the work of an easy iteration, in multiply-adds: on small models more may be
 /// tried.
-const LEAST_ITERATION: f64 = 8e8;
-/// Where there is a solution to go on from, work is seldom in vain: this many times as much.
-const GOING_ON: f64 = 20.0;
+const LEAST_ITERATION: f64 = 2e9;
+/// On a given grid this many times as much.
+const GIVEN: f64 = 2.0;
 
 /// How equations are solved, on whatever grid.
 pub(crate) struct Means {
@@ -32,20 +32,21 @@ pub(crate) struct Means {
     pub workers: Workers,
     /// Most work, relative to that of an easy iteration on the finest grid; zero without bound.
     pub work_limit: f64,
-    /// Whether there is a solution to go on from.
-    pub goes_on: bool,
+    /// Whether the grid is given: then nothing coarser is the result where work is not enough.
+    pub is_given: bool,
     /// What it may take of memory.
     pub memory: MemoryLimit,
 }
 
 impl Means {
-    /// Allows the work that goes with a grid, if that is more than with those before: to find a
-    /// solution, or to go on from one.
+    /// Allows the work that goes with a grid, if that is more than with those before.
     pub fn allow(&self, system: &System, grid: TimeGrid) {
         if self.work_limit > 0.0 {
             let unit = LEAST_ITERATION + easy_iteration(system, grid.points());
-            let most = self.work_limit * unit * if self.goes_on { GOING_ON } else { 1.0 };
-            self.workers.work().allow_more(most);
+            let share = if self.is_given { GIVEN } else { 1.0 };
+            self.workers
+                .work()
+                .allow_more(share * self.work_limit * unit);
         }
     }
 

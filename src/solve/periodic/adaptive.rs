@@ -280,7 +280,6 @@ impl Periodic<'_> {
                 Next::Refine(next) => next,
             };
             deceivable = false;
-            self.on.means.goes_on = true;
             let coarse = self.on.grid;
             let fine = TimeGrid::new(next, coarse.period())?;
             let start = match self.on.carry_to(fine, &state) {

@@ -153,7 +153,7 @@ pub fn solve_periodic(
         oversampling: options.oversampling,
         workers: Workers::new(options.threads)?.telling(watching.pulse()),
         work_limit: options.work_limit,
-        goes_on: false,
+        is_given: matches!(options.grid_points, GridPoints::Fixed(_)),
         memory: limit,
     };
     let mut observe = watching.with(observe);

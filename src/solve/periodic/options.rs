@@ -38,9 +38,9 @@ pub struct PeriodicOptions {
     /// Whether the error by the mesh of beams is estimated, too, which takes about as long as an
     /// iteration.
     pub estimate_mesh: bool,
-    /// Most work until there is a solution on the first grid, counted in operations and not in
-    /// time, in easy Newton iterations there: by few products or by factors, as takes less. From
-    /// there on 20 times as much, on the finest grid so far. Zero for no bound.
+    /// Most work, counted in operations and not in time, in easy Newton iterations on the finest
+    /// grid so far: by few products or by factors, as takes less; twice that on a given grid. Zero
+    /// for no bound.
     pub work_limit: f64,
     /// Bytes of memory that the solve may take, by an estimate made before it is begun on a grid,
     /// or any number if zero. Grids of adaptive solves that would take more are not tried.
@@ -54,7 +54,7 @@ pub struct PeriodicOptions {
 const MOST_OVERSAMPLING: usize = 16;
 
 /// Easy iterations whose work a solve may take by default.
-const WORK_LIMIT: f64 = 60.0;
+const WORK_LIMIT: f64 = 25.0;
 
 impl Default for PeriodicOptions {
     fn default() -> Self {

@@ -30,8 +30,13 @@ pub(super) struct Vectors<'a> {
     pub weights: [f64; 2],
 }
 
-/// Entries that are worked on in one piece: they stay in the cache meanwhile.
+/// Entries that are worked on in one piece: they stay in the cache meanwhile,
 const PIECE: usize = 1 << 12;
+/// and so do those of all basis vectors, as far as pieces of this length allow it.
+const SHORTEST_PIECE: usize = 1 << 8;
+const CACHED: usize = 1 << 15;
+/// What a vector may keep along others that it is orthogonal to, relative to its length.
+const ORTHOGONAL: f64 = 1e-6;
 
 impl Vectors<'_> {
     /// Works on pieces of a vector, each with where it starts, and sums `count` sums of each,
@@ -42,10 +47,11 @@ impl Vectors<'_> {
         count: usize,
         work: impl Fn(usize, &mut [f64], &mut [f64]) + Sync,
     ) -> Vec<f64> {
-        let mut sums = vec![0.0; x.len().div_ceil(PIECE) * count];
+        let length = (CACHED / count.max(1)).clamp(SHORTEST_PIECE, PIECE);
+        let mut sums = vec![0.0; x.len().div_ceil(length) * count];
         let of_pieces = sums.chunks_mut(count.max(1));
-        let mut pieces: Vec<_> = x.chunks_mut(PIECE).zip(of_pieces).collect();
-        let item = |piece: usize, x: &mut [f64], sums: &mut [f64]| work(piece * PIECE, x, sums);
+        let mut pieces: Vec<_> = x.chunks_mut(length).zip(of_pieces).collect();
+        let item = |piece: usize, x: &mut [f64], sums: &mut [f64]| work(piece * length, x, sums);
         self.workers
             .each(&mut pieces, |i, (x, sums)| item(i, x, sums));
         let mut total = vec![0.0; count];
@@ -108,8 +114,8 @@ impl Vectors<'_> {
         counts.fold(1.0, f64::min)
     }
 
-    /// Takes from `w` its parts along orthonormal `basis` vectors, twice so that rounding leaves
-    /// none; returns these parts, and the length of what is left.
+    /// Takes from `w` its parts along orthonormal `basis` vectors, once more where rounding leaves
+    /// much of them; returns these parts, and the length of what is left.
     pub fn project_out(&self, basis: &[f64], w: &mut [f64]) -> (Vec<f64>, f64) {
         let count = basis.len() / w.len();
         self.workers.work().spend(PROJECTION * basis.len() as f64);
@@ -120,10 +126,17 @@ impl Vectors<'_> {
             }
         };
         let mut parts = self.sums(w, count, |first, w, sums| along(first, w, sums));
-        let rest = self.sums(w, count, |first, w, sums| {
+        let mut rest = self.sums(w, count + 1, |first, w, sums| {
             basis.add(first, w, &parts, -1.0);
-            along(first, w, sums);
+            let (rest, length) = sums.split_at_mut(count);
+            along(first, w, rest);
+            length[0] = self.square(first, w);
         });
+        let length = rest.pop().unwrap_or(0.0).sqrt();
+        // Written so that NaN is seen.
+        if small_norm(&rest) <= ORTHOGONAL * length {
+            return (parts, length);
+        }
         let length = self.sums(w, 1, |first, w, sum| {
             basis.add(first, w, &rest, -1.0);
             sum[0] = self.square(first, w);
