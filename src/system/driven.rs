@@ -186,6 +186,20 @@ impl System {
         Ok((!driven.parts.is_empty()).then_some(driven))
     }
 
+    /// Whether prescribed angles gain whole turns in a period.
+    ///
+    /// # Errors
+    /// Those of functions of the user.
+    pub fn gains_turns(&self) -> Result<bool> {
+        let half_a_turn = 0.5 * TAU / self.period();
+        for drive in &self.drives {
+            if self.mean_rate(drive.signal)?.abs() > half_a_turn {
+                return Ok(true);
+            }
+        }
+        Ok(false)
+    }
+
     /// What a signal gains in a unit of time, in the mean.
     fn mean_rate(&self, signal: usize) -> Result<f64> {
         let signal = &self.signals[signal].signal;

@@ -6,7 +6,6 @@ use crate::error::{Error, ErrorKind, Result};
 use crate::fourier::{PeriodicSeries, TimeGrid};
 use crate::model::{BoundSignal, absent};
 use nalgebra::Vector3;
-use std::f64::consts::TAU;
 
 /// A signal, and the value it grows from when loads are raised in steps.
 #[derive(Debug, Clone)]
@@ -81,21 +80,6 @@ impl System {
         }
         let change = |&signal: &usize| (values[1][signal] - values[0][signal]).abs();
         Ok(self.counted_turns.iter().map(change).fold(0.0, f64::max))
-    }
-
-    /// Whether prescribed motions gain whole turns in a period.
-    ///
-    /// # Errors
-    /// Those of functions of the user.
-    pub fn gains_turns(&self) -> Result<bool> {
-        for drive in &self.drives {
-            let driven = &self.signals[drive.signal];
-            let growth = driven.signal.growth();
-            if growth.map_err(|e| e.within(&driven.place))?.abs() > 0.5 * TAU {
-                return Ok(true);
-            }
-        }
-        Ok(false)
     }
 
     /// Values, first and second derivatives of all signals at `time`, see

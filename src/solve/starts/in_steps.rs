@@ -24,10 +24,14 @@ const OSCILLATIONS: f64 = 4.0;
 /// Part of it that is taken away at last.
 const LAST_DAMPING: f64 = 1e-3;
 
+/// Newton iterations on the present grid that are little work.
+fn affordable(on: &OnGrid) -> usize {
+    (WORK / DirectCost::of(&on.system, on.grid.points()).work) as usize
+}
+
 /// Whether the fewest iterations of one more way to start on the present grid are little work.
 pub(crate) fn affords_more(on: &OnGrid) -> bool {
-    let work = DirectCost::of(&on.system, on.grid.points()).work;
-    ITERATIONS[0] as f64 * work <= WORK
+    affordable(on) >= ITERATIONS[0]
 }
 
 /// Raises the inertial forces, from a solution without them.
@@ -85,8 +89,7 @@ fn in_steps(
     let mut reached = None;
     let mut step = StepLength::halved(FIRST, SHORTEST..=1.0);
     let before = on.newton.iterations;
-    let work = DirectCost::of(&on.system, on.grid.points()).work;
-    let most = ((WORK / work) as usize).clamp(ITERATIONS[0], ITERATIONS[1]);
+    let most = affordable(on).clamp(ITERATIONS[0], ITERATIONS[1]);
     let mut found = None;
     while reached != Some(1.0) {
         let next = match reached {
@@ -99,7 +102,7 @@ fn in_steps(
         match report.outcome {
             Outcome::Converged => {
                 state = trial;
-                if reached.is_some() || next > 0.0 {
+                if next > 0.0 {
                     step.grow(step.get(), GROWTH);
                 }
                 reached = Some(next);

@@ -172,11 +172,13 @@ impl Preconditioned for Operator<'_> {
 
 /// How motions and multipliers count in a solve this accurate, of a system this slender.
 fn parts(slenderness: f64, accuracy: f64) -> Parts {
-    match () {
+    if accuracy >= ESTIMATE {
         // Estimates are of motions alone.
-        () if accuracy >= ESTIMATE => Parts::LeadingAlone,
-        () if slenderness < STRETCHING => Parts::Balanced,
-        () => Parts::AsTheyAre,
+        Parts::LeadingAlone
+    } else if slenderness < STRETCHING {
+        Parts::Balanced
+    } else {
+        Parts::AsTheyAre
     }
 }
 
