@@ -35,4 +35,4 @@ pub use rule::{
 };
 pub use stages::Stages;
 pub use state::GridState;
-pub use tangent::{Coupling, Increment, Linearisation, PairTangent, Station, Tangent};
+pub use tangent::{Coupling, Linearisation, PairTangent, Station, Tangent};

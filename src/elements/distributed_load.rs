@@ -4,7 +4,7 @@
 //! through the section's turn `A Δρ = Σ N_a C_a Δu_a` (see `beam`), so that a node's share of the
 //! load `w` is `N_a C_aᵀ μ` with `μ = A⁻¹ w`.
 
-use super::beam::{Beam, Station, about_axis, spread_variation, turned};
+use super::beam::{Beam, Station, about_axis, relative_to_first, spread_variation, turned};
 use super::shape::{gauss_legendre, shape_functions};
 use super::{Contribution, Element, Instant, LoadFrame};
 use crate::error::{Error, Result};
@@ -279,10 +279,8 @@ impl DistributedLoad {
         let states = instant.nodes;
         let first = &states[0].motion;
         scratch.relative.clear();
-        let relative = states
-            .iter()
-            .map(|state| first.relative(&state.motion).to_dual());
-        scratch.relative.extend(relative);
+        let motions = states.iter().map(|state| &state.motion);
+        scratch.relative.extend(relative_to_first(motions));
         self.sum(instant.signals, &mut scratch.loads);
         if out.with_tangents {
             scratch.blocks.clear();

@@ -90,16 +90,6 @@ fn momentum_matrix(momentum: &Vector6<f64>) -> Matrix6<f64> {
     m
 }
 
-/// `Ṽᵀ`, `Ṽ = [ω̃ ṽ; 0 ω̃]`.
-fn twist_skew_transposed(twist: &Vector6<f64>) -> Matrix6<f64> {
-    let (v, w) = halves(twist);
-    let mut m = Matrix6::zeros();
-    m.fixed_view_mut::<3, 3>(0, 0).copy_from(&-skew(&w));
-    m.fixed_view_mut::<3, 3>(3, 0).copy_from(&-skew(&v));
-    m.fixed_view_mut::<3, 3>(3, 3).copy_from(&-skew(&w));
-    m
-}
-
 impl Element for Inertia {
     fn nodes(&self) -> &[usize] {
         &self.nodes
@@ -154,12 +144,14 @@ impl Element for Inertia {
             }
             let mut stiffness = out.stiffness.fixed_view_mut::<6, 3>(6 * a, 6 * a + 3);
             stiffness -= product(&self.shares[a], &skew(&gravity));
-            let twist_skew = twist_skew_transposed(&node.twist);
             for b in 0..instant.nodes.len() {
                 let m = block(a, b);
-                let mut mass = out.mass.fixed_view_mut::<6, 6>(6 * a, 6 * b);
-                mass += m * factor;
-                out.add_damping(a, b, &(m * damping - product(&twist_skew, &m) * factor));
+                out.add_mass(a, b, &(m * factor));
+                let mut by_velocity = m * damping;
+                for (j, mut column) in by_velocity.column_iter_mut().enumerate() {
+                    column += gyroscopic(&node.twist, &m.column(j).into()) * factor;
+                }
+                out.add_damping(a, b, &by_velocity);
             }
             out.add_damping(a, a, &(momentum_matrix(&momentum) * -factor));
         }

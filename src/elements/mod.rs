@@ -240,13 +240,25 @@ impl Contribution {
     }
 
     fn add_stiffness(&mut self, row: usize, column: usize, block: &Matrix6<f64>) {
-        let mut view = self.stiffness.fixed_view_mut::<6, 6>(6 * row, 6 * column);
-        view += block;
+        add_block(&mut self.stiffness, (row, column), block);
     }
 
     fn add_damping(&mut self, row: usize, column: usize, block: &Matrix6<f64>) {
-        let mut view = self.damping.fixed_view_mut::<6, 6>(6 * row, 6 * column);
-        view += block;
+        add_block(&mut self.damping, (row, column), block);
+    }
+
+    fn add_mass(&mut self, row: usize, column: usize, block: &Matrix6<f64>) {
+        add_block(&mut self.mass, (row, column), block);
+    }
+}
+
+/// Adds one 6×6 block to a matrix of such.
+fn add_block(to: &mut DMatrix<f64>, (row, column): (usize, usize), block: &Matrix6<f64>) {
+    let rows = to.nrows();
+    let columns = to.as_mut_slice()[6 * column * rows..].chunks_exact_mut(rows);
+    for (to, from) in columns.zip(&block.data.0) {
+        let to = to[6 * row..].iter_mut();
+        to.zip(from).for_each(|(to, from)| *to += from);
     }
 }
 

@@ -5,7 +5,7 @@
 //! element by element, and what holds them there are forces on the coarse nodes, which is how much
 //! the coarse equations are wrong. See docs/theory.md, section 10.5.
 
-use super::beam::{Beam, Station, about_axis};
+use super::beam::{Beam, Station, about_axis, relative_to_first};
 use super::shape::lobatto_points;
 use super::{Contribution, Element, NodeState};
 use crate::error::Result;
@@ -54,9 +54,9 @@ impl Raised {
     /// # Errors
     /// If they cannot be interpolated.
     pub fn motions(&self, motions: &[Motion]) -> Result<Vec<Motion>> {
-        let relative = |a: usize| motions[0].relative(&motions[a]);
+        let relative: Vec<_> = relative_to_first(motions.iter()).collect();
         let at = |station: &Station| {
-            let here = motions[0].compose(&station.motion(relative)?.polar.motion());
+            let here = motions[0].compose(&station.polar(&relative)?.motion());
             let rotation = here.rotation * about_axis(station.turn);
             Ok(Motion::new(rotation, here.position))
         };
@@ -93,14 +93,15 @@ impl Raised {
         states: &[NodeState],
         forces: &DVector<f64>,
     ) -> Result<DVector<f64>> {
-        let relative = |a: usize| states[0].motion.relative(&states[a].motion);
+        let motions = states.iter().map(|state| &state.motion);
+        let relative: Vec<_> = relative_to_first(motions).collect();
         let mut sums = DVector::zeros(6 * self.nodes);
         for (i, station) in self.stations.iter().enumerate() {
             let turn = about_axis(station.turn);
             let force: Vector6<f64> = forces.fixed_rows::<6>(6 * i).into_owned();
             let force = DualVector::from_wrench(&turned(&turn, &force));
-            let at = station.motion(relative)?;
-            for (a, node) in station.node_terms(&at, relative).enumerate() {
+            let at = station.motion(&relative)?;
+            for (a, node) in at.node_terms(station.places(&at, &relative)).enumerate() {
                 let mut rows = sums.fixed_rows_mut::<6>(6 * a);
                 rows += (node.turn.transpose() * force).to_wrench();
             }

@@ -3,7 +3,7 @@
 //! A formula for rotations, evaluated in dual algebra, is the formula for motions.
 
 use super::product::{of_entries, outer_product, product, sum_of_products, transpose};
-use super::rotation::{axial, skew, times_skew};
+use super::rotation::{axial, skew, skew_times, times_skew};
 use nalgebra::{Matrix3, Matrix6, Vector3, Vector6};
 use std::ops::{Add, AddAssign, Mul, Neg, Sub};
 
@@ -177,6 +177,15 @@ impl DualVector {
         DualMatrix {
             primal: skew(&self.primal),
             dual: skew(&self.dual),
+        }
+    }
+
+    /// `ã B`.
+    #[inline(always)]
+    pub fn skew_times(&self, b: &DualMatrix) -> DualMatrix {
+        DualMatrix {
+            primal: skew_times(&self.primal, &b.primal),
+            dual: skew_times(&self.primal, &b.dual) + skew_times(&self.dual, &b.primal),
         }
     }
 
@@ -411,6 +420,8 @@ mod tests {
     fn parts_of_products_are_those_of_the_products() {
         let (a, m, other) = (vector(0.7), matrix(0.4), matrix(1.5));
         let by_skew = m.times_skew(&a) - m * a.skew();
+        assert!(by_skew.primal.amax() < 1e-14 && by_skew.dual.amax() < 1e-14);
+        let by_skew = a.skew_times(&m) - a.skew() * m;
         assert!(by_skew.primal.amax() < 1e-14 && by_skew.dual.amax() < 1e-14);
         assert_equal(m.trace_minus_times(&a), m.trace_minus() * a);
         assert_equal(a.cross(&vector(1.9)), a.skew() * vector(1.9));

@@ -2,7 +2,7 @@
 //! 3.1).
 
 use super::rotation::{axial, rotation_from_vector};
-use nalgebra::Matrix3;
+use nalgebra::{Matrix3, Vector3};
 
 /// `tr(S) I − S`: its eigenvalues are the sums of pairs of eigenvalues of `S`.
 #[inline]
@@ -61,17 +61,19 @@ pub fn symmetric_factor_is_admissible(s: &Matrix3<f64>) -> bool {
     if !size.is_finite() || size <= 0.0 {
         return false;
     }
-    let symmetric = 0.5 * (a + a.transpose());
     // 1e-6: below it an error of 1e-10 in G would turn R by 1e-4.
-    (symmetric - Matrix3::from_diagonal_element(1e-6 * size))
-        .cholesky()
-        .is_some()
+    let d = Vector3::new(a[(0, 0)], a[(1, 1)], a[(2, 2)]).add_scalar(-1e-6 * size);
+    let half = |i: usize, j: usize| 0.5 * (a[(i, j)] + a[(j, i)]);
+    let (x, y, z) = (half(1, 2), half(0, 2), half(0, 1));
+    // By its leading minors.
+    let minor = d[0] * d[1] - z * z;
+    let determinant = d[2] * minor - d[0] * x * x - d[1] * y * y + 2.0 * x * y * z;
+    d[0] > 0.0 && minor > 0.0 && determinant > 0.0
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use nalgebra::Vector3;
 
     fn rotation(seed: f64) -> Matrix3<f64> {
         rotation_from_vector(&Vector3::new(seed.sin(), seed.cos(), 2.0 * seed.sin()))

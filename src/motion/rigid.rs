@@ -3,7 +3,7 @@
 
 use super::dual::{DualMatrix, DualVector};
 use super::product::{product, transposed_product};
-use super::rotation::{rotation_from_vector, skew};
+use super::rotation::{rotation_from_vector, skew_times};
 use nalgebra::{Matrix3, Matrix6, Vector3, Vector6};
 use serde::{Deserialize, Serialize};
 
@@ -64,7 +64,7 @@ impl Motion {
     pub fn to_dual(&self) -> DualMatrix {
         DualMatrix {
             primal: self.rotation,
-            dual: product(&skew(&self.position), &self.rotation),
+            dual: skew_times(&self.position, &self.rotation),
         }
     }
 

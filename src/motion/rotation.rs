@@ -1,7 +1,7 @@
 //! Rotations, skew matrices and quaternions.
 
 use super::product::product;
-use nalgebra::{Matrix3, Rotation3, UnitQuaternion, Vector3};
+use nalgebra::{ArrayStorage, Matrix3, Rotation3, UnitQuaternion, Vector3};
 
 /// Skew matrix `ã`, with `ã b = a × b`.
 #[inline]
@@ -15,6 +15,19 @@ pub fn times_skew(a: &Matrix3<f64>, b: &Vector3<f64>) -> Matrix3<f64> {
     let [x, y, z] = a.data.0.map(Vector3::from);
     let columns = [y * b.z - z * b.y, z * b.x - x * b.z, x * b.y - y * b.x];
     Matrix3::from_columns(&columns)
+}
+
+/// `ã B`.
+#[inline(always)]
+pub fn skew_times(a: &Vector3<f64>, b: &Matrix3<f64>) -> Matrix3<f64> {
+    let cross = |b: [f64; 3]| {
+        [
+            a.y * b[2] - a.z * b[1],
+            a.z * b[0] - a.x * b[2],
+            a.x * b[1] - a.y * b[0],
+        ]
+    };
+    Matrix3::from_array_storage(ArrayStorage(b.data.0.map(cross)))
 }
 
 /// Axial vector `½ (A32 − A23, A13 − A31, A21 − A12)`; `axial(ã) = a`.

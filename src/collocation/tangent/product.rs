@@ -57,12 +57,6 @@ impl Tangent {
         (self.increment, self.stresses) = (increment, stresses);
     }
 
-    /// Writes the scaled change of the residual with an increment and rates that need not be its
-    /// own, where no stress resultants are apart.
-    pub fn forces(&self, equations: &Collocation, increment: &Increment, y: &mut [f64]) {
-        self.write_forces(equations, increment, &[], y);
-    }
-
     /// What a scaled increment changes.
     fn vary(&mut self, equations: &Collocation, x: &[f64], increment: &mut Increment) {
         increment.resize(equations);

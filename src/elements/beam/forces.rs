@@ -2,33 +2,57 @@
 
 use super::Beam;
 use super::law::CoupledLaw;
-use super::station::{NodeTerms, Station, StationMotion, strain_rate};
-use super::variations::{adjoint_variations, geometric_stiffness, rate_variations};
+use super::station::{NodePlace, NodeTerms, Station, StationMotion, relative_to_first};
+use super::variations::{SecondTerms, geometric_stiffness, rate_variations, second_variations};
 use crate::elements::{Contribution, Element, Instant, NodeState, StrainTangent, StressLaw};
 use crate::error::Result;
-use crate::motion::{DualVector, product};
+use crate::motion::{DualMatrix, DualVector, product};
 use nalgebra::{Matrix6, Vector6};
 
 /// Scratch for what the element finds at its stations.
 #[derive(Debug, Clone, Default)]
 pub(in crate::elements) struct Scratch {
+    /// Motions of the nodes relative to the first.
+    pub(super) relative: Vec<DualMatrix>,
+    /// Of the nodes, station by station.
+    places: Vec<NodePlace>,
     pub(super) terms: Vec<NodeTerms>,
+    /// Of the nodes, at one station.
+    second: Vec<SecondTerms>,
     motions: Vec<StationMotion>,
     pub(super) strains: Vec<Vector6<f64>>,
     pub(super) rates: Vec<Vector6<f64>>,
 }
 
 impl Scratch {
-    /// Appends the terms of a station.
-    pub(super) fn add_terms(
-        &mut self,
-        station: &Station,
-        states: &[NodeState],
-    ) -> Result<StationMotion> {
-        let relative = |a: usize| states[0].motion.relative(&states[a].motion);
-        let at = station.motion(relative)?;
-        self.terms.extend(station.node_terms(&at, relative));
+    /// Begins anew with the nodes at `states`.
+    pub(super) fn begin(&mut self, states: &[NodeState]) {
+        self.relative.clear();
+        let motions = states.iter().map(|state| &state.motion);
+        self.relative.extend(relative_to_first(motions));
+        self.motions.clear();
+        self.strains.clear();
+        self.rates.clear();
+        self.forget_station();
+    }
+
+    /// Forgets the nodes' places and terms at stations so far.
+    fn forget_station(&mut self) {
+        self.places.clear();
+        self.terms.clear();
+    }
+
+    /// Appends the places of the nodes seen from a station.
+    fn add_places(&mut self, station: &Station) -> Result<StationMotion> {
+        let at = station.motion(&self.relative)?;
+        self.places.extend(station.places(&at, &self.relative));
         Ok(at)
+    }
+
+    /// Appends the terms of the nodes whose places were appended last.
+    fn add_terms(&mut self, at: &StationMotion) {
+        let places = &self.places[self.terms.len()..];
+        self.terms.extend(at.node_terms(places.iter().copied()));
     }
 }
 
@@ -88,8 +112,7 @@ impl Element for Beam {
         out: &mut [Vector6<f64>],
     ) -> Result<()> {
         let scratch = &mut scratch.beam;
-        scratch.strains.clear();
-        scratch.rates.clear();
+        scratch.begin(nodes);
         let rates_vary = self.damping(nodes).rates_vary;
         for station in &self.stations {
             let (mut e, mut rate) = self.find_terms(station, nodes, scratch)?;
@@ -115,10 +138,11 @@ impl Element for Beam {
         out: &mut Contribution,
     ) -> Result<()> {
         let mut scratch = std::mem::take(&mut out.beam);
+        scratch.begin(nodes);
         for (station, resultants) in self.stations.iter().zip(resultants) {
-            scratch.terms.clear();
-            scratch.add_terms(station, nodes)?;
-            add_forces(&scratch.terms, &(resultants * station.weight), out);
+            scratch.forget_station();
+            let at = scratch.add_places(station)?;
+            add_forces(&at, &scratch.places, &(resultants * station.weight), out);
         }
         out.beam = scratch;
         Ok(())
@@ -127,6 +151,7 @@ impl Element for Beam {
     fn evaluate(&self, instant: &Instant, out: &mut Contribution) -> Result<()> {
         // Taken out while `out` is written to.
         let mut scratch = std::mem::take(&mut out.beam);
+        scratch.begin(instant.nodes);
         let result = match &self.law {
             Some(law) => self.add_coupled(law, instant, &mut scratch, out),
             None => self.add_stations(instant, &mut scratch, out),
@@ -147,17 +172,15 @@ impl Beam {
     /// Finds "velocities in ξ" at the Gauss points, less those of the reference, and their rates,
     /// if resultants depend on them.
     pub(super) fn find_strains(&self, states: &[NodeState], scratch: &mut Scratch) -> Result<()> {
-        scratch.strains.clear();
-        scratch.rates.clear();
+        scratch.begin(states);
         let has_rates = self.damping(states).rates_vary;
         for station in &self.stations {
-            scratch.terms.clear();
             let (e, rate) = if has_rates {
-                let at = scratch.add_terms(station, states)?;
-                (at.e, strain_rate(&scratch.terms, states))
+                scratch.forget_station();
+                let at = scratch.add_places(station)?;
+                (at.e, at.strain_rate(&scratch.places, states))
             } else {
-                let at = station.motion(|a| states[0].motion.relative(&states[a].motion))?;
-                (at.e, DualVector::zeros())
+                (station.motion(&scratch.relative)?.e, DualVector::zeros())
             };
             scratch.strains.push(e.to_twist() - station.reference);
             scratch.rates.push(rate.to_twist());
@@ -166,18 +189,20 @@ impl Beam {
     }
 
     /// Finds the terms of a station, with its "velocity in ξ" and its rate: what these vary by.
+    /// Scratch has begun with these states.
     pub(super) fn find_terms(
         &self,
         station: &Station,
         states: &[NodeState],
         scratch: &mut Scratch,
     ) -> Result<(DualVector, DualVector)> {
-        scratch.terms.clear();
-        let at = scratch.add_terms(station, states)?;
-        let rate = strain_rate(&scratch.terms, states);
+        scratch.forget_station();
+        let at = scratch.add_places(station)?;
+        scratch.add_terms(&at);
+        let rate = at.strain_rate(&scratch.places, states);
         if self.damping(states).rates_vary {
             let twist = |a: usize| DualVector::from_twist(&states[a].twist);
-            rate_variations(&at, &rate, twist, &mut scratch.terms);
+            rate_variations(&at, &rate, twist, &scratch.places, &mut scratch.terms);
         }
         Ok((at.e, rate))
     }
@@ -207,26 +232,28 @@ impl Beam {
         let states = instant.nodes;
         let damping = self.damping(states);
         for (place, station) in self.stations.iter().enumerate() {
-            scratch.terms.clear();
-            let at = scratch.add_terms(station, states)?;
+            scratch.forget_station();
+            let at = scratch.add_places(station)?;
             let section = &station.section;
             let mut stress = product(&section.stiffness, &station.strain(&at.e));
             let mut rate = DualVector::zeros();
             if self.damped {
-                rate = strain_rate(&scratch.terms, states);
+                rate = at.strain_rate(&scratch.places, states);
                 stress += product(&section.damping, &(rate.to_twist() / station.stretch));
             }
             let stress = stress * station.weight;
-            add_forces(&scratch.terms, &stress, out);
+            add_forces(&at, &scratch.places, &stress, out);
             if !out.with_tangents {
                 continue;
             }
             let held = instant.resultants.get(place);
             let held = held.map_or(stress, |resultants| resultants * station.weight);
-            add_geometric_stiffness(&at, &held, &mut scratch.terms, out);
+            scratch.add_terms(&at);
+            let (places, terms) = (&scratch.places, &mut scratch.terms);
+            add_geometric_stiffness(&at, &held, (places, terms), &mut scratch.second, out);
             if damping.rates_vary {
                 let twist = |a: usize| DualVector::from_twist(&states[a].twist);
-                rate_variations(&at, &rate, twist, &mut scratch.terms);
+                rate_variations(&at, &rate, twist, places, terms);
             }
             add_material_stiffness(
                 &scratch.terms,
@@ -249,32 +276,30 @@ impl Beam {
     ) -> Result<()> {
         let (states, count) = (instant.nodes, self.nodes.len());
         let damping = self.damping(states);
-        scratch.terms.clear();
-        scratch.motions.clear();
-        scratch.strains.clear();
-        scratch.rates.clear();
         for (place, station) in self.stations.iter().enumerate() {
-            let at = scratch.add_terms(station, states)?;
-            let rate = strain_rate(&scratch.terms[place * count..], states);
+            let at = scratch.add_places(station)?;
+            let rate = at.strain_rate(&scratch.places[place * count..], states);
             scratch.strains.push(at.e.to_twist() - station.reference);
             scratch.rates.push(rate.to_twist());
             scratch.motions.push(at);
         }
         for (place, station) in self.stations.iter().enumerate() {
             let stress = law.resultants(place, &scratch.strains, &scratch.rates);
-            let terms = &mut scratch.terms[place * count..][..count];
-            add_forces(terms, &stress, out);
+            let places = &scratch.places[place * count..][..count];
+            let at = &scratch.motions[place];
+            add_forces(at, places, &stress, out);
             if !out.with_tangents {
                 continue;
             }
             let held = instant.resultants.get(place);
             let held = held.map_or(stress, |resultants| resultants * station.weight);
-            let at = &scratch.motions[place];
-            add_geometric_stiffness(at, &held, terms, out);
+            scratch.terms.extend(at.node_terms(places.iter().copied()));
+            let terms = &mut scratch.terms[place * count..];
+            add_geometric_stiffness(at, &held, (places, terms), &mut scratch.second, out);
             if damping.rates_vary {
                 let rate = DualVector::from_twist(&scratch.rates[place]);
                 let twist = |a: usize| DualVector::from_twist(&states[a].twist);
-                rate_variations(at, &rate, twist, terms);
+                rate_variations(at, &rate, twist, places, terms);
             }
         }
         if out.with_tangents {
@@ -287,10 +312,15 @@ impl Beam {
 }
 
 /// Adds the forces of integrated resultants.
-fn add_forces(terms: &[NodeTerms], stress: &Vector6<f64>, out: &mut Contribution) {
-    let stress = DualVector::from_wrench(stress);
-    for (a, node) in terms.iter().enumerate() {
-        out.add_force(a, &(node.strain.transpose() * stress).to_wrench());
+fn add_forces(
+    at: &StationMotion,
+    places: &[NodePlace],
+    stress: &Vector6<f64>,
+    out: &mut Contribution,
+) {
+    let forces = at.node_forces(&DualVector::from_wrench(stress), places.iter());
+    for (a, force) in forces.enumerate() {
+        out.add_force(a, &force.to_wrench());
     }
 }
 
@@ -298,13 +328,18 @@ fn add_forces(terms: &[NodeTerms], stress: &Vector6<f64>, out: &mut Contribution
 fn add_geometric_stiffness(
     at: &StationMotion,
     stress: &Vector6<f64>,
-    terms: &mut [NodeTerms],
+    (places, terms): (&[NodePlace], &[NodeTerms]),
+    second: &mut Vec<SecondTerms>,
     out: &mut Contribution,
 ) {
-    let (mu, nu) = adjoint_variations(at, &DualVector::from_wrench(stress), terms);
-    geometric_stiffness(at, (&mu, &nu), terms, |a, b, block| {
-        out.add_stiffness(a, b, block);
-    });
+    second.clear();
+    let nodes = places.iter().zip(terms);
+    second.extend(second_variations(
+        at,
+        &DualVector::from_wrench(stress),
+        nodes,
+    ));
+    geometric_stiffness(terms, second, |a, b, block| out.add_stiffness(a, b, block));
 }
 
 /// Adds `K_ab = B_aᵀ Σ (S B_b + D R_b)` and `C_ab = B_aᵀ Σ D B_b`, sums over the stations that the
@@ -340,9 +375,15 @@ fn add_material_stiffness(
         }
         let (by_motion, by_velocity) = (by_motion.transpose(), by_velocity.transpose());
         for (a, row) in rows.iter().enumerate() {
-            let mut k = Matrix6::zeros();
-            row.strain.add_product_to(&by_motion, &mut k);
-            out.add_stiffness(a, b, &k.transpose());
+            // Without rates the sum over all stations is symmetric.
+            if rates_vary || a <= b {
+                let mut k = Matrix6::zeros();
+                row.strain.add_product_to(&by_motion, &mut k);
+                out.add_stiffness(a, b, &k.transpose());
+                if !rates_vary && a < b {
+                    out.add_stiffness(b, a, &k);
+                }
+            }
             if damped {
                 let mut c = Matrix6::zeros();
                 row.strain.add_product_to(&by_velocity, &mut c);

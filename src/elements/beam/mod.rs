@@ -11,7 +11,7 @@ mod station;
 mod variations;
 
 pub(super) use forces::Scratch;
-pub(super) use station::{Station, about_axis};
+pub(super) use station::{Station, about_axis, relative_to_first};
 pub(super) use variations::{spread_variation, turned};
 
 use super::NodeState;
@@ -122,7 +122,8 @@ impl Beam {
     /// Frame of the section at `xi` in `[−1, 1]`, for the element's nodes at `motions`.
     pub fn section_motion(&self, xi: f64, motions: &[Motion]) -> Result<Motion> {
         let station = self.station(xi, 0.0)?;
-        let kinematics = station.motion(|a| motions[0].relative(&motions[a]))?;
+        let relative: Vec<_> = relative_to_first(motions.iter()).collect();
+        let kinematics = station.motion(&relative)?;
         let motion = motions[0].compose(&kinematics.polar.motion());
         let turn = about_axis(station.turn);
         Ok(Motion::new(motion.rotation * turn, motion.position))
@@ -176,6 +177,7 @@ impl Beam {
             }
         }
         let mut scratch = Scratch::default();
+        scratch.begin(states);
         for (station, by) in self.stations.iter().zip(&by_points) {
             self.find_terms(station, states, &mut scratch)?;
             let [by_strain, by_rate] = by.map(|by| DualVector::from_wrench(&by));

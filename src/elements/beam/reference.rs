@@ -1,12 +1,17 @@
 //! A beam element in its reference configuration: its line, the axes of its sections, lengths and
 //! inertia.
 
-use super::{Beam, Station, about_axis};
+use super::{Beam, Station, about_axis, relative_to_first};
 use crate::elements::Inertia;
 use crate::elements::shape::{gauss_legendre, shape_functions};
 use crate::error::{Error, ErrorKind, Result, require_finite};
-use crate::motion::Motion;
+use crate::motion::{DualMatrix, Motion};
 use nalgebra::{DMatrix, Matrix3, Matrix6, Vector3};
+
+/// Motions relative to the first.
+fn relative(motions: &[Motion]) -> Vec<DualMatrix> {
+    relative_to_first(motions.iter()).collect()
+}
 
 /// A direction with less across a line than this part of it is along that.
 const ACROSS: f64 = 1e-9;
@@ -26,19 +31,22 @@ impl Beam {
     }
 
     /// Reference motions of the nodes without their twist.
-    fn untwisted(&self, node: usize) -> Motion {
-        let twist = about_axis(-self.sections.twist(self.points[node]));
-        let motion = &self.reference[node];
-        Motion::new(motion.rotation * twist, motion.position)
+    fn untwisted_nodes(&self) -> Vec<Motion> {
+        let nodes = self.points.iter().zip(&self.reference);
+        let untwisted = |(&xi, motion): (&f64, &Motion)| {
+            let twist = about_axis(-self.sections.twist(xi));
+            Motion::new(motion.rotation * twist, motion.position)
+        };
+        nodes.map(untwisted).collect()
     }
 
     /// Frame in which the section at `xi` is described, in the reference configuration, without and
     /// with its twist.
     fn reference_frames(&self, xi: f64) -> Result<(Motion, Motion)> {
         let station = Station::bare(shape_functions(&self.points, xi));
-        let first = self.untwisted(0);
-        let line = station.motion(|a| first.relative(&self.untwisted(a)))?;
-        let line = first.compose(&line.polar.motion());
+        let nodes = self.untwisted_nodes();
+        let line = station.motion(&relative(&nodes))?;
+        let line = nodes[0].compose(&line.polar.motion());
         let twist = about_axis(self.sections.twist(xi));
         let section = Motion::new(line.rotation * twist, line.position);
         Ok((line, section))
@@ -70,7 +78,7 @@ impl Beam {
             section: self.sections.at(xi),
             ..Station::bare(shape_functions(&self.points, xi))
         };
-        let kinematics = station.motion(|a| self.reference[0].relative(&self.reference[a]))?;
+        let kinematics = station.motion(&relative(&self.reference))?;
         station.reference = kinematics.e.to_twist();
         station.stretch = self.stretch_at(xi)?;
         if self.sections.has_corners() {
@@ -105,10 +113,9 @@ impl Beam {
         }
         let station = Station::bare(shape_functions(&self.points, xi));
         let line = if self.sections.is_twisted() {
-            let first = self.untwisted(0);
-            station.motion(|a| first.relative(&self.untwisted(a)))?
+            station.motion(&relative(&self.untwisted_nodes()))?
         } else {
-            station.motion(|a| self.reference[0].relative(&self.reference[a]))?
+            station.motion(&relative(&self.reference))?
         };
         Ok(line.e.to_twist().fixed_rows::<3>(0).norm())
     }
@@ -161,9 +168,8 @@ impl Beam {
             let section = if self.sections.is_twisted() {
                 self.reference_frames(xi)?.1
             } else {
-                let relative =
-                    station.motion(|a| self.reference[0].relative(&self.reference[a]))?;
-                self.reference[0].compose(&relative.polar.motion())
+                let section = station.polar(&relative(&self.reference))?;
+                self.reference[0].compose(&section.motion())
             };
             let carry: Vec<Matrix6<f64>> = self
                 .reference

@@ -33,22 +33,33 @@ pub(in crate::elements) struct StationMotion {
     pub(super) e: DualVector,
 }
 
-/// What the tangent needs of one node at one station.
+/// Where one node is, seen from one station.
 #[derive(Debug, Clone, Copy)]
-pub(in crate::elements) struct NodeTerms {
+pub(in crate::elements) struct NodePlace {
+    /// The node's shape function there, and its derivative in ξ.
     pub(super) shape: (f64, f64),
     /// Motion of the node relative to the section, `X = RᵀM`.
     pub(super) x: DualMatrix,
     pub(super) x_axial: DualVector,
-    /// `C = tr(X) I − Xᵀ`.
-    pub(super) c: DualMatrix,
-    /// Section's turn, strain, and the multipliers `μ`, `ν` for a unit increment of the node.
+}
+
+/// What the tangent needs of one node at one station.
+#[derive(Debug, Clone, Copy)]
+pub(in crate::elements) struct NodeTerms {
+    /// `X ẽ`.
+    pub(super) x_e: DualMatrix,
+    /// Section's turn and strain for a unit increment of the node.
     pub turn: DualMatrix,
     pub(super) strain: DualMatrix,
-    pub(super) mu: DualMatrix,
-    pub(super) nu: DualMatrix,
     /// Strain rate, at constant nodal velocities, for a unit increment of the node.
     pub(super) rate: DualMatrix,
+}
+
+impl NodePlace {
+    /// `C = tr(X) I − Xᵀ`.
+    pub(super) fn c(&self) -> DualMatrix {
+        self.x.trace_minus_transpose()
+    }
 }
 
 impl Station {
@@ -82,14 +93,13 @@ impl Station {
         )
     }
 
-    /// Kinematics, for node motions given relative to some common frame.
-    pub fn motion(&self, relative: impl Fn(usize) -> Motion) -> Result<StationMotion> {
+    /// Kinematics, for node motions `relative` to some common frame.
+    pub fn motion(&self, relative: &[DualMatrix]) -> Result<StationMotion> {
         let mut g = DualMatrix::zeros();
         let mut g_prime = DualMatrix::zeros();
-        for (a, shape) in self.shapes.iter().enumerate() {
-            let y = relative(a).to_dual();
-            g += y * shape.0;
-            g_prime += y * shape.1;
+        for (y, shape) in relative.iter().zip(&self.shapes) {
+            g += *y * shape.0;
+            g_prime += *y * shape.1;
         }
         let polar = polar_factors(&g)?;
         let q = polar.rotation.tr_mul(&g_prime);
@@ -111,35 +121,28 @@ impl Station {
         polar_factors(&g)
     }
 
-    /// First variations: section turn `A Δρ = Σ N_a C_a Δu_a` and strain
-    /// `A Δe = Σ (N'_a C_a + N_a (2 e x_aᵀ − X_a ẽ)) Δu_a + ((S e)~ − tr(Q) I + Q) Δρ`.
-    pub fn node_terms<'a>(
+    /// The nodes as seen from here.
+    pub fn places<'a>(
         &'a self,
         at: &'a StationMotion,
-        relative: impl Fn(usize) -> Motion + 'a,
-    ) -> impl Iterator<Item = NodeTerms> + 'a {
-        let a_inverse = at.polar.spread_inverse;
-        let turn_to_strain = at.turn_to_strain();
-        let e_skew = at.e.skew();
-        self.shapes.iter().enumerate().map(move |(a, &shape)| {
-            let x = at.polar.rotation.tr_mul(&relative(a).to_dual());
+        relative: &'a [DualMatrix],
+    ) -> impl Iterator<Item = NodePlace> + 'a {
+        let nodes = relative.iter().zip(&self.shapes);
+        nodes.map(|(y, &shape)| {
+            let x = at.polar.rotation.tr_mul(y);
             let x_axial = x.axial();
-            let c = x.trace_minus_transpose();
-            let turn = a_inverse * c * shape.0;
-            let direct = c * shape.1 + (at.e.outer(&x_axial) * 2.0 - x * e_skew) * shape.0;
-            NodeTerms {
-                shape,
-                x,
-                x_axial,
-                c,
-                turn,
-                strain: a_inverse * (direct + turn_to_strain * turn),
-                mu: DualMatrix::zeros(),
-                nu: DualMatrix::zeros(),
-                rate: DualMatrix::zeros(),
-            }
+            NodePlace { shape, x, x_axial }
         })
     }
+}
+
+/// Motions of nodes relative to the first.
+pub(in crate::elements) fn relative_to_first<'a>(
+    motions: impl Iterator<Item = &'a Motion> + Clone + 'a,
+) -> impl Iterator<Item = DualMatrix> + 'a {
+    let first = motions.clone().next();
+    let relative = move |motion: &Motion| first.unwrap_or(motion).relative(motion).to_dual();
+    motions.map(relative)
 }
 
 fn polar_factors(g: &DualMatrix) -> Result<DualPolar> {
@@ -156,15 +159,68 @@ impl StationMotion {
     pub(super) fn turn_to_strain(&self) -> DualMatrix {
         (self.polar.factor * self.e).skew() - self.q.trace_minus()
     }
-}
 
-/// `ė = Σ B_a V_a`.
-pub(super) fn strain_rate(terms: &[NodeTerms], states: &[NodeState]) -> DualVector {
-    let mut rate = DualVector::zeros();
-    for (node, state) in terms.iter().zip(states) {
-        rate += node.strain * DualVector::from_twist(&state.twist);
+    /// First variations: section turn `A Δρ = Σ N_a C_a Δu_a` and strain
+    /// `A Δe = Σ (N'_a C_a + N_a (2 e x_aᵀ − X_a ẽ)) Δu_a + P Δρ`.
+    pub fn node_terms<'a>(
+        &'a self,
+        places: impl Iterator<Item = NodePlace> + 'a,
+    ) -> impl Iterator<Item = NodeTerms> + 'a {
+        let a_inverse = self.polar.spread_inverse;
+        let turn_to_strain = self.turn_to_strain();
+        places.map(move |node| {
+            let (n, n_prime) = node.shape;
+            let (c, x_e) = (node.c(), node.x.times_skew(&self.e));
+            let turn = a_inverse * c * n;
+            let direct = c * n_prime + (self.e.outer(&node.x_axial) * 2.0 - x_e) * n;
+            NodeTerms {
+                x_e,
+                turn,
+                strain: a_inverse * (direct + turn_to_strain * turn),
+                rate: DualMatrix::zeros(),
+            }
+        })
     }
-    rate
+
+    /// `ė`: the first variation for the nodes' velocities.
+    pub(super) fn strain_rate(&self, places: &[NodePlace], states: &[NodeState]) -> DualVector {
+        let (mut turn, mut direct) = (DualVector::zeros(), DualVector::zeros());
+        for (node, state) in places.iter().zip(states) {
+            let (n, n_prime) = node.shape;
+            let v = DualVector::from_twist(&state.twist);
+            let c_v = v * node.x.trace() - node.x.transpose() * v;
+            turn += c_v * n;
+            let by_shape = self.e * (node.x_axial.dot(&v) * 2.0) - node.x * self.e.cross(&v);
+            direct += c_v * n_prime + by_shape * n;
+        }
+        let a_inverse = self.polar.spread_inverse;
+        a_inverse * (direct + self.turn_to_strain() * (a_inverse * turn))
+    }
+
+    /// Force `N' Cᵀ μ + N (Cᵀ ν + 2 (μᵀe) x + ẽ Xᵀ μ)` of a stress resultant on each node: what
+    /// does work on the first variation of the strain.
+    pub(super) fn node_forces<'a>(
+        &'a self,
+        stress: &DualVector,
+        places: impl Iterator<Item = &'a NodePlace> + 'a,
+    ) -> impl Iterator<Item = DualVector> + 'a {
+        let (mu, nu) = self.adjoint(stress);
+        let mu_e = mu.dot(&self.e) * 2.0;
+        places.map(move |node| {
+            let (n, n_prime) = node.shape;
+            let (x, e) = (&node.x, &self.e);
+            let by_shape =
+                x.trace_minus_times(&nu) + node.x_axial * mu_e + e.cross(&(x.transpose() * mu));
+            x.trace_minus_times(&mu) * n_prime + by_shape * n
+        })
+    }
+
+    /// `μ = A⁻¹ σ` and `ν = A⁻¹ Pᵀ μ` of a stress resultant.
+    pub(super) fn adjoint(&self, stress: &DualVector) -> (DualVector, DualVector) {
+        let a_inverse = self.polar.spread_inverse;
+        let mu = a_inverse * *stress;
+        (mu, a_inverse * (self.turn_to_strain().transpose() * mu))
+    }
 }
 
 /// A turn about axis 1.

@@ -4,12 +4,13 @@ use crate::collocation::{Collocation, GridState, Pattern, Tangent};
 use crate::error::Result;
 use crate::solve::linear::dense::{largest, probe};
 use crate::solve::linear::diagnosis::{Singularity, diagnose};
-use crate::solve::linear::direct::DirectSolver;
+use crate::solve::linear::direct::{Columns, DirectSolver};
 use crate::solve::linear::freedoms::FreedomSolver;
 use crate::solve::linear::slender::Slender;
 use crate::solve::linear::solver::LinearSolver;
 use crate::solve::report::{Timings, timed};
 use crate::workers::Workers;
+use faer::MatMut;
 use std::cell::OnceCell;
 
 /// The Jacobian's values, and their factors.
@@ -109,6 +110,21 @@ impl Assembled {
     /// not finite.
     pub(crate) fn substitute(&self, rhs: &mut [f64]) -> bool {
         self.solver.as_ref().is_some_and(|solver| solver.solve(rhs))
+    }
+
+    /// The same for several right sides.
+    ///
+    /// # Errors
+    /// If work is to end.
+    pub(crate) fn substitute_columns(
+        &self,
+        rhs: MatMut<f64>,
+        memory: &mut Columns,
+    ) -> Result<bool> {
+        match &self.solver {
+            Some(solver) => solver.solve_columns(rhs, memory),
+            None => Ok(false),
+        }
     }
 
     /// Sign of the determinant of the factored Jacobian, and logarithm of its size.

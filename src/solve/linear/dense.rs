@@ -68,8 +68,13 @@ pub(crate) fn solve_upper<'a>(column: impl Fn(usize) -> &'a [f64], y: &mut [f64]
     let mut end = y.len();
     while end > 0 {
         let start = end.saturating_sub(TOGETHER);
+        // Divided beforehand, as no quotient has to wait for another.
+        let mut inverses = [0.0; TOGETHER];
+        for (inverse, j) in inverses.iter_mut().zip(start..end) {
+            *inverse = 1.0 / column(j)[j];
+        }
         for j in (start..end).rev() {
-            y[j] /= column(j)[j];
+            y[j] *= inverses[j - start];
             for i in start..j {
                 y[i] -= column(j)[i] * y[j];
             }

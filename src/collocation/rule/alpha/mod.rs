@@ -175,10 +175,11 @@ impl AlphaStep {
     /// `v₁`, `v̇₁` and `a₁` with the increment `Ψ`, from `v₀`, `v̇₀` and `a₀`.
     fn end(&self, psi: &Vector6<f64>, [v, rate, a]: [&Vector6<f64>; 3]) -> [Vector6<f64>; 3] {
         let (method, h) = (&self.method, self.length);
-        let a1 = (psi / h - v - a * ((0.5 - method.beta) * h)) / (method.beta * h);
+        let (per_step, per_beta) = (1.0 / h, 1.0 / (method.beta * h));
+        let a1 = (psi * per_step - v - a * ((0.5 - method.beta) * h)) * per_beta;
         let v1 = v + (a * (1.0 - method.gamma) + a1 * method.gamma) * h;
         let rate1 = (a1 * (1.0 - method.alpha_m) + a * method.alpha_m - rate * method.alpha_f)
-            / (1.0 - method.alpha_f);
+            * (1.0 / (1.0 - method.alpha_f));
         [v1, rate1, a1]
     }
 

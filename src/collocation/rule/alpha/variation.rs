@@ -3,9 +3,8 @@
 
 use super::{AlphaStep, MotionState};
 use crate::collocation::problem::Collocation;
-use crate::collocation::tangent::{Increment, Tangent};
 use crate::elements::{Measure, Unknown};
-use crate::motion::inverse_tangent;
+use crate::motion::{Motion, inverse_tangent, product};
 use nalgebra::{Matrix6, Vector6};
 
 /// A variation of a [`MotionState`]: material increments of motions, and changes of all else.
@@ -59,9 +58,17 @@ impl VariationScales {
         24 * self.nodes + 3 * self.states.len()
     }
 
-    /// Internal states.
+    /// Places of the internal states among the own unknowns.
     pub fn states(&self) -> impl Iterator<Item = usize> {
         self.states.iter().map(|s| s.0)
+    }
+
+    /// What each entry is measured in.
+    pub fn units(&self) -> impl Iterator<Item = f64> {
+        let of_node = |i: usize| self.node_scale(i % 24 / 6, i % 6);
+        let of_state = |&(_, unit): &(usize, f64)| [0, 1, 2].map(|p| self.state_scale(unit, p));
+        let nodes = (0..24 * self.nodes).map(of_node);
+        nodes.chain(self.states.iter().flat_map(of_state))
     }
 
     /// What an entry of part `part` (`u`, `v`, `v̇`, `a`) is measured in.
@@ -158,36 +165,24 @@ impl MotionState {
 
 /// A step's linearisation at its end.
 #[derive(Debug)]
-pub struct StepVariation {
+pub struct StepVariation<'a> {
+    step: &'a AlphaStep,
     /// `T⁻¹(Ψ)` and `T⁻¹(Ψ) Ad(exp(−Ψ))` of each node.
     tangents: Vec<[Matrix6<f64>; 2]>,
-    /// What follows from the start alone: `δv₁`, `δv̇₁`, and rates of internal states.
-    free: Increment,
-    rhs: Vec<f64>,
 }
 
-impl StepVariation {
-    /// Of the step of `equations` to `end`.
-    pub fn new(step: &AlphaStep, end: &[crate::motion::Motion], size: usize) -> Self {
-        let tangents = step
-            .start
-            .state
-            .motions
-            .iter()
-            .zip(end)
-            .map(|(start, end)| {
-                let relative = start.relative(end);
-                let inverse = inverse_tangent(&relative.logarithm()).to_twist_matrix();
-                [inverse, inverse * relative.inverse().adjoint()]
-            });
+impl<'a> StepVariation<'a> {
+    /// Of the step whose nodes end at `end`.
+    pub fn new(step: &'a AlphaStep, end: &[Motion]) -> Self {
+        let nodes = step.start.state.motions.iter().zip(end);
+        let tangents = nodes.map(|(start, end)| {
+            let relative = start.relative(end);
+            let inverse = inverse_tangent(&relative.logarithm()).to_twist_matrix();
+            [inverse, inverse * relative.inverse().adjoint()]
+        });
         StepVariation {
+            step,
             tangents: tangents.collect(),
-            free: Increment {
-                x: vec![0.0; size],
-                rates: vec![[Vector6::zeros(); 2]; end.len()],
-                own_rates: Vec::new(),
-            },
-            rhs: vec![0.0; size],
         }
     }
 
@@ -209,61 +204,48 @@ impl StepVariation {
         }
     }
 
-    /// Makes the variation of the start that of the end. `solve` solves with the factored Jacobian
-    /// of the end, whose tangents are given.
-    pub fn propagate(
-        &mut self,
-        equations: &Collocation,
-        step: &AlphaStep,
-        tangent: &Tangent,
-        variation: &mut Variation,
-        solve: impl FnOnce(&mut [f64]) -> bool,
-    ) -> bool {
-        // As if the end did not move; then what its moving adds.
-        let of_nodes = variation.nodes.iter_mut().zip(&self.tangents);
-        for ((node, [_, turned]), free) in of_nodes.zip(&mut self.free.rates) {
-            let [u, v, rate, a] = &*node;
-            let [v1, rate1, a1] = step.end(&-(turned * u), [v, rate, a]);
-            *free = [v1, rate1];
-            *node = [Vector6::zeros(), v1, rate1, a1];
+    /// Makes a node's variation at the start, `δu`, `δv`, `δv̇` and `δa`, that of an end that does
+    /// not move.
+    pub fn hold(&self, node: usize, entries: &mut [f64]) {
+        let part = |p: usize| Vector6::from_column_slice(&entries[6 * p..][..6]);
+        let [u, v, rate, a] = [0, 1, 2, 3].map(part);
+        let psi = -product(&self.tangents[node][1], &u);
+        entries[..6].fill(0.0);
+        let held = self.step.end(&psi, [&v, &rate, &a]);
+        for (entries, held) in entries[6..].chunks_exact_mut(6).zip(&held) {
+            entries.copy_from_slice(held.as_slice());
         }
-        for state in &mut variation.states {
-            let [x, rate, a] = *state;
-            let [rate1, a1] = step.end_of_state(-x, [rate, a]);
-            *state = [0.0, rate1, a1];
-        }
-        self.free.own_rates.clear();
-        let rates = variation.states.iter().map(|s| s[1]);
-        self.free.own_rates.extend(rates);
-        tangent.forces(equations, &self.free, &mut self.rhs);
-        self.rhs.iter_mut().for_each(|x| *x = -*x);
-        if !solve(&mut self.rhs) {
-            return false;
-        }
-        let scales = equations.column_scale();
+    }
+
+    /// Adds to a node's variation what its end's moving by `u` does.
+    pub fn carry(&self, node: usize, u: &Vector6<f64>, entries: &mut [f64]) {
+        let step = self.step;
+        let psi = product(&self.tangents[node][0], u);
         let (first, second) = step.weights();
-        for (n, (node, [inverse, _])) in variation.nodes.iter_mut().zip(&self.tangents).enumerate()
-        {
-            let at = equations.layout().motion(n, 0);
-            let scale = Vector6::from_column_slice(&scales[at.clone()]);
-            let u = Vector6::from_column_slice(&self.rhs[at]).component_mul(&scale);
-            let psi = inverse * u;
-            node[0] = u;
-            node[1] += psi * first;
-            node[2] += psi * second;
-            node[3] += psi / (step.method.beta * step.length * step.length);
+        let averaged = 1.0 / (step.method.beta * step.length * step.length);
+        entries[..6].copy_from_slice(u.as_slice());
+        let parts = entries[6..].chunks_exact_mut(6);
+        for (entries, weight) in parts.zip([first, second, averaged]) {
+            entries
+                .iter_mut()
+                .zip(&psi)
+                .for_each(|(x, psi)| *x += psi * weight);
         }
-        let weight = step.state_weight();
-        let system = equations.system();
-        let own = equations.layout().own();
-        for ((place, state), at) in variation.states.iter_mut().enumerate().zip(own) {
-            if matches!(system.unknown(place), Unknown::State { .. }) {
-                let x = self.rhs[at] * scales[at];
-                state[0] = x;
-                state[1] += weight * x;
-                state[2] += x / (step.method.state_gamma * step.length);
-            }
-        }
-        true
+    }
+
+    /// [`StepVariation::hold`] of an internal state: `δx`, `δẋ` and the like of `δa`.
+    pub fn hold_state(&self, entries: &mut [f64]) {
+        let [rate, a] = self
+            .step
+            .end_of_state(-entries[0], [entries[1], entries[2]]);
+        entries.copy_from_slice(&[0.0, rate, a]);
+    }
+
+    /// [`StepVariation::carry`] of an internal state.
+    pub fn carry_state(&self, x: f64, entries: &mut [f64]) {
+        let step = self.step;
+        entries[0] = x;
+        entries[1] += step.state_weight() * x;
+        entries[2] += x / (step.method.state_gamma * step.length);
     }
 }

@@ -37,7 +37,7 @@ const UNREFINED: f64 = 0.1;
 /// Accuracy, relative to what is coarse, that still is.
 const FINER: f64 = 0.1;
 /// Most refinements of a solve.
-const REFINEMENTS: usize = 4;
+const REFINEMENTS: usize = 8;
 
 /// Direct solver for matrices of one pattern.
 #[derive(Debug)]

@@ -8,6 +8,7 @@
 
 mod newton;
 mod period_map;
+mod propagation;
 
 use crate::collocation::MotionState;
 use crate::elements::Unknown;

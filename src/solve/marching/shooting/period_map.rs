@@ -1,5 +1,6 @@
 //! The map of one period of a march, and its derivative, propagated through the linearised steps.
 
+use super::propagation::Variations;
 use crate::collocation::{
     AlphaStep, Conditions, GridState, MotionState, StepVariation, Variation, VariationScales,
 };
@@ -97,8 +98,7 @@ impl PeriodMap {
 
     /// Derivative of the end of an orbit with respect to its start, scaled.
     pub fn monodromy(&mut self, orbit: &Orbit) -> Result<Option<Mat<f64>>> {
-        let size = self.scales.size();
-        let mut columns: Vec<Variation> = (0..size).map(|j| self.unit(j)).collect();
+        let mut variations = Variations::of_all(&self.scales);
         let (method, length) = (self.marcher.method, self.period / self.steps as f64);
         let newton = &mut self.marcher.newton;
         for (k, (start, end)) in orbit.starts.iter().zip(&orbit.ends).enumerate() {
@@ -110,26 +110,13 @@ impl PeriodMap {
             if !newton.linear.factor_all(&newton.equations)? {
                 return Ok(None);
             }
-            let mut linear = StepVariation::new(&step, &end.motions, newton.equations.size());
-            for column in &mut columns {
-                newton.equations.workers().pulse()?;
-                let propagated = linear.propagate(
-                    &newton.equations,
-                    &step,
-                    &newton.linear.tangent,
-                    column,
-                    |rhs| newton.linear.substitute(rhs),
-                );
-                if !propagated {
-                    return Ok(None);
-                }
+            let step = StepVariation::new(&step, &end.motions);
+            let (equations, linear) = (&newton.equations, &newton.linear);
+            if !variations.propagate(equations, linear, &step, &self.scales)? {
+                return Ok(None);
             }
         }
-        let mut monodromy = Mat::zeros(size, size);
-        for (j, column) in columns.iter().enumerate() {
-            self.scales.pack(column, monodromy.col_as_slice_mut(j));
-        }
-        Ok(Some(monodromy))
+        Ok(Some(variations.scaled(&self.scales)))
     }
 
     /// Largest increment of motions and velocities.
@@ -147,7 +134,7 @@ impl PeriodMap {
         let size = self.scales.size();
         let mut tangent = Mat::zeros(size, size);
         let step = AlphaStep::new(self.marcher.method, 1.0, orbit.starts[0].clone());
-        let ends = StepVariation::new(&step, &orbit.end.state.motions, 0);
+        let ends = StepVariation::new(&step, &orbit.end.state.motions);
         for j in 0..size {
             let mut column = self.scales.unpack(monodromy.col_as_slice(j));
             ends.subtract(&self.unit(j), &mut column);
