@@ -62,6 +62,8 @@ fn run(model: &str, elements: usize, points: usize, threads: usize) {
     };
     let options = PeriodicOptions {
         threads,
+        // However much they take.
+        work_limit: 0.0,
         ..PeriodicOptions::with_grid_points(points)
     };
     let (mut seconds, mut spent) = (f64::INFINITY, 0.0);

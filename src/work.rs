@@ -48,6 +48,14 @@ impl Work {
         self.most.load(Ordering::Relaxed) as f64
     }
 
+    /// Work that is still allowed.
+    pub fn left(&self) -> f64 {
+        match self.is_bounded.load(Ordering::Relaxed) {
+            true => (self.most() - self.done()).max(0.0),
+            false => f64::INFINITY,
+        }
+    }
+
     /// Allows as much, unless it allows more.
     pub fn allow_more(&self, most: f64) {
         let before = self.most.load(Ordering::Relaxed);
@@ -76,12 +84,14 @@ mod tests {
     fn a_bound_ends_work_where_it_holds() {
         let work = Work::default();
         work.spend(1e15);
+        assert!(work.left().is_infinite());
         assert!(!work.bound(true) && !work.is_spent());
         work.allow_more(2e15);
         work.allow_more(1e15);
-        assert!(!work.is_spent());
+        assert!(!work.is_spent() && work.left() == 1e15);
         work.spend(1.5e15);
         assert!(work.is_spent() && work.done() == 2.5e15 && work.most() == 2e15);
+        assert_eq!(work.left(), 0.0);
         assert!(work.bound(false) && !work.is_spent());
     }
 }

@@ -58,6 +58,8 @@ pub(super) struct Interface {
 pub(super) struct Bounds {
     /// Most multiply-adds.
     pub most_work: f64,
+    /// Whether a band that leaves much of errors will do, as there is nothing else to try.
+    pub any_band: bool,
     /// Harmonics of free motions that may be left out, as far as is known.
     pub left_out: f64,
 }
@@ -110,8 +112,9 @@ impl Interface {
     /// What is kept of harmonics; none if that does not pay, or takes more than it may.
     fn reach_that_pays(&self) -> Option<Reach> {
         let reach = Reach::of(&self.parts, self.points, self.bounds.left_out);
-        let pays = OF_DENSE * reach.work() < dense_work(self.size()) || !self.may_be_dense();
-        (pays && reach.work() <= self.bounds.most_work && reach.bytes() <= LARGEST).then_some(reach)
+        let work = OF_DENSE * reach.work();
+        let pays = work < dense_work(self.size()) || !self.may_be_dense();
+        (pays && work <= self.bounds.most_work && reach.bytes() <= LARGEST).then_some(reach)
     }
 
     /// Whether a dense matrix takes no more work and memory than it may.
@@ -168,7 +171,7 @@ impl Interface {
                 self.bounds.left_out *= (AIM / error).sqrt().clamp(least, most).min(most);
                 self.reach = self.reach_that_pays();
             }
-            if is_sharp || self.reach.is_none() && !self.may_be_dense() {
+            if is_sharp || self.bounds.any_band && self.reach.is_none() && !self.may_be_dense() {
                 self.reach = Some(reach);
                 self.factors = Some(Factors::Banded(Box::new(band)));
                 return Ok(true);
@@ -366,6 +369,7 @@ mod tests {
     const POINTS: usize = 41;
     const BOUNDS: Bounds = Bounds {
         most_work: f64::INFINITY,
+        any_band: true,
         left_out: LEFT_OUT,
     };
 

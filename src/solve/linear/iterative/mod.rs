@@ -62,6 +62,8 @@ const KEPT: usize = 500_000_000;
 /// A solve that takes so many products more than the first with its preconditioner asks for a new
 /// one.
 const MANY: usize = 10;
+/// Part of the work that is left which a preconditioner may take, if there are others.
+const SHARE: f64 = 0.25;
 /// Time-local preconditioning is cheap. It is kept where it takes no more products than this,
 const FEW: usize = 12;
 /// or than this, where the system of the joints would take
@@ -235,8 +237,15 @@ impl Iterative {
         self.tangent.set_resultant_scale(1.0);
         while let Some(&(preconditioner, limit)) = self.candidates.first() {
             equations.workers().pulse()?;
+            // What takes much of the work that is left is put off while there is something else.
+            let is_last = self.candidates.len() == 1;
+            let affordable = match is_last {
+                true => f64::INFINITY,
+                false => SHARE * equations.workers().work().left(),
+            };
             let bounds = Bounds {
-                most_work: self.direct_work.unwrap_or(f64::INFINITY),
+                most_work: self.direct_work.unwrap_or(f64::INFINITY).min(affordable),
+                any_band: is_last,
                 left_out: self.left_out,
             };
             self.factors = Factors::new(equations, &self.tangent, preconditioner, bounds)?;
@@ -280,10 +289,12 @@ impl Iterative {
         if self.direct_work.is_some_and(|direct| direct < work) {
             return vec![local(few)];
         }
-        if self.fails_locally {
-            return vec![body, local(most)];
+        // At last with any band of the system of the joints.
+        let thorough = [body, local(most), body];
+        match self.fails_locally {
+            true => thorough.to_vec(),
+            false => [&[local(few)], &thorough[..]].concat(),
         }
-        vec![local(few), body, local(most)]
     }
 
     fn count_bytes(&mut self, vectors: usize, size: usize) {
@@ -382,9 +393,10 @@ impl LinearSolver for Iterative {
                 return Ok(rhs.iter().all(|x| x.is_finite()));
             }
             if !self.is_old {
-                let (failed, _) = self.candidates.remove(0);
+                let failed = self.candidates.remove(0);
+                self.candidates.retain(|other| *other != failed);
                 let far = end.error > ROUGH;
-                self.fails_locally |= failed == Preconditioner::TimeLocal && far;
+                self.fails_locally |= failed.0 == Preconditioner::TimeLocal && far;
             }
             if self.candidates.is_empty() || !self.prepare(equations, timings)? {
                 return Ok(false);
