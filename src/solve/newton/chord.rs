@@ -15,7 +15,7 @@ use std::ops::ControlFlow;
 /// The same matrix is used again while it is expected to end the iteration within so many steps.
 pub(super) const STEPS: i32 = 3;
 /// Largest contraction, from one increment to the next with the same matrix, that is worth another.
-const CONTRACTION: f64 = 0.2;
+const CONTRACTION: f64 = 0.4;
 
 /// What to do with a simplified increment.
 #[derive(Debug, PartialEq, Eq)]

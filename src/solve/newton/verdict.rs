@@ -99,7 +99,8 @@ impl Left<'_> {
             && self.equations.violation(self.residual) > self.options.tolerance.max(VIOLATION)
     }
 
-    /// The end where they are.
+    /// The end where they are and nothing moves any more. Before that they may be open because a
+    /// solution is far.
     pub fn contradiction(&self) -> Option<Ending> {
         self.is_contradicted().then(|| {
             let why = describe_inconsistency(self.equations, self.residual);
@@ -109,26 +110,22 @@ impl Left<'_> {
 
     /// The end where no step by an increment of this size brings progress.
     pub fn stalled(&self, increment: f64) -> Ending {
-        self.contradiction().unwrap_or_else(|| {
-            let why = format!(
-                "no step along the Newton direction brings progress; the last increment is \
-                 {increment:.3e}{}",
-                describe_open_joint(self.equations, self.residual)
-            );
-            Ending::new(Outcome::Stalled, why)
-        })
+        let why = format!(
+            "no step along the Newton direction brings progress; the last increment is \
+             {increment:.3e}{}",
+            describe_open_joint(self.equations, self.residual)
+        );
+        Ending::new(Outcome::Stalled, why)
     }
 
     /// The end where no more iterations are allowed.
     pub fn exhausted(&self) -> Ending {
-        self.contradiction().unwrap_or_else(|| {
-            let why = format!(
-                "not converged after {} iterations{}",
-                self.options.iteration_limit,
-                describe_open_joint(self.equations, self.residual)
-            );
-            Ending::new(Outcome::IterationLimit, why)
-        })
+        let why = format!(
+            "not converged after {} iterations{}",
+            self.options.iteration_limit,
+            describe_open_joint(self.equations, self.residual)
+        );
+        Ending::new(Outcome::IterationLimit, why)
     }
 }
 
