@@ -457,6 +457,7 @@ module periodyn_c
         type(c_ptr) :: velocities = c_null_ptr
         type(c_funptr) :: progress = c_null_funptr
         type(c_ptr) :: progress_data = c_null_ptr
+        integer(c_size_t) :: memory_limit
     end type pdn_march_options
 
     type, bind(C) :: pdn_march_diagnostics

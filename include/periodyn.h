@@ -370,8 +370,8 @@
 #define PDN_TOLERANCE_NOT_MET 8
 
 /**
- * Outcome: all work was done that pdn_periodic_options.work_limit allows; the report tells what
- * was tried.
+ * Outcome: all work was done that pdn_periodic_options.work_limit allows, and the report tells
+ * what was tried; or as many steps of a march are kept as pdn_march_options.memory_limit allows.
  */
 #define PDN_WORK_LIMIT 9
 
@@ -1806,7 +1806,7 @@ typedef struct pdn_periodic_options {
      * that of an easy Newton iteration on the finest grid so far, by few products or by factors,
      * and a constant for small models. What takes more ends as PDN_WORK_LIMIT or, where a coarser
      * grid had a solution, with that as PDN_TOLERANCE_NOT_MET. Twice that on a given grid. 0 for
-     * no bound. Default 25.
+     * no bound. Default 20.
      */
     double work_limit;
     /**
@@ -2203,6 +2203,13 @@ typedef struct pdn_march_options {
      * Handed to progress.
      */
     void *progress_data;
+    /**
+     * Bytes of memory that the steps which are kept may take, by an estimate. A march whose
+     * number of steps is known, and takes more, is PDN_ERR_MEMORY before it begins; another that
+     * comes to take more ends there as PDN_WORK_LIMIT, with what was marched. 0 for no limit but
+     * that of the system. Default 0.
+     */
+    size_t memory_limit;
 } pdn_march_options;
 
 /**

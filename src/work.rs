@@ -10,7 +10,7 @@ pub(crate) const RESIDUAL: f64 = 1e3;
 /// their linearisation,
 pub(crate) const LINEARISATION: f64 = 2e3;
 /// and taking from a vector its part along another, for each entry: memory is slow.
-pub(crate) const PROJECTION: f64 = 8.0;
+pub(crate) const PROJECTION: f64 = 12.0;
 
 /// Work that was done, in multiply-adds of dense matrices or what takes as long, and how much of it
 /// may be. Without bound by default.

@@ -165,8 +165,8 @@ TOLERANCE_NOT_MET = 8
 report explains; quantities are as good as Diagnostics.error_estimate says.
 """
 WORK_LIMIT = 9
-"""Outcome: all work was done that PeriodicOptions.work_limit allows; the report tells what was
-tried.
+"""Outcome: all work was done that PeriodicOptions.work_limit allows, and the report tells what was
+tried; or as many steps of a march are kept as MarchOptions.memory_limit allows.
 """
 DECAY_UNKNOWN = 0
 """Decay of harmonics: not known, as there are too few or the solve has not converged."""
@@ -1025,7 +1025,7 @@ class PeriodicOptions(Struct):
     that of an easy Newton iteration on the finest grid so far, by few products or by factors,
     and a constant for small models. What takes more ends as WORK_LIMIT or, where a coarser grid
     had a solution, with that as TOLERANCE_NOT_MET. Twice that on a given grid. 0 for no bound.
-    Default 25.
+    Default 20.
     """
     memory_limit = Number("memory_limit")
     """Bytes of memory that the solve may take, by an estimate that is made before it is begun on a
@@ -1265,6 +1265,12 @@ class MarchOptions(Struct):
     """
     progress = Reference("progress", _callbacks.progress, "progress_data")
     """Told of each step, and about ten times a second while one lasts; may cancel. Default None.
+    """
+    memory_limit = Number("memory_limit")
+    """Bytes of memory that the steps which are kept may take, by an estimate. A march whose number
+    of steps is known, and takes more, is ERR_MEMORY before it begins; another that comes to
+    take more ends there as WORK_LIMIT, with what was marched. 0 for no limit but that of the
+    system. Default 0.
     """
 
 
@@ -2975,7 +2981,7 @@ class Model(ModelExtras):
                 grids: this many times that of an easy Newton iteration on the finest grid so
                 far, by few products or by factors, and a constant for small models. What takes
                 more ends as WORK_LIMIT or, where a coarser grid had a solution, with that as
-                TOLERANCE_NOT_MET. Twice that on a given grid. 0 for no bound. Default 25.
+                TOLERANCE_NOT_MET. Twice that on a given grid. 0 for no bound. Default 20.
             memory_limit: Bytes of memory that the solve may take, by an estimate that is made
                 before it is begun on a grid: one that would take more is ERR_MEMORY, and its
                 message tells the estimate. If grid_points is 0, only the first grid is refused
@@ -3180,7 +3186,7 @@ class Model(ModelExtras):
                 grids: this many times that of an easy Newton iteration on the finest grid so
                 far, by few products or by factors, and a constant for small models. What takes
                 more ends as WORK_LIMIT or, where a coarser grid had a solution, with that as
-                TOLERANCE_NOT_MET. Twice that on a given grid. 0 for no bound. Default 25.
+                TOLERANCE_NOT_MET. Twice that on a given grid. 0 for no bound. Default 20.
             memory_limit: Bytes of memory that the solve may take, by an estimate that is made
                 before it is begun on a grid: one that would take more is ERR_MEMORY, and its
                 message tells the estimate. If grid_points is 0, only the first grid is refused
@@ -3484,6 +3490,7 @@ class Model(ModelExtras):
         rotations=None,
         velocities=None,
         progress=None,
+        memory_limit=None,
     ):
         """Marches a model in time, for a given duration or until its motion repeats itself.
 
@@ -3541,6 +3548,10 @@ class Model(ModelExtras):
                 angular velocity, inertial frame; None for none. Default None.
             progress: Told of each step, and about ten times a second while one lasts; may
                 cancel. Default None.
+            memory_limit: Bytes of memory that the steps which are kept may take, by an
+                estimate. A march whose number of steps is known, and takes more, is ERR_MEMORY
+                before it begins; another that comes to take more ends there as WORK_LIMIT, with
+                what was marched. 0 for no limit but that of the system. Default 0.
 
         Returns:
             Solution: the solution, also if the march ended early
@@ -3563,6 +3574,7 @@ class Model(ModelExtras):
             rotations=rotations,
             velocities=velocities,
             progress=progress,
+            memory_limit=memory_limit,
         )
         like("positions", positions, (self.node_count(), 3))
         like("rotations", rotations, (self.node_count(), 3, 3))

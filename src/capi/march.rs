@@ -74,11 +74,16 @@ pub struct pdn_march_options {
     pub progress: pdn_progress_fn,
     /// Handed to progress.
     pub progress_data: *mut c_void,
+    /// Bytes of memory that the steps which are kept may take, by an estimate. A march whose
+    /// number of steps is known, and takes more, is PDN_ERR_MEMORY before it begins; another that
+    /// comes to take more ends there as PDN_WORK_LIMIT, with what was marched. 0 for no limit but
+    /// that of the system. Default 0.
+    pub memory_limit: usize,
 }
 
 // SAFETY: all fields are plain numbers or pointers, `struct_size` is the first, no padding.
 unsafe impl Options for pdn_march_options {
-    const SIZES: &'static [usize] = &[152];
+    const SIZES: &'static [usize] = &[152, 160];
 
     fn defaults() -> Self {
         let core = MarchOptions::with_step(1.0, MarchEnd::Duration(1.0));
@@ -206,6 +211,7 @@ fn read_march_options(
             iteration_limit: given.iteration_limit,
         },
         stored_periods: given.stored_periods,
+        memory_limit: given.memory_limit,
         watch: watch(given.progress, given.progress_data, PROGRESS_INTERVAL)?,
         ..MarchOptions::with_step(step, end)
     })

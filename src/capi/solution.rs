@@ -54,8 +54,8 @@ pub const PDN_WRONG_ASSEMBLY: i32 = 7;
 /// Outcome: converged on the last grid tried, but the estimated error misses the tolerance, as the
 /// report explains; quantities are as good as pdn_diagnostics.error_estimate says.
 pub const PDN_TOLERANCE_NOT_MET: i32 = 8;
-/// Outcome: all work was done that pdn_periodic_options.work_limit allows; the report tells what
-/// was tried.
+/// Outcome: all work was done that pdn_periodic_options.work_limit allows, and the report tells
+/// what was tried; or as many steps of a march are kept as pdn_march_options.memory_limit allows.
 pub const PDN_WORK_LIMIT: i32 = 9;
 
 /// Decay of harmonics: not known, as there are too few or the solve has not converged.

@@ -290,7 +290,7 @@ IS(PDN_START_MARCH, 5);
 IS(PDN_START_LOWERED_DAMPING, 6);
 IS(PDN_START_RAISED_LOADS, 7);
 
-SIZE(pdn_march_options, 152);
+SIZE(pdn_march_options, 160);
 AT(pdn_march_options, struct_size, 0);
 AT(pdn_march_options, start_time, 8);
 AT(pdn_march_options, duration, 16);
@@ -310,6 +310,7 @@ AT(pdn_march_options, rotations, 120);
 AT(pdn_march_options, velocities, 128);
 AT(pdn_march_options, progress, 136);
 AT(pdn_march_options, progress_data, 144);
+AT(pdn_march_options, memory_limit, 152);
 
 SIZE(pdn_shooting_options, 72);
 AT(pdn_shooting_options, struct_size, 0);

@@ -3,6 +3,7 @@
 /* For fork and setrlimit. */
 #define _XOPEN_SOURCE 700
 #include "driven_arm.h"
+#include "near.h"
 #include <stdint.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
@@ -190,6 +191,46 @@ static void own_limit(void)
     pdn_solution_free(found);
 }
 
+/* The steps of a march: refused where their number is known, else kept as far as the limit goes. */
+static void own_limit_of_a_march(void)
+{
+    pdn_march_options options;
+    pdn_solution *found = NULL;
+    char message[512];
+    unsigned long long estimate = 0;
+    const char *about;
+    pdn_diagnostics diagnostics;
+    PDN_INIT(pdn_march_options, &options);
+    CHECK(options.memory_limit == 0);
+    options.period = 2;
+    options.duration = 2;
+    options.step = 0.01;
+    options.memory_limit = 1000;
+    CHECK_STATUS(pdn_march(model, &options, &found), PDN_ERR_MEMORY);
+    CHECK_MESSAGE("more than options.memory_limit allows (1000)");
+    CHECK(found == NULL);
+    pdn_last_error(message, sizeof message);
+    about = strstr(message, "about ");
+    CHECK(about != NULL && sscanf(about, "about %llu bytes", &estimate) == 1);
+    options.memory_limit = (size_t)estimate;
+    CHECK_STATUS(pdn_march(model, &options, &found), PDN_OK);
+    CHECK(pdn_solution_outcome(found) == PDN_CONVERGED);
+    pdn_solution_free(found);
+
+    /* Steps chosen by their errors: memory of five steps is five steps. */
+    found = NULL;
+    options.error_tolerance = 1;
+    options.step = 0.001;
+    options.memory_limit = (size_t)estimate / 201 * 5;
+    CHECK_STATUS(pdn_march(model, &options, &found), PDN_OK);
+    CHECK(pdn_solution_outcome(found) == PDN_WORK_LIMIT);
+    PDN_INIT(pdn_diagnostics, &diagnostics);
+    CHECK_STATUS(pdn_solution_diagnostics(found, &diagnostics), PDN_OK);
+    CHECK(diagnostics.grid_points == 5);
+    CHECK(reports(found, "options.memory_limit"));
+    pdn_solution_free(found);
+}
+
 static void in_a_child(void (*test)(void), size_t bytes)
 {
     int status = 0;
@@ -226,6 +267,7 @@ int main(void)
     printf("%zu refused, %zu solved\n", refused, solved);
     CHECK(refused > 10 && solved > 10);
     own_limit();
+    own_limit_of_a_march();
 
     pdn_solution_free(solution);
     pdn_model_free(model);

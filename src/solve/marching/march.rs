@@ -7,8 +7,9 @@ use crate::solve::marching::marcher::Marcher;
 use crate::solve::marching::options::{END, MarchEnd, MarchOptions};
 use crate::solve::marching::repetition::{difference, distance, is_periodic};
 use crate::solve::marching::start::begin;
-use crate::solve::marching::trajectory::{Kept, finish, require_steps};
+use crate::solve::marching::trajectory::{Kept, finish, of_steps, require_steps};
 use crate::solve::marching::{Stop, Tried, refused};
+use crate::solve::memory::MemoryLimit;
 use crate::solve::report::{Iteration, Outcome};
 use crate::solve::result::Solved;
 use crate::solve::step_length::StepLength;
@@ -84,9 +85,17 @@ impl Run<'_> {
 
     /// Keeps the state after a step, and tells of it.
     fn keep(&mut self) -> Tried<()> {
-        let kept = self.kept.len();
+        let (system, kept) = (self.marcher.newton.equations.system(), self.kept.len());
         if kept.is_multiple_of(STEPS_AT_A_TIME) {
-            require_steps(self.marcher.newton.equations.system(), STEPS_AT_A_TIME)?;
+            require_steps(system, STEPS_AT_A_TIME)?;
+        }
+        let limit = MemoryLimit(self.options.memory_limit);
+        if of_steps(system, kept + 1) as f64 > limit.bytes() {
+            let why = format!(
+                "options.memory_limit ({} bytes) allows no more than {kept} steps to be kept",
+                self.options.memory_limit
+            );
+            return Err(Stop::Refused((Outcome::WorkLimit, why)));
         }
         memory::reserve("steps of the march", &mut self.kept, 1)?;
         self.kept.push(Kept::of(self.marcher.now()));
@@ -206,7 +215,8 @@ pub fn march(
     if let (MarchEnd::Duration(duration), None, 0) =
         (options.end, options.error_tolerance, options.stored_periods)
     {
-        require_steps(&system, (duration / length) as usize)?;
+        let bytes = of_steps(&system, (duration / length) as usize + 1);
+        MemoryLimit(options.memory_limit).require("steps of the march", bytes)?;
     }
     let time = options.start_time;
     let watching = options.watch.begin(Stage::March { time }, 1);

@@ -70,6 +70,8 @@ pub struct MarchOptions {
     pub newton: NewtonOptions,
     /// Keep only this number of the last periods; all if zero.
     pub stored_periods: usize,
+    /// Bytes that the steps which are kept may take, by an estimate; no limit if zero.
+    pub memory_limit: usize,
     /// Who is told how the march goes on, and may cancel it.
     pub watch: Watch,
 }
@@ -95,6 +97,7 @@ impl MarchOptions {
                 iteration_limit: 20,
             },
             stored_periods: 0,
+            memory_limit: 0,
             watch: Watch::default(),
         }
     }

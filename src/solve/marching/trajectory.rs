@@ -30,15 +30,20 @@ impl Kept {
     }
 }
 
-/// Checks that so many steps can be kept, and put together.
+/// Bytes that so many steps take, kept and put together.
+pub(super) fn of_steps(system: &System, steps: usize) -> usize {
+    let node = size_of::<Motion>() + size_of::<NodeState>();
+    let own = size_of::<f64>() * (system.own_unknowns() + system.tracked());
+    let step = system.nodes().saturating_mul(node) + own + size_of::<Kept>();
+    steps.saturating_mul(2 * step)
+}
+
+/// Checks that so many steps are to be had.
 ///
 /// # Errors
 /// [`crate::error::ErrorKind::OutOfMemory`].
 pub(super) fn require_steps(system: &System, steps: usize) -> Result<()> {
-    let node = size_of::<Motion>() + size_of::<NodeState>();
-    let own = size_of::<f64>() * (system.own_unknowns() + system.tracked());
-    let step = system.nodes().saturating_mul(node) + own + size_of::<Kept>();
-    memory::require_items("steps of the march", steps, 2 * step)
+    memory::require("steps of the march", of_steps(system, steps))
 }
 
 /// Puts the states of all times together.
