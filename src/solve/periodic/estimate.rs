@@ -2,7 +2,7 @@
 //! See docs/theory.md, section 10.3.
 
 use super::Periodic;
-use super::waves::Waves;
+use super::waves::{LeftOut, Waves};
 use crate::collocation::{Decay, DecayKind, Defect, GridState, ResidualBetween};
 use crate::error::{ErrorKind, Result};
 use crate::fourier::TimeGrid;
@@ -18,6 +18,8 @@ use std::time::Instant;
 
 /// The harmonics of a load that are named are those that leave this fraction of the error.
 const MOST: f64 = 0.1;
+/// So many times the error that is accepted calls for a finer grid, whatever else adds to it.
+const FAR: f64 = 10.0;
 /// Residuals so small are rounding.
 const BALANCED: f64 = 1e-9;
 
@@ -137,6 +139,7 @@ impl Periodic<'_> {
             let aliased = self.on.newton.response(&mut aliased)?;
             let mut waves = Waves::new(&self.on.newton.equations, state)?;
             let left_out = match aliased {
+                Some(error) if self.is_far(error) => Some(LeftOut::like(error)),
                 Some(aliased) => waves.left_out(&defect, aliased, self.accepted)?,
                 None => None,
             };
@@ -162,6 +165,11 @@ impl Periodic<'_> {
         found.error += left_by_newton(&report.iterations);
         self.assessed = Some((self.on.grid, found.clone()));
         Ok(found)
+    }
+
+    /// Whether an error calls for a finer grid, which tells more than a close look at this one.
+    fn is_far(&self, error: f64) -> bool {
+        self.accepted > 0.0 && error > FAR * self.accepted
     }
 
     /// Motions by what the grid takes the harmonics of the loads for that it cannot hold.

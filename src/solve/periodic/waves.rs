@@ -30,6 +30,16 @@ pub(crate) struct LeftOut {
     pub resounding: Option<usize>,
 }
 
+impl LeftOut {
+    /// As much as what the grid has taken for its own harmonics.
+    pub fn like(aliased: f64) -> Self {
+        LeftOut {
+            error: aliased,
+            resounding: None,
+        }
+    }
+}
+
 /// Equations of a wave about a grid point.
 pub(crate) struct Waves<'a> {
     /// On three points of the period of the wave.
