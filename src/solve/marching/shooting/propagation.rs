@@ -4,10 +4,12 @@ use crate::collocation::{Collocation, StepVariation, VariationScales};
 use crate::error::Result;
 use crate::solve::linear::assembled::Assembled;
 use crate::solve::linear::direct::Columns;
-use crate::workers::Workers;
-use faer::linalg::matmul::matmul;
-use faer::{Accum, Mat, MatMut, MatRef, Par};
-use nalgebra::Vector6;
+use faer::Mat;
+use nalgebra::{Matrix6, Vector6};
+use std::ops::Range;
+
+/// Variations that are taken through a step together: so many fit the cache.
+const TOGETHER: usize = 64;
 
 /// Variations of a motion at one time, one to a column, in the order of [`VariationScales`] but not
 /// scaled.
@@ -52,24 +54,41 @@ impl Variations {
         step: &StepVariation,
         scales: &VariationScales,
     ) -> Result<bool> {
+        for first in (0..self.columns.ncols()).step_by(TOGETHER) {
+            equations.workers().pulse()?;
+            let some = first..self.columns.ncols().min(first + TOGETHER);
+            if !self.propagate_some(some, equations, linear, (step, scales))? {
+                return Ok(false);
+            }
+        }
+        Ok(true)
+    }
+
+    /// The same of some columns.
+    fn propagate_some(
+        &mut self,
+        some: Range<usize>,
+        equations: &Collocation,
+        linear: &Assembled,
+        (step, scales): (&StepVariation, &VariationScales),
+    ) -> Result<bool> {
         // As if the end did not move; then what its moving adds.
         let nodes = 24 * equations.system().nodes();
-        let workers = equations.workers();
-        each(&mut self.columns, workers, |_, column| {
-            let (nodes, states) = column.split_at_mut(nodes);
+        for j in some.clone() {
+            let (nodes, states) = self.columns.col_as_slice_mut(j).split_at_mut(nodes);
             let of_nodes = nodes.chunks_exact_mut(24).enumerate();
             of_nodes.for_each(|(node, entries)| step.hold(node, entries));
             let states = states.chunks_exact_mut(3);
             states.for_each(|entries| step.hold_state(entries));
-        })?;
-        self.write_rates(equations, linear, scales);
+        }
+        self.write_rates(some.clone(), equations, linear, scales);
         if !linear.substitute_columns(self.rhs.as_mut(), &mut self.memory)? {
             return Ok(false);
         }
         let (layout, units) = (equations.layout(), equations.column_scale());
-        let (own, moved) = (layout.own().start, self.rhs.as_ref());
-        each(&mut self.columns, workers, |j, column| {
-            let x = moved.col(j);
+        let own = layout.own().start;
+        for (moved, j) in some.enumerate() {
+            let (x, column) = (self.rhs.col(moved), self.columns.col_as_slice_mut(j));
             let (nodes, states) = column.split_at_mut(nodes);
             for (node, entries) in nodes.chunks_exact_mut(24).enumerate() {
                 let at = layout.motion(node, 0).start;
@@ -80,42 +99,41 @@ impl Variations {
                 let at = own + place;
                 step.carry_state(x[at] * units[at], entries);
             }
-        })?;
+        }
         Ok(true)
     }
 
-    /// Writes what the rates at the end leave of the scaled equations.
+    /// Writes what the rates of some columns at the end leave of the scaled equations.
     fn write_rates(
         &mut self,
+        some: Range<usize>,
         equations: &Collocation,
         linear: &Assembled,
         scales: &VariationScales,
     ) {
-        let (count, tangent) = (self.columns.ncols(), &linear.tangent);
+        let (count, tangent) = (some.len(), &linear.tangent);
         if (self.rhs.nrows(), self.rhs.ncols()) != (equations.size(), count) {
             self.rhs = Mat::zeros(equations.size(), count);
         }
         self.rhs.as_mut().fill(0.0);
         let (layout, units) = (equations.layout(), equations.row_scale());
-        let subtract = |to: MatMut<f64>, by: MatRef<f64>, from: MatRef<f64>| {
-            matmul(to, Accum::Add, by, from, -1.0, Par::Seq);
-        };
-        let mut by_rates = Mat::zeros(6, 12);
         for (pair, coupling) in tangent.couplings().iter().enumerate() {
             if !coupling.moving {
                 continue;
             }
             let (at, rows) = (tangent.pair(pair, 0), layout.motion(coupling.row, 0));
-            for i in 0..6 {
-                let unit = units[rows.start + i];
-                for j in 0..6 {
-                    by_rates[(i, j)] = unit * at.damping[(i, j)];
-                    by_rates[(i, 6 + j)] = unit * at.mass[(i, j)];
-                }
+            let units = Vector6::from_column_slice(&units[rows.clone()]);
+            let scaled = |by: &Matrix6<f64>| Matrix6::from_fn(|i, j| units[i] * by[(i, j)]);
+            let (damping, mass) = (scaled(&at.damping), scaled(&at.mass));
+            let rates = 24 * coupling.column + 6;
+            for (moved, j) in some.clone().enumerate() {
+                let rates = &self.columns.col_as_slice(j)[rates..][..12];
+                let (velocity, acceleration) = rates.split_at(6);
+                let left = damping * Vector6::from_column_slice(velocity)
+                    + mass * Vector6::from_column_slice(acceleration);
+                let to = &mut self.rhs.col_as_slice_mut(moved)[rows.clone()];
+                to.iter_mut().zip(&left).for_each(|(to, left)| *to -= left);
             }
-            let rates = self.columns.as_ref().subrows(24 * coupling.column + 6, 12);
-            let to = self.rhs.as_mut().subrows_mut(rows.start, 6);
-            subtract(to, by_rates.as_ref(), rates);
         }
         let system = equations.system();
         let states: Vec<usize> = scales.states().collect();
@@ -131,29 +149,15 @@ impl Variations {
                     continue;
                 };
                 let of_state = &by_rate[column * rows.len()..][..rows.len()];
-                let by_rate = Mat::from_fn(rows.len(), 1, |row, _| {
-                    units[rows.start + row] * of_state[row]
-                });
-                let rates = self.columns.as_ref().subrows(first + 3 * state + 1, 1);
-                let to = self.rhs.as_mut().subrows_mut(rows.start, rows.len());
-                subtract(to, by_rate.as_ref(), rates);
+                let units = &units[rows.clone()];
+                for (moved, j) in some.clone().enumerate() {
+                    let rate = self.columns.col_as_slice(j)[first + 3 * state + 1];
+                    let to = &mut self.rhs.col_as_slice_mut(moved)[rows.clone()];
+                    for ((to, unit), by) in to.iter_mut().zip(units).zip(of_state) {
+                        *to -= unit * by * rate;
+                    }
+                }
             }
         }
     }
-}
-
-/// Works on each column.
-///
-/// # Errors
-/// If work is to end.
-fn each(
-    columns: &mut Mat<f64>,
-    workers: &Workers,
-    mut work: impl FnMut(usize, &mut [f64]),
-) -> Result<()> {
-    for j in 0..columns.ncols() {
-        workers.pulse()?;
-        work(j, columns.col_as_slice_mut(j));
-    }
-    Ok(())
 }
