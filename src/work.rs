@@ -9,8 +9,11 @@ pub(crate) const PRODUCT: f64 = 1e3;
 pub(crate) const RESIDUAL: f64 = 1e3;
 /// their linearisation,
 pub(crate) const LINEARISATION: f64 = 2e3;
-/// and taking from a vector its part along another, for each entry: memory is slow.
+/// taking from a vector its part along another, for each entry: memory is slow.
 pub(crate) const PROJECTION: f64 = 12.0;
+/// And a multiply-add of factors takes as long as so much of one: each number that is read is used
+/// often.
+pub(crate) const OF_FACTORS: f64 = 0.3;
 
 /// Work that was done, in multiply-adds of dense matrices or what takes as long, and how much of it
 /// may be. Without bound by default.

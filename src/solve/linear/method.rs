@@ -12,7 +12,7 @@ use crate::solve::linear::ordering::plan;
 use crate::solve::linear::solver::{ESTIMATE, LinearSolver};
 use crate::solve::report::{Timings, timed};
 use crate::system::System;
-use crate::work::{LINEARISATION, PRODUCT, RESIDUAL};
+use crate::work::{LINEARISATION, OF_FACTORS, PRODUCT, RESIDUAL};
 use nalgebra::Matrix6;
 use std::collections::BTreeSet;
 
@@ -98,8 +98,11 @@ impl DirectCost {
 /// factors or by few products, as costs less.
 pub(crate) fn easy_iteration(system: &System, points: usize) -> f64 {
     let numbers = system.layout(points).motions().len() as f64;
-    let by_products = EASY_PRODUCTS * PRODUCT * numbers;
-    let solved = by_products.min(DirectCost::of(system, points).work);
+    let by_factors = DirectCost::of(system, points).work;
+    let solved = match by_factors < AFFORDABLE * numbers {
+        true => OF_FACTORS * by_factors,
+        false => by_factors.min(EASY_PRODUCTS * PRODUCT * numbers),
+    };
     solved + (LINEARISATION + 2.0 * RESIDUAL) * numbers
 }
 

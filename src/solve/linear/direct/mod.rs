@@ -18,6 +18,7 @@ use crate::solve::linear::direct::analysis::Analysis;
 use crate::solve::linear::direct::factorisation::Factorisation;
 use crate::solve::linear::front::Front;
 use crate::solve::linear::solver::COARSE;
+use crate::work::OF_FACTORS;
 use crate::workers::Workers;
 use faer::Mat;
 use std::sync::Arc;
@@ -108,7 +109,7 @@ impl DirectSolver {
 
     fn factor_fronts(&mut self, values: &[f64]) -> Result<bool> {
         let analysis = &self.analysis;
-        self.workers.work().spend(analysis.work());
+        self.workers.work().spend(OF_FACTORS * analysis.work());
         let workers = self.workers.for_work(analysis.work() as usize);
         Factorisation::new(analysis, values, self.smallest_pivot, &workers).run(&mut self.fronts)
     }

@@ -13,6 +13,7 @@ use crate::collocation::{Collocation, GridState, MotionTangent, Pattern};
 use crate::error::Result;
 use crate::solve::linear::dense::{largest, solve_unit_lower, solve_upper};
 use crate::solve::linear::partial_lu::factor_partially;
+use crate::work::OF_FACTORS;
 use crate::workers::Workers;
 use faer::{Mat, Par};
 use forces::{Assembled, Forces};
@@ -236,7 +237,8 @@ impl FreedomSolver {
         let (count, size) = (self.layout.constraints, self.layout.coordinates);
         let rank = self.layout.rank();
         let points = self.layout.points as f64;
-        workers.work().spend(elimination(points, count, size));
+        let work = OF_FACTORS * elimination(points, count, size);
+        workers.work().spend(work);
         self.accurate = false;
         let places = (&self.layout, &self.elements[..]);
         for (k, point) in self.points.iter_mut().enumerate() {
@@ -259,7 +261,8 @@ impl FreedomSolver {
         if unknowns == 0 {
             return Ok(true);
         }
-        workers.work().spend((unknowns as f64).powi(3) / 3.0);
+        let work = OF_FACTORS * (unknowns as f64).powi(3) / 3.0;
+        workers.work().spend(work);
         let formed = &mut self.workspace.matrix;
         formed.resize(unknowns * unknowns, 0.0);
         self.forces.between(layout, &self.points, values, formed);
