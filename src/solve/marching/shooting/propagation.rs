@@ -124,7 +124,7 @@ impl Variations {
             let (at, rows) = (tangent.pair(pair, 0), layout.motion(coupling.row, 0));
             let units = Vector6::from_column_slice(&units[rows.clone()]);
             let scaled = |by: &Matrix6<f64>| Matrix6::from_fn(|i, j| units[i] * by[(i, j)]);
-            let (damping, mass) = (scaled(&at.damping), scaled(&at.mass));
+            let (damping, mass) = (scaled(at.damping), scaled(at.mass));
             let rates = 24 * coupling.column + 6;
             for (moved, j) in some.clone().enumerate() {
                 let rates = &self.columns.col_as_slice(j)[rates..][..12];
