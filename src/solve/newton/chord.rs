@@ -145,8 +145,8 @@ mod tests {
         assert_eq!(JUDGE.next(1e-2, 1e-3, 0.0), Next::Factor);
         assert_eq!(JUDGE.next(1e-2, 1e-4, 0.0), Next::Step);
         assert_eq!(JUDGE.next(1e-4, 1e-6, 0.0), Next::Step);
-        // 4e-7 · 0.2³ is less than the tolerance, but increments hardly shrink.
-        assert_eq!(JUDGE.next(1.9e-6, 4e-7, 0.0), Next::Factor);
+        // 4e-8 · 0.45³ is less than the tolerance, but increments hardly shrink.
+        assert_eq!(JUDGE.next(9e-8, 4e-8, 0.0), Next::Factor);
     }
 
     #[test]
