@@ -95,7 +95,7 @@ impl Adaptation {
     }
 
     /// The largest odd number of points.
-    fn largest_odd(&self) -> usize {
+    pub(super) fn largest_odd(&self) -> usize {
         self.largest.saturating_sub((self.largest + 1) % 2)
     }
 

@@ -167,9 +167,10 @@ impl Periodic<'_> {
         Ok(found)
     }
 
-    /// Whether an error calls for a finer grid, which tells more than a close look at this one.
+    /// Whether an error calls for a finer grid, which tells more than a close look at this one, and
+    /// there will be one.
     fn is_far(&self, error: f64) -> bool {
-        self.accepted > 0.0 && error > FAR * self.accepted
+        self.on.grid.points() < self.finest && error > FAR * self.accepted
     }
 
     /// Motions by what the grid takes the harmonics of the loads for that it cannot hold.

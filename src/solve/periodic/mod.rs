@@ -46,6 +46,8 @@ struct Periodic<'a> {
     loads: Loads,
     /// The largest estimated error that ends an adaptive solve; zero on a grid that is given.
     accepted: f64,
+    /// Points of the finest grid that may follow; zero where it is given.
+    finest: usize,
     /// The grids that were tried.
     grids: Vec<GridTried>,
     /// Points of the grid on which one on a large grid looks for its start.
@@ -162,14 +164,16 @@ pub fn solve_periodic(
         InitialGuess::By(start) => (None, Some(*start)),
         InitialGuess::Default => (None, None),
     };
+    let (accepted, finest) = match &options.grid_points {
+        GridPoints::Fixed(_) => (0.0, 0),
+        GridPoints::Adaptive(adaptation) => (adaptation.error_tolerance, adaptation.largest_odd()),
+    };
     let mut solve = Periodic {
         on: OnGrid::new(&system, grid, means, watching.clone(), &mut observe)?,
         starts: Starts::new(&system, of_starts, chosen)?,
         loads,
-        accepted: match &options.grid_points {
-            GridPoints::Fixed(_) => 0.0,
-            GridPoints::Adaptive(adaptation) => adaptation.error_tolerance,
-        },
+        accepted,
+        finest,
         grids: Vec::new(),
         coarse: first.coarse,
         coarse_start: None,
