@@ -15,7 +15,7 @@ use std::ops::ControlFlow;
 /// The same matrix is used again while it is expected to end the iteration within so many steps.
 pub(super) const STEPS: i32 = 3;
 /// Largest contraction, from one increment to the next with the same matrix, that is worth another.
-const CONTRACTION: f64 = 0.2;
+const CONTRACTION: f64 = 0.4;
 
 /// What to do with a simplified increment.
 #[derive(Debug, PartialEq, Eq)]
@@ -145,8 +145,8 @@ mod tests {
         assert_eq!(JUDGE.next(1e-2, 1e-3, 0.0), Next::Factor);
         assert_eq!(JUDGE.next(1e-2, 1e-4, 0.0), Next::Step);
         assert_eq!(JUDGE.next(1e-4, 1e-6, 0.0), Next::Step);
-        // 4e-7 · 0.2³ is less than the tolerance, but increments hardly shrink.
-        assert_eq!(JUDGE.next(1.9e-6, 4e-7, 0.0), Next::Factor);
+        // 4e-8 · 0.45³ is less than the tolerance, but increments hardly shrink.
+        assert_eq!(JUDGE.next(9e-8, 4e-8, 0.0), Next::Factor);
     }
 
     #[test]

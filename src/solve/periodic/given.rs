@@ -13,7 +13,7 @@ use std::time::Instant;
 /// Estimated error of such a solution that leaves it nearer than the quasi-static motion: this, or
 /// so many times what inertial forces displace that by.
 const RESOLVED: f64 = 1e-4;
-const NEARER: f64 = 0.3;
+const NEARER: f64 = 0.1;
 /// Tolerance of such a solution: the error after the last increment goes with its square.
 const ENOUGH: f64 = 1e-4;
 /// Inertial displacement, in scaled unknowns, of a quasi-static motion from which Newton's method
