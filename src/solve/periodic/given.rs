@@ -19,8 +19,11 @@ const ENOUGH: f64 = 1e-4;
 /// Inertial displacement, in scaled unknowns, of a quasi-static motion from which Newton's method
 /// takes more than a few iterations.
 const FAR: f64 = 0.001;
-/// Fewest points of a grid with half the harmonics that may serve as a start.
+/// Fewest points of a grid with half the harmonics that may serve as a start; and the inertial
+/// displacement for fewer than so many points, which leave errors of a few thousandths.
 const LEAST_COARSE: usize = 7;
+const FEW: usize = 9;
+const FAR_FOR_FEW: f64 = 0.02;
 /// Most iterations on it: more would take longer than those it is to spare.
 const MOST_COARSE: usize = 8;
 /// Estimated error from which Newton's method factors once more on the finer grid. A grid with half
@@ -62,7 +65,12 @@ impl Periodic<'_> {
         let distance = self.starts.inertial_displacement(&mut self.on)?;
         let mut most = self.on.means.newton.iteration_limit;
         if is_first {
-            if distance <= FAR {
+            let far = if coarser.points() < FEW {
+                FAR_FOR_FEW
+            } else {
+                FAR
+            };
+            if distance <= far {
                 return self.find_near(grid);
             }
             most = most.min(MOST_COARSE);
