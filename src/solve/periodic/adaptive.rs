@@ -53,6 +53,9 @@ const AIM: f64 = 0.2;
 const AIM_OF_LOADS: f64 = 0.3;
 /// Harmonics of a quasi-static motion that may be what its Newton iterations leave.
 const LEFT_BY_GUESS: f64 = 1e-5;
+/// Inertial displacement, in scaled unknowns, of a quasi-static motion whose harmonics are those of
+/// the response: the slow motion of a mechanism.
+const SLOW: f64 = 0.001;
 /// A larger error is that of a grid which is far too coarse.
 const UNRESOLVED: f64 = 0.01;
 /// A measured error this many times its estimate shows that the decay deceives.
@@ -375,11 +378,8 @@ impl Periodic<'_> {
     }
 
     /// Points that the quasi-static motion takes where it is the response, all motions being
-    /// prescribed.
+    /// prescribed, or so near it that inertia hardly displaces it.
     fn points_of_guess(&mut self, adaptation: &Adaptation) -> Result<Option<usize>> {
-        if self.on.system.has_freedoms() {
-            return Ok(None);
-        }
         let (from, system) = (self.starts.grid, self.on.system.clone());
         let Some(state) = self.starts.first_where_found(&mut self.on)? else {
             return Ok(None);
@@ -395,6 +395,9 @@ impl Periodic<'_> {
         let further = (AIM * tolerance / decay.tail).ln() / decay.ratio.ln();
         let wanted = 2.0 * (last as f64 + further) + 1.0;
         if decay.kind != DecayKind::Fast || !wanted.is_finite() || on_first <= tolerance {
+            return Ok(None);
+        }
+        if system.has_freedoms() && self.starts.inertial_displacement(&mut self.on)? > SLOW {
             return Ok(None);
         }
         let most = GROWTH[1] * self.on.grid.points() as f64;
