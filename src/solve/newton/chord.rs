@@ -16,9 +16,11 @@ use std::ops::ControlFlow;
 pub(super) const STEPS: i32 = 3;
 /// Largest contraction, from one increment to the next with the same matrix, that is worth another.
 const CONTRACTION: f64 = 0.4;
-/// Most that the last increment leaves of own unknowns, relative to the tolerance. Multipliers of
-/// large models are known to some 1e-10 of their size: a thousandth is less than rounding leaves.
-const OWN_LEFT: f64 = 0.1;
+/// Changes of own unknowns that shrink no more than by this factor, once they are small, are
+/// rounding.
+const STANDS: f64 = 0.5;
+/// What is small.
+const SMALL: f64 = 1e-5;
 
 /// What to do with a simplified increment.
 #[derive(Debug, PartialEq, Eq)]
@@ -45,14 +47,15 @@ struct Judge {
 }
 
 impl Judge {
-    /// Of a simplified increment of this size, after one of the size `before`, that changes own
-    /// unknowns by `change`, relative to them.
-    fn next(&self, before: f64, size: f64, change: f64) -> Next {
+    /// Of a simplified increment after another, each with its size and the change of own unknowns,
+    /// relative to them.
+    fn next(&self, (before, changed): (f64, f64), (size, change): (f64, f64)) -> Next {
         let contraction = size / before;
         let contracts = contraction <= CONTRACTION;
         let part = contraction.max(self.accuracy);
-        let leaves_little = part * size <= ERROR_LEFT * self.tolerance
-            && part * change <= OWN_LEFT * self.tolerance;
+        let most = ERROR_LEFT * self.tolerance;
+        let is_rounding = changed <= SMALL && change > STANDS * changed;
+        let leaves_little = part * size <= most && (part * change <= most || is_rounding);
         let ends = size.max(self.first * change) <= self.tolerance
             && (!self.with_own || !contracts || leaves_little);
         if ends {
@@ -80,6 +83,7 @@ impl<L: LinearSolver> Run<'_, L> {
             accuracy,
         };
         let (mut before, mut size) = (first, self.newton.norm(&self.increment));
+        let mut changed = f64::INFINITY;
         self.newton.contraction = Some(size / before);
         if self.iterations.len() == self.options.iteration_limit {
             return Ok(ControlFlow::Continue(()));
@@ -91,10 +95,11 @@ impl<L: LinearSolver> Run<'_, L> {
                 true => self.change_of_own(),
                 false => 0.0,
             };
-            ends = match judge.next(before, size, change) {
+            ends = match judge.next((before, changed), (size, change)) {
                 Next::Factor => break,
                 next => next == Next::Last,
             };
+            changed = change;
             let change = self.newton.unscaled(&self.increment, -1.0);
             let system = self.newton.equations.system().clone();
             let trial = self.state.incremented(&system, &change, 1.0);
@@ -145,30 +150,38 @@ mod tests {
         accuracy: 1e-4,
     };
 
+    /// Of an increment after one that changed own unknowns much.
+    fn of(before: f64, size: f64, change: f64) -> Next {
+        JUDGE.next((before, 1.0), (size, change))
+    }
+
     #[test]
     fn steps_go_on_while_they_are_expected_to_end_soon() {
-        assert_eq!(JUDGE.next(1e-2, 1e-3, 0.0), Next::Factor);
-        assert_eq!(JUDGE.next(1e-2, 1e-4, 0.0), Next::Step);
-        assert_eq!(JUDGE.next(1e-4, 1e-6, 0.0), Next::Step);
+        assert_eq!(of(1e-2, 1e-3, 0.0), Next::Factor);
+        assert_eq!(of(1e-2, 1e-4, 0.0), Next::Step);
+        assert_eq!(of(1e-4, 1e-6, 0.0), Next::Step);
         // 4e-8 · 0.45³ is less than the tolerance, but increments hardly shrink.
-        assert_eq!(JUDGE.next(9e-8, 4e-8, 0.0), Next::Factor);
+        assert_eq!(of(9e-8, 4e-8, 0.0), Next::Factor);
     }
 
     #[test]
     fn the_last_leaves_little_of_motions_and_of_own_unknowns() {
-        assert_eq!(JUDGE.next(1e-6, 1e-10, 0.0), Next::Last);
+        assert_eq!(of(1e-6, 1e-10, 0.0), Next::Last);
         // What a small increment leaves counts, too, where the next is to be much smaller,
-        assert_eq!(JUDGE.next(1e-7, 9e-9, 0.0), Next::Step);
+        assert_eq!(of(1e-7, 9e-9, 0.0), Next::Step);
         // and what it changes in own unknowns, which motions of the first increment turn.
-        assert_eq!(JUDGE.next(1e-6, 1e-10, 1e-3), Next::Step);
+        assert_eq!(of(1e-6, 1e-10, 1e-3), Next::Step);
         // and what inaccurate linear solutions leave, however well they contract.
-        assert_eq!(JUDGE.next(1.0, 5e-9, 2e-5), Next::Step);
-        assert_eq!(JUDGE.next(1.0, 5e-9, 5e-6), Next::Last);
+        assert_eq!(of(1.0, 5e-9, 2e-7), Next::Step);
+        assert_eq!(of(1.0, 5e-9, 5e-8), Next::Last);
+        // What no longer shrinks is rounding, but not where it is much.
+        assert_eq!(JUDGE.next((1.0, 3e-7), (5e-9, 2e-7)), Next::Last);
+        assert_eq!(JUDGE.next((1e-6, 3e-4), (1e-10, 2e-4)), Next::Step);
         let motions = Judge {
             with_own: false,
             ..JUDGE
         };
-        assert_eq!(motions.next(1e-7, 9e-9, 0.0), Next::Last);
+        assert_eq!(motions.next((1e-7, 1.0), (9e-9, 0.0)), Next::Last);
     }
 
     #[test]
@@ -185,7 +198,7 @@ mod tests {
             // Curvature over slope is about a half.
             let bound = 1.1 * first * before * 0.71 + 1e-15;
             assert!(size <= bound, "{size:e} {bound:e}");
-            let next = JUDGE.next(before, size, 0.0);
+            let next = of(before, size, 0.0);
             assert_ne!(next, Next::Factor);
             (x, before, steps) = (x - f(x) / slope, size, steps + 1);
             if next == Next::Last {

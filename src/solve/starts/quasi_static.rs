@@ -28,8 +28,8 @@ const LARGEST_TURN: f64 = 1.0;
 /// Smallest fraction of a step before giving up.
 const SMALLEST_FRACTION: f64 = 1.0 / 1024.0;
 
-/// Parts of the period at which inertial forces are looked at: none of the first four harmonics
-/// vanishes at both.
+/// Parts of the period at which inertial forces are looked at, beside where a node's motion bends
+/// most: none of the first four harmonics vanishes at both.
 const LOOKED_AT: [f64; 2] = [0.0, 0.2];
 
 /// How the guess ended.
@@ -302,8 +302,8 @@ pub(crate) fn inertial_displacement(
     let mut newton = Newton::at_instant(system, workers)?;
     let mut at = GridState::at_points(system, 1);
     let mut most = 0.0f64;
-    for part in LOOKED_AT {
-        let k = (part * count as f64) as usize;
+    let parts = LOOKED_AT.map(|part| (part * count as f64) as usize);
+    for k in parts.into_iter().chain([most_bent(system, state)]) {
         newton
             .equations
             .set_conditions(Conditions::at(grid.time(k)))?;
@@ -333,6 +333,26 @@ pub(crate) fn inertial_displacement(
         most = most.max(newton.displacement_at(&at, Box::new(given))?.unwrap_or(0.0));
     }
     Ok(most)
+}
+
+/// The point at which second differences of a node's motion are largest.
+fn most_bent(system: &System, state: &GridState) -> usize {
+    let (count, length) = (state.points(), system.scales().length);
+    let mut largest = (0, 0.0);
+    for node in 0..system.nodes() {
+        let motions = state.node(node);
+        for k in 0..count {
+            let [here, next, last] = [k, (k + 1) % count, (k + count - 1) % count]
+                .map(|at| (motions[at].position, motions[at].rotation));
+            let moved = (next.0 + last.0 - here.0 * 2.0).amax() / length;
+            let turned = (next.1 + last.1 - here.1 * 2.0).amax();
+            let bent = moved.max(turned);
+            if bent > largest.1 {
+                largest = (k, bent);
+            }
+        }
+    }
+    largest.0
 }
 
 #[cfg(test)]
