@@ -267,9 +267,15 @@ impl Periodic<'_> {
                 error_estimate: found.error,
             });
             let missed = |why: &str| {
+                let doubt = found.resounding.map_or(String::new(), |harmonic| {
+                    format!(
+                        " (but harmonic {harmonic}, which they do not have, is near a natural \
+                         frequency)"
+                    )
+                });
                 format!(
-                    "the estimated error of the motions is {:.1e} on {points} grid points, and \
-                     the tolerance {:.1e}: {why}",
+                    "the estimated error of the motions is {:.1e} on {points} grid points{doubt}, \
+                     and the tolerance {:.1e}: {why}",
                     found.error, adaptation.error_tolerance
                 )
             };
