@@ -11,6 +11,7 @@
 //! directions, those that are soft beside the ground, the two are alike. See docs/theory.md,
 //! section 8.8.
 
+mod borders;
 mod refined;
 
 pub(crate) use refined::Side;
@@ -24,162 +25,19 @@ use crate::solve::linear::iterative::{
 };
 use crate::solve::linear::solver::{COARSE, LinearSolver};
 use crate::solve::report::{Timings, timed};
-use nalgebra::{DMatrix, DVector};
+use borders::Borders;
 
 /// Scaled stiffness of the nodes against the ground.
 pub(crate) const GROUNDING: f64 = 1e-7;
 /// Growth of `J` that asks for it.
 const SUSPECT: f64 = 1e12;
-/// Pivot of the Schur complement, relative to others, that is rounding.
-const NO_PIVOT: f64 = 1e-11;
 /// Most products of a linear solve, and vectors that are kept.
 const ITERATION_LIMIT: usize = 60;
 /// Accuracy where only the size of the solution matters.
 const ROUGH: f64 = 1e-2;
-
-/// What stands beside and below `J`, and the Schur complement.
-#[derive(Debug, Default)]
-struct Borders {
-    /// `B`, column by column.
-    columns: Vec<Vec<f64>>,
-    /// `[C D]`, row by row.
-    rows: Vec<Vec<f64>>,
-    /// `J⁻¹ B`.
-    eliminated: Vec<Vec<f64>>,
-    /// `(D − C J⁻¹ B)⁻¹`.
-    inverse: DMatrix<f64>,
-    /// Equation and unknown that it leaves undetermined.
-    undetermined: Option<[usize; 2]>,
-}
-
-impl Borders {
-    fn at(equations: &mut Collocation, state: &GridState) -> Result<Self> {
-        let all = 0..equations.layout().scalars().len();
-        let columns = all.clone().map(|i| equations.by_scalar(state, i));
-        let columns = columns.collect::<Result<_>>()?;
-        equations.apply_scalars(state)?;
-        equations.update_kinematics(state);
-        Ok(Borders {
-            columns,
-            rows: all
-                .map(|i| equations.of_scalar_equation(state, i))
-                .collect::<Result<_>>()?,
-            ..Borders::default()
-        })
-    }
-
-    /// Finds the Schur complement, by what solves with `J`. `false` if that cannot be done.
-    fn eliminate(&mut self, mut solve: impl FnMut(&mut [f64]) -> Result<bool>) -> Result<bool> {
-        self.eliminated.clone_from(&self.columns);
-        for column in &mut self.eliminated {
-            if !solve(column)? {
-                return Ok(false);
-            }
-        }
-        let complement = DMatrix::from_fn(self.rows.len(), self.columns.len(), |i, j| {
-            let row = &self.rows[i];
-            row[self.columns[j].len() + j] - dot(row, &self.eliminated[j])
-        });
-        self.undetermined = smallest_pivot(&complement);
-        if self.undetermined.is_some() {
-            return Ok(false);
-        }
-        let inverse = complement.try_inverse();
-        let found = inverse.filter(|inverse| inverse.iter().all(|x| x.is_finite()));
-        Ok(found.map(|inverse| self.inverse = inverse).is_some())
-    }
-
-    /// Adds `B p`, and writes `C x + D p`.
-    fn product(&self, x: &[f64], y: &mut [f64]) {
-        let (y, out) = y.split_at_mut(y.len() - self.rows.len());
-        for (column, p) in self.columns.iter().zip(&x[y.len()..]) {
-            y.iter_mut().zip(column).for_each(|(y, b)| *y += b * p);
-        }
-        for (out, row) in out.iter_mut().zip(&self.rows) {
-            *out = dot(row, x);
-        }
-    }
-
-    /// As [`Borders::product`], of the transposed equations.
-    fn transposed_product(&self, x: &[f64], y: &mut [f64]) {
-        let size = y.len() - self.rows.len();
-        let (of_grid, scalars) = x.split_at(size);
-        let (y, out) = y.split_at_mut(size);
-        for (out, column) in out.iter_mut().zip(&self.columns) {
-            *out = dot(column, of_grid);
-        }
-        for (row, x) in self.rows.iter().zip(scalars) {
-            y.iter_mut().zip(row).for_each(|(y, c)| *y += c * x);
-            let of_scalars = out.iter_mut().zip(&row[size..]);
-            of_scalars.for_each(|(out, d)| *out += d * x);
-        }
-    }
-
-    /// Makes of `[f; g]` on the right of the transposed equations `[Jᵀ x; p]`.
-    fn reduce_transposed(&self, y: &mut [f64]) {
-        let (f, g) = y.split_at_mut(y.len() - self.rows.len());
-        let rest = g.iter().zip(&self.eliminated).map(|(g, e)| g - dot(e, f));
-        let found = self
-            .inverse
-            .tr_mul(&DVector::from_iterator(self.rows.len(), rest));
-        for (row, p) in self.rows.iter().zip(&found) {
-            f.iter_mut().zip(row).for_each(|(f, c)| *f -= c * p);
-        }
-        g.copy_from_slice(found.as_slice());
-    }
-
-    /// Makes of `[J⁻¹ f; g]` the solution.
-    fn substitute(&self, y: &mut [f64]) {
-        let (x, p) = y.split_at_mut(y.len() - self.rows.len());
-        let rest = p.iter().zip(&self.rows).map(|(g, row)| g - dot(row, x));
-        let found = &self.inverse * DVector::from_iterator(self.rows.len(), rest);
-        for (column, p) in self.eliminated.iter().zip(&found) {
-            x.iter_mut().zip(column).for_each(|(x, e)| *x -= e * p);
-        }
-        p.copy_from_slice(found.as_slice());
-    }
-}
-
-/// Row and column of a pivot that is none beside the others, where rows and columns are of equal
-/// size.
-fn smallest_pivot(matrix: &DMatrix<f64>) -> Option<[usize; 2]> {
-    let mut left = matrix.clone();
-    for mut column in left.column_iter_mut() {
-        let size = column.amax();
-        column /= if size > 0.0 { size } else { 1.0 };
-    }
-    for mut row in left.row_iter_mut() {
-        let size = row.amax();
-        row /= if size > 0.0 { size } else { 1.0 };
-    }
-    let (mut rows, mut columns): (Vec<_>, Vec<_>) = (0..matrix.nrows()).map(|i| (i, i)).unzip();
-    while !rows.is_empty() {
-        let places = rows
-            .iter()
-            .flat_map(|&i| columns.iter().map(move |&j| [i, j]));
-        let size = |at: &[usize; 2]| left[(at[0], at[1])].abs();
-        let [i, j] = places.max_by(|a, b| size(a).total_cmp(&size(b)))?;
-        // Written so that NaN is none.
-        let is_pivot = left[(i, j)].abs() > NO_PIVOT;
-        if !is_pivot {
-            return Some([i, j]);
-        }
-        rows.retain(|&other| other != i);
-        columns.retain(|&other| other != j);
-        for &row in &rows {
-            let factor = left[(row, j)] / left[(i, j)];
-            for &column in &columns {
-                left[(row, column)] -= factor * left[(i, column)];
-            }
-        }
-    }
-    None
-}
-
-/// `Σ a b`, as far as both go.
-fn dot(a: &[f64], b: &[f64]) -> f64 {
-    a.iter().zip(b).map(|(a, b)| a * b).sum()
-}
+/// Accuracy of solutions with `J`, relative to that of all; and how many times as large they may be.
+const SHARPER: f64 = 0.1;
+const CANCELS: f64 = 10.0;
 
 /// Solves bordered equations; those of the grid as `inner` does.
 pub(crate) struct Bordered<L> {
@@ -188,7 +46,11 @@ pub(crate) struct Bordered<L> {
     borders: Borders,
     /// Whether `J` and its borders determine all unknowns, as far as is known.
     determined: bool,
+    /// Whether elimination alone is accurate, as far as is known.
+    eliminates: bool,
     workspace: GmresWorkspace,
+    /// A right side.
+    kept: Vec<f64>,
 }
 
 impl<L: LinearSolver> Bordered<L> {
@@ -200,7 +62,9 @@ impl<L: LinearSolver> Bordered<L> {
             tangent: Tangent::with_resultants_apart(system, points),
             borders: Borders::default(),
             determined: true,
+            eliminates: false,
             workspace: GmresWorkspace::default(),
+            kept: Vec::new(),
         }
     }
 
@@ -212,6 +76,7 @@ impl<L: LinearSolver> Bordered<L> {
         state: &GridState,
         timings: &mut Timings,
     ) -> Result<bool> {
+        self.eliminates = false;
         self.borders = timed(&mut timings.assembly, || Borders::at(equations, state))?;
         let inner = &mut self.inner;
         let solve = |x: &mut [f64]| inner.solve(equations, x, COARSE, timings);
@@ -239,6 +104,7 @@ impl<L: LinearSolver> Bordered<L> {
                 continue;
             }
             self.determined = regular;
+            self.eliminates = equations.grounding() == 0.0;
             if regular {
                 let solve = |x: &mut [f64]| inner.solve(equations, x, SHARPEST, timings);
                 self.determined = self.borders.eliminate(solve)?;
@@ -248,6 +114,39 @@ impl<L: LinearSolver> Bordered<L> {
             })?;
             return Ok(regular && self.determined);
         }
+    }
+}
+
+impl<L: LinearSolver> Bordered<L> {
+    /// Solves by elimination alone. `false`, with the right side as it was, where that leaves a
+    /// small difference of large solutions, as near folds, or `J` is that of other equations.
+    fn eliminate(
+        &mut self,
+        equations: &mut Collocation,
+        rhs: &mut [f64],
+        accuracy: f64,
+        timings: &mut Timings,
+    ) -> Result<bool> {
+        let of_grid = &rhs[..equations.size()];
+        // Finer than that only multiples of the columns, which are known, can be told.
+        let is_known = of_grid.iter().all(|x| *x == 0.0);
+        if !self.eliminates || accuracy < SHARPEST / SHARPER && !is_known {
+            return Ok(false);
+        }
+        self.kept.clear();
+        self.kept.extend_from_slice(rhs);
+        let of_grid = &mut rhs[..equations.size()];
+        let sharper = (SHARPER * accuracy).max(SHARPEST);
+        let solved = is_known || self.inner.solve(equations, of_grid, sharper, timings)?;
+        let motions = equations.layout().motions();
+        let before = largest(&rhs[motions.clone()]);
+        self.borders.substitute(rhs);
+        // Written so that NaN does not serve.
+        self.eliminates = solved && before <= CANCELS * largest(&rhs[motions]);
+        if !self.eliminates {
+            rhs.copy_from_slice(&self.kept);
+        }
+        Ok(self.eliminates)
     }
 }
 
@@ -303,6 +202,9 @@ impl<L: LinearSolver> LinearSolver for Bordered<L> {
         accuracy: f64,
         timings: &mut Timings,
     ) -> Result<bool> {
+        if self.eliminate(equations, rhs, accuracy, timings)? {
+            return Ok(rhs.iter().all(|x| x.is_finite()));
+        }
         let options = GmresOptions {
             tolerance: accuracy,
             leading: equations.layout().motions().end,

@@ -1,0 +1,152 @@
+//! Scalar equations and what scalar unknowns do to those of the grid (docs/theory.md, section 8.8).
+
+use crate::collocation::{Collocation, GridState};
+use crate::error::Result;
+use nalgebra::{DMatrix, DVector};
+
+/// Pivot of the Schur complement, relative to others, that is rounding.
+const NO_PIVOT: f64 = 1e-11;
+
+/// What stands beside and below `J`, and the Schur complement.
+#[derive(Debug, Default)]
+pub(super) struct Borders {
+    /// `B`, column by column.
+    pub columns: Vec<Vec<f64>>,
+    /// `[C D]`, row by row.
+    pub rows: Vec<Vec<f64>>,
+    /// `J⁻¹ B`.
+    pub eliminated: Vec<Vec<f64>>,
+    /// `(D − C J⁻¹ B)⁻¹`.
+    pub inverse: DMatrix<f64>,
+    /// Equation and unknown that it leaves undetermined.
+    pub undetermined: Option<[usize; 2]>,
+}
+
+impl Borders {
+    pub fn at(equations: &mut Collocation, state: &GridState) -> Result<Self> {
+        let all = 0..equations.layout().scalars().len();
+        let columns = all.clone().map(|i| equations.by_scalar(state, i));
+        let columns = columns.collect::<Result<_>>()?;
+        equations.apply_scalars(state)?;
+        equations.update_kinematics(state);
+        Ok(Borders {
+            columns,
+            rows: all
+                .map(|i| equations.of_scalar_equation(state, i))
+                .collect::<Result<_>>()?,
+            ..Borders::default()
+        })
+    }
+
+    /// Finds the Schur complement, by what solves with `J`. `false` if that cannot be done.
+    pub fn eliminate(&mut self, mut solve: impl FnMut(&mut [f64]) -> Result<bool>) -> Result<bool> {
+        self.eliminated.clone_from(&self.columns);
+        for column in &mut self.eliminated {
+            if !solve(column)? {
+                return Ok(false);
+            }
+        }
+        let complement = DMatrix::from_fn(self.rows.len(), self.columns.len(), |i, j| {
+            let row = &self.rows[i];
+            row[self.columns[j].len() + j] - dot(row, &self.eliminated[j])
+        });
+        self.undetermined = smallest_pivot(&complement);
+        if self.undetermined.is_some() {
+            return Ok(false);
+        }
+        let inverse = complement.try_inverse();
+        let found = inverse.filter(|inverse| inverse.iter().all(|x| x.is_finite()));
+        Ok(found.map(|inverse| self.inverse = inverse).is_some())
+    }
+
+    /// Adds `B p`, and writes `C x + D p`.
+    pub fn product(&self, x: &[f64], y: &mut [f64]) {
+        let (y, out) = y.split_at_mut(y.len() - self.rows.len());
+        for (column, p) in self.columns.iter().zip(&x[y.len()..]) {
+            y.iter_mut().zip(column).for_each(|(y, b)| *y += b * p);
+        }
+        for (out, row) in out.iter_mut().zip(&self.rows) {
+            *out = dot(row, x);
+        }
+    }
+
+    /// As [`Borders::product`], of the transposed equations.
+    pub fn transposed_product(&self, x: &[f64], y: &mut [f64]) {
+        let size = y.len() - self.rows.len();
+        let (of_grid, scalars) = x.split_at(size);
+        let (y, out) = y.split_at_mut(size);
+        for (out, column) in out.iter_mut().zip(&self.columns) {
+            *out = dot(column, of_grid);
+        }
+        for (row, x) in self.rows.iter().zip(scalars) {
+            y.iter_mut().zip(row).for_each(|(y, c)| *y += c * x);
+            let of_scalars = out.iter_mut().zip(&row[size..]);
+            of_scalars.for_each(|(out, d)| *out += d * x);
+        }
+    }
+
+    /// Makes of `[f; g]` on the right of the transposed equations `[Jᵀ x; p]`.
+    pub fn reduce_transposed(&self, y: &mut [f64]) {
+        let (f, g) = y.split_at_mut(y.len() - self.rows.len());
+        let rest = g.iter().zip(&self.eliminated).map(|(g, e)| g - dot(e, f));
+        let found = self
+            .inverse
+            .tr_mul(&DVector::from_iterator(self.rows.len(), rest));
+        for (row, p) in self.rows.iter().zip(&found) {
+            f.iter_mut().zip(row).for_each(|(f, c)| *f -= c * p);
+        }
+        g.copy_from_slice(found.as_slice());
+    }
+
+    /// Makes of `[J⁻¹ f; g]` the solution.
+    pub fn substitute(&self, y: &mut [f64]) {
+        let (x, p) = y.split_at_mut(y.len() - self.rows.len());
+        let rest = p.iter().zip(&self.rows).map(|(g, row)| g - dot(row, x));
+        let found = &self.inverse * DVector::from_iterator(self.rows.len(), rest);
+        for (column, p) in self.eliminated.iter().zip(&found) {
+            x.iter_mut().zip(column).for_each(|(x, e)| *x -= e * p);
+        }
+        p.copy_from_slice(found.as_slice());
+    }
+}
+
+/// Row and column of a pivot that is none beside the others, where rows and columns are of equal
+/// size.
+fn smallest_pivot(matrix: &DMatrix<f64>) -> Option<[usize; 2]> {
+    let mut left = matrix.clone();
+    for mut column in left.column_iter_mut() {
+        let size = column.amax();
+        column /= if size > 0.0 { size } else { 1.0 };
+    }
+    for mut row in left.row_iter_mut() {
+        let size = row.amax();
+        row /= if size > 0.0 { size } else { 1.0 };
+    }
+    let (mut rows, mut columns): (Vec<_>, Vec<_>) = (0..matrix.nrows()).map(|i| (i, i)).unzip();
+    while !rows.is_empty() {
+        let places = rows
+            .iter()
+            .flat_map(|&i| columns.iter().map(move |&j| [i, j]));
+        let size = |at: &[usize; 2]| left[(at[0], at[1])].abs();
+        let [i, j] = places.max_by(|a, b| size(a).total_cmp(&size(b)))?;
+        // Written so that NaN is none.
+        let is_pivot = left[(i, j)].abs() > NO_PIVOT;
+        if !is_pivot {
+            return Some([i, j]);
+        }
+        rows.retain(|&other| other != i);
+        columns.retain(|&other| other != j);
+        for &row in &rows {
+            let factor = left[(row, j)] / left[(i, j)];
+            for &column in &columns {
+                left[(row, column)] -= factor * left[(i, column)];
+            }
+        }
+    }
+    None
+}
+
+/// `Σ a b`, as far as both go.
+fn dot(a: &[f64], b: &[f64]) -> f64 {
+    a.iter().zip(b).map(|(a, b)| a * b).sum()
+}
