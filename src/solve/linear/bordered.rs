@@ -35,8 +35,9 @@ const SUSPECT: f64 = 1e12;
 const ITERATION_LIMIT: usize = 60;
 /// Accuracy where only the size of the solution matters.
 const ROUGH: f64 = 1e-2;
-/// Accuracy of solutions with `J`, relative to that of all; and how many times as large they may be.
+/// Accuracy of solutions with `J`, relative to that of all.
 const SHARPER: f64 = 0.1;
+/// How many times as large they may be.
 const CANCELS: f64 = 10.0;
 
 /// Solves bordered equations; those of the grid as `inner` does.
