@@ -5,7 +5,7 @@
 #[allow(dead_code)]
 mod fuzz;
 
-use fuzz::{calls, files};
+use fuzz::{calls, files, models, signals};
 use std::collections::BTreeMap;
 use std::fs;
 use std::panic::{AssertUnwindSafe, catch_unwind};
@@ -94,4 +94,14 @@ fn damaged_files_do_no_harm() {
             files::run(&original, bytes, path)
         });
     }
+}
+
+#[test]
+fn signals_and_sections_are_what_was_given() {
+    run("signals", 20000, |bytes, _| signals::run(bytes));
+}
+
+#[test]
+fn small_models_have_the_solutions_that_are_told() {
+    run("models", 150, |bytes, _| models::run(bytes));
 }

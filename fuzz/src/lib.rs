@@ -5,4 +5,6 @@ pub mod bytes;
 pub mod calls;
 pub mod files;
 mod given;
+pub mod models;
 mod promises;
+pub mod signals;
