@@ -40,7 +40,8 @@ fn signal(bytes: &mut Bytes) {
     let (mut cosines, mut sines) = (many(bytes, 40), many(bytes, 40));
     if !bytes.rarely(16) {
         let count = cosines.len().min(sines.len());
-        (cosines.truncate(count), sines.truncate(count));
+        cosines.truncate(count);
+        sines.truncate(count);
     }
     let signal = match by_samples {
         true => Signal::samples(rate, &samples),
