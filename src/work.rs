@@ -11,6 +11,9 @@ pub(crate) const RESIDUAL: f64 = 1e3;
 pub(crate) const LINEARISATION: f64 = 2e3;
 /// taking from a vector its part along another, for each entry: memory is slow.
 pub(crate) const PROJECTION: f64 = 12.0;
+/// A number of factors, or of the matrix itself, that a substitution or a residual reads takes as
+/// long as so many: memory is slow.
+pub(crate) const SUBSTITUTION: f64 = 4.0;
 /// And a multiply-add of factors takes as long as so much of one: each number that is read is used
 /// often.
 pub(crate) const OF_FACTORS: f64 = 0.3;

@@ -18,7 +18,7 @@ use crate::solve::linear::direct::analysis::Analysis;
 use crate::solve::linear::direct::factorisation::Factorisation;
 use crate::solve::linear::front::Front;
 use crate::solve::linear::solver::COARSE;
-use crate::work::OF_FACTORS;
+use crate::work::{OF_FACTORS, SUBSTITUTION};
 use crate::workers::Workers;
 use faer::Mat;
 use std::sync::Arc;
@@ -143,6 +143,8 @@ impl DirectSolver {
         if !self.factored {
             return false;
         }
+        let read = self.size_of_factors() as f64;
+        self.workers.work().spend(SUBSTITUTION * read);
         // What each front's equations come to, one front after the other.
         let mut reduced = Vec::with_capacity(rhs.len());
         let mut local = Vec::new();
@@ -294,6 +296,9 @@ impl DirectSolver {
     /// `b − A x`.
     fn residual(&self, values: &[f64], b: &[f64], x: &[f64]) -> Vec<f64> {
         let mut rest = b.to_vec();
+        self.workers
+            .work()
+            .spend(SUBSTITUTION * values.len() as f64);
         for panel in self.analysis.panels.iter().flatten() {
             let row = self.analysis.groups[panel.row.0].start + panel.row.1;
             let column = self.analysis.groups[panel.column.0].start + panel.column.1;
