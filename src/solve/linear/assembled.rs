@@ -207,6 +207,13 @@ impl LinearSolver for Assembled {
         })
     }
 
+    fn error_of(&self, accuracy: f64) -> f64 {
+        match (&self.solver, self.by_freedoms) {
+            (Some(solver), false) => solver.error().min(accuracy),
+            _ => accuracy,
+        }
+    }
+
     fn solve_transposed(
         &mut self,
         equations: &mut Collocation,

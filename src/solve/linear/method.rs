@@ -380,6 +380,10 @@ impl LinearSolver for Linear {
         }
     }
 
+    fn error_of(&self, accuracy: f64) -> f64 {
+        self.active.solver().error_of(accuracy)
+    }
+
     fn solve_transposed(
         &mut self,
         equations: &mut Collocation,

@@ -37,6 +37,11 @@ pub(crate) trait LinearSolver {
         timings: &mut Timings,
     ) -> Result<bool>;
 
+    /// Error of a solution that was to be so accurate, relative to it, as far as is known.
+    fn error_of(&self, accuracy: f64) -> f64 {
+        accuracy
+    }
+
     /// As [`LinearSolver::solve`], the transposed equations, as far as factors do. `false` also if
     /// there is no way to.
     ///

@@ -42,7 +42,7 @@ struct Judge {
     first: f64,
     /// Whether own unknowns are to converge, too.
     with_own: bool,
-    /// Of simplified increments, relative to their size.
+    /// Error of simplified increments, relative to their size.
     accuracy: f64,
 }
 
@@ -80,7 +80,7 @@ impl<L: LinearSolver> Run<'_, L> {
             steps: self.newton.chords,
             with_own: self.with_multipliers,
             first,
-            accuracy,
+            accuracy: self.newton.linear.error_of(accuracy),
         };
         let (mut before, mut size) = (first, self.newton.norm(&self.increment));
         let mut changed = f64::INFINITY;

@@ -275,7 +275,7 @@ impl StepMap {
         columns: &mut Columns,
     ) -> Result<bool> {
         let mut first = 0;
-        while first < rhs.ncols() && !self.solver.is_accurate_to(enough) {
+        while first < rhs.ncols() && self.solver.error() > enough {
             let asked = (motions, ACCURACY);
             let column = rhs.col_as_slice_mut(first);
             if !self.solver.solve_refined(&self.values, column, asked)? {

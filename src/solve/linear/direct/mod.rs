@@ -217,10 +217,13 @@ impl DirectSolver {
         sizes.sum()
     }
 
-    /// Whether errors of motions, relative to the largest, are known to be no more than this
-    /// without refinement.
-    pub fn is_accurate_to(&self, accuracy: f64) -> bool {
-        self.accurate || self.correction <= accuracy
+    /// Errors of motions without refinement, relative to the largest, as far as is known.
+    pub fn error(&self) -> f64 {
+        match self.accurate {
+            true => 0.0,
+            false if self.correction.is_nan() => f64::INFINITY,
+            false => self.correction,
+        }
     }
 
     /// As [`DirectSolver::solve`], for the `values` of the matrix that was factored: refines the

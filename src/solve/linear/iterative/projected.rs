@@ -101,6 +101,13 @@ impl<L: LinearSolver> LinearSolver for Projected<L> {
         Ok(sampled && !self.failed && rhs.iter().all(|x| x.is_finite()))
     }
 
+    fn error_of(&self, accuracy: f64) -> f64 {
+        match self.tangent {
+            Some(_) => accuracy,
+            None => self.sampled.error_of(accuracy),
+        }
+    }
+
     fn has_compliance(&self) -> bool {
         self.sampled.has_compliance()
     }
