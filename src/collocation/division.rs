@@ -4,6 +4,7 @@
 //! two shares are evaluated for both. So threads write nothing of each other's, and sums are over
 //! the same elements in the same order, whatever the number of threads.
 
+use crate::elements::Contribution;
 use crate::system::System;
 use crate::workers::{Workers, parts};
 use std::ops::Range;
@@ -22,6 +23,28 @@ pub(super) struct Share {
     pub nodes: Range<usize>,
     /// The elements, in ascending order.
     pub elements: Vec<usize>,
+}
+
+impl Share {
+    /// Adds the forces of an element at grid point `k` of so many to those on its nodes that are of
+    /// this share.
+    #[inline]
+    pub fn add_forces(
+        &self,
+        element: &Contribution,
+        nodes: &[usize],
+        (k, points): (usize, usize),
+        forces: &mut [f64],
+    ) {
+        let of_nodes = element.force.as_slice().chunks_exact(6);
+        for (node, force) in nodes.iter().zip(of_nodes) {
+            if self.nodes.contains(node) {
+                let place = (node - self.nodes.start) * points + k;
+                let rows = &mut forces[6 * place..][..6];
+                rows.iter_mut().zip(force).for_each(|(row, f)| *row += f);
+            }
+        }
+    }
 }
 
 /// All nodes in shares, and the threads that work on them.

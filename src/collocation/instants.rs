@@ -52,14 +52,7 @@ impl Instants {
             let count = placed.element.own_unknowns();
             for k in 0..self.points {
                 let contribution = self.evaluate(placed, k, state, workspace)?;
-                let of_nodes = contribution.force.as_slice().chunks_exact(6);
-                for (node, force) in nodes.iter().zip(of_nodes) {
-                    if share.nodes.contains(node) {
-                        let place = (node - share.nodes.start) * self.points + k;
-                        let rows = &mut forces[6 * place..][..6];
-                        rows.iter_mut().zip(force).for_each(|(row, f)| *row += f);
-                    }
-                }
+                share.add_forces(contribution, nodes, (k, self.points), forces);
                 if let Some(own) = own {
                     own[count * k..][..count].copy_from_slice(contribution.constraint.as_slice());
                 }

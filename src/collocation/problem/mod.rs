@@ -53,6 +53,9 @@ pub struct Collocation {
     /// Values of the scalar unknowns that all else has now.
     applied: Vec<f64>,
     pub(super) division: Division,
+    /// What the last linearisation found left of the equations of the grid's own points, not
+    /// scaled.
+    pub(super) linearised_residual: Vec<f64>,
     /// Where the residual is taken from instead, if not from the grid's own points.
     oversampled: Option<Box<Oversampled>>,
 }
@@ -140,6 +143,7 @@ impl Collocation {
             oversampled: None,
             division: Division::new(&system, points, &Workers::default()),
             layout: system.layout(points),
+            linearised_residual: Vec::new(),
             scalars: None,
             applied: Vec::new(),
             grounding: 0.0,
@@ -435,6 +439,28 @@ impl Collocation {
         let size = self.size();
         self.residual_of_grid(state, &mut out[..size])?;
         self.scalar_residual(state, out)
+    }
+
+    /// Forgets what the last linearisation found left of the equations.
+    pub(crate) fn forget_linearised_residual(&mut self) {
+        self.linearised_residual.clear();
+    }
+
+    /// Writes the scaled residual at `state`, where the equations were linearised since.
+    pub(crate) fn residual_where_linearised(
+        &mut self,
+        state: &GridState,
+        out: &mut [f64],
+    ) -> Result<()> {
+        // Sampled elsewhere, or linearised by what does not say what is left.
+        let is_known = self.linearised_residual.len() == out.len();
+        if self.oversampled.is_some() || !is_known {
+            return self.residual(state, out);
+        }
+        let known = self.linearised_residual.iter().zip(&self.row_scale);
+        let rows = out.iter_mut().zip(known);
+        rows.for_each(|(row, (value, scale))| *row = value * scale);
+        Ok(())
     }
 
     fn residual_of_grid(&mut self, state: &GridState, out: &mut [f64]) -> Result<()> {

@@ -114,9 +114,15 @@ pub struct Tangent {
 /// What belongs to the columns of a share's nodes.
 struct Part<'a> {
     pairs: [&'a mut [Matrix6<f64>]; 3],
-    /// Of each element that has its own here: strain tangents, and tangents of its own unknowns.
-    own: Vec<Option<(&'a mut [StrainTangent], &'a mut OwnTangent)>>,
+    /// Forces on the nodes.
+    forces: &'a mut [f64],
+    /// Of each element that has its own here.
+    own: Vec<Option<OwnPart<'a>>>,
 }
+
+/// What belongs to an element's own unknowns: strain tangents, tangents, and what the element asks
+/// of them.
+type OwnPart<'a> = ((&'a mut [StrainTangent], &'a mut OwnTangent), &'a mut [f64]);
 
 /// What elements are linearised at.
 struct Evaluation<'a> {
@@ -274,15 +280,23 @@ impl Tangent {
             + self.increment.bytes()
     }
 
-    /// Evaluates the elements at `state`. Where stress resultants are not apart, `equations` keep
-    /// their velocities and accelerations at this state until the last use of these tangents.
+    /// Evaluates the elements at `state`; `equations` keep what is left of them there. Where stress
+    /// resultants are not apart, they keep their velocities and accelerations at this state until
+    /// the last use of these tangents.
     pub fn evaluate(&mut self, equations: &mut Collocation, state: &GridState) -> Result<()> {
         equations.update_kinematics(state);
         self.rule = self.keeps_rule.then(|| equations.rule.clone());
+        let mut residual = std::mem::take(&mut equations.linearised_residual);
+        residual.resize(equations.size(), 0.0);
         let (system, division) = (equations.system(), &equations.division);
         let (layout, points) = (&self.layout, self.points);
         let counts = layout.places.iter().map(|p| points * p.strains.len());
-        let own = division.deal(parts(&mut self.strains, counts).zip(&mut self.own));
+        let (forces, asked) = residual.split_at_mut(self.unknowns.motions().end);
+        let forces = division.split(forces, self.unknowns.of_node());
+        let elements = system.elements().iter();
+        let asked = parts(asked, elements.map(|p| points * p.element.own_unknowns()));
+        let strains = parts(&mut self.strains, counts);
+        let own = division.deal(strains.zip(&mut self.own).zip(asked));
         let [stiffness, damping, mass] = self.pairs.each_mut().map(|list| {
             list.resize(points * layout.couplings.all().len(), Matrix6::zeros());
             let columns = |share: &Share| layout.couplings.of_columns(share.nodes.clone());
@@ -290,10 +304,11 @@ impl Tangent {
                 .split_by(list, |share| points * columns(share).len())
                 .into_iter()
         });
-        let lists = stiffness.zip(damping).zip(mass).zip(own);
+        let lists = stiffness.zip(damping).zip(mass).zip(forces).zip(own);
         let mut all: Vec<_> = lists
-            .map(|(((stiffness, damping), mass), own)| Part {
+            .map(|((((stiffness, damping), mass), forces), own)| Part {
                 pairs: [stiffness, damping, mass],
+                forces,
                 own,
             })
             .collect();
@@ -312,6 +327,7 @@ impl Tangent {
             },
             |workspace, i, part| layout.evaluate(&at, &division.shares[i], workspace, part),
         )?;
+        equations.linearised_residual = residual;
         self.ground(equations);
         Ok(())
     }
@@ -346,6 +362,7 @@ impl TangentLayout {
     ) -> Result<()> {
         let first = self.couplings.of_columns(share.nodes.clone()).start;
         let points = at.state.points();
+        part.forces.fill(0.0);
         for (&index, own) in share.elements.iter().zip(&mut part.own) {
             at.workers.pulse()?;
             let placed = &at.instants.system().elements()[index];
@@ -355,7 +372,7 @@ impl TangentLayout {
             let is_elastic = at.rule.is_elastic(has_mass);
             let has_damping = element.has_damping() && is_elastic;
             let held = placed.has_states && at.rule.holds_states();
-            if let Some((_, own)) = own {
+            if let Some(((_, own), _)) = own {
                 own.gradients.clear();
                 own.own.clear();
             }
@@ -383,12 +400,15 @@ impl TangentLayout {
                         }
                     }
                 }
-                let Some((strains, own)) = own else {
+                share.add_forces(out, nodes, (k, points), part.forces);
+                let Some(((strains, own), asked)) = own else {
                     continue;
                 };
                 for (s, strain) in out.strains.iter().enumerate() {
                     strains[s * points + k] = *strain;
                 }
+                let count = out.constraint.len();
+                asked[count * k..][..count].copy_from_slice(out.constraint.as_slice());
                 own.push(out, placed.has_states, held);
             }
         }

@@ -94,6 +94,41 @@ fn products_are_those_of_the_matrix_and_of_its_transpose() {
     }
 }
 
+#[test]
+fn what_is_left_where_the_equations_are_linearised_is_the_residual() {
+    for (model, period) in models() {
+        for points in [1, 9] {
+            let mut equations = equations(&model, period, points);
+            let (system, state) = (equations.system().clone(), moved(&equations));
+            let mut expected = vec![0.0; equations.size()];
+            equations.residual(&state, &mut expected).unwrap();
+            let reference = GridState::reference(&system, equations.grid());
+            for mut tangent in [
+                Tangent::new(&system, points),
+                Tangent::with_resultants_apart(&system, points),
+            ] {
+                // What was there before is overwritten.
+                for at in [&reference, &state] {
+                    tangent.evaluate(&mut equations, at).unwrap();
+                }
+                let mut found = vec![0.0; expected.len()];
+                equations
+                    .residual_where_linearised(&state, &mut found)
+                    .unwrap();
+                // Rounding alone.
+                assert_close(&found, &expected, 1e-13);
+            }
+            // Not known of another state.
+            equations.forget_linearised_residual();
+            let mut found = vec![0.0; expected.len()];
+            equations
+                .residual_where_linearised(&state, &mut found)
+                .unwrap();
+            assert_eq!(found, expected);
+        }
+    }
+}
+
 /// With `μ = iΩ/3`, `exp(μt) Δu` repeats after three periods: there the residual itself tells what
 /// it changes.
 #[test]

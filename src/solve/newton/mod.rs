@@ -189,6 +189,7 @@ impl<L: LinearSolver> Newton<L> {
     /// Linearises the equations at `state`. `false` if they are singular.
     pub fn linearise(&mut self, state: &GridState) -> Result<bool> {
         self.count_evaluation(LINEARISATION);
+        self.equations.forget_linearised_residual();
         self.linear
             .linearise(&mut self.equations, state, &mut self.timings)
     }
@@ -229,10 +230,9 @@ impl<L: LinearSolver> Newton<L> {
         let mut iterations = Vec::new();
         let workers = self.equations.workers().clone();
         let was_bounded = workers.work().bound(true);
-        let end = Run::begin(self, state, options, &mut iterations, observe).and_then(|mut run| {
-            run.with_multipliers = with_multipliers;
-            run.iterate()
-        });
+        let mut run = Run::new(self, state, options, &mut iterations, observe);
+        run.with_multipliers = with_multipliers;
+        let end = run.iterate();
         self.equations.set_resultants(Vec::new());
         let is_spent = workers.work().is_spent();
         workers.work().bound(was_bounded);

@@ -78,20 +78,16 @@ pub(super) struct Trial {
 }
 
 impl<'a, L: LinearSolver> Run<'a, L> {
-    /// Begins at `state`.
-    pub fn begin(
+    /// At `state`.
+    pub fn new(
         newton: &'a mut Newton<L>,
         state: &'a mut GridState,
         options: &'a NewtonOptions,
         iterations: &'a mut Vec<Iteration>,
         observe: &'a mut dyn FnMut(&Iteration) -> bool,
-    ) -> Result<Self> {
+    ) -> Self {
         let size = newton.equations.layout().size();
-        let mut residual = vec![0.0; size];
-        timed(&mut newton.timings.assembly, || {
-            newton.equations.residual(state, &mut residual)
-        })?;
-        Ok(Run {
+        Run {
             watchdog: Watchdog::new(newton.equations.has_stations()),
             newton,
             state,
@@ -99,13 +95,13 @@ impl<'a, L: LinearSolver> Run<'a, L> {
             with_multipliers: true,
             iterations,
             observe,
-            residual,
+            residual: vec![0.0; size],
             trial_residual: vec![0.0; size],
             increment: vec![0.0; size],
             accuracy: COARSE,
             stretching: 0.0,
             short_steps: 0,
-        })
+        }
     }
 
     /// Goes on to the end.
@@ -178,6 +174,13 @@ impl<'a, L: LinearSolver> Run<'a, L> {
     fn find_increment(&mut self) -> Result<Option<f64>> {
         self.newton.contraction = None;
         let factored = self.newton.linearise(self.state)?;
+        if self.iterations.is_empty() {
+            let (newton, state) = (&mut *self.newton, &*self.state);
+            timed(&mut newton.timings.assembly, || {
+                let equations = &mut newton.equations;
+                equations.residual_where_linearised(state, &mut self.residual)
+            })?;
+        }
         let rows = self.increment.iter_mut().zip(&self.residual);
         rows.for_each(|(x, r)| *x = -r);
         let solved = factored
