@@ -418,6 +418,7 @@ module periodyn_c
         type(c_ptr) :: initial = c_null_ptr
         type(c_funptr) :: progress = c_null_funptr
         type(c_ptr) :: progress_data = c_null_ptr
+        integer(c_size_t) :: memory_limit
     end type pdn_static_options
 
     type, bind(C) :: pdn_modes_options
@@ -484,6 +485,7 @@ module periodyn_c
         type(c_ptr) :: initial = c_null_ptr
         type(c_funptr) :: progress = c_null_funptr
         type(c_ptr) :: progress_data = c_null_ptr
+        integer(c_size_t) :: memory_limit
     end type pdn_shooting_options
 
     type, bind(C) :: pdn_stability_options

@@ -2044,6 +2044,12 @@ typedef struct pdn_static_options {
      * Handed to progress.
      */
     void *progress_data;
+    /**
+     * Bytes of memory that the solve may take, by an estimate that is made before it begins, with
+     * the modes of ::pdn_solve_modes: what would take more is PDN_ERR_MEMORY, and the message
+     * tells the estimate. 0 for no limit but that of the system. Default 0.
+     */
+    size_t memory_limit;
 } pdn_static_options;
 
 /**
@@ -2311,6 +2317,12 @@ typedef struct pdn_shooting_options {
      * Handed to progress.
      */
     void *progress_data;
+    /**
+     * Bytes of memory that the solve may take, by an estimate that is made before it begins: what
+     * would take more is PDN_ERR_MEMORY, and the message tells the estimate. 0 for no limit but
+     * that of the system. Default 0.
+     */
+    size_t memory_limit;
 } pdn_shooting_options;
 
 /**

@@ -128,6 +128,8 @@ impl Workers {
     /// # Errors
     /// If it is to end, as someone wishes or as it was bounded; passed on as those of callbacks.
     pub fn pulse(&self) -> Result<()> {
+        #[cfg(test)]
+        trip::beat();
         if self.work.is_spent() {
             return Err(Error::new(ErrorKind::Callback, "more work than is allowed"));
         }
@@ -324,4 +326,25 @@ pub(crate) fn parts<T>(
         rest = next;
         part
     })
+}
+
+/// A defect on purpose, for tests: on their thread alone.
+#[cfg(test)]
+pub mod trip {
+    use std::cell::Cell;
+
+    thread_local! {
+        static LEFT: Cell<Option<usize>> = const { Cell::new(None) };
+    }
+
+    /// Lets work trip over its pulse after so many; gives what was left of the last such wish.
+    pub fn after(pulses: Option<usize>) -> Option<usize> {
+        LEFT.replace(pulses)
+    }
+
+    pub(super) fn beat() {
+        let left = LEFT.get();
+        LEFT.set(left.and_then(|left| left.checked_sub(1)));
+        assert!(left != Some(0), "tripped on purpose");
+    }
 }

@@ -1158,6 +1158,11 @@ class StaticOptions(Struct):
     """Told of each iteration, and about ten times a second while one lasts; may cancel. Default
     None.
     """
+    memory_limit = Number("memory_limit")
+    """Bytes of memory that the solve may take, by an estimate that is made before it begins, with
+    the modes of Model.solve_modes: what would take more is ERR_MEMORY, and the message tells
+    the estimate. 0 for no limit but that of the system. Default 0.
+    """
 
 
 class ModesOptions(Struct):
@@ -1335,6 +1340,11 @@ class ShootingOptions(Struct):
     progress = Reference("progress", _callbacks.progress, "progress_data")
     """Told of each period of the guess and of each iteration, and about ten times a second while
     one lasts; may cancel. Default None.
+    """
+    memory_limit = Number("memory_limit")
+    """Bytes of memory that the solve may take, by an estimate that is made before it begins: what
+    would take more is ERR_MEMORY, and the message tells the estimate. 0 for no limit but that
+    of the system. Default 0.
     """
 
 
@@ -3386,6 +3396,7 @@ class Model(ModelExtras):
         axis_point=None,
         initial=None,
         progress=None,
+        memory_limit=None,
     ):
         """Finds an equilibrium at one time: of forces at rest, or in steady rotation.
 
@@ -3422,6 +3433,10 @@ class Model(ModelExtras):
                 joints; None to start from the reference configuration. Default None.
             progress: Told of each iteration, and about ten times a second while one lasts; may
                 cancel. Default None.
+            memory_limit: Bytes of memory that the solve may take, by an estimate that is made
+                before it begins, with the modes of Model.solve_modes: what would take more is
+                ERR_MEMORY, and the message tells the estimate. 0 for no limit but that of the
+                system. Default 0.
 
         Returns:
             Solution: the solution, also if it has not converged
@@ -3436,6 +3451,7 @@ class Model(ModelExtras):
             axis_point=axis_point,
             initial=initial,
             progress=progress,
+            memory_limit=memory_limit,
         )
         out = ffi.new("pdn_solution **")
         call(lib.pdn_solve_static, self._c, options._c, out)
@@ -3594,6 +3610,7 @@ class Model(ModelExtras):
         iteration_limit=None,
         initial=None,
         progress=None,
+        memory_limit=None,
     ):
         """Finds the periodic response of a model by shooting: Newton's method on the period map of
         Model.march.
@@ -3622,6 +3639,9 @@ class Model(ModelExtras):
                 configuration at rest. Default None.
             progress: Told of each period of the guess and of each iteration, and about ten
                 times a second while one lasts; may cancel. Default None.
+            memory_limit: Bytes of memory that the solve may take, by an estimate that is made
+                before it begins: what would take more is ERR_MEMORY, and the message tells the
+                estimate. 0 for no limit but that of the system. Default 0.
 
         Returns:
             Solution: the solution, also if it has not converged
@@ -3634,6 +3654,7 @@ class Model(ModelExtras):
             iteration_limit=iteration_limit,
             initial=initial,
             progress=progress,
+            memory_limit=memory_limit,
         )
         out = ffi.new("pdn_solution **")
         call(lib.pdn_solve_shooting, self._c, period, options._c, out)

@@ -106,7 +106,11 @@ pub mod version;
 
 mod call;
 mod handle;
+#[cfg(test)]
+mod old_structs_test;
 mod options;
+#[cfg(test)]
+mod panic_test;
 mod pointer;
 #[cfg(test)]
 mod tests;

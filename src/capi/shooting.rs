@@ -41,11 +41,15 @@ pub struct pdn_shooting_options {
     pub progress: pdn_progress_fn,
     /// Handed to progress.
     pub progress_data: *mut c_void,
+    /// Bytes of memory that the solve may take, by an estimate that is made before it begins: what
+    /// would take more is PDN_ERR_MEMORY, and the message tells the estimate. 0 for no limit but
+    /// that of the system. Default 0.
+    pub memory_limit: usize,
 }
 
 // SAFETY: all fields are plain numbers or pointers, `struct_size` is the first, no padding.
 unsafe impl Options for pdn_shooting_options {
-    const SIZES: &'static [usize] = &[72];
+    const SIZES: &'static [usize] = &[72, 80];
 
     fn defaults() -> Self {
         let core = ShootingOptions::default();
@@ -147,6 +151,7 @@ fn read_shooting_options(
             tolerance: given.tolerance,
             iteration_limit: given.iteration_limit,
         },
+        memory_limit: given.memory_limit,
         watch: watch(given.progress, given.progress_data, PROGRESS_INTERVAL)?,
     })
 }

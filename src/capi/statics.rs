@@ -48,11 +48,15 @@ pub struct pdn_static_options {
     pub progress: pdn_progress_fn,
     /// Handed to progress.
     pub progress_data: *mut c_void,
+    /// Bytes of memory that the solve may take, by an estimate that is made before it begins, with
+    /// the modes of ::pdn_solve_modes: what would take more is PDN_ERR_MEMORY, and the message
+    /// tells the estimate. 0 for no limit but that of the system. Default 0.
+    pub memory_limit: usize,
 }
 
 // SAFETY: all fields are plain numbers or pointers, `struct_size` is the first, no padding.
 unsafe impl Options for pdn_static_options {
-    const SIZES: &'static [usize] = &[120];
+    const SIZES: &'static [usize] = &[120, 128];
 
     fn defaults() -> Self {
         let core = StaticOptions::default();
@@ -151,6 +155,7 @@ pub(super) fn read_static_options(
             iteration_limit: given.iteration_limit,
         },
         guess: InitialGuess::Default,
+        memory_limit: given.memory_limit,
         watch: watch(given.progress, given.progress_data, PROGRESS_INTERVAL)?,
     };
     let within = |e: Error| match name {

@@ -4,12 +4,25 @@ use crate::elements::NodeState;
 use crate::error::{Error, ErrorKind, Result};
 use crate::memory;
 use crate::motion::Motion;
+use crate::solve::linear::method::tangent_bytes;
 use crate::system::System;
+use nalgebra::Complex;
 
 /// States over the grid that a solve keeps at a time: where it is, came from, and tries to go.
 const STATES: usize = 6;
 /// Vectors of unknowns that it keeps: increments, residuals, scales, right sides.
 const VECTORS: usize = 12;
+
+/// Matrices like an instant's tangent that modes take: as read, and as complex factors.
+const MODE_MATRICES: f64 = 6.0;
+/// Complex vectors that each mode takes: of the space that it is found in, and itself.
+const MODE_VECTORS: usize = 8;
+/// Those that any search takes.
+const SEARCH_VECTORS: usize = 80;
+/// Numbers of a node that a step starts from: motion, velocity, acceleration, and its average.
+const STEP_STARTS: usize = 24;
+/// Matrices of their derivatives, among them complex ones of the multipliers.
+const SHOOTING_MATRICES: usize = 12;
 
 /// Bytes of the states and vectors of so many nodes and own unknowns of elements, at so many
 /// points.
@@ -62,6 +75,30 @@ impl MemoryLimit {
 /// Bytes that a system takes on a grid, without linear equations.
 pub(crate) fn of_grid(system: &System, points: usize) -> usize {
     states_and_vectors(system.nodes(), system.own_unknowns(), points)
+}
+
+/// Bytes that so many modes of a system take, beside its equations at an instant: of these three
+/// matrices and complex factors, vectors of the search and the modes.
+pub(crate) fn bytes_of_modes(system: &System, count: usize) -> usize {
+    let size = 6 * system.nodes() + system.own_unknowns();
+    let vectors = MODE_VECTORS.saturating_mul(count.min(size)) + SEARCH_VECTORS;
+    let vector = size.saturating_mul(size_of::<Complex<f64>>());
+    let matrices = (MODE_MATRICES * tangent_bytes(system, 1)) as usize;
+    matrices.saturating_add(vectors.saturating_mul(vector))
+}
+
+/// Bytes that a shooting solve of so many steps takes: its orbits, and matrices of all that a step
+/// starts from.
+pub(crate) fn bytes_of_shooting(system: &System, steps: usize) -> usize {
+    let states = 3 * system.own_unknowns();
+    let size = system
+        .nodes()
+        .saturating_mul(STEP_STARTS)
+        .saturating_add(states);
+    let entries = size.saturating_mul(size).saturating_mul(SHOOTING_MATRICES);
+    let matrices = entries.saturating_mul(size_of::<f64>());
+    let step = states_and_vectors(system.nodes(), system.own_unknowns(), 1);
+    matrices.saturating_add(steps.saturating_mul(step))
 }
 
 /// Checks that states of so many nodes on a grid are to be had.

@@ -249,7 +249,7 @@ IS(PDN_BEAM_FORCE_JUMP, 3);
 IS(PDN_STAGE_INITIAL_GUESS, 0);
 IS(PDN_STAGE_NEWTON, 1);
 
-SIZE(pdn_static_options, 120);
+SIZE(pdn_static_options, 128);
 AT(pdn_static_options, struct_size, 0);
 AT(pdn_static_options, time, 8);
 AT(pdn_static_options, period, 16);
@@ -261,6 +261,7 @@ AT(pdn_static_options, axis_point, 72);
 AT(pdn_static_options, initial, 96);
 AT(pdn_static_options, progress, 104);
 AT(pdn_static_options, progress_data, 112);
+AT(pdn_static_options, memory_limit, 120);
 SIZE(pdn_modes_options, 32);
 AT(pdn_modes_options, struct_size, 0);
 AT(pdn_modes_options, equilibrium, 8);
@@ -312,7 +313,7 @@ AT(pdn_march_options, progress, 136);
 AT(pdn_march_options, progress_data, 144);
 AT(pdn_march_options, memory_limit, 152);
 
-SIZE(pdn_shooting_options, 72);
+SIZE(pdn_shooting_options, 80);
 AT(pdn_shooting_options, struct_size, 0);
 AT(pdn_shooting_options, steps_per_period, 8);
 AT(pdn_shooting_options, guess_periods, 16);
@@ -322,6 +323,7 @@ AT(pdn_shooting_options, iteration_limit, 40);
 AT(pdn_shooting_options, initial, 48);
 AT(pdn_shooting_options, progress, 56);
 AT(pdn_shooting_options, progress_data, 64);
+AT(pdn_shooting_options, memory_limit, 72);
 
 SIZE(pdn_stability_options, 40);
 AT(pdn_stability_options, struct_size, 0);

@@ -94,6 +94,31 @@ static void many_elements(void)
     CHECK(before == after);
 }
 
+/* Of many nodes, for what takes little of few. */
+static pdn_model *large;
+
+static void many_modes(void)
+{
+    pdn_modes_options options;
+    pdn_modes *modes = NULL;
+    PDN_INIT(pdn_modes_options, &options);
+    options.count = 100000;
+    CHECK_STATUS(pdn_solve_modes(large, &options, &modes), PDN_ERR_MEMORY);
+    CHECK_MESSAGE("a search for modes: ");
+    CHECK_MESSAGE(" bytes of memory cannot be had");
+}
+
+static void many_steps_to_a_period(void)
+{
+    pdn_shooting_options options;
+    pdn_solution *found = NULL;
+    PDN_INIT(pdn_shooting_options, &options);
+    options.steps_per_period = 1000000;
+    CHECK_STATUS(pdn_solve_shooting(model, 2, &options, &found), PDN_ERR_MEMORY);
+    CHECK_MESSAGE("shooting: ");
+    CHECK_MESSAGE(" bytes of memory cannot be had");
+}
+
 static pdn_solution *solution;
 
 static void many_times(void)
@@ -124,37 +149,87 @@ static void many_harmonics(void)
     free(values);
 }
 
-/* Whatever memory there is, a solve ends in its status. */
-static void any_amount(int32_t solver, size_t points, size_t *refused, size_t *solved)
+/* What any_amount tries. */
+static int32_t solver;
+static size_t points;
+
+static pdn_status try_periodic(void)
 {
+    pdn_periodic_options options;
+    PDN_INIT(pdn_periodic_options, &options);
+    options.grid_points = points;
+    options.linear_solver = solver;
+    options.iteration_limit = 3;
+    return pdn_solve_periodic(model, 2, &options, &solution);
+}
+
+static pdn_status try_statics(void)
+{
+    return pdn_solve_static(large, NULL, &solution);
+}
+
+static pdn_status try_modes(void)
+{
+    pdn_modes_options options;
+    pdn_modes *modes = NULL;
+    PDN_INIT(pdn_modes_options, &options);
+    options.count = 200;
+    return pdn_solve_modes(model, &options, &modes);
+}
+
+static pdn_status try_shooting(void)
+{
+    pdn_shooting_options options;
+    PDN_INIT(pdn_shooting_options, &options);
+    options.steps_per_period = 5;
+    options.iteration_limit = 1;
+    return pdn_solve_shooting(model, 2, &options, &solution);
+}
+
+static pdn_status try_march(void)
+{
+    pdn_march_options options;
+    PDN_INIT(pdn_march_options, &options);
+    options.duration = 0.1;
+    options.step = 0.05;
+    return pdn_march(large, &options, &solution);
+}
+
+/* Whatever memory there is, a solve ends in its status. */
+static void any_amount(const char *what, pdn_status (*attempt)(void))
+{
+    size_t refused = 0, solved = 0;
     for (size_t share = 0; share < 24; share++) {
         const pid_t child = fork();
         int status = 0;
         CHECK(child >= 0);
         if (child == 0) {
-            pdn_periodic_options options;
             pdn_status result;
-            PDN_INIT(pdn_periodic_options, &options);
-            options.grid_points = points;
-            options.linear_solver = solver;
-            options.iteration_limit = 3;
             /* From 1 MiB on, by a third more each time, to 800 MiB. */
             size_t bytes = MIB;
             for (size_t i = 0; i < share; i++) {
                 bytes += bytes / 3;
             }
             leave(bytes);
-            result = pdn_solve_periodic(model, 2, &options, &solution);
+            result = attempt();
             _exit(result == PDN_OK ? 0 : result == PDN_ERR_MEMORY ? 77 : 1);
         }
         CHECK(waitpid(child, &status, 0) == child);
         if (!WIFEXITED(status) || (WEXITSTATUS(status) != 0 && WEXITSTATUS(status) != 77)) {
-            fprintf(stderr, "solver %d, %zu points, share %zu: status %d\n", (int)solver, points,
-                    share, status);
+            fprintf(stderr, "%s, share %zu: status %d\n", what, share, status);
             exit(1);
         }
-        *(WEXITSTATUS(status) == 0 ? solved : refused) += 1;
+        *(WEXITSTATUS(status) == 0 ? &solved : &refused) += 1;
     }
+    printf("%s: %zu refused, %zu solved\n", what, refused, solved);
+    CHECK(refused > 2 && solved > 2);
+}
+
+static void any_amount_of_a_grid(const char *what, int32_t by, size_t count)
+{
+    solver = by;
+    points = count;
+    any_amount(what, try_periodic);
 }
 
 /* The caller's own limit: refused with the estimate, which suffices if it is allowed. */
@@ -188,6 +263,81 @@ static void own_limit(void)
     options.error_tolerance = 1e-13;
     options.memory_limit = 0;
     CHECK_STATUS(pdn_solve_periodic(model, 2, &options, &found), PDN_OK);
+    pdn_solution_free(found);
+}
+
+/* The estimate that the last error tells. */
+static size_t told(void)
+{
+    char message[512];
+    unsigned long long estimate = 0;
+    const char *about;
+    CHECK_MESSAGE("more than options.memory_limit allows (1000)");
+    pdn_last_error(message, sizeof message);
+    about = strstr(message, "about ");
+    CHECK(about != NULL && sscanf(about, "about %llu bytes", &estimate) == 1);
+    CHECK(estimate > 1000 && estimate < 1000 * MIB);
+    return (size_t)estimate;
+}
+
+static int32_t note(const pdn_progress *progress, void *user_data)
+{
+    (void)progress;
+    *(int *)user_data = 1;
+    return 0;
+}
+
+/* Statics, modes and shooting: refused before they begin, with an estimate that suffices. */
+static void own_limits_of_others(void)
+{
+    pdn_static_options at_rest;
+    pdn_modes_options of_modes;
+    pdn_shooting_options shooting;
+    pdn_solution *found = NULL;
+    pdn_modes *modes = NULL;
+    int began = 0;
+    PDN_INIT(pdn_static_options, &at_rest);
+    CHECK(at_rest.memory_limit == 0);
+    at_rest.memory_limit = 1000;
+    at_rest.progress = note;
+    at_rest.progress_data = &began;
+    CHECK_STATUS(pdn_solve_static(model, &at_rest, &found), PDN_ERR_MEMORY);
+    CHECK_MESSAGE("the equilibrium takes about ");
+    CHECK(found == NULL && !began);
+    at_rest.memory_limit = told();
+    CHECK_STATUS(pdn_solve_static(model, &at_rest, &found), PDN_OK);
+    CHECK(pdn_solution_outcome(found) == PDN_CONVERGED && began);
+    pdn_solution_free(found);
+
+    /* Modes take more than the equilibrium. */
+    PDN_INIT(pdn_modes_options, &of_modes);
+    of_modes.equilibrium = &at_rest;
+    began = 0;
+    CHECK_STATUS(pdn_solve_modes(model, &of_modes, &modes), PDN_ERR_MEMORY);
+    CHECK_MESSAGE("a search for modes takes about ");
+    at_rest.memory_limit = 1000;
+    CHECK_STATUS(pdn_solve_modes(model, &of_modes, &modes), PDN_ERR_MEMORY);
+    CHECK(modes == NULL && !began);
+    at_rest.memory_limit = told();
+    CHECK_STATUS(pdn_solve_modes(model, &of_modes, &modes), PDN_OK);
+    CHECK(pdn_modes_outcome(modes) == PDN_CONVERGED);
+    pdn_modes_free(modes);
+
+    PDN_INIT(pdn_shooting_options, &shooting);
+    CHECK(shooting.memory_limit == 0);
+    shooting.steps_per_period = 5;
+    shooting.iteration_limit = 1;
+    shooting.memory_limit = 1000;
+    began = 0;
+    shooting.progress = note;
+    shooting.progress_data = &began;
+    found = NULL;
+    CHECK_STATUS(pdn_solve_shooting(model, 2, &shooting, &found), PDN_ERR_MEMORY);
+    CHECK_MESSAGE("shooting takes about ");
+    CHECK(found == NULL && !began);
+    shooting.memory_limit = told();
+    CHECK_STATUS(pdn_solve_shooting(model, 2, &shooting, &found), PDN_OK);
+    CHECK(began);
     pdn_solution_free(found);
 }
 
@@ -249,8 +399,9 @@ static void in_a_child(void (*test)(void), size_t bytes)
 int main(void)
 {
     pdn_periodic_options options;
-    size_t refused = 0, solved = 0;
+    driven_arm others;
     model = make_driven_arm(24, 4, &parts);
+    large = make_driven_arm(1000, 4, &others);
     PDN_INIT(pdn_periodic_options, &options);
     options.grid_points = 5;
     CHECK_STATUS(pdn_solve_periodic(model, 2, &options, &solution), PDN_OK);
@@ -261,15 +412,21 @@ int main(void)
     in_a_child(many_elements, 256 * MIB);
     in_a_child(many_times, 256 * MIB);
     in_a_child(many_harmonics, 256 * MIB);
-    any_amount(PDN_LINEAR_AUTOMATIC, 61, &refused, &solved);
-    any_amount(PDN_LINEAR_DIRECT, 31, &refused, &solved);
-    any_amount(PDN_LINEAR_BODY_CIRCULANT, 61, &refused, &solved);
-    printf("%zu refused, %zu solved\n", refused, solved);
-    CHECK(refused > 10 && solved > 10);
+    in_a_child(many_steps_to_a_period, 256 * MIB);
+    in_a_child(many_modes, 256 * MIB);
+    any_amount_of_a_grid("automatic", PDN_LINEAR_AUTOMATIC, 61);
+    any_amount_of_a_grid("direct", PDN_LINEAR_DIRECT, 31);
+    any_amount_of_a_grid("iterative", PDN_LINEAR_BODY_CIRCULANT, 61);
+    any_amount("modes", try_modes);
+    any_amount("statics", try_statics);
+    any_amount("march", try_march);
+    any_amount("shooting", try_shooting);
     own_limit();
     own_limit_of_a_march();
+    own_limits_of_others();
 
     pdn_solution_free(solution);
     pdn_model_free(model);
+    pdn_model_free(large);
     return 0;
 }

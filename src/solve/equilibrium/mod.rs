@@ -10,7 +10,8 @@ use crate::collocation::Conditions;
 use crate::error::{Error, Result, require_finite, require_positive_number};
 use crate::fourier::TimeGrid;
 use crate::model::Model;
-use crate::solve::newton::Newton;
+use crate::solve::memory::{MemoryLimit, bytes_of_modes};
+use crate::solve::newton::{Newton, bytes_at_instant};
 use crate::solve::periodic::estimate::mesh_error;
 use crate::solve::report::{Iteration, NewtonOptions, NewtonReport, Outcome, Timings};
 use crate::solve::result::{Kind, Solved};
@@ -37,6 +38,8 @@ pub struct StaticOptions {
     pub newton: NewtonOptions,
     /// Where to start: by default in the reference configuration, with load steps.
     pub guess: InitialGuess,
+    /// Bytes that it may take, by an estimate; no limit if zero.
+    pub memory_limit: usize,
     /// Who is told how the solve goes on, and may cancel it.
     pub watch: Watch,
 }
@@ -51,6 +54,7 @@ impl Default for StaticOptions {
                 iteration_limit: 30,
             },
             guess: InitialGuess::Default,
+            memory_limit: 0,
             watch: Watch::default(),
         }
     }
@@ -80,13 +84,27 @@ impl StaticOptions {
     }
 }
 
-/// Whether states that a free motion may carry off are accepted.
+/// What an equilibrium is looked for.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Indifferent {
-    /// They are: modes tell of the free motion.
-    Accepted,
-    /// They are not: the position is not determined.
-    Singular,
+pub(crate) enum Purpose {
+    /// The position: one that a free motion may carry off is not determined.
+    Position,
+    /// At most so many modes about it, which tell of free motions.
+    Modes(usize),
+}
+
+impl Purpose {
+    /// Checks that the memory that this takes of a system may be taken, and is to be had.
+    fn require(self, system: &System, limit: MemoryLimit) -> Result<()> {
+        let instant = bytes_at_instant(system);
+        match self {
+            Purpose::Position => limit.require("the equilibrium", instant),
+            Purpose::Modes(count) => {
+                let bytes = instant.saturating_add(bytes_of_modes(system, count));
+                limit.require("a search for modes", bytes)
+            }
+        }
+    }
 }
 
 /// Finds an equilibrium of `model` at one time, at rest or in steady rotation.
@@ -105,7 +123,7 @@ pub fn solve_static(
     observe: &mut dyn FnMut(Stage, &Iteration) -> bool,
 ) -> Result<Solved> {
     let watching = options.watch.begin(Stage::InitialGuess, 1);
-    find_equilibrium(model, options, Indifferent::Singular, &watching, observe)
+    find_equilibrium(model, options, Purpose::Position, &watching, observe)
 }
 
 /// Looks for an equilibrium from the reference configuration.
@@ -148,7 +166,7 @@ fn begin(
 pub(crate) fn find_equilibrium(
     model: &Model,
     options: &StaticOptions,
-    indifferent: Indifferent,
+    purpose: Purpose,
     watching: &Watching,
     observe: &mut dyn FnMut(Stage, &Iteration) -> bool,
 ) -> Result<Solved> {
@@ -158,6 +176,7 @@ pub(crate) fn find_equilibrium(
         model,
         Regime::Standstill(options.standstill),
     )?);
+    purpose.require(&system, MemoryLimit(options.memory_limit))?;
     let (length, period) = (system.scales().length, options.standstill.period());
     require_reproducible_forces(model, length, period, options.standstill.time)?;
     let grid = TimeGrid::new(1, period)?;
@@ -197,7 +216,7 @@ pub(crate) fn find_equilibrium(
         total_time: start.elapsed(),
         ..Solved::known(&system, grid, (state, Vec::new()), report, kind)
     };
-    if indifferent == Indifferent::Accepted {
+    if purpose != Purpose::Position {
         accept_indifferent(&mut newton, &mut solve)?;
     } else if solve.report.outcome.is_solution() {
         if solve.report.iterations.is_empty() {

@@ -8,9 +8,8 @@ pub(crate) mod pencil;
 
 use crate::collocation::{Collocation, Pattern};
 use crate::error::{Error, ErrorKind, Result, require_finite};
-use crate::memory;
 use crate::model::Model;
-use crate::solve::equilibrium::{Indifferent, StaticOptions, find_equilibrium};
+use crate::solve::equilibrium::{Purpose, StaticOptions, find_equilibrium};
 use crate::solve::modes::eigen::{EigenPair, Search, Target};
 use crate::solve::modes::free_motions::without_free_motions;
 use crate::solve::modes::pencil::{C64, Pencil};
@@ -128,7 +127,7 @@ pub fn solve_modes(
     let mut equilibrium = find_equilibrium(
         model,
         &options.equilibrium,
-        Indifferent::Accepted,
+        Purpose::Modes(options.count),
         &watching,
         &mut watch,
     )?;
@@ -181,9 +180,6 @@ fn find_modes(solve: &mut ModesSolve, options: &ModesOptions, watching: &Watchin
         let message = "modes: the model's stiffnesses and masses are too far apart to compute with";
         return Err(Error::new(ErrorKind::Overflow, message));
     }
-    // Vectors of the search, and the modes, in complex numbers.
-    let wanted = options.count.min(equations.size());
-    memory::require_items("the modes", 4 * wanted, equations.size() * size_of::<C64>())?;
     let target = options
         .near_frequency
         .map_or(Target::Smallest, Target::Near);

@@ -75,6 +75,11 @@ pub(crate) struct Newton<L = Assembled> {
     pub timings: Timings,
 }
 
+/// Bytes that a solve on a grid of one point takes, with its linear equations.
+pub(crate) fn bytes_at_instant(system: &System) -> usize {
+    of_grid(system, 1).saturating_add((AT_INSTANT * tangent_bytes(system, 1)) as usize)
+}
+
 impl Newton {
     /// A solver for `equations` that assembles and factors their Jacobian.
     pub fn new(equations: Collocation) -> Self {
@@ -89,8 +94,7 @@ impl Newton {
     /// The same for a grid of one point: an equilibrium, or a step in time.
     pub fn at_instant(system: &Arc<System>, workers: &Workers) -> Result<Self> {
         let instant = TimeGrid::new(1, system.period())?;
-        let bytes = of_grid(system, 1) as f64 + AT_INSTANT * tangent_bytes(system, 1);
-        memory::require("the equations at an instant", bytes as usize)?;
+        memory::require("the equations at an instant", bytes_at_instant(system))?;
         let mut equations = Collocation::new(system.clone(), instant)?;
         equations.set_workers(workers.clone());
         Ok(Newton::new(equations))

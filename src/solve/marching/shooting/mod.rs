@@ -20,6 +20,7 @@ use crate::solve::marching::shooting::newton::close;
 use crate::solve::marching::shooting::period_map::{Orbit, PeriodMap};
 use crate::solve::marching::start::begin;
 use crate::solve::marching::trajectory::{Kept, finish};
+use crate::solve::memory::{MemoryLimit, bytes_of_shooting};
 use crate::solve::report::{Iteration, NewtonOptions, NewtonReport, Outcome};
 use crate::solve::result::{Kind, Solved};
 use crate::solve::watch::{Stage, Watch, Watching};
@@ -41,6 +42,8 @@ pub struct ShootingOptions {
     pub spectral_radius: f64,
     /// When Newton's method stops; in each step it goes on to the square root of rounding.
     pub newton: NewtonOptions,
+    /// Bytes that it may take, by an estimate; no limit if zero.
+    pub memory_limit: usize,
     /// Who is told how the solve goes on, and may cancel it.
     pub watch: Watch,
 }
@@ -56,6 +59,7 @@ impl Default for ShootingOptions {
                 tolerance: 1e-8,
                 iteration_limit: 30,
             },
+            memory_limit: 0,
             watch: Watch::default(),
         }
     }
@@ -109,6 +113,8 @@ pub fn solve_shooting(
             step: length,
         }),
     )?);
+    let bytes = bytes_of_shooting(&system, options.steps);
+    MemoryLimit(options.memory_limit).require("shooting", bytes)?;
     let watching = options.watch.begin(Stage::InitialGuess, 1);
     let workers = Workers::default().telling(watching.pulse());
     let mut observe = watching.with(observe);
