@@ -41,20 +41,21 @@ impl CardinalWeights {
         let offset = (steps - nearest) * PI / n;
         let nearest = nearest as usize % points;
         let (sin_y0, cos_y0) = (n * offset).sin_cos();
+        let step = PI / n;
         for k in 0..points {
-            let behind = (nearest + points - k) % points;
             // x = (τ − τ_k)/2 within (−π/2, π/2], and y = N x.
-            let behind = if 2 * behind > points {
-                behind as f64 - n
-            } else {
-                behind as f64
-            };
-            let x = offset + behind * PI / n;
-            let (i, d, t) = if behind == 0.0 {
+            let mut behind = nearest as i64 - k as i64;
+            if 2 * behind > points as i64 {
+                behind -= points as i64;
+            } else if 2 * behind <= -(points as i64) {
+                behind += points as i64;
+            }
+            let x = offset + behind as f64 * step;
+            let (i, d, t) = if behind == 0 {
                 by_summation(points, 2.0 * x)
             } else {
                 // sin(y0 + jπ) = (−1)^j sin y0
-                let sign = if behind % 2.0 == 0.0 { 1.0 } else { -1.0 };
+                let sign = if behind % 2 == 0 { 1.0 } else { -1.0 };
                 in_closed_form(n, x, sign * sin_y0, sign * cos_y0)
             };
             self.value[k] = i;
@@ -67,13 +68,13 @@ impl CardinalWeights {
 /// Away from the grid point, for `Ω = 1`.
 fn in_closed_form(n: f64, x: f64, sin_y: f64, cos_y: f64) -> (f64, f64, f64) {
     let (sin_x, cos_x) = x.sin_cos();
-    let sin2 = sin_x * sin_x;
+    let inverse = 1.0 / sin_x;
+    let (value, wave) = (sin_y * inverse / n, cos_y * inverse);
+    let slope = cos_x * inverse;
     (
-        sin_y / (n * sin_x),
-        cos_y / (2.0 * sin_x) - sin_y * cos_x / (2.0 * n * sin2),
-        (1.0 + cos_x * cos_x) * sin_y / (4.0 * n * sin2 * sin_x)
-            - cos_y * cos_x / (2.0 * sin2)
-            - n * sin_y / (4.0 * sin_x),
+        value,
+        0.5 * (wave - value * slope),
+        value * (0.5 * inverse * inverse - 0.25) - 0.5 * wave * slope - 0.25 * n * n * value,
     )
 }
 

@@ -20,10 +20,14 @@ pub fn polar_rotation(g: &Matrix3<f64>) -> Matrix3<f64> {
     if g.determinant() > 1e-2 * size * size * size {
         let mut r = *g * (3f64.sqrt() / size);
         for _ in 0..30 {
-            let Some(inverse) = r.try_inverse() else {
+            let [x, y, z] = [0, 1, 2].map(|column| Vector3::from(r.column(column)));
+            // R⁻ᵀ by its cofactors.
+            let cofactors = [y.cross(&z), z.cross(&x), x.cross(&y)];
+            let determinant = x.dot(&cofactors[0]);
+            if determinant == 0.0 {
                 break;
-            };
-            let next = 0.5 * (r + inverse.transpose());
+            }
+            let next = 0.5 * (r + Matrix3::from_columns(&cofactors) * (1.0 / determinant));
             let change = (next - r).amax();
             r = next;
             if change < 1e-9 {
