@@ -16,6 +16,8 @@ pub const ALL_TESTS: &str = "tests/all_of_them.rs";
 pub struct Folders {
     pub root: PathBuf,
     pub work: PathBuf,
+    /// Files of integration tests that are built; all if there are none.
+    pub tests: Vec<String>,
 }
 
 impl Folders {
@@ -88,7 +90,11 @@ fn write(folders: &Folders, mutants: &[Numbered]) -> io::Result<BTreeMap<String,
         let test = name
             .strip_prefix("tests/")
             .and_then(|name| name.strip_suffix(".rs"));
-        if let Some(test) = test.filter(|test| !test.contains('/')) {
+        let is_built = |test: &str| {
+            let is_asked = folders.tests.is_empty() || folders.tests.iter().any(|one| one == test);
+            !test.contains('/') && is_asked
+        };
+        if let Some(test) = test.filter(|test| is_built(test)) {
             tests += &format!("#[path = \"{test}.rs\"]\nmod {test};\n");
         }
         put(&folders.tree().join(name), &bytes)?;

@@ -4,11 +4,19 @@
 //! sets, so that a mutant costs the tests that reach it and no build.
 //!
 //! ```text
-//! periodyn-mutants ROOT WORK [--seed S] [--count N] [--slowest S] [--lib] [--report]
+//! periodyn-mutants ROOT WORK [OPTION...]
 //! ```
 //!
 //! ROOT is the tree, WORK a folder for the copy and for results: what is done is not done again.
-//! `--slowest`: tests that take more seconds are left out. `--lib`: with the library's own tests only. `--report`: says what is known.
+//!
+//! | option | |
+//! |---|---|
+//! | `--seed S` | which sample; 1 |
+//! | `--count N` | how large it is; 300 |
+//! | `--slowest S` | tests that take more seconds are left out; 60 |
+//! | `--tests A,B` | of the integration tests these files alone |
+//! | `--lib` | the library's own tests alone |
+//! | `--report` | says what is known so far |
 
 mod binaries;
 mod copy;
@@ -45,6 +53,7 @@ fn settings() -> Option<Settings> {
     let folders = Folders {
         root: folder(arguments.next()?)?,
         work: folder(arguments.next()?)?,
+        tests: Vec::new(),
     };
     let mut settings = Settings {
         folders,
@@ -59,6 +68,10 @@ fn settings() -> Option<Settings> {
             "--seed" => settings.seed = arguments.next()?.parse().ok()?,
             "--count" => settings.count = arguments.next()?.parse().ok()?,
             "--slowest" => settings.slowest = arguments.next()?.parse().ok()?,
+            "--tests" => {
+                let names = arguments.next()?;
+                settings.folders.tests = names.split(',').map(str::to_string).collect();
+            }
             "--lib" => settings.only_library = true,
             "--report" => settings.only_report = true,
             _ => return None,
@@ -116,9 +129,7 @@ fn run(settings: &Settings) -> io::Result<()> {
 
 fn main() -> ExitCode {
     let Some(settings) = settings() else {
-        eprintln!(
-            "periodyn-mutants ROOT WORK [--seed S] [--count N] [--slowest S] [--lib] [--report]"
-        );
+        eprintln!("periodyn-mutants ROOT WORK [OPTION...]; src/main.rs tells the options");
         return ExitCode::from(2);
     };
     match run(&settings) {
