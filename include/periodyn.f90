@@ -2649,6 +2649,7 @@ module periodyn
         procedure, public :: history => solution_history
         procedure, public :: decay => solution_decay
         procedure, public :: filtered => solution_filtered
+        procedure, public :: sharp_events => solution_sharp_events
         procedure, public :: grid_times => solution_grid_times
         procedure, public :: node_position => solution_node_position
         procedure, public :: node_rotation => solution_node_rotation
@@ -4006,6 +4007,26 @@ contains
         end if
         call report(status, stat, errmsg)
     end subroutine solution_decay
+
+    ! Times, widths and shares of the events that grid points are closer together about.
+    subroutine solution_sharp_events(self, times, widths, shares, stat, errmsg)
+        class(pdn_solution), intent(in) :: self
+        real(c_double), allocatable, intent(inout) :: times(:), widths(:), shares(:)
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        integer(c_size_t) :: count
+        integer(c_int32_t) :: status
+
+        status = pdn_solution_sharp_event_count(self%c, count)
+        if (status == PDN_OK) then
+            if (allocated(times)) deallocate (times)
+            if (allocated(widths)) deallocate (widths)
+            if (allocated(shares)) deallocate (shares)
+            allocate (times(count), widths(count), shares(count))
+            status = pdn_solution_sharp_events(self%c, times, widths, shares, count)
+        end if
+        call report(status, stat, errmsg)
+    end subroutine solution_sharp_events
 
     ! Grid times.
     subroutine solution_grid_times(self, times, stat, errmsg)
