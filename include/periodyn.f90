@@ -142,6 +142,9 @@ module periodyn_c
     integer(c_int32_t), parameter :: PDN_START_MARCH = 5
     integer(c_int32_t), parameter :: PDN_START_LOWERED_DAMPING = 6
     integer(c_int32_t), parameter :: PDN_START_RAISED_LOADS = 7
+    integer(c_int32_t), parameter :: PDN_TIME_MAP_AUTOMATIC = 0
+    integer(c_int32_t), parameter :: PDN_TIME_MAP_EQUISPACED = 1
+    integer(c_int32_t), parameter :: PDN_TIME_MAP_EVENTS = 2
     integer(c_int32_t), parameter :: PDN_LINEAR_AUTOMATIC = 0
     integer(c_int32_t), parameter :: PDN_LINEAR_DIRECT = 1
     integer(c_int32_t), parameter :: PDN_LINEAR_ITERATIVE = 2
@@ -360,6 +363,12 @@ module periodyn_c
         real(c_double) :: progress_interval
         real(c_double) :: work_limit
         integer(c_size_t) :: memory_limit
+        integer(c_int32_t) :: time_map
+        integer(c_int32_t) :: reserved
+        integer(c_size_t) :: event_count
+        type(c_ptr) :: event_times = c_null_ptr
+        type(c_ptr) :: event_widths = c_null_ptr
+        type(c_ptr) :: event_shares = c_null_ptr
     end type pdn_periodic_options
 
     type, bind(C) :: pdn_sensitivity_options
@@ -1355,7 +1364,27 @@ module periodyn_c
             integer(c_int32_t) :: pdn_solution_decay
         end function pdn_solution_decay
 
-        ! Grid times t_k = k T / N; of a march the times of its steps, from the start
+        ! Number of events that the grid points of a solution are closer together about: 0 if they are equispaced
+        function pdn_solution_sharp_event_count(solution, out) bind(C, name="pdn_solution_sharp_event_count")
+            import
+            type(c_ptr), value :: solution
+            integer(c_size_t), intent(inout) :: out
+            integer(c_int32_t) :: pdn_solution_sharp_event_count
+        end function pdn_solution_sharp_event_count
+
+        ! Events that the grid points of a solution are closer together about, those of pdn_periodic_options or such ...
+        function pdn_solution_sharp_events(solution, times, widths, shares, &
+            count) bind(C, name="pdn_solution_sharp_events")
+            import
+            type(c_ptr), value :: solution
+            real(c_double), intent(inout) :: times(*)
+            real(c_double), intent(inout) :: widths(*)
+            real(c_double), intent(inout) :: shares(*)
+            integer(c_size_t), value :: count
+            integer(c_int32_t) :: pdn_solution_sharp_events
+        end function pdn_solution_sharp_events
+
+        ! Grid times t_k = k T / N, unless grid points are closer together about events; of a march the times of its ...
         function pdn_solution_grid_times(solution, times, count) bind(C, name="pdn_solution_grid_times")
             import
             type(c_ptr), value :: solution
@@ -2651,6 +2680,7 @@ module periodyn
         procedure, public :: history => solution_history
         procedure, public :: decay => solution_decay
         procedure, public :: filtered => solution_filtered
+        procedure, public :: sharp_events => solution_sharp_events
         procedure, public :: grid_times => solution_grid_times
         procedure, public :: node_position => solution_node_position
         procedure, public :: node_rotation => solution_node_rotation
@@ -4008,6 +4038,26 @@ contains
         end if
         call report(status, stat, errmsg)
     end subroutine solution_decay
+
+    ! Times, widths and shares of the events that grid points are closer together about.
+    subroutine solution_sharp_events(self, times, widths, shares, stat, errmsg)
+        class(pdn_solution), intent(in) :: self
+        real(c_double), allocatable, intent(inout) :: times(:), widths(:), shares(:)
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        integer(c_size_t) :: count
+        integer(c_int32_t) :: status
+
+        status = pdn_solution_sharp_event_count(self%c, count)
+        if (status == PDN_OK) then
+            if (allocated(times)) deallocate (times)
+            if (allocated(widths)) deallocate (widths)
+            if (allocated(shares)) deallocate (shares)
+            allocate (times(count), widths(count), shares(count))
+            status = pdn_solution_sharp_events(self%c, times, widths, shares, count)
+        end if
+        call report(status, stat, errmsg)
+    end subroutine solution_sharp_events
 
     ! Grid times.
     subroutine solution_grid_times(self, times, stat, errmsg)

@@ -697,6 +697,22 @@
 #define PDN_START_RAISED_LOADS 7
 
 /**
+ * Grid points are equispaced, but closer together where a solve to a tolerance finds the motion
+ * sharp.
+ */
+#define PDN_TIME_MAP_AUTOMATIC 0
+
+/**
+ * Grid points are equispaced.
+ */
+#define PDN_TIME_MAP_EQUISPACED 1
+
+/**
+ * Grid points are closer together about events that are given.
+ */
+#define PDN_TIME_MAP_EVENTS 2
+
+/**
  * Linear equations: solved directly where that is quick, by iteration otherwise.
  */
 #define PDN_LINEAR_AUTOMATIC 0
@@ -1816,6 +1832,37 @@ typedef struct pdn_periodic_options {
      * solve as PDN_TOLERANCE_NOT_MET. 0 for no limit but that of the system. Default 0.
      */
     size_t memory_limit;
+    /**
+     * Where the points of grids are: PDN_TIME_MAP_AUTOMATIC, PDN_TIME_MAP_EQUISPACED or
+     * PDN_TIME_MAP_EVENTS. By PDN_TIME_MAP_AUTOMATIC, a given number of points is equispaced, and
+     * a solve to a tolerance that starts from a solution goes on with the map of that. Default
+     * PDN_TIME_MAP_AUTOMATIC.
+     */
+    int32_t time_map;
+    /**
+     * Zero.
+     */
+    int32_t reserved;
+    /**
+     * Number of the events of PDN_TIME_MAP_EVENTS, at most 16. Default 0.
+     */
+    size_t event_count;
+    /**
+     * Times of the events, which repeat themselves every period: an array of length
+     * [event_count]. Default NULL.
+     */
+    const double *event_times;
+    /**
+     * Times from there to where the additional density of grid points is half as large, about as
+     * long as the events last, from 1e-5 to half the period: an array of length [event_count].
+     * Default NULL.
+     */
+    const double *event_widths;
+    /**
+     * Grid points that are there for each, beside those spread equally over the period, which
+     * count as 1; above 0, at most 100: an array of length [event_count]. Default NULL.
+     */
+    const double *event_shares;
 } pdn_periodic_options;
 
 /**
@@ -4062,7 +4109,44 @@ pdn_status pdn_solution_decay(const struct pdn_solution *solution,
                               size_t count);
 
 /**
- * Grid times t_k = k T / N; of a march the times of its steps, from the start.
+ * Number of events that the grid points of a solution are closer together about: 0 if they are
+ * equispaced.
+ *
+ * @param solution  the solution; not NULL
+ * @param out  the number; written on success only
+ * @return PDN_OK, PDN_ERR_NULL
+ *
+ * Threads: like `const`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_solution_sharp_event_count(const struct pdn_solution *solution,
+                                          size_t *out);
+
+/**
+ * Events that the grid points of a solution are closer together about, those of
+ * pdn_periodic_options or such as a solve to a tolerance has found.
+ *
+ * @param solution  the solution; not NULL
+ * @param times  array of length [count]: their times
+ * @param widths  array of length [count]: half-widths of the additional density of grid points
+ * @param shares  array of length [count]: shares of the grid points, beside 1 for the rest
+ * @param count  their number, of ::pdn_solution_sharp_event_count
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_SIZE
+ *
+ * Threads: like `const`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_solution_sharp_events(const struct pdn_solution *solution,
+                                     double *times,
+                                     double *widths,
+                                     double *shares,
+                                     size_t count);
+
+/**
+ * Grid times t_k = k T / N, unless grid points are closer together about events; of a march the
+ * times of its steps, from the start.
  *
  * @param solution  the solution; not NULL
  * @param times  array of length [count]
@@ -4811,7 +4895,7 @@ void pdn_periodic_options_init(struct pdn_periodic_options *options,
 /**
  * Finds the periodic response of a model directly, by Fourier spectral collocation.
  *
- * Newton's method with the exact tangent on the equations of motion at N equispaced times, from
+ * Newton's method with the exact tangent on the equations of motion at N times of a period, from
  * the quasi-static motion unless another start is given; where inertia takes the response far from
  * that, or N is large, from a solution on fewer points. Unless N is given, it is raised, each
  * solution starting the next, until the estimated error meets the tolerance. Not converging is no
@@ -4823,12 +4907,13 @@ void pdn_periodic_options_init(struct pdn_periodic_options *options,
  * @param options  may be NULL for the defaults
  * @param out  the solution, also if it has not converged; free it with ::pdn_solution_free;
  *     written on success only
- * @return PDN_OK; PDN_ERR_NULL; PDN_ERR_NOT_FINITE; PDN_ERR_SIZE (even number of grid points, a
- *     start of arrays without their number); PDN_ERR_VALUE; PDN_ERR_STRUCT_SIZE; PDN_ERR_MODEL (no
- *     node, a beam too distorted); PDN_ERR_NOT_PERIODIC (a prescribed motion or load that does not
- *     repeat, a spring on an angle that gains turns); PDN_ERR_GRID_TOO_COARSE (of the initial
- *     solution); PDN_ERR_CALLBACK (of a signal); PDN_ERR_OVERFLOW (numbers too large to compute
- *     with); PDN_ERR_MEMORY
+ * @return PDN_OK; PDN_ERR_NULL; PDN_ERR_NOT_FINITE; PDN_ERR_SIZE (even number of grid points,
+ *     a start of arrays without their number, events that are too many); PDN_ERR_VALUE;
+ *     PDN_ERR_STRUCT_SIZE; PDN_ERR_MODEL (no node, a beam too distorted);
+ *     PDN_ERR_NOT_PERIODIC (a prescribed motion or load that does not repeat, a spring on an
+ *     angle that gains turns); PDN_ERR_GRID_TOO_COARSE (of the initial solution);
+ *     PDN_ERR_CALLBACK (of a signal); PDN_ERR_OVERFLOW (numbers too large to compute with);
+ *     PDN_ERR_MEMORY
  *
  * Threads: like a `const` use of `model` and of `options.initial`. Signals' functions and
  * `progress` are called on this thread.

@@ -254,6 +254,12 @@ enum class Start : std::int32_t {
     lowered_damping = PDN_START_LOWERED_DAMPING,
     raised_loads = PDN_START_RAISED_LOADS,
 };
+/** Where the points of grids are, as pdn_periodic_options.time_map asks for. */
+enum class TimeMap : std::int32_t {
+    automatic = PDN_TIME_MAP_AUTOMATIC,
+    equispaced = PDN_TIME_MAP_EQUISPACED,
+    events = PDN_TIME_MAP_EVENTS,
+};
 enum class NodeQuantity : std::int32_t {
     position = PDN_NODE_POSITION,
     rotation = PDN_NODE_ROTATION,
@@ -1424,6 +1430,17 @@ class Solution
     {
         std::vector<double> out((diagnostics().grid_points + 1) / 2);
         detail::check(pdn_solution_decay(get(), out.data(), out.size()));
+        return out;
+    }
+    /** Times, widths and shares of the events that grid points are closer together about. */
+    std::array<std::vector<double>, 3> sharp_events() const
+    {
+        std::size_t count = 0;
+        detail::check(pdn_solution_sharp_event_count(get(), &count));
+        std::array<std::vector<double>, 3> out;
+        out.fill(std::vector<double>(count));
+        detail::check(pdn_solution_sharp_events(get(), out[0].data(), out[1].data(), out[2].data(),
+                                                count));
         return out;
     }
     std::vector<double> grid_times() const

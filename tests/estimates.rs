@@ -479,7 +479,10 @@ fn a_small_response_is_resolved_relative_to_its_amplitude() {
     let load = Signal::harmonics(0.0, 0.0, &[1e-3, 0.0, 0.0, 0.0, 0.0, 0.0, 5e-5], &[0.0; 7]);
     model.add_actuator(at, &load.unwrap()).unwrap();
     let exact = solve(&model, 1.0, 31);
-    let size = exact.details().state.amplitude(&exact.details().system);
+    let size = exact
+        .details()
+        .state
+        .amplitude(&exact.details().system, exact.grid());
     let solve = |response_tolerance: f64| {
         let options = PeriodicOptions {
             grid_points: GridPoints::Adaptive(Adaptation {

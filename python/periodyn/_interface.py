@@ -315,6 +315,14 @@ START_RAISED_LOADS = 7
 """Start of a periodic solve: the reference configuration, and loads and prescribed motions raised
 in steps; not where these gain whole turns in a period.
 """
+TIME_MAP_AUTOMATIC = 0
+"""Grid points are equispaced, but closer together where a solve to a tolerance finds the motion
+sharp.
+"""
+TIME_MAP_EQUISPACED = 1
+"""Grid points are equispaced."""
+TIME_MAP_EVENTS = 2
+"""Grid points are closer together about events that are given."""
 LINEAR_AUTOMATIC = 0
 """Linear equations: solved directly where that is quick, by iteration otherwise."""
 LINEAR_DIRECT = 1
@@ -1032,6 +1040,26 @@ class PeriodicOptions(Struct):
     grid: one that would take more is ERR_MEMORY, and its message tells the estimate. If
     grid_points is 0, only the first grid is refused so; finer ones that would take more end the
     solve as TOLERANCE_NOT_MET. 0 for no limit but that of the system. Default 0.
+    """
+    time_map = Number("time_map")
+    """Where the points of grids are: TIME_MAP_AUTOMATIC, TIME_MAP_EQUISPACED or TIME_MAP_EVENTS.
+    By TIME_MAP_AUTOMATIC, a given number of points is equispaced, and a solve to a tolerance
+    that starts from a solution goes on with the map of that. Default TIME_MAP_AUTOMATIC.
+    """
+    event_count = Number("event_count")
+    """Number of the events of TIME_MAP_EVENTS, at most 16. Default 0."""
+    event_times = Array("event_times", pointed=True, counted="event_count")
+    """Times of the events, which repeat themselves every period: an array of length [event_count].
+    Default None.
+    """
+    event_widths = Array("event_widths", pointed=True, counted="event_count")
+    """Times from there to where the additional density of grid points is half as large, about as
+    long as the events last, from 1e-5 to half the period: an array of length [event_count].
+    Default None.
+    """
+    event_shares = Array("event_shares", pointed=True, counted="event_count")
+    """Grid points that are there for each, beside those spread equally over the period, which
+    count as 1; above 0, at most 100: an array of length [event_count]. Default None.
     """
 
 
@@ -2925,12 +2953,17 @@ class Model(ModelExtras):
         progress_interval=None,
         work_limit=None,
         memory_limit=None,
+        time_map=None,
+        event_count=None,
+        event_times=None,
+        event_widths=None,
+        event_shares=None,
     ):
         """Finds the periodic response of a model directly, by Fourier spectral collocation.
 
-        Newton's method with the exact tangent on the equations of motion at N equispaced times,
-        from the quasi-static motion unless another start is given; where inertia takes the
-        response far from that, or N is large, from a solution on fewer points. Unless N is
+        Newton's method with the exact tangent on the equations of motion at N times of a
+        period, from the quasi-static motion unless another start is given; where inertia takes
+        the response far from that, or N is large, from a solution on fewer points. Unless N is
         given, it is raised, each solution starting the next, until the estimated error meets
         the tolerance. Not converging is no error: OK says that the solve was carried out,
         Solution.outcome how it ended, Solution.report why.
@@ -2997,6 +3030,19 @@ class Model(ModelExtras):
                 message tells the estimate. If grid_points is 0, only the first grid is refused
                 so; finer ones that would take more end the solve as TOLERANCE_NOT_MET. 0 for no
                 limit but that of the system. Default 0.
+            time_map: Where the points of grids are: TIME_MAP_AUTOMATIC, TIME_MAP_EQUISPACED or
+                TIME_MAP_EVENTS. By TIME_MAP_AUTOMATIC, a given number of points is equispaced,
+                and a solve to a tolerance that starts from a solution goes on with the map of
+                that. Default TIME_MAP_AUTOMATIC.
+            event_count: Number of the events of TIME_MAP_EVENTS, at most 16. Default 0.
+            event_times: Times of the events, which repeat themselves every period: an array of
+                length [event_count]. Default None.
+            event_widths: Times from there to where the additional density of grid points is
+                half as large, about as long as the events last, from 1e-5 to half the period:
+                an array of length [event_count]. Default None.
+            event_shares: Grid points that are there for each, beside those spread equally over
+                the period, which count as 1; above 0, at most 100: an array of length
+                [event_count]. Default None.
 
         Returns:
             Solution: the solution, also if it has not converged
@@ -3021,6 +3067,11 @@ class Model(ModelExtras):
             progress_interval=progress_interval,
             work_limit=work_limit,
             memory_limit=memory_limit,
+            time_map=time_map,
+            event_count=event_count,
+            event_times=event_times,
+            event_widths=event_widths,
+            event_shares=event_shares,
         )
         like("guess_positions", guess_positions, (self.node_count(), points_of(options), 3))
         like("guess_rotations", guess_rotations, (self.node_count(), points_of(options), 3, 3))
@@ -3128,6 +3179,11 @@ class Model(ModelExtras):
         progress_interval=None,
         work_limit=None,
         memory_limit=None,
+        time_map=None,
+        event_count=None,
+        event_times=None,
+        event_widths=None,
+        event_shares=None,
     ):
         """Finds a periodic response that meets conditions, and the values of as many free
         parameters.
@@ -3202,6 +3258,19 @@ class Model(ModelExtras):
                 message tells the estimate. If grid_points is 0, only the first grid is refused
                 so; finer ones that would take more end the solve as TOLERANCE_NOT_MET. 0 for no
                 limit but that of the system. Default 0.
+            time_map: Where the points of grids are: TIME_MAP_AUTOMATIC, TIME_MAP_EQUISPACED or
+                TIME_MAP_EVENTS. By TIME_MAP_AUTOMATIC, a given number of points is equispaced,
+                and a solve to a tolerance that starts from a solution goes on with the map of
+                that. Default TIME_MAP_AUTOMATIC.
+            event_count: Number of the events of TIME_MAP_EVENTS, at most 16. Default 0.
+            event_times: Times of the events, which repeat themselves every period: an array of
+                length [event_count]. Default None.
+            event_widths: Times from there to where the additional density of grid points is
+                half as large, about as long as the events last, from 1e-5 to half the period:
+                an array of length [event_count]. Default None.
+            event_shares: Grid points that are there for each, beside those spread equally over
+                the period, which count as 1; above 0, at most 100: an array of length
+                [event_count]. Default None.
 
         Returns:
             Solution: the solution, also if it has not converged: Solution.parameter tells the
@@ -3227,6 +3296,11 @@ class Model(ModelExtras):
             progress_interval=progress_interval,
             work_limit=work_limit,
             memory_limit=memory_limit,
+            time_map=time_map,
+            event_count=event_count,
+            event_times=event_times,
+            event_widths=event_widths,
+            event_shares=event_shares,
         )
         like("guess_positions", guess_positions, (self.node_count(), points_of(options), 3))
         like("guess_rotations", guess_rotations, (self.node_count(), points_of(options), 3, 3))
@@ -3928,8 +4002,43 @@ class Solution(SolutionExtras):
         call(lib.pdn_solution_decay, self._c, pointer(amplitudes), _count)
         return amplitudes
 
+    def sharp_event_count(self):
+        """Number of events that the grid points of a solution are closer together about: 0 if they
+        are equispaced.
+
+        Returns:
+            out: the number
+        """
+        out = ffi.new("size_t *")
+        call(lib.pdn_solution_sharp_event_count, self._c, out)
+        return out[0]
+
+    def sharp_events(self):
+        """Events that the grid points of a solution are closer together about, those of
+        pdn_periodic_options or such as a solve to a tolerance has found.
+
+        Returns:
+            times, of shape (count): their times
+            widths, of shape (count): half-widths of the additional density of grid points
+            shares, of shape (count): shares of the grid points, beside 1 for the rest
+        """
+        _count = self.sharp_event_count()
+        times = reals.empty((_count,))
+        widths = reals.empty((_count,))
+        shares = reals.empty((_count,))
+        call(
+            lib.pdn_solution_sharp_events,
+            self._c,
+            pointer(times),
+            pointer(widths),
+            pointer(shares),
+            _count,
+        )
+        return times, widths, shares
+
     def grid_times(self):
-        """Grid times t_k = k T / N; of a march the times of its steps, from the start.
+        """Grid times t_k = k T / N, unless grid points are closer together about events; of a
+        march the times of its steps, from the start.
 
         Returns:
             times, of shape (count)

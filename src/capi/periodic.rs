@@ -10,13 +10,13 @@ use super::solution::pdn_solution;
 use super::status::pdn_status;
 use crate::collocation::GridState;
 use crate::error::{Error, ErrorKind, Result};
-use crate::fourier::TimeGrid;
+use crate::fourier::{SharpEvent, TimeGrid, TimeMap};
 use crate::model::Model;
 use crate::motion::{Motion, is_rotation, polar_rotation};
 use crate::output::Solution;
 use crate::solve::{
     Adaptation, GridPoints, InitialGuess, NewtonOptions, PeriodicOptions, Progress, Stage, Start,
-    Watch, require_states,
+    TimeMapping, Watch, require_states,
 };
 use crate::system::System;
 use libc::c_void;
@@ -51,6 +51,14 @@ pub const PDN_START_LOWERED_DAMPING: i32 = 6;
 /// Start of a periodic solve: the reference configuration, and loads and prescribed motions raised
 /// in steps; not where these gain whole turns in a period.
 pub const PDN_START_RAISED_LOADS: i32 = 7;
+
+/// Grid points are equispaced, but closer together where a solve to a tolerance finds the motion
+/// sharp.
+pub const PDN_TIME_MAP_AUTOMATIC: i32 = 0;
+/// Grid points are equispaced.
+pub const PDN_TIME_MAP_EQUISPACED: i32 = 1;
+/// Grid points are closer together about events that are given.
+pub const PDN_TIME_MAP_EVENTS: i32 = 2;
 
 /// How far a solve is, as told to a ::pdn_progress_fn.
 #[repr(C)]
@@ -176,11 +184,30 @@ pub struct pdn_periodic_options {
     /// grid_points is 0, only the first grid is refused so; finer ones that would take more end the
     /// solve as PDN_TOLERANCE_NOT_MET. 0 for no limit but that of the system. Default 0.
     pub memory_limit: usize,
+    /// Where the points of grids are: PDN_TIME_MAP_AUTOMATIC, PDN_TIME_MAP_EQUISPACED or
+    /// PDN_TIME_MAP_EVENTS. By PDN_TIME_MAP_AUTOMATIC, a given number of points is equispaced, and
+    /// a solve to a tolerance that starts from a solution goes on with the map of that. Default
+    /// PDN_TIME_MAP_AUTOMATIC.
+    pub time_map: i32,
+    /// Zero.
+    pub reserved: i32,
+    /// Number of the events of PDN_TIME_MAP_EVENTS, at most 16. Default 0.
+    pub event_count: usize,
+    /// Times of the events, which repeat themselves every period: an array of length
+    /// [event_count]. Default NULL.
+    pub event_times: *const f64,
+    /// Times from there to where the additional density of grid points is half as large, about as
+    /// long as the events last, from 1e-5 to half the period: an array of length [event_count].
+    /// Default NULL.
+    pub event_widths: *const f64,
+    /// Grid points that are there for each, beside those spread equally over the period, which
+    /// count as 1; above 0, at most 100: an array of length [event_count]. Default NULL.
+    pub event_shares: *const f64,
 }
 
 // SAFETY: all fields are plain numbers or pointers, `struct_size` is the first, no padding.
 unsafe impl Options for pdn_periodic_options {
-    const SIZES: &'static [usize] = &[80, 96, 104, 112, 120, 136, 152];
+    const SIZES: &'static [usize] = &[80, 96, 104, 112, 120, 136, 152, 192];
 
     fn defaults() -> Self {
         let core = PeriodicOptions::default();
@@ -217,7 +244,7 @@ pub unsafe extern "C" fn pdn_periodic_options_init(
 
 /// Finds the periodic response of a model directly, by Fourier spectral collocation.
 ///
-/// Newton's method with the exact tangent on the equations of motion at N equispaced times, from
+/// Newton's method with the exact tangent on the equations of motion at N times of a period, from
 /// the quasi-static motion unless another start is given; where inertia takes the response far from
 /// that, or N is large, from a solution on fewer points. Unless N is given, it is raised, each
 /// solution starting the next, until the estimated error meets the tolerance. Not converging is no
@@ -229,12 +256,13 @@ pub unsafe extern "C" fn pdn_periodic_options_init(
 /// @param options  may be NULL for the defaults
 /// @param out  the solution, also if it has not converged; free it with ::pdn_solution_free;
 ///     written on success only
-/// @return PDN_OK; PDN_ERR_NULL; PDN_ERR_NOT_FINITE; PDN_ERR_SIZE (even number of grid points, a
-///     start of arrays without their number); PDN_ERR_VALUE; PDN_ERR_STRUCT_SIZE; PDN_ERR_MODEL (no
-///     node, a beam too distorted); PDN_ERR_NOT_PERIODIC (a prescribed motion or load that does not
-///     repeat, a spring on an angle that gains turns); PDN_ERR_GRID_TOO_COARSE (of the initial
-///     solution); PDN_ERR_CALLBACK (of a signal); PDN_ERR_OVERFLOW (numbers too large to compute
-///     with); PDN_ERR_MEMORY
+/// @return PDN_OK; PDN_ERR_NULL; PDN_ERR_NOT_FINITE; PDN_ERR_SIZE (even number of grid points,
+///     a start of arrays without their number, events that are too many); PDN_ERR_VALUE;
+///     PDN_ERR_STRUCT_SIZE; PDN_ERR_MODEL (no node, a beam too distorted);
+///     PDN_ERR_NOT_PERIODIC (a prescribed motion or load that does not repeat, a spring on an
+///     angle that gains turns); PDN_ERR_GRID_TOO_COARSE (of the initial solution);
+///     PDN_ERR_CALLBACK (of a signal); PDN_ERR_OVERFLOW (numbers too large to compute with);
+///     PDN_ERR_MEMORY
 ///
 /// Threads: like a `const` use of `model` and of `options.initial`. Signals' functions and
 /// `progress` are called on this thread.
@@ -369,6 +397,7 @@ pub(super) fn read_options(
         let expected = format!("at most {MOST}");
         return Err(Error::size("options.largest_grid_points", expected, got));
     }
+    let mut time_map = read_time_map(call, given, period)?;
     let grid_of = |points: usize| {
         TimeGrid::new(points, period).map_err(|e| match e.kind() {
             ErrorKind::Size => Error::size("options.grid_points", "an odd number", points),
@@ -398,6 +427,11 @@ pub(super) fn read_options(
     }
     let guess = if !given.initial.is_null() {
         let initial = call.shared(given.initial, "options.initial")?;
+        let events = initial.grid().map().events(period);
+        if time_map == TimeMapping::Automatic && grid.is_none() && !events.is_empty() {
+            time_map = TimeMapping::Events(events);
+        }
+        let map = time_map.given(period)?;
         let grid = match (grid, points) {
             (Some(grid), _) => grid,
             (None, GridPoints::Adaptive(adaptation)) => {
@@ -406,7 +440,7 @@ pub(super) fn read_options(
             (None, GridPoints::Fixed(points)) => grid_of(points)?,
         };
         require_states(model.node_count(), grid.points())?;
-        InitialGuess::State(initial.prolonged_to(model, grid)?)
+        InitialGuess::State(initial.prolonged_to(model, grid.mapped(map))?)
     } else if given.guess_positions.is_null() && given.guess_rotations.is_null() {
         start
     } else {
@@ -427,6 +461,7 @@ pub(super) fn read_options(
         },
         work_limit: call.number(given.work_limit, "options.work_limit")?,
         grid_points: points,
+        time_map,
         memory_limit: given.memory_limit,
         newton: NewtonOptions {
             tolerance: given.tolerance,
@@ -437,6 +472,35 @@ pub(super) fn read_options(
             call.number(given.progress_interval, "options.progress_interval")?
         })?,
     })
+}
+
+fn read_time_map(call: &Call, given: &pdn_periodic_options, period: f64) -> Result<TimeMapping> {
+    match given.time_map {
+        PDN_TIME_MAP_AUTOMATIC => Ok(TimeMapping::Automatic),
+        PDN_TIME_MAP_EQUISPACED => Ok(TimeMapping::Equispaced),
+        PDN_TIME_MAP_EVENTS => {
+            let count = given.event_count;
+            if !(1..=TimeMap::MOST_EVENTS).contains(&count) {
+                let expected = format!("1 to {}", TimeMap::MOST_EVENTS);
+                return Err(Error::size("options.event_count", expected, count));
+            }
+            let times = call.numbers(given.event_times, count, "options.event_times")?;
+            let widths = call.numbers(given.event_widths, count, "options.event_widths")?;
+            let shares = call.numbers(given.event_shares, count, "options.event_shares")?;
+            let event = |i: usize| SharpEvent {
+                time: times[i],
+                width: widths[i],
+                share: shares[i],
+            };
+            let mapping = TimeMapping::Events((0..count).map(event).collect());
+            mapping.given(period).map_err(|e| e.within("options"))?;
+            Ok(mapping)
+        }
+        other => {
+            let expected = "a constant PDN_TIME_MAP_...";
+            Err(Error::value("options.time_map", expected, other))
+        }
+    }
 }
 
 fn read_threads(value: i32) -> Result<usize> {

@@ -11,7 +11,7 @@ use super::options::Options;
 use super::status::pdn_status;
 use crate::collocation::DecayKind;
 use crate::error::{Error, ErrorKind, Result};
-use crate::fourier::PeriodicSeries;
+use crate::fourier::{PeriodicSeries, SharpEvent};
 use crate::memory;
 use crate::output::{
     BeamQuantity, JointQuantity, NodeQuantity, Quantity, ResolvedIn, Selection, Solution,
@@ -429,7 +429,67 @@ pub unsafe extern "C" fn pdn_solution_decay(
     })
 }
 
-/// Grid times t_k = k T / N; of a march the times of its steps, from the start.
+/// Number of events that the grid points of a solution are closer together about: 0 if they are
+/// equispaced.
+///
+/// @param solution  the solution; not NULL
+/// @param out  the number; written on success only
+/// @return PDN_OK, PDN_ERR_NULL
+///
+/// Threads: like `const`.
+/// @since 0.1
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn pdn_solution_sharp_event_count(
+    solution: *const pdn_solution,
+    out: *mut usize,
+) -> pdn_status {
+    guard(|call| {
+        let solution = call.shared(solution, "solution")?;
+        let out = call.out(out, "out")?;
+        let grid = solution.grid();
+        out.set(grid.map().events(grid.period()).len());
+        Ok(())
+    })
+}
+
+/// Events that the grid points of a solution are closer together about, those of
+/// pdn_periodic_options or such as a solve to a tolerance has found.
+///
+/// @param solution  the solution; not NULL
+/// @param times  array of length [count]: their times
+/// @param widths  array of length [count]: half-widths of the additional density of grid points
+/// @param shares  array of length [count]: shares of the grid points, beside 1 for the rest
+/// @param count  their number, of ::pdn_solution_sharp_event_count
+/// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_SIZE
+///
+/// Threads: like `const`.
+/// @since 0.1
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn pdn_solution_sharp_events(
+    solution: *const pdn_solution,
+    times: *mut f64,
+    widths: *mut f64,
+    shares: *mut f64,
+    count: usize,
+) -> pdn_status {
+    guard(|call| {
+        let solution = call.shared(solution, "solution")?;
+        let grid = solution.grid();
+        let events = grid.map().events(grid.period());
+        require_count(count, events.len())?;
+        let times = call.out_slice(times, count, count, "times")?;
+        let widths = call.out_slice(widths, count, count, "widths")?;
+        let shares = call.out_slice(shares, count, count, "shares")?;
+        let all = |of: fn(&SharpEvent) -> f64| events.iter().map(of).collect::<Vec<f64>>();
+        times.set(&all(|event| event.time));
+        widths.set(&all(|event| event.width));
+        shares.set(&all(|event| event.share));
+        Ok(())
+    })
+}
+
+/// Grid times t_k = k T / N, unless grid points are closer together about events; of a march the
+/// times of its steps, from the start.
 ///
 /// @param solution  the solution; not NULL
 /// @param times  array of length [count]

@@ -1,6 +1,7 @@
 //! How far the motions of a period are from rest, or from steady turns.
 
 use super::state::GridState;
+use crate::fourier::TimeGrid;
 use crate::motion::{Motion, rotation_from_vector};
 use crate::system::System;
 use nalgebra::{Matrix3, Vector3};
@@ -9,16 +10,17 @@ use std::f64::consts::TAU;
 impl GridState {
     /// Largest deviation of a node from its mean or, if it makes whole turns in the period, from a
     /// steady turn: positions relative to the characteristic length, entries of rotation matrices.
-    pub fn amplitude(&self, system: &System) -> f64 {
+    pub fn amplitude(&self, system: &System, grid: TimeGrid) -> f64 {
         let length = system.scales().length;
+        let phases: Vec<f64> = grid.times().map(|time| time / grid.period()).collect();
         (0..system.nodes()).fold(0.0, |most, node| {
-            most.max(deviation(self.node(node), length))
+            most.max(deviation(self.node(node), &phases, length))
         })
     }
 }
 
-/// Of one node.
-fn deviation(motions: &[Motion], length: f64) -> f64 {
+/// Of one node, at these parts of the period.
+fn deviation(motions: &[Motion], phases: &[f64], length: f64) -> f64 {
     let count = motions.len() as f64;
     let mean = motions.iter().map(|m| m.position).sum::<Vector3<f64>>() / count;
     let following = motions.iter().cycle().skip(1);
@@ -41,9 +43,9 @@ fn deviation(motions: &[Motion], length: f64) -> f64 {
     let space = space.try_normalize(0.0).unwrap_or_default();
     let relative: Vec<(Vector3<f64>, Matrix3<f64>)> = motions
         .iter()
-        .enumerate()
-        .map(|(k, m)| {
-            let back = -TAU * turns * k as f64 / count;
+        .zip(phases)
+        .map(|(m, phase)| {
+            let back = -TAU * turns * phase;
             (
                 rotation_from_vector(&(space * back)) * (m.position - mean),
                 m.rotation * rotation_from_vector(&(own * back)),
@@ -75,9 +77,10 @@ mod tests {
             };
             (0..21).map(at).collect()
         };
-        assert!(deviation(&whirl(0.0), 1.0) < 1e-14);
+        let phases: Vec<f64> = (0..21).map(|k| f64::from(k) / 21.0).collect();
+        assert!(deviation(&whirl(0.0), &phases, 1.0) < 1e-14);
         // Of a component: between 1/√3 of the amplitude and all of it.
-        let small = deviation(&whirl(1e-6), 2.0) / (0.5 * 1e-6);
+        let small = deviation(&whirl(1e-6), &phases, 2.0) / (0.5 * 1e-6);
         assert!((0.5..=1.0).contains(&small), "{small}");
     }
 }

@@ -10,7 +10,7 @@ use super::resampled::ResampledNodes;
 use super::state::GridState;
 use crate::elements::{InertialForces, Measure, NodeState, Unknown};
 use crate::error::Result;
-use crate::fourier::{Analysis, TimeGrid};
+use crate::fourier::{Analysis, Resampling, TimeGrid};
 use crate::system::{Conditions, OwnValues, System, Workspace};
 use crate::workers::Workers;
 use nalgebra::Vector6;
@@ -181,10 +181,11 @@ impl Defect {
         workers: &Workers,
     ) -> Result<Self> {
         let points = grid.points();
-        let start = PART / points as f64;
-        let nodes = ResampledNodes::new(system, grid, state, start, points, workers)?;
-        let unknowns = state.resampled_own(system, grid, start, points);
-        let time = |k: usize| grid.time(k) + PART * grid.period() / points as f64;
+        let resampling = Resampling::new(grid, PART / points as f64, points);
+        let nodes = ResampledNodes::new(system, &resampling, state, workers)?;
+        let unknowns = state.resampled_own(system, &resampling);
+        let times: Vec<f64> = (0..points).map(|k| grid.at(resampling.pseudo(k))).collect();
+        let time = |k: usize| times[k];
         // Functions of the user are called here, not by other threads.
         let count = system.signals();
         let mut signals = vec![0.0; points * count];

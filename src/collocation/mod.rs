@@ -30,8 +30,9 @@ pub use problem::{Collocation, Conditions, Oversampled, OversampledTangent, Scal
 pub use resampled::{ResampledNodes, too_coarse};
 pub use rule::{
     Aliasing, AlphaStep, Antiperiodic, Backward, BackwardWeights, GeneralizedAlpha, GivenRates,
-    KinematicsScratch, MotionState, NodeKinematics, RadauStep, RadauWeights, RuleWorkspace, STAGES,
-    Spectral, Steady, StepVariation, TimeRule, Variation, VariationScales, antiperiodic_at,
+    KinematicsScratch, Mapped, MotionState, NodeKinematics, OverGrid, RadauStep, RadauWeights,
+    RuleWorkspace, STAGES, Spectral, Steady, StepVariation, TimeRule, Variation, VariationScales,
+    antiperiodic_at, over,
 };
 pub use stages::Stages;
 pub use state::GridState;

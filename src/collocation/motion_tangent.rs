@@ -7,7 +7,7 @@ use super::rule::{KinematicsScratch, NodeKinematics};
 use super::state::GridState;
 use super::tangent::Tangent;
 use crate::error::Result;
-use crate::fourier::Differentiation;
+use crate::fourier::{Differentiation, Slope};
 use crate::motion::{DualMatrix, DualVector};
 use crate::system::System;
 use nalgebra::Vector6;
@@ -23,6 +23,8 @@ pub struct MotionTangent {
     points: usize,
     operators: Differentiation,
     kinematics: Vec<NodeKinematics>,
+    /// Of derivatives by time; none if these are those of the operators.
+    slopes: Vec<Slope>,
     /// Couplings of each node's motions, and the nodes whose forces they are.
     columns: Vec<Vec<(usize, usize)>>,
     /// Scales of forces and of motions; those of all nodes are the same.
@@ -51,7 +53,8 @@ impl<'z, B: Fn(usize) -> &'z [f64]> Basis<B> {
 /// Scratch for one node.
 #[derive(Debug, Default)]
 struct Workspace {
-    /// What forces along the given motions change by with its motion, velocity and acceleration.
+    /// What forces along the given motions change by with its motion and the derivatives of that by
+    /// pseudo-time, as velocity and acceleration.
     along: Vec<[Vector6<f64>; 3]>,
     /// Factors of the second and first derivatives in time.
     second: Vec<[f64; BILINEAR]>,
@@ -103,8 +106,9 @@ impl MotionTangent {
         }
         Some(MotionTangent {
             points,
-            operators: equations.rule.over_grid()?.1.clone(),
+            operators: equations.rule.over_grid()?.operators.clone(),
             kinematics: Vec::new(),
+            slopes: Vec::new(),
             columns,
             forces: Vector6::from_column_slice(&equations.row_scale[..6]),
             motions: Vector6::from_column_slice(&equations.column_scale[..6]),
@@ -119,10 +123,11 @@ impl MotionTangent {
     /// Linearises at `state`.
     pub fn evaluate(&mut self, equations: &mut Collocation, state: &GridState) -> Result<()> {
         self.tangent.evaluate(equations, state)?;
-        if let Some((kinematics, operators)) = equations.rule.over_grid() {
-            kinematics.clone_into(&mut self.kinematics);
+        if let Some(over) = equations.rule.over_grid() {
+            over.kinematics.clone_into(&mut self.kinematics);
             // The period may be another.
-            self.operators.clone_from(operators);
+            self.operators.clone_from(over.operators);
+            over.slopes.clone_into(&mut self.slopes);
         }
         Ok(())
     }
@@ -144,6 +149,8 @@ impl MotionTangent {
         let tangents = pairs.flat_map(|pair| (0..self.points).map(move |k| (pair, k)));
         tangents.fold(0.0f64, |largest, (pair, k)| {
             let tangent = self.tangent.pair(pair, k);
+            let rate = self.slopes.get(k).map_or(1.0, |slope| slope.rate);
+            let (first, second) = (first * rate, second * rate * rate);
             let size = |matrix: &nalgebra::Matrix6<f64>| matrix.component_mul(&scales).amax();
             largest
                 .max(size(tangent.stiffness))
@@ -170,6 +177,9 @@ impl MotionTangent {
                     &mut self.scratch,
                     &mut self.rates,
                 );
+                for (rates, slope) in self.rates.iter_mut().zip(&self.slopes) {
+                    *rates = slope.by_time(rates[0], rates[1]);
+                }
             }
             for &(pair, row) in pairs {
                 let moving = couplings[pair].moving;
@@ -237,6 +247,9 @@ impl MotionTangent {
                         sums[1] += tangent.damping.tr_mul(&z);
                         sums[2] += tangent.mass.tr_mul(&z);
                     }
+                }
+                if let Some(slope) = self.slopes.get(k) {
+                    [sums[1], sums[2]] = slope.transposed(sums[1], sums[2]);
                 }
                 workspace.along.push(sums);
             }

@@ -3,20 +3,20 @@
 use super::state::GridState;
 use crate::elements::NodeState;
 use crate::error::{Error, ErrorKind, Result};
-use crate::fourier::{Resampling, TimeGrid};
+use crate::fourier::{Resampling, Slope, TimeGrid};
 use crate::motion::{DualMatrix, Motion, PeriodicMotion};
 use crate::system::System;
 use crate::workers::Workers;
 
 /// Motions, velocities and accelerations of all nodes, interpolated over the period
-/// (docs/theory.md, section 3) at equispaced times.
+/// (docs/theory.md, section 3).
 #[derive(Debug, Clone)]
 pub struct ResampledNodes {
     /// Node `a` at time `k` of `n`, at `a n + k`.
     pub states: Vec<NodeState>,
 }
 
-/// Own unknowns of elements at equispaced times, and their rates.
+/// Own unknowns of elements, and their rates.
 pub(super) struct ResampledOwn {
     /// Unknown `i` of the system at time `k` of `n`, at `i n + k`.
     pub values: Vec<f64>,
@@ -24,22 +24,21 @@ pub(super) struct ResampledOwn {
 }
 
 /// Resamples one node at a time.
-struct NodeResampling {
+struct NodeResampling<'a> {
     resampling: Resampling,
-    grid: TimeGrid,
-    start: f64,
+    slopes: &'a [Slope],
     column: Vec<f64>,
     /// Of the motions and their first and second derivatives, at each time.
     sums: Vec<[DualMatrix; 3]>,
     motion: PeriodicMotion,
 }
 
-impl NodeResampling {
-    fn new(grid: TimeGrid, start: f64, points: usize) -> Self {
+impl<'a> NodeResampling<'a> {
+    fn new(resampling: &Resampling, slopes: &'a [Slope]) -> Self {
+        let points = resampling.points();
         NodeResampling {
-            resampling: Resampling::new(grid, start, points),
-            grid,
-            start,
+            resampling: resampling.clone(),
+            slopes,
             column: vec![0.0; points],
             sums: vec![[DualMatrix::zeros(); 3]; points],
             motion: PeriodicMotion::default(),
@@ -48,40 +47,50 @@ impl NodeResampling {
 
     /// Writes the states of one node.
     fn resample(&mut self, state: &GridState, node: usize, out: &mut [NodeState]) -> Result<()> {
-        let points = out.len();
         self.motion.set(state.node(node));
         self.motion
             .resample(&mut self.resampling, &mut self.column, &mut self.sums);
+        for ([_, first, second], slope) in self.sums.iter_mut().zip(self.slopes) {
+            [*first, *second] = slope.by_time(*first, *second);
+        }
         for (k, (out, sums)) in out.iter_mut().zip(&self.sums).enumerate() {
             *out = self.motion.state(sums).ok_or_else(|| {
-                let time = self.grid.period() * (self.start + k as f64 / points as f64);
-                too_coarse(node, time, self.grid.points())
+                let grid = self.resampling.grid();
+                too_coarse(node, grid.at(self.resampling.pseudo(k)), grid.points())
             })?;
         }
         Ok(())
     }
 }
 
+/// How derivatives by time follow at the points of a resampling; none if time is pseudo-time.
+fn slopes(resampling: &Resampling) -> Vec<Slope> {
+    let grid = resampling.grid();
+    if grid.map().is_identity() {
+        return Vec::new();
+    }
+    let places = 0..resampling.points();
+    places.map(|k| grid.slope(resampling.pseudo(k))).collect()
+}
+
 impl ResampledNodes {
-    /// The nodes of `state` on `grid` at `points` (odd) times of a period, the first of them
-    /// `start` periods after its first point.
+    /// The nodes of `state` where `resampling` goes from its grid.
     ///
     /// # Errors
     /// [`crate::error::ErrorKind::GridTooCoarse`] if a motion cannot be interpolated.
     pub fn new(
         system: &System,
-        grid: TimeGrid,
+        resampling: &Resampling,
         state: &GridState,
-        start: f64,
-        points: usize,
         workers: &Workers,
     ) -> Result<Self> {
+        let (points, slopes) = (resampling.points(), slopes(resampling));
         let mut states = vec![NodeState::at_rest(Motion::identity()); system.nodes() * points];
         let mut nodes: Vec<&mut [NodeState]> = states.chunks_exact_mut(points).collect();
         workers.try_for_each(
             &mut nodes,
             &mut Vec::new(),
-            || NodeResampling::new(grid, start, points),
+            || NodeResampling::new(resampling, &slopes),
             |resampling, node, out| resampling.resample(state, node, out),
         )?;
         Ok(ResampledNodes { states })
@@ -103,13 +112,14 @@ impl GridState {
         workers: &Workers,
     ) -> Result<GridState> {
         let points = other.points();
-        let nodes = ResampledNodes::new(system, grid, self, start, points, workers)?;
+        let resampling = Resampling::between(grid, start, other);
+        let nodes = ResampledNodes::new(system, &resampling, self, workers)?;
         let mut result = GridState::reference(system, other);
         result.scalars.clone_from(&self.scalars);
         for (motion, state) in result.motions.iter_mut().zip(&nodes.states) {
             *motion = state.motion;
         }
-        let own = self.resampled_own(system, grid, start, points);
+        let own = self.resampled_own(system, &resampling);
         for placed in system.elements() {
             for k in 0..points {
                 let values = result.own_of_mut(placed, k);
@@ -121,7 +131,7 @@ impl GridState {
         // The turns of tracked angles are those of the old grid point before.
         let count = system.tracked();
         for k in 0..points {
-            let turns = start + k as f64 / points as f64;
+            let turns = resampling.pseudo(k);
             // Written so that rounding does not go a point back.
             let place = (turns - turns.floor()) * grid.points() as f64 * (1.0 + 1e-12);
             let before = (place as usize).min(grid.points() - 1);
@@ -131,19 +141,15 @@ impl GridState {
         Ok(result)
     }
 
-    /// Own unknowns of elements at `points` (odd) times of a period, from `start` periods on.
-    pub(super) fn resampled_own(
-        &self,
-        system: &System,
-        grid: TimeGrid,
-        start: f64,
-        points: usize,
-    ) -> ResampledOwn {
+    /// Own unknowns of elements where `resampling` goes from its grid.
+    pub(super) fn resampled_own(&self, system: &System, resampling: &Resampling) -> ResampledOwn {
+        let (grid, points) = (resampling.grid(), resampling.points());
+        let slopes = slopes(resampling);
         let mut own = ResampledOwn {
             values: vec![0.0; system.own_unknowns() * points],
             rates: vec![0.0; system.own_unknowns() * points],
         };
-        let mut resampling = Resampling::new(grid, start, points);
+        let mut resampling = resampling.clone();
         for placed in system.elements() {
             for row in 0..placed.element.own_unknowns() {
                 let gain = self.gain(system, placed, row);
@@ -160,9 +166,10 @@ impl GridState {
                 resampling.write(1, 0, rates);
                 for (k, (value, rate)) in values.iter_mut().zip(rates).enumerate() {
                     // Within one period, as tracked angles are.
-                    let turns = start + k as f64 / points as f64;
+                    let turns = resampling.pseudo(k);
                     *value += gain * (turns - turns.floor());
                     *rate += gain / grid.period();
+                    *rate *= slopes.get(k).map_or(1.0, |slope| slope.rate);
                 }
             }
         }

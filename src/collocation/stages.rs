@@ -6,7 +6,7 @@ use super::rule::{PLACES, RadauStep, RadauWeights, STAGES};
 use super::state::GridState;
 use crate::elements::NodeState;
 use crate::error::Result;
-use crate::fourier::TimeGrid;
+use crate::fourier::{Resampling, TimeGrid};
 use crate::motion::Motion;
 use crate::system::System;
 use crate::workers::Workers;
@@ -41,10 +41,11 @@ impl Stages {
         let count = steps.points();
         let stage = |place: f64| {
             let start = place / count as f64;
+            let resampling = Resampling::between(grid, start, steps);
             Ok(Stage {
-                nodes: ResampledNodes::new(system, grid, state, start, count, workers)?,
+                nodes: ResampledNodes::new(system, &resampling, state, workers)?,
                 state: state.resampled(system, grid, start, steps, workers)?,
-                own: state.resampled_own(system, grid, start, count),
+                own: state.resampled_own(system, &resampling),
             })
         };
         Ok(Stages {

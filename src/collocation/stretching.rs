@@ -9,6 +9,7 @@
 use super::between::{Defect, PART};
 use super::problem::Collocation;
 use crate::error::Result;
+use crate::fourier::Resampling;
 
 impl Defect {
     /// Lets what stress resultants are more than those interpolated act on the beams as they are at
@@ -18,8 +19,8 @@ impl Defect {
     /// If an element is too distorted.
     pub fn carry_resultants(&mut self, equations: &mut Collocation) -> Result<()> {
         let grid = equations.grid();
-        let start = PART / grid.points() as f64;
-        let interpolated = equations.resampled_resultants(start, grid)?;
+        let between = Resampling::new(grid, PART / grid.points() as f64, grid.points());
+        let interpolated = equations.resampled_resultants(between)?;
         if interpolated.is_empty() {
             return Ok(());
         }

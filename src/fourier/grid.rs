@@ -1,23 +1,56 @@
 //! The grid of collocation points.
 
+use super::time_map::{Slope, TimeMap};
 use crate::error::{Error, Result, require_positive_number};
 use std::f64::consts::TAU;
 
-/// `N` odd, equispaced times `t_k = k T / N` over one period.
+/// `N` odd, times `t_k = g(k T / N)` over one period: equispaced but for a map `g` of time, which
+/// brings them closer together where that is wanted.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct TimeGrid {
     points: usize,
     period: f64,
+    map: TimeMap,
 }
 
 impl TimeGrid {
-    /// A grid of `points` (odd, at least 1) over `period` (positive, finite).
+    /// An equispaced grid of `points` (odd, at least 1) over `period` (positive, finite).
     pub fn new(points: usize, period: f64) -> Result<Self> {
         if points.is_multiple_of(2) {
             return Err(Error::size("grid_points", "an odd number", points));
         }
         require_positive_number("period", period)?;
-        Ok(TimeGrid { points, period })
+        Ok(TimeGrid {
+            points,
+            period,
+            map: TimeMap::default(),
+        })
+    }
+
+    /// The same number of points, equispaced in the pseudo-time of a map.
+    pub fn mapped(self, map: TimeMap) -> Self {
+        TimeGrid { map, ..self }
+    }
+
+    /// Another number of points, odd, over the same period by the same map.
+    ///
+    /// # Errors
+    /// If the number is even.
+    pub fn with_points(self, points: usize) -> Result<Self> {
+        Ok(TimeGrid::new(points, self.period)?.mapped(self.map))
+    }
+
+    /// The same points in another period, each at the same phase.
+    ///
+    /// # Errors
+    /// If it is none.
+    pub fn with_period(self, period: f64) -> Result<Self> {
+        Ok(TimeGrid::new(self.points, period)?.mapped(self.map))
+    }
+
+    /// The map of time, counted in periods.
+    pub fn map(&self) -> &TimeMap {
+        &self.map
     }
 
     /// Number of points `N`.
@@ -40,6 +73,11 @@ impl TimeGrid {
         (self.points - 1) / 2
     }
 
+    /// The same number of points, equispaced in time.
+    pub fn equispaced(self) -> Self {
+        self.mapped(TimeMap::default())
+    }
+
     /// Over the same period, with half the harmonics, or half of one more.
     pub fn of_half_the_harmonics(&self) -> Self {
         TimeGrid {
@@ -50,11 +88,74 @@ impl TimeGrid {
 
     /// Time of grid point `k`.
     pub fn time(&self, k: usize) -> f64 {
-        self.period * k as f64 / self.points as f64
+        if self.map.is_identity() {
+            return self.period * k as f64 / self.points as f64;
+        }
+        self.at(k as f64 / self.points as f64)
+    }
+
+    /// Time at a pseudo-time that is counted in periods.
+    pub fn at(&self, pseudo: f64) -> f64 {
+        self.period * self.map.time(pseudo)
+    }
+
+    /// Pseudo-time, counted in periods, at a time.
+    pub fn pseudo(&self, time: f64) -> f64 {
+        self.map.pseudo(time / self.period)
+    }
+
+    /// Whether the points of `other`, `start` periods later, are equispaced in this one's
+    /// pseudo-time.
+    pub fn is_shifted(&self, start: f64, other: TimeGrid) -> bool {
+        self.map == other.map && (start == 0.0 || self.map.is_identity())
+    }
+
+    /// How derivatives by time follow at a pseudo-time that is counted in periods.
+    pub fn slope(&self, pseudo: f64) -> Slope {
+        let [first, second] = self.map.time_derivatives(self.map.time(pseudo));
+        Slope {
+            rate: 1.0 / first,
+            bend: second / (self.period * first * first),
+        }
+    }
+
+    /// The same at all grid points; none if these are equispaced.
+    pub fn all_slopes(&self) -> Vec<Slope> {
+        if self.map.is_identity() {
+            return Vec::new();
+        }
+        let places = (0..self.points).map(|k| k as f64 / self.points as f64);
+        places.map(|pseudo| self.slope(pseudo)).collect()
+    }
+
+    /// Shares of the grid points in a mean over the period: `g'/N`.
+    pub fn shares(&self) -> Vec<f64> {
+        let equal = 1.0 / self.points as f64;
+        let slopes = self.all_slopes();
+        let share = |k: usize| slopes.get(k).map_or(equal, |slope| equal / slope.rate);
+        (0..self.points).map(share).collect()
+    }
+
+    /// Times from point `k` to the one after, and to it from the one before.
+    pub fn intervals(&self, k: usize) -> [f64; 2] {
+        if self.map.is_identity() {
+            return [self.period / self.points as f64; 2];
+        }
+        let at = |steps: f64| self.at((k as f64 + steps) / self.points as f64);
+        [at(1.0) - at(0.0), at(0.0) - at(-1.0)]
     }
 
     /// All grid times.
     pub fn times(&self) -> impl Iterator<Item = f64> + '_ {
-        (0..self.points).map(|k| self.time(k))
+        let mapped = match self.map.is_identity() {
+            true => Vec::new(),
+            false => self.map.times(self.points),
+        };
+        let time = move |k: usize| {
+            mapped
+                .get(k)
+                .map_or_else(|| self.time(k), |t| self.period * t)
+        };
+        (0..self.points).map(time)
     }
 }

@@ -126,6 +126,14 @@ impl Solution {
             solve.system.nodes(),
             self.unknowns()
         )?;
+        for event in solve.grid.map().events(solve.grid.period()) {
+            writeln!(
+                text,
+                "  closer together about t = {:.6}, within {:.2e}: a share of {:.2} beside 1 for \
+                 the rest",
+                event.time, event.width, event.share
+            )?;
+        }
         let dependent = describe_dependencies(&solve.system);
         if !dependent.is_empty() && self.outcome().is_solution() {
             writeln!(

@@ -5,7 +5,7 @@ use super::solution::Solution;
 use crate::collocation::GridState;
 use crate::elements::NodeState;
 use crate::error::{Error, ErrorKind, Result, require_finite};
-use crate::fourier::{SpectralFilter, TimeGrid};
+use crate::fourier::{SharpEvent, SpectralFilter, TimeGrid, TimeMap};
 use crate::model::Model;
 use crate::quantity::ForceRecord;
 use crate::solve::{
@@ -53,6 +53,9 @@ pub(super) struct Content<'a> {
     transient: Option<Transient>,
     #[serde(default)]
     attempts: Cow<'a, [Attempt]>,
+    /// Of a mapped grid.
+    #[serde(default)]
+    sharp_events: Vec<SharpEvent>,
 }
 
 #[derive(Serialize, Deserialize)]
@@ -135,6 +138,7 @@ impl<'a> Content<'a> {
             attempts: Cow::Borrowed(periodic.map_or(&[], |record| &record.attempts)),
             iterative: periodic.and_then(|record| record.iterative.as_ref().map(Cow::Borrowed)),
             march: SavedMarch::of(&solve.kind),
+            sharp_events: solve.grid.map().events(solve.grid.period()),
         }
     }
 
@@ -184,7 +188,8 @@ impl<'a> Content<'a> {
         let model = self.model.into_owned().checked()?;
         let solve = Solved {
             system: Arc::new(System::of_known_solution(&model, regime)?),
-            grid: TimeGrid::new(self.grid_points, self.period)?,
+            grid: TimeGrid::new(self.grid_points, self.period)?
+                .mapped(TimeMap::new(&self.sharp_events, self.period)?),
             state: self.state.into_owned(),
             node_states: self.node_states.into_owned(),
             report: self.report.into_owned(),

@@ -55,11 +55,10 @@ impl Extremes {
 pub(super) fn stationary(series: &PeriodicSeries) -> Vec<f64> {
     let count = INTERVALS * series.cosines.len();
     let slope = |time: f64| series.derivative(time, 1);
-    let period = series.period();
     let mut times = Vec::new();
     let mut before = (0.0, slope(0.0));
     for i in 1..=count {
-        let here = period * i as f64 / count as f64;
+        let here = series.time_at(i as f64 / count as f64);
         let now = (here, slope(here));
         if (before.1 < 0.0) != (now.1 < 0.0) {
             times.push(root(slope, before, now));

@@ -1,7 +1,7 @@
 //! Numbers of a series: mean, harmonics, the value at a time.
 
 use crate::error::{Error, Result, require_finite};
-use crate::fourier::{PeriodicSeries, TimeGrid};
+use crate::fourier::{CardinalWeights, PeriodicSeries, TimeGrid, shares_of_product};
 use std::f64::consts::TAU;
 use std::fmt;
 
@@ -51,7 +51,13 @@ impl Feature {
 
     /// Its derivatives by the values at the points of a grid, of which the series' derivative of
     /// this order has it.
-    pub(super) fn weights(self, grid: TimeGrid, order: u32) -> Vec<f64> {
+    ///
+    /// # Errors
+    /// If the grid is none.
+    pub(super) fn weights(self, grid: TimeGrid, order: u32) -> Result<Vec<f64>> {
+        if !grid.map().is_identity() {
+            return self.weights_in_pseudo_time(grid, order);
+        }
         let (points, harmonics) = (grid.points(), grid.harmonics());
         let omega = TAU / grid.period();
         // By the mean, and by the cosines and sines, of the derivative.
@@ -84,7 +90,37 @@ impl Feature {
         let twice = |all: Vec<f64>| all.iter().map(|x| 2.0 * x / n).collect();
         let weights =
             PeriodicSeries::new(grid.period(), mean / n, 0.0, twice(cosines), twice(sines));
-        grid.times().map(|time| weights.value(time)).collect()
+        Ok(grid.times().map(|time| weights.value(time)).collect())
+    }
+
+    /// The same on a mapped grid, whose series is one in pseudo-time.
+    fn weights_in_pseudo_time(self, grid: TimeGrid, order: u32) -> Result<Vec<f64>> {
+        let rate = |j: usize| (j as f64 * grid.frequency()).powi(order as i32);
+        // Of the cosine, the sine and the harmonic of a derivative, by those of what it is one of.
+        let turned = |quarters: u32| [1.0, 0.0, -1.0, 0.0][(quarters % 4) as usize];
+        Ok(match self {
+            Feature::Mean if order > 0 => vec![0.0; grid.points()],
+            Feature::Mean => shares_of_product(grid, |_| 1.0)?,
+            Feature::Cosine(j) | Feature::Sine(j) => {
+                let is_sine = matches!(self, Feature::Sine(_));
+                // A derivative takes the harmonic a quarter of a turn further, as a sine is.
+                let quarters = order + u32::from(is_sine);
+                let (by_cosine, by_sine) = (turned(quarters), turned(quarters + 3));
+                shares_of_product(grid, |turns| {
+                    let (sine, cosine) = (TAU * (j as f64 * turns).fract()).sin_cos();
+                    2.0 * rate(j) * (by_cosine * cosine + by_sine * sine)
+                })?
+            }
+            Feature::At(time) => {
+                let mut weights = CardinalWeights::new(grid);
+                weights.move_to(time);
+                match order {
+                    0 => weights.value,
+                    1 => weights.first,
+                    _ => weights.second,
+                }
+            }
+        })
     }
 }
 
@@ -102,10 +138,23 @@ impl fmt::Display for Feature {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::fourier::{SharpEvent, TimeMap};
 
     #[test]
     fn weights_are_derivatives_of_features() {
+        let event = SharpEvent {
+            time: 0.4,
+            width: 0.1,
+            share: 1.0,
+        };
+        let map = TimeMap::new(&[event], 1.3).unwrap();
         let grid = TimeGrid::new(7, 1.3).unwrap();
+        for grid in [grid, grid.mapped(map)] {
+            weights_are_derivatives_on(grid);
+        }
+    }
+
+    fn weights_are_derivatives_on(grid: TimeGrid) {
         let features = [
             Feature::Mean,
             Feature::Cosine(1),
@@ -119,7 +168,7 @@ mod tests {
             feature.of(&(0..order).fold(series, |series, _| series.differentiated()))
         };
         for (feature, order) in features.iter().flat_map(|f| [(*f, 0), (*f, 1), (*f, 2)]) {
-            let weights = feature.weights(grid, order);
+            let weights = feature.weights(grid, order).unwrap();
             for (k, weight) in weights.iter().enumerate() {
                 // Features are linear.
                 let mut unit = vec![0.0; 7];

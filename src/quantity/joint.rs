@@ -146,7 +146,7 @@ impl CoordinateProbe {
         for k in 1..=points {
             for step in 1..FOLLOWING_STEPS {
                 let fraction = step as f64 / FOLLOWING_STEPS as f64;
-                weights.move_to(grid.period() * ((k - 1) as f64 + fraction) / points as f64);
+                weights.move_to(grid.at(((k - 1) as f64 + fraction) / points as f64));
                 let at_rest = |motion: &PeriodicMotion| {
                     let motion = motion.motion_at(&weights);
                     motion.map(NodeState::at_rest)

@@ -96,7 +96,7 @@ impl Measurement {
     pub fn vary(&self, history: &History, factor: f64, out: &mut Variation) -> Result<()> {
         let grid = self.grid(history)?;
         let samples = self.probe.samples(history)?;
-        let weights = self.feature.weights(grid, samples.order);
+        let weights = self.feature.weights(grid, samples.order)?;
         for (k, weight) in weights.into_iter().enumerate().filter(|(_, w)| *w != 0.0) {
             let at = (self.component, k);
             self.probe

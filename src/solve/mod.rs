@@ -39,7 +39,7 @@ pub use modes::{Mode, ModesOptions, ModesSolve, solve_modes};
 pub use newton::solve_with_scalars;
 pub use periodic::adaptive::Adaptation;
 pub use periodic::conditioned::solve_conditioned;
-pub use periodic::options::{GridPoints, PeriodicOptions};
+pub use periodic::options::{GridPoints, PeriodicOptions, TimeMapping};
 pub use periodic::solve_periodic;
 pub use report::{Iteration, NewtonOptions, NewtonReport, Outcome, Timings};
 pub use result::{Assessment, GridTried, Kind, MarchRecord, PeriodicRecord, Solved, Unheld};

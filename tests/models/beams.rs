@@ -17,7 +17,7 @@ fn damped_in_bending(stiffness: &[f64; 6], mass: &[f64; 4], seconds: f64) -> Sec
 }
 
 /// A beam of 1 m along axis 1, clamped at the origin, and the node at its tip.
-fn cantilever(section: &SectionInput, elements: usize, degree: usize) -> (Model, usize) {
+pub(super) fn cantilever(section: &SectionInput, elements: usize, degree: usize) -> (Model, usize) {
     let mut model = Model::new();
     let (root, tip) = (Vector3::zeros(), Vector3::x());
     let beam = model

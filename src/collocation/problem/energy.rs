@@ -35,16 +35,18 @@ impl Collocation {
         NodeState::at_rest(self.instants.states[node * self.grid.points() + k].motion)
     }
 
-    /// Mean over the grid of the kinetic and the potential energy; kinematics are those of `state`.
-    /// Weights have none at the origin.
+    /// Mean over the period of the kinetic and the potential energy; kinematics are those of
+    /// `state`. Weights have none at the origin.
     ///
     /// # Errors
     /// [`ErrorKind::NotAvailable`], naming it, if a force has no energy that is known.
     pub fn mean_energy(&self, state: &GridState) -> Result<f64> {
-        let (points, system) = (self.grid.points(), &self.system);
+        let system = &self.system;
         let mut workspace = system.workspace(false);
-        let mut sum = 0.0;
-        for k in 0..points {
+        let shares = self.grid.shares();
+        let mut mean = 0.0;
+        for (k, share) in shares.iter().enumerate() {
+            let mut sum = 0.0;
             for inertia in system.inertias() {
                 let (momenta, twists) = self.momenta(inertia, k);
                 sum += 0.5 * momenta.dot(&twists);
@@ -55,8 +57,9 @@ impl Collocation {
                 let found = system.potential(placed, at_rest, &conditions, &mut workspace)?;
                 sum += found.ok_or_else(|| unknown(placed))?;
             }
+            mean += share * sum;
         }
-        Ok(sum / points as f64)
+        Ok(mean)
     }
 
     /// Adds its derivatives by material increments of the motions to `row`.
@@ -65,7 +68,7 @@ impl Collocation {
     /// If a beam is too distorted.
     pub fn add_energy_gradient(&self, state: &GridState, row: &mut [f64]) -> Result<()> {
         let (points, system) = (self.grid.points(), &self.system);
-        let share = 1.0 / points as f64;
+        let shares = self.grid.shares();
         let mut workspace = system.workspace(false);
         for placed in system.elements() {
             let zeros = vec![0.0; placed.element.own_unknowns()];
@@ -81,7 +84,9 @@ impl Collocation {
                 let forces = out.force.as_slice().chunks_exact(6);
                 for (force, &node) in forces.zip(placed.element.nodes()) {
                     let row = &mut row[self.layout.motion(node, k)];
-                    row.iter_mut().zip(force).for_each(|(x, f)| *x += share * f);
+                    row.iter_mut()
+                        .zip(force)
+                        .for_each(|(x, f)| *x += shares[k] * f);
                 }
             }
         }
@@ -91,7 +96,7 @@ impl Collocation {
                 let (momenta, _) = self.momenta(inertia, k);
                 for (a, &node) in inertia.nodes().iter().enumerate() {
                     let momentum = momenta.fixed_rows::<6>(6 * a);
-                    by_rates[node * points + k][0] += momentum * share;
+                    by_rates[node * points + k][0] += momentum * shares[k];
                 }
             }
         }

@@ -10,11 +10,11 @@ pub use scalars::ScalarEquations;
 
 use super::division::Division;
 use super::instants::Instants;
-use super::rule::{Spectral, TimeRule};
+use super::rule::{TimeRule, over};
 use super::state::GridState;
 use crate::elements::{InertialForces, Measure, NodeState, Unknown};
 use crate::error::Result;
-use crate::fourier::TimeGrid;
+use crate::fourier::{Slope, TimeGrid};
 use crate::motion::Motion;
 use crate::system::{Layout, System, Workspace};
 use crate::workers::{Workers, parts};
@@ -135,7 +135,7 @@ impl Collocation {
             } else {
                 REGULARISATION
             },
-            rule: Box::new(Spectral::new(grid, system.nodes())),
+            rule: over(grid, system.nodes()),
             forces_only: vec![system.workspace(false)],
             with_tangents: system.workspace(true),
             row_scale,
@@ -184,8 +184,8 @@ impl Collocation {
     /// # Errors
     /// If it is none.
     pub fn set_period(&mut self, period: f64) -> Result<()> {
-        self.grid = TimeGrid::new(self.grid.points(), period)?;
-        self.rule = Box::new(Spectral::new(self.grid, self.system.nodes()));
+        self.grid = self.grid.with_period(period)?;
+        self.rule = over(self.grid, self.system.nodes());
         Ok(())
     }
 
@@ -285,6 +285,12 @@ impl Collocation {
     /// The rule that they follow by.
     pub fn rule(&self) -> &dyn TimeRule {
         &*self.rule
+    }
+
+    /// How derivatives by time follow from those by pseudo-time at the grid points; none if these
+    /// are the same.
+    pub fn slopes(&self) -> &[Slope] {
+        self.rule.over_grid().map_or(&[], |over| over.slopes)
     }
 
     /// Times of the grid points.

@@ -9,6 +9,9 @@
 //! `2 axial(M_kᵀ Π H)`, where `Π` keeps the lowest harmonics: those of the forces themselves if
 //! nothing turns.
 //!
+//! On a mapped grid all this is in pseudo-time, where virtual work has the weight `g'`; rows are
+//! divided by that at the coarser grid's points, to be as large as those of collocation.
+//!
 //! (Harmonics of components in turning frames would not do: the highest of a multiplier in another
 //! frame is beyond them, and would have no effect.) See docs/theory.md, section 10.6.
 
@@ -22,6 +25,7 @@ use crate::motion::{DualMatrix, DualPolar, DualVector, append_centred};
 use crate::system::{Layout, System};
 use crate::workers::Workers;
 use nalgebra::Vector6;
+use std::ops::Range;
 use std::sync::Arc;
 
 /// The equations on the finer grid, for unknowns of the coarser.
@@ -40,6 +44,8 @@ pub struct Oversampled {
     mus: Vec<DualVector>,
     /// `Π H`, at `a N + k`.
     tests: Vec<DualMatrix>,
+    /// `g'` at the points of both grids; none if time is pseudo-time.
+    weights: [Vec<f64>; 2],
     scratch: Scratch,
 }
 
@@ -57,7 +63,7 @@ impl Oversampled {
     /// For unknowns on `grid`, sampled at `factor` times as many points, or one more.
     pub fn new(system: &Arc<System>, grid: TimeGrid, factor: usize) -> Result<Self> {
         let points = grid.points();
-        let finer = TimeGrid::new((factor * points) | 1, grid.period())?;
+        let finer = grid.with_points((factor * points) | 1)?;
         let fine = Collocation::new(system.clone(), finer)?;
         let (nodes, zero) = (system.nodes(), DualMatrix::zeros());
         Ok(Oversampled {
@@ -67,6 +73,10 @@ impl Oversampled {
             polars: Vec::with_capacity(nodes * finer.points()),
             mus: vec![DualVector::zeros(); nodes * finer.points()],
             tests: vec![zero; nodes * points],
+            weights: [grid, finer].map(|grid| {
+                let slopes = grid.all_slopes().into_iter();
+                slopes.map(|slope| 1.0 / slope.rate).collect()
+            }),
             scratch: Scratch {
                 coarse: vec![zero; points],
                 fine: vec![zero; finer.points()],
@@ -112,6 +122,14 @@ impl Oversampled {
         )?;
         self.fine.residual(&resampled, &mut self.scratch.residual)?;
         let (coarse, fine) = self.layouts();
+        let system = self.fine.system().clone();
+        weigh(
+            &system,
+            fine,
+            &self.weights[1],
+            1,
+            &mut self.scratch.residual,
+        );
         let scale = Vector6::from_column_slice(&self.fine.row_scale()[..6]);
         for node in 0..self.fine.system().nodes() {
             let forces = &self.scratch.residual[fine.node(node)];
@@ -134,6 +152,7 @@ impl Oversampled {
         let residual = std::mem::take(&mut self.scratch.residual);
         self.project_own(&residual, out);
         self.scratch.residual = residual;
+        weigh(&system, coarse, &self.weights[0], -1, out);
         Ok(())
     }
 
@@ -234,6 +253,22 @@ fn resample(
     }
 }
 
+/// Multiplies equations at the points of a grid by a power of these weights, if there are any.
+fn weigh(system: &System, layout: Layout, weights: &[f64], power: i32, rows: &mut [f64]) {
+    let mut scale = |places: Range<usize>, count: usize| {
+        let points = rows[places].chunks_exact_mut(count).zip(weights);
+        points.for_each(|(rows, weight)| {
+            rows.iter_mut().for_each(|x| *x *= weight.powi(power));
+        });
+    };
+    for node in 0..system.nodes() {
+        scale(layout.node(node), 6);
+    }
+    for placed in system.elements() {
+        scale(layout.element(placed), placed.element.own_unknowns().max(1));
+    }
+}
+
 /// Places of the first own unknown of each element on both grids, and how many there are at a
 /// point.
 fn own_rows(
@@ -303,6 +338,8 @@ impl OversampledTangent {
         let equations = &mut self.equations;
         let (points, finer) = equations.points();
         let (coarse, fine) = equations.layouts();
+        let system = equations.fine.system().clone();
+        weigh(&system, fine, &equations.weights[1], 1, &mut self.y);
         // Those of all nodes and points are the same.
         let scale = Vector6::from_column_slice(&equations.fine.row_scale()[..6]);
         let column_scale = Vector6::from_column_slice(&equations.fine.column_scale()[..6]);
@@ -332,6 +369,7 @@ impl OversampledTangent {
             }
         }
         equations.project_own(&self.y, y);
+        weigh(&system, coarse, &equations.weights[0], -1, y);
     }
 
     /// The change of the interpolated motions and own unknowns.

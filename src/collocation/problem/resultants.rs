@@ -4,7 +4,7 @@ use super::Collocation;
 use crate::collocation::rule::RuleWorkspace;
 use crate::elements::NodeState;
 use crate::error::Result;
-use crate::fourier::{Resampling, TimeGrid};
+use crate::fourier::Resampling;
 use crate::system::{Placed, Workspace};
 use nalgebra::Vector6;
 
@@ -124,8 +124,8 @@ impl Collocation {
         changes
     }
 
-    /// Stress resultants of all stations by their strains, at the points of another grid of the
-    /// same period that begins `start` periods later; none where tangents have no use for them.
+    /// Stress resultants of all stations by their strains, where `resampling` goes from this grid;
+    /// none where tangents have no use for them.
     ///
     /// Kinematics must be those of the state that is meant.
     ///
@@ -133,19 +133,17 @@ impl Collocation {
     /// If an element is too distorted.
     pub fn resampled_resultants(
         &mut self,
-        start: f64,
-        other: TimeGrid,
+        mut resampling: Resampling,
     ) -> Result<Vec<Vector6<f64>>> {
-        let stations = self.system.stations();
+        let (stations, points) = (self.system.stations(), resampling.points());
         if stations == 0 || self.oversampled.is_some() {
             return Ok(Vec::new());
         }
         let resultants = self.resultants_of_strains()?;
-        let mut all = vec![Vector6::zeros(); other.points() * stations];
-        let mut resampling = Resampling::new(self.grid, start, other.points());
-        let mut values = vec![0.0; other.points()];
+        let mut all = vec![Vector6::zeros(); points * stations];
+        let mut values = vec![0.0; points];
         // Those of a station lie far apart: they are fetched and put back once for all six.
-        let mut there = vec![Vector6::zeros(); other.points()];
+        let mut there = vec![Vector6::zeros(); points];
         for station in 0..stations {
             let here = resultants.iter().skip(station).step_by(stations);
             let here: Vec<Vector6<f64>> = here.copied().collect();

@@ -7,6 +7,7 @@ mod antiperiodic;
 mod backward;
 mod given;
 mod kinematics;
+mod mapped;
 mod radau;
 mod spectral;
 mod steady;
@@ -21,13 +22,14 @@ pub use antiperiodic::{Antiperiodic, antiperiodic_at};
 pub use backward::Backward;
 pub use given::GivenRates;
 pub use kinematics::{BackwardWeights, KinematicsScratch, NodeKinematics};
+pub use mapped::Mapped;
 pub use radau::{PLACES, RadauStep, RadauWeights, STAGES};
 pub use spectral::Spectral;
 pub use steady::Steady;
 
 use super::state::GridState;
 use crate::elements::NodeState;
-use crate::fourier::Differentiation;
+use crate::fourier::{Differentiation, Slope, TimeGrid};
 use crate::motion::{DualMatrix, DualVector};
 use crate::workers::Workers;
 use nalgebra::Vector6;
@@ -126,10 +128,28 @@ pub trait TimeRule: CloneRule + Debug + Send + Sync {
         Vec::new()
     }
 
-    /// Where derivatives are those of functions over the grid: the motions of the nodes, and the
-    /// operators.
-    fn over_grid(&self) -> Option<(&[NodeKinematics], &Differentiation)> {
+    /// Where derivatives are those of functions over the grid: what they are.
+    fn over_grid(&self) -> Option<OverGrid<'_>> {
         None
+    }
+}
+
+/// Derivatives of functions over a grid.
+#[derive(Debug, Clone, Copy)]
+pub struct OverGrid<'a> {
+    /// Motions of the nodes, with their derivatives by pseudo-time.
+    pub kinematics: &'a [NodeKinematics],
+    /// Derivatives by pseudo-time.
+    pub operators: &'a Differentiation,
+    /// How those by time follow at each point; none if time is pseudo-time.
+    pub slopes: &'a [Slope],
+}
+
+/// The rule for functions over a grid.
+pub fn over(grid: TimeGrid, nodes: usize) -> Box<dyn TimeRule> {
+    match grid.map().is_identity() {
+        true => Box::new(Spectral::new(grid, nodes)),
+        false => Box::new(Mapped::new(grid, nodes)),
     }
 }
 
@@ -139,6 +159,8 @@ pub struct RuleWorkspace {
     operators: Option<Differentiation>,
     variation: KinematicsScratch,
     samples: Vec<f64>,
+    by_rates: Vec<[Vector6<f64>; 2]>,
+    scaled: Vec<f64>,
 }
 
 /// Rules as values.

@@ -2,7 +2,7 @@
 
 use super::aliasing::Aliasing;
 use super::kinematics::{KinematicsScratch, NodeKinematics};
-use super::{RuleWorkspace, TimeRule};
+use super::{OverGrid, RuleWorkspace, TimeRule};
 use crate::collocation::state::GridState;
 use crate::elements::NodeState;
 use crate::fourier::{Differentiation, TimeGrid};
@@ -13,7 +13,7 @@ use nalgebra::Vector6;
 /// Multiply-adds of the velocity and acceleration of a node at a grid point, about.
 const WORK: usize = 300;
 
-/// Spectral differentiation on a grid.
+/// Spectral differentiation on a grid, by pseudo-time where that is mapped.
 #[derive(Debug, Clone)]
 pub struct Spectral {
     operators: Differentiation,
@@ -147,7 +147,11 @@ impl TimeRule for Spectral {
         self.nodes[node].aliasing(self.operators.grid())
     }
 
-    fn over_grid(&self) -> Option<(&[NodeKinematics], &Differentiation)> {
-        Some((&self.nodes, &self.operators))
+    fn over_grid(&self) -> Option<OverGrid<'_>> {
+        Some(OverGrid {
+            kinematics: &self.nodes,
+            operators: &self.operators,
+            slopes: &[],
+        })
     }
 }

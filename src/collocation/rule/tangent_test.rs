@@ -1,7 +1,7 @@
 //! Every rule whose unknowns are motions against differences, and its transpose against itself.
 
 use super::*;
-use crate::fourier::TimeGrid;
+use crate::fourier::{SharpEvent, TimeGrid, TimeMap};
 use crate::system::System;
 use crate::test_models::small::whirled_beam;
 
@@ -30,6 +30,13 @@ fn rules(system: &System) -> Vec<(Box<dyn TimeRule>, usize)> {
         let grid = TimeGrid::new(points, PERIOD).unwrap();
         (Box::new(Spectral::new(grid, nodes)), points)
     };
+    let mapped = |points: usize| -> (Box<dyn TimeRule>, usize) {
+        let event = |time: f64, width: f64, share: f64| SharpEvent { time, width, share };
+        let events = [event(0.3, 0.1, 1.0), event(1.25, 0.2, 0.5)];
+        let map = TimeMap::new(&events, PERIOD).unwrap();
+        let grid = TimeGrid::new(points, PERIOD).unwrap();
+        (over(grid.mapped(map), nodes), points)
+    };
     let weights = BackwardWeights {
         first: [11.0, -18.0, 9.0, -2.0],
         second: [20.0, -50.0, 40.0, -10.0],
@@ -46,6 +53,8 @@ fn rules(system: &System) -> Vec<(Box<dyn TimeRule>, usize)> {
         spectral(1),
         spectral(5),
         spectral(11),
+        mapped(5),
+        mapped(11),
         (Box::new(Backward::new(weights, past)), 1),
         (Box::new(step), 1),
         (Box::new(Steady::new((0..nodes).map(six).collect())), 1),

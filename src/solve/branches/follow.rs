@@ -10,6 +10,7 @@ use crate::fourier::TimeGrid;
 use crate::model::Model;
 use crate::solve::conditions::{Conditioned, Free};
 use crate::solve::periodic::conditioned::solve_conditioned;
+use crate::solve::periodic::options::{PeriodicOptions, TimeMapping};
 use crate::solve::watch::Stage;
 use crate::workers::Workers;
 
@@ -44,8 +45,11 @@ pub fn follow_branch(
     let conditioned = Conditioned::new(model, period, &free)?;
     options.require_within(model, period, parameter)?;
     let given = (&options.free[..], &options.conditions[..]);
-    let first = &options.periodic;
-    let (found, solved) = solve_conditioned(model, period, given, first, &mut |_, _| true)?;
+    let first = PeriodicOptions {
+        time_map: TimeMapping::Equispaced,
+        ..options.periodic.clone()
+    };
+    let (found, solved) = solve_conditioned(model, period, given, &first, &mut |_, _| true)?;
     if !solved.report.outcome.is_solution() {
         let mut branch = Branch::without_points(conditioned, period, &solved.report);
         branch.iterations = solved.total_iterations;

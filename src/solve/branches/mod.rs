@@ -104,6 +104,8 @@ impl Default for BranchOptions {
 impl BranchOptions {
     fn validate(&self) -> Result<()> {
         self.periodic.validate()?;
+        let why = "branches are followed on equispaced grids";
+        self.periodic.time_map.require_equispaced(why)?;
         require_finite("options.range", &self.range)?;
         let [low, high] = self.range;
         if low >= high {

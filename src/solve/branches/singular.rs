@@ -3,7 +3,7 @@
 
 use super::Event;
 use crate::collocation::{
-    Antiperiodic, Collocation, GridState, Linearisation, Pattern, Spectral, Tangent,
+    Antiperiodic, Collocation, GridState, Linearisation, Pattern, Tangent, over,
 };
 use crate::error::{Error, ErrorKind, Result};
 use crate::solve::linear::dense::probe;
@@ -236,7 +236,7 @@ fn prepare(event: Event, equations: &mut Collocation, state: &GridState) -> Resu
     let (grid, nodes) = (equations.grid(), equations.system().nodes());
     equations.set_rule(match event {
         Event::PeriodDoubling => Box::new(Antiperiodic::new(grid, nodes)),
-        Event::Fold | Event::Torus => Box::new(Spectral::new(grid, nodes)),
+        Event::Fold | Event::Torus => over(grid, nodes),
         Event::BranchPoint => {
             let message = "branch points have no equation of their own";
             return Err(Error::new(ErrorKind::NotAvailable, message));

@@ -3,7 +3,7 @@
 use super::Newton;
 use crate::collocation::{Collocation, GridState};
 use crate::error::{ErrorKind, Result};
-use crate::fourier::TimeGrid;
+use crate::fourier::{Resampling, TimeGrid};
 use crate::solve::linear::iterative::Projected;
 use crate::solve::linear::method::{Linear, LinearMethod, Plan, easy_iteration};
 use crate::solve::memory::{MemoryLimit, of_grid};
@@ -234,7 +234,7 @@ impl<'a> OnGrid<'a> {
             .require_grid(&self.system, grid.points())?;
         let equations = &mut self.newton.equations;
         equations.update_kinematics(state);
-        let resultants = equations.resampled_resultants(0.0, grid)?;
+        let resultants = equations.resampled_resultants(Resampling::between(from, 0.0, grid))?;
         self.start_time += began.elapsed();
         self.move_to(grid)?;
         let start = self.carried(state, from)?;
@@ -247,8 +247,21 @@ impl<'a> OnGrid<'a> {
     /// A state on the grid `from`, at the points of the present one; none if `from` is too coarse
     /// to tell.
     pub fn carried(&mut self, state: &GridState, from: TimeGrid) -> Result<Option<GridState>> {
+        self.resampled(state, from, self.grid)
+    }
+
+    /// The same at the points of any grid.
+    pub fn resampled(
+        &mut self,
+        state: &GridState,
+        from: TimeGrid,
+        to: TimeGrid,
+    ) -> Result<Option<GridState>> {
+        if from == to {
+            return Ok(Some(state.clone()));
+        }
         let began = Instant::now();
-        let carried = state.resampled(&self.system, from, 0.0, self.grid, &self.means.workers);
+        let carried = state.resampled(&self.system, from, 0.0, to, &self.means.workers);
         self.start_time += began.elapsed();
         match carried {
             Ok(state) => Ok(Some(state)),

@@ -2,6 +2,7 @@
 //! See docs/theory.md, section 10.4.
 
 use super::Periodic;
+use super::sharp::{Sharper, sharper};
 use crate::collocation::{Decay, DecayKind, GridState};
 use crate::error::{Error, ErrorKind, Result, require_positive_number};
 use crate::fourier::TimeGrid;
@@ -11,6 +12,7 @@ use crate::solve::report::Outcome;
 use crate::solve::result::{Assessment, GridTried};
 use crate::solve::starts::{PATIENCE, affords_more};
 use crate::system::System;
+use std::time::Instant;
 
 /// When to stop making grids finer.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -64,6 +66,12 @@ const DECEIVED: f64 = 10.0;
 const ROUNDING: f64 = 1e-10;
 /// A deviation from rest or from a steady turn that is none.
 const AT_REST: f64 = 1e-13;
+/// A grid of fewer points tells little of where a motion is sharp, and costs little.
+const LEAST_MAPPED: usize = 41;
+/// The next grid has so many times the points where harmonics fall slowly.
+const MUCH_FINER: f64 = 1.5;
+/// A mapped grid has this part of the points at least that told of the map.
+const LEAST_PART: f64 = 0.75;
 /// From this number of points on they are chosen for quick Fourier transforms.
 const LARGE: usize = 64;
 
@@ -83,8 +91,8 @@ impl Adaptation {
     }
 
     /// The same for a response as in `state`: with the tolerance that its amplitude leaves.
-    fn of_response(&self, system: &System, state: &GridState) -> Self {
-        let wanted = self.response_tolerance * state.amplitude(system);
+    fn of_response(&self, system: &System, grid: TimeGrid, state: &GridState) -> Self {
+        let wanted = self.response_tolerance * state.amplitude(system, grid);
         // Nothing but rounding moves.
         let moves = wanted > self.response_tolerance * AT_REST;
         Adaptation {
@@ -234,6 +242,8 @@ enum Next {
     Accept,
     /// The tolerance is missed, and why nothing can be done about it.
     Miss(String),
+    /// The same, as no more points are allowed.
+    Exhausted(String),
     /// Go on with so many points.
     Refine(usize),
 }
@@ -254,7 +264,7 @@ impl Periodic<'_> {
         let length = self.on.system.scales().length;
         let mut before: Option<Before> = None;
         while report.outcome == Outcome::Converged {
-            let adaptation = adaptation.of_response(&self.on.system, &state);
+            let adaptation = adaptation.of_response(&self.on.system, self.on.grid, &state);
             let mut found = self.assess(&mut state, &report)?;
             let estimate = found.error;
             if let Some(before) = &before {
@@ -279,18 +289,20 @@ impl Periodic<'_> {
                     found.error, adaptation.error_tolerance
                 )
             };
-            let next = match self.after(&adaptation, &found, deceivable) {
-                Next::Accept => break,
-                Next::Miss(why) => {
+            let next = self.after(&adaptation, &found, deceivable);
+            let sharper = self.sharper_grid(&adaptation, &found, &next, &state)?;
+            let coarse = self.on.grid;
+            let fine = match (next, sharper) {
+                (Next::Accept, _) => break,
+                (_, Some(grid)) => grid,
+                (Next::Refine(next), None) => coarse.with_points(next)?,
+                (Next::Miss(why) | Next::Exhausted(why), None) => {
                     report.outcome = Outcome::ToleranceNotMet;
                     report.explanation = missed(&why);
                     break;
                 }
-                Next::Refine(next) => next,
             };
             deceivable = false;
-            let coarse = self.on.grid;
-            let fine = TimeGrid::new(next, coarse.period())?;
             let start = match self.on.carry_to(fine, &state) {
                 Err(error) if error.kind() == ErrorKind::OutOfMemory => {
                     report.outcome = Outcome::ToleranceNotMet;
@@ -309,8 +321,9 @@ impl Periodic<'_> {
             if is_spent || !fine_report.outcome.is_final() {
                 let how = fine_report.outcome.describe();
                 report.outcome = Outcome::ToleranceNotMet;
+                let tried = self.on.grid.points();
                 report.explanation =
-                    missed(&format!("no solution was found on {next} points ({how})"));
+                    missed(&format!("no solution was found on {tried} points ({how})"));
                 self.on.move_to(coarse)?;
                 break;
             }
@@ -346,7 +359,38 @@ impl Periodic<'_> {
             _ => String::new(),
         };
         let most = adaptation.largest;
-        Next::Miss(format!("no more than {most} grid points are allowed{why}"))
+        Next::Exhausted(format!("no more than {most} grid points are allowed{why}"))
+    }
+
+    /// A grid with its points closer together where the motion is sharp, if its harmonics fall
+    /// slowly and would end much earlier there.
+    fn sharper_grid(
+        &mut self,
+        adaptation: &Adaptation,
+        found: &Assessment,
+        next: &Next,
+        state: &GridState,
+    ) -> Result<Option<TimeGrid>> {
+        let grid = self.on.grid;
+        let points = grid.points();
+        let wanted = match next {
+            Next::Accept | Next::Miss(_) => return Ok(None),
+            Next::Exhausted(_) => GROWTH[2] * points as f64,
+            Next::Refine(next) => *next as f64,
+        };
+        let few = points < LEAST_MAPPED || wanted < MUCH_FINER * points as f64;
+        if !self.may_map || few || found.unheld.is_some() {
+            return Ok(None);
+        }
+        let began = Instant::now();
+        let sharper = sharper(&self.on.system, grid, state);
+        self.on.newton.timings.estimates += began.elapsed();
+        let Some(Sharper { map, gain }) = sharper else {
+            return Ok(None);
+        };
+        let enough = (wanted / gain).max(LEAST_PART * points as f64);
+        let points = quick(enough.ceil() as usize).min(adaptation.largest_odd());
+        Ok(Some(grid.with_points(points)?.mapped(map)))
     }
 
     /// From the solution on a coarser grid, of this error. Where that resolves nothing, there may
@@ -372,8 +416,7 @@ impl Periodic<'_> {
             return self.starts.solve(&mut self.on);
         }
         if let Some(points) = self.points_of_guess(adaptation)? {
-            self.on
-                .move_to(TimeGrid::new(points, self.on.grid.period())?)?;
+            self.on.move_to(self.on.grid.with_points(points)?)?;
         }
         let (state, report) = self.starts.solve_at_once(&mut self.on)?;
         if report.outcome.is_final() {

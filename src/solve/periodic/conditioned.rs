@@ -61,7 +61,10 @@ pub fn solve_conditioned(
             (held.state.clone(), Some(held))
         }
     };
-    let grid = TimeGrid::new(start.points(), period)?;
+    let grid = match &before {
+        Some(held) => held.grid,
+        None => TimeGrid::new(start.points(), period)?.mapped(options.time_map.given(period)?),
+    };
     if let GridPoints::Fixed(points) = options.grid_points
         && points != grid.points()
     {
@@ -140,7 +143,7 @@ impl ConditionedSolve<'_> {
             };
             let found = &mut self.found;
             let (system, grid) = (&found.system, found.grid);
-            let finer = TimeGrid::new(next, grid.period())?;
+            let finer = grid.with_points(next)?;
             match (found.state).resampled(system, grid, 0.0, finer, &self.workers) {
                 Ok(resampled) => (found.grid, found.state) = (finer, resampled),
                 Err(e) if e.kind() == ErrorKind::GridTooCoarse => {
@@ -180,7 +183,7 @@ impl ConditionedSolve<'_> {
             Ok((found, period)) => {
                 *system = Arc::new(System::new(&found, period)?);
                 *model = found;
-                *grid = TimeGrid::new(grid.points(), period)?;
+                *grid = grid.with_period(period)?;
             }
             // Only an iterate that is none.
             Err(error) => {

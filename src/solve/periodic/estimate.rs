@@ -144,7 +144,10 @@ impl Periodic<'_> {
                 None => None,
             };
             if let (Some(mut aliased), Some(mut left_out)) = (aliased, left_out) {
-                if self.loads.has_above(self.on.grid.harmonics()) {
+                // Of loads, harmonics of pseudo-time are not known; what the grid takes for others
+                // shows between its points.
+                let equispaced = self.on.grid.map().is_identity();
+                if equispaced && self.loads.has_above(self.on.grid.harmonics()) {
                     let low = self.unheld(state)?;
                     let high = waves.unheld(&defect, &self.loads)?;
                     if let Some((low, high)) = low.zip(high) {

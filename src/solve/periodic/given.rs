@@ -56,7 +56,7 @@ impl Periodic<'_> {
             return self.find_at(grid);
         }
         let half = grid.of_half_the_harmonics();
-        let coarser = TimeGrid::new(half.points().min(self.coarse), grid.period())?;
+        let coarser = grid.with_points(half.points().min(self.coarse))?;
         let is_first = self.on.grid == grid;
         if is_first && coarser.points() < LEAST_COARSE {
             return self.find_near(grid);

@@ -5,6 +5,7 @@
 //! * `given.rs`: a solve on a given grid, which may begin on a coarser one;
 //! * `adaptive.rs`: grids made finer until the estimated error meets a tolerance;
 //! * `conditioned.rs`: motions under conditions that determine free parameters;
+//! * `sharp.rs`: when a motion is sharp, and the map of time that brings grid points there;
 //! * `estimate.rs`, `waves.rs`, `loads.rs`: that error: of the motions at the grid points, by
 //!   harmonics above the grid's, of loads that the grid cannot hold.
 
@@ -14,6 +15,7 @@ pub(crate) mod estimate;
 mod given;
 pub(crate) mod loads;
 pub(crate) mod options;
+mod sharp;
 mod waves;
 
 use crate::error::Result;
@@ -31,7 +33,7 @@ use crate::workers::Workers;
 use adaptive::Adaptation;
 use estimate::mesh_error;
 use loads::Loads;
-use options::{GridPoints, PeriodicOptions};
+use options::{GridPoints, PeriodicOptions, TimeMapping};
 use std::sync::Arc;
 use std::time::Instant;
 
@@ -48,6 +50,8 @@ struct Periodic<'a> {
     accepted: f64,
     /// Points of the finest grid that may follow; zero where it is given.
     finest: usize,
+    /// Whether grids may be mapped where the motion is sharp.
+    may_map: bool,
     /// The grids that were tried.
     grids: Vec<GridTried>,
     /// Points of the grid on which one on a large grid looks for its start.
@@ -134,6 +138,7 @@ pub fn solve_periodic(
         GridPoints::Adaptive(adaptation) => (adaptation.largest, 1),
     };
     TimeGrid::new(points, period)?;
+    let map = options.time_map.given(period)?;
     let system = Arc::new(System::new(model, period)?);
     require_periodic_forces(model, system.scales().length, period)?;
     let limit = MemoryLimit(options.memory_limit);
@@ -145,8 +150,8 @@ pub fn solve_periodic(
     )?;
     let loads = Loads::of(&system, largest)?;
     let first = FirstGrids::of(options, &loads);
-    let [wanted, of_starts, grid] =
-        [first.wanted, first.starts, first.solved].map(|points| TimeGrid::new(points, period));
+    let [wanted, of_starts, grid] = [first.wanted, first.starts, first.solved]
+        .map(|points| TimeGrid::new(points, period).map(|grid| grid.mapped(map)));
     let (wanted, of_starts, grid) = (wanted?, of_starts?, grid?);
     let watching = options.watch.begin(Stage::InitialGuess, grid.points());
     let means = Means {
@@ -174,6 +179,7 @@ pub fn solve_periodic(
         loads,
         accepted,
         finest,
+        may_map: options.time_map == TimeMapping::Automatic,
         grids: Vec::new(),
         coarse: first.coarse,
         coarse_start: None,

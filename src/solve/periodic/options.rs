@@ -2,6 +2,7 @@
 
 use super::adaptive::Adaptation;
 use crate::error::{Error, Result};
+use crate::fourier::{SharpEvent, TimeMap};
 use crate::solve::linear::method::LinearMethod;
 use crate::solve::report::NewtonOptions;
 use crate::solve::start::InitialGuess;
@@ -14,6 +15,45 @@ pub enum GridPoints {
     Fixed(usize),
     /// Few at first, then more until the estimated error meets a tolerance.
     Adaptive(Adaptation),
+}
+
+/// Where the points of grids are.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub enum TimeMapping {
+    /// Equispaced, but closer together where an adaptive solve finds the motion sharp.
+    #[default]
+    Automatic,
+    /// Equispaced.
+    Equispaced,
+    /// Closer together about these events, of all grids.
+    Events(Vec<SharpEvent>),
+}
+
+impl TimeMapping {
+    /// The map that is given; none otherwise.
+    ///
+    /// # Errors
+    /// If an event is none.
+    pub(crate) fn given(&self, period: f64) -> Result<TimeMap> {
+        match self {
+            TimeMapping::Automatic | TimeMapping::Equispaced => Ok(TimeMap::default()),
+            TimeMapping::Events(events) => TimeMap::new(events, period),
+        }
+    }
+
+    /// Checks that grids are not told to be mapped.
+    ///
+    /// # Errors
+    /// If they are, with `why` that cannot be.
+    pub(crate) fn require_equispaced(&self, why: &str) -> Result<()> {
+        match self {
+            TimeMapping::Events(events) if !events.is_empty() => {
+                let expected = format!("none, as {why}");
+                Err(Error::value("options.time_map", expected, "events"))
+            }
+            _ => Ok(()),
+        }
+    }
 }
 
 /// Options of a periodic solve.
@@ -45,6 +85,8 @@ pub struct PeriodicOptions {
     /// Bytes of memory that the solve may take, by an estimate made before it is begun on a grid,
     /// or any number if zero. Grids of adaptive solves that would take more are not tried.
     pub memory_limit: usize,
+    /// Where the points of grids are. A state to start from is one at the points of the grid.
+    pub time_map: TimeMapping,
     /// Who is told how the solve goes on, and may cancel it.
     pub watch: Watch,
 }
@@ -71,6 +113,7 @@ impl Default for PeriodicOptions {
             estimate_mesh: false,
             work_limit: WORK_LIMIT,
             memory_limit: 0,
+            time_map: TimeMapping::Automatic,
             watch: Watch::default(),
         }
     }

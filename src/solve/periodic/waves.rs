@@ -44,6 +44,7 @@ impl LeftOut {
 pub(crate) struct Waves<'a> {
     /// On three points of the period of the wave.
     newton: Newton,
+    grid: TimeGrid,
     state: &'a GridState,
 }
 
@@ -58,6 +59,7 @@ impl<'a> Waves<'a> {
         }
         Ok(Waves {
             newton: Newton::new(wave),
+            grid: equations.grid(),
             state,
         })
     }
@@ -78,8 +80,11 @@ impl<'a> Waves<'a> {
         let at = self.frozen(k);
         let equations = &mut self.newton.equations;
         let system = equations.system().clone();
-        let time = system.period() * k as f64 / self.state.points() as f64;
-        let period = system.period() / harmonic as f64;
+        let stretch = system.period() / self.grid.period();
+        let time = self.grid.time(k) * stretch;
+        // As long as it is there in time.
+        let pseudo = k as f64 / self.grid.points() as f64;
+        let period = system.period() / harmonic as f64 / self.grid.slope(pseudo).rate;
         equations.set_period(period)?;
         // Functions of the user see no times beyond the period.
         equations.set_conditions(Conditions::at(time.min(system.period() - period)))?;

@@ -256,6 +256,11 @@ fn validate(solve: &Solved, options: &StabilityOptions) -> Result<()> {
         let message = "stability: expected a periodic solution that has converged";
         return Err(Error::new(ErrorKind::NotAvailable, message));
     }
+    if options.method == StabilityMethod::Grid && !solve.grid.map().is_identity() {
+        let message = "options.method: multipliers from the equations on the grid take an \
+            equispaced one; those by the period map take any";
+        return Err(Error::new(ErrorKind::NotAvailable, message));
+    }
     let numbers = [
         ("options.tolerance", Some(options.tolerance)),
         ("options.highest_frequency", options.highest_frequency),

@@ -292,8 +292,14 @@ impl Starts {
             Some(state) => Some(state),
             None => self.rigid_rotation(on)?,
         };
-        let workers = &on.means.workers;
-        let mut march = DissipativeMarch::new(&on.system, on.grid, start.as_ref(), workers)?;
+        // In equal steps.
+        let steps = on.grid.equispaced();
+        let workers = on.means.workers.clone();
+        let start = match start {
+            Some(state) => on.resampled(&state, on.grid, steps)?,
+            None => None,
+        };
+        let mut march = DissipativeMarch::new(&on.system, steps, start.as_ref(), &workers)?;
         let mut found: Option<Found> = None;
         let mut tries = TRIED.iter().peekable();
         let mut early = f64::INFINITY;
@@ -318,6 +324,9 @@ impl Starts {
                 continue;
             }
             while tries.next_if(|most| march.change() < **most).is_some() {}
+            let Some(state) = on.carried(&state, steps)? else {
+                continue;
+            };
             let next = on.solve(state)?;
             if next.1.outcome.is_final() || is_last || tries.peek().is_none() {
                 return Ok(Some(next));

@@ -269,7 +269,7 @@ pub(crate) fn quasi_static(
             break;
         }
         state.copy_point(system, k, &tracker.state, 0);
-        let interval = grid.period() / grid.points() as f64;
+        let interval = grid.intervals(k)[0];
         for part in 0..if k + 1 < grid.points() { parts } else { 0 } {
             let start = grid.time(k) + interval * part as f64 / parts as f64;
             let length = interval / parts as f64;
@@ -298,7 +298,6 @@ pub(crate) fn inertial_displacement(
     workers: &Workers,
 ) -> Result<f64> {
     let count = grid.points();
-    let interval = grid.period() / count as f64;
     let mut newton = Newton::at_instant(system, workers)?;
     let mut at = GridState::at_points(system, 1);
     let mut most = 0.0f64;
@@ -313,13 +312,15 @@ pub(crate) fn inertial_displacement(
         }
         at.copy_point(system, 0, state, k);
         let (next, last) = ((k + 1) % count, (k + count - 1) % count);
+        let [after, before] = grid.intervals(k);
+        let whole = after * before * (after + before);
         let differences = |node: usize| {
             let motions = state.node(node);
             let to = |other: usize| motions[k].relative(&motions[other]).logarithm();
             let (forwards, backwards) = (to(next), to(last));
             (
-                (forwards - backwards) / (2.0 * interval),
-                (forwards + backwards) / (interval * interval),
+                (forwards * before * before - backwards * after * after) / whole,
+                (forwards * before + backwards * after) * 2.0 / whole,
             )
         };
         let (twist, twist_rate) = (0..system.nodes()).map(differences).unzip();

@@ -18,12 +18,14 @@ struct MeanTangent {
 }
 
 impl MeanTangent {
-    /// With `ΔV = Δu̇ + Ṽ Δu` and `ΔV̇ = Δü + Ṽ Δu̇ + Ṽ̇ Δu`.
+    /// With `ΔV = Δu̇ + Ṽ Δu` and `ΔV̇ = Δü + Ṽ Δu̇ + Ṽ̇ Δu`; on a mapped grid increments are
+    /// differentiated by pseudo-time.
     fn new(equations: &Collocation, tangent: &Tangent, pair: usize) -> Self {
         let points = equations.grid().points();
         let coupling = &tangent.couplings()[pair];
         let mut orders = [Matrix6::zeros(); 3];
         let mut velocity = Matrix6::zeros();
+        let slopes = equations.slopes();
         for k in 0..points {
             let t = tangent.pair(pair, k);
             orders[0] += t.stiffness;
@@ -31,9 +33,14 @@ impl MeanTangent {
                 let state = &equations.node_states()[coupling.column * points + k];
                 let v = twist_skew(&state.twist);
                 orders[0] += t.damping * v + t.mass * twist_skew(&state.twist_rate);
-                orders[1] += t.damping + t.mass * v;
-                orders[2] += t.mass;
-                velocity += t.damping;
+                let by_pseudo = |first: Matrix6<f64>| match slopes.get(k) {
+                    Some(slope) => slope.transposed(first, *t.mass),
+                    None => [first, *t.mass],
+                };
+                let [first, second] = by_pseudo(t.damping + t.mass * v);
+                orders[1] += first;
+                orders[2] += second;
+                velocity += by_pseudo(*t.damping)[0];
             }
         }
         MeanTangent {
@@ -78,30 +85,33 @@ impl MeanStrain {
         node: usize,
     ) -> Self {
         let points = equations.grid().points();
+        let slopes = equations.slopes();
         let mean = |first: usize| {
-            let (mut strain, mut rate) = (Matrix6::zeros(), Matrix6::zeros());
+            let mut means = [Matrix6::zeros(); 3];
+            let [strain, rate, by_pseudo] = &mut means;
             for k in 0..points {
                 let t = tangent.strain(first + local, k);
                 let b = t.strain.to_twist_matrix();
-                strain += b;
+                *strain += b;
+                *by_pseudo += b * slopes.get(k).map_or(1.0, |slope| slope.rate);
                 if station.damped {
                     let state = &equations.node_states()[node * points + k];
-                    rate += b * twist_skew(&state.twist) + t.rate.to_twist_matrix();
+                    *rate += b * twist_skew(&state.twist) + t.rate.to_twist_matrix();
                 }
             }
-            (strain / points as f64, rate / points as f64)
+            means.map(|mean| mean / points as f64)
         };
         let StressLaw {
             stiffness,
             damping,
             others,
         } = &station.law;
-        let (strain, rate) = mean(station.first);
-        let mut orders = [stiffness * strain + damping * rate, damping * strain];
+        let [strain, rate, by_pseudo] = mean(station.first);
+        let mut orders = [stiffness * strain + damping * rate, damping * by_pseudo];
         for other in others {
-            let (strain, rate) = mean(station.first_of(other.offset));
+            let [strain, rate, by_pseudo] = mean(station.first_of(other.offset));
             orders[0] += other.stiffness * strain + other.damping * rate;
-            orders[1] += other.damping * strain;
+            orders[1] += other.damping * by_pseudo;
         }
         MeanStrain { strain, orders }
     }
@@ -291,12 +301,15 @@ impl Averages<'_> {
         let count = placed.element.own_unknowns();
         let first = self.equations.layout().element(placed).start;
         let mut means = [vec![0.0; count * count], vec![0.0; count * count]];
+        let slopes = self.equations.slopes();
         for k in 0..points {
             let (own, own_rate) = self.tangent.own(system, index, k);
-            for (mean, values) in means.iter_mut().zip([own, own_rate]) {
-                mean.iter_mut()
-                    .zip(values)
-                    .for_each(|(m, v)| *m += v / points as f64);
+            let by_pseudo = slopes.get(k).map_or(1.0, |slope| slope.rate);
+            for (mean, (values, factor)) in
+                means.iter_mut().zip([(own, 1.0), (own_rate, by_pseudo)])
+            {
+                let pairs = mean.iter_mut().zip(values);
+                pairs.for_each(|(m, v)| *m += v * factor / points as f64);
             }
         }
         for mean in &mut means {

@@ -1,0 +1,117 @@
+//! Errors of sharp motions against the number of grid points, equispaced and mapped, and maps that
+//! adaptive solves find for them.
+
+mod common;
+
+use common::models::sharp::{Sharp, end_stop, pulsed_strip, snapping_four_bar};
+use periodyn::model::Model;
+use periodyn::output::{BeamQuantity, NodeQuantity, Quantity, Solution};
+use periodyn::solve::*;
+
+fn on(sharp: &Sharp, points: usize, mapped: bool) -> Solution {
+    let options = PeriodicOptions {
+        time_map: match mapped {
+            true => TimeMapping::Events(sharp.events.clone()),
+            false => TimeMapping::Equispaced,
+        },
+        work_limit: 0.0,
+        threads: 2,
+        ..PeriodicOptions::with_grid_points(points)
+    };
+    let solution = Solution::solve(&sharp.model, sharp.period, &options, &mut |_, _| true).unwrap();
+    assert_eq!(
+        solution.outcome(),
+        Outcome::Converged,
+        "{}",
+        solution.report()
+    );
+    solution
+}
+
+/// Positions of all nodes at many times, in lengths of the model.
+fn positions(model: &Model, period: f64, solution: &Solution) -> Vec<f64> {
+    let times: Vec<f64> = (0..401).map(|k| period * f64::from(k) / 401.0).collect();
+    let of = |node: usize| solution.node(node, NodeQuantity::Position, &times).unwrap();
+    (0..model.node_count()).step_by(3).flat_map(of).collect()
+}
+
+fn apart(a: &[f64], b: &[f64]) -> f64 {
+    a.iter()
+        .zip(b)
+        .fold(0.0, |m: f64, (x, y)| m.max((x - y).abs()))
+}
+
+/// Digits gained with each grid point, by the errors that are no rounding.
+fn rate(points: &[usize], errors: &[f64]) -> f64 {
+    let known = points
+        .iter()
+        .zip(errors)
+        .filter(|(_, error)| **error > 1e-11);
+    let (mut xs, mut ys) = (Vec::new(), Vec::new());
+    for (n, error) in known {
+        xs.push(*n as f64);
+        ys.push(-error.ln());
+    }
+    let mean = |all: &[f64]| all.iter().sum::<f64>() / all.len() as f64;
+    let (x, y) = (mean(&xs), mean(&ys));
+    let products = xs.iter().zip(&ys).map(|(a, b)| (a - x) * (b - y));
+    products.sum::<f64>() / xs.iter().map(|a| (a - x) * (a - x)).sum::<f64>()
+}
+
+#[test]
+fn sharp_motions_converge_faster_on_mapped_grids() {
+    for (sharp, finest, least) in [(end_stop(), 301, 4.0), (pulsed_strip(), 301, 2.0)] {
+        let exact = positions(&sharp.model, sharp.period, &on(&sharp, finest, true));
+        let points = [31, 51, 75, 101, 135];
+        let errors = [false, true].map(|mapped| {
+            points.map(|n| {
+                let found = positions(&sharp.model, sharp.period, &on(&sharp, n, mapped));
+                apart(&found, &exact)
+            })
+        });
+        let rates = [0, 1].map(|i| rate(&points, &errors[i]));
+        println!("{}: {points:?} {errors:?} {rates:?}", sharp.name);
+        assert!(
+            rates[1] > least * rates[0],
+            "{}: {errors:?} {rates:?}",
+            sharp.name
+        );
+        // The equispaced grid goes to the same motion.
+        let fine = positions(&sharp.model, sharp.period, &on(&sharp, 451, false));
+        println!("  equispaced 451: {:.1e}", apart(&fine, &exact));
+        assert!(apart(&fine, &exact) < 1e-7, "{:e}", apart(&fine, &exact));
+    }
+}
+
+#[test]
+fn adaptive_solves_find_maps_where_motions_are_sharp_and_none_where_they_are_smooth() {
+    for sharp in [end_stop(), pulsed_strip(), snapping_four_bar(2, 5e-3)] {
+        let [mapped, equispaced] =
+            [TimeMapping::Automatic, TimeMapping::Equispaced].map(|time_map| {
+                let options = PeriodicOptions {
+                    time_map,
+                    work_limit: 0.0,
+                    threads: 2,
+                    ..PeriodicOptions::default()
+                };
+                let (model, period) = (&sharp.model, sharp.period);
+                let began = std::time::Instant::now();
+                let found = Solution::solve(model, period, &options, &mut |_, _| true).unwrap();
+                println!(
+                    "{} {:.2} s\n{}",
+                    sharp.name,
+                    began.elapsed().as_secs_f64(),
+                    found.report()
+                );
+                found
+            });
+        let force = Quantity::Beam {
+            element: 0,
+            station: 0.0,
+            quantity: BeamQuantity::Force,
+        };
+        println!("{:?}", mapped.extremes(force.component(0)).unwrap());
+        println!("{:?}", equispaced.extremes(force.component(0)).unwrap());
+        assert!(mapped.grid().points() <= equispaced.grid().points());
+    }
+}
