@@ -74,6 +74,7 @@ pub mod beam;
 pub mod branch;
 pub mod callback;
 pub mod condition;
+pub mod equations;
 pub mod files;
 pub mod filter;
 pub mod force;
@@ -108,5 +109,6 @@ mod call;
 mod handle;
 mod options;
 mod pointer;
+mod ranks;
 #[cfg(test)]
 mod tests;

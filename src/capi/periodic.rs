@@ -439,7 +439,7 @@ pub(super) fn read_options(
     })
 }
 
-fn read_threads(value: i32) -> Result<usize> {
+pub(super) fn read_threads(value: i32) -> Result<usize> {
     const MOST: i32 = 1024;
     match usize::try_from(value) {
         Ok(threads) if value <= MOST => Ok(threads),
