@@ -371,6 +371,34 @@ module periodyn_c
         type(c_ptr) :: event_shares = c_null_ptr
     end type pdn_periodic_options
 
+    type, bind(C) :: pdn_equations_options
+        integer(c_size_t) :: struct_size = 0
+        integer(c_size_t) :: grid_points
+        type(c_ptr) :: initial = c_null_ptr
+        type(c_ptr) :: owners = c_null_ptr
+        integer(c_size_t) :: owner_count
+        integer(c_int32_t) :: rank
+        integer(c_int32_t) :: ranks
+        integer(c_int32_t) :: preconditioner
+        integer(c_int32_t) :: threads
+        type(c_funptr) :: exchange = c_null_funptr
+        type(c_funptr) :: gather = c_null_funptr
+        type(c_ptr) :: ranks_data = c_null_ptr
+    end type pdn_equations_options
+
+    type, bind(C) :: pdn_equations_sizes
+        integer(c_size_t) :: struct_size = 0
+        integer(c_size_t) :: size
+        integer(c_size_t) :: halo
+        integer(c_size_t) :: total
+        integer(c_size_t) :: nodes
+        integer(c_size_t) :: motions
+        integer(c_size_t) :: own_unknowns
+        integer(c_size_t) :: bytes
+        integer(c_int32_t) :: preconditioner
+        integer(c_int32_t) :: reserved
+    end type pdn_equations_sizes
+
     type, bind(C) :: pdn_sensitivity_options
         integer(c_size_t) :: struct_size = 0
         integer(c_int32_t) :: method
@@ -590,6 +618,28 @@ module periodyn_c
             type(c_ptr), value :: user_data
             integer(c_int32_t) :: pdn_progress_fn
         end function pdn_progress_fn
+
+        ! Sends numbers from each rank to each, as MPI_Alltoallv does
+        function pdn_exchange_fn(send, send_counts, receive, receive_counts, user_data) bind(C)
+            import
+            real(c_double), intent(in) :: send(*)
+            integer(c_size_t), intent(in) :: send_counts(*)
+            real(c_double), intent(inout) :: receive
+            integer(c_size_t), intent(in) :: receive_counts(*)
+            type(c_ptr), value :: user_data
+            integer(c_int32_t) :: pdn_exchange_fn
+        end function pdn_exchange_fn
+
+        ! Sends numbers from each rank to all, itself too, as MPI_Allgatherv does
+        function pdn_gather_fn(send, send_count, receive, receive_counts, user_data) bind(C)
+            import
+            real(c_double), intent(in) :: send(*)
+            integer(c_size_t), value :: send_count
+            real(c_double), intent(inout) :: receive
+            integer(c_size_t), intent(in) :: receive_counts(*)
+            type(c_ptr), value :: user_data
+            integer(c_int32_t) :: pdn_gather_fn
+        end function pdn_gather_fn
 
         ! Called with each point of a branch, on the thread that follows it; `number` counts from 1
         function pdn_branch_fn(point, number, user_data) bind(C)
@@ -1764,6 +1814,189 @@ module periodyn_c
             integer(c_int32_t) :: pdn_solve_periodic
         end function pdn_solve_periodic
 
+        ! Sets default options; use `PDN_INIT(pdn_equations_options, &options)`
+        subroutine pdn_equations_options_init(options, struct_size) bind(C, name="pdn_equations_options_init")
+            import
+            type(pdn_equations_options), intent(inout) :: options
+            integer(c_size_t), value :: struct_size
+        end subroutine pdn_equations_options_init
+
+        ! Sets `struct_size`; use `PDN_INIT(pdn_equations_sizes, &sizes)`
+        subroutine pdn_equations_sizes_init(sizes, struct_size) bind(C, name="pdn_equations_sizes_init")
+            import
+            type(pdn_equations_sizes), intent(inout) :: sizes
+            integer(c_size_t), value :: struct_size
+        end subroutine pdn_equations_sizes_init
+
+        ! Makes the equations of a periodic motion on a grid, or a rank's part
+        function pdn_equations_new(model, period, options, out) bind(C, name="pdn_equations_new")
+            import
+            type(c_ptr), value :: model
+            real(c_double), value :: period
+            type(pdn_equations_options), intent(in) :: options
+            type(c_ptr), intent(inout) :: out
+            integer(c_int32_t) :: pdn_equations_new
+        end function pdn_equations_new
+
+        ! Frees equations; NULL does nothing
+        subroutine pdn_equations_free(equations) bind(C, name="pdn_equations_free")
+            import
+            type(c_ptr), value :: equations
+        end subroutine pdn_equations_free
+
+        ! Sizes of the equations, and of the vectors of this rank
+        function pdn_equations_get_sizes(equations, out) bind(C, name="pdn_equations_get_sizes")
+            import
+            type(c_ptr), value :: equations
+            type(pdn_equations_sizes), intent(inout) :: out
+            integer(c_int32_t) :: pdn_equations_get_sizes
+        end function pdn_equations_get_sizes
+
+        ! Nodes of this rank, in the order of its vectors
+        function pdn_equations_nodes(equations, out, count) bind(C, name="pdn_equations_nodes")
+            import
+            type(c_ptr), value :: equations
+            integer(c_int32_t), intent(inout) :: out(*)
+            integer(c_size_t), value :: count
+            integer(c_int32_t) :: pdn_equations_nodes
+        end function pdn_equations_nodes
+
+        ! Numbers of this rank's unknowns among those of all ranks: in the order that one rank alone has them in, from 0
+        function pdn_equations_numbers(equations, out, count) bind(C, name="pdn_equations_numbers")
+            import
+            type(c_ptr), value :: equations
+            integer(c_size_t), intent(inout) :: out(*)
+            integer(c_size_t), value :: count
+            integer(c_int32_t) :: pdn_equations_numbers
+        end function pdn_equations_numbers
+
+        ! The present motions of this rank's nodes, and own unknowns of its elements
+        function pdn_equations_state(equations, motions, motion_count, own_unknowns, &
+            own_count) bind(C, name="pdn_equations_state")
+            import
+            type(c_ptr), value :: equations
+            real(c_double), intent(inout) :: motions(*)
+            integer(c_size_t), value :: motion_count
+            real(c_double), intent(inout) :: own_unknowns(*)
+            integer(c_size_t), value :: own_count
+            integer(c_int32_t) :: pdn_equations_state
+        end function pdn_equations_state
+
+        ! Sets motions and own unknowns, as ::pdn_equations_state gives them
+        function pdn_equations_set_state(equations, motions, motion_count, own_unknowns, &
+            own_count) bind(C, name="pdn_equations_set_state")
+            import
+            type(c_ptr), value :: equations
+            real(c_double), intent(in) :: motions(*)
+            integer(c_size_t), value :: motion_count
+            real(c_double), intent(in) :: own_unknowns(*)
+            integer(c_size_t), value :: own_count
+            integer(c_int32_t) :: pdn_equations_set_state
+        end function pdn_equations_set_state
+
+        ! The scaled residual at the present state
+        function pdn_equations_residual(equations, out, count) bind(C, name="pdn_equations_residual")
+            import
+            type(c_ptr), value :: equations
+            real(c_double), intent(inout) :: out(*)
+            integer(c_size_t), value :: count
+            integer(c_int32_t) :: pdn_equations_residual
+        end function pdn_equations_residual
+
+        ! Linearises the equations at the present state, which ::pdn_equations_update then begins at
+        function pdn_equations_linearise(equations) bind(C, name="pdn_equations_linearise")
+            import
+            type(c_ptr), value :: equations
+            integer(c_int32_t) :: pdn_equations_linearise
+        end function pdn_equations_linearise
+
+        ! The product of the scaled Jacobian of the last linearisation and a vector
+        function pdn_equations_product(equations, x, out, count) bind(C, name="pdn_equations_product")
+            import
+            type(c_ptr), value :: equations
+            real(c_double), intent(in) :: x(*)
+            real(c_double), intent(inout) :: out(*)
+            integer(c_size_t), value :: count
+            integer(c_int32_t) :: pdn_equations_product
+        end function pdn_equations_product
+
+        ! The product of the transposed scaled Jacobian and a vector; only with the preconditioner PDN_LINEAR_TIME_LOCAL
+        function pdn_equations_transposed_product(equations, x, out, &
+            count) bind(C, name="pdn_equations_transposed_product")
+            import
+            type(c_ptr), value :: equations
+            real(c_double), intent(in) :: x(*)
+            real(c_double), intent(inout) :: out(*)
+            integer(c_size_t), value :: count
+            integer(c_int32_t) :: pdn_equations_transposed_product
+        end function pdn_equations_transposed_product
+
+        ! Factors the preconditioner of the linearised equations
+        function pdn_equations_factor(equations, right_side, count, &
+            regular) bind(C, name="pdn_equations_factor")
+            import
+            type(c_ptr), value :: equations
+            real(c_double), intent(in) :: right_side(*)
+            integer(c_size_t), value :: count
+            integer(c_int32_t), intent(inout) :: regular
+            integer(c_int32_t) :: pdn_equations_factor
+        end function pdn_equations_factor
+
+        ! The solution of the preconditioner's equations with a right side
+        function pdn_equations_precondition(equations, x, out, &
+            count) bind(C, name="pdn_equations_precondition")
+            import
+            type(c_ptr), value :: equations
+            real(c_double), intent(in) :: x(*)
+            real(c_double), intent(inout) :: out(*)
+            integer(c_size_t), value :: count
+            integer(c_int32_t) :: pdn_equations_precondition
+        end function pdn_equations_precondition
+
+        ! What a scaled increment leaves of the constraints by their compliance in the Jacobian, where some depend ...
+        function pdn_equations_compliance(equations, increment, out, count, &
+            compliant) bind(C, name="pdn_equations_compliance")
+            import
+            type(c_ptr), value :: equations
+            real(c_double), intent(in) :: increment(*)
+            real(c_double), intent(inout) :: out(*)
+            integer(c_size_t), value :: count
+            integer(c_int32_t), intent(inout) :: compliant
+            integer(c_int32_t) :: pdn_equations_compliance
+        end function pdn_equations_compliance
+
+        ! Moves the state that the equations were linearised at last by a fraction of a scaled increment; the ...
+        function pdn_equations_update(equations, increment, count, step) bind(C, name="pdn_equations_update")
+            import
+            type(c_ptr), value :: equations
+            real(c_double), intent(in) :: increment(*)
+            integer(c_size_t), value :: count
+            real(c_double), value :: step
+            integer(c_int32_t) :: pdn_equations_update
+        end function pdn_equations_update
+
+        ! Sizes of a scaled increment of all ranks, the same on all
+        function pdn_equations_norms(equations, increment, count, motion, &
+            own_unknown) bind(C, name="pdn_equations_norms")
+            import
+            type(c_ptr), value :: equations
+            real(c_double), intent(in) :: increment(*)
+            integer(c_size_t), value :: count
+            real(c_double), intent(inout) :: motion
+            real(c_double), intent(inout) :: own_unknown
+            integer(c_int32_t) :: pdn_equations_norms
+        end function pdn_equations_norms
+
+        ! The present state of all ranks as a solution, for results, files, and what else solutions are for
+        function pdn_equations_solution(equations, root, outcome, out) bind(C, name="pdn_equations_solution")
+            import
+            type(c_ptr), value :: equations
+            integer(c_int32_t), value :: root
+            integer(c_int32_t), value :: outcome
+            type(c_ptr), intent(inout) :: out
+            integer(c_int32_t) :: pdn_equations_solution
+        end function pdn_equations_solution
+
         ! Adds a parameter: a named number that moves what ::pdn_model_move_number and ::pdn_model_move_signal say
         function pdn_model_add_parameter(model, name, value, scale, &
             out) bind(C, name="pdn_model_add_parameter")
@@ -2838,6 +3071,27 @@ module periodyn
         procedure, public :: load => branch_load
     end type pdn_branch
 
+    ! The equations of a periodic motion below the solve, for solvers of one's own; see pdn_equations of periodyn.h.
+    type, extends(pdn_handle) :: pdn_equations
+    contains
+        procedure, public :: new => equations_new
+        procedure, public :: sizes => equations_sizes
+        procedure, public :: nodes => equations_nodes
+        procedure, public :: numbers => equations_numbers
+        procedure, public :: state => equations_state
+        procedure, public :: set_state => equations_set_state
+        procedure, public :: residual => equations_residual
+        procedure, public :: linearise => equations_linearise
+        procedure, public :: product => equations_product
+        procedure, public :: transposed_product => equations_transposed_product
+        procedure, public :: factor => equations_factor
+        procedure, public :: precondition => equations_precondition
+        procedure, public :: compliance => equations_compliance
+        procedure, public :: update => equations_update
+        procedure, public :: norms => equations_norms
+        procedure, public :: solution => equations_solution
+    end type pdn_equations
+
     ! Quantities of solutions at many times, to be written as CSV. Without labels columns have names of their own.
     type, extends(pdn_handle) :: pdn_table
     contains
@@ -2854,7 +3108,8 @@ module periodyn
     ! Sets the defaults of options.
     interface pdn_init
         procedure init_section, init_periodic_options, init_static_options, init_modes_options, &
-            init_march_options, init_shooting_options, init_stability_options, init_sensitivity_options, init_branch_options
+            init_march_options, init_shooting_options, init_stability_options, init_sensitivity_options, &
+            init_branch_options, init_equations_options
     end interface pdn_init
 
     ! These have texts and arrays in place of those of periodyn_c, which are c_version and so on here.
@@ -3120,6 +3375,12 @@ contains
 
         call pdn_march_options_init(options, c_sizeof(options))
     end subroutine init_march_options
+
+    subroutine init_equations_options(options)
+        type(pdn_equations_options), intent(out) :: options
+
+        call pdn_equations_options_init(options, c_sizeof(options))
+    end subroutine init_equations_options
 
     subroutine init_shooting_options(options)
         type(pdn_shooting_options), intent(out) :: options
@@ -4626,6 +4887,222 @@ contains
         if (status == PDN_OK) multipliers = cmplx(real_part, imaginary_part, c_double)
         call report(status, stat, errmsg)
     end subroutine solution_floquet
+
+    ! Equations below the solve ---------------------------------------------------------------------------------
+
+    ! Those of a model on a grid. options%grid_points is to be set; initial stands for options%initial, owners (the rank
+    ! of each node) for options%owners.
+    subroutine equations_new(self, model, period, options, initial, owners, stat, errmsg)
+        class(pdn_equations), intent(inout) :: self
+        type(pdn_model), intent(in) :: model
+        real(c_double), intent(in) :: period
+        type(pdn_equations_options), intent(in) :: options
+        type(pdn_solution), intent(in), optional :: initial
+        integer(c_int32_t), intent(in), optional, target, contiguous :: owners(:)
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        type(pdn_equations_options) :: chosen
+        type(c_ptr) :: c
+        integer(c_int32_t) :: status
+
+        chosen = options
+        if (present(initial)) chosen%initial = initial%c
+        if (present(owners)) then
+            chosen%owners = c_loc(owners)
+            chosen%owner_count = size(owners, kind=c_size_t)
+        end if
+        status = pdn_equations_new(model%c, period, chosen, c)
+        if (status == PDN_OK) call self%adopt(c, pdn_equations_free)
+        call report(status, stat, errmsg)
+    end subroutine equations_new
+
+    ! Sizes of the equations and of vectors.
+    subroutine equations_sizes(self, sizes, stat, errmsg)
+        class(pdn_equations), intent(in) :: self
+        type(pdn_equations_sizes), intent(inout) :: sizes
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        type(pdn_equations_sizes) :: found
+        integer(c_int32_t) :: status
+
+        call pdn_equations_sizes_init(found, c_sizeof(found))
+        status = pdn_equations_get_sizes(self%c, found)
+        if (status == PDN_OK) sizes = found
+        call report(status, stat, errmsg)
+    end subroutine equations_sizes
+
+    ! Nodes of this rank.
+    subroutine equations_nodes(self, nodes, stat, errmsg)
+        class(pdn_equations), intent(in) :: self
+        integer(c_int32_t), intent(inout), contiguous :: nodes(:)
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+
+        call report(pdn_equations_nodes(self%c, nodes, size(nodes, kind=c_size_t)), stat, errmsg)
+    end subroutine equations_nodes
+
+    ! Numbers of this rank's unknowns among those of all, from 0.
+    subroutine equations_numbers(self, numbers, stat, errmsg)
+        class(pdn_equations), intent(in) :: self
+        integer(c_size_t), intent(inout), contiguous :: numbers(:)
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+
+        call report(pdn_equations_numbers(self%c, numbers, size(numbers, kind=c_size_t)), stat, errmsg)
+    end subroutine equations_numbers
+
+    ! Motions of this rank's nodes and own unknowns of its elements.
+    subroutine equations_state(self, motions, own_unknowns, stat, errmsg)
+        class(pdn_equations), intent(in) :: self
+        real(c_double), intent(inout), contiguous :: motions(:), own_unknowns(:)
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+
+        call report(pdn_equations_state(self%c, motions, size(motions, kind=c_size_t), own_unknowns, &
+            size(own_unknowns, kind=c_size_t)), stat, errmsg)
+    end subroutine equations_state
+
+    ! Sets them.
+    subroutine equations_set_state(self, motions, own_unknowns, stat, errmsg)
+        class(pdn_equations), intent(in) :: self
+        real(c_double), intent(in), contiguous :: motions(:), own_unknowns(:)
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+
+        call report(pdn_equations_set_state(self%c, motions, size(motions, kind=c_size_t), own_unknowns, &
+            size(own_unknowns, kind=c_size_t)), stat, errmsg)
+    end subroutine equations_set_state
+
+    ! The scaled residual.
+    subroutine equations_residual(self, residual, stat, errmsg)
+        class(pdn_equations), intent(in) :: self
+        real(c_double), intent(inout), contiguous :: residual(:)
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+
+        call report(pdn_equations_residual(self%c, residual, size(residual, kind=c_size_t)), stat, errmsg)
+    end subroutine equations_residual
+
+    ! Linearises the equations at the present state.
+    subroutine equations_linearise(self, stat, errmsg)
+        class(pdn_equations), intent(in) :: self
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+
+        call report(pdn_equations_linearise(self%c), stat, errmsg)
+    end subroutine equations_linearise
+
+    ! The product of the scaled Jacobian and x.
+    subroutine equations_product(self, x, y, stat, errmsg)
+        class(pdn_equations), intent(in) :: self
+        real(c_double), intent(in), contiguous :: x(:)
+        real(c_double), intent(inout), contiguous :: y(:)
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+
+        if (.not. fits('y', shape(y), shape(x), stat, errmsg)) return
+        call report(pdn_equations_product(self%c, x, y, size(x, kind=c_size_t)), stat, errmsg)
+    end subroutine equations_product
+
+    ! The product of the transposed scaled Jacobian and x.
+    subroutine equations_transposed_product(self, x, y, stat, errmsg)
+        class(pdn_equations), intent(in) :: self
+        real(c_double), intent(in), contiguous :: x(:)
+        real(c_double), intent(inout), contiguous :: y(:)
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+
+        if (.not. fits('y', shape(y), shape(x), stat, errmsg)) return
+        call report(pdn_equations_transposed_product(self%c, x, y, size(x, kind=c_size_t)), stat, errmsg)
+    end subroutine equations_transposed_product
+
+    ! The solution of the preconditioner's equations with the right side x.
+    subroutine equations_precondition(self, x, y, stat, errmsg)
+        class(pdn_equations), intent(in) :: self
+        real(c_double), intent(in), contiguous :: x(:)
+        real(c_double), intent(inout), contiguous :: y(:)
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+
+        if (.not. fits('y', shape(y), shape(x), stat, errmsg)) return
+        call report(pdn_equations_precondition(self%c, x, y, size(x, kind=c_size_t)), stat, errmsg)
+    end subroutine equations_precondition
+
+    ! Factors the preconditioner; regular tells whether it could be.
+    subroutine equations_factor(self, right_side, regular, stat, errmsg)
+        class(pdn_equations), intent(in) :: self
+        real(c_double), intent(in), contiguous :: right_side(:)
+        logical, intent(inout) :: regular
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        integer(c_int32_t) :: status, found
+
+        status = pdn_equations_factor(self%c, right_side, size(right_side, kind=c_size_t), found)
+        if (status == PDN_OK) regular = found /= 0
+        call report(status, stat, errmsg)
+    end subroutine equations_factor
+
+    ! What an increment leaves of constraints by their compliance; compliant tells whether they have any.
+    subroutine equations_compliance(self, increment, y, compliant, stat, errmsg)
+        class(pdn_equations), intent(in) :: self
+        real(c_double), intent(in), contiguous :: increment(:)
+        real(c_double), intent(inout), contiguous :: y(:)
+        logical, intent(inout) :: compliant
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        integer(c_int32_t) :: status, found
+
+        if (.not. fits('y', shape(y), shape(increment), stat, errmsg)) return
+        status = pdn_equations_compliance(self%c, increment, y, size(y, kind=c_size_t), found)
+        if (status == PDN_OK) compliant = found /= 0
+        call report(status, stat, errmsg)
+    end subroutine equations_compliance
+
+    ! Moves the state of the last linearisation by a fraction of an increment, all of it unless step is given.
+    subroutine equations_update(self, increment, step, stat, errmsg)
+        class(pdn_equations), intent(in) :: self
+        real(c_double), intent(in), contiguous :: increment(:)
+        real(c_double), intent(in), optional :: step
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        real(c_double) :: fraction
+
+        fraction = 1
+        if (present(step)) fraction = step
+        call report(pdn_equations_update(self%c, increment, size(increment, kind=c_size_t), fraction), stat, errmsg)
+    end subroutine equations_update
+
+    ! Largest motion in an increment, and largest relative change of an own unknown.
+    subroutine equations_norms(self, increment, motion, own_unknown, stat, errmsg)
+        class(pdn_equations), intent(in) :: self
+        real(c_double), intent(in), contiguous :: increment(:)
+        real(c_double), intent(inout) :: motion, own_unknown
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+
+        call report(pdn_equations_norms(self%c, increment, size(increment, kind=c_size_t), motion, own_unknown), &
+            stat, errmsg)
+    end subroutine equations_norms
+
+    ! The present state as a solution, on rank root, on all without it; untouched on the others.
+    subroutine equations_solution(self, solution, outcome, root, stat, errmsg)
+        class(pdn_equations), intent(in) :: self
+        type(pdn_solution), intent(inout) :: solution
+        integer(c_int32_t), intent(in) :: outcome
+        integer(c_int32_t), intent(in), optional :: root
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        type(c_ptr) :: c
+        integer(c_int32_t) :: status, on
+
+        on = -1
+        if (present(root)) on = root
+        status = pdn_equations_solution(self%c, on, outcome, c)
+        if (status == PDN_OK) then
+            if (c_associated(c)) call solution%adopt(c, pdn_solution_free)
+        end if
+        call report(status, stat, errmsg)
+    end subroutine equations_solution
 
     ! Stability -----------------------------------------------------------------------------------------------
 

@@ -975,6 +975,27 @@ typedef struct pdn_branch pdn_branch;
 typedef struct pdn_conditions pdn_conditions;
 
 /**
+ * The equations of a periodic motion on a grid, or a rank's part of them. Made by
+ * ::pdn_equations_new, freed by ::pdn_equations_free.
+ *
+ * They are for solvers of your own: residual, Jacobian as an operator, preconditioner, and steps
+ * of the motions. With several ranks, such as those of MPI, each has the equations and unknowns of
+ * its nodes, over the whole period; what they have to tell each other goes through functions that
+ * you give. A function that is said to be called by all ranks must be called by all of them, in
+ * the same order; if it fails on one it fails on all, with the same status, unless it is said
+ * otherwise.
+ *
+ * Vectors hold the unknowns, or the equations, of the rank, scaled: first of each of its nodes,
+ * in ascending order, the six components of the increment (displacement along the node's axes
+ * relative to the characteristic length, then turn about them in radians) at one grid point after
+ * the other. Then, for each element with multipliers or internal states whose first node is the
+ * rank's, these at one grid point after the other. Then, with the preconditioner
+ * PDN_LINEAR_BODY_CIRCULANT or PDN_LINEAR_CIRCULANT, stress resultants of beams, which are
+ * unknowns of their own there: the residual has zeros for them, and steps do not look at them.
+ */
+typedef struct pdn_equations pdn_equations;
+
+/**
  * A mechanism. Made by ::pdn_model_new, freed by ::pdn_model_free.
  *
  * It is described in its reference configuration: points, directions and frames are those of the
@@ -1864,6 +1885,139 @@ typedef struct pdn_periodic_options {
      */
     const double *event_shares;
 } pdn_periodic_options;
+
+/**
+ * Sends numbers from each rank to each, as MPI_Alltoallv does. Called by all ranks.
+ *
+ * Arrays are valid during the call only; those of counts have one for each rank. What goes to rank
+ * r stands in `send` behind what goes to those before it, and what comes from it likewise in
+ * `receive`. Counts may be zero, and pointers NULL where all are. Return 0, or anything else where
+ * numbers cannot be sent: that call fails with PDN_ERR_CALLBACK.
+ */
+typedef int32_t (*pdn_exchange_fn)(const double *send,
+                                   const size_t *send_counts,
+                                   double *receive,
+                                   const size_t *receive_counts,
+                                   void *user_data);
+
+/**
+ * Sends numbers from each rank to all, itself too, as MPI_Allgatherv does. Called by all ranks.
+ *
+ * Arrays are valid during the call only. What comes from rank r, of the length
+ * `receive_counts[r]`, stands in `receive` behind what comes from those before it; `send` has
+ * `send_count` numbers, which is what the others expect from this rank. Return 0, or anything else
+ * where numbers cannot be sent: that call fails with PDN_ERR_CALLBACK.
+ */
+typedef int32_t (*pdn_gather_fn)(const double *send,
+                                 size_t send_count,
+                                 double *receive,
+                                 const size_t *receive_counts,
+                                 void *user_data);
+
+/**
+ * Options of ::pdn_equations_new. Set the defaults by `PDN_INIT(pdn_equations_options, &options)`.
+ */
+typedef struct pdn_equations_options {
+    /**
+     * Set by the initialiser.
+     */
+    size_t struct_size;
+    /**
+     * Number N of grid points, odd; to be set.
+     */
+    size_t grid_points;
+    /**
+     * Where to begin: a solution as for pdn_periodic_options.initial; NULL for the reference
+     * configuration. Default NULL.
+     */
+    const struct pdn_solution *initial;
+    /**
+     * Rank of each node, an array of length [owner_count]; NULL for runs of nodes with about the
+     * same work. Each rank must have a node. Default NULL.
+     */
+    const int32_t *owners;
+    /**
+     * Number of nodes, if there are owners.
+     */
+    size_t owner_count;
+    /**
+     * Number of this rank, from 0. Default 0.
+     */
+    int32_t rank;
+    /**
+     * How many ranks there are. Default 1.
+     */
+    int32_t ranks;
+    /**
+     * The preconditioner: PDN_LINEAR_TIME_LOCAL, PDN_LINEAR_BODY_CIRCULANT, PDN_LINEAR_CIRCULANT,
+     * or PDN_LINEAR_AUTOMATIC for the first where joints turn in the initial motion, the second
+     * otherwise. Default PDN_LINEAR_AUTOMATIC.
+     */
+    int32_t preconditioner;
+    /**
+     * Threads of this rank that share its work; 0 for as many as there are processors. Default 1.
+     */
+    int32_t threads;
+    /**
+     * Sends numbers from each rank to each; needed with more than one rank. Default NULL.
+     */
+    pdn_exchange_fn exchange;
+    /**
+     * Sends numbers from each rank to all; needed with more than one rank. Default NULL.
+     */
+    pdn_gather_fn gather;
+    /**
+     * Handed to exchange and gather.
+     */
+    void *ranks_data;
+} pdn_equations_options;
+
+/**
+ * Sizes of the equations, and of the vectors of this rank.
+ */
+typedef struct pdn_equations_sizes {
+    /**
+     * Set by the initialiser.
+     */
+    size_t struct_size;
+    /**
+     * Numbers of a vector of this rank.
+     */
+    size_t size;
+    /**
+     * Numbers of other ranks that it keeps copies of.
+     */
+    size_t halo;
+    /**
+     * Numbers of the vectors of all ranks.
+     */
+    size_t total;
+    /**
+     * Nodes of this rank.
+     */
+    size_t nodes;
+    /**
+     * Numbers of its motions, 12 for each node and grid point.
+     */
+    size_t motions;
+    /**
+     * Own unknowns of its elements, multipliers and internal states, at all grid points.
+     */
+    size_t own_unknowns;
+    /**
+     * Bytes that tangents, factors and vectors take here.
+     */
+    size_t bytes;
+    /**
+     * The preconditioner: PDN_LINEAR_TIME_LOCAL, PDN_LINEAR_BODY_CIRCULANT or
+     * PDN_LINEAR_CIRCULANT.
+     */
+    int32_t preconditioner;
+    /**
+     * Zero.
+     */
+    int32_t reserved;
+} pdn_equations_sizes;
 
 /**
  * Options of ::pdn_solution_sensitivities. Set the defaults by `PDN_INIT(pdn_sensitivity_options,
@@ -4924,6 +5078,374 @@ pdn_status pdn_solve_periodic(const struct pdn_model *model,
                               double period,
                               const struct pdn_periodic_options *options,
                               struct pdn_solution **out);
+
+/**
+ * Sets default options; use `PDN_INIT(pdn_equations_options, &options)`.
+ *
+ * @param options  the options; not NULL
+ * @param struct_size  `sizeof *options`
+ *
+ * Threads: any.
+ * @since 0.1
+ */
+PDN_API
+void pdn_equations_options_init(struct pdn_equations_options *options,
+                                size_t struct_size);
+
+/**
+ * Sets `struct_size`; use `PDN_INIT(pdn_equations_sizes, &sizes)`.
+ *
+ * @param sizes  the sizes; not NULL
+ * @param struct_size  `sizeof *sizes`
+ *
+ * Threads: any.
+ * @since 0.1
+ */
+PDN_API
+void pdn_equations_sizes_init(struct pdn_equations_sizes *sizes,
+                              size_t struct_size);
+
+/**
+ * Makes the equations of a periodic motion on a grid, or a rank's part. By all ranks.
+ *
+ * @param model  the model; it is copied
+ * @param period  T, the period of the response
+ * @param options  not NULL, as the number of grid points has no default. Model, period, grid,
+ *     owners, preconditioner and start must be the same on all ranks, which is checked
+ * @param out  the equations at the start; free them with ::pdn_equations_free; written on success
+ *     only
+ * @return PDN_OK; PDN_ERR_NULL; PDN_ERR_NOT_FINITE; PDN_ERR_SIZE (even number of grid points,
+ *     owners for another number of nodes); PDN_ERR_VALUE (what is not the same on all ranks, more
+ *     ranks than nodes, a rank without nodes); PDN_ERR_STRUCT_SIZE; PDN_ERR_MODEL;
+ *     PDN_ERR_NOT_PERIODIC; PDN_ERR_GRID_TOO_COARSE (of the initial solution); PDN_ERR_CALLBACK;
+ *     PDN_ERR_OVERFLOW; PDN_ERR_MEMORY
+ *
+ * Threads: like a `const` use of `model` and of `options.initial`. Functions of signals and forces
+ * and those of `options` are called on this thread, the latter in later calls, too.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_equations_new(const struct pdn_model *model,
+                             double period,
+                             const struct pdn_equations_options *options,
+                             struct pdn_equations **out);
+
+/**
+ * Frees equations; NULL does nothing. By this rank alone.
+ *
+ * @param equations  the equations, not to be used any more
+ *
+ * Threads: exclusive use of `equations`.
+ * @since 0.1
+ */
+PDN_API
+void pdn_equations_free(struct pdn_equations *equations);
+
+/**
+ * Sizes of the equations, and of the vectors of this rank. By this rank alone.
+ *
+ * @param equations  the equations; not NULL
+ * @param out  the sizes, initialised by `PDN_INIT(pdn_equations_sizes, &sizes)`; written on
+ *     success only
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_STRUCT_SIZE, PDN_ERR_VALUE (a handle in use)
+ *
+ * Threads: exclusive use of `equations`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_equations_get_sizes(const struct pdn_equations *equations,
+                                   struct pdn_equations_sizes *out);
+
+/**
+ * Nodes of this rank, in the order of its vectors. By this rank alone.
+ *
+ * @param equations  the equations; not NULL
+ * @param out  array of length [count]
+ * @param count  pdn_equations_sizes.nodes
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_SIZE, PDN_ERR_VALUE (a handle in use)
+ *
+ * Threads: exclusive use of `equations`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_equations_nodes(const struct pdn_equations *equations,
+                               int32_t *out,
+                               size_t count);
+
+/**
+ * Numbers of this rank's unknowns among those of all ranks: in the order that one rank alone has
+ * them in, from 0. By this rank alone.
+ *
+ * @param equations  the equations; not NULL
+ * @param out  array of length [count]
+ * @param count  pdn_equations_sizes.size
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_SIZE, PDN_ERR_VALUE (a handle in use)
+ *
+ * Threads: exclusive use of `equations`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_equations_numbers(const struct pdn_equations *equations,
+                                 size_t *out,
+                                 size_t count);
+
+/**
+ * The present motions of this rank's nodes, and own unknowns of its elements. By this rank alone.
+ *
+ * @param equations  the equations; not NULL
+ * @param motions  array of length [motion_count]: node by node, at one grid point after the other,
+ *     position (3, inertial frame \[length\]), then rotation matrix (9, column by column)
+ * @param motion_count  pdn_equations_sizes.motions
+ * @param own_unknowns  array of length [own_count]: multipliers \[force or moment\] and internal
+ *     states \[length or angle\], in the order of vectors
+ * @param own_count  pdn_equations_sizes.own_unknowns
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_SIZE, PDN_ERR_VALUE (a handle in use)
+ *
+ * Threads: exclusive use of `equations`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_equations_state(const struct pdn_equations *equations,
+                               double *motions,
+                               size_t motion_count,
+                               double *own_unknowns,
+                               size_t own_count);
+
+/**
+ * Sets motions and own unknowns, as ::pdn_equations_state gives them. By all ranks.
+ *
+ * Angles of joints are followed from what they were, by less than half a turn.
+ *
+ * @param equations  the equations; not NULL
+ * @param motions  array of length [motion_count]; what are to be rotation matrices are cleaned of
+ *     rounding
+ * @param motion_count  pdn_equations_sizes.motions
+ * @param own_unknowns  array of length [own_count]
+ * @param own_count  pdn_equations_sizes.own_unknowns
+ * @return PDN_OK; PDN_ERR_NULL and PDN_ERR_VALUE (a handle in use), on this rank alone;
+ *     PDN_ERR_NOT_FINITE, PDN_ERR_SIZE, PDN_ERR_VALUE (no rotation matrix), PDN_ERR_CALLBACK
+ *
+ * Threads: exclusive use of `equations`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_equations_set_state(struct pdn_equations *equations,
+                                   const double *motions,
+                                   size_t motion_count,
+                                   const double *own_unknowns,
+                                   size_t own_count);
+
+/**
+ * The scaled residual at the present state. By all ranks.
+ *
+ * Forces are relative to the characteristic force, moments to it times the characteristic length,
+ * lengths of constraints to that.
+ *
+ * @param equations  the equations; not NULL
+ * @param out  array of length [count]; written on success only
+ * @param count  pdn_equations_sizes.size
+ * @return PDN_OK; PDN_ERR_NULL and PDN_ERR_VALUE (a handle in use), on this rank alone;
+ *     PDN_ERR_SIZE, PDN_ERR_MODEL (an element too distorted), PDN_ERR_CALLBACK
+ *
+ * Threads: exclusive use of `equations`; functions of forces are called on this thread.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_equations_residual(struct pdn_equations *equations,
+                                  double *out,
+                                  size_t count);
+
+/**
+ * Linearises the equations at the present state, which ::pdn_equations_update then begins at. By
+ * all ranks.
+ *
+ * @param equations  the equations; not NULL
+ * @return PDN_OK; PDN_ERR_NULL and PDN_ERR_VALUE (a handle in use), on this rank alone;
+ *     PDN_ERR_MODEL (an element too distorted), PDN_ERR_CALLBACK
+ *
+ * Threads: exclusive use of `equations`; functions of forces are called on this thread.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_equations_linearise(struct pdn_equations *equations);
+
+/**
+ * The product of the scaled Jacobian of the last linearisation and a vector. By all ranks.
+ *
+ * Where constraints depend on each other they have a small compliance in it, see
+ * ::pdn_equations_compliance.
+ *
+ * @param equations  the equations; not NULL
+ * @param x  array of length [count]; NaN passes through
+ * @param out  array of length [count], may be `x`; written on success only
+ * @param count  pdn_equations_sizes.size
+ * @return PDN_OK; PDN_ERR_CALLBACK; on this rank alone PDN_ERR_NULL, PDN_ERR_VALUE (a handle in
+ *     use), PDN_ERR_SIZE, and PDN_ERR_NOT_AVAILABLE where the last linearisation failed
+ *
+ * Threads: exclusive use of `equations`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_equations_product(struct pdn_equations *equations,
+                                 const double *x,
+                                 double *out,
+                                 size_t count);
+
+/**
+ * The product of the transposed scaled Jacobian and a vector; only with the preconditioner
+ * PDN_LINEAR_TIME_LOCAL. By all ranks.
+ *
+ * @param equations  the equations; not NULL
+ * @param x  array of length [count]; NaN passes through
+ * @param out  array of length [count], may be `x`; written on success only
+ * @param count  pdn_equations_sizes.size
+ * @return PDN_OK; PDN_ERR_CALLBACK; on this rank alone PDN_ERR_NULL, PDN_ERR_VALUE (a handle in
+ *     use), PDN_ERR_SIZE, and PDN_ERR_NOT_AVAILABLE where the last linearisation failed, or with
+ *     another preconditioner
+ *
+ * Threads: exclusive use of `equations`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_equations_transposed_product(struct pdn_equations *equations,
+                                            const double *x,
+                                            double *out,
+                                            size_t count);
+
+/**
+ * Factors the preconditioner of the linearised equations. By all ranks.
+ *
+ * @param equations  the equations; not NULL
+ * @param right_side  array of length [count]: a right side to come, by which unknown stress
+ *     resultants get a size that suits; the Jacobian and the preconditioner are for that size
+ * @param count  pdn_equations_sizes.size
+ * @param regular  1, or 0 if the preconditioner is singular or cannot be had of this model;
+ *     written on success only
+ * @return PDN_OK; PDN_ERR_NOT_FINITE; PDN_ERR_SIZE; PDN_ERR_CALLBACK; PDN_ERR_MODEL;
+ *     PDN_ERR_MEMORY; on this rank alone PDN_ERR_NULL, PDN_ERR_VALUE (a handle in use), and
+ *     PDN_ERR_NOT_AVAILABLE where the last linearisation failed
+ *
+ * Threads: exclusive use of `equations`; functions of forces are called on this thread.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_equations_factor(struct pdn_equations *equations,
+                                const double *right_side,
+                                size_t count,
+                                int32_t *regular);
+
+/**
+ * The solution of the preconditioner's equations with a right side. By all ranks.
+ *
+ * It is linear, and the same map until the preconditioner is factored anew.
+ *
+ * @param equations  the equations; not NULL
+ * @param x  array of length [count]: the right side; NaN passes through
+ * @param out  array of length [count], may be `x`; written on success only
+ * @param count  pdn_equations_sizes.size
+ * @return PDN_OK; PDN_ERR_CALLBACK; on this rank alone PDN_ERR_NULL, PDN_ERR_VALUE (a handle in
+ *     use), PDN_ERR_SIZE, and PDN_ERR_NOT_AVAILABLE where nothing was factored
+ *
+ * Threads: exclusive use of `equations`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_equations_precondition(struct pdn_equations *equations,
+                                      const double *x,
+                                      double *out,
+                                      size_t count);
+
+/**
+ * What a scaled increment leaves of the constraints by their compliance in the Jacobian, where
+ * some depend on others. By this rank alone.
+ *
+ * Solve for it as a right side as well, and add the solution: motions are then those of the
+ * constraints as they are.
+ *
+ * @param equations  the equations; not NULL
+ * @param increment  array of length [count]
+ * @param out  array of length [count], zeros if constraints have no compliance; written on success
+ *     only
+ * @param count  pdn_equations_sizes.size
+ * @param compliant  1 if they have some, the same on all ranks, or 0; written on success only
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_SIZE, PDN_ERR_VALUE (a handle in use)
+ *
+ * Threads: exclusive use of `equations`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_equations_compliance(struct pdn_equations *equations,
+                                    const double *increment,
+                                    double *out,
+                                    size_t count,
+                                    int32_t *compliant);
+
+/**
+ * Moves the state that the equations were linearised at last by a fraction of a scaled increment;
+ * the present state is then that. By all ranks.
+ *
+ * Motions go on by their increments as rigid motions do, so that rotations remain such.
+ *
+ * @param equations  the equations; not NULL
+ * @param increment  array of length [count]
+ * @param count  pdn_equations_sizes.size
+ * @param step  the fraction
+ * @return PDN_OK; PDN_ERR_NULL and PDN_ERR_VALUE (a handle in use), on this rank alone;
+ *     PDN_ERR_NOT_FINITE, PDN_ERR_SIZE, PDN_ERR_NOT_AVAILABLE (not linearised), PDN_ERR_CALLBACK
+ *
+ * Threads: exclusive use of `equations`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_equations_update(struct pdn_equations *equations,
+                                const double *increment,
+                                size_t count,
+                                double step);
+
+/**
+ * Sizes of a scaled increment of all ranks, the same on all. By all ranks.
+ *
+ * @param equations  the equations; not NULL
+ * @param increment  array of length [count]; NaN gives NaN
+ * @param count  pdn_equations_sizes.size
+ * @param motion  largest increment of a motion: displacements relative to the characteristic
+ *     length, turns in radians; written on success only
+ * @param own_unknown  largest increment of a multiplier or internal state, relative to the largest
+ *     of their values; written on success only
+ * @return PDN_OK; PDN_ERR_NULL and PDN_ERR_VALUE (a handle in use), on this rank alone;
+ *     PDN_ERR_SIZE, PDN_ERR_CALLBACK
+ *
+ * Threads: exclusive use of `equations`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_equations_norms(const struct pdn_equations *equations,
+                               const double *increment,
+                               size_t count,
+                               double *motion,
+                               double *own_unknown);
+
+/**
+ * The present state of all ranks as a solution, for results, files, and what else solutions are
+ * for. By all ranks.
+ *
+ * @param equations  the equations; not NULL
+ * @param root  the rank that gets the solution, which takes its memory there; -1 for all
+ * @param outcome  how your solve ended: PDN_CONVERGED, ...
+ * @param out  the solution, NULL on ranks that get none; free it with ::pdn_solution_free; written
+ *     on success only
+ * @return PDN_OK; PDN_ERR_NULL and PDN_ERR_VALUE (a handle in use), on this rank alone;
+ *     PDN_ERR_VALUE (root, outcome); PDN_ERR_CALLBACK; PDN_ERR_GRID_TOO_COARSE; PDN_ERR_OVERFLOW;
+ *     PDN_ERR_MEMORY
+ *
+ * Threads: exclusive use of `equations`; functions of the model are called on this thread.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_equations_solution(const struct pdn_equations *equations,
+                                  int32_t root,
+                                  int32_t outcome,
+                                  struct pdn_solution **out);
 
 /**
  * Adds a parameter: a named number that moves what ::pdn_model_move_number and

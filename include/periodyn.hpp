@@ -420,6 +420,10 @@ struct Free {
     {
         pdn_table_free(table);
     }
+    void operator()(pdn_equations *equations) const noexcept
+    {
+        pdn_equations_free(equations);
+    }
 };
 
 /** The handle that a function makes. */
@@ -2148,6 +2152,147 @@ inline Solution march(const Model &model, const MarchOptions &options)
     watch.rethrow();
     return Solution(handle.release(), model.kept());
 }
+
+/** Options of Equations, with the fields of ::pdn_equations_options and these in place of pointers.
+ * The functions by which ranks tell each other numbers are plain ones, see ::pdn_exchange_fn. */
+struct EquationsOptions : pdn_equations_options {
+    EquationsOptions()
+    {
+        pdn_equations_options_init(this, sizeof(pdn_equations_options));
+    }
+    /** Start from this solution. */
+    const Solution *initial = nullptr;
+    /** Rank of each node; none for runs of nodes with about the same work. */
+    std::vector<std::int32_t> owners;
+};
+
+/** The equations of a periodic motion below the solve, for solvers of your own; see
+ * ::pdn_equations. Vectors are of the length sizes().size. */
+class Equations
+{
+  public:
+    Equations(const Model &model, double period, const EquationsOptions &options)
+        : kept_(model.kept())
+    {
+        pdn_equations_options plain = options;
+        plain.initial = detail::initial(options.initial);
+        plain.owners = options.owners.empty() ? nullptr : options.owners.data();
+        plain.owner_count = options.owners.size();
+        handle_ = detail::make<pdn_equations>([&](pdn_equations **out) {
+            return pdn_equations_new(model.get(), period, &plain, out);
+        });
+    }
+    /** The handle, for functions of periodyn.h; NULL if moved from. */
+    pdn_equations *get() const noexcept
+    {
+        return handle_.get();
+    }
+    pdn_equations_sizes sizes() const
+    {
+        pdn_equations_sizes sizes;
+        pdn_equations_sizes_init(&sizes, sizeof sizes);
+        detail::check(pdn_equations_get_sizes(get(), &sizes));
+        return sizes;
+    }
+    /** Nodes of this rank. */
+    std::vector<std::int32_t> nodes() const
+    {
+        std::vector<std::int32_t> nodes(sizes().nodes);
+        detail::check(pdn_equations_nodes(get(), nodes.data(), nodes.size()));
+        return nodes;
+    }
+    /** Numbers of this rank's unknowns among those of all. */
+    std::vector<std::size_t> numbers() const
+    {
+        std::vector<std::size_t> numbers(sizes().size);
+        detail::check(pdn_equations_numbers(get(), numbers.data(), numbers.size()));
+        return numbers;
+    }
+    /** Motions and own unknowns, as ::pdn_equations_state gives them. */
+    std::pair<std::vector<double>, std::vector<double>> state() const
+    {
+        const pdn_equations_sizes sizes = this->sizes();
+        std::vector<double> motions(sizes.motions), own(sizes.own_unknowns);
+        detail::check(pdn_equations_state(get(), motions.data(), motions.size(), own.data(),
+                                          own.size()));
+        return {std::move(motions), std::move(own)};
+    }
+    void set_state(const std::vector<double> &motions, const std::vector<double> &own_unknowns)
+    {
+        detail::check(pdn_equations_set_state(get(), motions.data(), motions.size(),
+                                              own_unknowns.data(), own_unknowns.size()));
+    }
+    std::vector<double> residual()
+    {
+        std::vector<double> residual(sizes().size);
+        detail::check(pdn_equations_residual(get(), residual.data(), residual.size()));
+        return residual;
+    }
+    void linearise()
+    {
+        detail::check(pdn_equations_linearise(get()));
+    }
+    std::vector<double> product(const std::vector<double> &x)
+    {
+        std::vector<double> out(x.size());
+        detail::check(pdn_equations_product(get(), x.data(), out.data(), x.size()));
+        return out;
+    }
+    std::vector<double> transposed_product(const std::vector<double> &x)
+    {
+        std::vector<double> out(x.size());
+        detail::check(pdn_equations_transposed_product(get(), x.data(), out.data(), x.size()));
+        return out;
+    }
+    /** Factors the preconditioner; false if it is singular. */
+    bool factor(const std::vector<double> &right_side)
+    {
+        return detail::number<std::int32_t>([&](std::int32_t *regular) {
+                   return pdn_equations_factor(get(), right_side.data(), right_side.size(),
+                                               regular);
+               }) != 0;
+    }
+    std::vector<double> precondition(const std::vector<double> &x)
+    {
+        std::vector<double> out(x.size());
+        detail::check(pdn_equations_precondition(get(), x.data(), out.data(), x.size()));
+        return out;
+    }
+    /** What an increment leaves of constraints by their compliance; empty if they have none. */
+    std::vector<double> compliance(const std::vector<double> &increment)
+    {
+        std::vector<double> out(increment.size());
+        const auto compliant = detail::number<std::int32_t>([&](std::int32_t *compliant) {
+            return pdn_equations_compliance(get(), increment.data(), out.data(), out.size(),
+                                            compliant);
+        });
+        return compliant != 0 ? out : std::vector<double>();
+    }
+    void update(const std::vector<double> &increment, double step = 1)
+    {
+        detail::check(pdn_equations_update(get(), increment.data(), increment.size(), step));
+    }
+    /** Largest motion, and largest relative change of an own unknown. */
+    std::array<double, 2> norms(const std::vector<double> &increment) const
+    {
+        std::array<double, 2> norms{};
+        detail::check(pdn_equations_norms(get(), increment.data(), increment.size(), &norms[0],
+                                          &norms[1]));
+        return norms;
+    }
+    /** The present state as a solution, on one rank or, for -1, on all; none on the others. */
+    std::unique_ptr<Solution> solution(Outcome outcome, std::int32_t root = -1) const
+    {
+        auto handle = detail::make<pdn_solution>([&](pdn_solution **out) {
+            return pdn_equations_solution(get(), root, detail::c(outcome), out);
+        });
+        return handle ? std::make_unique<Solution>(handle.release(), kept_) : nullptr;
+    }
+
+  private:
+    detail::Kept kept_;
+    std::unique_ptr<pdn_equations, detail::Free> handle_;
+};
 
 /** Options of solve_shooting, with the fields of ::pdn_shooting_options and these in place of
  * pointers. */

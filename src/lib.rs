@@ -44,6 +44,7 @@ pub mod model;
 pub mod motion;
 pub mod output;
 pub mod quantity;
+pub mod ranks;
 pub mod solve;
 pub mod system;
 mod work;

@@ -25,6 +25,7 @@ const FILES: &[&str] = &[
     "filter",
     "periodic",
     "linear_solver",
+    "equations",
     "parameter",
     "condition",
     "sensitivity",

@@ -15,6 +15,7 @@ from ._call import Error
 from ._callbacks import ForceState, ForceValues
 from ._interface import *  # noqa: F403
 from ._interface import version
+from .equations import Equations
 from .sweeps import sweep
 
 __version__ = version()

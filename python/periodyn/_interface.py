@@ -1063,6 +1063,60 @@ class PeriodicOptions(Struct):
     """
 
 
+class EquationsOptions(Struct):
+    """Options of EquationsNew. Set the defaults by `EquationsOptions()`."""
+
+    _type = "pdn_equations_options"
+    _initialise = lib.pdn_equations_options_init
+    grid_points = Number("grid_points")
+    """Number N of grid points, odd; to be set."""
+    initial = Reference("initial", pointer)
+    """Where to begin: a solution as for PeriodicOptions.initial; None for the reference
+    configuration. Default None.
+    """
+    owners = Array("owners", pointed=True, counted="owner_count")
+    """Rank of each node, an array of length [owner_count]; None for runs of nodes with about the
+    same work. Each rank must have a node. Default None.
+    """
+    owner_count = Number("owner_count")
+    """Number of nodes, if there are owners."""
+    rank = Number("rank")
+    """Number of this rank, from 0. Default 0."""
+    ranks = Number("ranks")
+    """How many ranks there are. Default 1."""
+    preconditioner = Number("preconditioner")
+    """The preconditioner: LINEAR_TIME_LOCAL, LINEAR_BODY_CIRCULANT, LINEAR_CIRCULANT, or
+    LINEAR_AUTOMATIC for the first where joints turn in the initial motion, the second
+    otherwise. Default LINEAR_AUTOMATIC.
+    """
+    threads = Number("threads")
+    """Threads of this rank that share its work; 0 for as many as there are processors. Default 1.
+    """
+
+
+class EquationsSizes(Struct):
+    """Sizes of the equations, and of the vectors of this rank."""
+
+    _type = "pdn_equations_sizes"
+    _initialise = lib.pdn_equations_sizes_init
+    size = Number("size")
+    """Numbers of a vector of this rank."""
+    halo = Number("halo")
+    """Numbers of other ranks that it keeps copies of."""
+    total = Number("total")
+    """Numbers of the vectors of all ranks."""
+    nodes = Number("nodes")
+    """Nodes of this rank."""
+    motions = Number("motions")
+    """Numbers of its motions, 12 for each node and grid point."""
+    own_unknowns = Number("own_unknowns")
+    """Own unknowns of its elements, multipliers and internal states, at all grid points."""
+    bytes = Number("bytes")
+    """Bytes that tangents, factors and vectors take here."""
+    preconditioner = Number("preconditioner")
+    """The preconditioner: LINEAR_TIME_LOCAL, LINEAR_BODY_CIRCULANT or LINEAR_CIRCULANT."""
+
+
 class SensitivityOptions(Struct):
     """Options of Solution.sensitivities. Set the defaults by `SensitivityOptions()`."""
 
@@ -3078,6 +3132,54 @@ class Model(ModelExtras):
         out = ffi.new("pdn_solution **")
         call(lib.pdn_solve_periodic, self._c, period, options._c, out)
         return Solution._made(out[0], self._kept)
+
+    def equations_new(
+        self,
+        period,
+        *,
+        grid_points=None,
+        initial=None,
+        owners=None,
+        owner_count=None,
+        rank=None,
+        ranks=None,
+        preconditioner=None,
+        threads=None,
+    ):
+        """Makes the equations of a periodic motion on a grid, or a rank's part. By all ranks.
+
+        Args:
+            period: T, the period of the response
+            grid_points: Number N of grid points, odd; to be set.
+            initial: Where to begin: a solution as for PeriodicOptions.initial; None for the
+                reference configuration. Default None.
+            owners: Rank of each node, an array of length [owner_count]; None for runs of nodes
+                with about the same work. Each rank must have a node. Default None.
+            owner_count: Number of nodes, if there are owners.
+            rank: Number of this rank, from 0. Default 0.
+            ranks: How many ranks there are. Default 1.
+            preconditioner: The preconditioner: LINEAR_TIME_LOCAL, LINEAR_BODY_CIRCULANT,
+                LINEAR_CIRCULANT, or LINEAR_AUTOMATIC for the first where joints turn in the
+                initial motion, the second otherwise. Default LINEAR_AUTOMATIC.
+            threads: Threads of this rank that share its work; 0 for as many as there are
+                processors. Default 1.
+
+        Returns:
+            Equations: the equations at the start
+        """
+        options = EquationsOptions(
+            grid_points=grid_points,
+            initial=initial,
+            owners=owners,
+            owner_count=owner_count,
+            rank=rank,
+            ranks=ranks,
+            preconditioner=preconditioner,
+            threads=threads,
+        )
+        out = ffi.new("pdn_equations **")
+        call(lib.pdn_equations_new, self._c, period, options._c, out)
+        return Equations._made(out[0], self._kept)
 
     def add_parameter(self, name, value, scale):
         """Adds a parameter: a named number that moves what Model.move_number and Model.move_signal

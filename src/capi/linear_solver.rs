@@ -36,10 +36,14 @@ pub(super) fn read_linear_solver(value: i32) -> Result<LinearMethod> {
 }
 
 pub(super) fn linear_solver_code(record: Option<&IterativeRecord>) -> i32 {
-    match record.and_then(|record| record.preconditioner) {
-        None => PDN_LINEAR_DIRECT,
-        Some(Preconditioner::BodyCirculant) => PDN_LINEAR_BODY_CIRCULANT,
-        Some(Preconditioner::TimeLocal) => PDN_LINEAR_TIME_LOCAL,
-        Some(Preconditioner::Circulant) => PDN_LINEAR_CIRCULANT,
+    let found = record.and_then(|record| record.preconditioner);
+    found.map_or(PDN_LINEAR_DIRECT, preconditioner_code)
+}
+
+pub(super) fn preconditioner_code(preconditioner: Preconditioner) -> i32 {
+    match preconditioner {
+        Preconditioner::BodyCirculant => PDN_LINEAR_BODY_CIRCULANT,
+        Preconditioner::TimeLocal => PDN_LINEAR_TIME_LOCAL,
+        Preconditioner::Circulant => PDN_LINEAR_CIRCULANT,
     }
 }

@@ -74,6 +74,7 @@ pub mod beam;
 pub mod branch;
 pub mod callback;
 pub mod condition;
+pub mod equations;
 pub mod files;
 pub mod filter;
 pub mod force;
@@ -112,5 +113,6 @@ mod options;
 #[cfg(test)]
 mod panic_test;
 mod pointer;
+mod ranks;
 #[cfg(test)]
 mod tests;

@@ -503,7 +503,7 @@ fn read_time_map(call: &Call, given: &pdn_periodic_options, period: f64) -> Resu
     }
 }
 
-fn read_threads(value: i32) -> Result<usize> {
+pub(super) fn read_threads(value: i32) -> Result<usize> {
     const MOST: i32 = 1024;
     match usize::try_from(value) {
         Ok(threads) if value <= MOST => Ok(threads),

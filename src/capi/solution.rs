@@ -137,6 +137,26 @@ pub(super) fn outcome_code(outcome: Outcome) -> i32 {
     }
 }
 
+/// The outcome of this code.
+pub(super) fn read_outcome(code: i32) -> Result<Outcome> {
+    let all = [
+        Outcome::Converged,
+        Outcome::IterationLimit,
+        Outcome::Stalled,
+        Outcome::Singular,
+        Outcome::Cancelled,
+        Outcome::NoInitialGuess,
+        Outcome::Inconsistent,
+        Outcome::WrongAssembly,
+        Outcome::ToleranceNotMet,
+        Outcome::WorkLimit,
+    ];
+    let found = all
+        .into_iter()
+        .find(|outcome| outcome_code(*outcome) == code);
+    found.ok_or_else(|| Error::value("outcome", "a constant such as PDN_CONVERGED", code))
+}
+
 /// How the solve ended.
 ///
 /// Unless it is PDN_CONVERGED or PDN_TOLERANCE_NOT_MET the solution's quantities are those of the

@@ -16,6 +16,30 @@ const SHARES: usize = 4;
 /// where there are so many nodes for each share that few elements are evaluated twice.
 const NODES: usize = 32;
 
+/// All nodes in so many runs, if there are as many, that have about the same work each.
+pub(super) fn ranges_of_even_work(system: &System, count: usize) -> Vec<Range<usize>> {
+    // Work on an element goes with the square of its nodes.
+    let mut work = vec![0; system.nodes()];
+    for placed in system.elements() {
+        let nodes = placed.element.nodes();
+        nodes.iter().for_each(|&node| work[node] += nodes.len());
+    }
+    let total: usize = work.iter().sum();
+    let mut ranges: Vec<Range<usize>> = Vec::with_capacity(count);
+    let (mut first, mut done) = (0, 0);
+    for (node, work) in work.iter().enumerate() {
+        done += work;
+        let left = system.nodes() - (node + 1);
+        // None is left without nodes.
+        let is_full = done * count >= total * (ranges.len() + 1);
+        if left == 0 || (is_full || left < count - ranges.len()) && ranges.len() + 1 < count {
+            ranges.push(first..node + 1);
+            first = node + 1;
+        }
+    }
+    ranges
+}
+
 /// Some of the nodes, and the elements that act on them.
 #[derive(Debug, Clone)]
 pub(super) struct Share {
@@ -67,26 +91,13 @@ impl Division {
             1 => 1,
             threads => threads * (system.nodes() / (NODES * threads)).clamp(1, SHARES),
         };
-        // Work on an element goes with the square of its nodes.
-        let mut work = vec![0; system.nodes()];
-        for placed in elements {
-            let nodes = placed.element.nodes();
-            nodes.iter().for_each(|&node| work[node] += nodes.len());
-        }
-        let total: usize = work.iter().sum();
-        let mut shares = Vec::with_capacity(count);
-        let (mut first, mut done) = (0, 0);
-        for (node, work) in work.iter().enumerate() {
-            done += work;
-            let last = node + 1 == system.nodes();
-            if last || done * count >= total * (shares.len() + 1) {
-                shares.push(Share {
-                    nodes: first..node + 1,
-                    elements: Vec::new(),
-                });
-                first = node + 1;
-            }
-        }
+        let nodes = ranges_of_even_work(system, count).into_iter();
+        let mut shares: Vec<Share> = nodes
+            .map(|nodes| Share {
+                nodes,
+                elements: Vec::new(),
+            })
+            .collect();
         let share_of = |node: usize| shares.partition_point(|share| share.nodes.end <= node);
         let of_nodes: Vec<Vec<usize>> = elements
             .iter()

@@ -14,6 +14,7 @@ mod load;
 mod mass_damping;
 mod raised;
 mod relative;
+mod renumbered;
 mod section;
 mod shape;
 #[cfg(test)]
@@ -35,6 +36,7 @@ pub use mass_damping::MassDamping;
 pub use raised::Raised;
 pub(crate) use relative::nearest_turn;
 pub use relative::{Coordinate, JointKind, RelativeMotion, ScalarFunction};
+pub use renumbered::Renumbered;
 pub use section::{Section, SectionLine};
 pub use shape::{gauss_legendre, lobatto_points, shape_functions};
 pub use user_force::{

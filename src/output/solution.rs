@@ -74,7 +74,11 @@ impl Solution {
         Self::of(model, solve_static(model, options, observe)?)
     }
 
-    pub(super) fn of(model: &Model, solve: Solved) -> Result<Self> {
+    /// Of what a solve gives.
+    ///
+    /// # Errors
+    /// Those of functions of the user.
+    pub(crate) fn of(model: &Model, solve: Solved) -> Result<Self> {
         let diagnostics = Diagnostics::of(&solve)?;
         let start = match solve.system.regime() {
             Regime::Periodic(_) => 0.0,

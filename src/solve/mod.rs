@@ -10,6 +10,7 @@ mod memory;
 mod modes;
 mod newton;
 mod periodic;
+mod rank_equations;
 mod report;
 mod result;
 mod sensitivities;
@@ -41,6 +42,7 @@ pub use periodic::adaptive::Adaptation;
 pub use periodic::conditioned::solve_conditioned;
 pub use periodic::options::{GridPoints, PeriodicOptions, TimeMapping};
 pub use periodic::solve_periodic;
+pub use rank_equations::{MOTION, RankEquations, RankOptions};
 pub use report::{Iteration, NewtonOptions, NewtonReport, Outcome, Timings};
 pub use result::{Assessment, GridTried, Kind, MarchRecord, PeriodicRecord, Solved, Unheld};
 pub use sensitivities::{

@@ -105,6 +105,7 @@ impl<'a> Builder<'a> {
             calls_functions: model.forces.iter().any(ForceDefinition::calls_function),
             lacks_functions: false,
             scales: Scales::default(),
+            places: None,
         };
         Ok(Builder {
             model,
@@ -424,7 +425,7 @@ impl<'a> Builder<'a> {
 }
 
 impl System {
-    fn place(&mut self, element: Arc<dyn Element>, role: ElementRole) {
+    pub(super) fn place(&mut self, element: Arc<dyn Element>, role: ElementRole) {
         let size = (element.nodes().len(), element.own_unknowns());
         let first_own = self.own_unknowns.len();
         self.own_unknowns

@@ -7,6 +7,7 @@ mod driven;
 mod evaluation;
 mod layout;
 mod mass_properties;
+mod part;
 mod partition;
 mod regime;
 mod repetition;
@@ -111,6 +112,8 @@ pub struct System {
     /// Whether functions of the user are absent, so that nothing can be evaluated.
     lacks_functions: bool,
     scales: Scales,
+    /// Of a part of a system: where each node of the whole is, if it is there.
+    places: Option<Vec<Option<usize>>>,
 }
 
 impl System {

@@ -21,13 +21,26 @@ impl System {
         self.acted_on
     }
 
+    /// Where a node that joints name is; none if it is not in this part of a system.
+    fn place_of(&self, node: usize) -> Option<usize> {
+        match &self.places {
+            Some(places) => places.get(node).copied().flatten(),
+            None => Some(node),
+        }
+    }
+
     /// Follows the tracked coordinates from their last values to those of the given states.
     pub fn track(&self, state: impl Fn(usize) -> NodeState, coordinates: &mut [f64]) {
         for (at, last) in self.tracked.iter().zip(coordinates) {
             let joint = &self.joints[at.joint];
             let mut states = [NodeState::at_rest(Motion::identity()); 2];
-            for (place, &node) in states.iter_mut().zip(joint.nodes()) {
-                *place = state(node);
+            let nodes = joint.nodes();
+            if !nodes.iter().all(|&node| self.place_of(node).is_some()) {
+                continue;
+            }
+            let places = nodes.iter().filter_map(|&node| self.place_of(node));
+            for (out, node) in states.iter_mut().zip(places) {
+                *out = state(node);
             }
             let z = joint.relative_motion(&states);
             let value = joint.kind().coordinate_value(at.coordinate, &z);

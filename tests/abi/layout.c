@@ -321,6 +321,32 @@ AT(pdn_march_options, progress, 136);
 AT(pdn_march_options, progress_data, 144);
 AT(pdn_march_options, memory_limit, 152);
 
+SIZE(pdn_equations_options, 80);
+AT(pdn_equations_options, struct_size, 0);
+AT(pdn_equations_options, grid_points, 8);
+AT(pdn_equations_options, initial, 16);
+AT(pdn_equations_options, owners, 24);
+AT(pdn_equations_options, owner_count, 32);
+AT(pdn_equations_options, rank, 40);
+AT(pdn_equations_options, ranks, 44);
+AT(pdn_equations_options, preconditioner, 48);
+AT(pdn_equations_options, threads, 52);
+AT(pdn_equations_options, exchange, 56);
+AT(pdn_equations_options, gather, 64);
+AT(pdn_equations_options, ranks_data, 72);
+
+SIZE(pdn_equations_sizes, 72);
+AT(pdn_equations_sizes, struct_size, 0);
+AT(pdn_equations_sizes, size, 8);
+AT(pdn_equations_sizes, halo, 16);
+AT(pdn_equations_sizes, total, 24);
+AT(pdn_equations_sizes, nodes, 32);
+AT(pdn_equations_sizes, motions, 40);
+AT(pdn_equations_sizes, own_unknowns, 48);
+AT(pdn_equations_sizes, bytes, 56);
+AT(pdn_equations_sizes, preconditioner, 64);
+AT(pdn_equations_sizes, reserved, 68);
+
 SIZE(pdn_shooting_options, 80);
 AT(pdn_shooting_options, struct_size, 0);
 AT(pdn_shooting_options, steps_per_period, 8);

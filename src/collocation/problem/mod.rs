@@ -439,6 +439,12 @@ impl Collocation {
         &self.instants.states
     }
 
+    /// Rates of internal states as of the last evaluation, in the order of the own unknowns; zero
+    /// for multipliers.
+    pub fn own_rates(&self) -> &[f64] {
+        &self.instants.rates
+    }
+
     /// Writes the scaled residual.
     pub fn residual(&mut self, state: &GridState, out: &mut [f64]) -> Result<()> {
         self.apply_scalars(state)?;

@@ -20,7 +20,7 @@ use super::harmonic_band::Spectra;
 use super::interface::{Bounds, Interface};
 use super::lanes::{ComplexLanes, LANES, Lanes};
 use super::layout::{Layout, Region};
-use super::mean::{Averages, MeanStrain};
+use super::mean::{Averages, MeanStrain, own_means, scaled_means};
 use super::resultants::Resultants;
 use crate::collocation::{Aliasing, Collocation, Tangent};
 use crate::error::Result;
@@ -31,19 +31,19 @@ use nalgebra::{Complex, Matrix6};
 use std::time::{Duration, Instant};
 
 /// Most unknowns of a dense system of one harmonic.
-const LARGEST_BLOCK: usize = 240;
+pub(super) const LARGEST_BLOCK: usize = 240;
 /// Times that it is tried to eliminate what is beside joints that turn, each time less of it.
-const NEIGHBOURS: usize = 3;
+pub(super) const NEIGHBOURS: usize = 3;
 
 /// Both ways over the grid.
 #[derive(Clone)]
-struct Transform {
-    analysis: Analysis,
-    synthesis: Synthesis,
+pub(super) struct Transform {
+    pub analysis: Analysis,
+    pub synthesis: Synthesis,
 }
 
 impl Transform {
-    fn new(points: usize) -> Self {
+    pub fn new(points: usize) -> Self {
         Transform {
             analysis: Analysis::new(points),
             synthesis: Synthesis::new(points),
@@ -51,7 +51,7 @@ impl Transform {
     }
 
     /// Back to samples, times their number.
-    fn backward(&mut self) -> &[f64] {
+    pub fn backward(&mut self) -> &[f64] {
         self.synthesis.write(&mut self.analysis.samples);
         &self.analysis.samples
     }
@@ -143,14 +143,18 @@ impl BodyCirculant {
         let strains = MeanStrain::all(equations, tangent);
         let aliasing = scaled_aliasing(equations);
         let averages = Averages {
-            equations,
-            tangent,
+            system: equations.system(),
+            grid: equations.grid(),
+            couplings: tangent.couplings(),
             layout: &layout,
             classes,
-            strains: &strains,
+            means: &scaled_means(equations, tangent, &strains),
+            own: &own_means(equations, tangent),
             aliasing: &aliasing,
+            compliance: equations.regularisation(),
+            workers: equations.workers(),
         };
-        let Some(factors) = averages.factor() else {
+        let Some(factors) = averages.factor(0..points / 2 + 1) else {
             return Ok(None);
         };
         let resultants = Resultants::new(equations, tangent, &strains);
@@ -164,10 +168,7 @@ impl BodyCirculant {
             rotations: row_rotations(equations, classes),
             interface: None,
             transform: Transform::new(points),
-            products: match kept.is_empty() {
-                true => Vec::new(),
-                false => lanes.clone(),
-            },
+            products: lanes[..if kept.is_empty() { 0 } else { lanes.len() }].to_vec(),
             lanes,
             workers: equations.workers().clone(),
             workspaces: Vec::new(),
@@ -450,7 +451,7 @@ fn scaled_aliasing(equations: &Collocation) -> Vec<Vec<Aliasing>> {
     aliasing
 }
 
-fn scaled_aliasing_of(equations: &Collocation, node: usize) -> Vec<Aliasing> {
+pub(super) fn scaled_aliasing_of(equations: &Collocation, node: usize) -> Vec<Aliasing> {
     let scale = &equations.column_scale()[equations.layout().motion(node, 0)];
     let scaled = |m: Matrix6<Complex<f64>>| m.map_with_location(|i, j, x| x * scale[j] / scale[i]);
     let all = equations.rule().aliasing(node).into_iter();

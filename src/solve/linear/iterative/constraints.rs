@@ -17,6 +17,7 @@ pub(super) enum Joints {
 }
 
 /// What becomes of an element's own unknowns.
+#[derive(Clone)]
 pub(super) enum Class {
     /// It has none.
     None,
@@ -33,6 +34,7 @@ impl Class {
     }
 }
 
+#[derive(Clone)]
 pub(super) struct Average {
     /// Scaled gradient, a row for each own unknown.
     pub gradient: DMatrix<f64>,

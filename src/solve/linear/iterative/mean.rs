@@ -6,18 +6,40 @@ use super::lanes::{ComplexLanes, LANES, Lanes};
 use super::layout::Layout;
 use crate::collocation::{Aliasing, Collocation, Coupling, Station, Tangent};
 use crate::elements::StressLaw;
+use crate::fourier::TimeGrid;
+use crate::system::{Placed, System};
+use crate::workers::Workers;
 use nalgebra::{Complex, Matrix3, Matrix6, Vector3, Vector6};
+use std::ops::Range;
 
 /// Means over time of what multiplies the increments of a coupling, their first and second
 /// derivatives.
 #[derive(Debug, Clone, Default)]
-struct MeanTangent {
+pub(super) struct MeanTangent {
     orders: [Matrix6<f64>; 3],
     /// Of what multiplies changes of velocity.
     velocity: Matrix6<f64>,
 }
 
 impl MeanTangent {
+    /// How many numbers it is.
+    pub const NUMBERS: usize = 4 * 36;
+
+    /// Its numbers.
+    pub fn numbers(&self) -> impl Iterator<Item = f64> {
+        let matrices = self.orders.iter().chain([&self.velocity]);
+        matrices.flat_map(|m| m.iter().copied())
+    }
+
+    /// Of its numbers.
+    pub fn of_numbers(numbers: &[f64]) -> Self {
+        let matrix = |i: usize| Matrix6::from_column_slice(&numbers[36 * i..][..36]);
+        MeanTangent {
+            orders: [0, 1, 2].map(matrix),
+            velocity: matrix(3),
+        }
+    }
+
     /// With `ΔV = Δu̇ + Ṽ Δu` and `ΔV̇ = Δü + Ṽ Δu̇ + Ṽ̇ Δu`; on a mapped grid increments are
     /// differentiated by pseudo-time.
     fn new(equations: &Collocation, tangent: &Tangent, pair: usize) -> Self {
@@ -130,36 +152,119 @@ fn twist_skew(twist: &Vector6<f64>) -> Matrix6<f64> {
     m
 }
 
+/// Mean tangents of all couplings, scaled; where not all elements are there that act on its row, of
+/// those that are.
+pub(super) fn scaled_means(
+    equations: &Collocation,
+    tangent: &Tangent,
+    strains: &[MeanStrain],
+) -> Vec<MeanTangent> {
+    let couplings = tangent.couplings();
+    let mut means = vec![MeanTangent::default(); couplings.len()];
+    equations.workers().each(&mut means, |pair, mean| {
+        *mean = MeanTangent::new(equations, tangent, pair)
+    });
+    for station in tangent.stations() {
+        let count = station.nodes.len();
+        let strains = &strains[station.first..][..count];
+        for (a, row) in strains.iter().enumerate() {
+            for (b, column) in strains.iter().enumerate() {
+                let mean = &mut means[station.couplings[a * count + b]];
+                for (order, resultant) in mean.orders.iter_mut().zip(&column.orders) {
+                    *order += row.strain.tr_mul(resultant);
+                }
+                mean.velocity += row.strain.tr_mul(&column.orders[1]);
+            }
+        }
+    }
+    for (mean, coupling) in means.iter_mut().zip(couplings) {
+        let row_scale = &equations.row_scale()[equations.layout().motion(coupling.row, 0)];
+        let column_scale = &equations.column_scale()[equations.layout().motion(coupling.column, 0)];
+        for order in mean.orders.iter_mut().chain([&mut mean.velocity]) {
+            *order = order.map_with_location(|i, j, x| x * row_scale[i] * column_scale[j]);
+        }
+    }
+    means
+}
+
+/// Means of the scaled own tangents of each element, and of those of rates, column by column; none
+/// of elements without internal states.
+pub(super) fn own_means(equations: &Collocation, tangent: &Tangent) -> Vec<[Vec<f64>; 2]> {
+    let system = equations.system();
+    let points = equations.grid().points();
+    let of_element = |(index, placed): (usize, &Placed)| {
+        if !placed.has_states {
+            return [Vec::new(), Vec::new()];
+        }
+        let count = placed.element.own_unknowns();
+        let first = equations.layout().element(placed).start;
+        let mut means = [vec![0.0; count * count], vec![0.0; count * count]];
+        let slopes = equations.slopes();
+        for k in 0..points {
+            let (own, own_rate) = tangent.own(system, index, k);
+            let by_pseudo = slopes.get(k).map_or(1.0, |slope| slope.rate);
+            for (mean, (values, factor)) in
+                means.iter_mut().zip([(own, 1.0), (own_rate, by_pseudo)])
+            {
+                let pairs = mean.iter_mut().zip(values);
+                pairs.for_each(|(m, v)| *m += v * factor / points as f64);
+            }
+        }
+        for mean in &mut means {
+            for column in 0..count {
+                for row in 0..count {
+                    mean[column * count + row] *= equations.row_scale()[first + row]
+                        * equations.column_scale()[first + column];
+                }
+            }
+        }
+        means
+    };
+    system
+        .elements()
+        .iter()
+        .enumerate()
+        .map(of_element)
+        .collect()
+}
+
 /// Everything that the averaged matrices are made of.
 pub(super) struct Averages<'a> {
-    pub equations: &'a Collocation,
-    pub tangent: &'a Tangent,
+    pub system: &'a System,
+    pub grid: TimeGrid,
+    pub couplings: &'a [Coupling],
     pub layout: &'a Layout,
     pub classes: &'a [Class],
-    pub strains: &'a [MeanStrain],
+    /// Of each coupling, scaled.
+    pub means: &'a [MeanTangent],
+    /// Of the own tangents of each element, see [`own_means`].
+    pub own: &'a [[Vec<f64>; 2]],
     /// Of each node, scaled.
     pub aliasing: &'a [Vec<Aliasing>],
+    /// Scaled compliance of constraints.
+    pub compliance: f64,
+    pub workers: &'a Workers,
 }
 
 impl Averages<'_> {
-    /// Factors of all harmonics; none if one is singular.
-    pub fn factor(&self) -> Option<Vec<BlockLanes<ComplexLanes>>> {
-        let points = self.equations.grid().points();
-        let frequency = self.equations.grid().frequency();
-        let means = self.scaled_means();
-        let chunks = (points / 2 + 1).div_ceil(LANES);
+    /// Factors of these harmonics; none if one is singular.
+    pub fn factor(&self, harmonics: Range<usize>) -> Option<Vec<BlockLanes<ComplexLanes>>> {
+        let highest_of_grid = self.grid.harmonics();
+        let frequency = self.grid.frequency();
+        let chunks = harmonics.len().div_ceil(LANES);
         let mut all: Vec<Option<BlockLanes<ComplexLanes>>> = vec![None; chunks];
         // Harmonics that are aliased, of any node.
         let highest = self.aliasing.iter().map(Vec::len).max().unwrap_or(0);
-        self.equations.workers().each(&mut all, |chunk, place| {
+        self.workers.each(&mut all, |chunk, place| {
             let mut lanes = BlockLanes::<ComplexLanes>::new(&self.layout.structure);
-            let harmonic = |lane: usize| (LANES * chunk + lane).min(points / 2);
+            let harmonic =
+                |lane: usize| (harmonics.start + LANES * chunk + lane).min(harmonics.end - 1);
             let rates = std::array::from_fn(|lane| harmonic(lane) as f64 * frequency);
-            self.fill(&mut lanes, &rates, &means);
+            self.fill(&mut lanes, &rates);
             for lane in 0..LANES {
-                let below = points / 2 - harmonic(lane);
+                let below = highest_of_grid - harmonic(lane);
                 if below < highest {
-                    self.add_aliasing(&mut lanes, lane, below, &means);
+                    self.add_aliasing(&mut lanes, lane, below);
                 }
             }
             if lanes.factor(&self.layout.structure) {
@@ -167,38 +272,6 @@ impl Averages<'_> {
             }
         });
         all.into_iter().collect()
-    }
-
-    /// Mean tangents of all couplings, scaled.
-    fn scaled_means(&self) -> Vec<MeanTangent> {
-        let (equations, tangent) = (self.equations, self.tangent);
-        let couplings = tangent.couplings();
-        let mut means = vec![MeanTangent::default(); couplings.len()];
-        equations.workers().each(&mut means, |pair, mean| {
-            *mean = MeanTangent::new(equations, tangent, pair)
-        });
-        for station in tangent.stations() {
-            let count = station.nodes.len();
-            let strains = &self.strains[station.first..][..count];
-            for (a, row) in strains.iter().enumerate() {
-                for (b, column) in strains.iter().enumerate() {
-                    let mean = &mut means[station.couplings[a * count + b]];
-                    for (order, resultant) in mean.orders.iter_mut().zip(&column.orders) {
-                        *order += row.strain.tr_mul(resultant);
-                    }
-                    mean.velocity += row.strain.tr_mul(&column.orders[1]);
-                }
-            }
-        }
-        for (mean, coupling) in means.iter_mut().zip(couplings) {
-            let row_scale = &equations.row_scale()[equations.layout().motion(coupling.row, 0)];
-            let column_scale =
-                &equations.column_scale()[equations.layout().motion(coupling.column, 0)];
-            for order in mean.orders.iter_mut().chain([&mut mean.velocity]) {
-                *order = order.map_with_location(|i, j, x| x * row_scale[i] * column_scale[j]);
-            }
-        }
-        means
     }
 
     /// Where a coupling stands in the matrices.
@@ -209,14 +282,9 @@ impl Averages<'_> {
     }
 
     /// Writes the matrices of harmonics with these circular frequencies.
-    fn fill(
-        &self,
-        lanes: &mut BlockLanes<ComplexLanes>,
-        rates: &[f64; LANES],
-        means: &[MeanTangent],
-    ) {
+    fn fill(&self, lanes: &mut BlockLanes<ComplexLanes>, rates: &[f64; LANES]) {
         let (structure, node_at) = (&self.layout.structure, &self.layout.node_at);
-        for (mean, coupling) in means.iter().zip(self.tangent.couplings()) {
+        for (mean, coupling) in self.means.iter().zip(self.couplings) {
             let place = self.place(coupling);
             let [stiffness, damping, mass] = &mean.orders;
             for i in 0..6 {
@@ -229,8 +297,8 @@ impl Averages<'_> {
                 }
             }
         }
-        let system = self.equations.system();
-        for (index, (class, placed)) in self.classes.iter().zip(system.elements()).enumerate() {
+        for (index, (class, placed)) in self.classes.iter().zip(self.system.elements()).enumerate()
+        {
             let Class::Averaged(average) = class else {
                 continue;
             };
@@ -252,7 +320,7 @@ impl Averages<'_> {
                 }
             }
             if placed.has_states {
-                let (stiffness, damping) = self.own_means(index);
+                let [stiffness, damping] = &self.own[index];
                 for row in 0..count {
                     for column in 0..count {
                         let at = column * count + row;
@@ -262,21 +330,15 @@ impl Averages<'_> {
                     }
                 }
             } else {
-                let compliant = Complex::from(-self.equations.regularisation());
+                let compliant = Complex::from(-self.compliance);
                 (0..count).for_each(|i| lanes.at(own_place.entry(i, i)).add(|_| compliant));
             }
         }
     }
 
     /// Adds what the grid makes of the harmonic so many below the highest.
-    fn add_aliasing(
-        &self,
-        lanes: &mut BlockLanes<ComplexLanes>,
-        lane: usize,
-        below: usize,
-        means: &[MeanTangent],
-    ) {
-        for (mean, coupling) in means.iter().zip(self.tangent.couplings()) {
+    fn add_aliasing(&self, lanes: &mut BlockLanes<ComplexLanes>, lane: usize, below: usize) {
+        for (mean, coupling) in self.means.iter().zip(self.couplings) {
             let Some(aliasing) = self.aliasing[coupling.column].get(below) else {
                 continue;
             };
@@ -291,36 +353,5 @@ impl Averages<'_> {
                 }
             }
         }
-    }
-
-    /// Means of the scaled own tangents of an element with internal states.
-    fn own_means(&self, index: usize) -> (Vec<f64>, Vec<f64>) {
-        let system = self.equations.system();
-        let points = self.equations.grid().points();
-        let placed = &system.elements()[index];
-        let count = placed.element.own_unknowns();
-        let first = self.equations.layout().element(placed).start;
-        let mut means = [vec![0.0; count * count], vec![0.0; count * count]];
-        let slopes = self.equations.slopes();
-        for k in 0..points {
-            let (own, own_rate) = self.tangent.own(system, index, k);
-            let by_pseudo = slopes.get(k).map_or(1.0, |slope| slope.rate);
-            for (mean, (values, factor)) in
-                means.iter_mut().zip([(own, 1.0), (own_rate, by_pseudo)])
-            {
-                let pairs = mean.iter_mut().zip(values);
-                pairs.for_each(|(m, v)| *m += v * factor / points as f64);
-            }
-        }
-        for mean in &mut means {
-            for column in 0..count {
-                for row in 0..count {
-                    mean[column * count + row] *= self.equations.row_scale()[first + row]
-                        * self.equations.column_scale()[first + column];
-                }
-            }
-        }
-        let [own, own_rate] = means;
-        (own, own_rate)
     }
 }

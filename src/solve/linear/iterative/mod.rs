@@ -10,6 +10,7 @@
 //! * `time_local`: equilibrium at each grid point by itself.
 //! * Both factor small sparse matrices with blocks where `layout` says, by `block_lu`, several side
 //!   by side in `lanes`.
+//! * `spread`: these over ranks, each with some of the nodes; `spread_harmonics`, `spread_time`.
 //! * `trial`: what one solve takes, measured.
 
 mod banded;
@@ -30,6 +31,14 @@ mod outer;
 mod part;
 mod projected;
 mod resultants;
+mod spread;
+mod spread_factors;
+mod spread_harmonics;
+mod spread_joints;
+mod spread_means;
+#[cfg(test)]
+mod spread_test;
+mod spread_time;
 mod time_local;
 mod transport;
 mod trial;
@@ -49,6 +58,8 @@ pub(crate) use long_vectors::Parts;
 pub(crate) use outer::{Outer, SHARPEST, solve_around};
 pub(crate) use projected::Projected;
 use serde::{Deserialize, Serialize};
+pub(crate) use spread::{Spread, motion_of, numbers_of, suitable};
+pub(crate) use spread_factors::SpreadFactors;
 use std::time::{Duration, Instant};
 pub(crate) use trial::missing_inertia;
 pub use trial::{LinearTrial, try_linear_solve};
