@@ -1,6 +1,7 @@
 //! Residual of the governing equations at all grid points (docs/theory.md, section 5.2).
 
 mod energy;
+mod linearised;
 mod oversampled;
 mod resultants;
 mod scalars;
@@ -451,28 +452,6 @@ impl Collocation {
         let size = self.size();
         self.residual_of_grid(state, &mut out[..size])?;
         self.scalar_residual(state, out)
-    }
-
-    /// Forgets what the last linearisation found left of the equations.
-    pub(crate) fn forget_linearised_residual(&mut self) {
-        self.linearised_residual.clear();
-    }
-
-    /// Writes the scaled residual at `state`, where the equations were linearised since.
-    pub(crate) fn residual_where_linearised(
-        &mut self,
-        state: &GridState,
-        out: &mut [f64],
-    ) -> Result<()> {
-        // Sampled elsewhere, or linearised by what does not say what is left.
-        let is_known = self.linearised_residual.len() == out.len();
-        if self.oversampled.is_some() || !is_known {
-            return self.residual(state, out);
-        }
-        let known = self.linearised_residual.iter().zip(&self.row_scale);
-        let rows = out.iter_mut().zip(known);
-        rows.for_each(|(row, (value, scale))| *row = value * scale);
-        Ok(())
     }
 
     fn residual_of_grid(&mut self, state: &GridState, out: &mut [f64]) -> Result<()> {

@@ -248,6 +248,23 @@ enum Next {
     Refine(usize),
 }
 
+/// That the tolerance is missed on so many points, and why nothing is done about it.
+fn describe_missed(
+    found: &Assessment,
+    points: usize,
+    adaptation: &Adaptation,
+    why: &str,
+) -> String {
+    let doubt = found.resounding.map_or(String::new(), |harmonic| {
+        format!(" (but harmonic {harmonic}, which they do not have, is near a natural frequency)")
+    });
+    format!(
+        "the estimated error of the motions is {:.1e} on {points} grid points{doubt}, and the \
+         tolerance {:.1e}: {why}",
+        found.error, adaptation.error_tolerance
+    )
+}
+
 impl Periodic<'_> {
     /// Solves on ever finer grids, from a given state or the library's own start.
     pub(super) fn refine(
@@ -276,19 +293,7 @@ impl Periodic<'_> {
                 iterations: report.iterations.len(),
                 error_estimate: found.error,
             });
-            let missed = |why: &str| {
-                let doubt = found.resounding.map_or(String::new(), |harmonic| {
-                    format!(
-                        " (but harmonic {harmonic}, which they do not have, is near a natural \
-                         frequency)"
-                    )
-                });
-                format!(
-                    "the estimated error of the motions is {:.1e} on {points} grid points{doubt}, \
-                     and the tolerance {:.1e}: {why}",
-                    found.error, adaptation.error_tolerance
-                )
-            };
+            let missed = |why: &str| describe_missed(&found, points, &adaptation, why);
             let next = self.after(&adaptation, &found, deceivable);
             let sharper = self.sharper_grid(&adaptation, &found, &next, &state)?;
             let coarse = self.on.grid;
