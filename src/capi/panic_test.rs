@@ -213,10 +213,8 @@ fn defects_in_solves_are_statuses_and_leave_the_model_as_it_was() {
     let mut modes = null_mut();
     trip::after(Some(0));
     // SAFETY: as above.
-    assert_eq!(
-        unsafe { pdn_solve_modes(model, null(), &raw mut modes) },
-        PDN_ERR_PANIC
-    );
+    let status = unsafe { pdn_solve_modes(model, null(), &raw mut modes) };
+    assert_eq!(status, PDN_ERR_PANIC);
     trip::after(None);
     assert!(modes.is_null());
     // SAFETY: as above.
