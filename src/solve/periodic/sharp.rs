@@ -15,8 +15,9 @@ const TRIED: usize = 2;
 /// Harmonics are to end where those of the present grid have come down to what is above this part
 /// of them: what is above all of them is well below that.
 const SEEN: f64 = 0.25;
-/// A map is worth a change of grid that lets harmonics end this much earlier.
-const GAIN: f64 = 1.5;
+/// A map is worth a change of grid that lets harmonics end this much earlier: linear equations are
+/// harder to precondition there.
+const GAIN: f64 = 3.0;
 /// An event is worth its points that lets them end this much earlier.
 const WORTH: f64 = 1.1;
 /// Most events that are looked for.
