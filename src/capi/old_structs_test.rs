@@ -3,6 +3,7 @@
 
 use super::beam::pdn_stations;
 use super::branch::{pdn_branch_options, pdn_branch_point};
+use super::equations::{pdn_equations_options, pdn_equations_sizes};
 use super::guard::init;
 use super::line::pdn_line;
 use super::march::{pdn_march_diagnostics, pdn_march_options};
@@ -85,6 +86,8 @@ fn structs_of_old_programs_are_read_and_written_as_far_as_they_go() {
         pdn_branch_options: [120];
         pdn_branch_point: [88];
         pdn_diagnostics: [112, 136, 160, 208];
+        pdn_equations_options: [80];
+        pdn_equations_sizes: [72];
         pdn_line: [128];
         pdn_march_diagnostics: [88];
         pdn_march_options: [152, 160];

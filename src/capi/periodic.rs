@@ -177,7 +177,7 @@ pub struct pdn_periodic_options {
     /// that of an easy Newton iteration on the finest grid so far, by few products or by factors,
     /// and a constant for small models. What takes more ends as PDN_WORK_LIMIT or, where a coarser
     /// grid had a solution, with that as PDN_TOLERANCE_NOT_MET. Twice that on a given grid. 0 for
-    /// no bound. Default 20.
+    /// no bound. Default 17.
     pub work_limit: f64,
     /// Bytes of memory that the solve may take, by an estimate that is made before it is begun on a
     /// grid: one that would take more is PDN_ERR_MEMORY, and its message tells the estimate. If

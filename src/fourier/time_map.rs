@@ -337,11 +337,12 @@ mod tests {
                 let far = slope(2, order) - slope(-2, order);
                 (8.0 * (slope(1, order) - slope(-1, order)) - far) / (12.0 * h)
             };
-            // Of fourth order, for a width of 1e-3: (h / width)⁴ / 30 times the next factors.
+            // Of fourth order, for a width of 1e-3: (h / width)⁴ / 30 times the next factors, which
+            // grow as factorials do.
             for (order, (exact, found)) in exact.iter().zip([first, next(0), next(1)]).enumerate() {
                 let size = 300.0 * 1e3f64.powi(order as i32);
                 assert!(
-                    (exact - found).abs() < 1e-6 * size,
+                    (exact - found).abs() < 3e-6 * size,
                     "{time} {order}: {exact} {found}"
                 );
             }

@@ -108,7 +108,7 @@ static void work_is_bounded(void)
     pdn_periodic_options options = with_tolerance(1e-6);
     pdn_solution *solution, *none = NULL;
 
-    CHECK(options.work_limit == 20);
+    CHECK(options.work_limit == 17);
     options.work_limit = 1e-9;
     solution = solve(model, &options);
     CHECK(pdn_solution_outcome(solution) == PDN_WORK_LIMIT);

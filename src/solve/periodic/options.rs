@@ -96,7 +96,7 @@ pub struct PeriodicOptions {
 const MOST_OVERSAMPLING: usize = 16;
 
 /// Easy iterations whose work a solve may take by default.
-const WORK_LIMIT: f64 = 20.0;
+const WORK_LIMIT: f64 = 17.0;
 
 impl Default for PeriodicOptions {
     fn default() -> Self {
