@@ -1857,7 +1857,7 @@ typedef struct pdn_periodic_options {
      * Where the points of grids are: PDN_TIME_MAP_AUTOMATIC, PDN_TIME_MAP_EQUISPACED or
      * PDN_TIME_MAP_EVENTS. By PDN_TIME_MAP_AUTOMATIC, a given number of points is equispaced, and
      * a solve to a tolerance that starts from a solution goes on with the map of that. Default
-     * PDN_TIME_MAP_AUTOMATIC.
+     * PDN_TIME_MAP_EQUISPACED.
      */
     int32_t time_map;
     /**

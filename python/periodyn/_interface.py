@@ -1044,7 +1044,7 @@ class PeriodicOptions(Struct):
     time_map = Number("time_map")
     """Where the points of grids are: TIME_MAP_AUTOMATIC, TIME_MAP_EQUISPACED or TIME_MAP_EVENTS.
     By TIME_MAP_AUTOMATIC, a given number of points is equispaced, and a solve to a tolerance
-    that starts from a solution goes on with the map of that. Default TIME_MAP_AUTOMATIC.
+    that starts from a solution goes on with the map of that. Default TIME_MAP_EQUISPACED.
     """
     event_count = Number("event_count")
     """Number of the events of TIME_MAP_EVENTS, at most 16. Default 0."""
@@ -3087,7 +3087,7 @@ class Model(ModelExtras):
             time_map: Where the points of grids are: TIME_MAP_AUTOMATIC, TIME_MAP_EQUISPACED or
                 TIME_MAP_EVENTS. By TIME_MAP_AUTOMATIC, a given number of points is equispaced,
                 and a solve to a tolerance that starts from a solution goes on with the map of
-                that. Default TIME_MAP_AUTOMATIC.
+                that. Default TIME_MAP_EQUISPACED.
             event_count: Number of the events of TIME_MAP_EVENTS, at most 16. Default 0.
             event_times: Times of the events, which repeat themselves every period: an array of
                 length [event_count]. Default None.
@@ -3363,7 +3363,7 @@ class Model(ModelExtras):
             time_map: Where the points of grids are: TIME_MAP_AUTOMATIC, TIME_MAP_EQUISPACED or
                 TIME_MAP_EVENTS. By TIME_MAP_AUTOMATIC, a given number of points is equispaced,
                 and a solve to a tolerance that starts from a solution goes on with the map of
-                that. Default TIME_MAP_AUTOMATIC.
+                that. Default TIME_MAP_EQUISPACED.
             event_count: Number of the events of TIME_MAP_EVENTS, at most 16. Default 0.
             event_times: Times of the events, which repeat themselves every period: an array of
                 length [event_count]. Default None.

@@ -187,7 +187,7 @@ pub struct pdn_periodic_options {
     /// Where the points of grids are: PDN_TIME_MAP_AUTOMATIC, PDN_TIME_MAP_EQUISPACED or
     /// PDN_TIME_MAP_EVENTS. By PDN_TIME_MAP_AUTOMATIC, a given number of points is equispaced, and
     /// a solve to a tolerance that starts from a solution goes on with the map of that. Default
-    /// PDN_TIME_MAP_AUTOMATIC.
+    /// PDN_TIME_MAP_EQUISPACED.
     pub time_map: i32,
     /// Zero.
     pub reserved: i32,
@@ -222,6 +222,7 @@ unsafe impl Options for pdn_periodic_options {
             response_tolerance: adaptation.response_tolerance,
             progress_interval: PROGRESS_INTERVAL,
             work_limit: core.work_limit,
+            time_map: PDN_TIME_MAP_EQUISPACED,
             ..Self::blank()
         }
     }

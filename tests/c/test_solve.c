@@ -336,6 +336,65 @@ static void a_solve_may_start_from_given_motions(void)
     pdn_model_free(model);
 }
 
+/* Grid points closer together about two events; a solve on others that goes on from there. */
+static void grid_points_may_be_closer_together(void)
+{
+    enum { POINTS = 61, EVENTS = 2 };
+    const double times[EVENTS] = {0.3 * PERIOD, 0.8 * PERIOD}, shares[EVENTS] = {0.8, 0.5};
+    double widths[EVENTS] = {0.1 * PERIOD, 0.15 * PERIOD};
+    double grid[POINTS], found_times[EVENTS], found_widths[EVENTS], found_shares[EVENTS];
+    double at[TIMES], angle[TIMES];
+    pdn_model *model = two_bodies();
+    pdn_periodic_options options = on_grid(POINTS);
+    pdn_solution *mapped, *unset = NULL;
+    size_t count = 99;
+    int i;
+
+    options.time_map = PDN_TIME_MAP_EVENTS;
+    options.event_count = EVENTS;
+    options.event_times = times;
+    options.event_widths = widths;
+    options.event_shares = shares;
+    mapped = solve(model, &options);
+    angles(mapped, PERIOD, at, angle);
+    /* A steady oscillation is not sharp: mapped points have half the digits for it. */
+    for (i = 0; i < TIMES; i++)
+        CHECK(fabs(angle[i] - exact_angle(PERIOD, at[i])) < 1e-6);
+    CHECK_STATUS(pdn_solution_grid_times(mapped, grid, POINTS), PDN_OK);
+    CHECK(grid[0] == 0);
+    for (i = 1; i < POINTS; i++)
+        CHECK(grid[i] > grid[i - 1] && grid[i] < PERIOD);
+    CHECK_STATUS(pdn_solution_sharp_event_count(mapped, &count), PDN_OK);
+    CHECK(count == EVENTS);
+    CHECK_STATUS(
+        pdn_solution_sharp_events(mapped, found_times, found_widths, found_shares, EVENTS), PDN_OK);
+    for (i = 0; i < EVENTS; i++) {
+        CHECK(fabs(found_times[i] - times[i]) < 1e-12 * PERIOD);
+        CHECK(fabs(found_widths[i] - widths[i]) < 1e-12 * PERIOD);
+        CHECK(found_shares[i] == shares[i]);
+    }
+    CHECK_STATUS(pdn_solution_sharp_events(mapped, found_times, found_widths, found_shares, 1),
+                 PDN_ERR_SIZE);
+    pdn_solution_free(mapped);
+
+    widths[1] = 0;
+    CHECK_STATUS(pdn_solve_periodic(model, PERIOD, &options, &unset), PDN_ERR_VALUE);
+    CHECK_MESSAGE("events[1].width");
+    options.event_count = 0;
+    CHECK_STATUS(pdn_solve_periodic(model, PERIOD, &options, &unset), PDN_ERR_SIZE);
+    CHECK_MESSAGE("options.event_count");
+    options.time_map = 3;
+    CHECK_STATUS(pdn_solve_periodic(model, PERIOD, &options, &unset), PDN_ERR_VALUE);
+    CHECK_MESSAGE("options.time_map");
+    CHECK(unset == NULL);
+    options.time_map = PDN_TIME_MAP_EQUISPACED;
+    mapped = solve(model, &options);
+    CHECK_STATUS(pdn_solution_sharp_event_count(mapped, &count), PDN_OK);
+    CHECK(count == 0);
+    pdn_solution_free(mapped);
+    pdn_model_free(model);
+}
+
 /* --- Progress --- */
 
 struct progress_log {
@@ -873,6 +932,7 @@ int main(void)
     linear_solvers_and_threads_agree();
     a_solve_may_start_from_a_solution();
     a_solve_may_start_from_given_motions();
+    grid_points_may_be_closer_together();
     progress_is_told_and_may_cancel();
     a_solve_is_cancelled_within_iterations();
     the_start_may_be_chosen();

@@ -287,7 +287,7 @@ impl Periodic<'_> {
             if let Some(before) = &before {
                 found.error = before.corrected(&state, length, found.error);
             }
-            let points = self.on.grid.points();
+            let (coarse, points) = (self.on.grid, self.on.grid.points());
             self.grids.push(GridTried {
                 points,
                 iterations: report.iterations.len(),
@@ -296,7 +296,6 @@ impl Periodic<'_> {
             let missed = |why: &str| describe_missed(&found, points, &adaptation, why);
             let next = self.after(&adaptation, &found, deceivable);
             let sharper = self.sharper_grid(&adaptation, &found, &next, &state)?;
-            let coarse = self.on.grid;
             let fine = match (next, sharper) {
                 (Next::Accept, _) => break,
                 (_, Some(grid)) => grid,
@@ -324,9 +323,8 @@ impl Periodic<'_> {
             // only.
             let is_spent = fine_report.outcome == Outcome::WorkLimit;
             if is_spent || !fine_report.outcome.is_final() {
-                let how = fine_report.outcome.describe();
+                let (tried, how) = (self.on.grid.points(), fine_report.outcome.describe());
                 report.outcome = Outcome::ToleranceNotMet;
-                let tried = self.on.grid.points();
                 report.explanation =
                     missed(&format!("no solution was found on {tried} points ({how})"));
                 self.on.move_to(coarse)?;

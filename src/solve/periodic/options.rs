@@ -21,9 +21,9 @@ pub enum GridPoints {
 #[derive(Debug, Clone, PartialEq, Default)]
 pub enum TimeMapping {
     /// Equispaced, but closer together where an adaptive solve finds the motion sharp.
-    #[default]
     Automatic,
     /// Equispaced.
+    #[default]
     Equispaced,
     /// Closer together about these events, of all grids.
     Events(Vec<SharpEvent>),
@@ -113,7 +113,7 @@ impl Default for PeriodicOptions {
             estimate_mesh: false,
             work_limit: WORK_LIMIT,
             memory_limit: 0,
-            time_map: TimeMapping::Automatic,
+            time_map: TimeMapping::default(),
             watch: Watch::default(),
         }
     }
