@@ -5,6 +5,8 @@
 
 #include <petscsys.h>
 
+enum { LATE = 90 };
+
 static int rank, ranks;
 
 /* Gives up on rank 1 after so many calls; elsewhere it does nothing. */
@@ -45,16 +47,18 @@ int main(int argc, char **argv)
     options.grid_points = model.points;
     serial.grid_points = 5;
 
-    if (strcmp(fault, "callback") == 0) {
+    if (strncmp(fault, "callback", 8) == 0) {
         pdn_signal push;
         PDN_INIT(pdn_signal, &push);
         GOOD(pdn_signal_set_function(&push, force, NULL));
         GOOD(pdn_model_add_load(model.model, model.node, PDN_FRAME_SPACE, PDN_FORCE_2, &push));
         GOOD(pdn_solve_periodic(model.model, model.period, &serial, &start));
         options.initial = start;
-        most_calls = rank == 1 ? 3 : -1;
+        /* At once, or in the middle of the solve. */
+        most_calls = rank == 1 ? (strcmp(fault, "callback_late") == 0 ? LATE : 3) : -1;
         all_fail(pdn_petsc_solve(PETSC_COMM_WORLD, model.model, model.period, &options, NULL, &out),
                  PDN_ERR_CALLBACK, "rank 1: ");
+        CHECK(rank != 1 || calls > 3);
         most_calls = -1;
         pdn_solution_free(start);
         options.initial = NULL;

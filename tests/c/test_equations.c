@@ -345,6 +345,7 @@ int main(void)
     PDN_INIT(pdn_equations_options, &in.options);
     CHECK(in.options.ranks == 1 && in.options.rank == 0 && in.options.threads == 1);
     in.options.grid_points = 5;
+    in.options.preconditioner = PDN_LINEAR_TIME_LOCAL;
     refused_options();
     GOOD(NEW);
     in.equations = out.equations;
