@@ -1843,7 +1843,7 @@ typedef struct pdn_periodic_options {
      * that of an easy Newton iteration on the finest grid so far, by few products or by factors,
      * and a constant for small models. What takes more ends as PDN_WORK_LIMIT or, where a coarser
      * grid had a solution, with that as PDN_TOLERANCE_NOT_MET. Twice that on a given grid. 0 for
-     * no bound. Default 20.
+     * no bound. Default 17.
      */
     double work_limit;
     /**

@@ -1033,7 +1033,7 @@ class PeriodicOptions(Struct):
     that of an easy Newton iteration on the finest grid so far, by few products or by factors,
     and a constant for small models. What takes more ends as WORK_LIMIT or, where a coarser grid
     had a solution, with that as TOLERANCE_NOT_MET. Twice that on a given grid. 0 for no bound.
-    Default 20.
+    Default 17.
     """
     memory_limit = Number("memory_limit")
     """Bytes of memory that the solve may take, by an estimate that is made before it is begun on a
@@ -3078,7 +3078,7 @@ class Model(ModelExtras):
                 grids: this many times that of an easy Newton iteration on the finest grid so
                 far, by few products or by factors, and a constant for small models. What takes
                 more ends as WORK_LIMIT or, where a coarser grid had a solution, with that as
-                TOLERANCE_NOT_MET. Twice that on a given grid. 0 for no bound. Default 20.
+                TOLERANCE_NOT_MET. Twice that on a given grid. 0 for no bound. Default 17.
             memory_limit: Bytes of memory that the solve may take, by an estimate that is made
                 before it is begun on a grid: one that would take more is ERR_MEMORY, and its
                 message tells the estimate. If grid_points is 0, only the first grid is refused
@@ -3354,7 +3354,7 @@ class Model(ModelExtras):
                 grids: this many times that of an easy Newton iteration on the finest grid so
                 far, by few products or by factors, and a constant for small models. What takes
                 more ends as WORK_LIMIT or, where a coarser grid had a solution, with that as
-                TOLERANCE_NOT_MET. Twice that on a given grid. 0 for no bound. Default 20.
+                TOLERANCE_NOT_MET. Twice that on a given grid. 0 for no bound. Default 17.
             memory_limit: Bytes of memory that the solve may take, by an estimate that is made
                 before it is begun on a grid: one that would take more is ERR_MEMORY, and its
                 message tells the estimate. If grid_points is 0, only the first grid is refused
