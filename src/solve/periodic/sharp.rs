@@ -63,7 +63,7 @@ pub(super) fn sharper(system: &System, grid: TimeGrid, state: &GridState) -> Opt
 
 /// Points of a grid that is tried, an odd number.
 fn tried(grid: TimeGrid) -> usize {
-    TRIED * grid.points() | 1
+    (TRIED * grid.points()) | 1
 }
 
 /// One of the curves over the period of the present grid, in its pseudo-time.
@@ -257,7 +257,7 @@ fn curves(system: &System, grid: TimeGrid, state: &GridState) -> Vec<Curve> {
             _ => m.rotation[i - 3],
         })
     };
-    let mut resampling = Resampling::new(grid, 0.0, TABLE * grid.points() | 1);
+    let mut resampling = Resampling::new(grid, 0.0, (TABLE * grid.points()) | 1);
     let mut all: Vec<(f64, usize, usize)> = Vec::new();
     for node in 0..system.nodes() {
         for i in 0..12 {
