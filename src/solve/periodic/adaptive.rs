@@ -382,7 +382,7 @@ impl Periodic<'_> {
             Next::Refine(next) => *next as f64,
         };
         let few = points < LEAST_MAPPED || wanted < MUCH_FINER * points as f64;
-        if !self.may_map || few || found.unheld.is_some() {
+        if self.maps_left == 0 || few || found.unheld.is_some() {
             return Ok(None);
         }
         let began = Instant::now();
@@ -391,6 +391,7 @@ impl Periodic<'_> {
         let Some(Sharper { map, gain }) = sharper else {
             return Ok(None);
         };
+        self.maps_left -= 1;
         let enough = (wanted / gain).max(LEAST_PART * points as f64);
         let points = quick(enough.ceil() as usize).min(adaptation.largest_odd());
         Ok(Some(grid.with_points(points)?.mapped(map)))

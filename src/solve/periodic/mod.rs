@@ -41,6 +41,9 @@ use std::time::Instant;
 /// fewer.
 const LARGE: usize = 2;
 
+/// Maps of time that are tried in an adaptive solve, one after the other.
+const MOST_MAPS: usize = 5;
+
 /// One periodic solve on its way.
 struct Periodic<'a> {
     on: OnGrid<'a>,
@@ -50,8 +53,8 @@ struct Periodic<'a> {
     accepted: f64,
     /// Points of the finest grid that may follow; zero where it is given.
     finest: usize,
-    /// Whether grids may be mapped where the motion is sharp.
-    may_map: bool,
+    /// How often grids may yet be mapped where the motion is sharp.
+    maps_left: usize,
     /// The grids that were tried.
     grids: Vec<GridTried>,
     /// Points of the grid on which one on a large grid looks for its start.
@@ -179,7 +182,10 @@ pub fn solve_periodic(
         loads,
         accepted,
         finest,
-        may_map: options.time_map == TimeMapping::Automatic,
+        maps_left: match options.time_map {
+            TimeMapping::Automatic => MOST_MAPS,
+            TimeMapping::Equispaced | TimeMapping::Events(_) => 0,
+        },
         grids: Vec::new(),
         coarse: first.coarse,
         coarse_start: None,
