@@ -113,7 +113,6 @@ fn steps_are_those_of_the_whole_and_states_come_back() {
         let expected = state.incremented(&system, &unscaled, 0.5);
         for count in [1, 3] {
             on_ranks(count, |ranks| {
-                let ranks: Arc<dyn Ranks> = ranks;
                 let options = options(ranks, &state, Preconditioner::TimeLocal);
                 let mut own = RankEquations::new(&model, period, POINTS, options).unwrap();
                 let before = (own.motions(), own.own_unknowns());

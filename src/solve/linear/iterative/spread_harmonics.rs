@@ -353,10 +353,10 @@ impl SpreadHarmonics {
                         .collect()
                 })
                 .collect();
-            for component in 0..6 {
+            for (component, own) in spectra.iter().enumerate() {
                 let spectrum = &mut transform.synthesis.spectrum;
                 for (j, value) in spectrum.iter_mut().enumerate() {
-                    *value = spectra[component][j] * Complex::new(0.0, self.frequency * j as f64);
+                    *value = own[j] * Complex::new(0.0, self.frequency * j as f64);
                 }
                 for (below, added) in aliasing.iter().enumerate() {
                     let j = points / 2 - below;
