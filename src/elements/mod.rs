@@ -10,12 +10,14 @@ mod damper;
 mod distributed_load;
 mod inertia;
 mod joint;
+mod line_station;
 mod load;
 mod mass_damping;
 mod raised;
 mod relative;
 mod section;
 mod shape;
+mod shell;
 #[cfg(test)]
 mod tangent_test;
 mod user_force;
@@ -37,6 +39,10 @@ pub(crate) use relative::nearest_turn;
 pub use relative::{Coordinate, JointKind, RelativeMotion, ScalarFunction};
 pub use section::{Section, SectionLine};
 pub use shape::{gauss_legendre, lobatto_points, shape_functions};
+pub use shell::{
+    IsotropicShell, Matrix12, NodeGrid, Shell, ShellFrames, ShellLoadPlace, ShellSection, Vector12,
+    element_frames,
+};
 pub use user_force::{
     NodeForceFunction, NodeForceInput, NodeForceLaw, NodeForceOutput, Tangent, TangentPairs,
     UserForce,
@@ -187,6 +193,8 @@ pub struct Contribution {
     pub strains: Vec<StrainTangent>,
     /// Scratch of the beam kernel.
     beam: beam::Scratch,
+    /// Scratch of the shell kernel.
+    shell: shell::Scratch,
     /// Scratch of loads along beams.
     load: distributed_load::Scratch,
     /// Scratch of user's forces.
@@ -210,6 +218,7 @@ impl Contribution {
             with_resultants_apart: false,
             strains: Vec::new(),
             beam: beam::Scratch::default(),
+            shell: shell::Scratch::default(),
             load: distributed_load::Scratch::default(),
             user_force: user_force::Scratch::default(),
         }

@@ -11,4 +11,5 @@ pub mod linkages;
 pub mod oscillators;
 pub mod parts;
 pub mod pendulums;
+pub mod shells;
 pub mod small;
