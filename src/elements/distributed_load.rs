@@ -1,14 +1,15 @@
-//! Forces and moments per unit of a beam's reference length.
+//! Forces and moments per unit of a beam's reference length, and of a shell's area or edges.
 //!
-//! They act on the sections between the nodes, whose motion the beam interpolates: the work is done
-//! through the section's turn `A Δρ = Σ N_a C_a Δu_a` (see `beam`), so that a node's share of the
+//! They act on the sections between the nodes, whose motion the element interpolates: the work is
+//! done through the section's turn `A Δρ = Σ N_a C_a Δu_a` (see `beam`), so that a node's share of the
 //! load `w` is `N_a C_aᵀ μ` with `μ = A⁻¹ w`.
 
-use super::beam::{Beam, Station, about_axis, relative_to_first, spread_variation, turned};
+use super::beam::{Beam, about_axis};
+use super::line_station::{LineStation, relative_to_first, spread_variation, turned};
 use super::shape::{gauss_legendre, shape_functions};
-use super::{Contribution, Element, Instant, LoadFrame};
+use super::{Contribution, Element, Instant, LoadFrame, NodeState};
 use crate::error::{Error, Result};
-use crate::motion::{DualMatrix, DualPolar, DualVector, halves, skew};
+use crate::motion::{DualMatrix, DualPolar, DualVector, Motion, halves, skew};
 use nalgebra::{Matrix3, Vector3, Vector6};
 use serde::{Deserialize, Serialize};
 
@@ -34,7 +35,7 @@ impl From<LoadFrame> for BeamLoadFrame {
     }
 }
 
-/// Loads along one beam element, taken together.
+/// Loads along one beam element, taken together; or on a shell.
 ///
 /// Each acts at one quadrature point for each node, with its integral times the point's Lagrange
 /// polynomial, so that however many components and places there are, the beam is interpolated there
@@ -42,7 +43,9 @@ impl From<LoadFrame> for BeamLoadFrame {
 #[derive(Debug, Clone)]
 pub struct DistributedLoad {
     nodes: Vec<usize>,
-    stations: Vec<Station>,
+    /// Frames that are interpolated, in those of the nodes; none if they are these.
+    frames: Vec<Motion>,
+    stations: Vec<LineStation>,
     parts: Vec<LoadPart>,
     /// Axes of the load that was added last: many have the same.
     last_axes: Option<(BeamLoadFrame, Vec<Matrix3<f64>>)>,
@@ -110,9 +113,10 @@ impl DistributedLoad {
         let stations = gauss_legendre(beam.nodes().len());
         Ok(DistributedLoad {
             nodes: beam.nodes().to_vec(),
+            frames: Vec::new(),
             stations: stations
                 .into_iter()
-                .map(|(xi, weight)| beam.station(xi, weight))
+                .map(|(xi, weight)| Ok(beam.station(xi, weight)?.line))
                 .collect::<Result<_>>()?,
             parts: Vec::new(),
             last_axes: None,
@@ -167,21 +171,52 @@ impl DistributedLoad {
             Some((last, axes)) if last == frame => axes,
             _ => self.axes(beam, frame)?,
         };
+        self.add_parts(frame == BeamLoadFrame::Space, signals, &axes, &lengths);
+        self.last_axes = Some((frame, axes));
+        Ok(())
+    }
+
+    /// Adds the components, along `axes` at each station, that stands for so much length or area.
+    fn add_parts(
+        &mut self,
+        in_space: bool,
+        signals: [Option<usize>; 6],
+        axes: &[Matrix3<f64>],
+        sizes: &[f64],
+    ) {
         for (component, signal) in signals.into_iter().enumerate() {
             if let Some(signal) = signal {
                 let unit = Vector6::ith(component, 1.0);
-                let loads = axes.iter().zip(&lengths);
+                let loads = axes.iter().zip(sizes);
                 self.parts.push(LoadPart {
-                    in_space: frame == BeamLoadFrame::Space,
+                    in_space,
                     signal,
                     loads: loads
-                        .map(|(axes, length)| crate::motion::turned(axes, &unit) * *length)
+                        .map(|(axes, size)| crate::motion::turned(axes, &unit) * *size)
                         .collect(),
                 });
             }
         }
-        self.last_axes = Some((frame, axes));
-        Ok(())
+    }
+
+    /// Loads at `stations` between nodes that carry `frames`, along the inertial axes or along
+    /// `axes` at each, which stands for so much length or area.
+    pub(super) fn between(
+        (nodes, frames): (Vec<usize>, Vec<Motion>),
+        stations: Vec<LineStation>,
+        (in_space, axes): (bool, &[Matrix3<f64>]),
+        sizes: &[f64],
+        signals: [Option<usize>; 6],
+    ) -> Self {
+        let mut load = DistributedLoad {
+            nodes,
+            frames,
+            stations,
+            parts: Vec::new(),
+            last_axes: None,
+        };
+        load.add_parts(in_space, signals, axes, sizes);
+        load
     }
 
     /// Axes of a load at each station, in those of the section; in the inertial frame if they are
@@ -191,20 +226,20 @@ impl DistributedLoad {
     /// If the direction of an untwisted beam is along its line.
     pub fn axes(&self, beam: &Beam, frame: BeamLoadFrame) -> Result<Vec<Matrix3<f64>>> {
         let points = gauss_legendre(self.nodes.len());
-        let axes = self.stations.iter().zip(points);
-        axes.map(|(station, (xi, _))| match frame {
+        let turn = |xi: f64| Ok(about_axis(beam.station(xi, 0.0)?.turn));
+        let axes = points.into_iter().map(|(xi, _)| match frame {
             BeamLoadFrame::Space => Ok(Matrix3::identity()),
-            BeamLoadFrame::Follower => Ok(about_axis(station.turn)),
+            BeamLoadFrame::Follower => turn(xi),
             BeamLoadFrame::Untwisted(direction) => {
                 let line = beam.axes_along_line(xi, &direction)?.ok_or_else(|| {
                     let expected = "a direction across the beam, all along it";
                     Error::value("axis_2", expected, "one along it")
                 })?;
                 let section = beam.section_motion(xi, beam.reference())?.rotation;
-                Ok(about_axis(station.turn) * section.tr_mul(&line))
+                Ok(turn(xi)? * section.tr_mul(&line))
             }
-        })
-        .collect()
+        });
+        axes.collect()
     }
 
     /// Writes the loads of all parts at each station.
@@ -270,6 +305,32 @@ impl Element for DistributedLoad {
 }
 
 impl DistributedLoad {
+    /// Writes the motions of the interpolated frames relative to the first, and gives that.
+    fn start(&self, states: &[NodeState], scratch: &mut Scratch) -> Motion {
+        scratch.relative.clear();
+        if self.frames.is_empty() {
+            let motions = states.iter().map(|state| &state.motion);
+            scratch.relative.extend(relative_to_first(motions));
+            return states[0].motion;
+        }
+        let first = states[0].motion.compose(&self.frames[0]);
+        let frames = states.iter().zip(&self.frames);
+        let relative = frames.map(|(state, frame)| {
+            let carried = state.motion.compose(frame);
+            first.relative(&carried).to_dual()
+        });
+        scratch.relative.extend(relative);
+        first
+    }
+
+    /// A force on a frame as one on its node.
+    fn carried(&self, node: usize, force: DualVector) -> DualVector {
+        match self.frames.get(node) {
+            Some(frame) => frame.to_dual() * force,
+            None => force,
+        }
+    }
+
     fn add_to(
         &self,
         instant: &Instant,
@@ -277,10 +338,7 @@ impl DistributedLoad {
         out: &mut Contribution,
     ) -> Result<()> {
         let states = instant.nodes;
-        let first = &states[0].motion;
-        scratch.relative.clear();
-        let motions = states.iter().map(|state| &state.motion);
-        scratch.relative.extend(relative_to_first(motions));
+        let first = self.start(states, scratch);
         self.sum(instant.signals, &mut scratch.loads);
         if out.with_tangents {
             scratch.blocks.clear();
@@ -302,7 +360,7 @@ impl DistributedLoad {
             for (a, (y, shape)) in scratch.relative.iter().zip(station.shapes()).enumerate() {
                 let x = polar.rotation.tr_mul(y);
                 let c = x.trace_minus_transpose() * shape;
-                out.add_force(a, &-(c.transpose() * mu).to_wrench());
+                out.add_force(a, &-self.carried(a, c.transpose() * mu).to_wrench());
                 if out.with_tangents {
                     scratch.terms.push(NodeTerms {
                         shape,
@@ -322,7 +380,12 @@ impl DistributedLoad {
                 let mut k = -block.dual.to_stiffness_matrix();
                 let mut moments = k.fixed_view_mut::<3, 3>(3, 0);
                 moments += block.rest;
-                out.add_stiffness(place / count, place % count, &k);
+                let (a, b) = (place / count, place % count);
+                if let (Some(row), Some(column)) = (self.frames.get(a), self.frames.get(b)) {
+                    let [row, column] = [row, column].map(|frame| frame.inverse().adjoint());
+                    k = row.tr_mul(&k) * column;
+                }
+                out.add_stiffness(a, b, &k);
             }
         }
         Ok(())

@@ -10,6 +10,7 @@ mod damper;
 mod distributed_load;
 mod inertia;
 mod joint;
+mod line_station;
 mod load;
 mod mass_damping;
 mod raised;
@@ -17,6 +18,7 @@ mod relative;
 mod renumbered;
 mod section;
 mod shape;
+mod shell;
 #[cfg(test)]
 mod tangent_test;
 mod user_force;
@@ -39,6 +41,10 @@ pub use relative::{Coordinate, JointKind, RelativeMotion, ScalarFunction};
 pub use renumbered::Renumbered;
 pub use section::{Section, SectionLine};
 pub use shape::{gauss_legendre, lobatto_points, shape_functions};
+pub use shell::{
+    IsotropicShell, Matrix12, NodeGrid, Shell, ShellFrames, ShellLoadPlace, ShellSection, Vector12,
+    element_frames,
+};
 pub use user_force::{
     NodeForceFunction, NodeForceInput, NodeForceLaw, NodeForceOutput, Tangent, TangentPairs,
     UserForce,
@@ -189,6 +195,8 @@ pub struct Contribution {
     pub strains: Vec<StrainTangent>,
     /// Scratch of the beam kernel.
     beam: beam::Scratch,
+    /// Scratch of the shell kernel.
+    shell: shell::Scratch,
     /// Scratch of loads along beams.
     load: distributed_load::Scratch,
     /// Scratch of user's forces.
@@ -212,6 +220,7 @@ impl Contribution {
             with_resultants_apart: false,
             strains: Vec::new(),
             beam: beam::Scratch::default(),
+            shell: shell::Scratch::default(),
             load: distributed_load::Scratch::default(),
             user_force: user_force::Scratch::default(),
         }

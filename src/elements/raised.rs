@@ -5,7 +5,8 @@
 //! element by element, and what holds them there are forces on the coarse nodes, which is how much
 //! the coarse equations are wrong. See docs/theory.md, section 10.5.
 
-use super::beam::{Beam, Station, about_axis, relative_to_first};
+use super::beam::{Beam, Station, about_axis};
+use super::line_station::relative_to_first;
 use super::shape::lobatto_points;
 use super::{Contribution, Element, NodeState};
 use crate::error::Result;
@@ -56,7 +57,7 @@ impl Raised {
     pub fn motions(&self, motions: &[Motion]) -> Result<Vec<Motion>> {
         let relative: Vec<_> = relative_to_first(motions.iter()).collect();
         let at = |station: &Station| {
-            let here = motions[0].compose(&station.polar(&relative)?.motion());
+            let here = motions[0].compose(&station.line.polar(&relative)?.motion());
             let rotation = here.rotation * about_axis(station.turn);
             Ok(Motion::new(rotation, here.position))
         };
@@ -100,8 +101,11 @@ impl Raised {
             let turn = about_axis(station.turn);
             let force: Vector6<f64> = forces.fixed_rows::<6>(6 * i).into_owned();
             let force = DualVector::from_wrench(&turned(&turn, &force));
-            let at = station.motion(&relative)?;
-            for (a, node) in at.node_terms(station.places(&at, &relative)).enumerate() {
+            let at = station.line.motion(&relative)?;
+            for (a, node) in at
+                .node_terms(station.line.places(&at, &relative))
+                .enumerate()
+            {
                 let mut rows = sums.fixed_rows_mut::<6>(6 * a);
                 rows += (node.turn.transpose() * force).to_wrench();
             }

@@ -81,6 +81,92 @@ struct Case {
     coordinates: Vec<f64>,
 }
 
+/// Shells of several sides, curved and twisted in the reference and bent, with full laws, on nodes
+/// that are turned and beside the surface, however.
+fn shell_cases(
+    random: &mut Random,
+    states: &impl Fn(Vec<Motion>, &mut Random) -> Vec<NodeState>,
+    cases: &mut Vec<Case>,
+) {
+    let law = |random: &mut Random, scale: f64| {
+        let m = Matrix12::from_fn(|_, _| random.next());
+        (m * m.transpose() + Matrix12::identity()) * scale
+    };
+    for sides in [[2, 2], [2, 3], [3, 2], [3, 3], [4, 3]] {
+        let start = random.motion();
+        let grid = NodeGrid::new(sides);
+        let mut surface = |bend: f64| -> Vec<Motion> {
+            let bends = [
+                random.vector() * bend,
+                random.vector() * bend,
+                random.vector() * bend,
+            ];
+            let at = |[x, y]: [f64; 2]| {
+                let flat = Vector6::new(0.7 * x, 0.6 * y, 0.0, 0.0, 0.0, 0.0);
+                start.increment(&(flat + bends[0] * x + bends[1] * y + bends[2] * (x * y)))
+            };
+            grid.places().map(at).collect()
+        };
+        let (reference, deformed) = (surface(0.2), surface(0.3));
+        let frames: Vec<Motion> = reference.iter().map(|_| random.motion()).collect();
+        let on_nodes = |surface: Vec<Motion>| -> Vec<Motion> {
+            let both = surface.iter().zip(&frames);
+            both.map(|(m, frame)| m.compose(&frame.inverse())).collect()
+        };
+        let (reference, deformed) = (on_nodes(reference), on_nodes(deformed));
+        let deformed: Vec<Motion> = deformed
+            .iter()
+            .map(|m| m.increment(&(random.vector() * 0.1)))
+            .collect();
+        let states = states(deformed, random);
+        let section = ShellSection {
+            stiffness: law(random, 7.0),
+            damping: law(random, 0.3),
+            mass: random.positive_definite(),
+        };
+        for damped in [true, false] {
+            let damping = section.damping * f64::from(u8::from(damped));
+            let section = ShellSection { damping, ..section };
+            let nodes = ((0..grid.count()).collect(), sides);
+            let motions = (reference.clone(), frames.clone());
+            let shell = Shell::new(nodes, motions, section, None).unwrap();
+            let mut add = |name: &str, element: Box<dyn Element>| {
+                cases.push(Case {
+                    name: format!("{name}, {sides:?} nodes, damped {damped}"),
+                    element,
+                    states: states.clone(),
+                    coordinates: vec![],
+                });
+            };
+            add("shell inertia", Box::new(shell.inertia().unwrap()));
+            for frame in [LoadFrame::Space, LoadFrame::Follower] {
+                let signals = [0, 1, 2, 3, 4, 5].map(Some);
+                let surface = shell.load(ShellLoadPlace::Surface, frame, signals);
+                let name = format!("shell load {frame:?}");
+                add(&name, Box::new(surface.unwrap()));
+            }
+            for edge in 0..4 {
+                let signals = [0, 1, 2, 3, 4, 5].map(Some);
+                let load = shell.load(ShellLoadPlace::Edge(edge), LoadFrame::Follower, signals);
+                let load = load.unwrap();
+                let of_edge = load.nodes().iter().map(|&node| states[node]).collect();
+                cases.push(Case {
+                    name: format!("load on edge {edge}, {sides:?} nodes"),
+                    element: Box::new(load),
+                    states: of_edge,
+                    coordinates: vec![],
+                });
+            }
+            cases.push(Case {
+                name: format!("shell, {sides:?} nodes, damped {damped}"),
+                element: Box::new(shell),
+                states: states.clone(),
+                coordinates: vec![],
+            });
+        }
+    }
+}
+
 fn cases() -> Vec<Case> {
     let mut random = Random(42);
     let mut cases = Vec::new();
@@ -167,6 +253,8 @@ fn cases() -> Vec<Case> {
             });
         }
     }
+
+    shell_cases(&mut Random(11), &states, &mut cases);
 
     // Every joint, and what attaches to its coordinates, between two nodes or a node and the
     // ground.

@@ -2,7 +2,7 @@
 
 use super::Model;
 use super::validation::{require_motion, require_positive};
-use crate::elements::{Beam, Element, Inertia};
+use crate::elements::{Beam, Element, Inertia, Shell};
 use crate::error::{Error, ErrorKind, Result, require_finite};
 use crate::motion::Motion;
 use nalgebra::{Matrix3, Matrix6, Vector3};
@@ -15,6 +15,8 @@ use std::sync::Arc;
 pub enum InertiaDefinition {
     /// The next beam element whose sections have mass.
     Beam,
+    /// The next shell element with mass.
+    Shell,
     /// A rigid body on a node.
     Body {
         /// The node.
@@ -35,7 +37,7 @@ impl InertiaDefinition {
     /// The inertia of a body, with its factor.
     pub(super) fn of_body(&self) -> Option<Matrix6<f64>> {
         match self {
-            InertiaDefinition::Beam => None,
+            InertiaDefinition::Beam | InertiaDefinition::Shell => None,
             InertiaDefinition::Body { matrix, factor, .. } => Some(**matrix * *factor),
         }
     }
@@ -148,20 +150,26 @@ impl Model {
         });
     }
 
-    /// The inertias of bodies and of beam elements, with the elements of these.
+    /// The inertias of bodies and of beam and shell elements, with the elements of these.
     ///
     /// # Errors
     /// If a beam is too distorted, or there is one with mass too few.
-    pub(crate) fn inertia_elements(&self, beams: &[Arc<Beam>]) -> Result<Vec<Inertia>> {
+    pub(crate) fn inertia_elements(
+        &self,
+        beams: &[Arc<Beam>],
+        shells: &[Arc<Shell>],
+    ) -> Result<Vec<Inertia>> {
         let mut massive = beams.iter().filter(|beam| beam.has_mass());
+        let mut massive_shells = shells.iter().filter(|shell| shell.has_mass());
+        let too_many = || Error::size("inertias", "as many as beams and shells with mass", "more");
         let element = |inertia: &InertiaDefinition| match inertia {
             InertiaDefinition::Beam => match massive.next() {
                 Some(beam) => beam.inertia(),
-                None => Err(Error::size(
-                    "inertias",
-                    "as many as beams with mass",
-                    "more",
-                )),
+                None => Err(too_many()),
+            },
+            InertiaDefinition::Shell => match massive_shells.next() {
+                Some(shell) => shell.inertia(),
+                None => Err(too_many()),
             },
             InertiaDefinition::Body {
                 node,
@@ -180,7 +188,7 @@ impl Model {
     /// # Errors
     /// If a beam is too distorted, or [`ErrorKind::Overflow`].
     pub fn mass_and_moment(&self) -> Result<(f64, Vector3<f64>)> {
-        let inertias = self.inertia_elements(&self.beam_elements()?)?;
+        let inertias = self.inertia_elements(&self.beam_elements()?, &self.shell_elements()?)?;
         let mut total = (0.0, Vector3::zeros());
         for inertia in inertias {
             let motions: Vec<Motion> = inertia.nodes().iter().map(|&n| self.nodes[n]).collect();

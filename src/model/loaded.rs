@@ -8,7 +8,7 @@ use crate::motion::{Motion, is_rotation};
 /// How far `RᵀR` may be from the identity: all rotations were clean when they were saved.
 const ROTATION_TOLERANCE: f64 = 1e-9;
 
-fn require_motion(name: &str, motion: &Motion) -> Result<()> {
+pub(super) fn require_clean_motion(name: &str, motion: &Motion) -> Result<()> {
     require_finite(name, motion.position.as_slice())?;
     require_finite(name, motion.rotation.as_slice())?;
     if is_rotation(&motion.rotation, ROTATION_TOLERANCE) {
@@ -29,7 +29,7 @@ impl Model {
             ..Model::new()
         };
         for (id, node) in model.nodes.iter().enumerate() {
-            require_motion(&format!("node {id}"), node)?;
+            require_clean_motion(&format!("node {id}"), node)?;
         }
         for beam in self.beams {
             Self::require_element_size("nodes", beam.nodes.len())?;
@@ -38,6 +38,9 @@ impl Model {
             require_finite("factors", &beam.factors)?;
             model.element_of(&beam)?;
             model.beams.push(beam);
+        }
+        for shell in self.shells {
+            model.take_shell(shell)?;
         }
         for inertia in self.inertias {
             if let InertiaDefinition::Body { node, factor, .. } = &inertia {
@@ -68,6 +71,9 @@ impl Model {
         for load in self.distributed_loads {
             model.add_distributed_load(load)?;
         }
+        for load in self.shell_loads {
+            model.add_shell_load(load)?;
+        }
         require_finite("mass_damping", &[model.mass_damping])?;
         for parameter in self.parameters {
             model.take_parameter(parameter)?;
@@ -80,7 +86,7 @@ impl Model {
             if let Some(node) = attachment.node {
                 self.require_node("joint", node)?;
             }
-            require_motion("frame", &attachment.offset)?;
+            require_clean_motion("frame", &attachment.offset)?;
         }
         Ok(())
     }

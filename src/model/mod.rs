@@ -13,7 +13,11 @@ mod loaded;
 mod parameter;
 mod raised;
 mod section;
+mod shell;
+mod shell_load;
+mod shell_mesh;
 mod signal;
+mod surface;
 mod user_function;
 mod validation;
 
@@ -25,7 +29,11 @@ pub use line::{circular_arc, smooth_curve, straight_line};
 pub use load::{DistributedLoadDefinition, LoadDefinition, LoadPlace};
 pub use parameter::{Parameter, SignalPart, SignalPlace, Target};
 pub use section::SectionInput;
+pub use shell::{ShellDefinition, ShellPlacement};
+pub use shell_load::ShellLoadDefinition;
+pub use shell_mesh::{PatchEdge, ShellMesh, ShellPatch};
 pub use signal::{BoundSignal, Signal};
+pub use surface::{annulus_sector, cylinder, rectangle};
 pub use user_function::UserFunction;
 pub(crate) use user_function::absent;
 
@@ -39,6 +47,8 @@ use validation::require_rotation;
 pub struct Model {
     pub(crate) nodes: Vec<Motion>,
     pub(crate) beams: Vec<BeamDefinition>,
+    #[serde(default)]
+    pub(crate) shells: Vec<ShellDefinition>,
     /// In the order in which they were described.
     #[serde(deserialize_with = "inertia::saved")]
     pub(crate) inertias: Vec<InertiaDefinition>,
@@ -47,6 +57,8 @@ pub struct Model {
     pub(crate) prescribed: Vec<(JointCoordinate, Signal)>,
     pub(crate) loads: Vec<LoadDefinition>,
     pub(crate) distributed_loads: Vec<DistributedLoadDefinition>,
+    #[serde(default)]
+    pub(crate) shell_loads: Vec<ShellLoadDefinition>,
     pub(crate) gravity: Option<[Signal; 3]>,
     /// Force against motion for a unit of momentum.
     #[serde(default)]

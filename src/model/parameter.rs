@@ -18,6 +18,8 @@ pub enum SignalPlace {
     Load(usize, usize),
     /// Of a component of a load along beams, in the order in which these were added.
     DistributedLoad(usize, usize),
+    /// Of a component of a load on shells, in the order in which these were added.
+    ShellLoad(usize, usize),
     /// Of a component of gravity.
     Gravity(usize),
 }
@@ -56,6 +58,12 @@ pub enum Target {
     BeamMass(usize),
     /// Factor of the sections' damping along a beam element.
     BeamDamping(usize),
+    /// Factor of the stiffness of a shell element.
+    ShellStiffness(usize),
+    /// Factor of the mass of a shell element.
+    ShellMass(usize),
+    /// Factor of the damping of a shell element.
+    ShellDamping(usize),
     /// Damping in proportion to mass, see [`Model::set_mass_damping`].
     MassDamping,
 }
@@ -78,6 +86,9 @@ impl Target {
                 | Target::BeamStiffness(_)
                 | Target::BeamMass(_)
                 | Target::BeamDamping(_)
+                | Target::ShellStiffness(_)
+                | Target::ShellMass(_)
+                | Target::ShellDamping(_)
         )
     }
 }
@@ -212,6 +223,9 @@ impl Model {
                 } = &self.beams[element];
                 sections.scaled(factors).validate()
             }
+            Target::ShellStiffness(element)
+            | Target::ShellMass(element)
+            | Target::ShellDamping(element) => self.shells[element].require_finite(),
             _ => Ok(()),
         }
     }
@@ -318,8 +332,11 @@ impl Model {
         let loads = components(self.loads.len()).map(|(l, c)| SignalPlace::Load(l, c));
         let along = components(self.distributed_loads.len());
         let along = along.map(|(l, c)| SignalPlace::DistributedLoad(l, c));
+        let on_shells = components(self.shell_loads.len());
+        let on_shells = on_shells.map(|(l, c)| SignalPlace::ShellLoad(l, c));
         let gravity = (0..3).map(SignalPlace::Gravity);
-        let all = actuators.chain(prescribed).chain(loads).chain(along);
+        let loads = loads.chain(along).chain(on_shells);
+        let all = actuators.chain(prescribed).chain(loads);
         all.chain(gravity).collect()
     }
 
@@ -334,6 +351,9 @@ impl Model {
             SignalPlace::DistributedLoad(load, c) => {
                 let load = self.distributed_loads.get(load)?;
                 load.components.get(c)?.as_ref()
+            }
+            SignalPlace::ShellLoad(load, c) => {
+                self.shell_loads.get(load)?.components.get(c)?.as_ref()
             }
             SignalPlace::Gravity(c) => self.gravity.as_ref()?.get(c),
         }
@@ -351,6 +371,10 @@ impl Model {
             SignalPlace::Load(load, c) => self.loads.get_mut(load)?.components.get_mut(c)?.as_mut(),
             SignalPlace::DistributedLoad(load, c) => {
                 let load = self.distributed_loads.get_mut(load)?;
+                load.components.get_mut(c)?.as_mut()
+            }
+            SignalPlace::ShellLoad(load, c) => {
+                let load = self.shell_loads.get_mut(load)?;
                 load.components.get_mut(c)?.as_mut()
             }
             SignalPlace::Gravity(c) => self.gravity.as_mut()?.get_mut(c),
@@ -393,13 +417,16 @@ impl Model {
                     .iter_mut()
                     .filter_map(|inertia| match inertia {
                         InertiaDefinition::Body { factor, .. } => Some(factor),
-                        InertiaDefinition::Beam => None,
+                        InertiaDefinition::Beam | InertiaDefinition::Shell => None,
                     });
                 bodies.nth(body)
             }
             Target::BeamStiffness(element) => Some(&mut self.beams.get_mut(element)?.factors[0]),
             Target::BeamMass(element) => Some(&mut self.beams.get_mut(element)?.factors[1]),
             Target::BeamDamping(element) => Some(&mut self.beams.get_mut(element)?.factors[2]),
+            Target::ShellStiffness(element) => Some(&mut self.shells.get_mut(element)?.factors[0]),
+            Target::ShellMass(element) => Some(&mut self.shells.get_mut(element)?.factors[1]),
+            Target::ShellDamping(element) => Some(&mut self.shells.get_mut(element)?.factors[2]),
             Target::MassDamping => Some(&mut self.mass_damping),
         }
     }
@@ -417,6 +444,7 @@ fn describe(place: SignalPlace) -> String {
         SignalPlace::Prescribed(index) => format!("prescribed coordinate {index}"),
         SignalPlace::Load(load, _) => format!("load {load}"),
         SignalPlace::DistributedLoad(load, _) => format!("load {load} along beams"),
+        SignalPlace::ShellLoad(load, _) => format!("load {load} on shells"),
         SignalPlace::Gravity(_) => "gravity".into(),
     }
 }

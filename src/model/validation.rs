@@ -3,12 +3,12 @@
 use super::Model;
 use crate::error::{Error, ErrorKind, Result, require_finite};
 use crate::motion::{Motion, is_rotation};
-use nalgebra::{Matrix3, Matrix6, Vector3};
+use nalgebra::{DMatrix, Matrix3, SMatrix, Vector3};
 
 /// How far `RᵀR` may be from the identity: input written with 9 digits passes, and is then cleaned.
 const ROTATION_TOLERANCE: f64 = 1e-8;
 
-fn require_symmetric(name: &str, m: &Matrix6<f64>) -> Result<()> {
+fn require_symmetric<const N: usize>(name: &str, m: &SMatrix<f64, N, N>) -> Result<()> {
     require_finite(name, m.as_slice())?;
     let asymmetry = (m - m.transpose()).amax();
     if asymmetry > 1e-9 * m.amax() {
@@ -22,19 +22,21 @@ fn require_symmetric(name: &str, m: &Matrix6<f64>) -> Result<()> {
 }
 
 /// Smallest eigenvalue after scaling to a unit diagonal, so that it does not depend on units.
-pub(super) fn smallest_scaled_eigenvalue(m: &Matrix6<f64>) -> f64 {
+pub(super) fn smallest_scaled_eigenvalue<const N: usize>(m: &SMatrix<f64, N, N>) -> f64 {
     let scale = m
         .diagonal()
         .map(|d| if d == 0.0 { 1.0 } else { 1.0 / d.abs().sqrt() });
-    let scale = Matrix6::from_diagonal(&scale);
-    (scale * m * scale).symmetric_eigenvalues().min()
+    let scale = SMatrix::from_diagonal(&scale);
+    let scaled: SMatrix<f64, N, N> = scale * m * scale;
+    let scaled = DMatrix::from_column_slice(N, N, scaled.as_slice());
+    scaled.symmetric_eigenvalues().min()
 }
 
-pub(super) fn require_positive(
+pub(super) fn require_positive<const N: usize>(
     name: &str,
-    m: &Matrix6<f64>,
+    m: &SMatrix<f64, N, N>,
     definite: bool,
-) -> Result<Matrix6<f64>> {
+) -> Result<SMatrix<f64, N, N>> {
     require_symmetric(name, m)?;
     let smallest = smallest_scaled_eigenvalue(m);
     let (wrong, expected) = if definite {

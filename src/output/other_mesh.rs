@@ -133,7 +133,10 @@ impl Solution {
             };
             let kept = !matches!(
                 placed.role,
-                ElementRole::Beam(_) | ElementRole::Inertia | ElementRole::MassDamping
+                ElementRole::Beam(_)
+                    | ElementRole::Shell(_)
+                    | ElementRole::Inertia
+                    | ElementRole::MassDamping
             );
             if let Some(other) = old.elements().iter().find(is_same).filter(|_| kept) {
                 for k in 0..points {

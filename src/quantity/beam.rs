@@ -117,9 +117,10 @@ impl Neighbours {
             let nodes = placed.element.nodes();
             let along_beam = match placed.role {
                 ElementRole::Beam(_) => true,
-                ElementRole::Inertia | ElementRole::Load | ElementRole::MassDamping => {
-                    nodes.len() > 1
-                }
+                ElementRole::Inertia
+                | ElementRole::Shell(_)
+                | ElementRole::Load
+                | ElementRole::MassDamping => nodes.len() > 1,
                 _ => false,
             };
             if !along_beam {

@@ -75,12 +75,18 @@ impl<'a> Builder<'a> {
         }
         require_positive_number("period", regime.period())?;
         let moved = model.parameters().iter().any(Parameter::moves_bodies);
-        let (beams, inertias) = match like.filter(|_| !moved) {
-            Some(like) => (like.beams.clone(), like.inertias.clone()),
+        let (beams, shells, inertias) = match like.filter(|_| !moved) {
+            Some(like) => (
+                like.beams.clone(),
+                like.shells.clone(),
+                like.inertias.clone(),
+            ),
             None => {
                 let beams = model.beam_elements()?;
-                let inertias = model.inertia_elements(&beams)?;
-                (beams, inertias.into_iter().map(Arc::new).collect())
+                let shells = model.shell_elements()?;
+                let inertias = model.inertia_elements(&beams, &shells)?;
+                let inertias = inertias.into_iter().map(Arc::new).collect();
+                (beams, shells, inertias)
             }
         };
         let system = System {
@@ -93,6 +99,7 @@ impl<'a> Builder<'a> {
             gravity: None,
             inertias,
             beams,
+            shells,
             joints: model.joints.iter().map(JointDefinition::element).collect(),
             counted_turns: Vec::new(),
             turning: None,
@@ -163,6 +170,9 @@ impl<'a> Builder<'a> {
         for (index, beam) in system.beams.clone().into_iter().enumerate() {
             system.place(beam, ElementRole::Beam(index));
         }
+        for (index, shell) in system.shells.clone().into_iter().enumerate() {
+            system.place(shell, ElementRole::Shell(index));
+        }
         for (index, joint) in system.joints.clone().into_iter().enumerate() {
             system.place(Arc::new(joint), ElementRole::Joint(index));
         }
@@ -211,6 +221,14 @@ impl<'a> Builder<'a> {
             let place = format!("load along beam elements {:?}", load.range());
             let numbers = self.add_components(&load.components, &place)?;
             load.add_to(&mut along, &self.system.beams, numbers)?;
+        }
+        for load in &self.model.shell_loads {
+            let place = format!("load on shell elements {:?}", load.range());
+            let numbers = self.add_components(&load.components, &place)?;
+            for shell in &self.system.shells.clone()[load.range()] {
+                let element = shell.load(load.place, load.frame, numbers)?;
+                self.system.place(Arc::new(element), ElementRole::Load);
+            }
         }
         for element in along.into_values().filter(|load| !load.is_empty()) {
             self.system.place(Arc::new(element), ElementRole::Load);

@@ -247,7 +247,7 @@ impl System {
         let mut hangs = vec![false; self.nodes()];
         hangs[start] = true;
         let connects = |placed: &&Placed| match placed.role {
-            ElementRole::Beam(_) => true,
+            ElementRole::Beam(_) | ElementRole::Shell(_) => true,
             ElementRole::Joint(joint) => joint != without,
             _ => false,
         };

@@ -123,6 +123,7 @@ impl System {
             .evaluate(&instant, out)
             .map_err(|e| match placed.role {
                 ElementRole::Beam(index) => e.within(format!("beam element {index}")),
+                ElementRole::Shell(index) => e.within(format!("shell element {index}")),
                 ElementRole::Force(index) => e.within(format!("force {index}")),
                 _ => e,
             })?;

@@ -1,4 +1,4 @@
-//! Mass, centre and inertia of bodies and beams.
+//! Mass, centre and inertia of bodies, beams and shells.
 
 use super::System;
 use crate::elements::Element;
@@ -14,6 +14,8 @@ pub struct MassProperties {
     pub nodes: Vec<usize>,
     /// Number of its beam elements.
     pub beam_elements: usize,
+    /// Number of its shell elements.
+    pub shell_elements: usize,
     /// Mass.
     pub mass: f64,
     /// Centre of mass, in the inertial frame.
@@ -34,14 +36,11 @@ impl MassProperties {
         }
         let of = |(member, inertia): (usize, Matrix6<f64>)| {
             let nodes = (0..members.len()).filter(|&n| members[n] == member);
-            let beams = system.beams.iter();
-            Self::about_centre(
-                nodes.collect(),
-                beams
-                    .filter(|beam| members[beam.nodes()[0]] == member)
-                    .count(),
-                &inertia,
-            )
+            let is_of = |nodes: &[usize]| members[nodes[0]] == member;
+            let beams = system.beams.iter().filter(|beam| is_of(beam.nodes()));
+            let shells = system.shells.iter().filter(|shell| is_of(shell.nodes()));
+            let elements = [beams.count(), shells.count()];
+            Self::about_centre(nodes.collect(), elements, &inertia)
         };
         about_origin.into_iter().filter_map(of).collect()
     }
@@ -49,7 +48,7 @@ impl MassProperties {
     /// From the 6×6 inertia about the origin; none without mass.
     fn about_centre(
         nodes: Vec<usize>,
-        beam_elements: usize,
+        [beam_elements, shell_elements]: [usize; 2],
         inertia: &Matrix6<f64>,
     ) -> Option<Self> {
         let mass = inertia.fixed_view::<3, 3>(0, 0).trace() / 3.0;
@@ -67,6 +66,7 @@ impl MassProperties {
         (mass > 0.0).then(|| MassProperties {
             nodes,
             beam_elements,
+            shell_elements,
             mass,
             centre,
             inertia: about_origin + mass * c * c,
@@ -106,6 +106,9 @@ impl fmt::Display for MassProperties {
         }
         if self.beam_elements > 0 {
             write!(f, ", {} beam elements", self.beam_elements)?;
+        }
+        if self.shell_elements > 0 {
+            write!(f, ", {} shell elements", self.shell_elements)?;
         }
         let j = &self.inertia;
         let size = j.amax();

@@ -30,7 +30,7 @@ pub use repetition::{require_periodic_forces, require_reproducible_forces};
 pub use scales::Scales;
 pub use summary::Summary;
 
-use crate::elements::{Beam, Element, Inertia, Joint, Unknown};
+use crate::elements::{Beam, Element, Inertia, Joint, Shell, Unknown};
 use crate::model::JointCoordinate;
 use crate::motion::Motion;
 use crate::workers::Workers;
@@ -42,10 +42,12 @@ use std::sync::Arc;
 /// What an element stands for, to name it in messages.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum ElementRole {
-    /// Inertia of a body or a beam element.
+    /// Inertia of a body, or of a beam or shell element.
     Inertia,
     /// Beam element of this index.
     Beam(usize),
+    /// Shell element of this index.
+    Shell(usize),
     /// Joint of this index.
     Joint(usize),
     /// Prescribed coordinate of this index.
@@ -90,6 +92,7 @@ pub struct System {
     gravity: Option<[usize; 3]>,
     inertias: Vec<Arc<Inertia>>,
     beams: Vec<Arc<Beam>>,
+    shells: Vec<Arc<Shell>>,
     joints: Vec<Joint>,
     /// Signals that prescribe angles whose whole turns matter, as they turn a screw.
     counted_turns: Vec<usize>,
@@ -152,7 +155,7 @@ impl System {
         self.own_unknowns.len()
     }
 
-    /// The inertias of bodies and beams.
+    /// The inertias of bodies, beams and shells.
     pub fn inertias(&self) -> &[Arc<Inertia>] {
         &self.inertias
     }
@@ -160,6 +163,11 @@ impl System {
     /// The beam elements.
     pub fn beams(&self) -> &[Arc<Beam>] {
         &self.beams
+    }
+
+    /// The shell elements.
+    pub fn shells(&self) -> &[Arc<Shell>] {
+        &self.shells
     }
 
     /// The joints.

@@ -17,6 +17,8 @@ pub struct Summary {
     pub nodes: usize,
     /// Number of beam elements.
     pub beam_elements: usize,
+    /// Number of shell elements.
+    pub shell_elements: usize,
     /// Number of joints, those without constraints too.
     pub joints: usize,
     /// Number of prescribed joint coordinates.
@@ -27,7 +29,7 @@ pub struct Summary {
     pub redundant: usize,
     /// Degrees of freedom: six for each node, less the independent constraints.
     pub freedoms: usize,
-    /// Rigid members: bodies, and beams each taken as one rigid body.
+    /// Rigid members: bodies, and beams and shells each taken as one rigid body.
     pub members: usize,
     /// Freedoms that are left if all members are rigid.
     pub mobility: usize,
@@ -39,7 +41,7 @@ pub struct Summary {
     pub mass: f64,
     /// Centre of mass, in the inertial frame; zero without mass.
     pub centre: Vector3<f64>,
-    /// Mass, centre and inertia of each body and beam that has mass.
+    /// Mass, centre and inertia of each body, beam and shell that has mass.
     pub mass_properties: Vec<MassProperties>,
     /// Stations of sections inside beam elements: these are integrated from each to the next, but
     /// what bends or twists more from one on is smooth in the element.
@@ -69,6 +71,7 @@ impl Summary {
         Ok(Summary {
             nodes: system.nodes(),
             beam_elements: model.beams.len(),
+            shell_elements: model.shells.len(),
             joints: model.joints.len(),
             prescribed: model.prescribed.len(),
             constraints,
@@ -101,11 +104,15 @@ const WRITTEN: usize = 40;
 
 impl fmt::Display for Summary {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let shells = match self.shell_elements {
+            0 => String::new(),
+            count => format!(" {count} shell elements,"),
+        };
         writeln!(f, "Model:")?;
         writeln!(
             f,
-            "  {} nodes, {} beam elements, {} joints, {} prescribed coordinates",
-            self.nodes, self.beam_elements, self.joints, self.prescribed
+            "  {} nodes, {} beam elements,{} {} joints, {} prescribed coordinates",
+            self.nodes, self.beam_elements, shells, self.joints, self.prescribed
         )?;
         writeln!(
             f,
@@ -147,11 +154,11 @@ impl fmt::Display for Summary {
     }
 }
 
-/// For each node, the node that represents its member: beams are taken as rigid.
+/// For each node, the node that represents its member: beams and shells are taken as rigid.
 fn rigid_members(system: &System) -> Vec<usize> {
     let mut members = Partition::new(system.nodes());
     for placed in system.elements() {
-        if matches!(placed.role, ElementRole::Beam(_)) {
+        if matches!(placed.role, ElementRole::Beam(_) | ElementRole::Shell(_)) {
             for pair in placed.element.nodes().windows(2) {
                 members.join(pair[0], pair[1]);
             }

@@ -66,7 +66,7 @@ fn warn_of_parts(parts: &[Option<usize>], warnings: &mut Vec<String>) {
 fn holds(model: &Model, placed: &Placed) -> bool {
     match placed.role {
         ElementRole::Inertia | ElementRole::Load | ElementRole::MassDamping => false,
-        ElementRole::Beam(_) | ElementRole::Prescribed(_) => true,
+        ElementRole::Beam(_) | ElementRole::Shell(_) | ElementRole::Prescribed(_) => true,
         ElementRole::Joint(index) => model.joints[index].kind.constraints() > 0,
         ElementRole::Force(index) => match &model.forces[index] {
             ForceDefinition::SpringDamper { stiffness, .. } => stiffness.iter().any(|&k| k != 0.0),
@@ -155,7 +155,10 @@ fn warn_of_missing_joints(
 fn warn_of_bare_nodes(system: &System, warnings: &mut Vec<String>) {
     let mut bare = vec![true; system.nodes()];
     for placed in system.elements() {
-        if matches!(placed.role, ElementRole::Inertia | ElementRole::Beam(_)) {
+        if matches!(
+            placed.role,
+            ElementRole::Inertia | ElementRole::Beam(_) | ElementRole::Shell(_)
+        ) {
             for &node in placed.element.nodes() {
                 bare[node] = false;
             }
@@ -165,7 +168,7 @@ fn warn_of_bare_nodes(system: &System, warnings: &mut Vec<String>) {
     if !bare.is_empty() {
         let verb = if bare.len() == 1 { "has" } else { "have" };
         warnings.push(format!(
-            "{} {verb} neither inertia nor a beam",
+            "{} {verb} neither inertia nor a beam or shell",
             name_all("node", &bare)
         ));
     }

@@ -12,4 +12,5 @@ pub mod oscillators;
 pub mod parts;
 pub mod pendulums;
 pub mod sharp;
+pub mod shells;
 pub mod small;

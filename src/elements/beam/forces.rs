@@ -2,8 +2,11 @@
 
 use super::Beam;
 use super::law::CoupledLaw;
-use super::station::{NodePlace, NodeTerms, Station, StationMotion, relative_to_first};
-use super::variations::{SecondTerms, geometric_stiffness, rate_variations, second_variations};
+use super::station::Station;
+use crate::elements::line_station::{
+    NodePlace, NodeTerms, SecondTerms, StationMotion, geometric_stiffness, rate_variations,
+    relative_to_first, second_variations,
+};
 use crate::elements::{Contribution, Element, Instant, NodeState, StrainTangent, StressLaw};
 use crate::error::Result;
 use crate::motion::{DualMatrix, DualVector, product};
@@ -44,8 +47,8 @@ impl Scratch {
 
     /// Appends the places of the nodes seen from a station.
     fn add_places(&mut self, station: &Station) -> Result<StationMotion> {
-        let at = station.motion(&self.relative)?;
-        self.places.extend(station.places(&at, &self.relative));
+        let at = station.line.motion(&self.relative)?;
+        self.places.extend(station.line.places(&at, &self.relative));
         Ok(at)
     }
 
@@ -161,6 +164,11 @@ impl Element for Beam {
     }
 }
 
+/// The nodes' velocities.
+fn twists_of(states: &[NodeState]) -> impl Fn(usize) -> DualVector {
+    |a| DualVector::from_twist(&states[a].twist)
+}
+
 /// Whether strain rates matter, and whether they vary with the motion.
 #[derive(Debug, Clone, Copy)]
 struct Damping {
@@ -178,9 +186,12 @@ impl Beam {
             let (e, rate) = if has_rates {
                 scratch.forget_station();
                 let at = scratch.add_places(station)?;
-                (at.e, at.strain_rate(&scratch.places, states))
+                (at.e, at.strain_rate(&scratch.places, twists_of(states)))
             } else {
-                (station.motion(&scratch.relative)?.e, DualVector::zeros())
+                (
+                    station.line.motion(&scratch.relative)?.e,
+                    DualVector::zeros(),
+                )
             };
             scratch.strains.push(e.to_twist() - station.reference);
             scratch.rates.push(rate.to_twist());
@@ -199,9 +210,9 @@ impl Beam {
         scratch.forget_station();
         let at = scratch.add_places(station)?;
         scratch.add_terms(&at);
-        let rate = at.strain_rate(&scratch.places, states);
+        let rate = at.strain_rate(&scratch.places, twists_of(states));
         if self.damping(states).rates_vary {
-            let twist = |a: usize| DualVector::from_twist(&states[a].twist);
+            let twist = twists_of(states);
             rate_variations(&at, &rate, twist, &scratch.places, &mut scratch.terms);
         }
         Ok((at.e, rate))
@@ -238,7 +249,7 @@ impl Beam {
             let mut stress = product(&section.stiffness, &station.strain(&at.e));
             let mut rate = DualVector::zeros();
             if self.damped {
-                rate = at.strain_rate(&scratch.places, states);
+                rate = at.strain_rate(&scratch.places, twists_of(states));
                 stress += product(&section.damping, &(rate.to_twist() / station.stretch));
             }
             let stress = stress * station.weight;
@@ -252,7 +263,7 @@ impl Beam {
             let (places, terms) = (&scratch.places, &mut scratch.terms);
             add_geometric_stiffness(&at, &held, (places, terms), &mut scratch.second, out);
             if damping.rates_vary {
-                let twist = |a: usize| DualVector::from_twist(&states[a].twist);
+                let twist = twists_of(states);
                 rate_variations(&at, &rate, twist, places, terms);
             }
             add_material_stiffness(
@@ -278,7 +289,8 @@ impl Beam {
         let damping = self.damping(states);
         for (place, station) in self.stations.iter().enumerate() {
             let at = scratch.add_places(station)?;
-            let rate = at.strain_rate(&scratch.places[place * count..], states);
+            let places = &scratch.places[place * count..];
+            let rate = at.strain_rate(places, twists_of(states));
             scratch.strains.push(at.e.to_twist() - station.reference);
             scratch.rates.push(rate.to_twist());
             scratch.motions.push(at);
@@ -298,7 +310,7 @@ impl Beam {
             add_geometric_stiffness(at, &held, (places, terms), &mut scratch.second, out);
             if damping.rates_vary {
                 let rate = DualVector::from_twist(&scratch.rates[place]);
-                let twist = |a: usize| DualVector::from_twist(&states[a].twist);
+                let twist = twists_of(states);
                 rate_variations(at, &rate, twist, places, terms);
             }
         }

@@ -8,13 +8,12 @@ mod forces;
 mod law;
 mod reference;
 mod station;
-mod variations;
 
 pub(super) use forces::Scratch;
-pub(super) use station::{Station, about_axis, relative_to_first};
-pub(super) use variations::{spread_variation, turned};
+pub(super) use station::{Station, about_axis};
 
 use super::NodeState;
+use super::line_station::relative_to_first;
 use super::section::{Section, SectionLine};
 use super::shape::{gauss_legendre, lobatto_points, shape_functions};
 use crate::error::{Error, Result};
@@ -123,7 +122,7 @@ impl Beam {
     pub fn section_motion(&self, xi: f64, motions: &[Motion]) -> Result<Motion> {
         let station = self.station(xi, 0.0)?;
         let relative: Vec<_> = relative_to_first(motions.iter()).collect();
-        let kinematics = station.motion(&relative)?;
+        let kinematics = station.line.motion(&relative)?;
         let motion = motions[0].compose(&kinematics.polar.motion());
         let turn = about_axis(station.turn);
         Ok(Motion::new(motion.rotation * turn, motion.position))

@@ -1,8 +1,9 @@
 //! A beam element in its reference configuration: its line, the axes of its sections, lengths and
 //! inertia.
 
-use super::{Beam, Station, about_axis, relative_to_first};
+use super::{Beam, Station, about_axis};
 use crate::elements::Inertia;
+use crate::elements::line_station::{LineStation, relative_to_first};
 use crate::elements::shape::{gauss_legendre, shape_functions};
 use crate::error::{Error, ErrorKind, Result, require_finite};
 use crate::motion::{DualMatrix, Motion};
@@ -43,7 +44,8 @@ impl Beam {
     /// Frame in which the section at `xi` is described, in the reference configuration, without and
     /// with its twist.
     fn reference_frames(&self, xi: f64) -> Result<(Motion, Motion)> {
-        let station = Station::bare(shape_functions(&self.points, xi));
+        let shapes = shape_functions(&self.points, xi);
+        let station = LineStation { shapes };
         let nodes = self.untwisted_nodes();
         let line = station.motion(&relative(&nodes))?;
         let line = nodes[0].compose(&line.polar.motion());
@@ -78,7 +80,7 @@ impl Beam {
             section: self.sections.at(xi),
             ..Station::bare(shape_functions(&self.points, xi))
         };
-        let kinematics = station.motion(&relative(&self.reference))?;
+        let kinematics = station.line.motion(&relative(&self.reference))?;
         station.reference = kinematics.e.to_twist();
         station.stretch = self.stretch_at(xi)?;
         if self.sections.has_corners() {
@@ -111,7 +113,8 @@ impl Beam {
         if let Some(stretch) = self.even {
             return Ok(stretch);
         }
-        let station = Station::bare(shape_functions(&self.points, xi));
+        let shapes = shape_functions(&self.points, xi);
+        let station = LineStation { shapes };
         let line = if self.sections.is_twisted() {
             station.motion(&relative(&self.untwisted_nodes()))?
         } else {
@@ -168,14 +171,14 @@ impl Beam {
             let section = if self.sections.is_twisted() {
                 self.reference_frames(xi)?.1
             } else {
-                let section = station.polar(&relative(&self.reference))?;
+                let section = station.line.polar(&relative(&self.reference))?;
                 self.reference[0].compose(&section.motion())
             };
             let carry: Vec<Matrix6<f64>> = self
                 .reference
                 .iter()
-                .zip(&station.shapes)
-                .map(|(node, shape)| section.relative(node).adjoint() * shape.0)
+                .zip(station.line.shapes())
+                .map(|(node, shape)| section.relative(node).adjoint() * shape)
                 .collect();
             let length = weight * station.stretch;
             let own = self.sections.at(xi).mass;

@@ -61,7 +61,8 @@ pub(crate) fn assess(
 }
 
 /// How far the motions are from those by beam elements of a higher degree: positions relative to
-/// the characteristic length, and angles. Zero without beams; infinite where it cannot be had.
+/// the characteristic length, and angles. Zero without beams and shells; infinite where it cannot
+/// be had, as with shells.
 ///
 /// Forces by which the equations of the nodes are wrong turn into motions by the linearised
 /// equations, that were solved last.
@@ -73,6 +74,9 @@ pub(crate) fn mesh_error<L: LinearSolver>(
     newton: &mut Newton<L>,
     state: &GridState,
 ) -> Result<f64> {
+    if !model.shells.is_empty() {
+        return Ok(f64::INFINITY);
+    }
     if model.beams.is_empty() {
         return Ok(0.0);
     }

@@ -1,35 +1,35 @@
-//! Second variations of a beam's strains (docs/theory.md, sections 6.4 and 6.5).
+//! Second variations of strains (docs/theory.md, sections 6.4 and 6.5).
 
-use super::station::{NodePlace, NodeTerms, StationMotion};
+use super::{NodePlace, NodeTerms, StationMotion};
 use crate::motion::{DualMatrix, DualVector};
 use nalgebra::Matrix6;
 
 /// `2 w xᵀ − X w̃` with `x = axial(X)`: the part of `−ΔA w` that a node's own increment causes.
-pub(in crate::elements) fn spread_variation(x: &DualMatrix, w: &DualVector) -> DualMatrix {
+pub fn spread_variation(x: &DualMatrix, w: &DualVector) -> DualMatrix {
     w.outer(&x.axial()) * 2.0 - x.times_skew(w)
 }
 
 /// `2 w xᵀ − (X w)~`: the part of `ΔCᵀ w` that the section's turn causes; a node's own increment
 /// causes minus its [`spread_variation`].
-pub(in crate::elements) fn turned(x: &DualMatrix, w: &DualVector) -> DualMatrix {
+pub fn turned(x: &DualMatrix, w: &DualVector) -> DualMatrix {
     w.outer(&x.axial()) * 2.0 - (*x * *w).skew()
 }
 
 /// What one node contributes to the second variation of `σᵀ Δe`.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct SecondTerms {
+pub struct SecondTerms {
     /// What multiplies the strains and turns that other nodes cause.
-    by_strain: DualMatrix,
-    by_turn: DualMatrix,
+    pub by_strain: DualMatrix,
+    pub by_turn: DualMatrix,
     /// What the node's own increment does to `A Δμ` and `A Δν`.
-    mu: DualMatrix,
-    nu: DualMatrix,
+    pub mu: DualMatrix,
+    pub nu: DualMatrix,
     /// What it does to its own force at constant `μ` and `ν`.
-    own: DualMatrix,
+    pub own: DualMatrix,
 }
 
 /// Second variation of `σᵀ Δe` at constant `σ` (docs/theory.md, section 6.4), node by node.
-pub(super) fn second_variations<'a>(
+pub fn second_variations<'a>(
     at: &'a StationMotion,
     stress: &DualVector,
     nodes: impl Iterator<Item = (&'a NodePlace, &'a NodeTerms)> + 'a,
@@ -66,7 +66,7 @@ pub(super) fn second_variations<'a>(
 ///
 /// Increments of two nodes commute, so that blocks on both sides of the diagonal are transposes of
 /// each other.
-pub(super) fn geometric_stiffness(
+pub fn geometric_stiffness(
     terms: &[NodeTerms],
     second: &[SecondTerms],
     mut add: impl FnMut(usize, usize, &Matrix6<f64>),
@@ -92,7 +92,7 @@ pub(super) fn geometric_stiffness(
 
 /// Variation of the strain rate `ė = Σ B_a V_a` at constant nodal velocities (docs/theory.md,
 /// section 6.5): fills `rate`.
-pub(super) fn rate_variations(
+pub fn rate_variations(
     at: &StationMotion,
     rate: &DualVector,
     twists: impl Fn(usize) -> DualVector,

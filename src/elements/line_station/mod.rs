@@ -1,0 +1,194 @@
+//! Motions interpolated along a line, at one station of an element, and their first variations.
+//!
+//! A station knows pairs `(N_a, N'_a)` of the nodes: of beams shape functions and their derivatives
+//! along the beam, of shells those in one of the two directions of the surface. The "velocity" in
+//! that direction is the strain. See docs/theory.md, sections 6.2 to 6.5.
+
+mod variations;
+
+pub(super) use variations::{
+    SecondTerms, geometric_stiffness, rate_variations, second_variations, spread_variation, turned,
+};
+
+use crate::error::{Error, ErrorKind, Result};
+use crate::motion::{DualMatrix, DualPolar, DualVector, Motion};
+
+/// Shape functions at one place of an element and their derivatives in one direction, a pair for
+/// each node.
+#[derive(Debug, Clone)]
+pub(super) struct LineStation {
+    pub shapes: Vec<(f64, f64)>,
+}
+
+/// Kinematics of a station: polar factors, and `G'` in the section's frame.
+#[derive(Debug, Clone)]
+pub(super) struct StationMotion {
+    pub polar: DualPolar,
+    pub q: DualMatrix,
+    /// "Velocity in ξ".
+    pub e: DualVector,
+}
+
+/// Where one node is, seen from one station.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct NodePlace {
+    /// The node's shape function there, and its derivative in ξ.
+    pub shape: (f64, f64),
+    /// Motion of the node relative to the section, `X = RᵀM`.
+    pub x: DualMatrix,
+    pub x_axial: DualVector,
+}
+
+/// What the tangent needs of one node at one station.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct NodeTerms {
+    /// `X ẽ`.
+    pub x_e: DualMatrix,
+    /// Section's turn and strain for a unit increment of the node.
+    pub turn: DualMatrix,
+    pub strain: DualMatrix,
+    /// Strain rate, at constant nodal velocities, for a unit increment of the node.
+    pub rate: DualMatrix,
+}
+
+impl NodePlace {
+    /// `C = tr(X) I − Xᵀ`.
+    pub fn c(&self) -> DualMatrix {
+        self.x.trace_minus_transpose()
+    }
+}
+
+impl LineStation {
+    /// Kinematics, for node motions `relative` to some common frame.
+    pub fn motion(&self, relative: &[DualMatrix]) -> Result<StationMotion> {
+        let mut g = DualMatrix::zeros();
+        let mut g_prime = DualMatrix::zeros();
+        for (y, shape) in relative.iter().zip(&self.shapes) {
+            g += *y * shape.0;
+            g_prime += *y * shape.1;
+        }
+        let polar = polar_factors(&g)?;
+        let q = polar.rotation.tr_mul(&g_prime);
+        let e = polar.spread_inverse * (q.axial() * 2.0);
+        Ok(StationMotion { polar, q, e })
+    }
+
+    /// Shape functions.
+    pub fn shapes(&self) -> impl Iterator<Item = f64> + '_ {
+        self.shapes.iter().map(|shape| shape.0)
+    }
+
+    /// Polar factors alone, for node motions `relative` to some common frame.
+    pub fn polar(&self, relative: &[DualMatrix]) -> Result<DualPolar> {
+        let mut g = DualMatrix::zeros();
+        for (y, shape) in relative.iter().zip(self.shapes()) {
+            g += *y * shape;
+        }
+        polar_factors(&g)
+    }
+
+    /// The nodes as seen from here.
+    pub fn places<'a>(
+        &'a self,
+        at: &'a StationMotion,
+        relative: &'a [DualMatrix],
+    ) -> impl Iterator<Item = NodePlace> + 'a {
+        let nodes = relative.iter().zip(&self.shapes);
+        nodes.map(|(y, &shape)| {
+            let x = at.polar.rotation.tr_mul(y);
+            let x_axial = x.axial();
+            NodePlace { shape, x, x_axial }
+        })
+    }
+}
+
+/// Motions of nodes relative to the first.
+pub(super) fn relative_to_first<'a>(
+    motions: impl Iterator<Item = &'a Motion> + Clone + 'a,
+) -> impl Iterator<Item = DualMatrix> + 'a {
+    let first = motions.clone().next();
+    let relative = move |motion: &Motion| first.unwrap_or(motion).relative(motion).to_dual();
+    motions.map(relative)
+}
+
+fn polar_factors(g: &DualMatrix) -> Result<DualPolar> {
+    DualPolar::new(g).ok_or_else(|| {
+        Error::new(
+            ErrorKind::Model,
+            "an element turns by more than its order can follow: use more or smaller elements",
+        )
+    })
+}
+
+impl StationMotion {
+    /// `P = (S e)~ − tr(Q) I + Q`.
+    pub fn turn_to_strain(&self) -> DualMatrix {
+        (self.polar.factor * self.e).skew() - self.q.trace_minus()
+    }
+
+    /// First variations: section turn `A Δρ = Σ N_a C_a Δu_a` and strain
+    /// `A Δe = Σ (N'_a C_a + N_a (2 e x_aᵀ − X_a ẽ)) Δu_a + P Δρ`.
+    pub fn node_terms<'a>(
+        &'a self,
+        places: impl Iterator<Item = NodePlace> + 'a,
+    ) -> impl Iterator<Item = NodeTerms> + 'a {
+        let a_inverse = self.polar.spread_inverse;
+        let turn_to_strain = self.turn_to_strain();
+        places.map(move |node| {
+            let (n, n_prime) = node.shape;
+            let (c, x_e) = (node.c(), node.x.times_skew(&self.e));
+            let turn = a_inverse * c * n;
+            let direct = c * n_prime + (self.e.outer(&node.x_axial) * 2.0 - x_e) * n;
+            NodeTerms {
+                x_e,
+                turn,
+                strain: a_inverse * (direct + turn_to_strain * turn),
+                rate: DualMatrix::zeros(),
+            }
+        })
+    }
+
+    /// `ė`: the first variation for the nodes' velocities.
+    pub fn strain_rate(
+        &self,
+        places: &[NodePlace],
+        twists: impl Fn(usize) -> DualVector,
+    ) -> DualVector {
+        let (mut turn, mut direct) = (DualVector::zeros(), DualVector::zeros());
+        for (a, node) in places.iter().enumerate() {
+            let (n, n_prime) = node.shape;
+            let v = twists(a);
+            let c_v = v * node.x.trace() - node.x.transpose() * v;
+            turn += c_v * n;
+            let by_shape = self.e * (node.x_axial.dot(&v) * 2.0) - node.x * self.e.cross(&v);
+            direct += c_v * n_prime + by_shape * n;
+        }
+        let a_inverse = self.polar.spread_inverse;
+        a_inverse * (direct + self.turn_to_strain() * (a_inverse * turn))
+    }
+
+    /// Force `N' Cᵀ μ + N (Cᵀ ν + 2 (μᵀe) x + ẽ Xᵀ μ)` of a stress resultant on each node: what
+    /// does work on the first variation of the strain.
+    pub fn node_forces<'a>(
+        &'a self,
+        stress: &DualVector,
+        places: impl Iterator<Item = &'a NodePlace> + 'a,
+    ) -> impl Iterator<Item = DualVector> + 'a {
+        let (mu, nu) = self.adjoint(stress);
+        let mu_e = mu.dot(&self.e) * 2.0;
+        places.map(move |node| {
+            let (n, n_prime) = node.shape;
+            let (x, e) = (&node.x, &self.e);
+            let by_shape =
+                x.trace_minus_times(&nu) + node.x_axial * mu_e + e.cross(&(x.transpose() * mu));
+            x.trace_minus_times(&mu) * n_prime + by_shape * n
+        })
+    }
+
+    /// `μ = A⁻¹ σ` and `ν = A⁻¹ Pᵀ μ` of a stress resultant.
+    pub fn adjoint(&self, stress: &DualVector) -> (DualVector, DualVector) {
+        let a_inverse = self.polar.spread_inverse;
+        let mu = a_inverse * *stress;
+        (mu, a_inverse * (self.turn_to_strain().transpose() * mu))
+    }
+}

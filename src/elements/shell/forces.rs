@@ -1,0 +1,332 @@
+//! Forces of a shell element: from strains at the samples to resultants at the Gauss points, and
+//! back.
+
+use super::tangents::Products;
+use super::{Shell, ShellSection};
+use crate::elements::line_station::{
+    NodePlace, NodeTerms, SecondTerms, StationMotion, rate_variations,
+};
+use crate::elements::{Contribution, Element, Instant, NodeState, OtherStation, StressLaw};
+use crate::error::Result;
+use crate::motion::{DualMatrix, DualVector, product, transposed_product, turned};
+use nalgebra::{Matrix3, Vector6};
+
+/// Scratch for what the element finds.
+#[derive(Debug, Clone, Default)]
+pub(in crate::elements) struct Scratch {
+    /// Motions of the element's frames relative to the first.
+    relative: Vec<DualMatrix>,
+    /// Velocities of the element's frames.
+    pub(super) twists: Vec<DualVector>,
+    pub(super) motions: Vec<StationMotion>,
+    /// Of the nodes, sample by sample.
+    pub(super) places: Vec<NodePlace>,
+    /// Of the nodes, at one sample.
+    pub(super) terms: Vec<NodeTerms>,
+    pub(super) second: Vec<SecondTerms>,
+    /// Rates at the samples.
+    pub(super) rates: Vec<DualVector>,
+    /// Of the samples: strains, and their rates; then integrated resultants.
+    pub(super) at_samples: [Vec<Vector6<f64>>; 2],
+    /// Of the Gauss points, two each: strains, and their rates.
+    pub(super) at_points: [Vec<Vector6<f64>>; 2],
+    pub(super) resultants: Vec<Vector6<f64>>,
+    forces: Vec<DualVector>,
+    /// Strains and rates at the samples by increments of the nodes, sample by sample.
+    pub(super) strain_tangents: [Vec<DualMatrix>; 2],
+    pub(super) products: Products,
+}
+
+/// What of rates matters.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Damping {
+    pub damped: bool,
+    /// Whether rates vary with the motion.
+    pub rates_vary: bool,
+}
+
+impl Element for Shell {
+    fn nodes(&self) -> &[usize] {
+        &self.nodes
+    }
+
+    fn has_damping(&self) -> bool {
+        self.damped
+    }
+
+    /// Two at each Gauss point: of the strains along axis 1 and along axis 2.
+    fn stress_laws(&self) -> Vec<StressLaw> {
+        let law = |point: usize, row: usize| {
+            let area = self.points[point].area;
+            let part = |column| {
+                let ShellSection {
+                    stiffness, damping, ..
+                } = &self.section;
+                let [stiffness, damping] =
+                    [stiffness, damping].map(|law| ShellSection::part(law, row, column) * area);
+                (stiffness, damping)
+            };
+            let (stiffness, damping) = part(row);
+            let other = part(1 - row);
+            StressLaw {
+                stiffness,
+                damping,
+                others: vec![OtherStation {
+                    offset: if row == 0 { 1 } else { -1 },
+                    stiffness: other.0,
+                    damping: other.1,
+                }],
+            }
+        };
+        (0..2 * self.points.len())
+            .map(|station| law(station / 2, station % 2))
+            .collect()
+    }
+
+    fn stress_resultants(
+        &self,
+        nodes: &[NodeState],
+        scratch: &mut Contribution,
+        out: &mut [Vector6<f64>],
+    ) -> Result<()> {
+        let scratch = &mut scratch.shell;
+        self.find_strains(nodes, scratch)?;
+        self.write_resultants(&scratch.at_points, out);
+        Ok(())
+    }
+
+    fn extrapolate_resultants(
+        &self,
+        nodes: &[NodeState],
+        increments: &[[Vector6<f64>; 2]],
+        scratch: &mut Contribution,
+        out: &mut [Vector6<f64>],
+    ) -> Result<()> {
+        let scratch = &mut scratch.shell;
+        self.find_strains(nodes, scratch)?;
+        let damping = self.damping(nodes);
+        for sample in 0..self.samples.len() {
+            self.find_terms(sample, damping, scratch);
+            let [mut strain, mut rate] = [DualVector::zeros(); 2];
+            let frames = scratch.terms.iter().zip(&self.dual_frames);
+            for ((node, frame), increments) in frames.zip(increments) {
+                let back = frame.transpose();
+                let [motion, velocity] =
+                    increments.map(|increment| back * DualVector::from_twist(&increment));
+                strain += node.strain * motion;
+                rate += node.strain * velocity;
+                if damping.rates_vary {
+                    rate += node.rate * motion;
+                }
+            }
+            scratch.at_samples[0][sample] += strain.to_twist();
+            scratch.at_samples[1][sample] += rate.to_twist();
+        }
+        self.interpolate(&scratch.at_samples, &mut scratch.at_points);
+        self.write_resultants(&scratch.at_points, out);
+        Ok(())
+    }
+
+    fn add_forces_of_resultants(
+        &self,
+        nodes: &[NodeState],
+        resultants: &[Vector6<f64>],
+        out: &mut Contribution,
+    ) -> Result<()> {
+        let mut scratch = std::mem::take(&mut out.shell);
+        let found = self.find_strains(nodes, &mut scratch);
+        if found.is_ok() {
+            self.collect(resultants, &mut scratch.at_samples[0]);
+            self.add_forces(&mut scratch, out);
+        }
+        out.shell = scratch;
+        found
+    }
+
+    fn potential(&self, instant: &Instant, scratch: &mut Contribution) -> Result<Option<f64>> {
+        let scratch = &mut scratch.shell;
+        self.find_strains(instant.nodes, scratch)?;
+        scratch.at_points[1].fill(Vector6::zeros());
+        let mut resultants = std::mem::take(&mut scratch.resultants);
+        resultants.resize(2 * self.points.len(), Vector6::zeros());
+        self.write_resultants(&scratch.at_points, &mut resultants);
+        let all = scratch.at_points[0].iter().zip(&resultants).enumerate();
+        let energy = all
+            .map(|(i, (strain, stress))| 0.5 * self.points[i / 2].area * strain.dot(stress))
+            .sum();
+        scratch.resultants = resultants;
+        Ok(Some(energy))
+    }
+
+    fn evaluate(&self, instant: &Instant, out: &mut Contribution) -> Result<()> {
+        // Taken out while `out` is written to.
+        let mut scratch = std::mem::take(&mut out.shell);
+        let found = self.find_strains(instant.nodes, &mut scratch);
+        if found.is_ok() {
+            self.add_to(instant, &mut scratch, out);
+        }
+        out.shell = scratch;
+        found
+    }
+}
+
+impl Shell {
+    fn add_to(&self, instant: &Instant, scratch: &mut Scratch, out: &mut Contribution) {
+        let mut resultants = std::mem::take(&mut scratch.resultants);
+        resultants.resize(2 * self.points.len(), Vector6::zeros());
+        self.write_resultants(&scratch.at_points, &mut resultants);
+        self.collect(&resultants, &mut scratch.at_samples[0]);
+        scratch.resultants = resultants;
+        self.add_forces(scratch, out);
+        if out.with_tangents {
+            if !instant.resultants.is_empty() {
+                self.collect(instant.resultants, &mut scratch.at_samples[0]);
+            }
+            self.add_tangents(self.damping(instant.nodes), scratch, out);
+        }
+    }
+
+    pub(super) fn damping(&self, states: &[NodeState]) -> Damping {
+        let moves = states.iter().any(|state| state.twist != Vector6::zeros());
+        Damping {
+            damped: self.damped,
+            rates_vary: self.damped && moves,
+        }
+    }
+
+    /// Finds the kinematics of all samples, and strains with their rates, if resultants depend on
+    /// them, at samples and Gauss points.
+    pub(super) fn find_strains(&self, states: &[NodeState], scratch: &mut Scratch) -> Result<()> {
+        let Damping { rates_vary, .. } = self.damping(states);
+        self.begin(states, scratch);
+        let count = self.nodes.len();
+        for sample in &self.samples {
+            let at = sample.line.motion(&scratch.relative)?;
+            scratch
+                .places
+                .extend(sample.line.places(&at, &scratch.relative));
+            let rate = if rates_vary {
+                let places = &scratch.places[scratch.places.len() - count..];
+                at.strain_rate(places, |a| scratch.twists[a])
+            } else {
+                DualVector::zeros()
+            };
+            scratch.at_samples[0].push(at.e.to_twist() - sample.reference);
+            scratch.at_samples[1].push(rate.to_twist());
+            scratch.motions.push(at);
+            scratch.rates.push(rate);
+        }
+        self.interpolate(&scratch.at_samples, &mut scratch.at_points);
+        Ok(())
+    }
+
+    /// Begins anew with the nodes at `states`.
+    fn begin(&self, states: &[NodeState], scratch: &mut Scratch) {
+        scratch.relative.clear();
+        scratch.twists.clear();
+        scratch.places.clear();
+        scratch.motions.clear();
+        scratch.rates.clear();
+        scratch.at_samples.iter_mut().for_each(Vec::clear);
+        let first = states[0].motion.compose(&self.frames[0]);
+        for ((state, frame), dual) in states.iter().zip(&self.frames).zip(&self.dual_frames) {
+            let carried = first.relative(&state.motion.compose(frame));
+            scratch.relative.push(carried.to_dual());
+            let twist = DualVector::from_twist(&state.twist);
+            scratch.twists.push(dual.transpose() * twist);
+        }
+    }
+
+    /// Strains, and their rates, of the Gauss points by those of the samples.
+    fn interpolate(&self, samples: &[Vec<Vector6<f64>>; 2], points: &mut [Vec<Vector6<f64>>; 2]) {
+        for (values, out) in samples.iter().zip(points) {
+            out.clear();
+            for (index, point) in self.points.iter().enumerate() {
+                let [xi, eta] = [0, 1].map(|direction| -> Vector6<f64> {
+                    let samples = self.sampling.of_point(direction, index);
+                    samples.map(|(t, weight)| values[t] * weight).sum()
+                });
+                let back = point.axes.transpose();
+                out.extend(
+                    point
+                        .slopes
+                        .map(|[a, b]| turned(&back, &(xi * a + eta * b))),
+                );
+            }
+        }
+    }
+
+    /// Integrated resultants at the samples, which do the work that resultants at the Gauss points
+    /// do.
+    fn collect(&self, resultants: &[Vector6<f64>], samples: &mut [Vector6<f64>]) {
+        samples.fill(Vector6::zeros());
+        for (index, (point, here)) in self.points.iter().zip(resultants.chunks(2)).enumerate() {
+            let here = [0, 1].map(|axis| turned(&point.axes, &here[axis]) * point.area);
+            for direction in [0, 1] {
+                let sum =
+                    here[0] * point.slopes[0][direction] + here[1] * point.slopes[1][direction];
+                for (t, weight) in self.sampling.of_point(direction, index) {
+                    samples[t] += sum * weight;
+                }
+            }
+        }
+    }
+
+    /// Writes the resultants at all Gauss points, for strains and rates that were found.
+    fn write_resultants(&self, at_points: &[Vec<Vector6<f64>>; 2], out: &mut [Vector6<f64>]) {
+        out.fill(Vector6::zeros());
+        let laws = [&self.section.stiffness, &self.section.damping];
+        let counts = [true, self.damped];
+        for ((law, values), _) in laws.iter().zip(at_points).zip(counts).filter(|x| x.1) {
+            let parts = [0, 1].map(|row| [0, 1].map(|column| ShellSection::part(law, row, column)));
+            for (out, values) in out.chunks_mut(2).zip(values.chunks(2)) {
+                for (out, parts) in out.iter_mut().zip(&parts) {
+                    *out += product(&parts[0], &values[0]) + product(&parts[1], &values[1]);
+                }
+            }
+        }
+    }
+
+    /// Adds the forces of the integrated resultants at the samples.
+    fn add_forces(&self, scratch: &mut Scratch, out: &mut Contribution) {
+        let count = self.nodes.len();
+        scratch.forces.clear();
+        scratch.forces.resize(count, DualVector::zeros());
+        let samples = scratch.motions.iter().zip(&scratch.at_samples[0]);
+        for ((at, stress), places) in samples.zip(scratch.places.chunks(count)) {
+            let forces = at.node_forces(&DualVector::from_wrench(stress), places.iter());
+            for (sum, force) in scratch.forces.iter_mut().zip(forces) {
+                *sum += force;
+            }
+        }
+        for (a, (force, frame)) in scratch.forces.iter().zip(&self.dual_frames).enumerate() {
+            out.add_force(a, &(*frame * *force).to_wrench());
+        }
+    }
+
+    /// Finds the terms of a sample, for strains that were found: what these vary by.
+    pub(super) fn find_terms(&self, sample: usize, damping: Damping, scratch: &mut Scratch) {
+        let count = self.nodes.len();
+        let places = &scratch.places[sample * count..][..count];
+        let at = &scratch.motions[sample];
+        scratch.terms.clear();
+        scratch.terms.extend(at.node_terms(places.iter().copied()));
+        if damping.rates_vary {
+            let (rate, twists) = (&scratch.rates[sample], &scratch.twists);
+            rate_variations(at, rate, |a| twists[a], places, &mut scratch.terms);
+        }
+    }
+
+    /// `Σ_i ∂ξ_i/∂s_α Tᵀ B_i`, for what the velocities in ξ and η vary by at a point.
+    pub(super) fn along_axes(&self, point: usize, by: [DualMatrix; 2]) -> [DualMatrix; 2] {
+        let point = &self.points[point];
+        let turned = |m: &Matrix3<f64>| transposed_product(&point.axes, m);
+        point.slopes.map(|[a, b]| {
+            let sum = by[0] * a + by[1] * b;
+            DualMatrix {
+                primal: turned(&sum.primal),
+                dual: turned(&sum.dual),
+            }
+        })
+    }
+}

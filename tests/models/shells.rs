@@ -1,0 +1,94 @@
+//! Plates and shells.
+
+use super::parts::*;
+use nalgebra::Vector3;
+use periodyn::elements::{
+    IsotropicShell, JointKind, LoadFrame, ShellSection, gauss_legendre, lobatto_points,
+    shape_functions,
+};
+use periodyn::model::*;
+use periodyn::motion::Motion;
+
+/// Lengths of an edge that its nodes stand for, by the weights of Lobatto's rule.
+pub fn edge_weights(length: f64, elements: usize, degree: usize) -> Vec<f64> {
+    let points = lobatto_points(degree + 1);
+    let mut weights = vec![0.0; elements * degree + 1];
+    for element in 0..elements {
+        for (x, weight) in gauss_legendre(degree + 1) {
+            for (k, shape) in shape_functions(&points, x).iter().enumerate() {
+                let half = 0.5 * length / elements as f64;
+                weights[element * degree + k] += weight * half * shape.0;
+            }
+        }
+    }
+    weights
+}
+
+/// Dead forces `[force; moment]` per length on the nodes of an edge, by Lobatto's weights.
+pub fn load_edge(model: &mut Model, nodes: &[usize], weights: &[f64], load: [f64; 6]) {
+    for (&node, weight) in nodes.iter().zip(weights) {
+        let load = load.map(|x| x * weight);
+        add_load(model, node, LoadFrame::Space, &load, &[0.0; 6]);
+    }
+}
+
+/// Clamps all nodes of an edge to the ground.
+pub fn clamp_edge(model: &mut Model, nodes: &[usize]) {
+    for &node in nodes {
+        clamp(model, node);
+    }
+}
+
+/// A mesh of elements with so many nodes a side.
+pub fn mesh(elements: [usize; 2], nodes: [usize; 2]) -> ShellMesh {
+    ShellMesh {
+        elements,
+        degrees: nodes.map(|n| n - 1),
+        join: true,
+    }
+}
+
+/// Adds a flat strip from the origin, `length` along x and `width` along y.
+pub fn add_strip(
+    model: &mut Model,
+    [length, width]: [f64; 2],
+    section: &ShellSection,
+    mesh: &ShellMesh,
+) -> ShellPatch {
+    let sides = [Vector3::x() * length, Vector3::y() * width];
+    let surface = rectangle(&Vector3::zeros(), &sides[0], &sides[1]).unwrap();
+    let placement = ShellPlacement::default();
+    model
+        .add_shell_patch(surface, mesh, section, &placement)
+        .unwrap()
+}
+
+/// A rubber-like plate, 1 × 0.5, that is welded to a shaft along y, which turns to and fro by
+/// `swing`; its period.
+pub fn flapping_plate(swing: f64, elements: [usize; 2], nodes: usize) -> (Model, f64) {
+    let mut model = Model::new();
+    let section = IsotropicShell {
+        damping_time: 2e-3,
+        ..IsotropicShell::new(0.02, 2e8, 0.3, 1100.0)
+    };
+    let section = section.section().unwrap();
+    let mesh = mesh(elements, [nodes, nodes]);
+    let patch = add_strip(&mut model, [1.0, 0.5], &section, &mesh);
+    let shaft = ball(&mut model, 0.1, 1e-3, &Vector3::zeros());
+    for node in patch.edge(PatchEdge::StartU) {
+        let here = Motion::identity();
+        model
+            .add_joint(JointKind::Rigid, Some(shaft), Some(node), &here, &here)
+            .unwrap();
+    }
+    let joint = revolute(
+        &mut model,
+        None,
+        Some(shaft),
+        &Vector3::zeros(),
+        &Vector3::y(),
+    );
+    model.prescribe(rotation1(joint), &cosine(swing)).unwrap();
+    gravity(&mut model, [0.0, 0.0, -9.81]);
+    (model, 0.8)
+}
