@@ -26,6 +26,7 @@ impl System {
             gravity: self.gravity,
             inertias: Vec::new(),
             beams: Vec::new(),
+            shells: Vec::new(),
             joints: self.joints.clone(),
             counted_turns: self.counted_turns.clone(),
             turning: self.turning,

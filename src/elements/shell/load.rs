@@ -87,9 +87,9 @@ impl Shell {
             // Along the edge, as the section's axes and the slopes of the other coordinate tell.
             let [first, second] = place
                 .slopes
-                .map(|slopes| slopes[usize::from(edge % 2 == 0)]);
+                .map(|slopes| slopes[usize::from(edge.is_multiple_of(2))]);
             let along = place.axes * Vector3::new(second, -first, 0.0);
-            let sign = if edge % 2 == 0 { 1.0 } else { -1.0 };
+            let sign = if edge.is_multiple_of(2) { 1.0 } else { -1.0 };
             let along = along.normalize() * sign;
             let normal: Vector3<f64> = place.axes.column(2).into();
             axes.push(match in_space {

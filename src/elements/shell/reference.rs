@@ -82,7 +82,9 @@ impl Shell {
             Some(direction) => {
                 let here = motion.rotation.tr_mul(direction);
                 let along = here - normal * normal.dot(&here);
-                if !(along.norm() > VANISHING * here.norm()) {
+                // Written so that NaN is refused.
+                let is_along = along.norm() > VANISHING * here.norm();
+                if !is_along {
                     let expected = "a direction in the surface, all over it";
                     return Err(Error::value("direction", expected, "one along its normal"));
                 }
