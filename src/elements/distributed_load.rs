@@ -1,8 +1,8 @@
 //! Forces and moments per unit of a beam's reference length, and of a shell's area or edges.
 //!
 //! They act on the sections between the nodes, whose motion the element interpolates: the work is
-//! done through the section's turn `A Δρ = Σ N_a C_a Δu_a` (see `beam`), so that a node's share of the
-//! load `w` is `N_a C_aᵀ μ` with `μ = A⁻¹ w`.
+//! done through the section's turn `A Δρ = Σ N_a C_a Δu_a` (see `beam`), so that a node's share of
+//! the load `w` is `N_a C_aᵀ μ` with `μ = A⁻¹ w`.
 
 use super::beam::{Beam, about_axis};
 use super::line_station::{LineStation, relative_to_first, spread_variation, turned};

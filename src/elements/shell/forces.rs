@@ -1,49 +1,13 @@
 //! Forces of a shell element: from strains at the samples to resultants at the Gauss points, and
 //! back.
 
-use super::tangents::Products;
+use super::scratch::{Damping, Scratch};
 use super::{Shell, ShellSection};
-use crate::elements::line_station::{
-    NodePlace, NodeTerms, SecondTerms, StationMotion, rate_variations,
-};
+use crate::elements::line_station::rate_variations;
 use crate::elements::{Contribution, Element, Instant, NodeState, OtherStation, StressLaw};
 use crate::error::Result;
 use crate::motion::{DualMatrix, DualVector, product, transposed_product, turned};
 use nalgebra::{Matrix3, Vector6};
-
-/// Scratch for what the element finds.
-#[derive(Debug, Clone, Default)]
-pub(in crate::elements) struct Scratch {
-    /// Motions of the element's frames relative to the first.
-    relative: Vec<DualMatrix>,
-    /// Velocities of the element's frames.
-    pub(super) twists: Vec<DualVector>,
-    pub(super) motions: Vec<StationMotion>,
-    /// Of the nodes, sample by sample.
-    pub(super) places: Vec<NodePlace>,
-    /// Of the nodes, at one sample.
-    pub(super) terms: Vec<NodeTerms>,
-    pub(super) second: Vec<SecondTerms>,
-    /// Rates at the samples.
-    pub(super) rates: Vec<DualVector>,
-    /// Of the samples: strains, and their rates; then integrated resultants.
-    pub(super) at_samples: [Vec<Vector6<f64>>; 2],
-    /// Of the Gauss points, two each: strains, and their rates.
-    pub(super) at_points: [Vec<Vector6<f64>>; 2],
-    pub(super) resultants: Vec<Vector6<f64>>,
-    forces: Vec<DualVector>,
-    /// Strains and rates at the samples by increments of the nodes, sample by sample.
-    pub(super) strain_tangents: [Vec<DualMatrix>; 2],
-    pub(super) products: Products,
-}
-
-/// What of rates matters.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct Damping {
-    pub damped: bool,
-    /// Whether rates vary with the motion.
-    pub rates_vary: bool,
-}
 
 impl Element for Shell {
     fn nodes(&self) -> &[usize] {

@@ -10,14 +10,16 @@ mod forces;
 mod frames;
 mod grid;
 mod load;
+mod products;
 mod reference;
+mod scratch;
 mod section;
 mod tangents;
 
-pub(super) use forces::Scratch;
 pub use frames::{ShellFrames, element_frames};
 pub use grid::NodeGrid;
 pub use load::ShellLoadPlace;
+pub(super) use scratch::Scratch;
 pub use section::{IsotropicShell, Matrix12, ShellSection, Vector12};
 
 use super::line_station::{LineStation, relative_to_first};
