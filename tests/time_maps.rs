@@ -317,7 +317,8 @@ fn sensitivities_are_those_of_differences_and_multipliers_those_of_other_grids()
         }
     }
 
-    let equispaced = solve(&model, period, 75);
+    let solution = solved(&model, period, &mapped(151, period));
+    let equispaced = solve(&model, period, 151);
     let [a, b] = [&solution, &equispaced].map(|solution| {
         let options = StabilityOptions::default();
         solve_stability(solution.details(), &options).unwrap()
@@ -358,7 +359,7 @@ fn motions_under_conditions_are_found_on_mapped_grids() {
     let target = Target::Signal(SignalPlace::Actuator(2), SignalPart::Amplitude);
     model.move_by_parameter(drive, target, 1.0).unwrap();
     let angle = Quantity::Joint(elbow, JointQuantity::Coordinate(Coordinate::Rotation1));
-    let wanted = solve(&model, period, 75).series(angle).unwrap()[0].cosines[0] * 1.1;
+    let wanted = solve(&model, period, 151).series(angle).unwrap()[0].cosines[0] * 1.1;
     let condition = OutputIs {
         output: angle.into(),
         feature: Feature::Cosine(1),
@@ -367,13 +368,14 @@ fn motions_under_conditions_are_found_on_mapped_grids() {
     };
     let conditions: [Arc<dyn Condition>; 1] = [Arc::new(condition)];
     let free = [Free::Parameter(drive)];
-    let values = [mapped(75, period), options(75)].map(|options| {
+    let values = [mapped(151, period), options(151)].map(|options| {
         let found = solve_for(&model, period, &free, &conditions, &options);
         let reached = found.series(angle).unwrap()[0].cosines[0];
         assert!((reached - wanted).abs() < 1e-8, "{reached} {wanted}");
         found.model().parameters()[drive].value
     });
-    assert!((values[0] - values[1]).abs() < 1e-5, "{values:?}");
+    // What 151 points leave of a wilder swing; 75 leave 4e-3.
+    assert!((values[0] - values[1]).abs() < 1e-4, "{values:?}");
     assert!((values[0] - 3.0).abs() > 0.1);
 }
 
