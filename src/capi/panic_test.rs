@@ -1,6 +1,7 @@
 //! Defects anywhere in a solve: each is a status with a message, nothing is given, and the model is
 //! as good as before.
 
+use super::force::pdn_model_add_spring_damper;
 use super::guard::pdn_set_panic_printing;
 use super::joint::{pdn_model_add_revolute, pdn_model_prescribe};
 use super::last_error::pdn_last_error;
@@ -42,7 +43,7 @@ macro_rules! defaults {
     }};
 }
 
-/// A double pendulum whose first hinge is driven.
+/// A double pendulum whose first hinge is driven, with a spring and a damper at the second.
 fn pendulum() -> *mut pdn_model {
     let mut model = null_mut();
     ok!(pdn_model_new(&raw mut model));
@@ -70,6 +71,16 @@ fn pendulum() -> *mut pdn_model {
         ));
         last = body;
     }
+    let (joint, angle) = (1, super::joint::PDN_ROTATION);
+    ok!(pdn_model_add_spring_damper(
+        model,
+        joint,
+        angle,
+        200.0,
+        5.0,
+        0.0,
+        null_mut()
+    ));
     let mut signal: pdn_signal = defaults!(pdn_signal_init);
     let (cosines, sines) = ([0.0], [0.2]);
     let [c, s] = [cosines, sines].map(|of| of[0]);
