@@ -15,10 +15,12 @@ const VECTORS: usize = 12;
 
 /// Matrices like an instant's tangent that modes take: as read, and as complex factors.
 const MODE_MATRICES: f64 = 6.0;
-/// Complex vectors that each mode takes: of the space that it is found in, and itself.
-const MODE_VECTORS: usize = 8;
-/// Those that any search takes.
-const SEARCH_VECTORS: usize = 80;
+/// Complex vectors that each mode takes: itself, twice, and as a shape.
+const MODE_VECTORS: usize = 6;
+/// Vectors of the space that any number of modes is found in, and more for each.
+const SPACE: (usize, usize) = (60, 6);
+/// Bytes for each entry of a matrix in that space: real and complex ones of its eigenvectors.
+const IN_SPACE: usize = 100;
 /// Numbers of a node that a step starts from: motion, velocity, acceleration, and its average.
 const STEP_STARTS: usize = 24;
 /// Matrices of their derivatives, among them complex ones of the multipliers.
@@ -81,10 +83,22 @@ pub(crate) fn of_grid(system: &System, points: usize) -> usize {
 /// matrices and complex factors, vectors of the search and the modes.
 pub(crate) fn bytes_of_modes(system: &System, count: usize) -> usize {
     let size = 6 * system.nodes() + system.own_unknowns();
-    let vectors = MODE_VECTORS.saturating_mul(count.min(size)) + SEARCH_VECTORS;
-    let vector = size.saturating_mul(size_of::<Complex<f64>>());
+    let (count, complex) = (count.min(size), size_of::<Complex<f64>>());
+    let space = (SPACE.0 + SPACE.1 * count).min(2 * size);
+    let modes = MODE_VECTORS * complex * count.saturating_mul(size);
     let matrices = (MODE_MATRICES * tangent_bytes(system, 1)) as usize;
-    matrices.saturating_add(vectors.saturating_mul(vector))
+    let search = bytes_of_space(space, 2 * size);
+    matrices.saturating_add(modes).saturating_add(search)
+}
+
+/// Bytes of a space of so many vectors that modes are found in, all of a length, and of the map in
+/// it.
+pub(crate) fn bytes_of_space(space: usize, length: usize) -> usize {
+    let vectors = space
+        .saturating_mul(length)
+        .saturating_mul(2 * size_of::<f64>());
+    let matrices = space.saturating_mul(space).saturating_mul(IN_SPACE);
+    vectors.saturating_add(matrices)
 }
 
 /// Bytes that a shooting solve of so many steps takes: its orbits, and matrices of all that a step

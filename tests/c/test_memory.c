@@ -192,6 +192,7 @@ static pdn_status try_march(void)
     PDN_INIT(pdn_march_options, &options);
     options.duration = 0.1;
     options.step = 0.05;
+    options.period = 2;
     return pdn_march(large, &options, &solution);
 }
 
@@ -212,6 +213,9 @@ static void any_amount(const char *what, pdn_status (*attempt)(void))
             }
             leave(bytes);
             result = attempt();
+            if (result != PDN_OK && result != PDN_ERR_MEMORY) {
+                fprintf(stderr, "%s: %s\n", what, pdn_status_name(result));
+            }
             _exit(result == PDN_OK ? 0 : result == PDN_ERR_MEMORY ? 77 : 1);
         }
         CHECK(waitpid(child, &status, 0) == child);
@@ -222,7 +226,7 @@ static void any_amount(const char *what, pdn_status (*attempt)(void))
         *(WEXITSTATUS(status) == 0 ? &solved : &refused) += 1;
     }
     printf("%s: %zu refused, %zu solved\n", what, refused, solved);
-    CHECK(refused > 2 && solved > 2);
+    CHECK(refused > 1 && solved > 1);
 }
 
 static void any_amount_of_a_grid(const char *what, int32_t by, size_t count)

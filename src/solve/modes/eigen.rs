@@ -2,6 +2,8 @@
 //! See docs/theory.md, section 11.4.
 
 use crate::error::Result;
+use crate::memory;
+use crate::solve::memory::bytes_of_space;
 use crate::solve::modes::krylov::{Map, Ritz, Space};
 use crate::solve::modes::pencil::{C64, Inverse, Pencil};
 
@@ -198,6 +200,10 @@ impl<'a> Search<'a> {
                 space.columns.len() == space.basis.len() && !self.seed(&mut space, SECOND_BLOCK)?;
             let size = space.columns.len();
             if size >= next_check || exhausted || size >= most {
+                // Until it is looked at again.
+                let length = self.x.len() + self.y.len();
+                let bytes = bytes_of_space(size + (size / 4).max(BLOCK), length);
+                memory::require("the space that modes are found in", bytes)?;
                 let found = self.found(&map, &space, target, exhausted)?;
                 let enough = found.len() >= 2 * count;
                 if exhausted || size >= most {
