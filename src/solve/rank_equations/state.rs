@@ -128,12 +128,14 @@ impl RankEquations {
             .halo(&self.whole, ranks.rank(), |item| match item {
                 Item::Node(node) => {
                     let local = part.nodes.partition_point(|n| *n < node);
-                    vec![MOTION * points * local..MOTION * points * (local + 1)]
+                    let range = MOTION * points * local..MOTION * points * (local + 1);
+                    vec![range]
                 }
                 Item::Element(_) => {
                     let range = &places(part, equations, false, item)[0];
                     let start = equations.layout().own().start;
-                    vec![first + range.start - start..first + range.end - start]
+                    let own = first + range.start - start..first + range.end - start;
+                    vec![own]
                 }
             });
         halo.fill(&*ranks, &mut numbers)?;

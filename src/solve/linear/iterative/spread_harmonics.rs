@@ -246,7 +246,7 @@ impl SpreadHarmonics {
         for rotation in &self.rotations {
             rotation.apply(x, false);
         }
-        self.to_harmonics(x)?;
+        self.analyse(x)?;
         for (factors, lanes) in self.factors.iter().zip(&mut self.lanes) {
             factors.forward(&self.layout.structure, lanes);
         }
@@ -257,7 +257,7 @@ impl SpreadHarmonics {
         for (factors, lanes) in self.factors.iter().zip(&mut self.lanes) {
             factors.backward(&self.layout.structure, lanes, &mut self.workspace);
         }
-        self.to_samples(x)?;
+        self.synthesise(x)?;
         if apart {
             halo.fill(&*self.ranks, x)?;
             let (x, resultants) = x.split_at_mut(self.size);
@@ -271,7 +271,7 @@ impl SpreadHarmonics {
     }
 
     /// This rank's harmonics of everything that is averaged.
-    fn to_harmonics(&mut self, x: &[f64]) -> Result<()> {
+    fn analyse(&mut self, x: &[f64]) -> Result<()> {
         let length = COMPLEX * (self.points / 2 + 1);
         for (&(first, stride), row) in self.own.iter().zip(self.rows.chunks_mut(length)) {
             let series = x[first..].iter().step_by(stride);
@@ -302,7 +302,7 @@ impl SpreadHarmonics {
     }
 
     /// Everything that is averaged, from its harmonics.
-    fn to_samples(&mut self, x: &mut [f64]) -> Result<()> {
+    fn synthesise(&mut self, x: &mut [f64]) -> Result<()> {
         let count = self.harmonics.len();
         if count > 0 {
             let rows = self.columns.chunks_mut(COMPLEX * count);
