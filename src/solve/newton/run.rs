@@ -173,8 +173,12 @@ impl<'a, L: LinearSolver> Run<'a, L> {
     /// singular.
     fn find_increment(&mut self) -> Result<Option<f64>> {
         self.newton.contraction = None;
+        let is_first = self.iterations.is_empty();
+        if is_first {
+            self.newton.equations.apply_scalars(self.state)?;
+        }
         let factored = self.newton.linearise(self.state)?;
-        if self.iterations.is_empty() {
+        if is_first {
             let (newton, state) = (&mut *self.newton, &*self.state);
             timed(&mut newton.timings.assembly, || {
                 let equations = &mut newton.equations;

@@ -128,14 +128,14 @@ impl RankEquations {
             .halo(&self.whole, ranks.rank(), |item| match item {
                 Item::Node(node) => {
                     let local = part.nodes.partition_point(|n| *n < node);
-                    std::iter::once(MOTION * points * local..MOTION * points * (local + 1))
-                        .collect()
+                    let range = MOTION * points * local..MOTION * points * (local + 1);
+                    vec![range]
                 }
                 Item::Element(_) => {
                     let range = &places(part, equations, false, item)[0];
                     let start = equations.layout().own().start;
-                    std::iter::once(first + range.start - start..first + range.end - start)
-                        .collect()
+                    let own = first + range.start - start..first + range.end - start;
+                    vec![own]
                 }
             });
         halo.fill(&*ranks, &mut numbers)?;

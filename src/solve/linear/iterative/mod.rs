@@ -403,8 +403,10 @@ impl LinearSolver for Iterative {
                 }
                 return Ok(rhs.iter().all(|x| x.is_finite()));
             }
-            if !self.is_old {
-                let failed = self.candidates.remove(0);
+            // None is left where it failed before.
+            if !self.is_old
+                && let Some(&failed) = self.candidates.first()
+            {
                 self.candidates.retain(|other| *other != failed);
                 let far = end.error > ROUGH;
                 self.fails_locally |= failed.0 == Preconditioner::TimeLocal && far;
