@@ -155,11 +155,14 @@ fn is_inside(position: &Vector3<f64>) -> bool {
     x > 1e-9 && x < 0.24 - 1e-9 && y > 1e-9 && y < 0.12 - 1e-9
 }
 
+/// Small increments of nodes, by their positions.
+type Increments<'a> = &'a dyn Fn(&Vector3<f64>) -> Vector6<f64>;
+
 /// Largest force on nodes inside the patch, relative to the largest on its edges, if all nodes are
 /// moved by small increments or to given motions.
 fn unbalance(
     side: usize,
-    small: Option<&dyn Fn(&Vector3<f64>) -> Vector6<f64>>,
+    small: Option<Increments>,
     large: &dyn Fn(&Vector3<f64>) -> Motion,
 ) -> f64 {
     let section = IsotropicShell::new(0.01, 1e6, 0.25, 1.0).section().unwrap();
