@@ -132,6 +132,8 @@ fn files_that_the_theory_names_exist() {
         "mod.rs",
         "absent.rs",
         "tangent_test.rs",
+        "spread_test.rs",
+        "tests.rs",
         "division.rs",
         "test_models.rs",
         "watch.rs",
