@@ -173,7 +173,7 @@ static pdn_status try_modes(void)
     pdn_modes_options options;
     pdn_modes *modes = NULL;
     PDN_INIT(pdn_modes_options, &options);
-    options.count = 200;
+    options.count = 40;
     return pdn_solve_modes(model, &options, &modes);
 }
 
