@@ -2262,9 +2262,8 @@ class Equations
     std::vector<double> compliance(const std::vector<double> &increment)
     {
         std::vector<double> out(increment.size());
-        const auto compliant = detail::number<std::int32_t>([&](std::int32_t *compliant) {
-            return pdn_equations_compliance(get(), increment.data(), out.data(), out.size(),
-                                            compliant);
+        const auto compliant = detail::number<std::int32_t>([&](std::int32_t *flag) {
+            return pdn_equations_compliance(get(), increment.data(), out.data(), out.size(), flag);
         });
         return compliant != 0 ? out : std::vector<double>();
     }
