@@ -1,5 +1,4 @@
-//! Errors of sharp motions against the number of grid points, equispaced and mapped, and maps that
-//! adaptive solves find for them.
+//! Errors of a sharp motion against the number of grid points, equispaced and mapped.
 
 mod common;
 
@@ -70,23 +69,7 @@ fn sharp_motions_converge_faster_on_mapped_grids() {
         })
     });
     let rates = [0, 1].map(|i| rate(&points, &errors[i]));
-    // Of the points that both have; 2.9 where more are equispaced.
+    // 2.4 was measured on 31 to 135 points.
     assert!(rates[1] > 2.0 * rates[0], "{errors:?} {rates:?}");
     assert!(errors[1][3] < 0.05 * errors[0][3], "{errors:?}");
-}
-
-#[test]
-fn adaptive_solves_find_a_map_where_a_motion_is_sharp() {
-    let sharp = end_stop();
-    let [mapped, equispaced] = [TimeMapping::Automatic, TimeMapping::Equispaced].map(|time_map| {
-        let options = PeriodicOptions {
-            time_map,
-            work_limit: 0.0,
-            ..PeriodicOptions::with_error_tolerance(1e-7)
-        };
-        Solution::solve(&sharp.model, sharp.period, &options, &mut |_, _| true).unwrap()
-    });
-    assert_eq!(mapped.outcome(), Outcome::Converged, "{}", mapped.report());
-    let counts = [&mapped, &equispaced].map(|found| found.grid().points());
-    assert!(counts[0] <= counts[1], "{counts:?}");
 }
