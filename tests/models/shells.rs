@@ -63,19 +63,32 @@ pub fn add_strip(
         .unwrap()
 }
 
+/// Thickness, modulus, density, and time of damping of the rubber-like plate below.
+pub const RUBBER: [f64; 4] = [0.02, 2e8, 1100.0, 2e-3];
+
 /// A rubber-like plate, 1 × 0.5, that is welded to a shaft along y, which turns to and fro by
 /// `swing`; its period.
 pub fn flapping_plate(swing: f64, elements: [usize; 2], nodes: usize) -> (Model, f64) {
-    let mut model = Model::new();
+    let (model, patch) = rubber_plate([1.0, 0.5], 0.3, &mesh(elements, [nodes, nodes]));
+    swung(model, &patch.edge(PatchEdge::StartU), swing)
+}
+
+/// The plate alone, of another size and Poisson's ratio.
+pub fn rubber_plate(size: [f64; 2], poisson: f64, mesh: &ShellMesh) -> (Model, ShellPatch) {
+    let [thickness, young, density, damping_time] = RUBBER;
     let section = IsotropicShell {
-        damping_time: 2e-3,
-        ..IsotropicShell::new(0.02, 2e8, 0.3, 1100.0)
+        damping_time,
+        ..IsotropicShell::new(thickness, young, poisson, density)
     };
-    let section = section.section().unwrap();
-    let mesh = mesh(elements, [nodes, nodes]);
-    let patch = add_strip(&mut model, [1.0, 0.5], &section, &mesh);
+    let mut model = Model::new();
+    let patch = add_strip(&mut model, size, &section.section().unwrap(), mesh);
+    (model, patch)
+}
+
+/// With nodes welded to a shaft along y that turns to and fro by `swing`, under gravity; the period.
+pub fn swung(mut model: Model, nodes: &[usize], swing: f64) -> (Model, f64) {
     let shaft = ball(&mut model, 0.1, 1e-3, &Vector3::zeros());
-    for node in patch.edge(PatchEdge::StartU) {
+    for &node in nodes {
         let here = Motion::identity();
         model
             .add_joint(JointKind::Rigid, Some(shaft), Some(node), &here, &here)
@@ -90,5 +103,5 @@ pub fn flapping_plate(swing: f64, elements: [usize; 2], nodes: usize) -> (Model,
     );
     model.prescribe(rotation1(joint), &cosine(swing)).unwrap();
     gravity(&mut model, [0.0, 0.0, -9.81]);
-    (model, 0.8)
+    (model, 1.6)
 }
