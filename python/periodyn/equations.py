@@ -94,7 +94,7 @@ class Equations(Handle):
         return self._mapped(lib.pdn_equations_product, x)
 
     def transposed_product(self, x):
-        """The product of the transposed scaled Jacobian and a vector; with LINEAR_TIME_LOCAL."""
+        """The product of the transposed scaled Jacobian and a vector."""
         return self._mapped(lib.pdn_equations_transposed_product, x)
 
     def factor(self, right_side):
