@@ -480,6 +480,11 @@ inline std::string status_message(pdn_status status)
 {
     return pdn_status_message(status);
 }
+/** For a library on top of this one: what pdn_last_error is to give on this thread. */
+inline void set_last_error(const std::string &message)
+{
+    detail::check(pdn_set_last_error(message.c_str()));
+}
 /** What the last callback that failed on this thread returned; 1 if it threw. */
 inline std::int32_t last_callback_code()
 {

@@ -562,16 +562,14 @@ pub unsafe extern "C" fn pdn_equations_product(
     map(equations, (x, out, count), RankEquations::product)
 }
 
-/// The product of the transposed scaled Jacobian and a vector; only with the preconditioner
-/// PDN_LINEAR_TIME_LOCAL. By all ranks.
+/// The product of the transposed scaled Jacobian and a vector. By all ranks.
 ///
 /// @param equations  the equations; not NULL
 /// @param x  array of length [count]; NaN passes through
 /// @param out  array of length [count], may be `x`; written on success only
 /// @param count  pdn_equations_sizes.size
 /// @return PDN_OK; PDN_ERR_CALLBACK; on this rank alone PDN_ERR_NULL, PDN_ERR_VALUE (a handle in
-///     use), PDN_ERR_SIZE, and PDN_ERR_NOT_AVAILABLE where the last linearisation failed, or with
-///     another preconditioner
+///     use), PDN_ERR_SIZE, and PDN_ERR_NOT_AVAILABLE where the last linearisation failed
 ///
 /// Threads: exclusive use of `equations`.
 /// @since 0.1

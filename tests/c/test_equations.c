@@ -193,6 +193,39 @@ static void own_solver(struct test_model model, int32_t preconditioner)
     pdn_model_free(model.model);
 }
 
+/* y . (J x) = x . (J^T y), with stress resultants as unknowns. */
+static void transposes(void)
+{
+    struct test_model model = rotor(2, 9);
+    pdn_equations_options options;
+    pdn_equations_sizes sizes;
+    pdn_equations *equations;
+    int32_t regular;
+    PDN_INIT(pdn_equations_options, &options);
+    PDN_INIT(pdn_equations_sizes, &sizes);
+    options.grid_points = model.points;
+    options.preconditioner = PDN_LINEAR_BODY_CIRCULANT;
+    GOOD(pdn_equations_new(model.model, model.period, &options, &equations));
+    GOOD(pdn_equations_get_sizes(equations, &sizes));
+    const size_t n = sizes.size;
+    double *x = calloc(4 * n, sizeof *x), *y = x + n, *a = x + 2 * n, *b = x + 3 * n;
+    CHECK(x != NULL);
+    for (size_t i = 0; i < n; ++i) {
+        x[i] = sin(0.37 * (double)i);
+        y[i] = cos(0.23 * (double)i);
+    }
+    GOOD(pdn_equations_linearise(equations));
+    /* Which gives resultants their size. */
+    GOOD(pdn_equations_factor(equations, x, n, &regular));
+    CHECK(regular == 1);
+    GOOD(pdn_equations_product(equations, x, a, n));
+    GOOD(pdn_equations_transposed_product(equations, y, b, n));
+    CHECK(fabs(dot(y, a, n) - dot(x, b, n)) < 1e-12 * sqrt(dot(a, a, n) * dot(y, y, n)));
+    free(x);
+    pdn_equations_free(equations);
+    pdn_model_free(model.model);
+}
+
 /* y . (J x) = x . (J^T y); states go out and come back; numbers are those of one rank. */
 static void products_and_states(void)
 {
@@ -362,6 +395,7 @@ int main(void)
                              in.own_count));
     refused_calls();
     products_and_states();
+    transposes();
     pdn_equations_free(in.equations);
     pdn_model_free(model.model);
     free(in.x);

@@ -411,15 +411,9 @@ impl RankEquations {
     /// Writes the product of the transposed scaled Jacobian and `x`. By all ranks.
     ///
     /// # Errors
-    /// If sizes do not fit, where stress resultants are unknowns of their own, or if numbers cannot
-    /// be told.
+    /// If sizes do not fit, or numbers cannot be told.
     pub fn transposed_product(&mut self, x: &[f64], out: &mut [f64]) -> Result<()> {
         self.require_linear()?;
-        if SpreadFactors::keeps_resultants(self.preconditioner) {
-            let message = "equations: with stress resultants as unknowns there is no transposed \
-                           product; make them with the time-local preconditioner";
-            return Err(Error::new(ErrorKind::NotAvailable, message));
-        }
         self.require_length("x", x.len())?;
         self.require_length("out", out.len())?;
         self.put(x);
