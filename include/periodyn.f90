@@ -1938,6 +1938,18 @@ module periodyn_c
             integer(c_int32_t) :: pdn_equations_transposed_product
         end function pdn_equations_transposed_product
 
+        ! The product of a vector and what multiplies a power of mu in the scaled Jacobian for disturbances exp(mu ...
+        function pdn_equations_power_product(equations, power, x, out, &
+            count) bind(C, name="pdn_equations_power_product")
+            import
+            type(c_ptr), value :: equations
+            integer(c_int32_t), value :: power
+            real(c_double), intent(in) :: x(*)
+            real(c_double), intent(inout) :: out(*)
+            integer(c_size_t), value :: count
+            integer(c_int32_t) :: pdn_equations_power_product
+        end function pdn_equations_power_product
+
         ! Factors the preconditioner of the linearised equations
         function pdn_equations_factor(equations, right_side, count, &
             regular) bind(C, name="pdn_equations_factor")
@@ -3092,6 +3104,7 @@ module periodyn
         procedure, public :: linearise => equations_linearise
         procedure, public :: product => equations_product
         procedure, public :: transposed_product => equations_transposed_product
+        procedure, public :: power_product => equations_power_product
         procedure, public :: factor => equations_factor
         procedure, public :: precondition => equations_precondition
         procedure, public :: compliance => equations_compliance
@@ -5034,6 +5047,19 @@ contains
         if (.not. fits('y', shape(y), shape(x), stat, errmsg)) return
         call report(pdn_equations_transposed_product(self%c, x, y, size(x, kind=c_size_t)), stat, errmsg)
     end subroutine equations_transposed_product
+
+    ! The product of x and what multiplies a power of mu, 1 or 2, in the Jacobian for disturbances exp(mu t).
+    subroutine equations_power_product(self, power, x, y, stat, errmsg)
+        class(pdn_equations), intent(in) :: self
+        integer(c_int32_t), intent(in) :: power
+        real(c_double), intent(in), contiguous :: x(:)
+        real(c_double), intent(inout), contiguous :: y(:)
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+
+        if (.not. fits('y', shape(y), shape(x), stat, errmsg)) return
+        call report(pdn_equations_power_product(self%c, power, x, y, size(x, kind=c_size_t)), stat, errmsg)
+    end subroutine equations_power_product
 
     ! The solution of the preconditioner's equations with the right side x.
     subroutine equations_precondition(self, x, y, stat, errmsg)

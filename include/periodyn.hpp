@@ -2249,6 +2249,13 @@ class Equations
         detail::check(pdn_equations_transposed_product(get(), x.data(), out.data(), x.size()));
         return out;
     }
+    /** The product with what multiplies a power of mu, 1 or 2, for disturbances exp(mu t). */
+    std::vector<double> power_product(std::int32_t power, const std::vector<double> &x)
+    {
+        std::vector<double> out(x.size());
+        detail::check(pdn_equations_power_product(get(), power, x.data(), out.data(), x.size()));
+        return out;
+    }
     /** Factors the preconditioner; false if it is singular. */
     bool factor(const std::vector<double> &right_side)
     {

@@ -97,6 +97,11 @@ class Equations(Handle):
         """The product of the transposed scaled Jacobian and a vector."""
         return self._mapped(lib.pdn_equations_transposed_product, x)
 
+    def power_product(self, power, x):
+        """The product of a vector and what multiplies mu**power, 1 or 2, in the scaled Jacobian for
+        disturbances exp(mu t)."""
+        return self._mapped(lambda c, *rest: lib.pdn_equations_power_product(c, power, *rest), x)
+
     def factor(self, right_side):
         """Factors the preconditioner; right sides are to be about as large as this one.
 

@@ -338,6 +338,10 @@ static void refused_calls(void)
     REFUSED(LIST(product)(good, in.x, NULL, n), PDN_ERR_NULL, "out: ");
     REFUSED(LIST(product)(good, in.x, in.x, n - 1), PDN_ERR_SIZE, "x: expected ");
     REFUSED(LIST(transposed_product)(good, in.x, in.x, n - 1), PDN_ERR_SIZE, "x: expected ");
+    REFUSED(LIST(power_product)(good, 0, in.x, in.x, n), PDN_ERR_VALUE, "power: expected 1 or 2");
+    REFUSED(LIST(power_product)(good, 3, in.x, in.x, n), PDN_ERR_VALUE, "power: expected 1 or 2");
+    REFUSED(LIST(power_product)(good, 1, in.x, in.x, n - 1), PDN_ERR_SIZE, "x: expected ");
+    REFUSED(LIST(power_product)(good, 1, NULL, in.x, n), PDN_ERR_NULL, "x: ");
     REFUSED(LIST(precondition)(good, in.x, in.x, n), PDN_ERR_NOT_AVAILABLE, "equations: factor");
     REFUSED(LIST(factor)(good, in.x, n - 1, out.numbers), PDN_ERR_SIZE, "right_side: expected ");
     REFUSED(LIST(factor)(good, in.x, n, NULL), PDN_ERR_NULL, "regular: ");

@@ -137,6 +137,42 @@ fn transposed_products_with_stress_resultants_are_those_of_the_transpose() {
 }
 
 #[test]
+fn products_with_powers_are_those_of_their_matrices() {
+    for (model, period) in models() {
+        for points in [1, 3, 9] {
+            let mut equations = equations(&model, period, points);
+            let system = equations.system().clone();
+            let pattern = Pattern::new(&system, points);
+            let state = moved(&equations);
+            let matrices = equations.linearise(&state, &pattern).unwrap();
+            let x: Vec<f64> = (0..pattern.size()).map(|i| wave(3 * i + 1)).collect();
+            for mut tangent in [
+                Tangent::new(&system, points),
+                Tangent::with_resultants_apart(&system, points),
+            ] {
+                tangent.evaluate(&mut equations, &state).unwrap();
+                let mut found = vec![f64::NAN; x.len()];
+                for (power, matrix) in [(1, &matrices.damping), (2, &matrices.mass)] {
+                    tangent.apply_power(&equations, power, &x, &mut found);
+                    let [expected, _] = products(&pattern, matrix, &x);
+                    match expected.iter().all(|y| *y == 0.0) {
+                        true => assert!(found.iter().all(|y| *y == 0.0)),
+                        false => assert_close(&found, &expected, 1e-12),
+                    }
+                }
+                // Resultants do not depend on themselves.
+                let mut all = x.clone();
+                all.resize(x.len() + tangent.resultants(), 1.0);
+                let mut with_them = vec![f64::NAN; all.len()];
+                tangent.apply_power(&equations, 2, &all, &mut with_them);
+                assert!(with_them[x.len()..].iter().all(|x| *x == 0.0));
+                assert_eq!(with_them[..x.len()], found);
+            }
+        }
+    }
+}
+
+#[test]
 fn what_is_left_where_the_equations_are_linearised_is_the_residual() {
     for (model, period) in models() {
         for points in [1, 9] {
