@@ -8,6 +8,8 @@
 
 /* Widths of the columns: number of the case, status, a number, check sum. */
 enum { TASK = 9, STATUS = 11, NUMBER = 24, SUM = 8 };
+/* How often others get their turn between two cases of the first rank. */
+enum { TURNS = 100 };
 static const size_t MOST_TASKS = 999999999, MOST_RESULTS = 1000000;
 
 /* Bytes of a line, all of which are as long. */
@@ -93,11 +95,13 @@ struct sweep {
     int rank;
     size_t tasks, count;
     MPI_File file;
-    /* The number of the next case, on the first rank. */
+    /* The place of the next case among those that are open, on the first rank, and what it was. */
     MPI_Win window;
-    int64_t *next;
+    int64_t *next, found;
     /* For each case, whether its result is known, and whether it failed. */
     char *known;
+    /* Cases that are not. */
+    size_t *open, open_count;
     char *line;
     double *results;
     pdn_sweep_report report;
@@ -147,45 +151,59 @@ static pdn_status read_known(struct sweep *s, const char *path)
     return status;
 }
 
-/* The next case that is not known, `tasks` if there is none. */
-static int take(struct sweep *s, size_t *task)
+/* Asks for the next of the open cases. Where ranks have no other way to each other's memory, as by
+ * TCP, the first answers when it is in MPI: so the answer is waited for after a case, not before
+ * it, and that rank gives others the time. */
+static int ask(struct sweep *s, MPI_Request *request)
 {
-    const int64_t one = 1;
-    int64_t found;
-    int code;
-    do {
-        code = MPI_Fetch_and_op(&one, &found, MPI_INT64_T, 0, 0, MPI_SUM, s->window);
-        if (code == MPI_SUCCESS) {
-            code = MPI_Win_flush(0, s->window);
-        }
-    } while (code == MPI_SUCCESS && (size_t)found < s->tasks && s->known[found]);
-    *task = code == MPI_SUCCESS && (size_t)found < s->tasks ? (size_t)found : s->tasks;
-    return code;
+    static const int64_t one = 1;
+    return MPI_Rget_accumulate(&one, 1, MPI_INT64_T, &s->found, 1, MPI_INT64_T, 0, 0, 1,
+                               MPI_INT64_T, MPI_SUM, s->window, request);
+}
+
+/* Solves a case and writes its line. */
+static pdn_status solve(struct sweep *s, size_t task, pdn_sweep_fn function, void *user_data)
+{
+    const size_t length = line_length(s->count);
+    memset(s->results, 0, s->count * sizeof *s->results);
+    const int32_t ended = function(task, s->results, s->count, user_data);
+    write_line(s->line, task, ended, s->results, s->count);
+    const MPI_Offset at = (MPI_Offset)(length * (task + 1));
+    if (MPI_File_write_at(s->file, at, s->line, (int)length, MPI_CHAR, MPI_STATUS_IGNORE) !=
+        MPI_SUCCESS) {
+        return pdn_failure(PDN_ERR_IO, "case %zu cannot be written", task);
+    }
+    s->report.own++;
+    s->report.failed += ended != PDN_OK;
+    return PDN_OK;
 }
 
 /* Solves cases until there are none left. */
 static pdn_status run(struct sweep *s, pdn_sweep_fn function, void *user_data)
 {
-    const size_t length = line_length(s->count);
-    size_t task;
-    for (;;) {
-        if (take(s, &task) != MPI_SUCCESS) {
-            return of_mpi("MPI_Fetch_and_op");
+    MPI_Request request;
+    int code = ask(s, &request);
+    while (code == MPI_SUCCESS) {
+        code = MPI_Wait(&request, MPI_STATUS_IGNORE);
+        for (int i = 0; i < TURNS && s->rank == 0; ++i) {
+            int unused;
+            MPI_Iprobe(MPI_ANY_SOURCE, 0, s->comm, &unused, MPI_STATUS_IGNORE);
         }
-        if (task == s->tasks) {
-            return PDN_OK;
+        const size_t place = (size_t)s->found;
+        if (code != MPI_SUCCESS || place >= s->open_count) {
+            break;
         }
-        memset(s->results, 0, s->count * sizeof *s->results);
-        const int32_t ended = function(task, s->results, s->count, user_data);
-        write_line(s->line, task, ended, s->results, s->count);
-        const MPI_Offset at = (MPI_Offset)(length * (task + 1));
-        if (MPI_File_write_at(s->file, at, s->line, (int)length, MPI_CHAR, MPI_STATUS_IGNORE) !=
-            MPI_SUCCESS) {
-            return pdn_failure(PDN_ERR_IO, "case %zu cannot be written", task);
+        code = ask(s, &request);
+        if (code != MPI_SUCCESS) {
+            break;
         }
-        s->report.own++;
-        s->report.failed += ended != PDN_OK;
+        const pdn_status status = solve(s, s->open[place], function, user_data);
+        if (status != PDN_OK) {
+            MPI_Wait(&request, MPI_STATUS_IGNORE);
+            return status;
+        }
     }
+    return code == MPI_SUCCESS ? PDN_OK : of_mpi("MPI_Rget_accumulate");
 }
 
 static pdn_status open_file(struct sweep *s, const char *path)
@@ -215,6 +233,9 @@ static pdn_status study(struct sweep *s, pdn_sweep_fn function, void *user_data,
     for (size_t task = 0; task < s->tasks; ++task) {
         s->report.known += s->known[task] != 0;
         s->report.failed += s->rank == 0 && s->known[task] == 2;
+        if (!s->known[task]) {
+            s->open[s->open_count++] = task;
+        }
     }
     status = pdn_agreed(s->comm, open_file(s, path));
     if (status == PDN_OK &&
@@ -275,9 +296,10 @@ pdn_status pdn_sweep(MPI_Comm comm, size_t tasks, size_t count, pdn_sweep_fn fun
     MPI_Comm_rank(comm, &s.rank);
     if (status == PDN_OK) {
         s.known = calloc(tasks, 1);
+        s.open = malloc(tasks * sizeof *s.open);
         s.line = malloc(line_length(count));
         s.results = malloc((count + 1) * sizeof *s.results);
-        if (s.known == NULL || s.line == NULL || s.results == NULL) {
+        if (s.known == NULL || s.open == NULL || s.line == NULL || s.results == NULL) {
             status = of_memory();
         }
     }
@@ -296,6 +318,7 @@ pdn_status pdn_sweep(MPI_Comm comm, size_t tasks, size_t count, pdn_sweep_fn fun
         }
     }
     free(s.known);
+    free(s.open);
     free(s.line);
     free(s.results);
     return status;
