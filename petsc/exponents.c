@@ -36,11 +36,10 @@ static pdn_status check(const pdn_model *model, const pdn_petsc_options *options
 
 /* Accuracy of the solves of a step, and of eigenvalues. */
 static const double OF_SOLVES = 1e-10, OF_EXPONENTS = 1e-8;
+/* Cycles of Krylov-Schur after which what is found has to do: far from zero copies lie dense. */
+enum { MOST_CYCLES = 8 };
 /* What rounding and the accuracy of solves leave of an imaginary part at the edge. */
 static const double EDGE = 1e-6;
-/* So many times as many are looked for as are wanted, as some are copies of others. */
-enum { COPIES = 2 };
-
 /* With z = (x, mu x): (J + mu J1 + mu^2 J2) x = 0 where 1/mu z = T z, with
  * T (x, w) = (-J^-1 (J1 x + J2 w), x). */
 static PetscErrorCode step(Mat matrix, Vec from, Vec to)
@@ -75,8 +74,25 @@ static PetscErrorCode step(Mat matrix, Vec from, Vec to)
     PetscFunctionReturn(0);
 }
 
-/* The eigenvalues of T of largest size. */
-static PetscErrorCode find_eigenvalues(struct pdn_linear *s, size_t wanted, Mat *matrix, EPS *eps)
+/* Exponents in the strip come before copies of others, those nearer to zero before others. */
+static PetscErrorCode compare(PetscScalar a, PetscScalar a_imaginary, PetscScalar b,
+                              PetscScalar b_imaginary, PetscInt *result, void *edge)
+{
+    const double square[2] = {a * a + a_imaginary * a_imaginary, b * b + b_imaginary * b_imaginary};
+    const double most = *(const double *)edge * (1 + EDGE);
+    const int within[2] = {fabs(a_imaginary) <= most * square[0],
+                           fabs(b_imaginary) <= most * square[1]};
+    PetscFunctionBeginUser;
+    *result = within[0] != within[1]   ? (within[0] ? -1 : 1)
+              : square[0] == square[1] ? 0
+              : square[0] > square[1]  ? -1
+                                       : 1;
+    PetscFunctionReturn(0);
+}
+
+/* The eigenvalues 1/mu of T; `edge` is that of the strip. */
+static PetscErrorCode find_eigenvalues(struct pdn_linear *s, size_t wanted, double *edge,
+                                       Mat *matrix, EPS *eps)
 {
     const PetscInt local = (PetscInt)(2 * s->size);
     PetscFunctionBeginUser;
@@ -86,18 +102,18 @@ static PetscErrorCode find_eigenvalues(struct pdn_linear *s, size_t wanted, Mat 
     PetscCall(EPSSetOptionsPrefix(*eps, "pdn_"));
     PetscCall(EPSSetOperators(*eps, *matrix, NULL));
     PetscCall(EPSSetProblemType(*eps, EPS_NHEP));
-    PetscCall(EPSSetWhichEigenpairs(*eps, EPS_LARGEST_MAGNITUDE));
-    PetscCall(EPSSetDimensions(*eps, (PetscInt)(COPIES * wanted), PETSC_DEFAULT, PETSC_DEFAULT));
-    PetscCall(EPSSetTolerances(*eps, OF_EXPONENTS, PETSC_DEFAULT));
+    PetscCall(EPSSetWhichEigenpairs(*eps, EPS_WHICH_USER));
+    PetscCall(EPSSetEigenvalueComparison(*eps, compare, edge));
+    PetscCall(EPSSetDimensions(*eps, (PetscInt)wanted, PETSC_DEFAULT, PETSC_DEFAULT));
+    PetscCall(EPSSetTolerances(*eps, OF_EXPONENTS, MOST_CYCLES));
     PetscCall(EPSSetFromOptions(*eps));
     PetscCall(EPSSolve(*eps));
     PetscFunctionReturn(0);
 }
 
 /* Takes those of the strip, in the order in which they are, and how many there are. */
-static PetscErrorCode take(EPS eps, double period, size_t wanted, double *out[3], size_t *found)
+static PetscErrorCode take(EPS eps, double half, size_t wanted, double *out[3], size_t *found)
 {
-    const double half = acos(-1.0) / period;
     PetscInt count;
     PetscFunctionBeginUser;
     PetscCall(EPSGetConverged(eps, &count));
@@ -141,6 +157,7 @@ static pdn_status linearise(struct pdn_linear *s)
 static pdn_status find(struct pdn_linear *s, double period, size_t wanted, double *out[3],
                        size_t *found)
 {
+    double edge = acos(-1.0) / period;
     Mat matrix = NULL;
     EPS eps = NULL;
     pdn_status status = linearise(s);
@@ -148,8 +165,8 @@ static pdn_status find(struct pdn_linear *s, double period, size_t wanted, doubl
         return status;
     }
     s->status = PDN_OK;
-    if (find_eigenvalues(s, wanted, &matrix, &eps) != 0 ||
-        take(eps, period, wanted, out, found) != 0) {
+    if (find_eigenvalues(s, wanted, &edge, &matrix, &eps) != 0 ||
+        take(eps, edge, wanted, out, found) != 0) {
         status = s->status != PDN_OK ? s->status : pdn_of_petsc("SLEPc");
     }
     EPSDestroy(&eps);

@@ -108,7 +108,7 @@ pdn_status pdn_petsc_solve(MPI_Comm comm, const pdn_model *model, double period,
  * wanted: how many exponents are asked for, each of a pair by itself.
  * real, imaginary: arrays of length [wanted] for mu, nearest to zero first; errors: of the same
  * length, estimated error of each; may be NULL.
- * found: how many of the 2 [wanted] nearest to zero have such an imaginary part, at most [wanted].
+ * found: how many there are, at most [wanted]; fewer where the iteration does not find them.
  * Returns PDN_OK, PDN_ERR_NULL, PDN_ERR_SIZE (none wanted), PDN_ERR_VALUE (no initial solution),
  * PDN_ERR_STRUCT_SIZE, PDN_ERR_NOT_AVAILABLE (also where the Jacobian is singular), PDN_ERR_PETSC,
  * or what the functions of pdn_equations return; pdn_last_error tells why, on all ranks. */
