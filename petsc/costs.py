@@ -187,7 +187,7 @@ def show(lines):
         parts = times(c, elements, points, int(ranks))
         model = sum(parts.values())
         of_parts = [parts[name] for name in ("start", "linearisations", "factors", "solves")]
-        measured = [x for x in (start, linearised, factored, solved) if not math.isnan(x)]
+        measured = [start, linearised, factored, solved]
         in_words = [", ".join(f"{x:.1f}" for x in both) for both in (measured, of_parts)]
         print(f"| {unknowns_of(elements, points):.3g}, {ranks:.0f} ranks | {total:.1f} s | "
               f"{model:.1f} s | {100 * (model / total - 1):+.0f} % | {in_words[0]} | {in_words[1]} |")
