@@ -694,6 +694,13 @@ module periodyn_c
             integer(c_size_t) :: pdn_last_error
         end function pdn_last_error
 
+        ! Sets the message that ::pdn_last_error gives on this thread: for libraries on top of this one, whose own ...
+        function pdn_set_last_error(message) bind(C, name="pdn_set_last_error")
+            import
+            character(kind=c_char), intent(in) :: message(*)
+            integer(c_int32_t) :: pdn_set_last_error
+        end function pdn_set_last_error
+
         ! To be called by a callback that is about to report failure: says why
         function pdn_set_callback_error(message) bind(C, name="pdn_set_callback_error")
             import
@@ -1920,7 +1927,7 @@ module periodyn_c
             integer(c_int32_t) :: pdn_equations_product
         end function pdn_equations_product
 
-        ! The product of the transposed scaled Jacobian and a vector; only with the preconditioner PDN_LINEAR_TIME_LOCAL
+        ! The product of the transposed scaled Jacobian and a vector
         function pdn_equations_transposed_product(equations, x, out, &
             count) bind(C, name="pdn_equations_transposed_product")
             import
@@ -1930,6 +1937,18 @@ module periodyn_c
             integer(c_size_t), value :: count
             integer(c_int32_t) :: pdn_equations_transposed_product
         end function pdn_equations_transposed_product
+
+        ! The product of a vector and what multiplies a power of mu in the scaled Jacobian for disturbances exp(mu ...
+        function pdn_equations_power_product(equations, power, x, out, &
+            count) bind(C, name="pdn_equations_power_product")
+            import
+            type(c_ptr), value :: equations
+            integer(c_int32_t), value :: power
+            real(c_double), intent(in) :: x(*)
+            real(c_double), intent(inout) :: out(*)
+            integer(c_size_t), value :: count
+            integer(c_int32_t) :: pdn_equations_power_product
+        end function pdn_equations_power_product
 
         ! Factors the preconditioner of the linearised equations
         function pdn_equations_factor(equations, right_side, count, &
@@ -2846,6 +2865,7 @@ module periodyn
         c_status_name => pdn_status_name, &
         c_status_message => pdn_status_message, &
         c_last_error => pdn_last_error, &
+        c_set_last_error => pdn_set_last_error, &
         c_set_callback_error => pdn_set_callback_error, &
         c_motion_interpolate => pdn_motion_interpolate, &
         c_motion_grid_kinematics => pdn_motion_grid_kinematics
@@ -3084,6 +3104,7 @@ module periodyn
         procedure, public :: linearise => equations_linearise
         procedure, public :: product => equations_product
         procedure, public :: transposed_product => equations_transposed_product
+        procedure, public :: power_product => equations_power_product
         procedure, public :: factor => equations_factor
         procedure, public :: precondition => equations_precondition
         procedure, public :: compliance => equations_compliance
@@ -3128,6 +3149,9 @@ module periodyn
     interface pdn_last_error
         procedure last_error_text
     end interface pdn_last_error
+    interface pdn_set_last_error
+        procedure set_last_error_text
+    end interface pdn_set_last_error
     interface pdn_set_callback_error
         procedure set_callback_error_text
     end interface pdn_set_callback_error
@@ -3276,6 +3300,14 @@ contains
         length = c_last_error(buffer, size(buffer, kind=c_size_t))
         text = joined(buffer(:length))
     end function last_error_text
+
+    ! For a library on top of this one: what pdn_last_error is to give.
+    subroutine set_last_error_text(message)
+        character(*), intent(in) :: message
+        integer(c_int32_t) :: ignored
+
+        ignored = c_set_last_error(c_text(message))
+    end subroutine set_last_error_text
 
     ! For a callback that is about to report failure: says why.
     subroutine set_callback_error_text(message)
@@ -5015,6 +5047,19 @@ contains
         if (.not. fits('y', shape(y), shape(x), stat, errmsg)) return
         call report(pdn_equations_transposed_product(self%c, x, y, size(x, kind=c_size_t)), stat, errmsg)
     end subroutine equations_transposed_product
+
+    ! The product of x and what multiplies a power of mu, 1 or 2, in the Jacobian for disturbances exp(mu t).
+    subroutine equations_power_product(self, power, x, y, stat, errmsg)
+        class(pdn_equations), intent(in) :: self
+        integer(c_int32_t), intent(in) :: power
+        real(c_double), intent(in), contiguous :: x(:)
+        real(c_double), intent(inout), contiguous :: y(:)
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+
+        if (.not. fits('y', shape(y), shape(x), stat, errmsg)) return
+        call report(pdn_equations_power_product(self%c, power, x, y, size(x, kind=c_size_t)), stat, errmsg)
+    end subroutine equations_power_product
 
     ! The solution of the preconditioner's equations with the right side x.
     subroutine equations_precondition(self, x, y, stat, errmsg)

@@ -2753,6 +2753,19 @@ size_t pdn_last_error(char *buffer,
                       size_t capacity);
 
 /**
+ * Sets the message that ::pdn_last_error gives on this thread: for libraries on top of this one,
+ * whose own functions fail.
+ *
+ * @param message  text in UTF-8, ended by NUL, copied; not NULL
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_VALUE (no UTF-8)
+ *
+ * Threads: any; each thread has its own message.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_set_last_error(const char *message);
+
+/**
  * To be called by a callback that is about to report failure: says why.
  *
  * The text becomes a part of the message of the call that fails with PDN_ERR_CALLBACK.
@@ -5292,16 +5305,14 @@ pdn_status pdn_equations_product(struct pdn_equations *equations,
                                  size_t count);
 
 /**
- * The product of the transposed scaled Jacobian and a vector; only with the preconditioner
- * PDN_LINEAR_TIME_LOCAL. By all ranks.
+ * The product of the transposed scaled Jacobian and a vector. By all ranks.
  *
  * @param equations  the equations; not NULL
  * @param x  array of length [count]; NaN passes through
  * @param out  array of length [count], may be `x`; written on success only
  * @param count  pdn_equations_sizes.size
  * @return PDN_OK; PDN_ERR_CALLBACK; on this rank alone PDN_ERR_NULL, PDN_ERR_VALUE (a handle in
- *     use), PDN_ERR_SIZE, and PDN_ERR_NOT_AVAILABLE where the last linearisation failed, or with
- *     another preconditioner
+ *     use), PDN_ERR_SIZE, and PDN_ERR_NOT_AVAILABLE where the last linearisation failed
  *
  * Threads: exclusive use of `equations`.
  * @since 0.1
@@ -5311,6 +5322,30 @@ pdn_status pdn_equations_transposed_product(struct pdn_equations *equations,
                                             const double *x,
                                             double *out,
                                             size_t count);
+
+/**
+ * The product of a vector and what multiplies a power of mu in the scaled Jacobian for
+ * disturbances exp(mu t) times increments of the period: J(mu) = J + mu J1 + mu^2 J2. Where that
+ * is singular exp(mu T) is a Floquet multiplier. By all ranks.
+ *
+ * @param equations  the equations; not NULL
+ * @param power  1 or 2
+ * @param x  array of length [count]; NaN passes through
+ * @param out  array of length [count], may be `x`; written on success only
+ * @param count  pdn_equations_sizes.size
+ * @return PDN_OK; PDN_ERR_CALLBACK; on this rank alone PDN_ERR_NULL, PDN_ERR_VALUE (another
+ *     power, a handle in use), PDN_ERR_SIZE, and PDN_ERR_NOT_AVAILABLE where the last
+ *     linearisation failed
+ *
+ * Threads: exclusive use of `equations`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_equations_power_product(struct pdn_equations *equations,
+                                       int32_t power,
+                                       const double *x,
+                                       double *out,
+                                       size_t count);
 
 /**
  * Factors the preconditioner of the linearised equations. By all ranks.

@@ -480,6 +480,11 @@ inline std::string status_message(pdn_status status)
 {
     return pdn_status_message(status);
 }
+/** For a library on top of this one: what pdn_last_error is to give on this thread. */
+inline void set_last_error(const std::string &message)
+{
+    detail::check(pdn_set_last_error(message.c_str()));
+}
 /** What the last callback that failed on this thread returned; 1 if it threw. */
 inline std::int32_t last_callback_code()
 {
@@ -2242,6 +2247,13 @@ class Equations
     {
         std::vector<double> out(x.size());
         detail::check(pdn_equations_transposed_product(get(), x.data(), out.data(), x.size()));
+        return out;
+    }
+    /** The product with what multiplies a power of mu, 1 or 2, for disturbances exp(mu t). */
+    std::vector<double> power_product(std::int32_t power, const std::vector<double> &x)
+    {
+        std::vector<double> out(x.size());
+        detail::check(pdn_equations_power_product(get(), power, x.data(), out.data(), x.size()));
         return out;
     }
     /** Factors the preconditioner; false if it is singular. */

@@ -6,7 +6,11 @@
 
 #include <string.h>
 
-/* The first of the statuses of all ranks that is none of success, the same on all. By all ranks. */
+/* Gives the status, and the text that pdn_last_error then has, as printf does. */
+pdn_status pdn_failure(pdn_status status, const char *format, ...);
+
+/* The least of the statuses of all ranks, the same on all, where that is none of success with the
+ * message of the first rank that has it. By all ranks. */
 pdn_status pdn_agreed(MPI_Comm comm, pdn_status status);
 
 /* Writes as much of the defaults as fits, zero to the rest, and the size of the struct. */

@@ -92,6 +92,30 @@ pdn_status pdn_petsc_solve(MPI_Comm comm, const pdn_model *model, double period,
                            const pdn_petsc_options *options, pdn_petsc_report *report,
                            pdn_solution **out);
 
+/* Finds exponents of the disturbances exp(mu t) phi(t) of a periodic solution, where phi has its
+ * period: those with the smallest |mu|, from which exp(mu T) are Floquet multipliers. By all ranks.
+ *
+ * For models that are too large for pdn_solve_stability. By SLEPc, from the equations on the grid
+ * (PDN_ERR_NOT_AVAILABLE where the library was built without it): the eigenvalues nearest to zero
+ * of the pencil J + mu J1 + mu^2 J2 by Krylov-Schur, whose steps are solves with the Jacobian as
+ * those of pdn_petsc_solve are. Each disturbance has as many copies mu + i j 2 pi / T as the grid
+ * resolves; those with the imaginary part in (-pi / T, pi / T] are given, one for each multiplier.
+ * A zero shift serves for all of these, as the copies of each mode are as near to it as to any. Of
+ * multipliers that are equal, as those of blades that do not feel each other, one may be given.
+ * Options of SLEPc have the prefix pdn_, as -pdn_eps_view; those of KSP too.
+ *
+ * options: as for pdn_petsc_solve; initial is the solution, on each rank, and needed.
+ * wanted: how many exponents are asked for, each of a pair by itself.
+ * real, imaginary: arrays of length [wanted] for mu, nearest to zero first; errors: of the same
+ * length, estimated error of each; may be NULL.
+ * found: how many there are, at most [wanted]; fewer where the iteration does not find them.
+ * Returns PDN_OK, PDN_ERR_NULL, PDN_ERR_SIZE (none wanted), PDN_ERR_VALUE (no initial solution),
+ * PDN_ERR_STRUCT_SIZE, PDN_ERR_NOT_AVAILABLE (also where the Jacobian is singular), PDN_ERR_PETSC,
+ * or what the functions of pdn_equations return; pdn_last_error tells why, on all ranks. */
+pdn_status pdn_petsc_exponents(MPI_Comm comm, const pdn_model *model, double period,
+                               const pdn_petsc_options *options, size_t wanted, double *real,
+                               double *imaginary, double *errors, size_t *found);
+
 /* Sets rank, ranks, exchange, gather and ranks_data of the options for the ranks of `comm`, which
  * must outlive the equations; *comm is what ranks_data points to. */
 void pdn_petsc_set_ranks(MPI_Comm *comm, pdn_equations_options *options);

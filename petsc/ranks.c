@@ -3,7 +3,12 @@
 #include "internal.h"
 
 #include <limits.h>
+#include <stdarg.h>
+#include <stdio.h>
 #include <stdlib.h>
+
+/* Bytes of what is told of a failure. */
+enum { MESSAGE = 500 };
 
 /* Counts as MPI wants them, and where each part begins; 0 if they are too many. */
 static int counts_of(int ranks, const size_t *counts, int *out, int *first)
@@ -74,11 +79,35 @@ void pdn_petsc_set_ranks(MPI_Comm *comm, pdn_equations_options *options)
     options->ranks_data = comm;
 }
 
+pdn_status pdn_failure(pdn_status status, const char *format, ...)
+{
+    char text[MESSAGE];
+    va_list arguments;
+    va_start(arguments, format);
+    vsnprintf(text, sizeof text, format, arguments);
+    va_end(arguments);
+    pdn_set_last_error(text);
+    return status;
+}
+
 pdn_status pdn_agreed(MPI_Comm comm, pdn_status status)
 {
-    int worst = status;
-    MPI_Allreduce(&status, &worst, 1, MPI_INT, MPI_MIN, comm);
-    return worst;
+    struct {
+        int status, rank;
+    } own, worst;
+    char text[MESSAGE];
+    int ranks;
+    MPI_Comm_size(comm, &ranks);
+    MPI_Comm_rank(comm, &own.rank);
+    own.status = status;
+    worst = own;
+    MPI_Allreduce(&own, &worst, 1, MPI_2INT, MPI_MINLOC, comm);
+    if (worst.status == PDN_OK || ranks == 1) {
+        return worst.status;
+    }
+    pdn_last_error(text, sizeof text);
+    MPI_Bcast(text, sizeof text, MPI_CHAR, worst.rank, comm);
+    return pdn_failure(worst.status, "rank %d: %s", worst.rank, text);
 }
 
 void pdn_write_defaults(void *out, size_t out_size, const void *defaults, size_t size)

@@ -1,10 +1,8 @@
 /* Newton's method on the manifold of motions, with linear equations solved by KSP. */
 
-#include "internal.h"
+#include "linear.h"
 
 #include <math.h>
-#include <petscksp.h>
-#include <stdlib.h>
 
 /* Accuracy of linear solves, relative to the right side in the preconditioned norm: that of the
  * last increment, so that convergence stays quadratic, between these. */
@@ -15,133 +13,6 @@ static const double ROUGH = 1e-2;
 static const double ERROR_LEFT = 1e-3;
 /* The shortest step. */
 static const double SHORTEST = 1e-3;
-/* Vectors that GMRES keeps, and most iterations of a linear solve. */
-enum { RESTART = 100, MOST_PRODUCTS = 400 };
-
-struct solve {
-    MPI_Comm comm;
-    pdn_equations *equations;
-    size_t size;
-    /* Of the Jacobian and its preconditioner, once they have failed. */
-    pdn_status status;
-    Mat jacobian;
-    KSP ksp;
-    Vec right_side, solution;
-    double *residual, *trial, *increment, *simplified, *rest;
-    pdn_petsc_report report;
-};
-
-static PetscErrorCode multiply(Mat matrix, Vec x, Vec y)
-{
-    struct solve *s;
-    const PetscScalar *from;
-    PetscScalar *to;
-    PetscFunctionBeginUser;
-    PetscCall(MatShellGetContext(matrix, &s));
-    PetscCall(VecGetArrayRead(x, &from));
-    PetscCall(VecGetArrayWrite(y, &to));
-    const pdn_status status = pdn_equations_product(s->equations, from, to, s->size);
-    PetscCall(VecRestoreArrayWrite(y, &to));
-    PetscCall(VecRestoreArrayRead(x, &from));
-    s->status = status != PDN_OK ? status : s->status;
-    PetscCheck(status == PDN_OK, PETSC_COMM_SELF, PETSC_ERR_LIB, "pdn_equations_product: %s",
-               pdn_status_name(status));
-    PetscFunctionReturn(0);
-}
-
-static PetscErrorCode precondition(PC pc, Vec x, Vec y)
-{
-    struct solve *s;
-    const PetscScalar *from;
-    PetscScalar *to;
-    PetscFunctionBeginUser;
-    PetscCall(PCShellGetContext(pc, &s));
-    PetscCall(VecGetArrayRead(x, &from));
-    PetscCall(VecGetArrayWrite(y, &to));
-    const pdn_status status = pdn_equations_precondition(s->equations, from, to, s->size);
-    PetscCall(VecRestoreArrayWrite(y, &to));
-    PetscCall(VecRestoreArrayRead(x, &from));
-    s->status = status != PDN_OK ? status : s->status;
-    PetscCheck(status == PDN_OK, PETSC_COMM_SELF, PETSC_ERR_LIB, "pdn_equations_precondition: %s",
-               pdn_status_name(status));
-    PetscFunctionReturn(0);
-}
-
-static PetscErrorCode set_up(struct solve *s)
-{
-    PC pc;
-    PetscFunctionBeginUser;
-    PetscCall(MatCreateShell(s->comm, (PetscInt)s->size, (PetscInt)s->size, PETSC_DETERMINE,
-                             PETSC_DETERMINE, s, &s->jacobian));
-    PetscCall(MatShellSetOperation(s->jacobian, MATOP_MULT, (void (*)(void))multiply));
-    PetscCall(MatCreateVecs(s->jacobian, &s->solution, &s->right_side));
-    PetscCall(KSPCreate(s->comm, &s->ksp));
-    PetscCall(KSPSetOptionsPrefix(s->ksp, "pdn_"));
-    PetscCall(KSPSetOperators(s->ksp, s->jacobian, s->jacobian));
-    PetscCall(KSPSetType(s->ksp, KSPGMRES));
-    PetscCall(KSPGMRESSetRestart(s->ksp, RESTART));
-    PetscCall(KSPGMRESSetCGSRefinementType(s->ksp, KSP_GMRES_CGS_REFINE_IFNEEDED));
-    PetscCall(KSPSetPCSide(s->ksp, PC_LEFT));
-    PetscCall(KSPGetPC(s->ksp, &pc));
-    PetscCall(PCSetType(pc, PCSHELL));
-    PetscCall(PCShellSetContext(pc, s));
-    PetscCall(PCShellSetApply(pc, precondition));
-    PetscCall(PCShellSetName(pc, "periodyn"));
-    PetscCall(KSPSetFromOptions(s->ksp));
-    PetscFunctionReturn(0);
-}
-
-/* Solves once, as accurately as that. */
-static PetscErrorCode solve_once(struct solve *s, const double *right_side, double *out,
-                                 double accuracy)
-{
-    PetscScalar *to;
-    const PetscScalar *from;
-    PetscInt products;
-    PetscFunctionBeginUser;
-    PetscCall(KSPSetTolerances(s->ksp, accuracy, 0.0, PETSC_DEFAULT, MOST_PRODUCTS));
-    PetscCall(VecGetArrayWrite(s->right_side, &to));
-    memcpy(to, right_side, s->size * sizeof *to);
-    PetscCall(VecRestoreArrayWrite(s->right_side, &to));
-    PetscCall(KSPSolve(s->ksp, s->right_side, s->solution));
-    PetscCall(KSPGetIterationNumber(s->ksp, &products));
-    s->report.products += (size_t)products;
-    PetscCall(VecGetArrayRead(s->solution, &from));
-    memcpy(out, from, s->size * sizeof *out);
-    PetscCall(VecRestoreArrayRead(s->solution, &from));
-    PetscFunctionReturn(0);
-}
-
-/* Solves, and takes back what the compliance of constraints leaves of them. */
-static pdn_status solve_linear(struct solve *s, const double *right_side, double *out,
-                               double accuracy)
-{
-    const double began = MPI_Wtime();
-    int32_t compliant = 0;
-    s->status = PDN_OK;
-    if (solve_once(s, right_side, out, accuracy) != 0) {
-        return s->status != PDN_OK ? s->status : PDN_ERR_PETSC;
-    }
-    double motion, own;
-    pdn_status status = pdn_equations_norms(s->equations, out, s->size, &motion, &own);
-    if (status == PDN_OK && isfinite(motion)) {
-        status = pdn_agreed(s->comm, pdn_equations_compliance(s->equations, out, s->rest, s->size,
-                                                             &compliant));
-    }
-    if (status == PDN_OK && compliant) {
-        double *second = malloc(s->size * sizeof *second + 1);
-        status = pdn_agreed(s->comm, second == NULL ? PDN_ERR_MEMORY : PDN_OK);
-        if (status == PDN_OK && solve_once(s, s->rest, second, accuracy) != 0) {
-            status = s->status != PDN_OK ? s->status : PDN_ERR_PETSC;
-        }
-        for (size_t i = 0; status == PDN_OK && i < s->size; ++i) {
-            out[i] += second[i];
-        }
-        free(second);
-    }
-    s->report.solve_time += MPI_Wtime() - began;
-    return status;
-}
 
 static void negate(size_t size, const double *x, double *out)
 {
@@ -151,7 +22,7 @@ static void negate(size_t size, const double *x, double *out)
 }
 
 /* Linearises and finds the increment; `regular` is 0 where that cannot be. */
-static pdn_status find_increment(struct solve *s, double accuracy, int32_t *regular)
+static pdn_status find_increment(struct pdn_linear *s, double accuracy, int32_t *regular)
 {
     double began = MPI_Wtime();
     pdn_status status = pdn_equations_linearise(s->equations);
@@ -163,14 +34,14 @@ static pdn_status find_increment(struct solve *s, double accuracy, int32_t *regu
     }
     s->report.factor_time += MPI_Wtime() - began;
     if (status == PDN_OK && *regular) {
-        status = solve_linear(s, s->trial, s->increment, accuracy);
+        status = pdn_linear_solve(s, s->trial, s->increment, accuracy);
     }
     return status;
 }
 
 /* Looks for a step along the increment, whose largest motion is `length`: one after which the
  * simplified increment is shorter. `step` is 0 if there is none. */
-static pdn_status search(struct solve *s, double length, int is_last, double *step)
+static pdn_status search(struct pdn_linear *s, double length, int is_last, double *step)
 {
     for (*step = 1; *step >= SHORTEST; *step /= 2) {
         double next, own;
@@ -189,7 +60,7 @@ static pdn_status search(struct solve *s, double length, int is_last, double *st
             return PDN_OK;
         }
         negate(s->size, s->trial, s->simplified);
-        status = solve_linear(s, s->simplified, s->simplified, ROUGH);
+        status = pdn_linear_solve(s, s->simplified, s->simplified, ROUGH);
         if (status == PDN_OK) {
             status = pdn_equations_norms(s->equations, s->simplified, s->size, &next, &own);
         }
@@ -201,7 +72,7 @@ static pdn_status search(struct solve *s, double length, int is_last, double *st
     return PDN_OK;
 }
 
-static pdn_status iterate(struct solve *s, const pdn_petsc_options *options)
+static pdn_status iterate(struct pdn_linear *s, const pdn_petsc_options *options)
 {
     double accuracy = COARSE;
     s->report.outcome = PDN_ITERATION_LIMIT;
@@ -264,54 +135,6 @@ static pdn_status find_start(MPI_Comm comm, const pdn_model *model, double perio
     return pdn_agreed(comm, status);
 }
 
-static pdn_status make_equations(struct solve *s, const pdn_model *model, double period,
-                                 const pdn_petsc_options *options, const pdn_solution *start)
-{
-    pdn_equations_options wanted;
-    pdn_equations_sizes sizes;
-    PDN_INIT(pdn_equations_options, &wanted);
-    wanted.grid_points = options->grid_points;
-    wanted.initial = start;
-    wanted.owners = options->owners;
-    wanted.owner_count = options->owner_count;
-    wanted.preconditioner = options->preconditioner;
-    wanted.threads = options->threads;
-    pdn_petsc_set_ranks(&s->comm, &wanted);
-    pdn_status status = pdn_equations_new(model, period, &wanted, &s->equations);
-    if (status != PDN_OK) {
-        return status;
-    }
-    PDN_INIT(pdn_equations_sizes, &sizes);
-    status = pdn_equations_get_sizes(s->equations, &sizes);
-    s->size = sizes.size;
-    s->report.size = sizes.size;
-    s->report.halo = sizes.halo;
-    s->report.unknowns = sizes.total;
-    s->report.preconditioner = sizes.preconditioner;
-    double **const vectors[] = {&s->residual, &s->trial, &s->increment, &s->simplified, &s->rest};
-    for (size_t i = 0; i < sizeof vectors / sizeof *vectors; ++i) {
-        *vectors[i] = calloc(s->size + 1, sizeof **vectors[i]);
-        if (*vectors[i] == NULL) {
-            status = PDN_ERR_MEMORY;
-        }
-    }
-    return pdn_agreed(s->comm, status);
-}
-
-static void tear_down(struct solve *s)
-{
-    KSPDestroy(&s->ksp);
-    MatDestroy(&s->jacobian);
-    VecDestroy(&s->right_side);
-    VecDestroy(&s->solution);
-    pdn_equations_free(s->equations);
-    free(s->residual);
-    free(s->trial);
-    free(s->increment);
-    free(s->simplified);
-    free(s->rest);
-}
-
 void pdn_petsc_options_init(pdn_petsc_options *options, size_t struct_size)
 {
     const pdn_petsc_options defaults = {.start_points = 9,
@@ -328,20 +151,35 @@ void pdn_petsc_report_init(pdn_petsc_report *report, size_t struct_size)
     pdn_write_defaults(report, struct_size, &blank, sizeof blank);
 }
 
+static pdn_status check(const pdn_model *model, const pdn_petsc_options *options,
+                        const pdn_petsc_report *report, pdn_solution **out)
+{
+    const char *const missing = model == NULL     ? "model"
+                                : options == NULL ? "options"
+                                : out == NULL     ? "out"
+                                                  : NULL;
+    if (missing != NULL) {
+        return pdn_failure(PDN_ERR_NULL, "%s: expected a pointer, got NULL", missing);
+    }
+    if (options->struct_size != sizeof *options) {
+        return pdn_failure(PDN_ERR_STRUCT_SIZE, "options: expected struct_size %zu, got %zu",
+                           sizeof *options, options->struct_size);
+    }
+    if (report != NULL && report->struct_size != sizeof *report) {
+        return pdn_failure(PDN_ERR_STRUCT_SIZE, "report: expected struct_size %zu, got %zu",
+                           sizeof *report, report->struct_size);
+    }
+    return PDN_OK;
+}
+
 pdn_status pdn_petsc_solve(MPI_Comm comm, const pdn_model *model, double period,
                            const pdn_petsc_options *options, pdn_petsc_report *report,
                            pdn_solution **out)
 {
-    struct solve s = {.comm = comm};
+    struct pdn_linear s = {.comm = comm};
     pdn_equations_sizes sizes;
     pdn_solution *start = NULL;
-    const int is_null = model == NULL || options == NULL || out == NULL;
-    pdn_status status = is_null ? PDN_ERR_NULL : PDN_OK;
-    if (!is_null && (options->struct_size != sizeof *options ||
-                     (report != NULL && report->struct_size != sizeof *report))) {
-        status = PDN_ERR_STRUCT_SIZE;
-    }
-    status = pdn_agreed(comm, status);
+    pdn_status status = pdn_agreed(comm, check(model, options, report, out));
     if (status != PDN_OK) {
         return status;
     }
@@ -349,13 +187,10 @@ pdn_status pdn_petsc_solve(MPI_Comm comm, const pdn_model *model, double period,
     status = find_start(comm, model, period, options, &start);
     s.report.start_time = MPI_Wtime() - began;
     if (status == PDN_OK) {
-        status = make_equations(&s, model, period, options,
+        status = pdn_linear_new(&s, model, period, options,
                                 options->initial != NULL ? options->initial : start);
     }
     pdn_solution_free(start);
-    if (status == PDN_OK && set_up(&s) != 0) {
-        status = PDN_ERR_PETSC;
-    }
     if (status == PDN_OK) {
         status = iterate(&s, options);
     }
@@ -369,6 +204,6 @@ pdn_status pdn_petsc_solve(MPI_Comm comm, const pdn_model *model, double period,
         s.report.struct_size = report->struct_size;
         *report = s.report;
     }
-    tear_down(&s);
+    pdn_linear_free(&s);
     return status;
 }

@@ -8,7 +8,9 @@
 
 /* Widths of the columns: number of the case, status, a number, check sum. */
 enum { TASK = 9, STATUS = 11, NUMBER = 24, SUM = 8 };
-static const size_t MOST_TASKS = 999999999;
+/* How often others get their turn between two cases of the first rank. */
+enum { TURNS = 100 };
+static const size_t MOST_TASKS = 999999999, MOST_RESULTS = 1000000;
 
 /* Bytes of a line, all of which are as long. */
 static size_t line_length(size_t count)
@@ -93,15 +95,27 @@ struct sweep {
     int rank;
     size_t tasks, count;
     MPI_File file;
-    /* The number of the next case, on the first rank. */
+    /* The place of the next case among those that are open, on the first rank, and what it was. */
     MPI_Win window;
-    int64_t *next;
+    int64_t *next, found;
     /* For each case, whether its result is known, and whether it failed. */
     char *known;
+    /* Cases that are not. */
+    size_t *open, open_count;
     char *line;
     double *results;
     pdn_sweep_report report;
 };
+
+static pdn_status of_memory(void)
+{
+    return pdn_failure(PDN_ERR_MEMORY, "no memory for the study");
+}
+
+static pdn_status of_mpi(const char *what)
+{
+    return pdn_failure(PDN_ERR_PETSC, "%s failed", what);
+}
 
 /* What the file has of an earlier run; on the first rank. */
 static pdn_status read_known(struct sweep *s, const char *path)
@@ -112,11 +126,16 @@ static pdn_status read_known(struct sweep *s, const char *path)
     }
     const size_t length = line_length(s->count);
     char *head = malloc(length);
-    pdn_status status = head == NULL ? PDN_ERR_MEMORY : PDN_OK;
+    pdn_status status = head == NULL ? of_memory() : PDN_OK;
     size_t got = status == PDN_OK ? fread(s->line, 1, length, file) : 0;
     if (status == PDN_OK && got > 0) {
         write_head(head, s->tasks, s->count);
-        status = got == length && memcmp(head, s->line, length) == 0 ? PDN_OK : PDN_ERR_FORMAT;
+        if (got != length || memcmp(head, s->line, length) != 0) {
+            status = pdn_failure(PDN_ERR_FORMAT,
+                                 "%s: expected a study of %zu cases with %zu results, got another "
+                                 "file",
+                                 path, s->tasks, s->count);
+        }
     }
     for (size_t task = 0; status == PDN_OK && got > 0 && task < s->tasks; ++task) {
         int32_t ended;
@@ -132,45 +151,59 @@ static pdn_status read_known(struct sweep *s, const char *path)
     return status;
 }
 
-/* The next case that is not known, `tasks` if there is none. */
-static int take(struct sweep *s, size_t *task)
+/* Asks for the next of the open cases. Where ranks have no other way to each other's memory, as by
+ * TCP, the first answers when it is in MPI: so the answer is waited for after a case, not before
+ * it, and that rank gives others the time. */
+static int ask(struct sweep *s, MPI_Request *request)
 {
-    const int64_t one = 1;
-    int64_t found;
-    int code;
-    do {
-        code = MPI_Fetch_and_op(&one, &found, MPI_INT64_T, 0, 0, MPI_SUM, s->window);
-        if (code == MPI_SUCCESS) {
-            code = MPI_Win_flush(0, s->window);
-        }
-    } while (code == MPI_SUCCESS && (size_t)found < s->tasks && s->known[found]);
-    *task = code == MPI_SUCCESS && (size_t)found < s->tasks ? (size_t)found : s->tasks;
-    return code;
+    static const int64_t one = 1;
+    return MPI_Rget_accumulate(&one, 1, MPI_INT64_T, &s->found, 1, MPI_INT64_T, 0, 0, 1,
+                               MPI_INT64_T, MPI_SUM, s->window, request);
+}
+
+/* Solves a case and writes its line. */
+static pdn_status solve(struct sweep *s, size_t task, pdn_sweep_fn function, void *user_data)
+{
+    const size_t length = line_length(s->count);
+    memset(s->results, 0, s->count * sizeof *s->results);
+    const int32_t ended = function(task, s->results, s->count, user_data);
+    write_line(s->line, task, ended, s->results, s->count);
+    const MPI_Offset at = (MPI_Offset)(length * (task + 1));
+    if (MPI_File_write_at(s->file, at, s->line, (int)length, MPI_CHAR, MPI_STATUS_IGNORE) !=
+        MPI_SUCCESS) {
+        return pdn_failure(PDN_ERR_IO, "case %zu cannot be written", task);
+    }
+    s->report.own++;
+    s->report.failed += ended != PDN_OK;
+    return PDN_OK;
 }
 
 /* Solves cases until there are none left. */
 static pdn_status run(struct sweep *s, pdn_sweep_fn function, void *user_data)
 {
-    const size_t length = line_length(s->count);
-    size_t task;
-    for (;;) {
-        if (take(s, &task) != MPI_SUCCESS) {
-            return PDN_ERR_PETSC;
+    MPI_Request request;
+    int code = ask(s, &request);
+    while (code == MPI_SUCCESS) {
+        code = MPI_Wait(&request, MPI_STATUS_IGNORE);
+        for (int i = 0; i < TURNS && s->rank == 0; ++i) {
+            int unused;
+            MPI_Iprobe(MPI_ANY_SOURCE, 0, s->comm, &unused, MPI_STATUS_IGNORE);
         }
-        if (task == s->tasks) {
-            return PDN_OK;
+        const size_t place = (size_t)s->found;
+        if (code != MPI_SUCCESS || place >= s->open_count) {
+            break;
         }
-        memset(s->results, 0, s->count * sizeof *s->results);
-        const int32_t ended = function(task, s->results, s->count, user_data);
-        write_line(s->line, task, ended, s->results, s->count);
-        const MPI_Offset at = (MPI_Offset)(length * (task + 1));
-        if (MPI_File_write_at(s->file, at, s->line, (int)length, MPI_CHAR, MPI_STATUS_IGNORE) !=
-            MPI_SUCCESS) {
-            return PDN_ERR_IO;
+        code = ask(s, &request);
+        if (code != MPI_SUCCESS) {
+            break;
         }
-        s->report.own++;
-        s->report.failed += ended != PDN_OK;
+        const pdn_status status = solve(s, s->open[place], function, user_data);
+        if (status != PDN_OK) {
+            MPI_Wait(&request, MPI_STATUS_IGNORE);
+            return status;
+        }
     }
+    return code == MPI_SUCCESS ? PDN_OK : of_mpi("MPI_Rget_accumulate");
 }
 
 static pdn_status open_file(struct sweep *s, const char *path)
@@ -179,14 +212,14 @@ static pdn_status open_file(struct sweep *s, const char *path)
     /* Errors of files are told, not fatal, as MPI has it by default. */
     if (MPI_File_open(s->comm, path, MPI_MODE_CREATE | MPI_MODE_RDWR, MPI_INFO_NULL, &s->file) !=
         MPI_SUCCESS) {
-        return PDN_ERR_IO;
+        return pdn_failure(PDN_ERR_IO, "%s cannot be opened", path);
     }
     int code = MPI_SUCCESS;
     if (s->rank == 0) {
         write_head(s->line, s->tasks, s->count);
         code = MPI_File_write_at(s->file, 0, s->line, (int)length, MPI_CHAR, MPI_STATUS_IGNORE);
     }
-    return code == MPI_SUCCESS ? PDN_OK : PDN_ERR_IO;
+    return code == MPI_SUCCESS ? PDN_OK : pdn_failure(PDN_ERR_IO, "%s cannot be written", path);
 }
 
 static pdn_status study(struct sweep *s, pdn_sweep_fn function, void *user_data, const char *path)
@@ -200,12 +233,15 @@ static pdn_status study(struct sweep *s, pdn_sweep_fn function, void *user_data,
     for (size_t task = 0; task < s->tasks; ++task) {
         s->report.known += s->known[task] != 0;
         s->report.failed += s->rank == 0 && s->known[task] == 2;
+        if (!s->known[task]) {
+            s->open[s->open_count++] = task;
+        }
     }
     status = pdn_agreed(s->comm, open_file(s, path));
     if (status == PDN_OK &&
         MPI_Win_allocate(s->rank == 0 ? sizeof *s->next : 0, sizeof *s->next, MPI_INFO_NULL,
                          s->comm, &s->next, &s->window) != MPI_SUCCESS) {
-        status = PDN_ERR_PETSC;
+        status = of_mpi("MPI_Win_allocate");
     }
     if (status == PDN_OK) {
         if (s->rank == 0) {
@@ -230,24 +266,41 @@ void pdn_sweep_report_init(pdn_sweep_report *report, size_t struct_size)
     pdn_write_defaults(report, struct_size, &blank, sizeof blank);
 }
 
+static pdn_status check(size_t tasks, size_t count, pdn_sweep_fn function, const char *path,
+                        const pdn_sweep_report *report)
+{
+    if (function == NULL || path == NULL) {
+        return pdn_failure(PDN_ERR_NULL, "%s: expected a pointer, got NULL",
+                           function == NULL ? "function" : "path");
+    }
+    if (tasks == 0 || tasks > MOST_TASKS) {
+        return pdn_failure(PDN_ERR_SIZE, "tasks: expected from 1 to %zu, got %zu", MOST_TASKS,
+                           tasks);
+    }
+    if (count > MOST_RESULTS) {
+        return pdn_failure(PDN_ERR_SIZE, "count: expected at most %zu, got %zu", MOST_RESULTS,
+                           count);
+    }
+    if (report != NULL && report->struct_size != sizeof *report) {
+        return pdn_failure(PDN_ERR_STRUCT_SIZE, "report: expected struct_size %zu, got %zu",
+                           sizeof *report, report->struct_size);
+    }
+    return PDN_OK;
+}
+
 pdn_status pdn_sweep(MPI_Comm comm, size_t tasks, size_t count, pdn_sweep_fn function,
                      void *user_data, const char *path, pdn_sweep_report *report)
 {
     struct sweep s = {.comm = comm, .tasks = tasks, .count = count, .file = MPI_FILE_NULL};
-    pdn_status status = function == NULL || path == NULL ? PDN_ERR_NULL : PDN_OK;
-    if (status == PDN_OK && (tasks == 0 || tasks > MOST_TASKS || count > 1000000)) {
-        status = PDN_ERR_SIZE;
-    }
-    if (status == PDN_OK && report != NULL && report->struct_size != sizeof *report) {
-        status = PDN_ERR_STRUCT_SIZE;
-    }
+    pdn_status status = check(tasks, count, function, path, report);
     MPI_Comm_rank(comm, &s.rank);
     if (status == PDN_OK) {
         s.known = calloc(tasks, 1);
+        s.open = malloc(tasks * sizeof *s.open);
         s.line = malloc(line_length(count));
         s.results = malloc((count + 1) * sizeof *s.results);
-        if (s.known == NULL || s.line == NULL || s.results == NULL) {
-            status = PDN_ERR_MEMORY;
+        if (s.known == NULL || s.open == NULL || s.line == NULL || s.results == NULL) {
+            status = of_memory();
         }
     }
     status = pdn_agreed(comm, status);
@@ -265,6 +318,7 @@ pdn_status pdn_sweep(MPI_Comm comm, size_t tasks, size_t count, pdn_sweep_fn fun
         }
     }
     free(s.known);
+    free(s.open);
     free(s.line);
     free(s.results);
     return status;

@@ -1,4 +1,4 @@
-/* test_solve MODEL [body_circulant]: the solution of all ranks is that of one, found without PETSc,
+/* test_solve MODEL [body_circulant] [options of PETSc]: the solution of all ranks is that of one, found without PETSc,
  * and takes as many products as PETSc does on one rank. */
 
 #include "mechanisms.h"
@@ -45,6 +45,7 @@ int main(int argc, char **argv)
     PetscInitialize(&argc, &argv, NULL, NULL);
     CHECK(argc >= 2);
     const int blades = strcmp(argv[1], "rotor") == 0;
+    const int bodies = argc > 2 && strcmp(argv[2], "body_circulant") == 0;
     struct test_model model = blades                               ? rotor(4, 15)
                               : strcmp(argv[1], "four_bar") == 0 ? four_bar()
                                                                  : slider_crank();
@@ -64,7 +65,7 @@ int main(int argc, char **argv)
     PDN_INIT(pdn_petsc_report, &report);
     PDN_INIT(pdn_petsc_report, &alone);
     options.grid_points = model.points;
-    if (argc > 2) {
+    if (bodies) {
         options.preconditioner = PDN_LINEAR_BODY_CIRCULANT;
     }
     GOOD(pdn_petsc_solve(PETSC_COMM_WORLD, model.model, model.period, &options, &report, &found));
@@ -73,7 +74,7 @@ int main(int argc, char **argv)
            report.halo);
     CHECK(report.outcome == PDN_CONVERGED && pdn_solution_outcome(found) == PDN_CONVERGED);
     CHECK(report.preconditioner ==
-          (blades || argc > 2 ? PDN_LINEAR_BODY_CIRCULANT : PDN_LINEAR_TIME_LOCAL));
+          (blades || bodies ? PDN_LINEAR_BODY_CIRCULANT : PDN_LINEAR_TIME_LOCAL));
     compare(&model, found, expected);
 
     /* Iterations do not depend on the number of ranks. */
@@ -84,6 +85,14 @@ int main(int argc, char **argv)
     printf("%zu products on one rank\n", alone.products);
     CHECK(ratio <= 1.2 && ratio >= 1 / 1.2);
     CHECK(report.size + report.halo <= alone.size && (ranks == 1 || report.size < alone.size));
+
+    /* What was asked of PETSc was heard. */
+    PetscBool is_given, is_used = PETSC_TRUE;
+    PetscOptionsHasName(NULL, NULL, "-pdn_ksp_type", &is_given);
+    if (is_given) {
+        PetscOptionsUsed(NULL, "pdn_ksp_type", &is_used);
+    }
+    CHECK(is_used);
 
     pdn_solution_free(found);
     pdn_solution_free(expected);

@@ -94,8 +94,13 @@ class Equations(Handle):
         return self._mapped(lib.pdn_equations_product, x)
 
     def transposed_product(self, x):
-        """The product of the transposed scaled Jacobian and a vector; with LINEAR_TIME_LOCAL."""
+        """The product of the transposed scaled Jacobian and a vector."""
         return self._mapped(lib.pdn_equations_transposed_product, x)
+
+    def power_product(self, power, x):
+        """The product of a vector and what multiplies mu**power, 1 or 2, in the scaled Jacobian for
+        disturbances exp(mu t)."""
+        return self._mapped(lambda c, *rest: lib.pdn_equations_power_product(c, power, *rest), x)
 
     def factor(self, right_side):
         """Factors the preconditioner; right sides are to be about as large as this one.

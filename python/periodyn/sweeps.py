@@ -1,4 +1,4 @@
-"""Many solves, on several processes."""
+"""Many solves, on several processes, of this machine or of many."""
 
 import os
 import pathlib
@@ -7,11 +7,12 @@ import pickle
 from ._call import Error
 
 
-def sweep(function, values, processes=None, store=None, progress=None):
+def sweep(function, values, processes=None, store=None, progress=None, executor=None):
     """What `function` gives for each of `values`, in their order.
 
     The function builds a model and solves it; it may return a Solution, or whatever else can be
-    pickled. It must be one that processes can import (of a module, not a lambda).
+    pickled. It must be one that processes can import (of a module, not a lambda). What it raises
+    ends the sweep: what has not begun by then is not done.
 
     Args:
         function: called with a value
@@ -19,16 +20,30 @@ def sweep(function, values, processes=None, store=None, progress=None):
         processes: how many at a time; None for as many as there are processors, 1 for this one
         store: directory where results are kept; a sweep that was cut off goes on from there
         progress: called with the number of results that are there, and of all
+        executor: whatever has the interface of concurrent.futures.Executor, such as
+            mpi4py.futures.MPIPoolExecutor or what get_executor() of a client of Dask gives; it is
+            not shut down. None for processes of this machine
     """
+    if processes is not None and executor is not None:
+        raise Error("processes, executor: expected one of them, got both")
+    if executor is not None and not callable(getattr(executor, "submit", None)):
+        raise Error(f"executor: expected one of the interface of concurrent.futures.Executor, got "
+                    f"{executor!r}")
     values = list(values)
     kept = _Kept(store, values)
     open_places = [i for i in range(len(values)) if i not in kept.results]
     told = progress or (lambda _done, _all: None)
     told(len(kept.results), len(values))
+
+    def keep(i, result):
+        kept.keep(i, values[i], result)
+        told(len(kept.results), len(values))
+
     if processes == 1:
         for i in open_places:
-            kept.keep(i, values[i], function(values[i]))
-            told(len(kept.results), len(values))
+            keep(i, function(values[i]))
+    elif open_places and executor is not None:
+        _spread(executor, function, values, open_places, keep)
     elif open_places:
         # Loaded here, as it takes longer than the rest of the package.
         import concurrent.futures
@@ -37,12 +52,22 @@ def sweep(function, values, processes=None, store=None, progress=None):
         # A process that was forked would share the threads of this one.
         context = multiprocessing.get_context("spawn")
         with concurrent.futures.ProcessPoolExecutor(processes, context) as pool:
-            tasks = {pool.submit(function, values[i]): i for i in open_places}
-            for task in concurrent.futures.as_completed(tasks):
-                i = tasks[task]
-                kept.keep(i, values[i], task.result())
-                told(len(kept.results), len(values))
+            _spread(pool, function, values, open_places, keep)
     return [kept.results[i] for i in range(len(values))]
+
+
+def _spread(executor, function, values, places, keep):
+    """Has an executor do the values at these places, and keeps results as they come."""
+    import concurrent.futures
+
+    tasks = {executor.submit(function, values[i]): i for i in places}
+    try:
+        for task in concurrent.futures.as_completed(tasks):
+            keep(tasks[task], task.result())
+    finally:
+        # Nothing is left to do after the last; otherwise it ends here.
+        for task in tasks:
+            task.cancel()
 
 
 class _Kept:

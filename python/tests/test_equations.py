@@ -45,3 +45,31 @@ def pendulum():
     push.set_harmonics(cosines=[1.0], sines=[0.5])
     model.add_load(body, pdn.FRAME_SPACE, pdn.FORCE_3, push)
     return model, 2.0
+
+
+def test_the_pencil_has_the_multipliers_of_the_period():
+    model, period = pendulum()
+    solution = model.solve_periodic(period, grid_points=15)
+    equations = pdn.Equations(model, period, 15, initial=solution,
+                              preconditioner=pdn.LINEAR_TIME_LOCAL)
+    equations.linearise()
+    unit = numpy.eye(equations.sizes().size)
+
+    def matrix(product):
+        return numpy.stack([product(x) for x in unit], axis=1)
+
+    stiffness = matrix(equations.product)
+    numpy.testing.assert_allclose(matrix(equations.transposed_product), stiffness.T, rtol=0,
+                                  atol=1e-13 * abs(stiffness).max())
+    damping, mass = (matrix(lambda x, p=power: equations.power_product(p, x)) for power in (1, 2))
+    # 1/mu of (x, mu x); the nearest to zero are the pair of the pendulum's freedom.
+    step = numpy.linalg.solve(stiffness, numpy.hstack([-damping, -mass]))
+    inverse = numpy.linalg.eigvals(numpy.vstack([step, numpy.hstack([unit, 0 * unit])]))
+    exponents = 1 / inverse[numpy.argsort(-abs(inverse))[:2]]
+    found = sorted(numpy.exp(exponents * period), key=lambda rho: rho.imag)
+    real, imaginary = solution.floquet()
+    expected = sorted(real + 1j * imaginary, key=lambda rho: rho.imag)
+    # What 7 harmonics leave out.
+    numpy.testing.assert_allclose(found, expected, atol=1e-6)
+    with pytest.raises(pdn.Error, match="power: expected 1 or 2, got 3"):
+        equations.power_product(3, unit[0])

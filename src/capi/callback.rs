@@ -1,6 +1,7 @@
 //! Functions of the caller that the library calls, and how they report failure.
 
 use super::guard::{guard, guard_or};
+use super::last_error::keep;
 use super::status::pdn_status;
 use crate::error::{Error, ErrorKind, Result};
 use libc::{c_char, c_void};
@@ -9,6 +10,22 @@ use std::cell::{Cell, RefCell};
 thread_local! {
     static MESSAGE: RefCell<String> = const { RefCell::new(String::new()) };
     static CODE: Cell<i32> = const { Cell::new(0) };
+}
+
+/// Sets the message that ::pdn_last_error gives on this thread: for libraries on top of this one,
+/// whose own functions fail.
+///
+/// @param message  text in UTF-8, ended by NUL, copied; not NULL
+/// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_VALUE (no UTF-8)
+///
+/// Threads: any; each thread has its own message.
+/// @since 0.1
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn pdn_set_last_error(message: *const c_char) -> pdn_status {
+    guard(|call| {
+        keep(call.text(message, "message")?);
+        Ok(())
+    })
 }
 
 /// To be called by a callback that is about to report failure: says why.

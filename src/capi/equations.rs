@@ -562,16 +562,14 @@ pub unsafe extern "C" fn pdn_equations_product(
     map(equations, (x, out, count), RankEquations::product)
 }
 
-/// The product of the transposed scaled Jacobian and a vector; only with the preconditioner
-/// PDN_LINEAR_TIME_LOCAL. By all ranks.
+/// The product of the transposed scaled Jacobian and a vector. By all ranks.
 ///
 /// @param equations  the equations; not NULL
 /// @param x  array of length [count]; NaN passes through
 /// @param out  array of length [count], may be `x`; written on success only
 /// @param count  pdn_equations_sizes.size
 /// @return PDN_OK; PDN_ERR_CALLBACK; on this rank alone PDN_ERR_NULL, PDN_ERR_VALUE (a handle in
-///     use), PDN_ERR_SIZE, and PDN_ERR_NOT_AVAILABLE where the last linearisation failed, or with
-///     another preconditioner
+///     use), PDN_ERR_SIZE, and PDN_ERR_NOT_AVAILABLE where the last linearisation failed
 ///
 /// Threads: exclusive use of `equations`.
 /// @since 0.1
@@ -587,6 +585,34 @@ pub unsafe extern "C" fn pdn_equations_transposed_product(
         (x, out, count),
         RankEquations::transposed_product,
     )
+}
+
+/// The product of a vector and what multiplies a power of mu in the scaled Jacobian for
+/// disturbances exp(mu t) times increments of the period: J(mu) = J + mu J1 + mu^2 J2. Where that
+/// is singular exp(mu T) is a Floquet multiplier. By all ranks.
+///
+/// @param equations  the equations; not NULL
+/// @param power  1 or 2
+/// @param x  array of length [count]; NaN passes through
+/// @param out  array of length [count], may be `x`; written on success only
+/// @param count  pdn_equations_sizes.size
+/// @return PDN_OK; PDN_ERR_CALLBACK; on this rank alone PDN_ERR_NULL, PDN_ERR_VALUE (another
+///     power, a handle in use), PDN_ERR_SIZE, and PDN_ERR_NOT_AVAILABLE where the last
+///     linearisation failed
+///
+/// Threads: exclusive use of `equations`.
+/// @since 0.1
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn pdn_equations_power_product(
+    equations: *mut pdn_equations,
+    power: i32,
+    x: *const f64,
+    out: *mut f64,
+    count: usize,
+) -> pdn_status {
+    map(equations, (x, out, count), |equations, x, out| {
+        equations.power_product(usize::try_from(power).unwrap_or(0), x, out)
+    })
 }
 
 /// Factors the preconditioner of the linearised equations. By all ranks.

@@ -35,13 +35,14 @@ pub unsafe extern "C" fn pdn_last_error(buffer: *mut c_char, capacity: usize) ->
 
 /// Keeps the message of `error` for [`pdn_last_error`] and gives its status.
 pub(super) fn fail(error: &Error) -> pdn_status {
-    // `try_with`: a thread that is ending has no message any more.
-    let _ = MESSAGE.try_with(|message| {
-        let mut message = message.borrow_mut();
-        message.clear();
-        message.push_str(&error.to_string());
-    });
+    keep(&error.to_string());
     error.kind().code()
+}
+
+/// Keeps a message.
+pub(super) fn keep(text: &str) {
+    // `try_with`: a thread that is ending has no message any more.
+    let _ = MESSAGE.try_with(|message| text.clone_into(&mut message.borrow_mut()));
 }
 
 /// Writes what fits of `text` and a NUL into a caller's buffer of `capacity` bytes, or NULL.

@@ -1,7 +1,9 @@
 //! The foundations as a C caller meets them, on a toy handle.
 
 use super::call::Call;
-use super::callback::{Callback, pdn_last_callback_code, pdn_set_callback_error};
+use super::callback::{
+    Callback, pdn_last_callback_code, pdn_set_callback_error, pdn_set_last_error,
+};
 use super::guard::{free, guard, init, pdn_set_panic_printing};
 use super::handle::Handle;
 use super::last_error::pdn_last_error;
@@ -327,4 +329,22 @@ fn callbacks_report_failure_and_dispose_of_their_data() {
     let missing: Option<scale_fn> = None;
     let (status, _) = failure(|call| call.function(missing, "force").map(drop));
     assert_eq!(status, PDN_ERR_NULL);
+}
+
+#[test]
+fn libraries_on_top_set_messages_of_their_own() {
+    let read = || {
+        let mut buffer = [0_u8; 64];
+        // SAFETY: the buffer is as long as that.
+        let length = unsafe { pdn_last_error(buffer.as_mut_ptr().cast(), buffer.len()) };
+        String::from_utf8_lossy(&buffer[..length.min(63)]).into_owned()
+    };
+    // SAFETY: a text ended by NUL; NULL is refused.
+    let statuses = unsafe {
+        let set = pdn_set_last_error(c"rank 1: no memory".as_ptr());
+        assert_eq!(read(), "rank 1: no memory");
+        [set, pdn_set_last_error(null::<c_char>())]
+    };
+    assert_eq!(statuses, [PDN_OK, PDN_ERR_NULL]);
+    assert!(read().starts_with("message: "), "{}", read());
 }

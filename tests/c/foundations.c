@@ -35,6 +35,10 @@ static void message_is_copied_as_far_as_it_fits(void)
     /* Success leaves it. */
     CHECK_STATUS(pdn_set_callback_error("no matter"), PDN_OK);
     CHECK(pdn_last_error(NULL, 0) == needed);
+    /* Libraries on top have their own. */
+    CHECK_STATUS(pdn_set_last_error(NULL), PDN_ERR_NULL);
+    CHECK_STATUS(pdn_set_last_error("another"), PDN_OK);
+    CHECK(pdn_last_error(buffer, sizeof buffer) == 7 && strcmp(buffer, "another") == 0);
 }
 
 int main(void)

@@ -193,6 +193,39 @@ static void own_solver(struct test_model model, int32_t preconditioner)
     pdn_model_free(model.model);
 }
 
+/* y . (J x) = x . (J^T y), with stress resultants as unknowns. */
+static void transposes(void)
+{
+    struct test_model model = rotor(2, 9);
+    pdn_equations_options options;
+    pdn_equations_sizes sizes;
+    pdn_equations *equations;
+    int32_t regular;
+    PDN_INIT(pdn_equations_options, &options);
+    PDN_INIT(pdn_equations_sizes, &sizes);
+    options.grid_points = model.points;
+    options.preconditioner = PDN_LINEAR_BODY_CIRCULANT;
+    GOOD(pdn_equations_new(model.model, model.period, &options, &equations));
+    GOOD(pdn_equations_get_sizes(equations, &sizes));
+    const size_t n = sizes.size;
+    double *x = calloc(4 * n, sizeof *x), *y = x + n, *a = x + 2 * n, *b = x + 3 * n;
+    CHECK(x != NULL);
+    for (size_t i = 0; i < n; ++i) {
+        x[i] = sin(0.37 * (double)i);
+        y[i] = cos(0.23 * (double)i);
+    }
+    GOOD(pdn_equations_linearise(equations));
+    /* Which gives resultants their size. */
+    GOOD(pdn_equations_factor(equations, x, n, &regular));
+    CHECK(regular == 1);
+    GOOD(pdn_equations_product(equations, x, a, n));
+    GOOD(pdn_equations_transposed_product(equations, y, b, n));
+    CHECK(fabs(dot(y, a, n) - dot(x, b, n)) < 1e-12 * sqrt(dot(a, a, n) * dot(y, y, n)));
+    free(x);
+    pdn_equations_free(equations);
+    pdn_model_free(model.model);
+}
+
 /* y . (J x) = x . (J^T y); states go out and come back; numbers are those of one rank. */
 static void products_and_states(void)
 {
@@ -305,6 +338,10 @@ static void refused_calls(void)
     REFUSED(LIST(product)(good, in.x, NULL, n), PDN_ERR_NULL, "out: ");
     REFUSED(LIST(product)(good, in.x, in.x, n - 1), PDN_ERR_SIZE, "x: expected ");
     REFUSED(LIST(transposed_product)(good, in.x, in.x, n - 1), PDN_ERR_SIZE, "x: expected ");
+    REFUSED(LIST(power_product)(good, 0, in.x, in.x, n), PDN_ERR_VALUE, "power: expected 1 or 2");
+    REFUSED(LIST(power_product)(good, 3, in.x, in.x, n), PDN_ERR_VALUE, "power: expected 1 or 2");
+    REFUSED(LIST(power_product)(good, 1, in.x, in.x, n - 1), PDN_ERR_SIZE, "x: expected ");
+    REFUSED(LIST(power_product)(good, 1, NULL, in.x, n), PDN_ERR_NULL, "x: ");
     REFUSED(LIST(precondition)(good, in.x, in.x, n), PDN_ERR_NOT_AVAILABLE, "equations: factor");
     REFUSED(LIST(factor)(good, in.x, n - 1, out.numbers), PDN_ERR_SIZE, "right_side: expected ");
     REFUSED(LIST(factor)(good, in.x, n, NULL), PDN_ERR_NULL, "regular: ");
@@ -362,6 +399,7 @@ int main(void)
                              in.own_count));
     refused_calls();
     products_and_states();
+    transposes();
     pdn_equations_free(in.equations);
     pdn_model_free(model.model);
     free(in.x);

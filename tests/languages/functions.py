@@ -20,8 +20,8 @@ def called_in_python():
     package = (ROOT / "python/periodyn").glob("*.py")
     texts = [path.read_text() for path in package if path.name != "_abi.py"]
     return set(re.findall(r"\b(?:lib|LIBRARY)\.(pdn_\w+)", "\n".join(texts))) | {
-        "pdn_set_callback_error", "pdn_last_callback_code", "pdn_set_panic_printing",
-        "pdn_version_check",
+        "pdn_set_last_error", "pdn_set_callback_error", "pdn_last_callback_code",
+        "pdn_set_panic_printing", "pdn_version_check",
     }
 
 

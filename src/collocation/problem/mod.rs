@@ -221,6 +221,12 @@ impl Collocation {
         &self.column_scale
     }
 
+    /// A multiple of a scaled increment, not scaled.
+    pub fn unscaled(&self, scaled: &[f64], factor: f64) -> Vec<f64> {
+        let pairs = scaled.iter().zip(&self.column_scale);
+        pairs.map(|(x, s)| factor * x * s).collect()
+    }
+
     /// Sets what the equations are evaluated under.
     ///
     /// # Errors

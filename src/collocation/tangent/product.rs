@@ -57,6 +57,49 @@ impl Tangent {
         (self.increment, self.stresses) = (increment, stresses);
     }
 
+    /// Writes the product of what multiplies `μ^power`, 1 or 2, in the scaled Jacobian for
+    /// increments `exp(μt) Δu`, and `x`, both as in [`Tangent::apply`]. On an even grid, where
+    /// `equations` keep the state of these tangents: `D + μ` stands for `D` there.
+    pub fn apply_power(&mut self, equations: &Collocation, power: usize, x: &[f64], y: &mut [f64]) {
+        let (x, resultants) = x.split_at(equations.size());
+        let (y, unbalance) = y.split_at_mut(equations.size());
+        let mut increment = std::mem::take(&mut self.increment);
+        let mut stresses = std::mem::take(&mut self.stresses);
+        self.vary(equations, x, &mut increment);
+        self.vary_by_power(equations, power, &mut increment);
+        let none = vec![0.0; resultants.len()];
+        self.stress(equations, &increment, (&none, unbalance), &mut stresses);
+        self.write_forces(equations, &increment, &stresses, y);
+        (self.increment, self.stresses) = (increment, stresses);
+    }
+
+    /// What is in proportion to `μ^power` where [`Tangent::vary`] has found what is not.
+    ///
+    /// ```text
+    /// δv = δv₀ + μ u,   δv̇ = δv̇₀ + μ (2 δv₀ + u × v) + μ² u
+    /// ```
+    fn vary_by_power(&self, equations: &Collocation, power: usize, increment: &mut Increment) {
+        let (motions, own) = increment.x.split_at_mut(self.unknowns.motions().end);
+        let (states, own_rates) = (equations.node_states(), &mut increment.own_rates);
+        let all = increment.rates.iter_mut().zip(motions.chunks_exact(6));
+        for ((rates, u), state) in all.zip(states) {
+            let u = Vector6::from_column_slice(u);
+            let turned = DualVector::from_twist(&u).cross(&DualVector::from_twist(&state.twist));
+            *rates = match power {
+                1 => [u, rates[0] * 2.0 + turned.to_twist()],
+                _ => [Vector6::zeros(), u],
+            };
+        }
+        match power {
+            1 => own_rates
+                .iter_mut()
+                .zip(own)
+                .for_each(|(rate, x)| *rate = *x),
+            _ => own_rates.fill(0.0),
+        }
+        increment.x.fill(0.0);
+    }
+
     /// What a scaled increment changes.
     fn vary(&mut self, equations: &Collocation, x: &[f64], increment: &mut Increment) {
         increment.resize(equations);

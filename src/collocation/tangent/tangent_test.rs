@@ -94,6 +94,84 @@ fn products_are_those_of_the_matrix_and_of_its_transpose() {
     }
 }
 
+/// `yᵀ J x` is the same from either side: of all unknowns, and of each pair of what stands before
+/// and behind.
+#[test]
+fn transposed_products_with_stress_resultants_are_those_of_the_transpose() {
+    for (model, period) in models() {
+        for points in [1, 9] {
+            let mut equations = equations(&model, period, points);
+            equations.regularise();
+            let system = equations.system().clone();
+            let state = moved(&equations);
+            let mut tangent = Tangent::with_resultants_apart(&system, points);
+            tangent.evaluate(&mut equations, &state).unwrap();
+            tangent.set_resultant_scale(0.3);
+            let (size, all) = (equations.size(), equations.size() + tangent.resultants());
+            for of_x in [0..all, 0..size, size..all] {
+                for of_y in [0..all, 0..size, size..all] {
+                    let on = |range: &std::ops::Range<usize>, factor: usize| -> Vec<f64> {
+                        let number = |i: usize| wave(factor * i + 1);
+                        let entry = |i: usize| if range.contains(&i) { number(i) } else { 0.0 };
+                        (0..all).map(entry).collect()
+                    };
+                    let (x, y) = (on(&of_x, 3), on(&of_y, 7));
+                    let [mut product, mut transposed] = [vec![f64::NAN; all], vec![f64::NAN; all]];
+                    tangent.apply(&equations, &x, &mut product);
+                    tangent.apply_transposed(&equations, &y, &mut transposed);
+                    let sum = |a: &[f64], b: &[f64], f: fn(f64) -> f64| -> f64 {
+                        a.iter().zip(b).map(|(a, b)| f(a * b)).sum()
+                    };
+                    let forward = sum(&y, &product, |x| x);
+                    let back = sum(&transposed, &x, |x| x);
+                    // Rounding of sums of so large terms.
+                    let largest = sum(&y, &product, f64::abs) + sum(&transposed, &x, f64::abs);
+                    assert!(
+                        (forward - back).abs() <= 1e-12 * largest,
+                        "{forward} {back} of {largest}"
+                    );
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn products_with_powers_are_those_of_their_matrices() {
+    for (model, period) in models() {
+        for points in [1, 3, 9] {
+            let mut equations = equations(&model, period, points);
+            let system = equations.system().clone();
+            let pattern = Pattern::new(&system, points);
+            let state = moved(&equations);
+            let matrices = equations.linearise(&state, &pattern).unwrap();
+            let x: Vec<f64> = (0..pattern.size()).map(|i| wave(3 * i + 1)).collect();
+            for mut tangent in [
+                Tangent::new(&system, points),
+                Tangent::with_resultants_apart(&system, points),
+            ] {
+                tangent.evaluate(&mut equations, &state).unwrap();
+                let mut found = vec![f64::NAN; x.len()];
+                for (power, matrix) in [(1, &matrices.damping), (2, &matrices.mass)] {
+                    tangent.apply_power(&equations, power, &x, &mut found);
+                    let [expected, _] = products(&pattern, matrix, &x);
+                    match expected.iter().all(|y| *y == 0.0) {
+                        true => assert!(found.iter().all(|y| *y == 0.0)),
+                        false => assert_close(&found, &expected, 1e-12),
+                    }
+                }
+                // Resultants do not depend on themselves.
+                let mut all = x.clone();
+                all.resize(x.len() + tangent.resultants(), 1.0);
+                let mut with_them = vec![f64::NAN; all.len()];
+                tangent.apply_power(&equations, 2, &all, &mut with_them);
+                assert!(with_them[x.len()..].iter().all(|x| *x == 0.0));
+                assert_eq!(with_them[..x.len()], found);
+            }
+        }
+    }
+}
+
 #[test]
 fn what_is_left_where_the_equations_are_linearised_is_the_residual() {
     for (model, period) in models() {

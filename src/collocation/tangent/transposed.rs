@@ -15,14 +15,18 @@ struct Scratch {
 }
 
 impl Tangent {
-    /// Writes the product of the transposed scaled Jacobian and `x`, which has no stress resultants
-    /// behind. With `x` that is 1 for one equation and 0 for all others it is the row of that one.
+    /// Writes the product of the transposed scaled Jacobian and `x`. Where `x` goes on with the
+    /// equations of stress resultants, so does `y` with their unknowns, as in [`Tangent::apply`].
+    /// With `x` that is 1 for one equation and 0 for all others it is the row of that one.
     pub fn apply_transposed(&self, equations: &Collocation, x: &[f64], y: &mut [f64]) {
         let layout = equations.layout();
         let size = layout.motions().end;
+        let (x, unbalance) = x.split_at(equations.size());
+        let (y, resultants) = y.split_at_mut(equations.size());
         let scaled = x.iter().zip(equations.row_scale());
         let forces: Vec<f64> = scaled.map(|(x, scale)| x * scale).collect();
-        let stretched = self.stretch(&forces);
+        let scales = self.resultant_scales(equations.system());
+        let stretched = self.stretch(&forces, &scales, (unbalance, resultants));
         let mut columns: Vec<&mut [f64]> = y[..size].chunks_mut(layout.of_node()).collect();
         equations.workers().for_each(
             &mut columns,
@@ -45,9 +49,18 @@ impl Tangent {
     }
 
     /// What strains and strain rates of station `s` at grid point `k` are multiplied by, at
-    /// `s N + k`: the laws' transposes of what resultants are.
-    fn stretch(&self, forces: &[f64]) -> Vec<[DualVector; 2]> {
+    /// `s N + k`: the laws' transposes of what resultants are. Where these are unknowns, that is
+    /// their equations' `unbalance`, and what they are multiplied by is written to `resultants`.
+    fn stretch(
+        &self,
+        forces: &[f64],
+        scales: &Vector6<f64>,
+        (unbalance, resultants): (&[f64], &mut [f64]),
+    ) -> Vec<[DualVector; 2]> {
         let points = self.points;
+        let mut unknown = unbalance
+            .chunks_exact(6)
+            .zip(resultants.chunks_exact_mut(6));
         let mut all = vec![[DualVector::zeros(); 2]; points * self.layout.stations.len()];
         for (s, station) in self.layout.stations.iter().enumerate() {
             for k in 0..points {
@@ -57,7 +70,13 @@ impl Tangent {
                     let strain = &self.strain(station.first + a, k).strain;
                     by_resultants += *strain * DualVector::from_twist(&force);
                 }
-                let by_resultants = by_resultants.to_twist();
+                let mut by_resultants = by_resultants.to_twist();
+                if let Some((unbalance, resultant)) = unknown.next() {
+                    let unbalance = Vector6::from_column_slice(unbalance);
+                    let sum = by_resultants.component_mul(scales) - unbalance;
+                    resultant.copy_from_slice(sum.as_slice());
+                    by_resultants = unbalance.component_div(scales);
+                }
                 let law = &station.law;
                 let others = law.others.iter();
                 let others = others.map(|other| (other.offset, &other.stiffness, &other.damping));

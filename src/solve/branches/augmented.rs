@@ -116,7 +116,7 @@ impl Walk<'_> {
         if !self.newton.linearise(state)? || !self.newton.solve_linear(&mut residual, rough)? {
             return Ok(None);
         }
-        let correction = self.newton.unscaled(&residual, -1.0);
+        let correction = self.newton.equations.unscaled(&residual, -1.0);
         let mut tangents: Vec<Vec<f64>> = Vec::new();
         for row in layout.size() - along.len()..layout.size() {
             let mut unit = vec![0.0; layout.size()];
@@ -124,7 +124,7 @@ impl Walk<'_> {
             if !self.newton.solve_linear(&mut unit, accurate)? {
                 return Ok(None);
             }
-            let mut tangent = self.newton.unscaled(&unit, 1.0);
+            let mut tangent = self.newton.equations.unscaled(&unit, 1.0);
             for other in &tangents {
                 let part = self.inner(&tangent, other);
                 let pairs = tangent.iter_mut().zip(other);

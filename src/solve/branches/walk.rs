@@ -258,7 +258,7 @@ impl<'a> Walk<'a> {
         let Some(rows) = found else {
             return Ok(None);
         };
-        let mut tangent = self.newton.unscaled(&rows, 1.0);
+        let mut tangent = self.newton.equations.unscaled(&rows, 1.0);
         let mut length = self.inner(&tangent, &tangent).sqrt();
         if before.is_some_and(|before| self.inner(&tangent, before) < 0.0) {
             length = -length;

@@ -100,7 +100,7 @@ impl<L: LinearSolver> Run<'_, L> {
                 next => next == Next::Last,
             };
             changed = change;
-            let change = self.newton.unscaled(&self.increment, -1.0);
+            let change = self.newton.equations.unscaled(&self.increment, -1.0);
             let system = self.newton.equations.system().clone();
             let trial = self.state.incremented(&system, &change, 1.0);
             before = size;

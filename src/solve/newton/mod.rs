@@ -5,7 +5,7 @@ pub(crate) mod assembly;
 pub(crate) mod branch;
 mod chord;
 mod line_search;
-mod norms;
+pub(crate) mod norms;
 pub(crate) mod on_grid;
 mod run;
 mod scalars;
@@ -168,13 +168,6 @@ impl<L: LinearSolver> Newton<L> {
     /// Largest motion of a scaled increment.
     fn norm(&self, scaled: &[f64]) -> f64 {
         norm(self.equations.layout(), scaled)
-    }
-
-    /// A multiple of a scaled increment, not scaled.
-    pub(crate) fn unscaled(&self, scaled: &[f64], factor: f64) -> Vec<f64> {
-        let scales = self.equations.column_scale();
-        let pairs = scaled.iter().zip(scales);
-        pairs.map(|(x, s)| factor * x * s).collect()
     }
 
     /// Counts an evaluation that takes so much for each number at a node and grid point.

@@ -17,12 +17,20 @@ pub(super) fn change_of_own(
     values: &[f64],
 ) -> f64 {
     let change = largest(&increment[layout.own()]);
-    let values = values.iter().zip(&scales[layout.own()]);
-    let largest = values.fold(0.0, |m: f64, (x, s)| m.max((x / s).abs()));
-    if change == 0.0 {
-        0.0
-    } else {
-        change / largest.max(change)
+    relative_change(change, largest_scaled(values, &scales[layout.own()]))
+}
+
+/// Largest of own unknowns that are not scaled, in these scales.
+pub(crate) fn largest_scaled(values: &[f64], scales: &[f64]) -> f64 {
+    let values = values.iter().zip(scales);
+    values.fold(0.0, |m: f64, (x, s)| m.max((x / s).abs()))
+}
+
+/// The largest change of own unknowns, relative to the largest of them as it becomes.
+pub(crate) fn relative_change(change: f64, largest: f64) -> f64 {
+    match change == 0.0 {
+        true => 0.0,
+        false => change / largest.max(change),
     }
 }
 

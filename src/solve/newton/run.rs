@@ -140,7 +140,7 @@ impl<'a, L: LinearSolver> Run<'a, L> {
         let own_settled = || size * self.change_of_own() <= ERROR_LEFT * self.options.tolerance;
         let is_last = settled && (!self.with_multipliers || own_settled());
         let line = Line {
-            increment: &self.newton.unscaled(&self.increment, 1.0),
+            increment: &self.newton.equations.unscaled(&self.increment, 1.0),
             turn: largest_turn(self.newton.equations.layout(), &self.increment),
             size,
             is_last,

@@ -2,6 +2,7 @@
 //! linearisation, products, preconditioner, steps on the manifold of motions. Divided among ranks,
 //! each of which has the equations and unknowns of its nodes; see `collocation/partition.rs`.
 
+mod products;
 mod state;
 #[cfg(test)]
 mod tests;
@@ -391,43 +392,6 @@ impl RankEquations {
         let agreed = self.ranks.agreed(found);
         self.is_linear = agreed.is_ok();
         agreed
-    }
-
-    /// Writes the product of the scaled Jacobian and `x`. By all ranks.
-    ///
-    /// # Errors
-    /// If sizes do not fit, or numbers cannot be told.
-    pub fn product(&mut self, x: &[f64], out: &mut [f64]) -> Result<()> {
-        self.require_linear()?;
-        self.require_length("x", x.len())?;
-        self.require_length("out", out.len())?;
-        self.put(x);
-        self.halo.fill(&*self.ranks, &mut self.x)?;
-        self.tangent.apply(&self.equations, &self.x, &mut self.y);
-        Self::take(&self.owned, &self.y, out);
-        Ok(())
-    }
-
-    /// Writes the product of the transposed scaled Jacobian and `x`. By all ranks.
-    ///
-    /// # Errors
-    /// If sizes do not fit, where stress resultants are unknowns of their own, or if numbers cannot
-    /// be told.
-    pub fn transposed_product(&mut self, x: &[f64], out: &mut [f64]) -> Result<()> {
-        self.require_linear()?;
-        if SpreadFactors::keeps_resultants(self.preconditioner) {
-            let message = "equations: with stress resultants as unknowns there is no transposed \
-                           product; make them with the time-local preconditioner";
-            return Err(Error::new(ErrorKind::NotAvailable, message));
-        }
-        self.require_length("x", x.len())?;
-        self.require_length("out", out.len())?;
-        self.put(x);
-        self.halo.fill(&*self.ranks, &mut self.x)?;
-        self.tangent
-            .apply_transposed(&self.equations, &self.x, &mut self.y);
-        Self::take(&self.owned, &self.y, out);
-        Ok(())
     }
 
     /// Factors the preconditioner of the linearised equations, for right sides as large as `rhs`,

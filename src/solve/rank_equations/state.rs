@@ -6,6 +6,7 @@ use crate::error::{Error, Result, require_finite};
 use crate::model::Model;
 use crate::motion::{is_rotation, polar_rotation};
 use crate::solve::linear::iterative::{motion_of, numbers_of};
+use crate::solve::newton::norms::{largest_scaled, relative_change};
 use crate::solve::{Iteration, Kind, NewtonReport, Outcome, PeriodicRecord, Solved};
 use std::ops::Range;
 
@@ -46,8 +47,7 @@ impl RankEquations {
         self.ranks.clone().agreed(found)?;
         self.put(increment);
         self.halo.fill(&*self.ranks, &mut self.x)?;
-        let scales = self.equations.column_scale();
-        let unscaled: Vec<f64> = self.x.iter().zip(scales).map(|(x, s)| x * s).collect();
+        let unscaled = self.equations.unscaled(&self.x, 1.0);
         self.state = self.base.incremented(&self.part.system, &unscaled, step);
         Ok(())
     }
@@ -75,19 +75,15 @@ impl RankEquations {
         };
         let scales = self.equations.column_scale();
         let first = layout.own().start;
-        let mut value = 0.0f64;
-        for i in own.flat_map(Range::clone) {
-            value = value.max((self.base.multipliers[i - first] / scales[i]).abs());
-        }
+        let largest_of = |range: &Range<usize>| {
+            let values = &self.base.multipliers[range.start - first..range.end - first];
+            largest_scaled(values, &scales[range.clone()])
+        };
+        let value = own.map(largest_of).fold(0.0, f64::max);
         let change = largest(&increment[motions..motions + own_count]);
         let all = [largest(&increment[..motions]), change, value];
         let [motion, change, value] = self.ranks.largest(all)?;
-        let relative = if change == 0.0 {
-            0.0
-        } else {
-            change / value.max(change)
-        };
-        Ok([motion, relative])
+        Ok([motion, relative_change(change, value)])
     }
 
     /// Motions of the rank's nodes, [`MOTION`] numbers at each grid point, node by node.

@@ -71,8 +71,13 @@ fn ranks_have_the_equations_of_the_whole() {
                 .collect();
             let mut product = vec![0.0; x.len()];
             tangent.apply(&equations, &x, &mut product);
-            let mut transposed = vec![0.0; equations.size()];
-            tangent.apply_transposed(&equations, &x[..equations.size()], &mut transposed);
+            let mut transposed = vec![0.0; x.len()];
+            tangent.apply_transposed(&equations, &x, &mut transposed);
+            let powers = [1, 2].map(|power| {
+                let mut product = vec![0.0; x.len()];
+                tangent.apply_power(&equations, power, &x, &mut product);
+                product
+            });
             for count in [1, 2, 3, 4] {
                 let found = on_ranks(count, |ranks| {
                     let options = options(ranks, &state, which);
@@ -80,12 +85,13 @@ fn ranks_have_the_equations_of_the_whole() {
                     assert_eq!(own.total(), x.len());
                     let numbers = own.numbers();
                     let own_x: Vec<f64> = numbers.iter().map(|&i| x[i]).collect();
-                    let mut all = [(); 3].map(|()| vec![0.0; own.size()]);
+                    let mut all = [(); 5].map(|()| vec![0.0; own.size()]);
                     own.residual(&mut all[0]).unwrap();
                     own.linearise().unwrap();
                     own.product(&own_x, &mut all[1]).unwrap();
-                    let result = own.transposed_product(&own_x, &mut all[2]);
-                    assert_eq!(result.is_ok(), !apart);
+                    own.transposed_product(&own_x, &mut all[2]).unwrap();
+                    own.power_product(1, &own_x, &mut all[3]).unwrap();
+                    own.power_product(2, &own_x, &mut all[4]).unwrap();
                     assert_eq!(own.halo_size() > 0, count > 1);
                     all.map(|values| (numbers.clone(), values))
                 });
@@ -95,8 +101,9 @@ fn ranks_have_the_equations_of_the_whole() {
                 assert!(difference(&of(0)[..size], &residual) < 1e-13);
                 let error = difference(&of(1), &product);
                 assert!(error < 1e-13, "{count} ranks: {error:e}");
-                if !apart {
-                    assert!(difference(&of(2), &transposed) < 1e-13);
+                assert!(difference(&of(2), &transposed) < 1e-13);
+                for (power, expected) in powers.iter().enumerate() {
+                    assert!(difference(&of(3 + power), expected) < 1e-13);
                 }
             }
         }

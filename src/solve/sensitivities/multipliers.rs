@@ -169,7 +169,7 @@ impl Solver {
         let follows = self.solve(column.residual.clone(), Side::Plain)?;
         self.require_reach(&follows)?;
         let equations = &self.newton.equations;
-        let mut direction = self.newton.unscaled(&follows, -1.0);
+        let mut direction = self.newton.equations.unscaled(&follows, -1.0);
         let first = equations.layout().scalars().start;
         direction.resize(first + index, 0.0);
         direction.push(column.scale);

@@ -17,6 +17,7 @@ use crate::error::Result;
 use crate::fourier::TimeGrid;
 use crate::ranks::{Ranks, Transposition};
 use crate::system::System;
+use crate::workers::Workers;
 use nalgebra::Complex;
 use std::ops::Range;
 use std::sync::Arc;
@@ -31,7 +32,7 @@ pub(crate) struct SpreadHarmonics {
     harmonics: Range<usize>,
     factors: Vec<BlockLanes<ComplexLanes>>,
     lanes: Vec<Vec<ComplexLanes>>,
-    workspace: Vec<ComplexLanes>,
+    workspaces: Vec<Vec<ComplexLanes>>,
     transposition: Transposition,
     /// Places of this rank's series in its part, at the first grid point and from one to the next.
     own: Vec<(usize, usize)>,
@@ -40,6 +41,8 @@ pub(crate) struct SpreadHarmonics {
     rows: Vec<f64>,
     columns: Vec<f64>,
     transform: Transform,
+    transforms: Vec<Transform>,
+    workers: Workers,
     /// Of the constraints of this rank, in vectors of its part.
     rotations: Vec<RowRotation>,
     resultants: Resultants,
@@ -185,7 +188,7 @@ impl SpreadHarmonics {
             harmonics,
             lanes: vec![vec![ComplexLanes::zero(); layout.structure.unknowns()]; factors.len()],
             factors,
-            workspace: Vec::new(),
+            workspaces: Vec::new(),
             own: own.collect(),
             unknowns: all
                 .iter()
@@ -196,6 +199,8 @@ impl SpreadHarmonics {
             columns: vec![0.0; transposition.by_columns()],
             transposition,
             transform: Transform::new(grid.points()),
+            transforms: Vec::new(),
+            workers: equations.workers().clone(),
             rotations: local_rotations(spread, &parts.own, own_classes),
             size: equations.size(),
             motions,
@@ -247,16 +252,21 @@ impl SpreadHarmonics {
             rotation.apply(x, false);
         }
         self.analyse(x)?;
-        for (factors, lanes) in self.factors.iter().zip(&mut self.lanes) {
-            factors.forward(&self.layout.structure, lanes);
-        }
+        let (structure, factors) = (&self.layout.structure, &self.factors);
+        self.workers.each(&mut self.lanes, |chunk, lanes| {
+            factors[chunk].forward(structure, lanes);
+        });
         if let Some(joints) = &mut self.joints {
             let (lanes, transform) = (&mut self.lanes, &mut self.transform);
             joints.solve(&*self.ranks, &self.harmonics, lanes, transform, x)?;
         }
-        for (factors, lanes) in self.factors.iter().zip(&mut self.lanes) {
-            factors.backward(&self.layout.structure, lanes, &mut self.workspace);
-        }
+        let (structure, factors) = (&self.layout.structure, &self.factors);
+        self.workers.for_each(
+            &mut self.lanes,
+            &mut self.workspaces,
+            Vec::new,
+            |workspace, chunk, lanes| factors[chunk].backward(structure, lanes, workspace),
+        );
         self.synthesise(x)?;
         if apart {
             halo.fill(&*self.ranks, x)?;
@@ -273,16 +283,22 @@ impl SpreadHarmonics {
     /// This rank's harmonics of everything that is averaged.
     fn analyse(&mut self, x: &[f64]) -> Result<()> {
         let length = COMPLEX * (self.points / 2 + 1);
-        for (&(first, stride), row) in self.own.iter().zip(self.rows.chunks_mut(length)) {
-            let series = x[first..].iter().step_by(stride);
-            self.transform
-                .analysis
-                .read(series.copied().take(self.points));
-            let pairs = row
-                .chunks_exact_mut(COMPLEX)
-                .zip(&self.transform.analysis.spectrum);
-            pairs.for_each(|(to, value)| to.copy_from_slice(&[value.re, value.im]));
-        }
+        let (own, points) = (&self.own, self.points);
+        let mut rows: Vec<_> = self.rows.chunks_mut(length).collect();
+        self.workers.for_each(
+            &mut rows,
+            &mut self.transforms,
+            || self.transform.clone(),
+            |transform, index, row| {
+                let (first, stride) = own[index];
+                let series = x[first..].iter().step_by(stride);
+                transform.analysis.read(series.copied().take(points));
+                let pairs = row
+                    .chunks_exact_mut(COMPLEX)
+                    .zip(&transform.analysis.spectrum);
+                pairs.for_each(|(to, value)| to.copy_from_slice(&[value.re, value.im]));
+            },
+        );
         self.transposition
             .to_columns(&self.rows, &mut self.columns)?;
         let count = self.harmonics.len();
@@ -316,16 +332,24 @@ impl SpreadHarmonics {
         self.transposition.to_rows(&self.columns, &mut self.rows)?;
         let scale = 1.0 / self.points as f64;
         let length = COMPLEX * (self.points / 2 + 1);
+        let mut rows: Vec<_> = self.rows.chunks_mut(length).collect();
+        self.workers.for_each(
+            &mut rows,
+            &mut self.transforms,
+            || self.transform.clone(),
+            |transform, _, row| {
+                let values = row
+                    .chunks_exact(COMPLEX)
+                    .map(|v| Complex::new(v[0], v[1]) * scale);
+                let spectrum = transform.synthesis.spectrum.iter_mut();
+                spectrum.zip(values).for_each(|(to, value)| *to = value);
+                row[..self.points].copy_from_slice(transform.backward());
+            },
+        );
         for (&(first, stride), row) in self.own.iter().zip(self.rows.chunks(length)) {
-            let spectrum = self.transform.synthesis.spectrum.iter_mut();
-            let values = row
-                .chunks_exact(COMPLEX)
-                .map(|v| Complex::new(v[0], v[1]) * scale);
-            spectrum.zip(values).for_each(|(to, value)| *to = value);
             let series = x[first..].iter_mut().step_by(stride);
-            series
-                .zip(self.transform.backward())
-                .for_each(|(x, sample)| *x = *sample);
+            let samples = &row[..self.points];
+            series.zip(samples).for_each(|(x, sample)| *x = *sample);
         }
         Ok(())
     }
