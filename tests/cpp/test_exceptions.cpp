@@ -1,5 +1,5 @@
-// What functions of the caller throw, at each call that there is, in each kind of solve: it comes out
-// of the call, nothing else does, and the model is as good as before.
+// What functions of the caller throw, at each call that there is, in each kind of solve: it comes
+// out of the call, nothing else does, and the model is as good as before.
 #include "check.hpp"
 
 #include <functional>

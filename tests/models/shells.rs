@@ -85,7 +85,8 @@ pub fn rubber_plate(size: [f64; 2], poisson: f64, mesh: &ShellMesh) -> (Model, S
     (model, patch)
 }
 
-/// With nodes welded to a shaft along y that turns to and fro by `swing`, under gravity; the period.
+/// With nodes welded to a shaft along y that turns to and fro by `swing`, under gravity; the
+/// period.
 pub fn swung(mut model: Model, nodes: &[usize], swing: f64) -> (Model, f64) {
     let shaft = ball(&mut model, 0.1, 1e-3, &Vector3::zeros());
     for &node in nodes {
