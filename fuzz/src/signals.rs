@@ -172,7 +172,8 @@ fn beam(bytes: &mut Bytes) {
     };
     assert!(mass.is_finite() && moment.iter().all(|x| x.is_finite()));
     let lines: Vec<f64> = stations.iter().map(|s| s.section.mass[(0, 0)]).collect();
-    let length = along.norm();
+    // Not that of `along`, where the start is far away: their sum is rounded.
+    let length = (end - start).norm();
     // The same in all directions.
     let is_mass = |station: &SectionStation| {
         let block = station.section.mass.fixed_view::<3, 3>(0, 0);
