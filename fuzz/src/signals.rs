@@ -172,14 +172,19 @@ fn beam(bytes: &mut Bytes) {
     };
     assert!(mass.is_finite() && moment.iter().all(|x| x.is_finite()));
     let lines: Vec<f64> = stations.iter().map(|s| s.section.mass[(0, 0)]).collect();
-    // Not that of `along`, where the start is far away: their sum is rounded.
-    let length = (end - start).norm();
+    let length = along.norm();
     // The same in all directions.
     let is_mass = |station: &SectionStation| {
         let block = station.section.mass.fixed_view::<3, 3>(0, 0);
         is_plain(block[(0, 0)]) && (block - Matrix3::identity() * block[(0, 0)]).amax() == 0.0
     };
-    if !is_plain(length) || !stations.iter().all(is_mass) {
+    let turns = stations
+        .windows(2)
+        .map(|pair| (pair[1].twist - pair[0].twist).abs());
+    // Nodes that are far away are rounded, and between nodes that turn by half a turn and more
+    // their line is not told by them.
+    let is_line = start.amax() < 1e3 * length && turns.fold(0.0, f64::max) < 1.0;
+    if !is_plain(length) || !is_line || !stations.iter().all(is_mass) {
         return;
     }
     // Linear between stations, as the first and the last beyond them.
