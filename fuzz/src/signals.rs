@@ -184,6 +184,8 @@ fn beam(bytes: &mut Bytes) {
     // Nodes that are far away are rounded, and between nodes that turn by half a turn and more
     // their line is not told by them.
     let is_line = start.amax() < 1e3 * length && turns.fold(0.0, f64::max) < 1.0;
+    let fits = |station: &SectionStation| (0.0..=1.0).contains(&station.fraction);
+    let is_line = is_line && stations.iter().all(fits);
     if !is_plain(length) || !is_line || !stations.iter().all(is_mass) {
         return;
     }

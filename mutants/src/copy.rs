@@ -69,7 +69,8 @@ fn write(folders: &Folders, mutants: &[Numbered]) -> io::Result<BTreeMap<String,
             .or_default()
             .push((number, mutant));
     }
-    let mut tests = String::new();
+    // What tests have in common is there once.
+    let mut tests = String::from("mod common;\n");
     let count = mutants
         .iter()
         .map(|(number, _)| number + 1)
@@ -96,6 +97,10 @@ fn write(folders: &Folders, mutants: &[Numbered]) -> io::Result<BTreeMap<String,
         };
         if let Some(test) = test.filter(|test| is_built(test)) {
             tests += &format!("#[path = \"{test}.rs\"]\nmod {test};\n");
+            let text = String::from_utf8_lossy(&bytes).into_owned();
+            bytes = text
+                .replace("\nmod common;\n", "\nuse crate::common;\n")
+                .into_bytes();
         }
         put(&folders.tree().join(name), &bytes)?;
     }
