@@ -15,11 +15,11 @@ static pdn_status check(const pdn_model *model, const pdn_petsc_options *options
                                 : found == NULL     ? "found"
                                                     : NULL;
     if (missing != NULL) {
-        return pdn_failure(PDN_ERR_NULL, "%s: expected a pointer, got NULL", missing);
+        return pdn_missing(missing);
     }
-    if (options->struct_size != sizeof *options) {
-        return pdn_failure(PDN_ERR_STRUCT_SIZE, "options: expected struct_size %zu, got %zu",
-                           sizeof *options, options->struct_size);
+    const pdn_status status = pdn_check_size("options", options->struct_size, sizeof *options);
+    if (status != PDN_OK) {
+        return status;
     }
     if (options->initial == NULL) {
         return pdn_failure(PDN_ERR_VALUE, "options.initial: expected the solution, got NULL");

@@ -21,39 +21,40 @@ static pdn_status of_memory(void)
     return pdn_failure(PDN_ERR_MEMORY, "no memory for vectors");
 }
 
-static PetscErrorCode multiply(Mat matrix, Vec x, Vec y)
+/* A map of the equations, which is called `name`, from vector to vector. */
+static PetscErrorCode apply(struct pdn_linear *s, const char *name,
+                            pdn_status (*map)(pdn_equations *, const double *, double *, size_t),
+                            Vec x, Vec y)
 {
-    struct pdn_linear *s;
     const PetscScalar *from;
     PetscScalar *to;
     PetscFunctionBeginUser;
-    PetscCall(MatShellGetContext(matrix, &s));
     PetscCall(VecGetArrayRead(x, &from));
     PetscCall(VecGetArrayWrite(y, &to));
-    const pdn_status status = pdn_equations_product(s->equations, from, to, s->size);
+    const pdn_status status = map(s->equations, from, to, s->size);
     PetscCall(VecRestoreArrayWrite(y, &to));
     PetscCall(VecRestoreArrayRead(x, &from));
     s->status = status != PDN_OK ? status : s->status;
-    PetscCheck(status == PDN_OK, PETSC_COMM_SELF, PETSC_ERR_LIB, "pdn_equations_product: %s",
+    PetscCheck(status == PDN_OK, PETSC_COMM_SELF, PETSC_ERR_LIB, "%s: %s", name,
                pdn_status_name(status));
+    PetscFunctionReturn(0);
+}
+
+static PetscErrorCode multiply(Mat matrix, Vec x, Vec y)
+{
+    struct pdn_linear *s;
+    PetscFunctionBeginUser;
+    PetscCall(MatShellGetContext(matrix, &s));
+    PetscCall(apply(s, "pdn_equations_product", pdn_equations_product, x, y));
     PetscFunctionReturn(0);
 }
 
 static PetscErrorCode precondition(PC pc, Vec x, Vec y)
 {
     struct pdn_linear *s;
-    const PetscScalar *from;
-    PetscScalar *to;
     PetscFunctionBeginUser;
     PetscCall(PCShellGetContext(pc, &s));
-    PetscCall(VecGetArrayRead(x, &from));
-    PetscCall(VecGetArrayWrite(y, &to));
-    const pdn_status status = pdn_equations_precondition(s->equations, from, to, s->size);
-    PetscCall(VecRestoreArrayWrite(y, &to));
-    PetscCall(VecRestoreArrayRead(x, &from));
-    s->status = status != PDN_OK ? status : s->status;
-    PetscCheck(status == PDN_OK, PETSC_COMM_SELF, PETSC_ERR_LIB, "pdn_equations_precondition: %s",
-               pdn_status_name(status));
+    PetscCall(apply(s, "pdn_equations_precondition", pdn_equations_precondition, x, y));
     PetscFunctionReturn(0);
 }
 

@@ -90,6 +90,19 @@ pdn_status pdn_failure(pdn_status status, const char *format, ...)
     return status;
 }
 
+pdn_status pdn_missing(const char *name)
+{
+    return pdn_failure(PDN_ERR_NULL, "%s: expected a pointer, got NULL", name);
+}
+
+pdn_status pdn_check_size(const char *name, size_t given, size_t expected)
+{
+    return given == expected ? PDN_OK
+                             : pdn_failure(PDN_ERR_STRUCT_SIZE,
+                                           "%s: expected struct_size %zu, got %zu", name, expected,
+                                           given);
+}
+
 pdn_status pdn_agreed(MPI_Comm comm, pdn_status status)
 {
     struct {

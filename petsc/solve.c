@@ -159,17 +159,13 @@ static pdn_status check(const pdn_model *model, const pdn_petsc_options *options
                                 : out == NULL     ? "out"
                                                   : NULL;
     if (missing != NULL) {
-        return pdn_failure(PDN_ERR_NULL, "%s: expected a pointer, got NULL", missing);
+        return pdn_missing(missing);
     }
-    if (options->struct_size != sizeof *options) {
-        return pdn_failure(PDN_ERR_STRUCT_SIZE, "options: expected struct_size %zu, got %zu",
-                           sizeof *options, options->struct_size);
+    const pdn_status status = pdn_check_size("options", options->struct_size, sizeof *options);
+    if (status != PDN_OK || report == NULL) {
+        return status;
     }
-    if (report != NULL && report->struct_size != sizeof *report) {
-        return pdn_failure(PDN_ERR_STRUCT_SIZE, "report: expected struct_size %zu, got %zu",
-                           sizeof *report, report->struct_size);
-    }
-    return PDN_OK;
+    return pdn_check_size("report", report->struct_size, sizeof *report);
 }
 
 pdn_status pdn_petsc_solve(MPI_Comm comm, const pdn_model *model, double period,

@@ -270,8 +270,7 @@ static pdn_status check(size_t tasks, size_t count, pdn_sweep_fn function, const
                         const pdn_sweep_report *report)
 {
     if (function == NULL || path == NULL) {
-        return pdn_failure(PDN_ERR_NULL, "%s: expected a pointer, got NULL",
-                           function == NULL ? "function" : "path");
+        return pdn_missing(function == NULL ? "function" : "path");
     }
     if (tasks == 0 || tasks > MOST_TASKS) {
         return pdn_failure(PDN_ERR_SIZE, "tasks: expected from 1 to %zu, got %zu", MOST_TASKS,
@@ -281,11 +280,8 @@ static pdn_status check(size_t tasks, size_t count, pdn_sweep_fn function, const
         return pdn_failure(PDN_ERR_SIZE, "count: expected at most %zu, got %zu", MOST_RESULTS,
                            count);
     }
-    if (report != NULL && report->struct_size != sizeof *report) {
-        return pdn_failure(PDN_ERR_STRUCT_SIZE, "report: expected struct_size %zu, got %zu",
-                           sizeof *report, report->struct_size);
-    }
-    return PDN_OK;
+    return report == NULL ? PDN_OK
+                          : pdn_check_size("report", report->struct_size, sizeof *report);
 }
 
 pdn_status pdn_sweep(MPI_Comm comm, size_t tasks, size_t count, pdn_sweep_fn function,
