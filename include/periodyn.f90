@@ -66,6 +66,17 @@ module periodyn_c
     integer(c_int32_t), parameter :: PDN_MOMENT_1 = 3
     integer(c_int32_t), parameter :: PDN_MOMENT_2 = 4
     integer(c_int32_t), parameter :: PDN_MOMENT_3 = 5
+    integer(c_int32_t), parameter :: PDN_SURFACE_PARALLELOGRAM = 0
+    integer(c_int32_t), parameter :: PDN_SURFACE_ANNULUS = 1
+    integer(c_int32_t), parameter :: PDN_SURFACE_CYLINDER = 2
+    integer(c_int32_t), parameter :: PDN_SURFACE_FUNCTION = 3
+    integer(c_int32_t), parameter :: PDN_SHELL_NORMALS = 0
+    integer(c_int32_t), parameter :: PDN_SHELL_PARALLEL = 1
+    integer(c_int32_t), parameter :: PDN_SHELL_EDGE_START_ETA = 0
+    integer(c_int32_t), parameter :: PDN_SHELL_EDGE_END_XI = 1
+    integer(c_int32_t), parameter :: PDN_SHELL_EDGE_END_ETA = 2
+    integer(c_int32_t), parameter :: PDN_SHELL_EDGE_START_XI = 3
+    integer(c_int32_t), parameter :: PDN_SHELL_SURFACE = 4
     integer(c_int32_t), parameter :: PDN_TANGENTS_DIFFERENCED = 0
     integer(c_int32_t), parameter :: PDN_TANGENTS_GIVEN = 1
     integer(c_int32_t), parameter :: PDN_TANGENT_MOTION = 0
@@ -248,6 +259,43 @@ module periodyn_c
         integer(c_int32_t) :: elements
         integer(c_int32_t) :: reserved(4)
     end type pdn_beam
+
+    type, bind(C) :: pdn_surface
+        integer(c_size_t) :: struct_size = 0
+        integer(c_int32_t) :: kind
+        integer(c_int32_t) :: reserved
+        real(c_double) :: origin(3)
+        real(c_double) :: axis(3)
+        real(c_double) :: start(3)
+        real(c_double) :: sizes(2)
+        real(c_double) :: angle
+        type(c_funptr) :: function = c_null_funptr
+        type(c_ptr) :: user_data = c_null_ptr
+    end type pdn_surface
+
+    type, bind(C) :: pdn_shell_section
+        integer(c_size_t) :: struct_size = 0
+        real(c_double) :: stiffness(144)
+        real(c_double) :: damping(144)
+        real(c_double) :: mass(36)
+    end type pdn_shell_section
+
+    type, bind(C) :: pdn_shell_placement
+        integer(c_size_t) :: struct_size = 0
+        integer(c_int32_t) :: frames
+        integer(c_int32_t) :: reserved
+        real(c_double) :: offset
+        real(c_double) :: direction(3)
+    end type pdn_shell_placement
+
+    type, bind(C) :: pdn_shell
+        integer(c_int32_t) :: first_element
+        integer(c_int32_t) :: elements_u
+        integer(c_int32_t) :: elements_v
+        integer(c_int32_t) :: nodes_u
+        integer(c_int32_t) :: nodes_v
+        integer(c_int32_t) :: reserved(3)
+    end type pdn_shell
 
     type, bind(C) :: pdn_force_state
         integer(c_size_t) :: struct_size = 0
@@ -583,6 +631,16 @@ module periodyn_c
             type(c_ptr), value :: user_data
             integer(c_int32_t) :: pdn_curve_fn
         end function pdn_curve_fn
+
+        ! A surface in space, to be written by the caller
+        function pdn_surface_fn(u, v, position, user_data) bind(C)
+            import
+            real(c_double), value :: u
+            real(c_double), value :: v
+            real(c_double), intent(inout) :: position(*)
+            type(c_ptr), value :: user_data
+            integer(c_int32_t) :: pdn_surface_fn
+        end function pdn_surface_fn
 
         ! A law of effort on a joint coordinate, to be written by the caller
         function pdn_coordinate_law_fn(time, coordinate, rate, effort, derivatives, user_data) bind(C)
@@ -1234,6 +1292,210 @@ module periodyn_c
             integer(c_size_t), value :: count
             integer(c_int32_t) :: pdn_model_add_load_at_places
         end function pdn_model_add_load_at_places
+
+        ! Makes a surface that is still to be set
+        subroutine pdn_surface_init(surface, struct_size) bind(C, name="pdn_surface_init")
+            import
+            type(pdn_surface), intent(inout) :: surface
+            integer(c_size_t), value :: struct_size
+        end subroutine pdn_surface_init
+
+        ! Makes a surface a parallelogram, such as a rectangle
+        function pdn_surface_set_parallelogram(surface, corner, along_u, &
+            along_v) bind(C, name="pdn_surface_set_parallelogram")
+            import
+            type(pdn_surface), intent(inout) :: surface
+            real(c_double), intent(in) :: corner(*)
+            real(c_double), intent(in) :: along_u(*)
+            real(c_double), intent(in) :: along_v(*)
+            integer(c_int32_t) :: pdn_surface_set_parallelogram
+        end function pdn_surface_set_parallelogram
+
+        ! Makes a surface an annulus or a sector of one: u from the inner to the outer radius, v around the axis
+        function pdn_surface_set_annulus(surface, centre, axis, start, inner, outer, &
+            angle) bind(C, name="pdn_surface_set_annulus")
+            import
+            type(pdn_surface), intent(inout) :: surface
+            real(c_double), intent(in) :: centre(*)
+            real(c_double), intent(in) :: axis(*)
+            real(c_double), intent(in) :: start(*)
+            real(c_double), value :: inner
+            real(c_double), value :: outer
+            real(c_double), value :: angle
+            integer(c_int32_t) :: pdn_surface_set_annulus
+        end function pdn_surface_set_annulus
+
+        ! Makes a surface a cylinder or a sector of one: u around the axis, v along it
+        function pdn_surface_set_cylinder(surface, centre, axis, start, radius, length, &
+            angle) bind(C, name="pdn_surface_set_cylinder")
+            import
+            type(pdn_surface), intent(inout) :: surface
+            real(c_double), intent(in) :: centre(*)
+            real(c_double), intent(in) :: axis(*)
+            real(c_double), intent(in) :: start(*)
+            real(c_double), value :: radius
+            real(c_double), value :: length
+            real(c_double), value :: angle
+            integer(c_int32_t) :: pdn_surface_set_cylinder
+        end function pdn_surface_set_cylinder
+
+        ! Makes a surface one that the caller computes, smooth within each element
+        function pdn_surface_set_function(surface, function, &
+            user_data) bind(C, name="pdn_surface_set_function")
+            import
+            type(pdn_surface), intent(inout) :: surface
+            type(c_funptr), value :: function
+            type(c_ptr), value :: user_data
+            integer(c_int32_t) :: pdn_surface_set_function
+        end function pdn_surface_set_function
+
+        ! Makes a section with no stiffness, mass or damping
+        subroutine pdn_shell_section_init(section, struct_size) bind(C, name="pdn_shell_section_init")
+            import
+            type(pdn_shell_section), intent(inout) :: section
+            integer(c_size_t), value :: struct_size
+        end subroutine pdn_shell_section_init
+
+        ! Makes a section that of one isotropic, linearly elastic material
+        function pdn_shell_section_set_isotropic(section, thickness, young, poisson, density, drilling, &
+            drilling_gradient) bind(C, name="pdn_shell_section_set_isotropic")
+            import
+            type(pdn_shell_section), intent(inout) :: section
+            real(c_double), value :: thickness
+            real(c_double), value :: young
+            real(c_double), value :: poisson
+            real(c_double), value :: density
+            real(c_double), value :: drilling
+            real(c_double), value :: drilling_gradient
+            integer(c_int32_t) :: pdn_shell_section_set_isotropic
+        end function pdn_shell_section_set_isotropic
+
+        ! Gives a section damping in proportion to its stiffness, which must have been set
+        function pdn_shell_section_set_proportional_damping(section, &
+            seconds) bind(C, name="pdn_shell_section_set_proportional_damping")
+            import
+            type(pdn_shell_section), intent(inout) :: section
+            real(c_double), value :: seconds
+            integer(c_int32_t) :: pdn_shell_section_set_proportional_damping
+        end function pdn_shell_section_set_proportional_damping
+
+        ! Sets the defaults
+        subroutine pdn_shell_placement_init(placement, struct_size) bind(C, name="pdn_shell_placement_init")
+            import
+            type(pdn_shell_placement), intent(inout) :: placement
+            integer(c_size_t), value :: struct_size
+        end subroutine pdn_shell_placement_init
+
+        ! Adds a shell element over a grid of nodes that are there
+        function pdn_model_add_shell_element(model, nodes, count, n_xi, section, placement, &
+            element) bind(C, name="pdn_model_add_shell_element")
+            import
+            type(c_ptr), value :: model
+            integer(c_int32_t), intent(in) :: nodes(*)
+            integer(c_size_t), value :: count
+            integer(c_size_t), value :: n_xi
+            type(pdn_shell_section), intent(in) :: section
+            type(pdn_shell_placement), intent(in), optional :: placement
+            integer(c_int32_t), intent(inout) :: element
+            integer(c_int32_t) :: pdn_model_add_shell_element
+        end function pdn_model_add_shell_element
+
+        ! Adds a shell over a surface, with elements in equal parts of u and v: its nodes and elements
+        function pdn_model_add_shell(model, surface, elements_u, elements_v, degree_u, degree_v, join, &
+            section, placement, shell) bind(C, name="pdn_model_add_shell")
+            import
+            type(c_ptr), value :: model
+            type(pdn_surface), intent(in) :: surface
+            integer(c_size_t), value :: elements_u
+            integer(c_size_t), value :: elements_v
+            integer(c_size_t), value :: degree_u
+            integer(c_size_t), value :: degree_v
+            integer(c_int32_t), value :: join
+            type(pdn_shell_section), intent(in) :: section
+            type(pdn_shell_placement), intent(in), optional :: placement
+            type(pdn_shell), intent(inout) :: shell
+            integer(c_int32_t) :: pdn_model_add_shell
+        end function pdn_model_add_shell
+
+        ! Adds a shell over given positions of its nodes, as ::pdn_model_add_shell does over a surface
+        function pdn_model_add_shell_grid(model, points, count, elements_u, elements_v, degree_u, degree_v, &
+            join, section, placement, shell) bind(C, name="pdn_model_add_shell_grid")
+            import
+            type(c_ptr), value :: model
+            real(c_double), intent(in) :: points(*)
+            integer(c_size_t), value :: count
+            integer(c_size_t), value :: elements_u
+            integer(c_size_t), value :: elements_v
+            integer(c_size_t), value :: degree_u
+            integer(c_size_t), value :: degree_v
+            integer(c_int32_t), value :: join
+            type(pdn_shell_section), intent(in) :: section
+            type(pdn_shell_placement), intent(in), optional :: placement
+            type(pdn_shell), intent(inout) :: shell
+            integer(c_int32_t) :: pdn_model_add_shell_grid
+        end function pdn_model_add_shell_grid
+
+        ! Adds a shell element for each cell of a mesh of quadrilaterals, as mesh generators make them
+        function pdn_model_add_shell_quadrilaterals(model, points, point_count, cells, count, points_of_cell, &
+            degree, section, placement, first_element) bind(C, name="pdn_model_add_shell_quadrilaterals")
+            import
+            type(c_ptr), value :: model
+            real(c_double), intent(in) :: points(*)
+            integer(c_size_t), value :: point_count
+            integer(c_int32_t), intent(in) :: cells(*)
+            integer(c_size_t), value :: count
+            integer(c_size_t), value :: points_of_cell
+            integer(c_size_t), value :: degree
+            type(pdn_shell_section), intent(in) :: section
+            type(pdn_shell_placement), intent(in), optional :: placement
+            integer(c_int32_t), intent(inout) :: first_element
+            integer(c_int32_t) :: pdn_model_add_shell_quadrilaterals
+        end function pdn_model_add_shell_quadrilaterals
+
+        ! Node of a shell over a surface or a grid
+        function pdn_model_shell_patch_node(model, shell, u, v, &
+            node) bind(C, name="pdn_model_shell_patch_node")
+            import
+            type(c_ptr), value :: model
+            type(pdn_shell), intent(in) :: shell
+            integer(c_int32_t), value :: u
+            integer(c_int32_t), value :: v
+            integer(c_int32_t), intent(inout) :: node
+            integer(c_int32_t) :: pdn_model_shell_patch_node
+        end function pdn_model_shell_patch_node
+
+        ! Number of shell elements; their ids are 0 ..
+        function pdn_model_shell_element_count(model, count) bind(C, name="pdn_model_shell_element_count")
+            import
+            type(c_ptr), value :: model
+            integer(c_int32_t), intent(inout) :: count
+            integer(c_int32_t) :: pdn_model_shell_element_count
+        end function pdn_model_shell_element_count
+
+        ! Node of a shell element
+        function pdn_model_shell_node(model, element, xi, eta, node) bind(C, name="pdn_model_shell_node")
+            import
+            type(c_ptr), value :: model
+            integer(c_int32_t), value :: element
+            integer(c_int32_t), value :: xi
+            integer(c_int32_t), value :: eta
+            integer(c_int32_t), intent(inout) :: node
+            integer(c_int32_t) :: pdn_model_shell_node
+        end function pdn_model_shell_node
+
+        ! Adds one component of a force or moment on shell elements, in addition to those that are there: for each ...
+        function pdn_model_add_shell_load(model, first_element, elements, place, frame, component, &
+            signal) bind(C, name="pdn_model_add_shell_load")
+            import
+            type(c_ptr), value :: model
+            integer(c_int32_t), value :: first_element
+            integer(c_int32_t), value :: elements
+            integer(c_int32_t), value :: place
+            integer(c_int32_t), value :: frame
+            integer(c_int32_t), value :: component
+            type(pdn_signal), intent(in) :: signal
+            integer(c_int32_t) :: pdn_model_add_shell_load
+        end function pdn_model_add_shell_load
 
         ! Number of forces: springs, dampers, actuators and the like, but not loads; their ids are 0 ..
         function pdn_model_force_count(model, count) bind(C, name="pdn_model_force_count")
@@ -3001,6 +3263,14 @@ module periodyn
         procedure, public :: add_straight_beam => model_add_straight_beam
         procedure, public :: add_beam => model_add_beam
         procedure, public :: add_beam_between => model_add_beam_between
+        procedure, public :: add_shell_element => model_add_shell_element
+        procedure, public :: add_shell => model_add_shell
+        procedure, public :: add_shell_grid => model_add_shell_grid
+        procedure, public :: add_shell_quadrilaterals => model_add_shell_quadrilaterals
+        procedure, public :: shell_patch_node => model_shell_patch_node
+        procedure, public :: shell_node => model_shell_node
+        procedure, public :: shell_element_count => model_shell_element_count
+        procedure, public :: add_shell_load => model_add_shell_load
         procedure, public :: add_load => model_add_load
         procedure, public :: add_distributed_load => model_add_distributed_load
         procedure, public :: add_load_at_places => model_add_load_at_places
@@ -3128,9 +3398,9 @@ module periodyn
 
     ! Sets the defaults of options.
     interface pdn_init
-        procedure init_section, init_periodic_options, init_static_options, init_modes_options, &
-            init_march_options, init_shooting_options, init_stability_options, init_sensitivity_options, &
-            init_branch_options, init_equations_options
+        procedure init_section, init_shell_section, init_shell_placement, init_surface, init_periodic_options, &
+            init_static_options, init_modes_options, init_march_options, init_shooting_options, &
+            init_stability_options, init_sensitivity_options, init_branch_options, init_equations_options
     end interface pdn_init
 
     ! These have texts and arrays in place of those of periodyn_c, which are c_version and so on here.
@@ -3384,6 +3654,24 @@ contains
         call pdn_section_init(section, c_sizeof(section))
     end subroutine init_section
 
+    subroutine init_shell_section(section)
+        type(pdn_shell_section), intent(out) :: section
+
+        call pdn_shell_section_init(section, c_sizeof(section))
+    end subroutine init_shell_section
+
+    subroutine init_shell_placement(placement)
+        type(pdn_shell_placement), intent(out) :: placement
+
+        call pdn_shell_placement_init(placement, c_sizeof(placement))
+    end subroutine init_shell_placement
+
+    subroutine init_surface(surface)
+        type(pdn_surface), intent(out) :: surface
+
+        call pdn_surface_init(surface, c_sizeof(surface))
+    end subroutine init_surface
+
     subroutine init_periodic_options(options)
         type(pdn_periodic_options), intent(out) :: options
 
@@ -3458,6 +3746,78 @@ contains
         end if
         call report(status, stat, errmsg)
     end function pdn_diagonal_section
+
+    ! Section of a shell of one isotropic material.
+    function pdn_isotropic_shell(thickness, young, poisson, density, drilling, drilling_gradient, damping_time, &
+        stat, errmsg) result(section)
+        real(c_double), intent(in) :: thickness, young, poisson, density
+        real(c_double), intent(in), optional :: drilling, drilling_gradient, damping_time
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        type(pdn_shell_section) :: section
+        real(c_double) :: held, smoothed
+        integer(c_int32_t) :: status
+
+        held = 1
+        smoothed = 0.1_c_double
+        if (present(drilling)) held = drilling
+        if (present(drilling_gradient)) smoothed = drilling_gradient
+        call pdn_init(section)
+        status = pdn_shell_section_set_isotropic(section, thickness, young, poisson, density, held, smoothed)
+        if (status == PDN_OK .and. present(damping_time)) then
+            status = pdn_shell_section_set_proportional_damping(section, damping_time)
+        end if
+        call report(status, stat, errmsg)
+    end function pdn_isotropic_shell
+
+    ! Surfaces to mesh with shells -----------------------------------------------------------------------------
+
+    function pdn_parallelogram(corner, along_u, along_v, stat, errmsg) result(surface)
+        real(c_double), intent(in) :: corner(3), along_u(3), along_v(3)
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        type(pdn_surface) :: surface
+
+        call pdn_init(surface)
+        call report(pdn_surface_set_parallelogram(surface, corner, along_u, along_v), stat, errmsg)
+    end function pdn_parallelogram
+
+    function pdn_annulus(centre, axis, start, inner, outer, angle, stat, errmsg) result(surface)
+        real(c_double), intent(in) :: centre(3), axis(3), start(3), inner, outer, angle
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        type(pdn_surface) :: surface
+
+        call pdn_init(surface)
+        call report(pdn_surface_set_annulus(surface, centre, axis, start, inner, outer, angle), stat, errmsg)
+    end function pdn_annulus
+
+    function pdn_cylinder(centre, axis, start, radius, length, angle, stat, errmsg) result(surface)
+        real(c_double), intent(in) :: centre(3), axis(3), start(3), radius, length, angle
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        type(pdn_surface) :: surface
+
+        call pdn_init(surface)
+        call report(pdn_surface_set_cylinder(surface, centre, axis, start, radius, length, angle), stat, errmsg)
+    end function pdn_cylinder
+
+    ! The points that a function computes.
+    function pdn_surface_of(function, user_data, stat, errmsg) result(surface)
+        procedure(pdn_surface_fn) :: function
+        type(c_ptr), intent(in), optional :: user_data
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        type(pdn_surface) :: surface
+        type(c_ptr) :: data
+
+        data = c_null_ptr
+        if (present(user_data)) data = user_data
+        call pdn_init(surface)
+        call report(pdn_surface_set_function(surface, c_funloc(function), data), stat, errmsg)
+    end function pdn_surface_of
+
+    ! Reference lines of beams ---------------------------------------------------------------------------------
 
     function pdn_straight_line(start, end, axis_2, stat, errmsg) result(line)
         real(c_double), intent(in) :: start(3), end(3), axis_2(3)
@@ -4032,6 +4392,129 @@ contains
         call report(pdn_model_add_beam_between(self%c, line, stations, boundaries, &
             int(max(size(boundaries) - 1, 0), c_size_t), count_of(degree), beam), stat, errmsg)
     end subroutine model_add_beam_between
+
+    ! A shell element over nodes that are there: node i n_eta + j is at (xi_i, eta_j).
+    subroutine model_add_shell_element(self, nodes, n_xi, section, placement, element, stat, errmsg)
+        class(pdn_model), intent(inout) :: self
+        integer(c_int32_t), intent(in) :: nodes(:), n_xi
+        type(pdn_shell_section), intent(in) :: section
+        type(pdn_shell_placement), intent(in), optional :: placement
+        integer(c_int32_t), intent(inout), optional :: element
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        integer(c_int32_t) :: id, status
+
+        status = pdn_model_add_shell_element(self%c, nodes, size(nodes, kind=c_size_t), count_of(n_xi), section, &
+            placement, id)
+        if (status == PDN_OK .and. present(element)) element = id
+        call report(status, stat, errmsg)
+    end subroutine model_add_shell_element
+
+    ! A shell over a surface, with elements(1) elements of degrees(1) along u, and likewise along v.
+    subroutine model_add_shell(self, surface, elements, degrees, section, shell, placement, join, stat, errmsg)
+        class(pdn_model), intent(inout) :: self
+        type(pdn_surface), intent(in) :: surface
+        integer(c_int32_t), intent(in) :: elements(2), degrees(2)
+        type(pdn_shell_section), intent(in) :: section
+        type(pdn_shell), intent(inout) :: shell
+        type(pdn_shell_placement), intent(in), optional :: placement
+        logical, intent(in), optional :: join
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        integer(c_int32_t) :: joined
+
+        joined = 1
+        if (present(join)) joined = merge(1, 0, join)
+        call report(pdn_model_add_shell(self%c, surface, count_of(elements(1)), count_of(elements(2)), &
+            count_of(degrees(1)), count_of(degrees(2)), joined, section, placement, shell), stat, errmsg)
+    end subroutine model_add_shell
+
+    ! The same over given positions of its nodes, points(:, k), those along v first.
+    subroutine model_add_shell_grid(self, points, elements, degrees, section, shell, placement, join, stat, errmsg)
+        class(pdn_model), intent(inout) :: self
+        real(c_double), intent(in), contiguous :: points(:,:)
+        integer(c_int32_t), intent(in) :: elements(2), degrees(2)
+        type(pdn_shell_section), intent(in) :: section
+        type(pdn_shell), intent(inout) :: shell
+        type(pdn_shell_placement), intent(in), optional :: placement
+        logical, intent(in), optional :: join
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        integer(c_int32_t) :: joined
+
+        if (.not. fits('points', shape(points), [3, size(points, 2)], stat, errmsg)) return
+        joined = 1
+        if (present(join)) joined = merge(1, 0, join)
+        call report(pdn_model_add_shell_grid(self%c, points, size(points, 2, c_size_t), count_of(elements(1)), &
+            count_of(elements(2)), count_of(degrees(1)), count_of(degrees(2)), joined, section, placement, shell), &
+            stat, errmsg)
+    end subroutine model_add_shell_grid
+
+    ! A shell element for each cell, of 4 or 9 points with numbers cells(:, k) from 0 on, corners first.
+    subroutine model_add_shell_quadrilaterals(self, points, cells, degree, section, first_element, placement, stat, &
+        errmsg)
+        class(pdn_model), intent(inout) :: self
+        real(c_double), intent(in), contiguous :: points(:,:)
+        integer(c_int32_t), intent(in), contiguous :: cells(:,:)
+        integer(c_int32_t), intent(in) :: degree
+        type(pdn_shell_section), intent(in) :: section
+        integer(c_int32_t), intent(inout) :: first_element
+        type(pdn_shell_placement), intent(in), optional :: placement
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+
+        if (.not. fits('points', shape(points), [3, size(points, 2)], stat, errmsg)) return
+        call report(pdn_model_add_shell_quadrilaterals(self%c, points, size(points, 2, c_size_t), cells, &
+            size(cells, kind=c_size_t), size(cells, 1, c_size_t), count_of(degree), section, placement, &
+            first_element), stat, errmsg)
+    end subroutine model_add_shell_quadrilaterals
+
+    ! Node of a shell over a surface or a grid, numbered from 0 along u and v.
+    subroutine model_shell_patch_node(self, shell, u, v, node, stat, errmsg)
+        class(pdn_model), intent(in) :: self
+        type(pdn_shell), intent(in) :: shell
+        integer(c_int32_t), intent(in) :: u, v
+        integer(c_int32_t), intent(inout) :: node
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+
+        call report(pdn_model_shell_patch_node(self%c, shell, u, v, node), stat, errmsg)
+    end subroutine model_shell_patch_node
+
+    ! Node of a shell element, numbered from 0 along xi and eta.
+    subroutine model_shell_node(self, element, xi, eta, node, stat, errmsg)
+        class(pdn_model), intent(in) :: self
+        integer(c_int32_t), intent(in) :: element, xi, eta
+        integer(c_int32_t), intent(inout) :: node
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+
+        call report(pdn_model_shell_node(self%c, element, xi, eta, node), stat, errmsg)
+    end subroutine model_shell_node
+
+    ! Number of shell elements.
+    subroutine model_shell_element_count(self, count, stat, errmsg)
+        class(pdn_model), intent(in) :: self
+        integer(c_int32_t), intent(inout) :: count
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+
+        call report(pdn_model_shell_element_count(self%c, count), stat, errmsg)
+    end subroutine model_shell_element_count
+
+    ! A component for each unit of area of shell elements, or of length of their edges.
+    subroutine model_add_shell_load(self, first_element, elements, place, frame, component, signal, stat, errmsg)
+        class(pdn_model), intent(inout) :: self
+        integer(c_int32_t), intent(in) :: first_element, elements, place, frame, component
+        type(pdn_signal), intent(in), target :: signal
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        type(c_signal) :: raw
+
+        call signal%pass(raw)
+        call report(pdn_model_add_shell_load(self%c, first_element, elements, place, frame, component, raw), stat, &
+            errmsg)
+    end subroutine model_add_shell_load
 
     ! A component of a force or moment on a node.
     subroutine model_add_load(self, node, frame, component, signal, stat, errmsg)

@@ -302,6 +302,62 @@
 #define PDN_MOMENT_3 5
 
 /**
+ * Kind of a surface: parallelogram.
+ */
+#define PDN_SURFACE_PARALLELOGRAM 0
+
+/**
+ * Kind of a surface: sector of an annulus.
+ */
+#define PDN_SURFACE_ANNULUS 1
+
+/**
+ * Kind of a surface: cylinder.
+ */
+#define PDN_SURFACE_CYLINDER 2
+
+/**
+ * Kind of a surface: one that the caller computes.
+ */
+#define PDN_SURFACE_FUNCTION 3
+
+/**
+ * Frames of a shell: along the normals of its surface at the nodes.
+ */
+#define PDN_SHELL_NORMALS 0
+
+/**
+ * Frames of a shell: parallel at all nodes of an element. Somewhat better on curved elements of
+ * three and more nodes a side; thin warped elements of two nodes a side lock.
+ */
+#define PDN_SHELL_PARALLEL 1
+
+/**
+ * Place of a load on a shell element: its edge where eta = -1, along xi.
+ */
+#define PDN_SHELL_EDGE_START_ETA 0
+
+/**
+ * Place of a load on a shell element: its edge where xi = 1, along eta.
+ */
+#define PDN_SHELL_EDGE_END_XI 1
+
+/**
+ * Place of a load on a shell element: its edge where eta = 1, along xi.
+ */
+#define PDN_SHELL_EDGE_END_ETA 2
+
+/**
+ * Place of a load on a shell element: its edge where xi = -1, along eta.
+ */
+#define PDN_SHELL_EDGE_START_XI 3
+
+/**
+ * Place of a load on a shell element: its surface.
+ */
+#define PDN_SHELL_SURFACE 4
+
+/**
  * Tangents of a user's function: it gives none, and the library finds them by differences of its
  * forces.
  */
@@ -1296,6 +1352,170 @@ typedef struct pdn_beam {
      */
     int32_t reserved[4];
 } pdn_beam;
+
+/**
+ * A surface in space, to be written by the caller.
+ *
+ * Called only during the call that takes the surface, on its thread, once for each node. It must
+ * neither throw nor jump out, nor use the model that the shell is added to.
+ *
+ * @param u  place in the first direction, from 0 to 1
+ * @param v  place in the second direction, from 0 to 1
+ * @param position  array of length 3: where the position goes, global coordinates \[length\];
+ *     valid during the call only
+ * @param user_data  as given to ::pdn_surface_set_function
+ * @return 0 for success; anything else makes the call fail with PDN_ERR_CALLBACK (see
+ *     ::pdn_set_callback_error and ::pdn_last_callback_code)
+ */
+typedef int32_t (*pdn_surface_fn)(double u,
+                                  double v,
+                                  double *position,
+                                  void *user_data);
+
+/**
+ * A surface: a point for each pair (u, v), each from 0 to 1.
+ *
+ * Its normal is that of the tangents along u and v, in this order. Start with
+ * `PDN_INIT(pdn_surface, &surface)`; then one of the `pdn_surface_set_...`, each of which replaces
+ * all that was set before. Leave the fields to them.
+ */
+typedef struct pdn_surface {
+    /**
+     * Set by the initialiser.
+     */
+    size_t struct_size;
+    /**
+     * PDN_SURFACE_PARALLELOGRAM, PDN_SURFACE_ANNULUS, PDN_SURFACE_CYLINDER or
+     * PDN_SURFACE_FUNCTION.
+     */
+    int32_t kind;
+    /**
+     * Leave it zero.
+     */
+    int32_t reserved;
+    /**
+     * Corner of a parallelogram, centre of an annulus or of the end of a cylinder.
+     */
+    double origin[3];
+    /**
+     * Side along u of a parallelogram, axis of the others.
+     */
+    double axis[3];
+    /**
+     * Side along v of a parallelogram, direction of where the others start.
+     */
+    double start[3];
+    /**
+     * Inner and outer radius, or radius and length.
+     */
+    double sizes[2];
+    /**
+     * Angle of an annulus or a cylinder.
+     */
+    double angle;
+    /**
+     * The function.
+     */
+    pdn_surface_fn function;
+    /**
+     * Handed to the function.
+     */
+    void *user_data;
+} pdn_surface;
+
+/**
+ * Stiffness, damping and mass of a shell, per unit of its reference area.
+ *
+ * Strains are `[e11 e12 g1 k11 k12 k1n, e21 e22 g2 k21 k22 k2n]`: how position and frame of the
+ * surface change along axis 1, then along axis 2, resolved in axes 1, 2 and the normal. Bending of
+ * lines along axis 1 is k12, along axis 2 -k21; twist is -k11 and k22; e12 - e21 is the drilling
+ * rotation against the surface. Forces and moments per length are in the same order. The matrices
+ * are column-major and symmetric. Any consistent set of units.
+ *
+ * Start with `PDN_INIT(pdn_shell_section, &section)`; then ::pdn_shell_section_set_isotropic, or
+ * write the matrices yourself, as of laminates. A section without stiffness is refused where it is
+ * used.
+ */
+typedef struct pdn_shell_section {
+    /**
+     * Set by the initialiser.
+     */
+    size_t struct_size;
+    /**
+     * Forces and moments for unit strains, 12 x 12; positive definite.
+     */
+    double stiffness[144];
+    /**
+     * The same for unit rates of strain; positive semi-definite.
+     */
+    double damping[144];
+    /**
+     * Momenta for unit velocities, 6 x 6; positive semi-definite.
+     */
+    double mass[36];
+} pdn_shell_section;
+
+/**
+ * How a shell lies on its nodes. Set the defaults by `PDN_INIT(pdn_shell_placement, &placement)`.
+ */
+typedef struct pdn_shell_placement {
+    /**
+     * Set by the initialiser.
+     */
+    size_t struct_size;
+    /**
+     * PDN_SHELL_NORMALS or PDN_SHELL_PARALLEL.
+     */
+    int32_t frames;
+    /**
+     * Leave it zero.
+     */
+    int32_t reserved;
+    /**
+     * Distance of the surface that the section belongs to from the nodes, along the normal
+     * [length]; default: 0.
+     */
+    double offset;
+    /**
+     * Direction whose part in the surface is axis 1 of the section, global coordinates. If it is
+     * zero, the default, axes 1 and 2 are as close to xi and eta as they can be at a right angle.
+     */
+    double direction[3];
+} pdn_shell_placement;
+
+/**
+ * What a shell over a surface was made of; written by the library. This struct will never change
+ * its size.
+ *
+ * Element i elements_v + j from the first on is the one at i along u and j along v; xi of each is
+ * in the direction of u, eta in that of v. ::pdn_model_shell_patch_node tells the nodes.
+ */
+typedef struct pdn_shell {
+    /**
+     * Id of the first element.
+     */
+    int32_t first_element;
+    /**
+     * Number of elements along u.
+     */
+    int32_t elements_u;
+    /**
+     * Number of elements along v.
+     */
+    int32_t elements_v;
+    /**
+     * Number of nodes along u.
+     */
+    int32_t nodes_u;
+    /**
+     * Number of nodes along v.
+     */
+    int32_t nodes_v;
+    /**
+     * Zero.
+     */
+    int32_t reserved[3];
+} pdn_shell;
 
 /**
  * A law of effort on a joint coordinate, to be written by the caller.
@@ -3891,6 +4111,412 @@ pdn_status pdn_model_add_load_at_places(struct pdn_model *model,
                                         const double *fractions,
                                         const struct pdn_signal *signals,
                                         size_t count);
+
+/**
+ * Makes a surface that is still to be set. Use it as `PDN_INIT(pdn_surface, &surface)`.
+ *
+ * @param surface  the surface; not NULL
+ * @param struct_size  sizeof(pdn_surface)
+ *
+ * Threads: any.
+ * @since 0.1
+ */
+PDN_API
+void pdn_surface_init(struct pdn_surface *surface,
+                      size_t struct_size);
+
+/**
+ * Makes a surface a parallelogram, such as a rectangle.
+ *
+ * @param surface  an initialised surface; not NULL
+ * @param corner  array of length 3: the point at u = v = 0, global coordinates [length]
+ * @param along_u  array of length 3: the side from there along u [length]
+ * @param along_v  array of length 3: the side along v, not parallel to it [length]
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_STRUCT_SIZE, PDN_ERR_NOT_FINITE
+ *
+ * Threads: exclusive use of `surface`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_surface_set_parallelogram(struct pdn_surface *surface,
+                                         const double *corner,
+                                         const double *along_u,
+                                         const double *along_v);
+
+/**
+ * Makes a surface an annulus or a sector of one: u from the inner to the outer radius, v around
+ * the axis. The normal is along the axis for positive angles.
+ *
+ * @param surface  an initialised surface; not NULL
+ * @param centre  array of length 3: its centre, global coordinates [length]
+ * @param axis  array of length 3: direction of its axis, of any nonzero length
+ * @param start  array of length 3: where v = 0 is, seen from the centre: the part of this
+ *     direction across the axis; not along the axis
+ * @param inner  inner radius, positive [length]
+ * @param outer  outer radius, more than the inner [length]
+ * @param angle  angle about the axis, right-handed; not zero, at most one turn [radian]
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_STRUCT_SIZE, PDN_ERR_NOT_FINITE
+ *
+ * Threads: exclusive use of `surface`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_surface_set_annulus(struct pdn_surface *surface,
+                                   const double *centre,
+                                   const double *axis,
+                                   const double *start,
+                                   double inner,
+                                   double outer,
+                                   double angle);
+
+/**
+ * Makes a surface a cylinder or a sector of one: u around the axis, v along it. The normal is
+ * outwards for positive angles.
+ *
+ * @param surface  an initialised surface; not NULL
+ * @param centre  array of length 3: the centre of its end, v = 0, global coordinates [length]
+ * @param axis  array of length 3: direction of its axis, of any nonzero length
+ * @param start  array of length 3: where u = 0 is, seen from the centre: the part of this
+ *     direction across the axis; not along the axis
+ * @param radius  radius, positive [length]
+ * @param length  length along the axis, positive [length]
+ * @param angle  angle about the axis, right-handed; not zero, at most one turn [radian]
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_STRUCT_SIZE, PDN_ERR_NOT_FINITE
+ *
+ * Threads: exclusive use of `surface`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_surface_set_cylinder(struct pdn_surface *surface,
+                                    const double *centre,
+                                    const double *axis,
+                                    const double *start,
+                                    double radius,
+                                    double length,
+                                    double angle);
+
+/**
+ * Makes a surface one that the caller computes, smooth within each element.
+ *
+ * @param surface  an initialised surface; not NULL
+ * @param function  the surface, see ::pdn_surface_fn for when it is called; not NULL
+ * @param user_data  handed to the function; may be NULL. Must be valid until the surface is no
+ *     longer used
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_STRUCT_SIZE
+ *
+ * Threads: exclusive use of `surface`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_surface_set_function(struct pdn_surface *surface,
+                                    pdn_surface_fn function,
+                                    void *user_data);
+
+/**
+ * Makes a section with no stiffness, mass or damping. Use it as
+ * `PDN_INIT(pdn_shell_section, &section)`.
+ *
+ * @param section  the section; not NULL
+ * @param struct_size  sizeof(pdn_shell_section)
+ *
+ * Threads: any.
+ * @since 0.1
+ */
+PDN_API
+void pdn_shell_section_init(struct pdn_shell_section *section,
+                            size_t struct_size);
+
+/**
+ * Makes a section that of one isotropic, linearly elastic material. Takes the damping away: give
+ * that afterwards.
+ *
+ * @param section  an initialised section; not NULL
+ * @param thickness  thickness, positive [length]
+ * @param young  Young's modulus, positive [force / length^2]
+ * @param poisson  Poisson's ratio, more than -1 and less than 1/2
+ * @param density  zero or more [mass / length^3]
+ * @param drilling  stiffness of the drilling rotation against the surface, relative to shear: 0.1
+ *     to 1; usually 1
+ * @param drilling_gradient  stiffness against gradients of the drilling rotation, which only
+ *     regularises; positive, usually 0.1
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_STRUCT_SIZE, PDN_ERR_NOT_FINITE, PDN_ERR_VALUE
+ *
+ * Threads: exclusive use of `section`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_shell_section_set_isotropic(struct pdn_shell_section *section,
+                                           double thickness,
+                                           double young,
+                                           double poisson,
+                                           double density,
+                                           double drilling,
+                                           double drilling_gradient);
+
+/**
+ * Gives a section damping in proportion to its stiffness, which must have been set.
+ *
+ * A vibration of circular frequency w then has the damping ratio seconds * w / 2.
+ *
+ * @param section  an initialised section with stiffness; not NULL
+ * @param seconds  damping = seconds * stiffness; zero or more [time]
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_STRUCT_SIZE, PDN_ERR_NOT_FINITE, PDN_ERR_VALUE
+ *
+ * Threads: exclusive use of `section`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_shell_section_set_proportional_damping(struct pdn_shell_section *section,
+                                                      double seconds);
+
+/**
+ * Sets the defaults. Use it as `PDN_INIT(pdn_shell_placement, &placement)`.
+ *
+ * @param placement  the placement; not NULL
+ * @param struct_size  sizeof(pdn_shell_placement)
+ *
+ * Threads: any.
+ * @since 0.1
+ */
+PDN_API
+void pdn_shell_placement_init(struct pdn_shell_placement *placement,
+                              size_t struct_size);
+
+/**
+ * Adds a shell element over a grid of nodes that are there.
+ *
+ * The nodes stand at the Gauss-Lobatto points in both directions: node i n_eta + j of the array at
+ * (xi_i, eta_j). How their frames are turned does not matter. The normal is that of the tangents
+ * along xi and eta, in this order. The element's reference shape interpolates the nodes, and is
+ * free of stress.
+ *
+ * Elements may share whole edges, with the same nodes along them, and single nodes; beams, bodies
+ * and joints may share their nodes. Do not let a couple about the normal act on one node, such as
+ * that of a beam that ends there: it turns the node the further, the finer the mesh. Connect
+ * through an edge instead.
+ *
+ * @param model  the model; not NULL
+ * @param nodes  array of length [count]: ids of the nodes, all different
+ * @param count  number of nodes: n_xi n_eta
+ * @param n_xi  nodes along xi, 2 to 16; so are those along eta, count / n_xi
+ * @param section  the section; not NULL
+ * @param placement  how it lies on the nodes; NULL for the defaults
+ * @param element  the element's id; written on success only
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_SIZE, PDN_ERR_ID, PDN_ERR_STRUCT_SIZE, PDN_ERR_NOT_FINITE,
+ *     PDN_ERR_VALUE (inverted or overlapping elements, too), PDN_ERR_MODEL (nodes that turn too
+ *     much from one to the next)
+ *
+ * Threads: exclusive use of `model`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_model_add_shell_element(struct pdn_model *model,
+                                       const int32_t *nodes,
+                                       size_t count,
+                                       size_t n_xi,
+                                       const struct pdn_shell_section *section,
+                                       const struct pdn_shell_placement *placement,
+                                       int32_t *element);
+
+/**
+ * Adds a shell over a surface, with elements in equal parts of u and v: its nodes and elements.
+ *
+ * Axis 1 of each new node's frame is along u, axis 3 along the normal.
+ *
+ * @param model  the model; not NULL
+ * @param surface  the surface; not NULL
+ * @param elements_u  number of elements along u, 1 to 100000
+ * @param elements_v  number of elements along v, likewise
+ * @param degree_u  polynomial degree along u, 1 to 15: nodes of an element, less one; 3 to 5 are
+ *     good choices
+ * @param degree_v  polynomial degree along v, likewise
+ * @param join  1: nodes on the edges of the surface at the same place as nodes of shells that are
+ *     there, or on another of its own edges, are these, so that shells are joined and closed; 0:
+ *     all nodes are new
+ * @param section  the section; not NULL
+ * @param placement  how it lies on the nodes; NULL for the defaults
+ * @param shell  the shell's elements and numbers of nodes; written on success only
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_SIZE, PDN_ERR_STRUCT_SIZE, PDN_ERR_NOT_FINITE,
+ *     PDN_ERR_VALUE (inverted or overlapping elements, too), PDN_ERR_CALLBACK, PDN_ERR_MODEL
+ *     (elements that turn too much)
+ *
+ * Threads: exclusive use of `model`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_model_add_shell(struct pdn_model *model,
+                               const struct pdn_surface *surface,
+                               size_t elements_u,
+                               size_t elements_v,
+                               size_t degree_u,
+                               size_t degree_v,
+                               int32_t join,
+                               const struct pdn_shell_section *section,
+                               const struct pdn_shell_placement *placement,
+                               struct pdn_shell *shell);
+
+/**
+ * Adds a shell over given positions of its nodes, as ::pdn_model_add_shell does over a surface.
+ *
+ * The nodes of each element stand at the Gauss-Lobatto points in both directions: with degrees of
+ * 1 and 2 evenly.
+ *
+ * @param model  the model; not NULL
+ * @param points  array of length 3 x [count]: positions of the nodes, global coordinates, those
+ *     along v first [length]
+ * @param count  number of nodes: (elements_u degree_u + 1) (elements_v degree_v + 1)
+ * @param elements_u  number of elements along u, 1 to 100000
+ * @param elements_v  number of elements along v, likewise
+ * @param degree_u  polynomial degree along u, 1 to 15
+ * @param degree_v  polynomial degree along v, likewise
+ * @param join  0 or 1, as ::pdn_model_add_shell has it
+ * @param section  the section; not NULL
+ * @param placement  how it lies on the nodes; NULL for the defaults
+ * @param shell  the shell's elements and numbers of nodes; written on success only
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_SIZE, PDN_ERR_STRUCT_SIZE, PDN_ERR_NOT_FINITE,
+ *     PDN_ERR_VALUE (inverted or overlapping elements, too), PDN_ERR_MODEL (elements that turn too
+ *     much)
+ *
+ * Threads: exclusive use of `model`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_model_add_shell_grid(struct pdn_model *model,
+                                    const double *points,
+                                    size_t count,
+                                    size_t elements_u,
+                                    size_t elements_v,
+                                    size_t degree_u,
+                                    size_t degree_v,
+                                    int32_t join,
+                                    const struct pdn_shell_section *section,
+                                    const struct pdn_shell_placement *placement,
+                                    struct pdn_shell *shell);
+
+/**
+ * Adds a shell element for each cell of a mesh of quadrilaterals, as mesh generators make them.
+ *
+ * A cell has four points, its corners in a row around it, seen from the side that the normal
+ * points to; or nine: these, then the middles of its sides from the first corner to the second and
+ * so on, then its centre. That is the order of Gmsh and VTK. With nine it is curved. xi is from
+ * the first corner to the second, eta from there to the third. Cells that share a side have the
+ * same nodes there; points that belong to no cell are left out. ::pdn_model_shell_node tells the
+ * nodes.
+ *
+ * @param model  the model; not NULL
+ * @param points  array of length 3 x [point_count]: positions, global coordinates [length]
+ * @param point_count  number of points
+ * @param cells  array of length [count]: numbers of the points of each cell from 0 on, one cell
+ *     after the other
+ * @param count  how many these are: points_of_cell for each cell
+ * @param points_of_cell  4 or 9
+ * @param degree  polynomial degree of the elements in both directions, 1 to 15
+ * @param section  the section; not NULL
+ * @param placement  how it lies on the nodes; NULL for the defaults
+ * @param first_element  id of the first element; the others follow in the order of the cells;
+ *     written on success only
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_SIZE, PDN_ERR_ID, PDN_ERR_STRUCT_SIZE, PDN_ERR_NOT_FINITE,
+ *     PDN_ERR_VALUE (inverted or overlapping elements, too), PDN_ERR_MODEL (elements that turn too
+ *     much)
+ *
+ * Threads: exclusive use of `model`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_model_add_shell_quadrilaterals(struct pdn_model *model,
+                                              const double *points,
+                                              size_t point_count,
+                                              const int32_t *cells,
+                                              size_t count,
+                                              size_t points_of_cell,
+                                              size_t degree,
+                                              const struct pdn_shell_section *section,
+                                              const struct pdn_shell_placement *placement,
+                                              int32_t *first_element);
+
+/**
+ * Node of a shell over a surface or a grid.
+ *
+ * @param model  the model; not NULL
+ * @param shell  the shell, as the function that added it has written it; not NULL
+ * @param u  number of the node along u, from 0 to nodes_u - 1
+ * @param v  number of the node along v, from 0 to nodes_v - 1
+ * @param node  the node's id; written on success only
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_ID, PDN_ERR_VALUE
+ *
+ * Threads: `model` is `const`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_model_shell_patch_node(const struct pdn_model *model,
+                                      const struct pdn_shell *shell,
+                                      int32_t u,
+                                      int32_t v,
+                                      int32_t *node);
+
+/**
+ * Number of shell elements; their ids are 0 ... count - 1.
+ *
+ * @param model  the model; not NULL
+ * @param count  the number; written on success only
+ * @return PDN_OK, PDN_ERR_NULL
+ *
+ * Threads: `model` is `const`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_model_shell_element_count(const struct pdn_model *model,
+                                         int32_t *count);
+
+/**
+ * Node of a shell element.
+ *
+ * @param model  the model; not NULL
+ * @param element  id of the shell element
+ * @param xi  number of the node along xi, from 0 where xi = -1
+ * @param eta  number of the node along eta, from 0 where eta = -1
+ * @param node  the node's id; written on success only
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_ID, PDN_ERR_VALUE
+ *
+ * Threads: `model` is `const`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_model_shell_node(const struct pdn_model *model,
+                                int32_t element,
+                                int32_t xi,
+                                int32_t eta,
+                                int32_t *node);
+
+/**
+ * Adds one component of a force or moment on shell elements, in addition to those that are there:
+ * for each unit of reference area, or of reference length of an edge.
+ *
+ * @param model  the model; not NULL
+ * @param first_element  id of the first shell element
+ * @param elements  number of elements, from the first on; at least 1
+ * @param place  PDN_SHELL_SURFACE, PDN_SHELL_EDGE_START_ETA, PDN_SHELL_EDGE_END_XI,
+ *     PDN_SHELL_EDGE_END_ETA or PDN_SHELL_EDGE_START_XI, of each of them
+ * @param frame  PDN_FRAME_SPACE: directions of the global axes; PDN_FRAME_MATERIAL: of axes that
+ *     follow the shell: on the surface those of the section, so that a pressure is PDN_FORCE_3, on
+ *     an edge 1 along it, in the direction of xi or eta, 3 along the normal, and 2 = 3 * 1
+ * @param component  PDN_FORCE_1, PDN_FORCE_2, PDN_FORCE_3 [force / length^2, or / length],
+ *     PDN_MOMENT_1, PDN_MOMENT_2 or PDN_MOMENT_3 [times length]
+ * @param signal  the component in time, copied; not NULL
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_SIZE, PDN_ERR_ID, PDN_ERR_VALUE,
+ *     PDN_ERR_STRUCT_SIZE
+ *
+ * Threads: exclusive use of `model`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_model_add_shell_load(struct pdn_model *model,
+                                    int32_t first_element,
+                                    int32_t elements,
+                                    int32_t place,
+                                    int32_t frame,
+                                    int32_t component,
+                                    const struct pdn_signal *signal);
 
 /**
  * Number of forces: springs, dampers, actuators and the like, but not loads; their ids are 0 ...

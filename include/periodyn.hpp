@@ -46,6 +46,8 @@ using Matrix3 = std::array<double, 9>;
 using Vector6 = std::array<double, 6>;
 /** A 6 x 6 matrix, column by column. */
 using Matrix6 = std::array<double, 36>;
+/** Numbers along two directions of a surface. */
+using Counts = std::array<std::size_t, 2>;
 /** C components at each of many times, or for each of many harmonics. */
 template <std::size_t C> using Series = std::vector<std::array<double, C>>;
 
@@ -110,6 +112,17 @@ enum class Frame : std::int32_t {
     space = PDN_FRAME_SPACE,
     material = PDN_FRAME_MATERIAL,
     untwisted = PDN_FRAME_UNTWISTED, ///< of loads along beams only
+};
+enum class ShellFrames : std::int32_t {
+    normals = PDN_SHELL_NORMALS,
+    parallel = PDN_SHELL_PARALLEL,
+};
+enum class ShellPlace : std::int32_t {
+    edge_start_eta = PDN_SHELL_EDGE_START_ETA,
+    edge_end_xi = PDN_SHELL_EDGE_END_XI,
+    edge_end_eta = PDN_SHELL_EDGE_END_ETA,
+    edge_start_xi = PDN_SHELL_EDGE_START_XI,
+    surface = PDN_SHELL_SURFACE,
 };
 enum class Component : std::int32_t {
     force_1 = PDN_FORCE_1,
@@ -521,6 +534,42 @@ struct Section : pdn_section {
     }
 };
 
+/** Section of a shell; its matrices may also be written directly. */
+struct ShellSection : pdn_shell_section {
+    ShellSection()
+    {
+        pdn_shell_section_init(this, sizeof(pdn_shell_section));
+    }
+    /** Of one isotropic material. */
+    ShellSection(double thickness, double young, double poisson, double density,
+                 double drilling = 1.0, double drilling_gradient = 0.1)
+        : ShellSection()
+    {
+        detail::check(pdn_shell_section_set_isotropic(this, thickness, young, poisson, density,
+                                                      drilling, drilling_gradient));
+    }
+    /** Damping = seconds * stiffness. */
+    void set_proportional_damping(double seconds)
+    {
+        detail::check(pdn_shell_section_set_proportional_damping(this, seconds));
+    }
+};
+
+/** How a shell lies on its nodes. */
+struct ShellPlacement : pdn_shell_placement {
+    /** A direction of zero stands for axes as close to xi and eta as they can be. */
+    ShellPlacement(ShellFrames kind = ShellFrames::normals, double distance = 0.0,
+                   const Vector3 &axis_1 = {})
+    {
+        pdn_shell_placement_init(this, sizeof(pdn_shell_placement));
+        frames = detail::c(kind);
+        offset = distance;
+        for (std::size_t i = 0; i < 3; ++i) {
+            direction[i] = axis_1[i];
+        }
+    }
+};
+
 /** Sections along a beam, linear between stations. */
 class Stations
 {
@@ -613,6 +662,70 @@ class Line
 
     pdn_line line_;
     std::shared_ptr<Curve> curve_;
+};
+
+/** A surface to mesh with shells: a point for each pair (u, v), each from 0 to 1. */
+class Surface
+{
+  public:
+    /** Gives the position at (u, v). */
+    using Function = std::function<Vector3(double u, double v)>;
+
+    static Surface parallelogram(const Vector3 &corner, const Vector3 &along_u,
+                                 const Vector3 &along_v)
+    {
+        Surface made;
+        detail::check(pdn_surface_set_parallelogram(&made.surface_, corner.data(), along_u.data(),
+                                                    along_v.data()));
+        return made;
+    }
+    static Surface annulus(const Vector3 &centre, const Vector3 &axis, const Vector3 &start,
+                           double inner, double outer, double angle)
+    {
+        Surface made;
+        detail::check(pdn_surface_set_annulus(&made.surface_, centre.data(), axis.data(),
+                                              start.data(), inner, outer, angle));
+        return made;
+    }
+    static Surface cylinder(const Vector3 &centre, const Vector3 &axis, const Vector3 &start,
+                            double radius, double length, double angle)
+    {
+        Surface made;
+        detail::check(pdn_surface_set_cylinder(&made.surface_, centre.data(), axis.data(),
+                                               start.data(), radius, length, angle));
+        return made;
+    }
+    static Surface function(Function function)
+    {
+        Surface made;
+        made.function_ = std::make_shared<Function>(std::move(function));
+        detail::check(
+            pdn_surface_set_function(&made.surface_, &evaluate, made.function_.get()));
+        return made;
+    }
+    /** As the library takes it; valid while this object is. */
+    const pdn_surface &get() const
+    {
+        return surface_;
+    }
+
+  private:
+    Surface()
+    {
+        pdn_surface_init(&surface_, sizeof surface_);
+    }
+    static std::int32_t evaluate(double u, double v, double *position, void *function) noexcept
+    {
+        return detail::guarded([=] {
+            const Vector3 point = (*static_cast<Function *>(function))(u, v);
+            for (std::size_t i = 0; i < 3; ++i) {
+                position[i] = point[i];
+            }
+        });
+    }
+
+    pdn_surface surface_;
+    std::shared_ptr<Function> function_;
 };
 
 /** A scalar function of time. A number, or a function of time, is a signal too. */
@@ -1055,6 +1168,75 @@ class Model
         return detail::number<pdn_beam>([&](pdn_beam *out) {
             return pdn_model_add_beam_between(get(), &line.get(), &along, boundaries.data(),
                                               elements, degree, out);
+        });
+    }
+    ///@}
+
+    /** @name Shells */
+    ///@{
+    /** Over nodes that are there: node i n_eta + j is at (xi_i, eta_j). */
+    Id add_shell_element(Ids nodes, std::size_t n_xi, const ShellSection &section,
+                         const ShellPlacement &placement = {})
+    {
+        return id([&](Id *out) {
+            return pdn_model_add_shell_element(get(), nodes.data(), nodes.size(), n_xi, &section,
+                                               &placement, out);
+        });
+    }
+    /** Over a surface: `elements` and `degrees` along u and v. */
+    pdn_shell add_shell(const Surface &surface, const Counts &elements, const Counts &degrees,
+                        const ShellSection &section, const ShellPlacement &placement = {},
+                        bool join = true)
+    {
+        return detail::number<pdn_shell>([&](pdn_shell *out) {
+            return pdn_model_add_shell(get(), &surface.get(), elements[0], elements[1], degrees[0],
+                                       degrees[1], join ? 1 : 0, &section, &placement, out);
+        });
+    }
+    /** Over given positions of its nodes, those along v first. */
+    pdn_shell add_shell_grid(const std::vector<Vector3> &points, const Counts &elements,
+                             const Counts &degrees, const ShellSection &section,
+                             const ShellPlacement &placement = {}, bool join = true)
+    {
+        return detail::number<pdn_shell>([&](pdn_shell *out) {
+            return pdn_model_add_shell_grid(get(), detail::flat(points), points.size(),
+                                            elements[0], elements[1], degrees[0], degrees[1],
+                                            join ? 1 : 0, &section, &placement, out);
+        });
+    }
+    /** An element for each cell of 4 or 9 points, corners first; gives the first of them. */
+    Id add_shell_quadrilaterals(const std::vector<Vector3> &points, Ids cells,
+                                std::size_t points_of_cell, std::size_t degree,
+                                const ShellSection &section, const ShellPlacement &placement = {})
+    {
+        return id([&](Id *out) {
+            return pdn_model_add_shell_quadrilaterals(get(), detail::flat(points), points.size(),
+                                                      cells.data(), cells.size(), points_of_cell,
+                                                      degree, &section, &placement, out);
+        });
+    }
+    /** Node of a shell over a surface or a grid, numbered from 0 along u and v. */
+    Id shell_node(const pdn_shell &shell, Id u, Id v) const
+    {
+        return id(
+            [&](Id *out) { return pdn_model_shell_patch_node(get(), &shell, u, v, out); });
+    }
+    /** Node of a shell element, numbered from 0 along xi and eta. */
+    Id shell_node(Id element, Id xi, Id eta) const
+    {
+        return id([&](Id *out) { return pdn_model_shell_node(get(), element, xi, eta, out); });
+    }
+    Id shell_element_count() const
+    {
+        return id([&](Id *out) { return pdn_model_shell_element_count(get(), out); });
+    }
+    /** A component for each unit of area of the surfaces, or of length of edges. */
+    void add_shell_load(Id first_element, Id elements, ShellPlace place, Frame frame,
+                        Component component, const Signal &signal)
+    {
+        take({&signal}, [&] {
+            return pdn_model_add_shell_load(get(), first_element, elements, detail::c(place),
+                                            detail::c(frame), detail::c(component), &signal.get());
         });
     }
     ///@}

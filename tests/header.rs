@@ -17,6 +17,8 @@ const FILES: &[&str] = &[
     "line",
     "beam",
     "load",
+    "surface",
+    "shell",
     "force",
     "user_force",
     "solution",

@@ -56,6 +56,12 @@ def _curve(fraction, position, axis_2, data):
     return 0
 
 
+@ffi.callback("int32_t(double, double, double *, void *)", error=1, onerror=_failed)
+def _surface(u, v, position, data):
+    view(position, 3)[:] = ffi.from_handle(data)(u, v)
+    return 0
+
+
 @ffi.callback("int32_t(double, double, double, double *, double *, void *)", error=1,
               onerror=_failed)
 def _coordinate_law(time, coordinate, rate, effort, derivatives, data):
@@ -110,6 +116,7 @@ def _branch(point, number, data):
 
 signal = _taker("function", _signal)
 curve = _taker("curve", _curve)
+surface = _taker("surface", _surface)
 coordinate_law = _taker("function", _coordinate_law)
 user_force = _taker("function", _user_force)
 _told = _taker("progress", _progress)

@@ -131,6 +131,30 @@ MOMENT_2 = 4
 """Component of a load: moment about axis 2."""
 MOMENT_3 = 5
 """Component of a load: moment about axis 3."""
+SURFACE_PARALLELOGRAM = 0
+"""Kind of a surface: parallelogram."""
+SURFACE_ANNULUS = 1
+"""Kind of a surface: sector of an annulus."""
+SURFACE_CYLINDER = 2
+"""Kind of a surface: cylinder."""
+SURFACE_FUNCTION = 3
+"""Kind of a surface: one that the caller computes."""
+SHELL_NORMALS = 0
+"""Frames of a shell: along the normals of its surface at the nodes."""
+SHELL_PARALLEL = 1
+"""Frames of a shell: parallel at all nodes of an element. Somewhat better on curved elements of
+three and more nodes a side; thin warped elements of two nodes a side lock.
+"""
+SHELL_EDGE_START_ETA = 0
+"""Place of a load on a shell element: its edge where eta = -1, along xi."""
+SHELL_EDGE_END_XI = 1
+"""Place of a load on a shell element: its edge where xi = 1, along eta."""
+SHELL_EDGE_END_ETA = 2
+"""Place of a load on a shell element: its edge where eta = 1, along xi."""
+SHELL_EDGE_START_XI = 3
+"""Place of a load on a shell element: its edge where xi = -1, along eta."""
+SHELL_SURFACE = 4
+"""Place of a load on a shell element: its surface."""
 TANGENTS_DIFFERENCED = 0
 """Tangents of a user's function: it gives none, and the library finds them by differences of its
 forces.
@@ -756,6 +780,214 @@ class Beam(Struct):
     """Id of the element at the start."""
     elements = Number("elements")
     """Number of elements."""
+
+
+class Surface(Struct):
+    """A surface: a point for each pair (u, v), each from 0 to 1.
+
+    Its normal is that of the tangents along u and v, in this order. Start with `Surface()`;
+    then one of the `set_...`, each of which replaces all that was set before. Leave the fields
+    to them.
+    """
+
+    _type = "pdn_surface"
+    _initialise = lib.pdn_surface_init
+
+    def set_parallelogram(self, corner, along_u, along_v):
+        """Makes a surface a parallelogram, such as a rectangle.
+
+        Args:
+            corner: array of shape (3): the point at u = v = 0, global coordinates [length]
+            along_u: array of shape (3): the side from there along u [length]
+            along_v: array of shape (3): the side along v, not parallel to it [length]
+        """
+        corner = reals("corner", corner, (3,))
+        along_u = reals("along_u", along_u, (3,))
+        along_v = reals("along_v", along_v, (3,))
+        call(
+            lib.pdn_surface_set_parallelogram,
+            self._c,
+            pointer(corner),
+            pointer(along_u),
+            pointer(along_v),
+        )
+        self._kept.append((corner, along_u, along_v))
+        return self
+
+    def set_annulus(self, centre, axis, start, inner, outer, angle):
+        """Makes a surface an annulus or a sector of one: u from the inner to the outer radius, v
+        around the axis. The normal is along the axis for positive angles.
+
+        Args:
+            centre: array of shape (3): its centre, global coordinates [length]
+            axis: array of shape (3): direction of its axis, of any nonzero length
+            start: array of shape (3): where v = 0 is, seen from the centre: the part of this
+                direction across the axis; not along the axis
+            inner: inner radius, positive [length]
+            outer: outer radius, more than the inner [length]
+            angle: angle about the axis, right-handed; not zero, at most one turn [radian]
+        """
+        centre = reals("centre", centre, (3,))
+        axis = reals("axis", axis, (3,))
+        start = reals("start", start, (3,))
+        call(
+            lib.pdn_surface_set_annulus,
+            self._c,
+            pointer(centre),
+            pointer(axis),
+            pointer(start),
+            inner,
+            outer,
+            angle,
+        )
+        self._kept.append((centre, axis, start))
+        return self
+
+    def set_cylinder(self, centre, axis, start, radius, length, angle):
+        """Makes a surface a cylinder or a sector of one: u around the axis, v along it. The normal
+        is outwards for positive angles.
+
+        Args:
+            centre: array of shape (3): the centre of its end, v = 0, global coordinates
+                [length]
+            axis: array of shape (3): direction of its axis, of any nonzero length
+            start: array of shape (3): where u = 0 is, seen from the centre: the part of this
+                direction across the axis; not along the axis
+            radius: radius, positive [length]
+            length: length along the axis, positive [length]
+            angle: angle about the axis, right-handed; not zero, at most one turn [radian]
+        """
+        centre = reals("centre", centre, (3,))
+        axis = reals("axis", axis, (3,))
+        start = reals("start", start, (3,))
+        call(
+            lib.pdn_surface_set_cylinder,
+            self._c,
+            pointer(centre),
+            pointer(axis),
+            pointer(start),
+            radius,
+            length,
+            angle,
+        )
+        self._kept.append((centre, axis, start))
+        return self
+
+    def set_function(self, function):
+        """Makes a surface one that the caller computes, smooth within each element.
+
+        Args:
+            function: the surface
+        """
+        function = _callbacks.surface(function, self._kept)
+        call(lib.pdn_surface_set_function, self._c, function.function, function.data)
+        return self
+
+
+class ShellSection(Struct):
+    """Stiffness, damping and mass of a shell, per unit of its reference area.
+
+    Strains are `[e11 e12 g1 k11 k12 k1n, e21 e22 g2 k21 k22 k2n]`: how position and frame of
+    the surface change along axis 1, then along axis 2, resolved in axes 1, 2 and the normal.
+    Bending of lines along axis 1 is k12, along axis 2 -k21; twist is -k11 and k22; e12 - e21 is
+    the drilling rotation against the surface. Forces and moments per length are in the same
+    order. The matrices are column-major and symmetric. Any consistent set of units.
+
+    Start with `ShellSection()`; then ShellSection.set_isotropic, or write the matrices
+    yourself, as of laminates. A section without stiffness is refused where it is used.
+    """
+
+    _type = "pdn_shell_section"
+    _initialise = lib.pdn_shell_section_init
+    stiffness = Array("stiffness", (12, 12))
+    """Forces and moments for unit strains, 12 x 12; positive definite."""
+    damping = Array("damping", (12, 12))
+    """The same for unit rates of strain; positive semi-definite."""
+    mass = Array("mass", (6, 6))
+    """Momenta for unit velocities, 6 x 6; positive semi-definite."""
+
+    def set_isotropic(
+        self,
+        thickness,
+        young,
+        poisson,
+        density,
+        drilling=1.0,
+        drilling_gradient=0.1,
+    ):
+        """Makes a section that of one isotropic, linearly elastic material. Takes the damping
+        away: give that afterwards.
+
+        Args:
+            thickness: thickness, positive [length]
+            young: Young's modulus, positive [force / length^2]
+            poisson: Poisson's ratio, more than -1 and less than 1/2
+            density: zero or more [mass / length^3]
+            drilling: stiffness of the drilling rotation against the surface, relative to shear:
+                0.1 to 1; usually 1
+            drilling_gradient: stiffness against gradients of the drilling rotation, which only
+                regularises; positive, usually 0.1
+        """
+        call(
+            lib.pdn_shell_section_set_isotropic,
+            self._c,
+            thickness,
+            young,
+            poisson,
+            density,
+            drilling,
+            drilling_gradient,
+        )
+        return self
+
+    def set_proportional_damping(self, seconds):
+        """Gives a section damping in proportion to its stiffness, which must have been set.
+
+        A vibration of circular frequency w then has the damping ratio seconds * w / 2.
+
+        Args:
+            seconds: damping = seconds * stiffness; zero or more [time]
+        """
+        call(lib.pdn_shell_section_set_proportional_damping, self._c, seconds)
+        return self
+
+
+class ShellPlacement(Struct):
+    """How a shell lies on its nodes. Set the defaults by `ShellPlacement()`."""
+
+    _type = "pdn_shell_placement"
+    _initialise = lib.pdn_shell_placement_init
+    frames = Number("frames")
+    """SHELL_NORMALS or SHELL_PARALLEL."""
+    offset = Number("offset")
+    """Distance of the surface that the section belongs to from the nodes, along the normal
+    [length]; default: 0.
+    """
+    direction = Array("direction", (3,))
+    """Direction whose part in the surface is axis 1 of the section, global coordinates. If it is
+    zero, the default, axes 1 and 2 are as close to xi and eta as they can be at a right angle.
+    """
+
+
+class Shell(Struct):
+    """What a shell over a surface was made of; written by the library. This struct will never
+    change its size.
+
+    Element i elements_v + j from the first on is the one at i along u and j along v; xi of each
+    is in the direction of u, eta in that of v. Model.shell_patch_node tells the nodes.
+    """
+
+    _type = "pdn_shell"
+    first_element = Number("first_element")
+    """Id of the first element."""
+    elements_u = Number("elements_u")
+    """Number of elements along u."""
+    elements_v = Number("elements_v")
+    """Number of elements along v."""
+    nodes_u = Number("nodes_u")
+    """Number of nodes along u."""
+    nodes_v = Number("nodes_v")
+    """Number of nodes along v."""
 
 
 class TangentCheck(Struct):
@@ -2709,6 +2941,269 @@ class Model(ModelExtras):
             pointer(fractions),
             signals,
             _count,
+        )
+
+    def add_shell_element(self, nodes, n_xi, section, placement=None):
+        """Adds a shell element over a grid of nodes that are there.
+
+        The nodes stand at the Gauss-Lobatto points in both directions: node i n_eta + j of the
+        array at (xi_i, eta_j). How their frames are turned does not matter. The normal is that
+        of the tangents along xi and eta, in this order. The element's reference shape
+        interpolates the nodes, and is free of stress.
+
+        Elements may share whole edges, with the same nodes along them, and single nodes; beams,
+        bodies and joints may share their nodes. Do not let a couple about the normal act on one
+        node, such as that of a beam that ends there: it turns the node the further, the finer
+        the mesh. Connect through an edge instead.
+
+        Args:
+            nodes: ids of the nodes, all different
+            n_xi: nodes along xi, 2 to 16; so are those along eta, count / n_xi
+            section: the section
+            placement: how it lies on the nodes; None for the defaults
+
+        Returns:
+            element: the element's id
+        """
+        nodes = ids("nodes", nodes)
+        _count = len(nodes)
+        section = of_type("ShellSection")(section, self._kept)
+        placement = of_type("ShellPlacement")(placement, self._kept)
+        element = ffi.new("int32_t *")
+        call(
+            lib.pdn_model_add_shell_element,
+            self._c,
+            ffi.from_buffer("int32_t[]", nodes),
+            _count,
+            n_xi,
+            section,
+            placement,
+            element,
+        )
+        return element[0]
+
+    def add_shell(
+        self,
+        surface,
+        elements_u,
+        elements_v,
+        degree_u,
+        degree_v,
+        section,
+        join=1,
+        placement=None,
+    ):
+        """Adds a shell over a surface, with elements in equal parts of u and v: its nodes and
+        elements.
+
+        Axis 1 of each new node's frame is along u, axis 3 along the normal.
+
+        Args:
+            surface: the surface
+            elements_u: number of elements along u, 1 to 100000
+            elements_v: number of elements along v, likewise
+            degree_u: polynomial degree along u, 1 to 15: nodes of an element, less one; 3 to 5
+                are good choices
+            degree_v: polynomial degree along v, likewise
+            join: 1: nodes on the edges of the surface at the same place as nodes of shells that
+                are there, or on another of its own edges, are these, so that shells are joined
+                and closed; 0: all nodes are new
+            section: the section
+            placement: how it lies on the nodes; None for the defaults
+
+        Returns:
+            Shell: the shell's elements and numbers of nodes
+        """
+        surface = of_type("Surface")(surface, self._kept)
+        section = of_type("ShellSection")(section, self._kept)
+        placement = of_type("ShellPlacement")(placement, self._kept)
+        shell = Shell()
+        call(
+            lib.pdn_model_add_shell,
+            self._c,
+            surface,
+            elements_u,
+            elements_v,
+            degree_u,
+            degree_v,
+            join,
+            section,
+            placement,
+            shell._c,
+        )
+        return shell
+
+    def add_shell_grid(
+        self,
+        points,
+        elements_u,
+        elements_v,
+        degree_u,
+        degree_v,
+        section,
+        join=1,
+        placement=None,
+    ):
+        """Adds a shell over given positions of its nodes, as Model.add_shell does over a surface.
+
+        The nodes of each element stand at the Gauss-Lobatto points in both directions: with
+        degrees of 1 and 2 evenly.
+
+        Args:
+            points: array of shape (count, 3): positions of the nodes, global coordinates, those
+                along v first [length]
+            elements_u: number of elements along u, 1 to 100000
+            elements_v: number of elements along v, likewise
+            degree_u: polynomial degree along u, 1 to 15
+            degree_v: polynomial degree along v, likewise
+            join: 0 or 1, as Model.add_shell has it
+            section: the section
+            placement: how it lies on the nodes; None for the defaults
+
+        Returns:
+            Shell: the shell's elements and numbers of nodes
+        """
+        points = reals("points", points, (None, 3))
+        _count = len(points)
+        section = of_type("ShellSection")(section, self._kept)
+        placement = of_type("ShellPlacement")(placement, self._kept)
+        shell = Shell()
+        call(
+            lib.pdn_model_add_shell_grid,
+            self._c,
+            pointer(points),
+            _count,
+            elements_u,
+            elements_v,
+            degree_u,
+            degree_v,
+            join,
+            section,
+            placement,
+            shell._c,
+        )
+        return shell
+
+    def add_shell_quadrilaterals(
+        self,
+        points,
+        cells,
+        points_of_cell,
+        degree,
+        section,
+        placement=None,
+    ):
+        """Adds a shell element for each cell of a mesh of quadrilaterals, as mesh generators make
+        them.
+
+        A cell has four points, its corners in a row around it, seen from the side that the
+        normal points to; or nine: these, then the middles of its sides from the first corner to
+        the second and so on, then its centre. That is the order of Gmsh and VTK. With nine it
+        is curved. xi is from the first corner to the second, eta from there to the third. Cells
+        that share a side have the same nodes there; points that belong to no cell are left out.
+        Model.shell_node tells the nodes.
+
+        Args:
+            points: array of shape (pointcount, 3): positions, global coordinates [length]
+            cells: numbers of the points of each cell from 0 on, one cell after the other
+            points_of_cell: 4 or 9
+            degree: polynomial degree of the elements in both directions, 1 to 15
+            section: the section
+            placement: how it lies on the nodes; None for the defaults
+
+        Returns:
+            first_element: id of the first element; the others follow in the order of the cells
+        """
+        points = reals("points", points, (None, 3))
+        _point_count = len(points)
+        cells = ids("cells", cells)
+        _count = len(cells)
+        section = of_type("ShellSection")(section, self._kept)
+        placement = of_type("ShellPlacement")(placement, self._kept)
+        first_element = ffi.new("int32_t *")
+        call(
+            lib.pdn_model_add_shell_quadrilaterals,
+            self._c,
+            pointer(points),
+            _point_count,
+            ffi.from_buffer("int32_t[]", cells),
+            _count,
+            points_of_cell,
+            degree,
+            section,
+            placement,
+            first_element,
+        )
+        return first_element[0]
+
+    def shell_patch_node(self, shell, u, v):
+        """Node of a shell over a surface or a grid.
+
+        Args:
+            shell: the shell, as the function that added it has written it
+            u: number of the node along u, from 0 to nodes_u - 1
+            v: number of the node along v, from 0 to nodes_v - 1
+
+        Returns:
+            node: the node's id
+        """
+        shell = of_type("Shell")(shell, self._kept)
+        node = ffi.new("int32_t *")
+        call(lib.pdn_model_shell_patch_node, self._c, shell, u, v, node)
+        return node[0]
+
+    def shell_element_count(self):
+        """Number of shell elements; their ids are 0 ... count - 1.
+
+        Returns:
+            count: the number
+        """
+        count = ffi.new("int32_t *")
+        call(lib.pdn_model_shell_element_count, self._c, count)
+        return count[0]
+
+    def shell_node(self, element, xi, eta):
+        """Node of a shell element.
+
+        Args:
+            element: id of the shell element
+            xi: number of the node along xi, from 0 where xi = -1
+            eta: number of the node along eta, from 0 where eta = -1
+
+        Returns:
+            node: the node's id
+        """
+        node = ffi.new("int32_t *")
+        call(lib.pdn_model_shell_node, self._c, element, xi, eta, node)
+        return node[0]
+
+    def add_shell_load(self, first_element, elements, place, frame, component, signal):
+        """Adds one component of a force or moment on shell elements, in addition to those that are
+        there: for each unit of reference area, or of reference length of an edge.
+
+        Args:
+            first_element: id of the first shell element
+            elements: number of elements, from the first on; at least 1
+            place: SHELL_SURFACE, SHELL_EDGE_START_ETA, SHELL_EDGE_END_XI, SHELL_EDGE_END_ETA or
+                SHELL_EDGE_START_XI, of each of them
+            frame: FRAME_SPACE: directions of the global axes; FRAME_MATERIAL: of axes that
+                follow the shell: on the surface those of the section, so that a pressure is
+                FORCE_3, on an edge 1 along it, in the direction of xi or eta, 3 along the
+                normal, and 2 = 3 * 1
+            component: FORCE_1, FORCE_2, FORCE_3 [force / length^2, or / length], MOMENT_1,
+                MOMENT_2 or MOMENT_3 [times length]
+            signal: the component in time, copied; a number, a Signal, or a function of time
+        """
+        signal = as_signal(signal, self._kept)
+        call(
+            lib.pdn_model_add_shell_load,
+            self._c,
+            first_element,
+            elements,
+            place,
+            frame,
+            component,
+            signal,
         )
 
     def force_count(self):

@@ -59,7 +59,7 @@ fn beam_load_frame(call: &Call, given: i32, axis_2: *const f64) -> Result<BeamLo
 }
 
 /// A load with one component, that a `PDN_FORCE_...` or `PDN_MOMENT_...` names.
-fn components(
+pub(super) fn components(
     call: &Call,
     component: i32,
     signal: *const pdn_signal,

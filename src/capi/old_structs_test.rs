@@ -13,12 +13,14 @@ use super::periodic::pdn_periodic_options;
 use super::quantity::pdn_quantity;
 use super::section::pdn_section;
 use super::sensitivity::pdn_sensitivity_options;
+use super::shell::{pdn_shell_placement, pdn_shell_section};
 use super::shooting::pdn_shooting_options;
 use super::signal::pdn_signal;
 use super::solution::pdn_diagnostics;
 use super::stability::{pdn_multiplier, pdn_stability_options};
 use super::statics::pdn_static_options;
 use super::summary::pdn_summary;
+use super::surface::pdn_surface;
 use super::user_force::pdn_tangent_check;
 use std::collections::BTreeSet;
 
@@ -98,12 +100,15 @@ fn structs_of_old_programs_are_read_and_written_as_far_as_they_go() {
         pdn_quantity: [40];
         pdn_section: [872];
         pdn_sensitivity_options: [24];
+        pdn_shell_placement: [48];
+        pdn_shell_section: [2600];
         pdn_shooting_options: [72, 80];
         pdn_signal: [88];
         pdn_stability_options: [40];
         pdn_static_options: [120, 128];
         pdn_stations: [40];
         pdn_summary: [88];
+        pdn_surface: [128];
         pdn_tangent_check: [64];
     };
     // None is left out.

@@ -130,9 +130,14 @@ impl ShellMesh {
     /// Nodes along both directions.
     ///
     /// # Errors
-    /// If its numbers are out of their ranges.
+    /// If its numbers are out of their ranges, or there is not the memory for so many.
     pub(crate) fn lines(&self) -> Result<[usize; 2]> {
         self.validate()?;
+        let of_element = (self.degrees[0] + 1) * (self.degrees[1] + 1);
+        // Lists grow to twice their length at times.
+        let bytes = size_of::<ShellDefinition>() + 3 * of_element * size_of::<Motion>();
+        let count = self.elements[0] * self.elements[1];
+        memory::require_items("nodes and elements of the shell", count, 2 * bytes)?;
         Ok([0, 1].map(|direction| self.elements[direction] * self.degrees[direction] + 1))
     }
 
@@ -150,7 +155,7 @@ impl ShellMesh {
 
 /// Axes at each node of an element: along ξ, across it in the surface, and the normal; the
 /// identity where there is no surface, which the element will refuse.
-fn axes_of_nodes(grid: &NodeGrid, positions: &[Vector3<f64>]) -> Vec<Matrix3<f64>> {
+pub(super) fn axes_of_nodes(grid: &NodeGrid, positions: &[Vector3<f64>]) -> Vec<Matrix3<f64>> {
     let axes = |at: [f64; 2]| {
         let mut tangents = [Vector3::zeros(); 2];
         for (shape, position) in grid.shapes(at).iter().zip(positions) {
@@ -184,11 +189,7 @@ impl Model {
         section: &ShellSection,
         placement: &ShellPlacement,
     ) -> Result<ShellPatch> {
-        let (count, lines) = (mesh.elements[0] * mesh.elements[1], mesh.lines()?);
-        let of_element = (mesh.degrees[0] + 1) * (mesh.degrees[1] + 1);
-        // Lists grow to twice their length at times.
-        let bytes = size_of::<ShellDefinition>() + 3 * of_element * size_of::<Motion>();
-        memory::require_items("nodes and elements of the shell", count, 2 * bytes)?;
+        let lines = mesh.lines()?;
         let [u, v] = [0, 1].map(|direction| mesh.places(direction));
         let mut positions = Vec::with_capacity(lines[0] * lines[1]);
         for &u in &u {
@@ -199,14 +200,48 @@ impl Model {
                 positions.push(position);
             }
         }
-        let before = (self.nodes.len(), self.shells.len(), self.inertias.len());
-        let patch = self.mesh_patch(&positions, (mesh, lines), section, placement);
+        self.add_shell_grid(&positions, mesh, section, placement)
+    }
+
+    /// The same over given positions of its nodes: those of each element at the Gauss–Lobatto
+    /// points in both directions, those along the second direction first.
+    ///
+    /// # Errors
+    /// As of [`Model::add_shell_patch`], and if there are not as many positions as nodes.
+    pub fn add_shell_grid(
+        &mut self,
+        positions: &[Vector3<f64>],
+        mesh: &ShellMesh,
+        section: &ShellSection,
+        placement: &ShellPlacement,
+    ) -> Result<ShellPatch> {
+        let lines = mesh.lines()?;
+        if positions.len() != lines[0] * lines[1] {
+            let expected = format!("{} × {} nodes", lines[0], lines[1]);
+            return Err(Error::size("points", expected, positions.len()));
+        }
+        for (k, position) in positions.iter().enumerate() {
+            require_finite(&format!("points[{k}]"), position.as_slice())?;
+        }
+        section.validated()?;
+        let before = self.shell_sizes();
+        let patch = self.mesh_patch(positions, (mesh, lines), section, placement);
         if patch.is_err() {
-            self.nodes.truncate(before.0);
-            self.shells.truncate(before.1);
-            self.inertias.truncate(before.2);
+            self.take_back_shells(before);
         }
         patch
+    }
+
+    /// Numbers of nodes, shell elements and inertias.
+    pub(super) fn shell_sizes(&self) -> [usize; 3] {
+        [self.nodes.len(), self.shells.len(), self.inertias.len()]
+    }
+
+    /// Takes back what shells have added since these numbers were told.
+    pub(super) fn take_back_shells(&mut self, [nodes, shells, inertias]: [usize; 3]) {
+        self.nodes.truncate(nodes);
+        self.shells.truncate(shells);
+        self.inertias.truncate(inertias);
     }
 
     fn mesh_patch(
@@ -242,7 +277,8 @@ impl Model {
                 nodes.push(node);
             }
             let sides = grid.sides;
-            self.add_shell_beside(&edges, (&nodes, sides), section, placement)?;
+            self.add_shell_beside(&edges, (&nodes, sides), section, placement)
+                .map_err(|error| error.within(format!("element at {i}, {j}")))?;
             edges.add(self.shells.len() - 1, &self.shells[self.shells.len() - 1]);
         }
         Ok(ShellPatch {

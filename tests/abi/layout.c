@@ -13,6 +13,40 @@ SIZE(pdn_status, 4);
 SIZE(pdn_signal_fn, sizeof(void *));
 SIZE(pdn_progress_fn, sizeof(void *));
 SIZE(pdn_curve_fn, sizeof(void *));
+SIZE(pdn_surface_fn, sizeof(void *));
+
+SIZE(pdn_surface, 128);
+AT(pdn_surface, struct_size, 0);
+AT(pdn_surface, kind, 8);
+AT(pdn_surface, reserved, 12);
+AT(pdn_surface, origin, 16);
+AT(pdn_surface, axis, 40);
+AT(pdn_surface, start, 64);
+AT(pdn_surface, sizes, 88);
+AT(pdn_surface, angle, 104);
+AT(pdn_surface, function, 112);
+AT(pdn_surface, user_data, 120);
+
+SIZE(pdn_shell, 32);
+AT(pdn_shell, first_element, 0);
+AT(pdn_shell, elements_u, 4);
+AT(pdn_shell, elements_v, 8);
+AT(pdn_shell, nodes_u, 12);
+AT(pdn_shell, nodes_v, 16);
+AT(pdn_shell, reserved, 20);
+
+SIZE(pdn_shell_section, 2600);
+AT(pdn_shell_section, struct_size, 0);
+AT(pdn_shell_section, stiffness, 8);
+AT(pdn_shell_section, damping, 1160);
+AT(pdn_shell_section, mass, 2312);
+
+SIZE(pdn_shell_placement, 48);
+AT(pdn_shell_placement, struct_size, 0);
+AT(pdn_shell_placement, frames, 8);
+AT(pdn_shell_placement, reserved, 12);
+AT(pdn_shell_placement, offset, 16);
+AT(pdn_shell_placement, direction, 24);
 
 SIZE(pdn_section, 872);
 AT(pdn_section, struct_size, 0);

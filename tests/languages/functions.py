@@ -57,9 +57,10 @@ def main():
              for name, found in lists.items() if found != all_of_them]
 
     constants = set(re.findall(r"^#define (PDN_\w+) -?\d+$", header, re.M))
-    # Statuses, which are left as they are, and kinds that the wrappers of signals and lines set.
+    # Statuses, which are left as they are, and kinds that wrappers set.
+    kinds = r"PDN_(OK$|ERR_|LINE_|SURFACE_|SIGNAL_|VERSION_PATCH)"
     not_wrapped = {
-        name for name in constants if re.match(r"PDN_(OK$|ERR_|LINE_|SIGNAL_|VERSION_PATCH)", name)
+        name for name in constants if re.match(kinds, name)
     }
     interface = (ROOT / "python/periodyn/_interface.py").read_text()
     python = re.sub(r"^([A-Z]\w+) = -?\d+$", r"PDN_\1", interface, flags=re.M)

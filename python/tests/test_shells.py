@@ -1,0 +1,80 @@
+"""Shells against closed forms."""
+
+import numpy as np
+import pytest
+
+import periodyn as pdn
+
+LENGTH, WIDTH, THICKNESS, YOUNG = 2.0, 0.5, 0.02, 3e6
+PER_AREA = 1200 * THICKNESS
+
+
+def rubber():
+    return pdn.ShellSection().set_isotropic(THICKNESS, YOUNG, 0.0, 1200)
+
+
+def over_rectangle(model):
+    surface = pdn.Surface().set_parallelogram([0, 0, 0], [LENGTH, 0, 0], [0, WIDTH, 0])
+    return model.add_shell(surface, 2, 1, 2, 1, rubber())
+
+
+def over_function(model):
+    surface = pdn.Surface().set_function(lambda u, v: (LENGTH * u, WIDTH * v, 0))
+    return model.add_shell(surface, 2, 1, 2, 1, rubber())
+
+
+def over_points(model):
+    u, v = np.meshgrid(np.linspace(0, LENGTH, 5), np.linspace(0, WIDTH, 2), indexing="ij")
+    points = np.stack([u, v, 0 * u], axis=-1).reshape(-1, 3)
+    return model.add_shell_grid(points, 2, 1, 2, 1, rubber())
+
+
+@pytest.mark.parametrize("add", [over_rectangle, over_function, over_points])
+def test_a_traction_stretches_a_strip(add):
+    model = pdn.Model()
+    shell = add(model)
+    assert (shell.nodes_u, shell.nodes_v, shell.first_element) == (5, 2, 0)
+    assert model.shell_element_count() == 2
+    for v in range(shell.nodes_v):
+        node = model.shell_patch_node(shell, 0, v)
+        model.add_rigid_joint(pdn.GROUND, node, model.node_frame(node).position)
+    model.add_shell_load(1, 1, pdn.SHELL_EDGE_END_XI, pdn.FRAME_SPACE, pdn.FORCE_1, 600.0)
+    solution = model.solve_static()
+    assert solution.converged
+    tip = model.shell_node(1, 2, 0)
+    assert tip == model.shell_patch_node(shell, 4, 0)
+    stretch = solution.node_position(tip, [0])[0, 0] - LENGTH
+    np.testing.assert_allclose(stretch, 600 * LENGTH / (YOUNG * THICKNESS), rtol=1e-12)
+
+
+def test_cells_and_surfaces_have_their_masses():
+    model = pdn.Model()
+    section = rubber().set_proportional_damping(0.5)
+    np.testing.assert_allclose(section.damping, 0.5 * section.stiffness)
+    assert section.stiffness.shape == (12, 12) and section.mass.shape == (6, 6)
+    corners = [[0, 0, 0], [LENGTH, 0, 0], [LENGTH, WIDTH, 0], [0, WIDTH, 0]]
+    model.add_shell_quadrilaterals(corners, [0, 1, 2, 3], 4, 3, section)
+    np.testing.assert_allclose(model.mass()[0], PER_AREA * LENGTH * WIDTH)
+    nodes = [model.add_node([x, y, 5]) for x in (0, LENGTH) for y in (0, WIDTH)]
+    placement = pdn.ShellPlacement()
+    placement.frames = pdn.SHELL_PARALLEL
+    assert model.add_shell_element(nodes, 2, section, placement) == 1
+    annulus = pdn.Surface().set_annulus([0, 0, 0], [0, 0, 1], [1, 0, 0], 0.5, 1, np.pi)
+    model.add_shell(annulus, 1, 4, 2, 6, section)
+    cylinder = pdn.Surface().set_cylinder([0, 0, 0], [0, 0, 1], [1, 0, 0], 1, 2, 2 * np.pi)
+    model.add_shell(cylinder, 8, 1, 6, 2, section)
+    expected = PER_AREA * (2 * LENGTH * WIDTH + 4.375 * np.pi)
+    np.testing.assert_allclose(model.mass()[0], expected, rtol=1e-9)
+
+
+def test_what_a_surface_raises_comes_out():
+    model = pdn.Model()
+
+    def surface(u, v):
+        raise ZeroDivisionError("no such surface")
+
+    with pytest.raises(ZeroDivisionError, match="no such surface"):
+        model.add_shell(pdn.Surface().set_function(surface), 1, 1, 1, 1, rubber())
+    with pytest.raises(pdn.Error, match="thickness: expected a positive"):
+        pdn.ShellSection().set_isotropic(0, 1, 0, 1)
+    assert model.node_count() == 0

@@ -1,0 +1,128 @@
+// Shells over surfaces, points and cells; what a traction does to a strip is known.
+#include "check.hpp"
+
+#include <cmath>
+#include <string>
+
+namespace
+{
+
+constexpr double length = 2, width = 0.5, thickness = 0.02, young = 3e6;
+
+double stretch_of(pdn::Model &model, std::int32_t first_clamped, std::int32_t loaded_element,
+                  std::int32_t tip, const std::vector<std::int32_t> &clamped)
+{
+    for (const auto node : clamped) {
+        const auto frame = model.node_frame(node);
+        model.add_rigid_joint(pdn::ground, node,
+                              {frame.position[0], frame.position[1], frame.position[2]});
+    }
+    const double before = model.node_frame(tip).position[0];
+    CHECK(model.node_frame(first_clamped).position[0] == 0);
+    model.add_shell_load(loaded_element, 1, pdn::ShellPlace::edge_end_xi, pdn::Frame::space,
+                         pdn::Component::force_1, 600.0);
+    const auto solution = pdn::solve_static(model);
+    CHECK(solution.converged());
+    return solution.node_position(tip, {0})[0][0] - before;
+}
+
+std::vector<std::int32_t> start_of(const pdn::Model &model, const pdn_shell &shell)
+{
+    std::vector<std::int32_t> nodes;
+    for (std::int32_t v = 0; v < shell.nodes_v; ++v) {
+        nodes.push_back(model.shell_node(shell, 0, v));
+    }
+    return nodes;
+}
+
+} // namespace
+
+int main()
+{
+    pdn::ShellSection section(thickness, young, 0.0, 1200);
+    const double expected = 600 * length / (young * thickness);
+    const auto rectangle = pdn::Surface::parallelogram({0, 0, 0}, {length, 0, 0}, {0, width, 0});
+
+    // Over a surface, by a function, and over its points.
+    const auto function = pdn::Surface::function([](double u, double v) {
+        return pdn::Vector3{length * u, width * v, 0};
+    });
+    std::vector<pdn::Vector3> points;
+    for (const pdn::Surface &surface : {rectangle, function}) {
+        pdn::Model model;
+        const auto shell = model.add_shell(surface, {2, 1}, {2, 1}, section);
+        CHECK(shell.nodes_u == 5 && shell.nodes_v == 2 && model.shell_element_count() == 2);
+        const auto tip = model.shell_node(shell, 4, 0);
+        CHECK(tip == model.shell_node(shell.first_element + 1, 2, 0));
+        points.clear();
+        for (std::int32_t u = 0; u < 5; ++u) {
+            for (std::int32_t v = 0; v < 2; ++v) {
+                const auto at = model.node_frame(model.shell_node(shell, u, v)).position;
+                points.push_back({at[0], at[1], at[2]});
+            }
+        }
+        const auto start = start_of(model, shell);
+        NEAR(stretch_of(model, start[0], shell.first_element + 1, tip, start), expected, 1e-12);
+    }
+    {
+        pdn::Model model;
+        const auto shell = model.add_shell_grid(points, {2, 1}, {2, 1}, section,
+                                                pdn::ShellPlacement(pdn::ShellFrames::parallel));
+        const auto start = start_of(model, shell);
+        NEAR(stretch_of(model, start[0], 1, model.shell_node(shell, 4, 1), start), expected, 1e-12);
+    }
+    {
+        pdn::Model model;
+        const std::vector<pdn::Vector3> corners = {
+            {0, 0, 0}, {length, 0, 0}, {length, width, 0}, {0, width, 0}};
+        const auto first = model.add_shell_quadrilaterals(corners, {0, 1, 2, 3}, 4, 2, section);
+        const std::vector<std::int32_t> start = {
+            model.shell_node(first, 0, 0), model.shell_node(first, 0, 1),
+            model.shell_node(first, 0, 2)};
+        NEAR(stretch_of(model, start[0], first, model.shell_node(first, 2, 1), start), expected,
+             1e-12);
+    }
+
+    // Over nodes that are there; other surfaces; damping.
+    {
+        pdn::Model model;
+        const pdn::Matrix3 turn = {1, 0, 0, 0, 1, 0, 0, 0, 1};
+        std::vector<std::int32_t> nodes;
+        for (const double x : {0.0, length}) {
+            for (const double y : {0.0, width}) {
+                nodes.push_back(model.add_node({x, y, 0}, turn));
+            }
+        }
+        CHECK(model.add_shell_element(nodes, 2, section) == 0);
+        const double pi = 3.14159265358979323846, per_area = 1200 * thickness;
+        NEAR(model.mass().mass, per_area * length * width, 1e-12);
+        model.add_shell(pdn::Surface::annulus({0, 0, 1}, {0, 0, 1}, {1, 0, 0}, 0.5, 1, 2 * pi),
+                        {1, 8}, {2, 6}, section);
+        NEAR(model.mass().mass, per_area * (length * width + 0.75 * pi), 1e-8);
+        model.add_shell(pdn::Surface::cylinder({0, 0, 1}, {0, 0, 1}, {1, 0, 0}, 1, 2, 2 * pi),
+                        {8, 1}, {6, 2}, section);
+        NEAR(model.mass().mass, per_area * (length * width + 4.75 * pi), 1e-8);
+        section.set_proportional_damping(0.5);
+        CHECK(section.damping[0] == 0.5 * section.stiffness[0]);
+    }
+
+    // What surfaces throw comes out.
+    pdn::Model model;
+    try {
+        model.add_shell(pdn::Surface::function([](double, double) -> pdn::Vector3 {
+                            throw std::domain_error("no such surface");
+                        }),
+                        {1, 1}, {1, 1}, section);
+        std::exit(1);
+    } catch (const std::domain_error &e) {
+        CHECK(e.what() == std::string("no such surface"));
+    }
+    try {
+        pdn::Surface::cylinder({0, 0, NAN}, {0, 0, 1}, {1, 0, 0}, 1, 2, 1);
+        std::exit(1);
+    } catch (const pdn::error &e) {
+        CHECK(std::string(e.what()).find("centre[2]: expected a finite number") == 0);
+    }
+    CHECK(model.node_count() == 0);
+    return 0;
+}

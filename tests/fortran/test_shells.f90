@@ -1,0 +1,176 @@
+! Shells over surfaces, points, cells and nodes; what a traction does to a strip is known.
+module strips
+    use checks
+    implicit none
+
+    real(dp), parameter :: length = 2, width = 0.5_dp
+
+contains
+
+    ! A rectangle; fails if it is given data.
+    integer(c_int32_t) function strip(u, v, position, user_data) bind(C)
+        real(c_double), value :: u, v
+        real(c_double), intent(inout) :: position(*)
+        type(c_ptr), value :: user_data
+
+        position(:3) = [length*u, width*v, 0.0_dp]
+        strip = merge(1, 0, c_associated(user_data))
+    end function strip
+end module strips
+
+program test_shells
+    use strips
+    implicit none
+
+    real(dp), parameter :: thickness = 0.02_dp, young = 3e6_dp, per_area = 1200*thickness
+    integer, target :: dummy
+
+    call stretched_strips()
+    call masses()
+    call refusals_of_shells()
+
+contains
+
+    function rubber() result(section)
+        type(pdn_shell_section) :: section
+
+        section = pdn_isotropic_shell(thickness, young, 0.0_dp, 1200.0_dp, damping_time=0.5_dp)
+        call check(section%damping(1) == 0.5_dp*section%stiffness(1), 'damping')
+    end function rubber
+
+    ! The same strip, of 2 x 1 elements of 3 x 2 nodes, over a surface and over its points.
+    subroutine stretched_strips()
+        type(pdn_model) :: models(2)
+        type(pdn_surface) :: surfaces(2)
+        type(pdn_shell) :: shell
+        type(pdn_shell_placement) :: placement
+        real(dp) :: points(3, 10)
+        type(pdn_frame) :: frame
+        integer :: i, u, v, node, count
+
+        surfaces(1) = pdn_parallelogram(origin, length*axis_1, width*axis_2)
+        surfaces(2) = pdn_surface_of(strip)
+        do i = 1, 2
+            call models(i)%new()
+            call models(i)%add_shell(surfaces(i), [2, 1], [2, 1], rubber(), shell)
+            call check(shell%nodes_u == 5 .and. shell%nodes_v == 2, 'numbers of nodes')
+            call models(i)%shell_element_count(count)
+            call check(count == 2, 'number of elements')
+            do u = 0, 4
+                do v = 0, 1
+                    call models(i)%shell_patch_node(shell, u, v, node)
+                    call models(i)%node_frame(node, frame)
+                    points(:, 2*u + v + 1) = frame%position
+                end do
+            end do
+            call stretched(models(i), shell)
+        end do
+        call pdn_init(placement)
+        placement%frames = PDN_SHELL_PARALLEL
+        call models(1)%new()
+        call models(1)%add_shell_grid(points, [2, 1], [2, 1], rubber(), shell, placement, &
+            join=.false.)
+        call stretched(models(1), shell)
+    end subroutine stretched_strips
+
+    ! A traction makes it longer by q L / (E h), as its strains are those of Biot.
+    subroutine stretched(model, shell)
+        type(pdn_model), intent(inout) :: model
+        type(pdn_shell), intent(in) :: shell
+        type(pdn_solution) :: solution
+        type(pdn_frame) :: frame
+        integer :: v, node, tip
+        real(dp) :: position(3, 1)
+
+        do v = 0, shell%nodes_v - 1
+            call model%shell_patch_node(shell, 0, v, node)
+            call model%node_frame(node, frame)
+            call model%add_rigid_joint(PDN_GROUND, node, frame%position)
+        end do
+        call model%add_shell_load(shell%first_element + 1, 1, PDN_SHELL_EDGE_END_XI, &
+            PDN_FRAME_SPACE, PDN_FORCE_1, pdn_constant(600.0_dp))
+        call model%solve_static(solution)
+        call check(solution%converged(), 'converged')
+        call model%shell_node(shell%first_element + 1, 2, 0, tip)
+        call solution%node_position(tip, [0.0_dp], position)
+        call near(position(1, 1) - length, 600*length/(young*thickness), 1e-12_dp, 'stretch')
+    end subroutine stretched
+
+    subroutine masses()
+        type(pdn_model) :: model
+        type(pdn_shell) :: shell
+        real(dp) :: corners(3, 4), mass
+        integer :: nodes(4), first, element
+
+        corners = reshape([0.0_dp, 0.0_dp, 0.0_dp, length, 0.0_dp, 0.0_dp, length, width, 0.0_dp, &
+            0.0_dp, width, 0.0_dp], [3, 4])
+        call model%new()
+        call model%add_shell_quadrilaterals(corners, reshape([0, 1, 2, 3], [4, 1]), 3, &
+            rubber(), first)
+        call model%mass(mass)
+        call near(mass, per_area*length*width, 1e-12_dp, 'cell')
+        call model%add_node([0.0_dp, 0.0_dp, 3.0_dp], node=nodes(1))
+        call model%add_node([0.0_dp, width, 3.0_dp], node=nodes(2))
+        call model%add_node([length, 0.0_dp, 3.0_dp], node=nodes(3))
+        call model%add_node([length, width, 3.0_dp], node=nodes(4))
+        call model%add_shell_element(nodes, 2, rubber(), element=element)
+        call check(first == 0 .and. element == 1, 'elements')
+        call model%mass(mass)
+        call near(mass, 2*per_area*length*width, 1e-12_dp, 'nodes')
+        call model%add_shell(pdn_annulus(origin, axis_3, axis_1, 0.5_dp, 1.0_dp, pi), [1, 4], &
+            [2, 6], &
+            rubber(), shell)
+        call model%mass(mass)
+        call near(mass, per_area*(2*length*width + 0.375_dp*pi), 1e-8_dp, 'annulus')
+        call model%add_shell(pdn_cylinder(origin, axis_3, axis_1, 1.0_dp, 2.0_dp, 2*pi), [8, &
+            1], [6, 2], &
+            rubber(), shell)
+        call model%mass(mass)
+        call near(mass, per_area*(2*length*width + 4.375_dp*pi), 1e-8_dp, 'cylinder')
+    end subroutine masses
+
+    subroutine refusals_of_shells()
+        type(pdn_model) :: model
+        type(pdn_shell) :: shell
+        type(pdn_surface) :: surface
+        type(pdn_shell_section) :: section
+        real(dp) :: points(2, 4)
+        integer :: stat, node, first
+        integer, parameter :: cells(4, 1) = reshape([0, 1, 2, 3], [4, 1])
+        character(300) :: errmsg
+
+        stat = 77
+        errmsg = 'none'
+        call model%new()
+        section = pdn_isotropic_shell(-1.0_dp, young, 0.0_dp, 1.0_dp, stat=stat, errmsg=errmsg)
+        call refused(stat, errmsg, PDN_ERR_VALUE, 'thickness: expected a positive')
+        surface = pdn_parallelogram(origin, [0.0_dp, not_a_number(), 0.0_dp], axis_2, stat, errmsg)
+        call refused(stat, errmsg, PDN_ERR_NOT_FINITE, 'along_u[1]: ')
+        surface = pdn_annulus(origin, axis_3, axis_1, 1.0_dp, 2.0_dp, not_a_number(), stat, errmsg)
+        call refused(stat, errmsg, PDN_ERR_NOT_FINITE, 'angle: ')
+        surface = pdn_cylinder(origin, axis_3, axis_1, not_a_number(), 2.0_dp, pi, stat, errmsg)
+        call refused(stat, errmsg, PDN_ERR_NOT_FINITE, 'radius: ')
+        surface = pdn_surface_of(strip, c_loc(dummy))
+        call model%add_shell(surface, [1, 1], [1, 1], rubber(), shell, stat=stat, errmsg=errmsg)
+        call refused(stat, errmsg, PDN_ERR_CALLBACK, 'function: the callback returned 1')
+        surface = pdn_surface_of(strip)
+        call model%add_shell(surface, [1, -1], [1, 1], rubber(), shell, stat=stat, errmsg=errmsg)
+        call refused(stat, errmsg, PDN_ERR_SIZE, 'elements: ')
+        points = 0
+        call model%add_shell_grid(points, [1, 1], [1, 1], rubber(), shell, stat=stat, errmsg=errmsg)
+        call refused(stat, errmsg, PDN_ERR_SIZE, 'points: ')
+        call model%add_shell_quadrilaterals(points, cells, 1, rubber(), first, stat=stat, &
+            errmsg=errmsg)
+        call refused(stat, errmsg, PDN_ERR_SIZE, 'points: ')
+        call model%add_shell_element([0, 1, 2, 3], 2, rubber(), stat=stat, errmsg=errmsg)
+        call refused(stat, errmsg, PDN_ERR_ID, 'nodes[0]: ')
+        call model%add_shell(surface, [1, 1], [1, 1], rubber(), shell)
+        call model%shell_patch_node(shell, 2, 0, node, stat, errmsg)
+        call refused(stat, errmsg, PDN_ERR_VALUE, 'u: expected 0 to 1')
+        call model%shell_node(1, 0, 0, node, stat, errmsg)
+        call refused(stat, errmsg, PDN_ERR_ID, 'element: ')
+        call model%add_shell_load(0, 1, 7, PDN_FRAME_SPACE, PDN_FORCE_1, pdn_constant(1.0_dp), &
+            stat, errmsg)
+        call refused(stat, errmsg, PDN_ERR_VALUE, 'place: ')
+    end subroutine refusals_of_shells
+end program test_shells
