@@ -155,8 +155,8 @@ int main(int argc, char **argv)
     TRY(pdn_model_add_rigid_joint(fixed.model, PDN_GROUND, fixed.hub, origin, &held));
     double at_rest[DIAMETERS + 1], spinning[DIAMETERS + 1];
     const double speeds[] = {0, 1200, 2000, 4000}; /* rpm */
-    puts("Frequencies in Hz by nodal diameters, as the disc feels them; in brackets what Southwell\n"
-         "adds up: those at rest, and those of a membrane (Lamb and Southwell, without a clamp)\n"
+    puts("Frequencies in Hz by nodal diameters, as the disc feels them; in brackets Southwell's\n"
+         "sum: of those at rest, and those of a membrane (Lamb and Southwell, without a clamp)\n"
          "      rpm                0                 1                 2                 3"
          "                 4");
     for (int s = 0; s < 4; ++s) {
