@@ -178,11 +178,8 @@ fn beam(bytes: &mut Bytes) {
         let block = station.section.mass.fixed_view::<3, 3>(0, 0);
         is_plain(block[(0, 0)]) && (block - Matrix3::identity() * block[(0, 0)]).amax() == 0.0
     };
-    // Nodes that are far away are rounded, between nodes that turn by half a turn and more their line
-    // is not told by them, and fractions beyond the beam cancel in the sum below.
-    let turns = (stations.windows(2)).map(|pair| (pair[1].twist - pair[0].twist).abs());
+    // Nodes that are far away are rounded, and fractions beyond the beam cancel in the sum below.
     let is_line = start.amax() < 1e3 * length
-        && turns.fold(0.0, f64::max) < 1.0
         && (stations.iter()).all(|station| (0.0..=1.0).contains(&station.fraction));
     if !is_plain(length) || !is_line || !stations.iter().all(is_mass) {
         return;

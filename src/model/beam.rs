@@ -1,9 +1,9 @@
 //! Beams: elements over nodes, and meshes along a reference line.
 
-use super::validation::require_ascending;
+use super::stations::{SectionStation, Stations};
 use super::{InertiaDefinition, Model, SectionInput, straight_line};
 use crate::elements::{Beam, Section, SectionLine, lobatto_points};
-use crate::error::{Error, Result, require_finite};
+use crate::error::{Error, Result};
 use crate::memory;
 use crate::motion::{Motion, rotation_from_vector};
 use nalgebra::Vector3;
@@ -43,168 +43,60 @@ pub struct BeamIds {
     pub elements: usize,
 }
 
-/// The cross-section at one place of a beam.
-#[derive(Debug, Clone, Copy)]
-pub struct SectionStation {
-    /// Place along the beam, from 0 at the start to 1 at the end.
-    pub fraction: f64,
-    /// The section, in its own axes.
-    pub section: SectionInput,
-    /// Angle by which its axes 2 and 3 are turned about axis 1 from those of the reference line.
-    pub twist: f64,
+/// Length of an element for each unit of the distances from node to node: an arc has up to 1.21 of
+/// it, with axis 1 within the angle that nodes are allowed.
+const LENGTH: std::ops::Range<f64> = 0.8..1.25;
+
+/// Checks that an element is about as long as the way over its nodes. Where these are turned about
+/// the line by much it is not: what is interpolated between them runs there and back.
+fn require_length(beam: &Beam) -> Result<()> {
+    let pairs = beam.reference().windows(2);
+    let way: f64 = pairs
+        .map(|pair| (pair[1].position - pair[0].position).norm())
+        .sum();
+    let length = beam.length();
+    if LENGTH.contains(&(length / way)) {
+        return Ok(());
+    }
+    let expected = "frames that turn little from each node to the next";
+    let got = format!(
+        "an element of length {length:.4} over nodes that are {way:.4} apart in all: use more \
+         nodes, and for twist stations"
+    );
+    Err(Error::value("nodes", expected, got))
 }
 
-impl SectionStation {
-    /// The stations of a beam that is the same all along.
-    pub fn uniform(section: &SectionInput) -> [SectionStation; 1] {
-        [SectionStation {
-            fraction: 0.0,
-            section: *section,
-            twist: 0.0,
-        }]
-    }
-}
+/// Shares of the way from a node to the next at which the mesh is compared with what it stands for:
+/// whole turns from the one to the other, which nodes do not tell, show there.
+const LOOKED_AT: [f64; 2] = [1.0 / 3.0, 0.5];
 
-/// Cross-sections along a whole beam, checked: sections and twists are linear between stations.
-struct Stations(Vec<(f64, Section, f64)>);
-
-impl Stations {
-    fn new(stations: &[SectionStation]) -> Result<Self> {
-        if stations.len() > 1 {
-            let fractions: Vec<f64> = stations.iter().map(|station| station.fraction).collect();
-            require_ascending("fractions", &fractions, true)?;
-        }
-        let mut checked: Vec<(f64, Section, f64)> = Vec::with_capacity(stations.len());
-        for (i, station) in stations.iter().enumerate() {
-            let SectionStation {
-                fraction, twist, ..
-            } = *station;
-            let name = format!("fractions[{i}]");
-            require_finite(&name, &[fraction])?;
-            require_finite(&format!("twists[{i}]"), &[twist])?;
-            let section = match station.section.validated() {
-                Err(error) if stations.len() > 1 => {
-                    return Err(error.within(format!("station {i}")));
-                }
-                checked => checked?,
-            };
-            if let Some((before, _, twist_before)) = checked.last() {
-                if fraction == *before && (fraction == 0.0 || fraction == 1.0) {
-                    let got = format!("{fraction} twice");
-                    return Err(Error::value(&name, "jumps inside the beam only", got));
-                }
-                if fraction == *before && twist != *twist_before {
-                    let expected = format!("{twist_before} as on the other side of the jump");
-                    return Err(Error::value(&format!("twists[{i}]"), expected, twist));
-                }
-                let jumps = checked.iter().filter(|s| s.0 == fraction).count();
-                if jumps > 1 {
-                    let got = format!("{fraction} three times");
-                    return Err(Error::value(&name, "at most two stations at a place", got));
-                }
-            }
-            checked.push((fraction, section, twist));
-        }
-        if checked.is_empty() {
-            return Err(Error::size("stations", "at least one", 0));
-        }
-        Ok(Stations(checked))
-    }
-
-    /// Section at `fraction` by the stations `i` and `i + 1`.
-    fn between(&self, i: usize, fraction: f64) -> (Section, f64) {
-        let (start, first, twist) = self.0[i];
-        match self.0.get(i + 1) {
-            Some((end, second, end_twist)) if *end > start => {
-                let t = (fraction - start) / (end - start);
-                let section = first.towards(second, t);
-                (section, twist + (end_twist - twist) * t)
-            }
-            _ => (first, twist),
-        }
-    }
-
-    /// The last station at or before `fraction`.
-    fn before(&self, fraction: f64) -> usize {
-        let next = self.0.partition_point(|s| s.0 <= fraction);
-        next.saturating_sub(1)
-    }
-
-    fn twist(&self, fraction: f64) -> f64 {
-        self.between(self.before(fraction), fraction).1
-    }
-
-    /// The sections of an element from `start` to `end`, between which there is no jump.
-    fn over(&self, start: f64, end: f64) -> SectionLine {
-        let first = self.before(start);
-        if let [(_, section, twist)] = &self.0[..] {
-            return SectionLine::from(*section).twisted(vec![*twist]);
-        }
-        // The last station before the end is on its near side, if there is a jump.
-        let last = self.0.partition_point(|s| s.0 < end).saturating_sub(1);
-        let between = &self.0[first + 1..last.max(first) + 1];
-        let inside: Vec<(f64, Section)> = between
-            .iter()
-            .map(|(fraction, section, _)| {
-                let xi = 2.0 * (fraction - start) / (end - start) - 1.0;
-                (xi, *section)
-            })
-            .collect();
-        let ends = (self.between(first, start), self.between(last, end));
-        let mut twists = vec![ends.0.1];
-        twists.extend(between.iter().map(|station| station.2));
-        twists.push(ends.1.1);
-        SectionLine::new(ends.0.0, &inside, ends.1.0).twisted(twists)
-    }
-
-    /// Fractions of the element boundaries: some where the section jumps, and the others so that
-    /// the elements between jumps are equally long, and all about so.
-    fn boundaries(&self, elements: usize) -> Result<Vec<f64>> {
-        let jumps = self.0.windows(2).filter(|pair| pair[0].0 == pair[1].0);
-        let mut ends: Vec<f64> = vec![0.0];
-        ends.extend(jumps.map(|pair| pair[0].0));
-        ends.push(1.0);
-        let parts: Vec<(f64, f64)> = ends.windows(2).map(|e| (e[0], e[1])).collect();
-        if elements < parts.len() {
-            let expected = format!(
-                "at least {}, as the section jumps inside the beam",
-                parts.len()
-            );
-            return Err(Error::size("elements", expected, elements));
-        }
-        let mut counts = vec![1usize; parts.len()];
-        for _ in parts.len()..elements {
-            let length = |i: usize| (parts[i].1 - parts[i].0) / counts[i] as f64;
-            let longest =
-                (0..parts.len()).fold(0, |a, b| if length(b) > length(a) { b } else { a });
-            counts[longest] += 1;
-        }
-        let mut boundaries = vec![0.0];
-        for ((start, end), &count) in parts.iter().zip(&counts) {
-            for k in 1..count {
-                boundaries.push(start + (end - start) * k as f64 / count as f64);
-            }
-            boundaries.push(*end);
-        }
-        Ok(boundaries)
-    }
-
-    /// Checks the fractions of element boundaries that a user gives.
-    fn check_boundaries(&self, boundaries: &[f64]) -> Result<()> {
-        let count = boundaries.len();
-        if count < 2 {
-            return Err(Error::size("boundaries", "at least two", count));
-        }
-        require_ascending("boundaries", boundaries, false)?;
-        let jumps = self.0.windows(2).filter(|pair| pair[0].0 == pair[1].0);
-        for (fraction, ..) in jumps.map(|pair| pair[0]) {
-            if !boundaries.contains(&fraction) {
-                let expected = format!("one at {fraction}, where the section jumps");
-                return Err(Error::value("boundaries", expected, "none"));
+/// Checks that the sections of an element over nodes at `points` are directed as they should be
+/// between these, too, but for less than a right angle. `frame` gives their fraction of the span
+/// and their frames.
+fn require_followed(
+    beam: &Beam,
+    points: &[f64],
+    frame: impl Fn(f64) -> Result<(f64, Motion)>,
+) -> Result<()> {
+    for pair in points.windows(2) {
+        for share in LOOKED_AT {
+            let xi = pair[0] + share * (pair[1] - pair[0]);
+            let (fraction, wanted) = frame(xi)?;
+            let own = beam.section_motion(xi, beam.reference())?;
+            // One more than twice the cosine of the angle.
+            let trace = wanted.rotation.tr_mul(&own.rotation).trace();
+            if trace < 1.0 {
+                let angle = (0.5 * (trace - 1.0)).max(-1.0).acos().to_degrees();
+                let expected = "sections that turn by less than half a turn between nodes";
+                let got = format!(
+                    "{angle:.0} degrees at fraction {fraction:.6} off what the nodes there tell: \
+                     use more elements"
+                );
+                return Err(Error::value("line", expected, got));
             }
         }
-        Ok(())
     }
+    Ok(())
 }
 
 impl Model {
@@ -243,10 +135,11 @@ impl Model {
         self.require_distinct_nodes(nodes)?;
         let section = section.validated()?;
         self.require_not_shared(nodes)?;
-        self.place_beam_element(nodes, section.into())
+        self.place_beam_element(nodes, section.into())?;
+        Ok(self.beams.len() - 1)
     }
 
-    fn place_beam_element(&mut self, nodes: &[usize], sections: SectionLine) -> Result<usize> {
+    fn place_beam_element(&mut self, nodes: &[usize], sections: SectionLine) -> Result<Beam> {
         self.require_axis_along(nodes)?;
         // Between stations they may be too large to be numbers.
         sections.validate()?;
@@ -257,12 +150,13 @@ impl Model {
             factors: no_factors(),
         };
         let beam = self.element_of(&definition)?;
+        require_length(&beam)?;
         if beam.has_mass() {
             beam.inertia()?;
             self.inertias.push(InertiaDefinition::Beam);
         }
         self.beams.push(definition);
-        Ok(self.beams.len() - 1)
+        Ok(beam)
     }
 
     /// The element of a beam.
@@ -368,6 +262,8 @@ impl Model {
     /// may lie anywhere: elements are integrated from each to the next. Where the slope of section
     /// or twist jumps inside an element, convergence with the degree is slower all the same.
     ///
+    /// From each node to the next sections turn by less than half a turn: nodes do not tell more.
+    ///
     /// # Errors
     /// If the line, the stations or the numbers of the mesh are not valid; the model is then as it
     /// was.
@@ -418,23 +314,30 @@ impl Model {
         let bytes = 2 * (degree * node + size_of::<BeamDefinition>() + 3 * size_of::<Section>());
         memory::require_items("nodes and elements of the beam", elements, bytes)?;
         let mesh = |model: &mut Model| -> Result<BeamIds> {
-            let node_at = |model: &mut Model, fraction: f64| -> Result<usize> {
+            let frame_at = |fraction: f64| -> Result<Motion> {
                 let frame = line(fraction)?;
                 let twist = Vector3::x() * stations.twist(fraction);
                 let rotation = frame.rotation * rotation_from_vector(&twist);
-                model.add_node(&Motion::new(rotation, frame.position))
+                Ok(Motion::new(rotation, frame.position))
             };
             let points = lobatto_points(degree + 1);
-            let first_node = node_at(model, 0.0)?;
+            let first_node = model.add_node(&frame_at(0.0)?)?;
             let mut previous = first_node;
             for ends in boundaries.windows(2) {
                 let (start, end) = (ends[0], ends[1]);
+                let fraction = |xi: f64| match xi {
+                    1.0 => end,
+                    _ => start + 0.5 * (xi + 1.0) * (end - start),
+                };
                 let mut nodes = vec![previous];
-                for x in &points[1..degree] {
-                    nodes.push(node_at(model, start + 0.5 * (x + 1.0) * (end - start))?);
+                for pair in points.windows(2) {
+                    stations.require_slow_twist(fraction(pair[0]), fraction(pair[1]))?;
+                    nodes.push(model.add_node(&frame_at(fraction(pair[1]))?)?);
                 }
-                nodes.push(node_at(model, end)?);
-                model.place_beam_element(&nodes, stations.over(start, end))?;
+                let beam = model.place_beam_element(&nodes, stations.over(start, end))?;
+                require_followed(&beam, &points, |xi| {
+                    Ok((fraction(xi), frame_at(fraction(xi))?))
+                })?;
                 previous += degree;
             }
             Ok(BeamIds {

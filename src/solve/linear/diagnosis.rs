@@ -217,6 +217,10 @@ pub(crate) fn describe_inconsistency(equations: &Collocation, residual: &[f64]) 
     )
 }
 
+/// A joint that is open by more than this (relative to the size of the mechanism, or in radians)
+/// may be locked. By less it is where large forces left Newton's method, or geometry was rounded.
+const LOCKED: f64 = 1e-4;
+
 /// Names the joint or prescribed coordinate that is furthest from closed, if any is open at all.
 pub(crate) fn describe_open_joint(equations: &Collocation, residual: &[f64]) -> String {
     let system = equations.system();
@@ -236,9 +240,12 @@ pub(crate) fn describe_open_joint(equations: &Collocation, residual: &[f64]) -> 
     if worst.1.is_empty() {
         return String::new();
     }
+    let why = match worst.0 > LOCKED {
+        true => ": the mechanism may be locked",
+        false => "",
+    };
     format!(
-        "; {} stays open by {:.2e} (relative to the size of the mechanism, or in radians): the \
-         mechanism may be locked",
+        "; {} stays open by {:.2e} (relative to the size of the mechanism, or in radians){why}",
         worst.1, worst.0
     )
 }

@@ -80,7 +80,11 @@ impl<'a> Initial<'a> {
         sizes.fold(0.0, f64::max)
     }
 
-    /// Moves nodes, the heavier the less, until the constraints hold. The largest move is returned.
+    /// Moves nodes, the heavier and stiffer the less, until the constraints hold. The largest move
+    /// is returned.
+    ///
+    /// With the stiffness of a step: light nodes of a stiff part would be left behind by inertia
+    /// alone, and the part kinked where it is held.
     fn close(&mut self, at: &mut MotionState) -> Tried<f64> {
         let rows = self.newton.equations.size();
         let mut violations = vec![0.0; rows];
@@ -100,7 +104,7 @@ impl<'a> Initial<'a> {
                 };
             }
             last = open;
-            self.factor(at)?;
+            self.elastically(|initial| initial.factor(at))?;
             violations.iter_mut().for_each(|x| *x = -*x);
             let Some(solution) = self.solve(&violations) else {
                 break;
