@@ -72,6 +72,7 @@ module periodyn_c
     integer(c_int32_t), parameter :: PDN_SURFACE_FUNCTION = 3
     integer(c_int32_t), parameter :: PDN_SHELL_NORMALS = 0
     integer(c_int32_t), parameter :: PDN_SHELL_PARALLEL = 1
+    integer(c_int32_t), parameter :: PDN_SHELL_NODE_AXES = 2
     integer(c_int32_t), parameter :: PDN_SHELL_EDGE_START_ETA = 0
     integer(c_int32_t), parameter :: PDN_SHELL_EDGE_END_XI = 1
     integer(c_int32_t), parameter :: PDN_SHELL_EDGE_END_ETA = 2
@@ -132,6 +133,10 @@ module periodyn_c
     integer(c_int32_t), parameter :: PDN_QUANTITY_BRANCH_EFFORT = 401
     integer(c_int32_t), parameter :: PDN_QUANTITY_BRANCH_ELONGATION = 402
     integer(c_int32_t), parameter :: PDN_QUANTITY_FORCE_ON_NODE = 403
+    integer(c_int32_t), parameter :: PDN_QUANTITY_SHELL_STRAIN = 500
+    integer(c_int32_t), parameter :: PDN_QUANTITY_SHELL_RESULTANT = 501
+    integer(c_int32_t), parameter :: PDN_QUANTITY_STRESS_TOP = 502
+    integer(c_int32_t), parameter :: PDN_QUANTITY_STRESS_BOTTOM = 503
     integer(c_int32_t), parameter :: PDN_ALL_COMPONENTS = -1
     integer(c_int32_t), parameter :: PDN_FORCE_EFFORT = 0
     integer(c_int32_t), parameter :: PDN_FORCE_BRANCH_EFFORT = 1
@@ -371,6 +376,8 @@ module periodyn_c
         integer(c_int32_t) :: node
         integer(c_int32_t) :: branch
         real(c_double) :: station
+        real(c_double) :: station_eta
+        real(c_double) :: direction(3)
     end type pdn_quantity
 
     type, bind(C) :: pdn_progress
@@ -1496,6 +1503,17 @@ module periodyn_c
             type(pdn_signal), intent(in) :: signal
             integer(c_int32_t) :: pdn_model_add_shell_load
         end function pdn_model_add_shell_load
+
+        ! Gives shell elements forces and moments where nothing is strained: initial stress, in place of any before
+        function pdn_model_set_shell_prestress(model, first_element, elements, &
+            resultants) bind(C, name="pdn_model_set_shell_prestress")
+            import
+            type(c_ptr), value :: model
+            integer(c_int32_t), value :: first_element
+            integer(c_int32_t), value :: elements
+            real(c_double), intent(in) :: resultants(*)
+            integer(c_int32_t) :: pdn_model_set_shell_prestress
+        end function pdn_model_set_shell_prestress
 
         ! Number of forces: springs, dampers, actuators and the like, but not loads; their ids are 0 ..
         function pdn_model_force_count(model, count) bind(C, name="pdn_model_force_count")
@@ -3271,6 +3289,7 @@ module periodyn
         procedure, public :: shell_node => model_shell_node
         procedure, public :: shell_element_count => model_shell_element_count
         procedure, public :: add_shell_load => model_add_shell_load
+        procedure, public :: set_shell_prestress => model_set_shell_prestress
         procedure, public :: add_load => model_add_load
         procedure, public :: add_distributed_load => model_add_distributed_load
         procedure, public :: add_load_at_places => model_add_load_at_places
@@ -4501,6 +4520,17 @@ contains
 
         call report(pdn_model_shell_element_count(self%c, count), stat, errmsg)
     end subroutine model_shell_element_count
+
+    ! Initial stress of shell elements: forces and moments where nothing is strained.
+    subroutine model_set_shell_prestress(self, first_element, elements, resultants, stat, errmsg)
+        class(pdn_model), intent(inout) :: self
+        integer(c_int32_t), intent(in) :: first_element, elements
+        real(c_double), intent(in) :: resultants(12)
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+
+        call report(pdn_model_set_shell_prestress(self%c, first_element, elements, resultants), stat, errmsg)
+    end subroutine model_set_shell_prestress
 
     ! A component for each unit of area of shell elements, or of length of their edges.
     subroutine model_add_shell_load(self, first_element, elements, place, frame, component, signal, stat, errmsg)

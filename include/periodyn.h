@@ -333,6 +333,12 @@
 #define PDN_SHELL_PARALLEL 1
 
 /**
+ * Frames of a shell: along the third axes of the nodes' own frames, as normals of a surface that
+ * is known better than its elements show it; of use with two nodes a side.
+ */
+#define PDN_SHELL_NODE_AXES 2
+
+/**
  * Place of a load on a shell element: its edge where eta = -1, along xi.
  */
 #define PDN_SHELL_EDGE_START_ETA 0
@@ -639,6 +645,29 @@
  * components.
  */
 #define PDN_QUANTITY_FORCE_ON_NODE 403
+
+/**
+ * Kind of quantity: strains of a shell element, in the order of ::pdn_shell_section; 12
+ * components.
+ */
+#define PDN_QUANTITY_SHELL_STRAIN 500
+
+/**
+ * Kind of quantity: forces and moments of a shell element per unit of reference length, in the
+ * same order: N11 N12 Q1 M11 M12 M1n, N21 N22 Q2 M21 M22 M2n; 12 components.
+ */
+#define PDN_QUANTITY_SHELL_RESULTANT 501
+
+/**
+ * Kind of quantity: stresses 11, 22, 12 at the surface of an isotropic shell that its normal
+ * points out of, and von Mises' stress of these \[force / length^2\]; 4 components.
+ */
+#define PDN_QUANTITY_STRESS_TOP 502
+
+/**
+ * Kind of quantity: the same at the other surface; 4 components.
+ */
+#define PDN_QUANTITY_STRESS_BOTTOM 503
 
 /**
  * All components of a quantity.
@@ -1464,7 +1493,7 @@ typedef struct pdn_shell_placement {
      */
     size_t struct_size;
     /**
-     * PDN_SHELL_NORMALS or PDN_SHELL_PARALLEL.
+     * PDN_SHELL_NORMALS, PDN_SHELL_PARALLEL or PDN_SHELL_NODE_AXES.
      */
     int32_t frames;
     /**
@@ -1839,7 +1868,7 @@ typedef struct pdn_diagnostics {
 } pdn_diagnostics;
 
 /**
- * What is asked of a solution: of a node, a joint, a beam or a force. Initialise with
+ * What is asked of a solution: of a node, a joint, a beam, a shell or a force. Initialise with
  * `PDN_INIT(pdn_quantity, &quantity)`; fields that its kind does not have stay as they are.
  */
 typedef struct pdn_quantity {
@@ -1852,7 +1881,7 @@ typedef struct pdn_quantity {
      */
     int32_t kind;
     /**
-     * Id of the node, joint, beam element or force that it is of.
+     * Id of the node, joint, beam element, shell element or force that it is of.
      */
     int32_t object;
     /**
@@ -1874,9 +1903,20 @@ typedef struct pdn_quantity {
      */
     int32_t branch;
     /**
-     * Of beams, the place along the element, from -1 at its first to 1 at its last node.
+     * Of beams, the place along the element, from -1 at its first to 1 at its last node; of
+     * shells, xi, from -1 to 1.
      */
     double station;
+    /**
+     * Of shells, eta, from -1 to 1.
+     */
+    double station_eta;
+    /**
+     * Of shells, a direction in the reference configuration, global coordinates, whose part in the
+     * surface is axis 1. If it is zero, the default, axes are those of the section. They move with
+     * the shell.
+     */
+    double direction[3];
 } pdn_quantity;
 
 /**
@@ -4517,6 +4557,28 @@ pdn_status pdn_model_add_shell_load(struct pdn_model *model,
                                     int32_t frame,
                                     int32_t component,
                                     const struct pdn_signal *signal);
+
+/**
+ * Gives shell elements forces and moments where nothing is strained: initial stress, in place of
+ * any before.
+ *
+ * It makes them stiffer or softer, and moves them unless it is in equilibrium.
+ *
+ * @param model  the model; not NULL
+ * @param first_element  id of the first shell element
+ * @param elements  number of elements, from the first on; at least 1
+ * @param resultants  array of length 12: along the axes of the section, in the order of
+ *     ::pdn_shell_section [force / length, moment / length]
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_SIZE, PDN_ERR_ID
+ *
+ * Threads: exclusive use of `model`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_model_set_shell_prestress(struct pdn_model *model,
+                                         int32_t first_element,
+                                         int32_t elements,
+                                         const double *resultants);
 
 /**
  * Number of forces: springs, dampers, actuators and the like, but not loads; their ids are 0 ...
@@ -7750,8 +7812,11 @@ pdn_status pdn_table_write_csv(const struct pdn_table *table,
  * - `beams`: a line of `points_per_element` points for each beam element (draw it with the filter
  *   Tube). Each point has displacement, axes of the section (axis_1, axis_2, axis_3), and force,
  *   moment, strain, curvature along these axes; each line its element;
- * - `bodies`: the nodes that carry a rigid body or belong to no beam, with node, displacement,
- *   axes, velocity, angular_velocity;
+ * - `shells`: a curved quadrilateral of its own order for each shell element, with displacement,
+ *   axes (those of the section and the normal), strains and resultants along these, and of
+ *   isotropic shells stress_top and stress_bottom with von Mises' stresses; each its element;
+ * - `bodies`: the nodes that carry a rigid body or belong to no beam and no shell, with node,
+ *   displacement, axes, velocity, angular_velocity;
  * - `joints`: the origins of the joint frames on the second bodies, with joint, displacement,
  *   axes, reaction_force, reaction_moment.
  *

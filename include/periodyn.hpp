@@ -116,6 +116,7 @@ enum class Frame : std::int32_t {
 enum class ShellFrames : std::int32_t {
     normals = PDN_SHELL_NORMALS,
     parallel = PDN_SHELL_PARALLEL,
+    node_axes = PDN_SHELL_NODE_AXES,
 };
 enum class ShellPlace : std::int32_t {
     edge_start_eta = PDN_SHELL_EDGE_START_ETA,
@@ -301,6 +302,10 @@ enum class Kind : std::int32_t {
     branch_effort = PDN_QUANTITY_BRANCH_EFFORT,
     branch_elongation = PDN_QUANTITY_BRANCH_ELONGATION,
     force_on_node = PDN_QUANTITY_FORCE_ON_NODE,
+    shell_strain = PDN_QUANTITY_SHELL_STRAIN,
+    shell_resultant = PDN_QUANTITY_SHELL_RESULTANT,
+    stress_top = PDN_QUANTITY_STRESS_TOP,
+    stress_bottom = PDN_QUANTITY_STRESS_BOTTOM,
 };
 enum class JointQuantity : std::int32_t {
     coordinate = PDN_JOINT_COORDINATE,
@@ -1230,6 +1235,13 @@ class Model
     {
         return id([&](Id *out) { return pdn_model_shell_element_count(get(), out); });
     }
+    /** Initial stress: forces and moments where nothing is strained, as of the section. */
+    void set_shell_prestress(Id first_element, Id elements,
+                             const std::array<double, 12> &resultants)
+    {
+        detail::check(
+            pdn_model_set_shell_prestress(get(), first_element, elements, resultants.data()));
+    }
     /** A component for each unit of area of the surfaces, or of length of edges. */
     void add_shell_load(Id first_element, Id elements, ShellPlace place, Frame frame,
                         Component component, const Signal &signal)
@@ -1491,7 +1503,7 @@ struct Harmonics {
 /** What is asked of a solution, with the fields of ::pdn_quantity; `component` is PDN_ALL_COMPONENTS
  * at first. */
 struct Quantity : pdn_quantity {
-    /** Of a node, joint, beam element or force. */
+    /** Of a node, joint, beam element, shell element or force. */
     Quantity(Kind of_kind, std::int32_t of_object)
     {
         pdn_quantity_init(this, sizeof(pdn_quantity));
@@ -1502,6 +1514,17 @@ struct Quantity : pdn_quantity {
     Quantity(Kind of_kind, std::int32_t joint, Coordinate coordinate) : Quantity(of_kind, joint)
     {
         component = detail::c(coordinate);
+    }
+    /** Of a shell, at (xi, eta); a direction of zero stands for the axes of its section. */
+    Quantity(Kind of_kind, std::int32_t shell_element, const std::array<double, 2> &at,
+             const Vector3 &axis_1 = {})
+        : Quantity(of_kind, shell_element)
+    {
+        station = at[0];
+        station_eta = at[1];
+        for (std::size_t i = 0; i < 3; ++i) {
+            direction[i] = axis_1[i];
+        }
     }
     /** Whether all components are asked for. */
     bool is_whole() const noexcept

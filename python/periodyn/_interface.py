@@ -145,6 +145,10 @@ SHELL_PARALLEL = 1
 """Frames of a shell: parallel at all nodes of an element. Somewhat better on curved elements of
 three and more nodes a side; thin warped elements of two nodes a side lock.
 """
+SHELL_NODE_AXES = 2
+"""Frames of a shell: along the third axes of the nodes' own frames, as normals of a surface that
+is known better than its elements show it; of use with two nodes a side.
+"""
 SHELL_EDGE_START_ETA = 0
 """Place of a load on a shell element: its edge where eta = -1, along xi."""
 SHELL_EDGE_END_XI = 1
@@ -283,6 +287,18 @@ QUANTITY_FORCE_ON_NODE = 403
 """Kind of quantity: what a force exerts on one of its nodes, in a frame: force and moment; 6
 components.
 """
+QUANTITY_SHELL_STRAIN = 500
+"""Kind of quantity: strains of a shell element, in the order of ShellSection; 12 components."""
+QUANTITY_SHELL_RESULTANT = 501
+"""Kind of quantity: forces and moments of a shell element per unit of reference length, in the
+same order: N11 N12 Q1 M11 M12 M1n, N21 N22 Q2 M21 M22 M2n; 12 components.
+"""
+QUANTITY_STRESS_TOP = 502
+"""Kind of quantity: stresses 11, 22, 12 at the surface of an isotropic shell that its normal
+points out of, and von Mises' stress of these [force / length^2]; 4 components.
+"""
+QUANTITY_STRESS_BOTTOM = 503
+"""Kind of quantity: the same at the other surface; 4 components."""
 ALL_COMPONENTS = -1
 """All components of a quantity."""
 FORCE_EFFORT = 0
@@ -958,7 +974,7 @@ class ShellPlacement(Struct):
     _type = "pdn_shell_placement"
     _initialise = lib.pdn_shell_placement_init
     frames = Number("frames")
-    """SHELL_NORMALS or SHELL_PARALLEL."""
+    """SHELL_NORMALS, SHELL_PARALLEL or SHELL_NODE_AXES."""
     offset = Number("offset")
     """Distance of the surface that the section belongs to from the nodes, along the normal
     [length]; default: 0.
@@ -1117,7 +1133,7 @@ class Diagnostics(Struct):
 
 
 class Quantity(Struct):
-    """What is asked of a solution: of a node, a joint, a beam or a force. Initialise with
+    """What is asked of a solution: of a node, a joint, a beam, a shell or a force. Initialise with
     `Quantity()`; fields that its kind does not have stay as they are.
     """
 
@@ -1126,7 +1142,7 @@ class Quantity(Struct):
     kind = Number("kind")
     """QUANTITY_POSITION, ...; there is no default."""
     object = Number("object")
-    """Id of the node, joint, beam element or force that it is of."""
+    """Id of the node, joint, beam element, shell element or force that it is of."""
     component = Number("component")
     """The component, from 0, or ALL_COMPONENTS, the default. Of coordinates and driving efforts,
     the coordinate: DISPLACEMENT, ..., ROTATION_3.
@@ -1140,7 +1156,16 @@ class Quantity(Struct):
     branch = Number("branch")
     """Of viscoelastic elements, the branch, from 0."""
     station = Number("station")
-    """Of beams, the place along the element, from -1 at its first to 1 at its last node."""
+    """Of beams, the place along the element, from -1 at its first to 1 at its last node; of
+    shells, xi, from -1 to 1.
+    """
+    station_eta = Number("station_eta")
+    """Of shells, eta, from -1 to 1."""
+    direction = Array("direction", (3,))
+    """Of shells, a direction in the reference configuration, global coordinates, whose part in the
+    surface is axis 1. If it is zero, the default, axes are those of the section. They move with
+    the shell.
+    """
 
 
 class Progress(Struct):
@@ -3204,6 +3229,27 @@ class Model(ModelExtras):
             frame,
             component,
             signal,
+        )
+
+    def set_shell_prestress(self, first_element, elements, resultants):
+        """Gives shell elements forces and moments where nothing is strained: initial stress, in
+        place of any before.
+
+        It makes them stiffer or softer, and moves them unless it is in equilibrium.
+
+        Args:
+            first_element: id of the first shell element
+            elements: number of elements, from the first on; at least 1
+            resultants: array of shape (12): along the axes of the section, in the order of
+                ShellSection [force / length, moment / length]
+        """
+        resultants = reals("resultants", resultants, (12,))
+        call(
+            lib.pdn_model_set_shell_prestress,
+            self._c,
+            first_element,
+            elements,
+            pointer(resultants),
         )
 
     def force_count(self):
@@ -5577,8 +5623,12 @@ class Solution(SolutionExtras):
         - `beams`: a line of `points_per_element` points for each beam element (draw it with the
           filter Tube). Each point has displacement, axes of the section (axis_1, axis_2,
           axis_3), and force, moment, strain, curvature along these axes; each line its element;
-        - `bodies`: the nodes that carry a rigid body or belong to no beam, with node,
-          displacement, axes, velocity, angular_velocity;
+        - `shells`: a curved quadrilateral of its own order for each shell element, with
+          displacement, axes (those of the section and the normal), strains and resultants along
+          these, and of isotropic shells stress_top and stress_bottom with von Mises' stresses;
+          each its element;
+        - `bodies`: the nodes that carry a rigid body or belong to no beam and no shell, with
+          node, displacement, axes, velocity, angular_velocity;
         - `joints`: the origins of the joint frames on the second bodies, with joint,
           displacement, axes, reaction_force, reaction_moment.
 

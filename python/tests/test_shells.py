@@ -43,8 +43,15 @@ def test_a_traction_stretches_a_strip(add):
     assert solution.converged
     tip = model.shell_node(1, 2, 0)
     assert tip == model.shell_patch_node(shell, 4, 0)
+    stress = pdn.Quantity()
+    stress.kind, stress.object, stress.direction = pdn.QUANTITY_STRESS_TOP, 1, [0, 1, 0]
+    stresses = solution.sample_quantity(stress, [0])
+    np.testing.assert_allclose(stresses, [[0, 600 / THICKNESS, 0, 600 / THICKNESS]], atol=1e-5)
     stretch = solution.node_position(tip, [0])[0, 0] - LENGTH
     np.testing.assert_allclose(stretch, 600 * LENGTH / (YOUNG * THICKNESS), rtol=1e-12)
+    model.set_shell_prestress(0, 2, 600 * np.eye(12)[0])
+    place = model.solve_static().node_position(tip, [0])[0, 0]
+    np.testing.assert_allclose(place, LENGTH, rtol=1e-12)
 
 
 def test_cells_and_surfaces_have_their_masses():

@@ -17,8 +17,11 @@ use std::path::Path;
 /// - `beams`: a line of `points_per_element` points for each beam element (draw it with the filter
 ///   Tube). Each point has displacement, axes of the section (axis_1, axis_2, axis_3), and force,
 ///   moment, strain, curvature along these axes; each line its element;
-/// - `bodies`: the nodes that carry a rigid body or belong to no beam, with node, displacement,
-///   axes, velocity, angular_velocity;
+/// - `shells`: a curved quadrilateral of its own order for each shell element, with displacement,
+///   axes (those of the section and the normal), strains and resultants along these, and of
+///   isotropic shells stress_top and stress_bottom with von Mises' stresses; each its element;
+/// - `bodies`: the nodes that carry a rigid body or belong to no beam and no shell, with node,
+///   displacement, axes, velocity, angular_velocity;
 /// - `joints`: the origins of the joint frames on the second bodies, with joint, displacement,
 ///   axes, reaction_force, reaction_moment.
 ///

@@ -97,7 +97,7 @@ fn structs_of_old_programs_are_read_and_written_as_far_as_they_go() {
         pdn_modes_options: [32];
         pdn_multiplier: [64];
         pdn_periodic_options: [80, 96, 104, 112, 120, 136, 152];
-        pdn_quantity: [40];
+        pdn_quantity: [40, 72];
         pdn_section: [872];
         pdn_sensitivity_options: [24];
         pdn_shell_placement: [48];

@@ -11,12 +11,14 @@ use super::solution::{
 };
 use super::status::pdn_status;
 use super::table::{add, pdn_table};
-use crate::elements::Coordinate;
-use crate::error::{Error, Result};
+use crate::elements::{Coordinate, ShellPoint, ShellSide};
+use crate::error::{Error, Result, require_finite};
 use crate::output::{
     BeamQuantity, Extremes, ForceQuantity, JointQuantity, NodeQuantity, Quantity, Selection,
+    ShellQuantity,
 };
 use libc::c_char;
+use nalgebra::Vector3;
 
 /// Kind of quantity: position of a node; 3 components \[length\].
 pub const PDN_QUANTITY_POSITION: i32 = 100;
@@ -56,11 +58,22 @@ pub const PDN_QUANTITY_BRANCH_ELONGATION: i32 = 402;
 /// Kind of quantity: what a force exerts on one of its nodes, in a frame: force and moment; 6
 /// components.
 pub const PDN_QUANTITY_FORCE_ON_NODE: i32 = 403;
+/// Kind of quantity: strains of a shell element, in the order of ::pdn_shell_section; 12
+/// components.
+pub const PDN_QUANTITY_SHELL_STRAIN: i32 = 500;
+/// Kind of quantity: forces and moments of a shell element per unit of reference length, in the
+/// same order: N11 N12 Q1 M11 M12 M1n, N21 N22 Q2 M21 M22 M2n; 12 components.
+pub const PDN_QUANTITY_SHELL_RESULTANT: i32 = 501;
+/// Kind of quantity: stresses 11, 22, 12 at the surface of an isotropic shell that its normal
+/// points out of, and von Mises' stress of these \[force / length^2\]; 4 components.
+pub const PDN_QUANTITY_STRESS_TOP: i32 = 502;
+/// Kind of quantity: the same at the other surface; 4 components.
+pub const PDN_QUANTITY_STRESS_BOTTOM: i32 = 503;
 
 /// All components of a quantity.
 pub const PDN_ALL_COMPONENTS: i32 = -1;
 
-/// What is asked of a solution: of a node, a joint, a beam or a force. Initialise with
+/// What is asked of a solution: of a node, a joint, a beam, a shell or a force. Initialise with
 /// `PDN_INIT(pdn_quantity, &quantity)`; fields that its kind does not have stay as they are.
 #[repr(C)]
 #[derive(Clone, Copy)]
@@ -69,7 +82,7 @@ pub struct pdn_quantity {
     pub struct_size: usize,
     /// PDN_QUANTITY_POSITION, ...; there is no default.
     pub kind: i32,
-    /// Id of the node, joint, beam element or force that it is of.
+    /// Id of the node, joint, beam element, shell element or force that it is of.
     pub object: i32,
     /// The component, from 0, or PDN_ALL_COMPONENTS, the default. Of coordinates and driving
     /// efforts, the coordinate: PDN_DISPLACEMENT, ..., PDN_ROTATION_3.
@@ -81,13 +94,20 @@ pub struct pdn_quantity {
     pub node: i32,
     /// Of viscoelastic elements, the branch, from 0.
     pub branch: i32,
-    /// Of beams, the place along the element, from -1 at its first to 1 at its last node.
+    /// Of beams, the place along the element, from -1 at its first to 1 at its last node; of
+    /// shells, xi, from -1 to 1.
     pub station: f64,
+    /// Of shells, eta, from -1 to 1.
+    pub station_eta: f64,
+    /// Of shells, a direction in the reference configuration, global coordinates, whose part in the
+    /// surface is axis 1. If it is zero, the default, axes are those of the section. They move with
+    /// the shell.
+    pub direction: [f64; 3],
 }
 
 // SAFETY: all fields are plain numbers, `struct_size` is the first, no padding.
 unsafe impl Options for pdn_quantity {
-    const SIZES: &'static [usize] = &[40];
+    const SIZES: &'static [usize] = &[40, 72];
 
     fn defaults() -> Self {
         pdn_quantity {
@@ -135,6 +155,12 @@ impl pdn_quantity {
             PDN_QUANTITY_BEAM_FORCE => of_beam(BeamQuantity::Force),
             PDN_QUANTITY_BEAM_FORCE_MEAN => of_beam(BeamQuantity::MeanForce),
             PDN_QUANTITY_BEAM_FORCE_JUMP => of_beam(BeamQuantity::ForceJump),
+            PDN_QUANTITY_SHELL_STRAIN => self.of_shell(ShellQuantity::Strain),
+            PDN_QUANTITY_SHELL_RESULTANT => self.of_shell(ShellQuantity::Resultant),
+            PDN_QUANTITY_STRESS_TOP => self.of_shell(ShellQuantity::SurfaceStress(ShellSide::Top)),
+            PDN_QUANTITY_STRESS_BOTTOM => {
+                self.of_shell(ShellQuantity::SurfaceStress(ShellSide::Bottom))
+            }
             PDN_QUANTITY_EFFORT => of_force(ForceQuantity::Effort),
             PDN_QUANTITY_BRANCH_EFFORT => of_force(ForceQuantity::BranchEffort(branch()?)),
             PDN_QUANTITY_BRANCH_ELONGATION => of_force(ForceQuantity::BranchElongation(branch()?)),
@@ -157,6 +183,27 @@ impl pdn_quantity {
         Ok(Selection {
             quantity,
             component,
+        })
+    }
+
+    fn of_shell(&self, quantity: ShellQuantity) -> Result<Quantity> {
+        let at = [self.station, self.station_eta];
+        for (name, coordinate) in ["station", "station_eta"].iter().zip(at) {
+            require_finite(&format!("quantity.{name}"), &[coordinate])?;
+            if !(-1.0..=1.0).contains(&coordinate) {
+                let name = format!("quantity.{name}");
+                return Err(Error::value(&name, "a number from -1 to 1", coordinate));
+            }
+        }
+        require_finite("quantity.direction", &self.direction)?;
+        let direction = Vector3::from(self.direction);
+        Ok(Quantity::Shell {
+            element: index(self.object, "quantity.object")?,
+            point: ShellPoint {
+                at,
+                axis: (direction != Vector3::zeros()).then_some(direction),
+            },
+            quantity,
         })
     }
 
@@ -207,7 +254,7 @@ pub(super) fn selections(
 pub unsafe extern "C" fn pdn_quantity_components(quantity: *const pdn_quantity) -> i32 {
     let mut count = 0;
     let status = guard(|call| {
-        // No more than 9.
+        // No more than 12.
         count = selection(call, quantity)?.components() as i32;
         Ok(())
     });

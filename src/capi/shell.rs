@@ -10,7 +10,9 @@ use super::section::{read_struct, update_struct};
 use super::signal::pdn_signal;
 use super::status::pdn_status;
 use super::surface::{self, pdn_surface};
-use crate::elements::{IsotropicShell, Matrix12, ShellFrames, ShellLoadPlace, ShellSection};
+use crate::elements::{
+    IsotropicShell, Matrix12, ShellFrames, ShellLoadPlace, ShellSection, Vector12,
+};
 use crate::error::{Error, Result, require_finite};
 use crate::model::{Model, QuadrilateralMesh, ShellLoadDefinition, ShellMesh, ShellPlacement};
 use nalgebra::{Matrix6, Vector3};
@@ -21,6 +23,9 @@ pub const PDN_SHELL_NORMALS: i32 = 0;
 /// Frames of a shell: parallel at all nodes of an element. Somewhat better on curved elements of
 /// three and more nodes a side; thin warped elements of two nodes a side lock.
 pub const PDN_SHELL_PARALLEL: i32 = 1;
+/// Frames of a shell: along the third axes of the nodes' own frames, as normals of a surface that
+/// is known better than its elements show it; of use with two nodes a side.
+pub const PDN_SHELL_NODE_AXES: i32 = 2;
 
 /// Place of a load on a shell element: its edge where eta = -1, along xi.
 pub const PDN_SHELL_EDGE_START_ETA: i32 = 0;
@@ -85,7 +90,7 @@ impl pdn_shell_section {
 pub struct pdn_shell_placement {
     /// Set by the initialiser.
     pub struct_size: usize,
-    /// PDN_SHELL_NORMALS or PDN_SHELL_PARALLEL.
+    /// PDN_SHELL_NORMALS, PDN_SHELL_PARALLEL or PDN_SHELL_NODE_AXES.
     pub frames: i32,
     /// Leave it zero.
     pub reserved: i32,
@@ -112,8 +117,9 @@ impl pdn_shell_placement {
         let table = [
             (PDN_SHELL_NORMALS, ShellFrames::Normals),
             (PDN_SHELL_PARALLEL, ShellFrames::Parallel),
+            (PDN_SHELL_NODE_AXES, ShellFrames::NodeAxes),
         ];
-        let names = "PDN_SHELL_NORMALS or PDN_SHELL_PARALLEL";
+        let names = "PDN_SHELL_NORMALS, PDN_SHELL_PARALLEL or PDN_SHELL_NODE_AXES";
         let frames = choose(&table, self.frames, "frames", names)?;
         require_finite("offset", &[self.offset])?;
         require_finite("direction", &self.direction)?;
@@ -716,5 +722,44 @@ pub unsafe extern "C" fn pdn_model_add_shell_load(
             frame,
             components,
         })
+    })
+}
+
+/// Gives shell elements forces and moments where nothing is strained: initial stress, in place of
+/// any before.
+///
+/// It makes them stiffer or softer, and moves them unless it is in equilibrium.
+///
+/// @param model  the model; not NULL
+/// @param first_element  id of the first shell element
+/// @param elements  number of elements, from the first on; at least 1
+/// @param resultants  array of length 12: along the axes of the section, in the order of
+///     ::pdn_shell_section [force / length, moment / length]
+/// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_SIZE, PDN_ERR_ID
+///
+/// Threads: exclusive use of `model`.
+/// @since 0.1
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn pdn_model_set_shell_prestress(
+    model: *mut pdn_model,
+    first_element: i32,
+    elements: i32,
+    resultants: *const f64,
+) -> pdn_status {
+    guard(|call| {
+        let mut model = call.exclusive(model, "model")?;
+        let there = model.shell_element_count();
+        let first = index(first_element, there, "first_element", "a shell element id")?;
+        let most = there - first;
+        let count = usize::try_from(elements).unwrap_or(0);
+        if !(1..=most).contains(&count) {
+            let expected = format!("1 to {most} from element {first} on");
+            return Err(Error::size("elements", expected, elements));
+        }
+        let resultants = Vector12::from(call.array::<12>(resultants, "resultants")?);
+        for element in first..first + count {
+            model.set_shell_prestress(element, &resultants)?;
+        }
+        Ok(())
     })
 }

@@ -42,8 +42,8 @@ pub use renumbered::Renumbered;
 pub use section::{Section, SectionLine};
 pub use shape::{gauss_legendre, lobatto_points, shape_functions};
 pub use shell::{
-    IsotropicShell, Matrix12, NodeGrid, Shell, ShellFrames, ShellLoadPlace, ShellSection, Vector12,
-    element_frames,
+    IsotropicShell, Matrix12, NodeGrid, Shell, ShellFrames, ShellLoadPlace, ShellPoint,
+    ShellSection, ShellSide, Vector12, element_frames, surface_stress,
 };
 pub use user_force::{
     NodeForceFunction, NodeForceInput, NodeForceLaw, NodeForceOutput, Tangent, TangentPairs,

@@ -2,8 +2,8 @@
 
 use super::validation::{direction, require_positive};
 use super::{InertiaDefinition, Model};
-use crate::elements::{NodeGrid, Shell, ShellFrames, ShellSection, element_frames};
-use crate::error::{Error, Result, require_finite};
+use crate::elements::{NodeGrid, Shell, ShellFrames, ShellSection, Vector12, element_frames};
+use crate::error::{Error, ErrorKind, Result, require_finite};
 use crate::motion::Motion;
 use nalgebra::Vector3;
 use serde::{Deserialize, Serialize};
@@ -29,6 +29,9 @@ pub struct ShellDefinition {
     pub direction: Option<Vector3<f64>>,
     /// Factors of stiffness, mass and damping.
     pub factors: [f64; 3],
+    /// Resultants where nothing is strained.
+    #[serde(default = "Vector12::zeros")]
+    pub prestress: Vector12,
 }
 
 impl ShellDefinition {
@@ -276,6 +279,7 @@ impl Model {
             section,
             direction: direction.transpose()?,
             factors: [1.0; 3],
+            prestress: Vector12::zeros(),
         };
         edges.require_apart(self, &definition)?;
         let shell = self.shell_of(&definition)?;
@@ -287,15 +291,34 @@ impl Model {
         Ok(self.shells.len() - 1)
     }
 
+    /// Gives an element resultants where nothing is strained, `[N11 N12 Q1 | M11 M12 M1n | N21 N22
+    /// Q2 | M21 M22 M2n]` per unit of reference length along the section's axes: initial stress, by
+    /// which it is stiffer or softer, and which moves it unless it is in equilibrium.
+    ///
+    /// # Errors
+    /// If there is no such element, or a number is not finite.
+    pub fn set_shell_prestress(&mut self, element: usize, resultants: &Vector12) -> Result<()> {
+        require_finite("resultants", resultants.as_slice())?;
+        let count = self.shells.len();
+        let shell = self.shells.get_mut(element).ok_or_else(|| {
+            let message =
+                format!("element: expected a shell element id below {count}, got {element}");
+            Error::new(ErrorKind::Identifier, message)
+        })?;
+        shell.prestress = *resultants;
+        Ok(())
+    }
+
     /// The element of a shell.
     pub(super) fn shell_of(&self, shell: &ShellDefinition) -> Result<Shell> {
         let reference = shell.nodes.iter().map(|&n| self.nodes[n]).collect();
-        Shell::new(
+        let element = Shell::new(
             (shell.nodes.clone(), shell.sides),
             (reference, shell.frames.clone()),
             shell.section.scaled(&shell.factors),
             shell.direction,
-        )
+        )?;
+        Ok(element.with_prestress(&shell.prestress))
     }
 
     /// All shell elements.
@@ -329,6 +352,7 @@ impl Model {
             require_finite("direction", direction.as_slice())?;
         }
         require_finite("factors", &shell.factors)?;
+        require_finite("prestress", shell.prestress.as_slice())?;
         shell.section.validated()?;
         shell.require_finite()?;
         self.shell_of(&shell)?;

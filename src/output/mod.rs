@@ -12,6 +12,7 @@ mod quantities;
 mod report;
 mod saved;
 mod saved_branch;
+mod shell_vtk;
 mod solution;
 mod stability;
 mod table;
@@ -21,7 +22,7 @@ mod write;
 
 pub use crate::quantity::{
     BeamQuantity, Extremes, ForceQuantity, JointQuantity, NodeQuantity, Quantity, ResolvedIn,
-    Selection,
+    Selection, ShellQuantity,
 };
 pub use diagnostics::Diagnostics;
 pub use modes::Modes;

@@ -6,7 +6,7 @@ use crate::collocation::GridState;
 use crate::elements::{Beam, Element, lobatto_points};
 use crate::error::{Error, Result};
 use crate::fourier::TimeGrid;
-use crate::model::Model;
+use crate::model::{Model, ShellDefinition};
 use crate::motion::Motion;
 use crate::system::{ElementRole, Placed, System};
 use std::ops::Range;
@@ -100,6 +100,11 @@ impl Solution {
     pub fn prolonged_to(&self, model: &Model, grid: TimeGrid) -> Result<GridState> {
         self.require_same_mechanism(model)?;
         let state = self.prolonged(grid)?;
+        if !self.has_shells_of(model) {
+            let expected = "a solution of a model with the same shell elements on the same nodes: \
+                            motions are carried between meshes of beams, not of shells";
+            return Err(Error::value("options.initial", expected, "one with others"));
+        }
         let meshes = |m: &Model| m.beams.iter().map(|b| b.nodes.clone()).collect::<Vec<_>>();
         if self.model.nodes.len() == model.nodes.len() && meshes(&self.model) == meshes(model) {
             return Ok(state);
@@ -146,6 +151,20 @@ impl Solution {
             }
         }
         Ok(carried)
+    }
+
+    /// Whether the shells of a model have the same elements, with nodes at the same places.
+    fn has_shells_of(&self, model: &Model) -> bool {
+        let unit = SAME_PLACE * self.solve.system.scales().length;
+        let here = |m: &Model, node: usize| m.nodes[node].position;
+        let same = |(a, b): (&ShellDefinition, &ShellDefinition)| {
+            let mut nodes = a.nodes.iter().zip(&b.nodes);
+            let apart =
+                |(&a, &b): (&usize, &usize)| (here(&self.model, a) - here(model, b)).norm() > unit;
+            a.sides == b.sides && !nodes.any(apart)
+        };
+        let count = model.shells.len();
+        self.model.shells.len() == count && self.model.shells.iter().zip(&model.shells).all(same)
     }
 
     fn require_same_mechanism(&self, model: &Model) -> Result<()> {

@@ -1,18 +1,23 @@
-//! VTK's XML files of polygonal data: points, lines through them, and numbers that belong to
-//! either; written inline in base64, not compressed.
+//! VTK's XML files: points, lines through them, curved quadrilaterals, and numbers that belong to
+//! these; written inline in base64, not compressed.
 
 use base64::prelude::BASE64_STANDARD;
 use base64::write::EncoderWriter;
 use std::io::{self, Write};
 
 /// How the points are drawn.
-#[derive(Clone, Copy)]
 pub(super) enum Cells {
     /// Each by itself.
     Points,
     /// A line through each so many in a row.
     Lines(usize),
+    /// Curved quadrilaterals of so many points along their sides each, in the order of VTK's
+    /// Lagrange cells.
+    Quadrilaterals(Vec<[usize; 2]>),
 }
+
+/// VTK's number of a curved quadrilateral.
+const LAGRANGE_QUADRILATERAL: i64 = 70;
 
 /// What is known at each point, or of each cell.
 pub(super) struct Field {
@@ -25,6 +30,9 @@ enum Values {
     Ids(Vec<i64>),
     /// Three components each.
     Vectors(Vec<f64>),
+    Numbers(Vec<f64>),
+    /// Degrees of curved cells, as three numbers each.
+    Degrees(Vec<f64>),
 }
 
 impl Field {
@@ -40,6 +48,22 @@ impl Field {
     }
 }
 
+impl Field {
+    pub(super) fn numbers(name: &'static str, numbers: Vec<f64>) -> Self {
+        let values = Values::Numbers(numbers);
+        Field { name, values }
+    }
+
+    /// Polynomial degrees of curved quadrilaterals along their sides.
+    pub(super) fn degrees(degrees: impl Iterator<Item = [usize; 2]>) -> Self {
+        let three = degrees.flat_map(|[p, q]| [p as f64, q as f64, 0.0]);
+        Field {
+            name: "HigherOrderDegrees",
+            values: Values::Degrees(three.collect()),
+        }
+    }
+}
+
 /// The content of one file.
 pub(super) struct PolyData {
     /// Three coordinates of each point together.
@@ -52,17 +76,19 @@ pub(super) struct PolyData {
 impl PolyData {
     pub(super) fn write(&self, out: &mut dyn Write) -> io::Result<()> {
         let points = self.positions.len() / 3;
-        let (kind, of_cell) = match self.cells {
-            Cells::Points => ("Verts", 1),
-            Cells::Lines(of_line) => ("Lines", of_line),
+        let (set, kind) = match self.cells {
+            Cells::Points => ("PolyData", "Verts"),
+            Cells::Lines(_) => ("PolyData", "Lines"),
+            Cells::Quadrilaterals(_) => ("UnstructuredGrid", "Cells"),
         };
-        let cells = points / of_cell;
+        let ends = self.ends(points);
+        let cells = ends.len();
         writeln!(out, "{DECLARATION}")?;
         writeln!(
             out,
-            r#"<VTKFile type="PolyData" version="1.0" {BYTE_ORDER} header_type="UInt64">"#
+            r#"<VTKFile type="{set}" version="1.0" {BYTE_ORDER} header_type="UInt64">"#
         )?;
-        writeln!(out, "  <PolyData>")?;
+        writeln!(out, "  <{set}>")?;
         writeln!(
             out,
             r#"    <Piece NumberOfPoints="{points}" NumberOf{kind}="{cells}">"#
@@ -70,15 +96,32 @@ impl PolyData {
         write_fields(out, "PointData", &self.point_data)?;
         write_fields(out, "CellData", &self.cell_data)?;
         writeln!(out, "      <Points>")?;
-        write_reals(out, "Points", &self.positions)?;
+        write_reals(out, ("Points", 3), &self.positions)?;
         writeln!(out, "      </Points>\n      <{kind}>")?;
         write_integers(out, "connectivity", (0..points).map(|point| point as i64))?;
-        let ends = (0..cells).map(|cell| ((cell + 1) * of_cell) as i64);
-        write_integers(out, "offsets", ends)?;
-        writeln!(
-            out,
-            "      </{kind}>\n    </Piece>\n  </PolyData>\n</VTKFile>"
-        )
+        write_integers(out, "offsets", ends.into_iter())?;
+        if matches!(self.cells, Cells::Quadrilaterals(_)) {
+            let kinds = (0..cells).map(|_| LAGRANGE_QUADRILATERAL);
+            write_integers(out, "types", kinds)?;
+        }
+        writeln!(out, "      </{kind}>\n    </Piece>\n  </{set}>\n</VTKFile>")
+    }
+
+    /// Number of points up to the end of each cell.
+    fn ends(&self, points: usize) -> Vec<i64> {
+        let all_of = |of_cell: usize| (1..=points / of_cell).map(move |k| (k * of_cell) as i64);
+        match &self.cells {
+            Cells::Points => all_of(1).collect(),
+            Cells::Lines(of_line) => all_of(*of_line).collect(),
+            Cells::Quadrilaterals(sides) => {
+                let counts = sides.iter().map(|[p, q]| p * q);
+                let ends = counts.scan(0, |end, count| {
+                    *end += count;
+                    Some(*end as i64)
+                });
+                ends.collect()
+            }
+        }
     }
 }
 
@@ -95,21 +138,33 @@ fn write_fields(out: &mut dyn Write, tag: &str, fields: &[Field]) -> io::Result<
     if let Some(first) = fields.iter().find(is_ids) {
         write!(out, r#" Scalars="{}""#, first.name)?;
     }
-    if let Some(first) = fields.iter().find(|field| !is_ids(field)) {
+    let is_vectors = |field: &&Field| matches!(field.values, Values::Vectors(_));
+    if let Some(first) = fields.iter().find(is_vectors) {
         write!(out, r#" Vectors="{}""#, first.name)?;
+    }
+    let is_degrees = |field: &&Field| matches!(field.values, Values::Degrees(_));
+    if let Some(first) = fields.iter().find(is_degrees) {
+        write!(out, r#" HigherOrderDegrees="{}""#, first.name)?;
     }
     writeln!(out, ">")?;
     for field in fields {
         match &field.values {
             Values::Ids(ids) => write_integers(out, field.name, ids.iter().copied())?,
-            Values::Vectors(components) => write_reals(out, field.name, components)?,
+            Values::Vectors(components) | Values::Degrees(components) => {
+                write_reals(out, (field.name, 3), components)?;
+            }
+            Values::Numbers(numbers) => write_reals(out, (field.name, 1), numbers)?,
         }
     }
     writeln!(out, "      </{tag}>")
 }
 
-fn write_reals(out: &mut dyn Write, name: &str, values: &[f64]) -> io::Result<()> {
-    let kind = format!(r#"type="Float64" Name="{name}" NumberOfComponents="3""#);
+fn write_reals(
+    out: &mut dyn Write,
+    (name, components): (&str, usize),
+    values: &[f64],
+) -> io::Result<()> {
+    let kind = format!(r#"type="Float64" Name="{name}" NumberOfComponents="{components}""#);
     write_array(out, &kind, values.iter().map(|x| x.to_le_bytes()))
 }
 

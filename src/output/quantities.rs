@@ -3,14 +3,14 @@
 use super::solution::Solution;
 use super::trajectory::Between;
 use crate::collocation::too_coarse;
-use crate::elements::NodeState;
+use crate::elements::{NodeState, ShellPoint};
 use crate::error::Result;
 use crate::fourier::{CardinalWeights, PeriodicSeries};
 use crate::memory;
 use crate::motion::PeriodicMotion;
 use crate::quantity::{
     BeamQuantity, Extremes, ForceQuantity, Forces, History, JointQuantity, NodeQuantity, Probe,
-    Quantity, Samples, Selection, require_closed, require_numbers,
+    Quantity, Samples, Selection, ShellQuantity, require_closed, require_numbers,
 };
 
 /// Passes series of numbers: sums over the grid may be too large where their terms are not.
@@ -220,6 +220,25 @@ impl Solution {
         let quantity = Quantity::Beam {
             element,
             station,
+            quantity,
+        };
+        self.sample(quantity, times)
+    }
+
+    /// A quantity at a place of a shell element at `times`, see [`Solution::sample`].
+    ///
+    /// # Errors
+    /// Those of [`Solution::sample`].
+    pub fn shell(
+        &self,
+        element: usize,
+        point: ShellPoint,
+        quantity: ShellQuantity,
+        times: &[f64],
+    ) -> Result<Vec<f64>> {
+        let quantity = Quantity::Shell {
+            element,
+            point,
             quantity,
         };
         self.sample(quantity, times)

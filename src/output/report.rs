@@ -160,11 +160,14 @@ impl Solution {
             )?;
         }
         if diagnostics.mesh_error.is_infinite() && diagnostics.error_estimate.is_finite() {
-            writeln!(
-                text,
-                "  these are estimates of time alone; the error by the mesh of beams is estimated \
-                 if asked for (estimate_mesh)"
-            )?;
+            let of_mesh = match self.model().shell_element_count() {
+                0 => "the error by the mesh of beams is estimated if asked for (estimate_mesh)",
+                _ => {
+                    "the error by the mesh is not estimated, as there is no such estimate with \
+                     shells: compare with a finer mesh"
+                }
+            };
+            writeln!(text, "  these are estimates of time alone; {of_mesh}")?;
         }
         if diagnostics.decay == DecayKind::Slow {
             writeln!(

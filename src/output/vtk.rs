@@ -1,7 +1,7 @@
 //! Animations for ParaView and other programs that read VTK's XML files.
 //!
-//! A collection (`.pvd`) lists the times, and for each up to three parts, each a file of its own
-//! (`.vtp`): beams as lines, bodies and joints as points.
+//! A collection (`.pvd`) lists the times, and for each up to four parts, each a file of its own:
+//! beams as lines, bodies and joints as points (`.vtp`), shells as curved quadrilaterals (`.vtu`).
 
 use super::poly_data::{BYTE_ORDER, Cells, DECLARATION, Field, PolyData, escaped};
 use super::write::{directory_of, plain, refused, write_file};
@@ -55,10 +55,16 @@ impl Solution {
     ///   `curvature`, all of the element itself; where two elements meet, `force_mean`,
     ///   `moment_mean` of both, and `force_jump`, `moment_jump` from one to the other, see
     ///   [`BeamQuantity::ForceJump`]; components of all these along the section's axes.
-    /// * `bodies`, the nodes that carry a body or belong to no beam: `node`, `displacement`,
-    ///   `axis_1` to `axis_3`, `velocity`, `angular_velocity`.
+    /// * `bodies`, the nodes that carry a body or belong to no beam or shell: `node`,
+    ///   `displacement`, `axis_1` to `axis_3`, `velocity`, `angular_velocity`.
     /// * `joints`, the origins of the joint frames on the second bodies: `joint`, `displacement`,
     ///   `axis_1` to `axis_3` of these frames, `reaction_force`, `reaction_moment`.
+    ///
+    /// * `shells`, a curved quadrilateral of its own order for each element, with cell data
+    ///   `element`: `displacement`, `axis_1` to `axis_3` of the section, resultants `force_1`,
+    ///   `moment_1` of the cut across axis 1 and `force_2`, `moment_2`, strains likewise, see
+    ///   [`ShellQuantity`](super::ShellQuantity); of isotropic shells `stress_top` and
+    ///   `stress_bottom`, each σ11, σ22, σ12, and von Mises' of these.
     ///
     /// All vectors but the internal forces and strains are along the inertial axes.
     ///
@@ -98,12 +104,17 @@ impl Solution {
         let drawn = self.model().beams.len() * points_per_element
             + self.model().nodes.len()
             + self.model().joints.len();
-        let drawn = drawn.saturating_mul(times.len());
+        let on_shells = self.solve.system.shells().iter();
+        let on_shells = on_shells
+            .map(|shell| 2 * shell.nodes().len())
+            .sum::<usize>();
+        let drawn = (drawn + on_shells).saturating_mul(times.len());
         memory::require_items("an animation", drawn, DRAWN)?;
         let mut parts = vec![
             ("beams", self.beams_drawn(times, points_per_element)?),
             ("bodies", self.bodies_drawn(times)?),
             ("joints", self.joints_drawn(times)?),
+            (SHELLS, self.shells_drawn(times)?),
         ];
         parts.retain(|(_, pieces)| !pieces.is_empty());
         let names: Vec<&str> = parts.iter().map(|part| part.0).collect();
@@ -115,7 +126,7 @@ impl Solution {
     }
 
     /// Motions of a node, as its public quantities tell.
-    fn node_motions(&self, node: usize, times: &[f64]) -> Result<Vec<Motion>> {
+    pub(super) fn node_motions(&self, node: usize, times: &[f64]) -> Result<Vec<Motion>> {
         let positions = self.node(node, NodeQuantity::Position, times)?;
         let rotations = self.node(node, NodeQuantity::RotationMatrix, times)?;
         let pairs = positions.chunks_exact(3).zip(rotations.chunks_exact(9));
@@ -215,7 +226,8 @@ impl Solution {
     fn bodies_drawn(&self, times: &[f64]) -> Result<Vec<PolyData>> {
         let model = self.model();
         let mut shown = vec![true; model.nodes.len()];
-        for &node in model.beams.iter().flat_map(|beam| &beam.nodes) {
+        let of_beams = model.beams.iter().flat_map(|beam| &beam.nodes);
+        for &node in of_beams.chain(model.shells.iter().flat_map(|shell| &shell.nodes)) {
             shown[node] = false;
         }
         for inertia in &model.inertias {
@@ -305,13 +317,13 @@ fn points_drawn(
     (0..times.len()).map(frame_of).collect()
 }
 
-fn positions(frames: &[Motion]) -> Vec<f64> {
+pub(super) fn positions(frames: &[Motion]) -> Vec<f64> {
     let coordinates = frames.iter().flat_map(|m| m.position.data.0[0]);
     coordinates.collect()
 }
 
 /// Displacements from the reference, and axes.
-fn frame_data(reference: &[Motion], frames: &[Motion]) -> Vec<Field> {
+pub(super) fn frame_data(reference: &[Motion], frames: &[Motion]) -> Vec<Field> {
     let moved = frames.iter().zip(reference);
     let displacement = moved.flat_map(|(m, r)| (m.position - r.position).data.0[0]);
     let mut data = vec![Field::vectors("displacement", displacement.collect())];
@@ -322,8 +334,12 @@ fn frame_data(reference: &[Motion], frames: &[Motion]) -> Vec<Field> {
     data
 }
 
+/// The part of curved quadrilaterals, which are no polygonal data.
+const SHELLS: &str = "shells";
+
 fn file_name(part: &str, k: usize) -> String {
-    format!("{part}_{k:06}.vtp")
+    let ending = if part == SHELLS { "vtu" } else { "vtp" };
+    format!("{part}_{k:06}.{ending}")
 }
 
 /// Writes all pieces, of each part one for each time, to a temporary directory, and moves them to

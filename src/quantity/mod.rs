@@ -18,6 +18,7 @@ mod peak;
 mod record;
 mod samples;
 mod scale;
+mod shell;
 mod variation;
 #[cfg(test)]
 mod variation_test;
@@ -37,8 +38,10 @@ pub use peak::Peak;
 pub use record::ForceRecord;
 pub use samples::Samples;
 pub(crate) use samples::require_numbers;
+pub use shell::ShellQuantity;
 pub use variation::Variation;
 
+use crate::elements::ShellPoint;
 use crate::error::{Error, ErrorKind, Result};
 use crate::system::System;
 use std::fmt::Debug;
@@ -61,6 +64,15 @@ pub enum Quantity {
     },
     /// Of a force.
     Force(usize, ForceQuantity),
+    /// Of a shell.
+    Shell {
+        /// Number of its element.
+        element: usize,
+        /// Place in the element, and axes there.
+        point: ShellPoint,
+        /// What is asked for there.
+        quantity: ShellQuantity,
+    },
 }
 
 /// All components of a quantity, or one of them.
@@ -148,6 +160,7 @@ impl Quantity {
             Quantity::Joint(_, quantity) => quantity.components(),
             Quantity::Beam { .. } => 6,
             Quantity::Force(_, quantity) => quantity.components(),
+            Quantity::Shell { quantity, .. } => quantity.components(),
         }
     }
 
@@ -189,6 +202,11 @@ impl Quantity {
                 quantity.probe(system, neighbours.as_ref(), element, station)?
             }
             Quantity::Force(force, quantity) => quantity.probe(system, force)?,
+            Quantity::Shell {
+                element,
+                point,
+                quantity,
+            } => quantity.probe(system, element, point)?,
         })
     }
 }

@@ -1,7 +1,9 @@
 //! What quantities and their components are called, in tables and messages.
 
-use super::{BeamQuantity, ForceQuantity, JointQuantity, NodeQuantity, Quantity, ResolvedIn};
-use crate::elements::LoadFrame;
+use super::{
+    BeamQuantity, ForceQuantity, JointQuantity, NodeQuantity, Quantity, ResolvedIn, ShellQuantity,
+};
+use crate::elements::{LoadFrame, ShellSide};
 use std::fmt;
 
 const POSITION: [&str; 3] = ["x", "y", "z"];
@@ -31,6 +33,35 @@ const RESULTANT: [&str; 6] = [
     "bending_2",
     "bending_3",
 ];
+const SHELL_STRAIN: [&str; 12] = [
+    "strain_11",
+    "strain_12",
+    "shear_1",
+    "curvature_11",
+    "curvature_12",
+    "curvature_1n",
+    "strain_21",
+    "strain_22",
+    "shear_2",
+    "curvature_21",
+    "curvature_22",
+    "curvature_2n",
+];
+const SHELL_RESULTANT: [&str; 12] = [
+    "force_11",
+    "force_12",
+    "shear_1",
+    "moment_11",
+    "moment_12",
+    "moment_1n",
+    "force_21",
+    "force_22",
+    "shear_2",
+    "moment_21",
+    "moment_22",
+    "moment_2n",
+];
+const STRESS: [&str; 4] = ["11", "22", "12", "von_mises"];
 
 impl Quantity {
     /// Names of its components; an empty one if there is only one.
@@ -52,6 +83,11 @@ impl Quantity {
             Quantity::Beam { quantity, .. } => match quantity {
                 BeamQuantity::Strain => &STRAIN,
                 _ => &RESULTANT,
+            },
+            Quantity::Shell { quantity, .. } => match quantity {
+                ShellQuantity::Strain => &SHELL_STRAIN,
+                ShellQuantity::Resultant => &SHELL_RESULTANT,
+                ShellQuantity::SurfaceStress(_) => &STRESS,
             },
             Quantity::Joint(..) | Quantity::Force(..) => &[""],
         }
@@ -78,6 +114,14 @@ impl fmt::Display for Quantity {
                 station,
                 quantity,
             } => write!(f, "beam{element}({station}).{}", of_beam(quantity)),
+            Quantity::Shell {
+                element,
+                point,
+                quantity,
+            } => {
+                let ([xi, eta], of) = (point.at, of_shell(quantity));
+                write!(f, "shell{element}({xi},{eta}).{of}")
+            }
             Quantity::Force(force, quantity) => match quantity {
                 ForceQuantity::Effort => write!(f, "force{force}.effort"),
                 ForceQuantity::BranchEffort(b) => write!(f, "force{force}.branch{b}.effort"),
@@ -120,5 +164,14 @@ fn of_beam(quantity: BeamQuantity) -> &'static str {
         BeamQuantity::Force => "force",
         BeamQuantity::MeanForce => "force_mean",
         BeamQuantity::ForceJump => "force_jump",
+    }
+}
+
+fn of_shell(quantity: ShellQuantity) -> &'static str {
+    match quantity {
+        ShellQuantity::Strain => "strain",
+        ShellQuantity::Resultant => "resultant",
+        ShellQuantity::SurfaceStress(ShellSide::Top) => "stress_top",
+        ShellQuantity::SurfaceStress(ShellSide::Bottom) => "stress_bottom",
     }
 }

@@ -1,6 +1,6 @@
 //! What quantities are of the order of.
 
-use super::{BeamQuantity, ForceQuantity, JointQuantity, NodeQuantity, Quantity};
+use super::{BeamQuantity, ForceQuantity, JointQuantity, NodeQuantity, Quantity, ShellQuantity};
 use crate::elements::{Coordinate, Measure};
 use crate::system::{ElementRole, System};
 use std::f64::consts::TAU;
@@ -41,6 +41,14 @@ impl Quantity {
             Quantity::Beam { quantity, .. } => match quantity {
                 BeamQuantity::Strain => motion(half) / length,
                 _ => effort(half),
+            },
+            Quantity::Shell { quantity, .. } => match quantity {
+                // Per unit of length; of six components, three are linear.
+                ShellQuantity::Strain if component % 6 < 3 => 1.0,
+                ShellQuantity::Strain => 1.0 / length,
+                ShellQuantity::Resultant if component % 6 < 3 => force / length,
+                ShellQuantity::Resultant => force,
+                ShellQuantity::SurfaceStress(_) => force / (length * length),
             },
             Quantity::Force(number, quantity) => {
                 let role = ElementRole::Force(number);

@@ -2,13 +2,14 @@
 
 use super::*;
 use crate::collocation::{Collocation, GridState};
-use crate::elements::LoadFrame;
+use crate::elements::{LoadFrame, ShellPoint, ShellSide};
 use crate::fourier::TimeGrid;
 use crate::model::{Model, Signal};
 use crate::system::{ElementRole, Regime, Standstill};
 use crate::test_models::beams::rotor_blade;
 use crate::test_models::elements::all_elements;
 use crate::test_models::pendulums::zener_pendulum;
+use crate::test_models::shells::flapping_plate;
 use crate::test_models::small::{moving_models, one_blade};
 use nalgebra::Vector3;
 use std::f64::consts::TAU;
@@ -28,6 +29,12 @@ const BEAM: [BeamQuantity; 4] = [
     BeamQuantity::Force,
     BeamQuantity::MeanForce,
     BeamQuantity::ForceJump,
+];
+const SHELL: [ShellQuantity; 4] = [
+    ShellQuantity::Strain,
+    ShellQuantity::Resultant,
+    ShellQuantity::SurfaceStress(ShellSide::Top),
+    ShellQuantity::SurfaceStress(ShellSide::Bottom),
 ];
 
 /// All quantities of a model.
@@ -56,6 +63,17 @@ fn all(model: &Model, system: &System) -> Vec<Quantity> {
             all.extend(BEAM.map(|quantity| Quantity::Beam {
                 element,
                 station,
+                quantity,
+            }));
+        }
+    }
+    for element in 0..system.shells().len() {
+        for axis in [None, Some(Vector3::new(0.3, 1.0, -0.2))] {
+            let at = [0.37, -0.8];
+            let point = ShellPoint { at, axis };
+            all.extend(SHELL.map(|quantity| Quantity::Shell {
+                element,
+                point,
                 quantity,
             }));
         }
@@ -101,6 +119,7 @@ fn problems() -> Vec<(Model, Collocation)> {
     let mut models = moving_models();
     models.push(all_elements());
     models.push(rotor_blade(1, 3));
+    models.push(flapping_plate(0.3, [1, 1], 3));
     let zener = zener_pendulum().0;
     models.push((zener, TAU));
     let mut problems: Vec<_> = models.into_iter().map(on_grid).collect();

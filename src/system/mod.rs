@@ -12,6 +12,7 @@ mod partition;
 mod regime;
 mod repetition;
 mod scales;
+mod shell_warnings;
 mod signals;
 mod summary;
 mod tracking;

@@ -2,6 +2,7 @@
 
 use super::constraints::name_all;
 use super::partition::{Partition, parts};
+use super::shell_warnings::warn_of_shells;
 use super::{ElementRole, Placed, System};
 use crate::elements::{Beam, Element, NodeState, Section, rigid_body_inertia};
 use crate::model::{ForceDefinition, JointDefinition, Model};
@@ -40,6 +41,7 @@ pub(super) fn warnings(
     warn_of_missing_joints(model, system, members, &mut warnings);
     warn_of_bare_nodes(system, &mut warnings);
     warn_of_beams(system, &mut warnings);
+    warn_of_shells(model, system, &mut warnings);
     warn_of_bodies(system, &mut warnings);
     warn_of_open_joints(system, &mut warnings);
     warn_of_far_joints(model, system.scales().length, &mut warnings);

@@ -97,7 +97,7 @@ AT(pdn_stations, fractions, 16);
 AT(pdn_stations, sections, 24);
 AT(pdn_stations, twists, 32);
 
-SIZE(pdn_quantity, 40);
+SIZE(pdn_quantity, 72);
 AT(pdn_quantity, struct_size, 0);
 AT(pdn_quantity, kind, 8);
 AT(pdn_quantity, object, 12);
@@ -106,6 +106,8 @@ AT(pdn_quantity, frame, 20);
 AT(pdn_quantity, node, 24);
 AT(pdn_quantity, branch, 28);
 AT(pdn_quantity, station, 32);
+AT(pdn_quantity, station_eta, 40);
+AT(pdn_quantity, direction, 48);
 
 SIZE(pdn_diagnostics, 208);
 AT(pdn_diagnostics, struct_size, 0);

@@ -165,8 +165,51 @@ static void meshes(void)
         pdn_model_free(models[k]);
 }
 
-/* A traction stretches a strip by q L / (E h), as strains are those of Biot; a pressure that
- * follows the surface of a closed ring of a tube widens it by p r^2 / (E h). */
+/* Strains, resultants and stresses of a strip under a traction, along its axes and across. */
+static void stretched(const pdn_solution *solution, double traction)
+{
+    const double time = 0, strain = traction / (YOUNG * THICKNESS);
+    double values[12];
+    pdn_quantity quantity;
+    PDN_INIT(pdn_quantity, &quantity);
+    quantity.kind = PDN_QUANTITY_SHELL_STRAIN;
+    quantity.object = 1;
+    quantity.station = 0.3;
+    quantity.station_eta = -0.7;
+    CHECK(pdn_quantity_components(&quantity) == 12);
+    CHECK_STATUS(pdn_solution_sample_quantity(solution, &quantity, &time, 1, values), PDN_OK);
+    CHECK_NEAR(values[0], strain, 1e-13);
+    CHECK_NEAR(values[7], 0, 1e-13);
+    quantity.kind = PDN_QUANTITY_SHELL_RESULTANT;
+    quantity.direction[1] = 2; /* axis 1 across the strip */
+    CHECK_STATUS(pdn_solution_sample_quantity(solution, &quantity, &time, 1, values), PDN_OK);
+    CHECK_NEAR(values[0], 0, 1e-7);
+    CHECK_NEAR(values[7], traction, 1e-7);
+    quantity.kind = PDN_QUANTITY_STRESS_TOP;
+    CHECK(pdn_quantity_components(&quantity) == 4);
+    CHECK_STATUS(pdn_solution_sample_quantity(solution, &quantity, &time, 1, values), PDN_OK);
+    CHECK_NEAR(values[1], traction / THICKNESS, 1e-5);
+    quantity.kind = PDN_QUANTITY_STRESS_BOTTOM;
+    quantity.component = 3;
+    CHECK(pdn_quantity_components(&quantity) == 1);
+    CHECK_STATUS(pdn_solution_sample_quantity(solution, &quantity, &time, 1, values), PDN_OK);
+    CHECK_NEAR(values[0], traction / THICKNESS, 1e-5);
+
+    quantity.station_eta = 1.1;
+    CHECK_STATUS(pdn_solution_sample_quantity(solution, &quantity, &time, 1, values),
+                 PDN_ERR_VALUE);
+    CHECK_MESSAGE("quantity.station_eta: expected a number from -1 to 1, got 1.1");
+    quantity.station_eta = 0;
+    quantity.object = 2;
+    CHECK_STATUS(pdn_solution_sample_quantity(solution, &quantity, &time, 1, values), PDN_ERR_ID);
+    quantity.object = 0;
+    quantity.direction[2] = NAN;
+    CHECK_STATUS(pdn_solution_sample_quantity(solution, &quantity, &time, 1, values),
+                 PDN_ERR_NOT_FINITE);
+    CHECK_MESSAGE("quantity.direction[2]: expected a finite number");
+}
+
+/* A traction stretches a strip by q L / (E h), as strains are those of Biot. */
 static void loads(void)
 {
     const double length = 2, width = 0.5, traction = 600;
@@ -194,7 +237,20 @@ static void loads(void)
     CHECK_STATUS(pdn_model_shell_patch_node(model, &shell, 6, 1, &node), PDN_OK);
     CHECK_STATUS(pdn_solution_node_position(solution, node, &time, 1, position), PDN_OK);
     CHECK_NEAR(position[0] - length, traction * length / (YOUNG * THICKNESS), 1e-11);
+    stretched(solution, traction);
     pdn_solution_free(solution);
+
+    /* The same stress from the beginning shortens it by what the traction makes it longer. */
+    {
+        double resultants[12] = {0};
+        resultants[0] = traction;
+        CHECK_STATUS(pdn_model_set_shell_prestress(model, shell.first_element, 2, resultants),
+                     PDN_OK);
+        CHECK_STATUS(pdn_solve_static(model, NULL, &solution), PDN_OK);
+        CHECK_STATUS(pdn_solution_node_position(solution, node, &time, 1, position), PDN_OK);
+        CHECK_NEAR(position[0], length, 1e-11);
+        pdn_solution_free(solution);
+    }
     pdn_model_free(model);
 }
 

@@ -31,7 +31,7 @@ static struct {
     pdn_signal signal;
     double centre[3], axis[3], start[3], radii[2], angle;
     double thickness, young, poisson, density, drilling, gradient, seconds;
-    double points[4][3];
+    double points[4][3], resultants[12];
     size_t elements_u, elements_v, degree_u, degree_v, count, n_xi, points_of_cell;
     int32_t nodes[4], cells[8];
     int32_t join, first_element, loaded, place, frame, component, wrong, u, v;
@@ -424,6 +424,15 @@ static void loads(void)
     REFUSES_ENUMS(in.component, CALL, "component");
     REFUSES_STRUCT_SIZES(in.signal, CALL, "signal");
     REFUSES_NOT_FINITE(in.signal.mean, CALL, "signal: mean");
+#undef CALL
+#define CALL                                                                                       \
+    pdn_model_set_shell_prestress(in.model, in.first_element, in.loaded, in.resultants)
+    REFUSES_NULL(pdn_model_set_shell_prestress(NULL, 0, 1, in.resultants), "model");
+    REFUSES_NULL(pdn_model_set_shell_prestress(in.model, 0, 1, NULL), "resultants");
+    REFUSES_EACH(in.first_element, int32_t, bad_ids, CALL, PDN_ERR_ID,
+                 "first_element: expected a shell element id from 0 to 1");
+    REFUSES_EACH(in.loaded, int32_t, bad_counts, CALL, PDN_ERR_SIZE, "elements: expected 1 to 2");
+    REFUSES_NOT_FINITE_ENTRIES(in.resultants, 12, CALL, "resultants");
 #undef CALL
 }
 

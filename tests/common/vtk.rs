@@ -1,4 +1,4 @@
-//! Reads files of polygonal data, as VTK's XML format describes them.
+//! Reads files of polygonal data and of curved cells, as VTK's XML format describes them.
 
 // Each test uses a part of it.
 #![allow(dead_code)]
@@ -19,6 +19,8 @@ pub struct Piece {
     /// What each cell joins, and where in this each ends.
     pub connectivity: Vec<f64>,
     pub offsets: Vec<f64>,
+    /// Kinds of curved cells.
+    pub types: Vec<f64>,
     pub point_data: BTreeMap<String, Vec<f64>>,
     pub cell_data: BTreeMap<String, Vec<f64>>,
 }
@@ -36,12 +38,14 @@ impl Piece {
         let count = |name: &str| piece.attribute(name).map_or(0, |n| n.parse().unwrap());
         let mut cells = part("Lines");
         cells.extend(part("Verts"));
+        cells.extend(part("Cells"));
         let read = Piece {
             points: part("Points").remove("Points").unwrap(),
             lines: count("NumberOfLines"),
             verts: count("NumberOfVerts"),
             connectivity: cells.remove("connectivity").unwrap(),
             offsets: cells.remove("offsets").unwrap(),
+            types: cells.remove("types").unwrap_or_default(),
             point_data: part("PointData"),
             cell_data: part("CellData"),
         };

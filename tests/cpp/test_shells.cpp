@@ -23,6 +23,13 @@ double stretch_of(pdn::Model &model, std::int32_t first_clamped, std::int32_t lo
                          pdn::Component::force_1, 600.0);
     const auto solution = pdn::solve_static(model);
     CHECK(solution.converged());
+    const pdn::Quantity stress(pdn::Kind::stress_top, loaded_element, {0.5, 0}, {1, 0, 0});
+    CHECK(stress.components() == 4);
+    NEAR(solution.sample(stress, {0})[0], 600 / thickness, 1e-5);
+    const pdn::Quantity force(pdn::Kind::shell_resultant, loaded_element, {0.5, 0});
+    NEAR(solution.sample(force, {0})[0], 600, 1e-7);
+    const pdn::Quantity strain(pdn::Kind::shell_strain, loaded_element, {0.5, 0});
+    NEAR(solution.sample(strain, {0})[0], 600 / (young * thickness), 1e-12);
     return solution.node_position(tip, {0})[0][0] - before;
 }
 
@@ -94,6 +101,7 @@ int main()
             }
         }
         CHECK(model.add_shell_element(nodes, 2, section) == 0);
+        model.set_shell_prestress(0, 1, {1, 0, 0, 0, 0, 0, 0, 1});
         const double pi = 3.14159265358979323846, per_area = 1200 * thickness;
         NEAR(model.mass().mass, per_area * length * width, 1e-12);
         model.add_shell(pdn::Surface::annulus({0, 0, 1}, {0, 0, 1}, {1, 0, 0}, 0.5, 1, 2 * pi),

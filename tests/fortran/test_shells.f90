@@ -38,40 +38,44 @@ contains
         call check(section%damping(1) == 0.5_dp*section%stiffness(1), 'damping')
     end function rubber
 
-    ! The same strip, of 2 x 1 elements of 3 x 2 nodes, over a surface and over its points.
+    ! The same strip, of 2 x 1 elements of 3 x 2 nodes, over surfaces and over its points.
     subroutine stretched_strips()
-        type(pdn_model) :: models(2)
-        type(pdn_surface) :: surfaces(2)
+        type(pdn_model) :: model
         type(pdn_shell) :: shell
         type(pdn_shell_placement) :: placement
         real(dp) :: points(3, 10)
-        type(pdn_frame) :: frame
-        integer :: i, u, v, node, count
 
-        surfaces(1) = pdn_parallelogram(origin, length*axis_1, width*axis_2)
-        surfaces(2) = pdn_surface_of(strip)
-        do i = 1, 2
-            call models(i)%new()
-            call models(i)%add_shell(surfaces(i), [2, 1], [2, 1], rubber(), shell)
-            call check(shell%nodes_u == 5 .and. shell%nodes_v == 2, 'numbers of nodes')
-            call models(i)%shell_element_count(count)
-            call check(count == 2, 'number of elements')
-            do u = 0, 4
-                do v = 0, 1
-                    call models(i)%shell_patch_node(shell, u, v, node)
-                    call models(i)%node_frame(node, frame)
-                    points(:, 2*u + v + 1) = frame%position
-                end do
-            end do
-            call stretched(models(i), shell)
-        end do
+        call over_surface(pdn_parallelogram(origin, length*axis_1, width*axis_2), points)
+        call over_surface(pdn_surface_of(strip), points)
         call pdn_init(placement)
         placement%frames = PDN_SHELL_PARALLEL
-        call models(1)%new()
-        call models(1)%add_shell_grid(points, [2, 1], [2, 1], rubber(), shell, placement, &
-            join=.false.)
-        call stretched(models(1), shell)
+        call model%new()
+        call model%add_shell_grid(points, [2, 1], [2, 1], rubber(), shell, placement, join=.false.)
+        call stretched(model, shell)
     end subroutine stretched_strips
+
+    subroutine over_surface(surface, points)
+        type(pdn_surface), intent(in) :: surface
+        real(dp), intent(out) :: points(3, 10)
+        type(pdn_model) :: model
+        type(pdn_shell) :: shell
+        type(pdn_frame) :: frame
+        integer :: u, v, node, count
+
+        call model%new()
+        call model%add_shell(surface, [2, 1], [2, 1], rubber(), shell)
+        call check(shell%nodes_u == 5 .and. shell%nodes_v == 2, 'numbers of nodes')
+        call model%shell_element_count(count)
+        call check(count == 2, 'number of elements')
+        do u = 0, 4
+            do v = 0, 1
+                call model%shell_patch_node(shell, u, v, node)
+                call model%node_frame(node, frame)
+                points(:, 2*u + v + 1) = frame%position
+            end do
+        end do
+        call stretched(model, shell)
+    end subroutine over_surface
 
     ! A traction makes it longer by q L / (E h), as its strains are those of Biot.
     subroutine stretched(model, shell)
@@ -99,7 +103,7 @@ contains
     subroutine masses()
         type(pdn_model) :: model
         type(pdn_shell) :: shell
-        real(dp) :: corners(3, 4), mass
+        real(dp) :: corners(3, 4), resultants(12), mass
         integer :: nodes(4), first, element
 
         corners = reshape([0.0_dp, 0.0_dp, 0.0_dp, length, 0.0_dp, 0.0_dp, length, width, 0.0_dp, &
@@ -115,6 +119,9 @@ contains
         call model%add_node([length, width, 3.0_dp], node=nodes(4))
         call model%add_shell_element(nodes, 2, rubber(), element=element)
         call check(first == 0 .and. element == 1, 'elements')
+        resultants = 0
+        resultants(1) = 1
+        call model%set_shell_prestress(0, 2, resultants)
         call model%mass(mass)
         call near(mass, 2*per_area*length*width, 1e-12_dp, 'nodes')
         call model%add_shell(pdn_annulus(origin, axis_3, axis_1, 0.5_dp, 1.0_dp, pi), [1, 4], &

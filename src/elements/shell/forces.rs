@@ -116,7 +116,11 @@ impl Element for Shell {
         self.write_resultants(&scratch.at_points, &mut resultants);
         let all = scratch.at_points[0].iter().zip(&resultants).enumerate();
         let energy = all
-            .map(|(i, (strain, stress))| 0.5 * self.points[i / 2].area * strain.dot(stress))
+            .map(|(i, (strain, stress))| {
+                // The energy of the prestress is linear in the strains.
+                let stress = stress + self.prestress.fixed_rows::<6>(6 * (i % 2));
+                0.5 * self.points[i / 2].area * strain.dot(&stress)
+            })
             .sum();
         scratch.resultants = resultants;
         Ok(Some(energy))
@@ -238,7 +242,9 @@ impl Shell {
 
     /// Writes the resultants at all Gauss points, for strains and rates that were found.
     fn write_resultants(&self, at_points: &[Vec<Vector6<f64>>; 2], out: &mut [Vector6<f64>]) {
-        out.fill(Vector6::zeros());
+        for (i, out) in out.iter_mut().enumerate() {
+            *out = self.prestress.fixed_rows::<6>(6 * (i % 2)).into_owned();
+        }
         let laws = [&self.section.stiffness, &self.section.damping];
         let counts = [true, self.damped];
         for ((law, values), _) in laws.iter().zip(at_points).zip(counts).filter(|x| x.1) {

@@ -16,8 +16,14 @@ pub enum ShellFrames {
     /// The frames of all nodes of an element are parallel. Somewhat better on curved elements of
     /// three and more nodes a side; thin warped elements of two nodes a side lock.
     Parallel,
+    /// As [`ShellFrames::Normals`], with the third axes of the nodes' own frames for normals: those
+    /// of a surface that is known better than its elements show it. With two nodes a side these
+    /// bend much better along cylinders, and somewhat worse in doubly curved shells.
+    NodeAxes,
 }
 
+/// Least cosine between the third axis of a node's frame and the normal there of the element.
+const ASIDE: f64 = 0.5;
 /// Neighbouring normals further apart than this cosine tells are those of an element that is folded
 /// over, or turns by more than its order can follow.
 const FOLDED: f64 = 0.0;
@@ -87,7 +93,19 @@ pub fn element_frames(
     offset: f64,
 ) -> Result<Vec<Motion>> {
     let positions: Vec<_> = reference.iter().map(|m| m.position).collect();
-    let normals = normals(grid, &positions)?;
+    let mut normals = normals(grid, &positions)?;
+    if kind == ShellFrames::NodeAxes {
+        for (number, (normal, node)) in normals.iter_mut().zip(reference).enumerate() {
+            let axis: Vector3<f64> = node.rotation.column(2).into();
+            let cosine = axis.dot(normal);
+            if cosine < ASIDE {
+                let expected = "nodes whose third axes are near the surface's normals";
+                let got = format!("a cosine of {cosine:.2} at node {number} of the element");
+                return Err(Error::value("nodes", expected, got));
+            }
+            *normal = axis;
+        }
+    }
     let mean: Vector3<f64> = normals.iter().sum();
     let parallel = if mean.norm() > VANISHING {
         frame_from_axis(&mean)
@@ -100,7 +118,8 @@ pub fn element_frames(
     nodes
         .map(|(node, normal)| {
             let turn = match kind {
-                ShellFrames::Normals => smallest_rotation(&third, normal).ok_or_else(|| {
+                ShellFrames::Normals | ShellFrames::NodeAxes => smallest_rotation(&third, normal)
+                    .ok_or_else(|| {
                     let message = "nodes: a shell element turns by more than its order can follow: \
                                    use smaller elements";
                     Error::new(ErrorKind::Model, message)

@@ -121,4 +121,21 @@ impl Sampling {
             .enumerate()
             .map(move |(k, &weight)| (first + k * step, weight))
     }
+
+    /// Samples of a direction, by their numbers, with their weights at any place.
+    pub fn of_place(&self, direction: usize, at: [f64; 2]) -> Vec<(usize, f64)> {
+        let [along, across] = [0, 1].map(|d| {
+            let rule = gauss_legendre(self.sides[d] - usize::from(d == direction));
+            let points: Vec<f64> = rule.iter().map(|p| p.0).collect();
+            shape_functions(&points, at[d])
+        });
+        let first = direction * (self.sides[0] - 1) * self.sides[1];
+        let pairs = along
+            .iter()
+            .flat_map(|a| across.iter().map(move |b| a.0 * b.0));
+        pairs
+            .enumerate()
+            .map(|(k, weight)| (first + k, weight))
+            .collect()
+    }
 }

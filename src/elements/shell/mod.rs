@@ -12,6 +12,7 @@ mod grid;
 mod load;
 mod products;
 mod reference;
+mod results;
 mod scratch;
 mod section;
 mod tangents;
@@ -19,6 +20,7 @@ mod tangents;
 pub use frames::{ShellFrames, element_frames};
 pub use grid::NodeGrid;
 pub use load::ShellLoadPlace;
+pub use results::{ShellPoint, ShellSide, surface_stress};
 pub(super) use scratch::Scratch;
 pub use section::{IsotropicShell, Matrix12, ShellSection, Vector12};
 
@@ -38,6 +40,10 @@ pub struct Shell {
     frames: Vec<Motion>,
     dual_frames: Vec<DualMatrix>,
     section: ShellSection,
+    /// Whose part in the surface is axis 1, if it was given.
+    direction: Option<Vector3<f64>>,
+    /// Resultants where nothing is strained.
+    prestress: Vector12,
     damped: bool,
     sampling: Sampling,
     samples: Vec<Sample>,
@@ -109,13 +115,21 @@ impl Shell {
             frames,
             damped: section.damping != Matrix12::zeros(),
             section,
+            direction,
+            prestress: Vector12::zeros(),
             sampling: Sampling::new(sides),
             samples: Vec::new(),
             points: Vec::new(),
         };
         shell.find_samples()?;
-        shell.find_points(direction)?;
+        shell.find_points()?;
         Ok(shell)
+    }
+
+    /// The same with resultants where nothing is strained, along the section's axes.
+    pub fn with_prestress(mut self, resultants: &Vector12) -> Self {
+        self.prestress = *resultants;
+        self
     }
 
     /// Nodes along ξ and η.

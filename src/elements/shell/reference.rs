@@ -46,9 +46,9 @@ impl Shell {
     }
 
     /// Places the Gauss points.
-    pub(super) fn find_points(&mut self, direction: Option<Vector3<f64>>) -> Result<()> {
+    pub(super) fn find_points(&mut self) -> Result<()> {
         let point = |(at, weight): ([f64; 2], f64)| {
-            let place = self.place(at, direction.as_ref())?;
+            let place = self.place(at, self.direction.as_ref())?;
             Ok(Point {
                 area: weight * place.area,
                 axes: place.axes,

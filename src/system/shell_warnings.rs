@@ -1,0 +1,141 @@
+//! What looks like a mistake in shells: elements that lock, and couples that they cannot carry.
+
+use super::System;
+use super::constraints::name_all;
+use crate::elements::{Element, JointKind, LoadFrame, Shell};
+use crate::model::{JointDefinition, Model};
+use nalgebra::Vector3;
+use std::collections::{BTreeMap, BTreeSet, HashMap};
+
+/// Warp of an element of two nodes a side, in thicknesses, beyond which it is far too stiff where
+/// the frames that it interpolates are parallel, and where they follow the normals.
+const WARP: [f64; 2] = [1.0, 20.0];
+/// An axis is along the normal if its cosine with this is more, and across it if it is less than
+/// the root of what is left.
+const ALONG: f64 = 0.1;
+
+pub(super) fn warn_of_shells(model: &Model, system: &System, warnings: &mut Vec<String>) {
+    if system.shells.is_empty() {
+        return;
+    }
+    warn_of_warp(system, warnings);
+    let mut normals = HashMap::new();
+    for shell in &system.shells {
+        for (&node, normal) in shell.nodes().iter().zip(shell.normals()) {
+            normals.entry(node).or_insert(normal);
+        }
+    }
+    let mut single = couples_of_joints(model, &normals);
+    single.extend(couples_of_beams(system, &normals));
+    single.extend(couples_of_loads(model, &normals));
+    if !single.is_empty() {
+        let nodes: Vec<usize> = single.into_iter().collect();
+        warnings.push(format!(
+            "a couple about the normal of a shell acts on {} alone: the turn there grows without \
+             bound as the mesh becomes finer; join an edge, or several nodes",
+            name_all("node", &nodes)
+        ));
+    }
+}
+
+fn warn_of_warp(system: &System, warnings: &mut Vec<String>) {
+    let is_locked = |shell: &Shell| {
+        let bound = WARP[usize::from(!shell.has_parallel_frames())];
+        shell.sides().contains(&2) && shell.warp() > bound * shell.thickness()
+    };
+    let shells = system.shells.iter().enumerate();
+    let locked = shells.filter(|(_, shell)| is_locked(shell));
+    let locked: Vec<usize> = locked.map(|(element, _)| element).collect();
+    if !locked.is_empty() {
+        warnings.push(format!(
+            "{}: thin and warped, with two nodes a side, which is far too stiff: take three or \
+             more nodes a side, or smaller elements, with frames along normals",
+            name_all("shell element", &locked)
+        ));
+    }
+}
+
+/// Whether a joint passes a couple about a normal on: one rotation at most is free, about axis 3.
+fn passes(model: &Model, joint: &JointDefinition, normal: &Vector3<f64>) -> bool {
+    match joint.kind {
+        JointKind::Rigid | JointKind::Prismatic => true,
+        JointKind::Revolute
+        | JointKind::Cylindrical
+        | JointKind::Planar
+        | JointKind::Screw { .. } => {
+            let end = &joint.second;
+            let axes = match end.node {
+                Some(node) => model.nodes[node].rotation * end.offset.rotation,
+                None => end.offset.rotation,
+            };
+            let cosine = axes.column(2).dot(normal).abs();
+            1.0 - cosine * cosine > ALONG * ALONG
+        }
+        _ => false,
+    }
+}
+
+/// Nodes of shells that alone are joined to the ground or to another node, so that a couple about
+/// the normal is passed on.
+fn couples_of_joints(model: &Model, normals: &HashMap<usize, Vector3<f64>>) -> BTreeSet<usize> {
+    let mut joined: BTreeMap<Option<usize>, BTreeSet<usize>> = BTreeMap::new();
+    let mut passed: BTreeMap<Option<usize>, BTreeSet<usize>> = BTreeMap::new();
+    for joint in &model.joints {
+        if joint.kind.constraints() == 0 {
+            continue;
+        }
+        let ends = [joint.first.node, joint.second.node];
+        for (node, other) in [(ends[0], ends[1]), (ends[1], ends[0])] {
+            let Some((node, normal)) = node.and_then(|n| Some((n, normals.get(&n)?))) else {
+                continue;
+            };
+            joined.entry(other).or_default().insert(node);
+            if passes(model, joint, normal) {
+                passed.entry(other).or_default().insert(node);
+            }
+        }
+    }
+    let alone = |(other, nodes): &(Option<usize>, BTreeSet<usize>)| {
+        nodes.len() == 1 && joined[other].len() == 1
+    };
+    passed.into_iter().filter(alone).flat_map(|x| x.1).collect()
+}
+
+/// Nodes of shells from which a beam leaves.
+fn couples_of_beams(system: &System, normals: &HashMap<usize, Vector3<f64>>) -> BTreeSet<usize> {
+    let shared = system.beams.iter().map(|beam| {
+        let nodes = beam
+            .nodes()
+            .iter()
+            .filter(|node| normals.contains_key(node));
+        nodes.copied().collect::<Vec<usize>>()
+    });
+    // Two or more nodes of an element of a beam are those of an edge, or of several patches.
+    shared.filter(|nodes| nodes.len() == 1).flatten().collect()
+}
+
+/// The node of a shell that alone carries a moment with a part about the normal.
+fn couples_of_loads(model: &Model, normals: &HashMap<usize, Vector3<f64>>) -> BTreeSet<usize> {
+    let mut loaded = BTreeSet::new();
+    for load in &model.loads {
+        let Some(normal) = normals.get(&load.node) else {
+            continue;
+        };
+        let normal = match load.frame {
+            LoadFrame::Space => *normal,
+            LoadFrame::Follower => model.nodes[load.node].rotation.tr_mul(normal),
+        };
+        let moments = load.components[3..].iter().zip(normal.iter());
+        let acts = |(moment, along): (&Option<crate::model::Signal>, &f64)| {
+            along.abs() > ALONG && moment.as_ref().is_some_and(|m| !m.is_zero())
+        };
+        if moments.into_iter().any(acts) {
+            loaded.insert(load.node);
+        }
+    }
+    if loaded.len() == 1 {
+        loaded
+    } else {
+        BTreeSet::new()
+    }
+}
