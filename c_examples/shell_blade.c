@@ -172,7 +172,7 @@ int main(int argc, char **argv)
                1e3 * hypot(cosines[1][h][2], sines[1][h][2]));
     }
     if (file) {
-        fputs("time [s],shell [m],beam [m]\n", file);
+        fputs("time [s],shell [m],beam [m],difference [m]\n", file);
         for (int i = 0; i < TIMES; ++i) {
             const double time = 2 * PI / speed * i / (TIMES - 1);
             double positions[2][3];
@@ -180,7 +180,8 @@ int main(int argc, char **argv)
                 TRY(pdn_solution_node_position(solutions[k], blades[k].tip, &time, 1,
                                                positions[k]));
             }
-            fprintf(file, "%.17g,%.17g,%.17g\n", time, positions[0][2], positions[1][2]);
+            fprintf(file, "%.17g,%.17g,%.17g,%.17g\n", time, positions[0][2], positions[1][2],
+                    positions[0][2] - positions[1][2]);
         }
     }
     failed = 0;

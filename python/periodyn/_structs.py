@@ -1,5 +1,7 @@
 """Structs of C as objects with attributes."""
 
+import math
+
 import numpy
 
 from ._abi import ffi
@@ -92,7 +94,10 @@ class Array(Field):
             return self
         if self.pointed:
             return owner._arrays.get(self.name)
-        values = numpy.frombuffer(ffi.buffer(getattr(owner._c, self.name)))
+        # A view of the whole struct, which it keeps alive; one of the member would not.
+        offset = ffi.offsetof(ffi.typeof(owner._c).item, self.name)
+        count = math.prod(self.shape)
+        values = numpy.frombuffer(ffi.buffer(owner._c), count=count, offset=offset)
         values = values.reshape(self.shape)
         return values.T if len(self.shape) == 2 else values
 

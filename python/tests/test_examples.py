@@ -39,6 +39,18 @@ def test_nrel_5mw_campbell(tmp_path):
         assert abs(found - wanted) <= 3e-3 * wanted
 
 
+def test_shells(tmp_path):
+    picture = tmp_path / "shells.png"
+    printed = dict(line.split(": ") for line in run("shells.py", picture).splitlines())
+    told = {name: [float(word) for word in text.replace(";", "").split()]
+            for name, text in printed.items()}
+    # docs/shells.md: a beam; 5 nodes a side on 4 x 4 elements
+    assert abs(told["Cantilever"][2] - 6.70013) < 5e-4
+    assert abs(told["Hemisphere, a quarter"][0] - 4.0495) < 1e-3
+    assert abs(told["Hemisphere, a quarter"][4] + 8.1061) < 1e-3
+    assert picture.read_bytes().startswith(b"\x89PNG")
+
+
 def test_the_page_shows_the_examples():
     shown = re.findall(r"```python\n(.*?)```", (ROOT / "docs/python.md").read_text(), re.S)
     files = [(EXAMPLES / name).read_text() for name in ("pendulum.py", "rotor_blade.py")]

@@ -1,5 +1,6 @@
 """Shells against closed forms."""
 
+import meshio
 import numpy as np
 import pytest
 
@@ -72,6 +73,25 @@ def test_cells_and_surfaces_have_their_masses():
     model.add_shell(cylinder, 8, 1, 6, 2, section)
     expected = PER_AREA * (2 * LENGTH * WIDTH + 4.375 * np.pi)
     np.testing.assert_allclose(model.mass()[0], expected, rtol=1e-9)
+
+
+def test_a_file_of_gmsh_becomes_a_shell(tmp_path):
+    points = np.array([[x, y, 0.0] for y in (0, 1) for x in (0, 1, 2)])
+    cells = np.array([[0, 1, 4, 3], [1, 2, 5, 4]])
+    meshio.write(tmp_path / "plate.msh", meshio.Mesh(points, [("quad", cells)]), "gmsh")
+    model, section = pdn.Model(), rubber()
+    mesh = meshio.read(tmp_path / "plate.msh")
+    model.add_shell_quadrilaterals(mesh.points, mesh.cells_dict["quad"].ravel(), 4, 3, section)
+    assert model.shell_element_count() == 2 and model.node_count() == 7 * 4
+    np.testing.assert_allclose(model.mass()[0], 2 * PER_AREA)
+
+
+def test_arrays_of_a_struct_outlive_it():
+    model = pdn.Model()
+    nodes = [model.add_node([k, 2 * k, -k]) for k in range(200)]
+    positions = [model.node_frame(node).position for node in nodes]
+    for k, position in enumerate(positions):
+        np.testing.assert_array_equal(position, [k, 2 * k, -k])
 
 
 def test_what_a_surface_raises_comes_out():
