@@ -43,7 +43,7 @@ fn as_many_frames_as_nodes_are_wanted() {
         Shell::new(
             ((0..4).collect(), [2, 2]),
             (reference, frames),
-            section.clone(),
+            section,
             None,
         )
     };
