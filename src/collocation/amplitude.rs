@@ -83,4 +83,23 @@ mod tests {
         let small = deviation(&whirl(1e-6), &phases, 2.0) / (0.5 * 1e-6);
         assert!((0.5..=1.0).contains(&small), "{small}");
     }
+
+    #[test]
+    fn steady_turns_of_any_period_are_no_response() {
+        let (mut model, _) = crate::test_models::pendulums::oscillator();
+        let far = Motion::new(Matrix3::identity(), Vector3::x() * 3.0);
+        model.add_node(&far).unwrap();
+        let period = 0.3;
+        let system = System::new(&model, period).unwrap();
+        let grid = TimeGrid::new(9, period).unwrap();
+        let mut state = GridState::reference(&system, grid);
+        for node in 0..system.nodes() {
+            for k in 0..9 {
+                let turn = rotation_from_vector(&(Vector3::z() * (TAU * k as f64 / 9.0)));
+                let motion = &mut state.motions[node * 9 + k];
+                *motion = Motion::new(turn, turn * Vector3::x());
+            }
+        }
+        assert!(state.amplitude(&system, grid) < 1e-14);
+    }
 }

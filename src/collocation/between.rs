@@ -348,3 +348,24 @@ impl ResidualBetween {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_is_beyond_any_number_at_one_time_is_so_of_all() {
+        for beyond in 0..3 {
+            let found: Vec<Unbalance> = (0..3)
+                .map(|k| Unbalance {
+                    force: 1.0,
+                    level: 4.0,
+                    overflow: k == beyond,
+                    ..Unbalance::default()
+                })
+                .collect();
+            let largest = ResidualBetween::of(&found, |k| k as f64);
+            assert_eq!((largest.force, largest.time), (f64::INFINITY, 0.0));
+        }
+    }
+}

@@ -206,4 +206,11 @@ mod tests {
             DecayKind::Rounding
         );
     }
+
+    #[test]
+    fn what_decays_below_rounding_is_known_to_rounding() {
+        let decay = Decay::from_amplitudes((0..=12).map(|j| 0.01f64.powi(j)).collect());
+        assert_eq!(decay.kind, DecayKind::Rounding);
+        assert!(decay.tail < 1e-14, "{:e}", decay.tail);
+    }
 }

@@ -254,3 +254,21 @@ impl GridState {
         next
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::test_models::pendulums::oscillator;
+    use nalgebra::Vector3;
+
+    #[test]
+    fn distances_are_relative_to_the_length() {
+        let (model, _) = oscillator();
+        let system = System::new(&model, 1.0).unwrap();
+        let state = GridState::at_points(&system, 1);
+        let mut moved = state.clone();
+        moved.motions[0].position += Vector3::y() * 0.3;
+        assert!((state.distance(&moved, 2.0) - 0.15).abs() < 1e-15);
+        assert!((state.distance(&moved, 0.5) - 0.6).abs() < 1e-15);
+    }
+}

@@ -224,4 +224,15 @@ mod tests {
         assert!((mass - 3.0).abs() < 1e-14);
         assert!((moment / mass - centre).amax() < 1e-14);
     }
+
+    #[test]
+    fn inertia_about_a_node_is_by_the_parallel_axis_theorem() {
+        let (mass, centre) = (3.0, Vector3::new(0.1, -0.2, 0.3));
+        let own = Matrix3::new(1.0, 0.1, 0.2, 0.1, 2.0, -0.3, 0.2, -0.3, 2.5);
+        let found = rigid_body_inertia(mass, &centre, &own);
+        let parallel = Matrix3::identity() * centre.norm_squared() - centre * centre.transpose();
+        let about_node = found.fixed_view::<3, 3>(3, 3) - own - parallel * mass;
+        assert!(about_node.amax() < 1e-15);
+        assert!((found - found.transpose()).amax() < 1e-15);
+    }
 }

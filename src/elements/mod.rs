@@ -20,6 +20,8 @@ mod section;
 mod shape;
 mod shell;
 #[cfg(test)]
+mod shell_test;
+#[cfg(test)]
 mod tangent_test;
 mod user_force;
 mod viscoelastic;

@@ -611,4 +611,22 @@ mod tests {
             }
         }
     }
+
+    #[test]
+    fn values_alone_are_those_of_the_functions_and_names_differ() {
+        let z = Motion::new(
+            turn(0, 0.3) * turn(1, -0.2) * turn(2, 0.9),
+            Vector3::new(1.3, -0.2, 0.7),
+        );
+        for kind in ALL_KINDS {
+            for &which in kind.coordinates() {
+                let alone = kind.coordinate_value(which, &z);
+                assert!((alone - kind.coordinate(which, &z).value).abs() < 1e-15);
+                assert!(alone != 0.0);
+            }
+            let alike = ALL_KINDS.iter().filter(|other| other.name() == kind.name());
+            assert_eq!(alike.count(), 1);
+            assert!(!kind.name().is_empty());
+        }
+    }
 }

@@ -203,3 +203,23 @@ impl SectionLine {
             .any(|(_, s)| *which(s) != Matrix6::zeros())
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn twist_has_corners_where_it_is_not_linear() {
+        let section = Section {
+            stiffness: Matrix6::identity(),
+            mass: Matrix6::identity(),
+            damping: Matrix6::zeros(),
+        };
+        let line = |twists: [f64; 3]| {
+            SectionLine::new(section, &[(0.5, section)], section).twisted(twists.to_vec())
+        };
+        assert!(!line([0.1, 0.7, 0.9]).has_corners());
+        assert!(!line([0.3; 3]).has_corners());
+        assert!(line([0.1, 0.6, 0.9]).has_corners());
+    }
+}

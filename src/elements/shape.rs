@@ -118,4 +118,18 @@ mod tests {
         // The interior points of five are at ±√(3/7).
         assert!((lobatto_points(5)[3] - (3.0f64 / 7.0).sqrt()).abs() < 1e-15);
     }
+
+    #[test]
+    fn lobatto_points_are_where_the_derivative_vanishes() {
+        for n in 3..=25 {
+            let degree = n - 1;
+            for x in &lobatto_points(n)[1..degree] {
+                let (p, dp) = legendre(degree, *x);
+                let d = degree as f64;
+                let second = (2.0 * x * dp - d * (d + 1.0) * p) / (1.0 - x * x);
+                // How far off it is: rounding of the recurrence.
+                assert!((dp / second).abs() < 1e-15, "{n}: {x} {:e}", dp / second);
+            }
+        }
+    }
 }

@@ -395,4 +395,27 @@ mod tests {
         let back = TimeMap::new(&events, 2.0).unwrap().events(2.0)[0];
         assert!((back.time - 1.5).abs() < 1e-15 && (back.width - 0.1).abs() < 1e-15);
     }
+
+    #[test]
+    fn narrow_events_take_points_by_the_root_of_share_and_width() {
+        // Of one narrow event alone `Im x = √(2Aw)`, and `Im σ` twice that over the weight.
+        let points = |width: f64, share: f64| {
+            let event = SharpEvent {
+                time: 0.5,
+                width,
+                share,
+            };
+            TimeMap::new(&[event], 1.0).unwrap().resolving(0) as f64
+        };
+        for share in [0.25, 0.5, 1.0] {
+            for width in [1e-4, 1e-3] {
+                let exact = 0.5 * VANISHING * (1.0 + share) / (2.0 * share * TAU * width).sqrt();
+                let found = points(width, share);
+                assert!(
+                    (found / exact - 1.0).abs() < 0.1,
+                    "{width} {share}: {found} {exact}"
+                );
+            }
+        }
+    }
 }

@@ -113,4 +113,24 @@ mod tests {
             1.0
         )));
     }
+
+    #[test]
+    fn is_admissible_as_the_eigenvalues_say_in_any_direction() {
+        // The two smallest of the symmetric factor have a positive sum.
+        for (stretches, is_admissible) in [
+            ([-0.5, 0.45, 2.0], false),
+            ([-0.4, 0.45, 0.5], true),
+            ([-0.1, 0.101, 3.0], true),
+            ([-0.1, 0.099, 3.0], false),
+            ([-0.7, -0.2, 1.0], false),
+            ([0.5, 1.0, 1.5], true),
+        ] {
+            for k in 0..200 {
+                let q = rotation(0.37 * f64::from(k));
+                let s = q * Matrix3::from_diagonal(&Vector3::from(stretches)) * q.transpose();
+                let found = symmetric_factor_is_admissible(&s);
+                assert_eq!(found, is_admissible, "{stretches:?} turned: {s}");
+            }
+        }
+    }
 }

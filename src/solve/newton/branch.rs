@@ -75,4 +75,14 @@ mod tests {
             branch.continues(at(0.75)) && !branch.continues(at(0.9)) && !branch.continues(at(1.5))
         );
     }
+
+    #[test]
+    fn a_step_is_at_most_twice_the_last() {
+        let mut branch = Branch::default();
+        for time in [0.0, 0.1, 0.4] {
+            branch.advance(time, (1.0, 0.0));
+        }
+        // It does not change: its slope allows any.
+        assert!((branch.longest_step() - 0.6).abs() < 1e-15);
+    }
 }

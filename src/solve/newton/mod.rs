@@ -279,3 +279,18 @@ impl<L: LinearSolver> Newton<L> {
         Ok(true)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::test_models::pendulums::oscillator;
+
+    #[test]
+    fn an_instant_takes_its_unknowns_and_their_equations() {
+        let (model, _) = oscillator();
+        let system = System::new(&model, 1.0).unwrap();
+        let unknowns = system.layout(1).size();
+        let entries = unknowns * size_of::<f64>();
+        assert!(bytes_at_instant(&system) > of_grid(&system, 1).max(10 * entries));
+    }
+}

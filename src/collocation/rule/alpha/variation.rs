@@ -249,3 +249,25 @@ impl<'a> StepVariation<'a> {
         entries[2] += x / (step.method.state_gamma * step.length);
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn displacements_have_the_unit_of_length_and_turns_have_none() {
+        let scales = VariationScales {
+            length: 3.0,
+            time: 0.5,
+            states: Vec::new(),
+            nodes: 1,
+            own: 0,
+        };
+        let units: Vec<f64> = scales.units().collect();
+        for (part, power) in [0, 1, 2, 2].into_iter().enumerate() {
+            let rate = 2.0f64.powi(power);
+            let exact = [3.0 * rate, 3.0 * rate, 3.0 * rate, rate, rate, rate];
+            assert_eq!(units[6 * part..][..6], exact);
+        }
+    }
+}
