@@ -168,7 +168,7 @@ fn variations_are_derivatives() {
             };
             quantities.iter().map(of).collect::<Vec<Vec<f64>>>()
         };
-        let h = 5e-4;
+        let h = 2.5e-4;
         let mut at = |step: f64| {
             let state = here.incremented(&system, &direction, step);
             measure(&mut equations, &state)
