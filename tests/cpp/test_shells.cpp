@@ -64,8 +64,8 @@ int main()
         points.clear();
         for (std::int32_t u = 0; u < 5; ++u) {
             for (std::int32_t v = 0; v < 2; ++v) {
-                const auto at = model.node_frame(model.shell_node(shell, u, v)).position;
-                points.push_back({at[0], at[1], at[2]});
+                const pdn_frame at = model.node_frame(model.shell_node(shell, u, v));
+                points.push_back({at.position[0], at.position[1], at.position[2]});
             }
         }
         const auto start = start_of(model, shell);
