@@ -381,9 +381,14 @@ fn initial_stress_tunes_a_strip_like_a_string() {
     }
     let a = (low * low + tension / bending).sqrt();
     let exact = a * low * (bending / (density * h)).sqrt();
-    println!("{found} {exact}");
     // Of shear, (h/L)² times a few.
     assert!((found - exact).abs() < 2e-4 * exact, "{found} {exact}");
+    // A file has it, too.
+    let directory = tempfile::tempdir().unwrap();
+    let path = directory.path().join("strip");
+    model.save(&path).unwrap();
+    let loaded = Modes::solve(&Model::load(&path).unwrap(), &options, &mut |_, _| true).unwrap();
+    assert_eq!(loaded.modes()[0].eigenvalue.im, found);
     let solution = statics(&model);
     let resultant = solution.shell(
         1,
