@@ -110,7 +110,7 @@ static void set_up(void)
     static const double eye[9] = {1, 0, 0, 0, 1, 0, 0, 0, 1};
     static const double origin[3] = {0, 0, 0}, beside[3] = {1, 0, 0}, up[3] = {0, 0, 1};
     const pdn_periodic_options *const defaults = NULL;
-    const double cosine = 1, sine = 0;
+    static const double cosine = 1, sine = 0;
     int k;
     memset(&in, 0, sizeof in);
     PDN_INIT(pdn_signal, &in.signal);

@@ -3,6 +3,9 @@
 
 int main(int argc, char **argv)
 {
+    /* So that no compiler makes something else of it. */
+    volatile int number = INT_MAX - 1;
     (void)argv;
-    return INT_MAX - 1 + 2 * argc == 0;
+    number += 2 * argc;
+    return number == 0;
 }
