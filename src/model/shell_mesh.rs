@@ -133,11 +133,7 @@ impl ShellMesh {
     /// If its numbers are out of their ranges, or there is not the memory for so many.
     pub(crate) fn lines(&self) -> Result<[usize; 2]> {
         self.validate()?;
-        let of_element = (self.degrees[0] + 1) * (self.degrees[1] + 1);
-        // Lists grow to twice their length at times.
-        let bytes = size_of::<ShellDefinition>() + 3 * of_element * size_of::<Motion>();
-        let count = self.elements[0] * self.elements[1];
-        memory::require_items("nodes and elements of the shell", count, 2 * bytes)?;
+        require_memory(self.elements[0] * self.elements[1], self.degrees)?;
         Ok([0, 1].map(|direction| self.elements[direction] * self.degrees[direction] + 1))
     }
 
@@ -151,6 +147,22 @@ impl ShellMesh {
         });
         inside.chain([1.0]).collect()
     }
+}
+
+/// Checks that there is the memory for so many elements of such degrees with nodes of their own.
+pub(super) fn require_memory(elements: usize, degrees: [usize; 2]) -> Result<()> {
+    let of_element = (degrees[0] + 1) * (degrees[1] + 1);
+    // Lists grow to twice their length at times.
+    let bytes = size_of::<ShellDefinition>() + 3 * of_element * size_of::<Motion>();
+    memory::require_items("nodes and elements of the shell", elements, 2 * bytes)
+}
+
+/// Checks positions that are given one by one.
+pub(super) fn require_points(points: &[Vector3<f64>]) -> Result<()> {
+    for (k, point) in points.iter().enumerate() {
+        require_finite(&format!("points[{k}]"), point.as_slice())?;
+    }
+    Ok(())
 }
 
 /// Axes at each node of an element: along ξ, across it in the surface, and the normal; the
@@ -220,9 +232,7 @@ impl Model {
             let expected = format!("{} × {} nodes", lines[0], lines[1]);
             return Err(Error::size("points", expected, positions.len()));
         }
-        for (k, position) in positions.iter().enumerate() {
-            require_finite(&format!("points[{k}]"), position.as_slice())?;
-        }
+        require_points(positions)?;
         section.validated()?;
         let before = self.shell_sizes();
         let patch = self.mesh_patch(positions, (mesh, lines), section, placement);

@@ -1,11 +1,10 @@
 //! Shells over meshes of quadrilaterals, as other programs make them.
 
 use super::shell::ShellEdges;
-use super::shell_mesh::axes_of_nodes;
-use super::{Model, ShellDefinition, ShellPlacement};
+use super::shell_mesh::{axes_of_nodes, require_memory, require_points};
+use super::{Model, ShellPlacement};
 use crate::elements::{NodeGrid, ShellSection, lobatto_points, shape_functions};
-use crate::error::{Error, ErrorKind, Result, require_finite};
-use crate::memory;
+use crate::error::{Error, ErrorKind, Result};
 use crate::motion::Motion;
 use nalgebra::Vector3;
 use std::collections::HashMap;
@@ -63,9 +62,7 @@ impl QuadrilateralMesh<'_> {
 
     fn validate(&self) -> Result<()> {
         let count = self.count()?;
-        for (k, point) in self.points.iter().enumerate() {
-            require_finite(&format!("points[{k}]"), point.as_slice())?;
-        }
+        require_points(self.points)?;
         for (k, &point) in self.cells.iter().enumerate() {
             if point >= self.points.len() {
                 let below = self.points.len();
@@ -74,9 +71,7 @@ impl QuadrilateralMesh<'_> {
                 return Err(Error::new(ErrorKind::Identifier, message));
             }
         }
-        let of_element = (self.degree + 1) * (self.degree + 1);
-        let bytes = size_of::<ShellDefinition>() + 3 * of_element * size_of::<Motion>();
-        memory::require_items("nodes and elements of the shell", count, 2 * bytes)
+        require_memory(count, [self.degree; 2])
     }
 
     /// The place of node `(i, j)` of a cell.

@@ -46,9 +46,7 @@ impl Field {
         let values = Values::Vectors(components);
         Field { name, values }
     }
-}
 
-impl Field {
     pub(super) fn numbers(name: &'static str, numbers: Vec<f64>) -> Self {
         let values = Values::Numbers(numbers);
         Field { name, values }
