@@ -351,3 +351,54 @@ impl MotionTangent {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::collocation::pattern::Pattern;
+    use crate::fourier::{SharpEvent, TimeGrid, TimeMap};
+    use crate::model::Model;
+    use crate::test_models::parts::{ball, gravity};
+    use nalgebra::{Matrix6, Vector3};
+    use std::sync::Arc;
+
+    /// Of the mass alone, of damping alone and of stiffness, on grid points apart and close.
+    #[test]
+    fn the_largest_entry_is_about_that_of_the_matrix() {
+        let event = SharpEvent {
+            time: 0.9,
+            width: 0.02,
+            share: 1.0,
+        };
+        for damping in [0.0, 1e-3, 1e3] {
+            for map in [TimeMap::default(), TimeMap::new(&[event], 2.0).unwrap()] {
+                let mut model = Model::new();
+                let body = ball(&mut model, 1.0, 1.0, &Vector3::zeros());
+                gravity(&mut model, [0.0, 0.0, -9.81]);
+                if damping > 0.0 {
+                    let matrix = Matrix6::identity() * damping;
+                    let damper = model.add_viscous_damper(None, Some(body), None, &matrix);
+                    damper.unwrap();
+                }
+                let system = Arc::new(System::new(&model, 2.0).unwrap());
+                let grid = TimeGrid::new(31, 2.0).unwrap().mapped(map);
+                let mut equations = Collocation::new(system.clone(), grid).unwrap();
+                let state = GridState::reference(&system, grid);
+                let mut motions = MotionTangent::new(&equations).unwrap();
+                motions.evaluate(&mut equations, &state).unwrap();
+                let pattern = Pattern::new(&system, 31);
+                let mut values = vec![0.0; pattern.entries()];
+                let mut tangent = Tangent::new(&system, 31);
+                equations
+                    .jacobian(&state, &pattern, &mut tangent, &mut values)
+                    .unwrap();
+                let exact = values.iter().fold(0.0, |m: f64, x| m.max(x.abs()));
+                let found = motions.largest();
+                assert!(
+                    (0.5..2.0).contains(&(found / exact)),
+                    "damping {damping}: {found} for {exact}"
+                );
+            }
+        }
+    }
+}

@@ -90,11 +90,6 @@ impl Partition {
         Ok(Partition { owners, ranks })
     }
 
-    /// Number of ranks.
-    pub fn ranks(&self) -> usize {
-        self.ranks
-    }
-
     /// Rank that each node belongs to.
     pub fn owners(&self) -> &[usize] {
         &self.owners

@@ -360,3 +360,23 @@ impl Model {
         Ok(())
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::elements::IsotropicShell;
+    use crate::test_models::shells::{RUBBER, add_strip, mesh};
+
+    #[test]
+    fn only_shells_with_mass_have_inertia() {
+        let [thickness, young, density, _] = RUBBER;
+        for (density, expected) in [(density, 2), (0.0, 0)] {
+            let section = IsotropicShell::new(thickness, young, 0.3, density);
+            let mut model = Model::new();
+            let section = section.section().unwrap();
+            add_strip(&mut model, [2.0, 1.0], &section, &mesh([2, 1], [2, 2]));
+            assert_eq!(model.shell_element_count(), 2);
+            assert_eq!(model.inertias.len(), expected);
+        }
+    }
+}

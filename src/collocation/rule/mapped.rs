@@ -129,3 +129,45 @@ fn scale(rates: &mut [f64], slopes: &[Slope]) {
     let scaled = rates.iter_mut().zip(slopes);
     scaled.for_each(|(rate, slope)| *rate *= slope.rate);
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::fourier::{SharpEvent, TimeMap};
+    use crate::model::Model;
+    use crate::motion::{Motion, rotation_from_vector};
+    use crate::system::System;
+    use crate::test_models::parts::ball;
+    use nalgebra::Vector3;
+
+    /// A turn that is steady in pseudo-time is aliased as one that is steady in time.
+    #[test]
+    fn aliasing_is_that_of_pseudo_time() {
+        let even = TimeGrid::new(9, 2.0).unwrap();
+        let event = SharpEvent {
+            time: 0.7,
+            width: 0.1,
+            share: 0.5,
+        };
+        let grid = even.mapped(TimeMap::new(&[event], 2.0).unwrap());
+        let turn = |k: usize| Vector3::z() * (std::f64::consts::TAU * k as f64 / 9.0);
+        let motion = |k| Motion::new(rotation_from_vector(&turn(k)), Vector3::zeros());
+        let mut model = Model::new();
+        ball(&mut model, 1.0, 1.0, &Vector3::zeros());
+        let mut state = GridState::reference(&System::new(&model, 2.0).unwrap(), even);
+        state.motions = (0..9).map(motion).collect();
+        let found = |rule: &mut dyn TimeRule| {
+            let mut nodes = vec![NodeState::at_rest(Motion::identity()); 9];
+            rule.evaluate(&state, &Workers::default(), &mut nodes);
+            rule.aliasing(0)
+        };
+        let expected = found(&mut Spectral::new(even, 1));
+        let aliasing = found(&mut Mapped::new(grid, 1));
+        assert_eq!((aliasing.len(), expected.len()), (1, 1));
+        for (found, expected) in aliasing.iter().zip(&expected) {
+            assert!(expected.velocity.camax() > 0.1);
+            assert!((found.velocity - expected.velocity).camax() < 1e-12);
+            assert!((found.acceleration - expected.acceleration).camax() < 1e-11);
+        }
+    }
+}

@@ -56,3 +56,15 @@ impl TimeRule for Steady {
         f64::from(power == 1)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn internal_states_are_at_rest() {
+        let mut rates = [1.0, f64::NAN];
+        Steady::new(vec![Vector6::repeat(1.0)]).rates(0, &[3.0, 4.0], 2.0, &mut rates);
+        assert_eq!(rates, [0.0; 2]);
+    }
+}

@@ -137,6 +137,22 @@ fn transposed_products_with_stress_resultants_are_those_of_the_transpose() {
 }
 
 #[test]
+fn places_on_the_diagonal_are_on_it() {
+    for (model, period) in models() {
+        for points in [1, 9] {
+            let system = System::new(&model, period).unwrap();
+            let pattern = Pattern::new(&system, points);
+            for motion in 0..6 * points * system.nodes() {
+                let place = pattern.diagonal(motion);
+                let column = &pattern.column_pointers()[motion..];
+                assert!((column[0]..column[1]).contains(&place));
+                assert_eq!(pattern.row_indices()[place], motion);
+            }
+        }
+    }
+}
+
+#[test]
 fn products_with_powers_are_those_of_their_matrices() {
     for (model, period) in models() {
         for points in [1, 3, 9] {

@@ -283,7 +283,35 @@ impl<L: LinearSolver> Newton<L> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::model::Model;
+    use crate::test_models::parts::{ball, join, rotation1, spring};
     use crate::test_models::pendulums::oscillator;
+    use crate::workers::Workers;
+    use nalgebra::Vector3;
+    use periodyn::elements::JointKind;
+
+    /// Two hinges, on the spring of one of which less and less is left.
+    #[test]
+    fn growth_tells_how_soft_the_softest_motion_is() {
+        let growth = |softness: f64| {
+            let mut model = Model::new();
+            for stiffness in [1.0, softness] {
+                let body = [None, Some(ball(&mut model, 1.0, 1.0, &Vector3::zeros()))];
+                let (centre, axis) = (Vector3::zeros(), Vector3::x());
+                let hinge = join(&mut model, JointKind::Revolute, body, &centre, &axis);
+                spring(&mut model, rotation1(hinge), stiffness, 0.0);
+            }
+            let system = Arc::new(System::new(&model, 1.0).unwrap());
+            let mut newton = Newton::at_instant(&system, &Workers::default()).unwrap();
+            let state = GridState::reference(&system, newton.equations.grid());
+            assert!(newton.linearise(&state).unwrap());
+            newton.growth()
+        };
+        let [hard, soft, none] = [1.0, 1e-6, 1e-18].map(growth);
+        assert!(hard > 0.1 && hard < 1e3, "{hard}");
+        assert!(soft > 1e4 * hard && soft < SINGULAR_GROWTH, "{soft}");
+        assert!(none > SINGULAR_GROWTH, "{none}");
+    }
 
     #[test]
     fn an_instant_takes_its_unknowns_and_their_equations() {

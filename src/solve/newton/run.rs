@@ -302,3 +302,40 @@ impl<'a, L: LinearSolver> Run<'a, L> {
         ControlFlow::Break(self.left().stalled(size))
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::model::{Model, SectionInput};
+    use crate::motion::{Motion, rotation_from_vector};
+    use crate::system::System;
+    use crate::workers::Workers;
+    use nalgebra::Vector3;
+    use std::sync::Arc;
+
+    const OPTIONS: NewtonOptions = NewtonOptions {
+        tolerance: 1e-9,
+        iteration_limit: 10,
+    };
+
+    /// The end of one element turned by half a turn: nothing is halfway.
+    #[test]
+    fn a_trial_that_is_too_distorted_is_none_and_no_error() {
+        let mut model = Model::new();
+        let section = SectionInput::diagonal(&[1.0; 6], &[1.0; 4]).unwrap();
+        let (start, end) = (Vector3::zeros(), Vector3::x());
+        let beam = model.add_straight_beam(&start, &end, &Vector3::y(), &section, 1, 1);
+        let system = Arc::new(System::new(&model, 1.0).unwrap());
+        let mut newton = Newton::at_instant(&system, &Workers::default()).unwrap();
+        let mut state = GridState::reference(&system, newton.equations.grid());
+        let mut trial = state.clone();
+        let (mut iterations, options) = (Vec::new(), OPTIONS);
+        let observe = &mut |_: &Iteration| true;
+        let mut run = Run::new(&mut newton, &mut state, &options, &mut iterations, observe);
+        assert!(run.evaluate(&trial).unwrap());
+        let half = rotation_from_vector(&(Vector3::z() * std::f64::consts::PI));
+        let node = &mut trial.motions[beam.unwrap().last_node];
+        *node = Motion::new(half * node.rotation, node.position);
+        assert!(!run.evaluate(&trial).unwrap());
+    }
+}
