@@ -285,6 +285,8 @@ impl Tangent {
     /// the last use of these tangents.
     pub fn evaluate(&mut self, equations: &mut Collocation, state: &GridState) -> Result<()> {
         equations.update_kinematics(state);
+        // Not two of them at a time.
+        self.rule = None;
         self.rule = self.keeps_rule.then(|| equations.rule.clone());
         let mut residual = std::mem::take(&mut equations.linearised_residual);
         residual.resize(equations.size(), 0.0);

@@ -394,6 +394,12 @@ impl LinearSolver for Linear {
         solver.solve_transposed(equations, rhs, timings)
     }
 
+    fn release(&mut self) {
+        if let Active::Iterative(iterative) = &mut self.active {
+            iterative.release();
+        }
+    }
+
     fn has_compliance(&self) -> bool {
         self.active.solver().has_compliance()
     }

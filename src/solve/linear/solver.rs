@@ -62,6 +62,9 @@ pub(crate) trait LinearSolver {
         true
     }
 
+    /// Gives back memory that is only kept to spare taking it again.
+    fn release(&mut self) {}
+
     /// Size of the inverse of the Jacobian, relative to the Jacobian: about the inverse of the
     /// rounding if it is singular.
     fn growth(&mut self, equations: &mut Collocation) -> f64;

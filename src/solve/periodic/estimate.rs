@@ -121,6 +121,7 @@ impl Periodic<'_> {
         report: &NewtonReport,
     ) -> Result<Assessment> {
         let (began, before) = (Instant::now(), self.on.newton.timings.sum());
+        self.on.newton.linear.release();
         let found = self.estimate(state, report);
         // What the solutions of linear equations have not booked.
         let booked = self.on.newton.timings.sum() - before;

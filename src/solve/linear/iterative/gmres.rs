@@ -50,7 +50,7 @@ pub(crate) struct GmresEnd {
     pub stagnated: bool,
 }
 
-/// Memory for long vectors, kept from one solve to the next, as taking it takes time.
+/// Memory for long vectors, kept from one solve with a matrix to the next, as taking it takes time.
 #[derive(Default)]
 pub(crate) struct GmresWorkspace {
     /// Orthonormal vectors, one behind the other.

@@ -316,12 +316,17 @@ impl Iterative {
 }
 
 impl LinearSolver for Iterative {
+    fn release(&mut self) {
+        self.workspace = GmresWorkspace::default();
+    }
+
     fn linearise(
         &mut self,
         equations: &mut Collocation,
         state: &GridState,
         timings: &mut Timings,
     ) -> Result<bool> {
+        self.release();
         timed(&mut timings.assembly, || {
             self.tangent.evaluate(equations, state)
         })?;

@@ -60,6 +60,7 @@ impl<L: LinearSolver> LinearSolver for Projected<L> {
         timings: &mut Timings,
     ) -> Result<bool> {
         self.failed = false;
+        self.workspace = GmresWorkspace::default();
         if !self.sampled.linearise(equations, state, timings)? {
             return Ok(false);
         }
@@ -106,6 +107,11 @@ impl<L: LinearSolver> LinearSolver for Projected<L> {
             Some(_) => accuracy,
             None => self.sampled.error_of(accuracy),
         }
+    }
+
+    fn release(&mut self) {
+        self.workspace = GmresWorkspace::default();
+        self.sampled.release();
     }
 
     fn has_compliance(&self) -> bool {
