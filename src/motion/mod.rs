@@ -19,7 +19,7 @@ pub use interpolation::DualPolar;
 pub use logarithm::inverse_tangent;
 pub use periodic::{PeriodicMotion, append_centred};
 pub use polar::{polar_rotation, spread_matrix, symmetric_factor_is_admissible};
-pub use product::{product, transposed_product};
+pub use product::{product, transpose, transposed_product};
 pub use rigid::{Motion, NodeState};
 pub use rotation::{
     axial, frame_from_axis, is_rotation, quaternion_from_rotation, rotation_from_quaternion,

@@ -6,8 +6,8 @@ use super::{Shell, ShellSection};
 use crate::elements::line_station::rate_variations;
 use crate::elements::{Contribution, Element, Instant, NodeState, OtherStation, StressLaw};
 use crate::error::Result;
-use crate::motion::{DualMatrix, DualVector, product, transposed_product, turned};
-use nalgebra::{Matrix3, Vector6};
+use crate::motion::{DualVector, product, turned};
+use nalgebra::Vector6;
 
 impl Element for Shell {
     fn nodes(&self) -> &[usize] {
@@ -285,18 +285,5 @@ impl Shell {
             let (rate, twists) = (&scratch.rates[sample], &scratch.twists);
             rate_variations(at, rate, |a| twists[a], places, &mut scratch.terms);
         }
-    }
-
-    /// `Σ_i ∂ξ_i/∂s_α Tᵀ B_i`, for what the velocities in ξ and η vary by at a point.
-    pub(super) fn along_axes(&self, point: usize, by: [DualMatrix; 2]) -> [DualMatrix; 2] {
-        let point = &self.points[point];
-        let turned = |m: &Matrix3<f64>| transposed_product(&point.axes, m);
-        point.slopes.map(|[a, b]| {
-            let sum = by[0] * a + by[1] * b;
-            DualMatrix {
-                primal: turned(&sum.primal),
-                dual: turned(&sum.dual),
-            }
-        })
     }
 }

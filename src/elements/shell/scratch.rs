@@ -1,7 +1,7 @@
 //! What the evaluation of a shell element finds, kept from one to the next.
 
 use super::products::Products;
-use crate::elements::line_station::{NodePlace, NodeTerms, SecondTerms, StationMotion};
+use crate::elements::line_station::{NodePlace, NodeTerms, StationMotion};
 use crate::motion::{DualMatrix, DualVector};
 use nalgebra::Vector6;
 
@@ -17,7 +17,6 @@ pub(in crate::elements) struct Scratch {
     pub(super) places: Vec<NodePlace>,
     /// Of the nodes, at one sample.
     pub(super) terms: Vec<NodeTerms>,
-    pub(super) second: Vec<SecondTerms>,
     /// Rates at the samples.
     pub(super) rates: Vec<DualVector>,
     /// Of the samples: strains, and their rates; then integrated resultants.
@@ -26,8 +25,6 @@ pub(in crate::elements) struct Scratch {
     pub(super) at_points: [Vec<Vector6<f64>>; 2],
     pub(super) resultants: Vec<Vector6<f64>>,
     pub(super) forces: Vec<DualVector>,
-    /// Strains and rates at the samples by increments of the nodes, sample by sample.
-    pub(super) strain_tangents: [Vec<DualMatrix>; 2],
     pub(super) products: Products,
 }
 

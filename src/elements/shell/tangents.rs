@@ -4,13 +4,12 @@
 //! `K = Σ (Sᵀ μ + Tᵀ ν + X S + Y T)` over the samples (docs/theory.md, section 6.4), and material
 //! stiffness `Σ B̂ᵀ 𝓗 B̂` over the Gauss points.
 
-use super::products::{Products, read, write};
+use super::products::{Products, read};
 use super::scratch::{Damping, Scratch};
-use super::{Matrix12, Shell, ShellSection};
+use super::{Matrix12, Shell};
 use crate::elements::line_station::second_variations;
 use crate::elements::{Contribution, StrainTangent};
 use crate::motion::{DualMatrix, DualVector};
-use nalgebra::Matrix6;
 
 impl Shell {
     /// Adds all tangents, for strains that were found, with the geometric stiffness of the
@@ -25,87 +24,102 @@ impl Shell {
         let rows = 3 * count;
         let mut products = std::mem::take(&mut scratch.products);
         products.clear(rows, samples, self.points.len());
-        scratch.strain_tangents.iter_mut().for_each(Vec::clear);
         for sample in 0..samples {
             self.find_terms(sample, damping, scratch);
             let places = &scratch.places[sample * count..][..count];
             let stress = DualVector::from_wrench(&scratch.at_samples[0][sample]);
             let nodes = places.iter().zip(&scratch.terms);
-            scratch.second.clear();
-            scratch
-                .second
-                .extend(second_variations(&scratch.motions[sample], &stress, nodes));
-            let terms = (&scratch.terms[..], &scratch.second[..]);
-            products.write_geometric((sample, samples), terms, &self.dual_frames);
-            for (node, frame) in scratch.terms.iter().zip(&self.dual_frames) {
-                let back = frame.transpose();
-                scratch.strain_tangents[0].push(node.strain * back);
-                if damping.rates_vary {
-                    scratch.strain_tangents[1].push(node.rate * back);
-                }
-            }
+            let second = second_variations(&scratch.motions[sample], &stress, nodes);
+            products.write_sample(
+                (sample, samples),
+                &scratch.terms,
+                second,
+                damping.rates_vary,
+            );
         }
-        products.add_geometric(rows);
+        let is_symmetric = |law: &Matrix12| *law == law.transpose();
+        let symmetric = !damping.rates_vary && is_symmetric(&self.section.stiffness);
+        products.add_geometric(rows, symmetric);
+        self.write_strains(damping, &mut products);
         if out.with_resultants_apart {
-            self.put_strains_apart(damping, scratch, out);
+            self.put_strains_apart(damping, &products, out);
         } else {
-            self.write_strains(damping, scratch, &mut products);
             self.write_stresses(&self.section.stiffness, &mut products, damping.rates_vary);
-            products.add_material(rows, false);
+            products.add_material(rows, symmetric, false);
             if damping.damped {
-                self.write_stresses(&self.section.damping, &mut products, false);
-                products.add_material(rows, true);
-                products.damping.add_to(rows, &mut out.damping);
+                let law = &self.section.damping;
+                let symmetric = is_symmetric(law);
+                self.write_stresses(law, &mut products, false);
+                products.add_material(rows, symmetric, true);
+                let sums = &products.damping;
+                sums.add_to(&self.dual_frames, symmetric, &mut out.damping);
             }
         }
-        products.stiffness.add_to(rows, &mut out.stiffness);
+        let sums = &products.stiffness;
+        sums.add_to(&self.dual_frames, symmetric, &mut out.stiffness);
         scratch.products = products;
     }
 
-    /// `B̂` of a node at a point, or the same of the rates.
-    fn at_point(&self, point: usize, node: usize, tangents: &[DualMatrix]) -> [DualMatrix; 2] {
-        let count = self.nodes.len();
-        let by = [0, 1].map(|direction| {
-            let samples = self.sampling.of_point(direction, point);
-            samples.fold(DualMatrix::zeros(), |sum, (t, weight)| {
-                sum + tangents[t * count + node] * weight
-            })
-        });
-        self.along_axes(point, by)
-    }
-
-    fn put_strains_apart(&self, damping: Damping, scratch: &Scratch, out: &mut Contribution) {
-        let [strains, rates] = &scratch.strain_tangents;
-        for point in 0..self.points.len() {
-            for axis in [0, 1] {
-                out.strains.extend((0..self.nodes.len()).map(|node| {
-                    let mut tangent = StrainTangent {
-                        strain: self.at_point(point, node, strains)[axis],
-                        ..StrainTangent::default()
-                    };
-                    if damping.rates_vary {
-                        tangent.rate = self.at_point(point, node, rates)[axis];
+    /// Puts `B̂`, and the same of the rates, aside, in the frames of the nodes.
+    fn put_strains_apart(&self, damping: Damping, products: &Products, out: &mut Contribution) {
+        let rows = 3 * self.nodes.len();
+        for column in 0..2 * self.points.len() {
+            for (node, frame) in self.dual_frames.iter().enumerate() {
+                let back = frame.transpose();
+                let [strain, rate] = products.strains.each_ref().map(|[primal, dual]| {
+                    let place = (node, 3 * column);
+                    DualMatrix {
+                        primal: read(primal, rows, place),
+                        dual: read(dual, rows, place),
                     }
-                    tangent
-                }));
+                });
+                out.strains.push(StrainTangent {
+                    strain: strain * back,
+                    rate: if damping.rates_vary {
+                        rate * back
+                    } else {
+                        DualMatrix::zeros()
+                    },
+                });
             }
         }
     }
 
-    fn write_strains(&self, damping: Damping, scratch: &Scratch, products: &mut Products) {
+    /// Writes `B̂ᵀ` at the Gauss points by what samples vary by, and the same of the rates if these
+    /// vary: whole columns at once.
+    fn write_strains(&self, damping: Damping, products: &mut Products) {
         let rows = 3 * self.nodes.len();
         let which = if damping.rates_vary { 2 } else { 1 };
-        let all = scratch.strain_tangents.iter().zip(&mut products.strains);
-        for (tangents, [primal, dual]) in all.take(which) {
-            for point in 0..self.points.len() {
-                for node in 0..self.nodes.len() {
-                    let both = self.at_point(point, node, tangents);
-                    for (axis, strain) in both.iter().enumerate() {
-                        let place = (node, 3 * (2 * point + axis));
-                        write(primal, rows, place, &strain.primal.transpose());
-                        write(dual, rows, place, &strain.dual.transpose());
+        let mut of_point = std::mem::take(&mut products.of_point);
+        of_point.resize(2 * 3 * rows, 0.0);
+        for (samples, points) in products.of_samples_and_points().into_iter().take(which) {
+            for (from, to) in samples.into_iter().zip(points) {
+                let to = to.chunks_exact_mut(6 * rows).enumerate();
+                for (index, to) in to.take(self.points.len()) {
+                    of_point.fill(0.0);
+                    let directions = of_point.chunks_exact_mut(3 * rows).enumerate();
+                    for (direction, sum) in directions {
+                        for (t, weight) in self.sampling.of_point(direction, index) {
+                            add_multiple(sum, weight, &from[3 * rows * t..][..3 * rows]);
+                        }
                     }
+                    self.write_along_axes(index, &of_point, to);
                 }
+            }
+        }
+        products.of_point = of_point;
+    }
+
+    /// Writes `Σ_i ∂ξ_i/∂s_α B_iᵀ T`, for what the velocities in ξ and η vary by at a point.
+    fn write_along_axes(&self, index: usize, by: &[f64], to: &mut [f64]) {
+        let rows = 3 * self.nodes.len();
+        let point = &self.points[index];
+        for (column, to) in to.chunks_exact_mut(rows).enumerate() {
+            let (axis, k) = (column / 3, column % 3);
+            let slopes = &point.slopes[axis];
+            to.fill(0.0);
+            for (m, from) in by.chunks_exact(rows).enumerate() {
+                add_multiple(to, slopes[m / 3] * point.axes[(m % 3, k)], from);
             }
         }
     }
@@ -115,37 +129,46 @@ impl Shell {
         let rows = 3 * self.nodes.len();
         let laws = [law, &self.section.damping];
         let which = if rates_vary { 2 } else { 1 };
-        let parts = laws
-            .map(|law| [0, 1].map(|row| [0, 1].map(|column| ShellSection::part(law, row, column))));
         let Products {
             strains, stresses, ..
         } = products;
         for (index, point) in self.points.iter().enumerate() {
-            for node in 0..self.nodes.len() {
-                let mut sums = [Matrix6::zeros(); 2];
-                for (parts, [primal, dual]) in parts.iter().zip(strains.iter()).take(which) {
-                    for axis in [0, 1] {
-                        let place = (node, 3 * (2 * index + axis));
-                        let strain = DualMatrix {
-                            primal: read(primal, rows, place),
-                            dual: read(dual, rows, place),
-                        };
-                        for (sum, parts) in sums.iter_mut().zip(parts) {
-                            strain.add_product_to(&parts[axis], sum);
+            let here = 6 * rows * index..6 * rows * (index + 1);
+            // Resultants of this quadrant's rows by linear directions of the nodes, that is by
+            // primal parts of linear strains; by angular ones, dual parts of linear strains and
+            // primal ones of angular strains.
+            for (quadrant, stresses) in stresses.iter_mut().enumerate() {
+                let stresses = &mut stresses[here.clone()];
+                let (row, is_angular) = (3 * (quadrant % 2), quadrant >= 2);
+                for (column, to) in stresses.chunks_exact_mut(rows).enumerate() {
+                    let row = 6 * (column / 3) + row + column % 3;
+                    to.fill(0.0);
+                    for (law, [primal, dual]) in laws.iter().zip(strains.iter()).take(which) {
+                        for (m, (primal, dual)) in primal[here.clone()]
+                            .chunks_exact(rows)
+                            .zip(dual[here.clone()].chunks_exact(rows))
+                            .enumerate()
+                        {
+                            let strain = 6 * (m / 3) + m % 3;
+                            let linear = law[(row, strain)] * point.area;
+                            if is_angular {
+                                add_multiple(to, linear, dual);
+                                add_multiple(to, law[(row, strain + 3)] * point.area, primal);
+                            } else {
+                                add_multiple(to, linear, primal);
+                            }
                         }
-                    }
-                }
-                for (axis, sum) in sums.iter().enumerate() {
-                    let sum = sum.transpose() * point.area;
-                    let place = (node, 3 * (2 * index + axis));
-                    for (factor, (row, column)) in
-                        stresses.iter_mut().zip([(0, 0), (0, 3), (3, 0), (3, 3)])
-                    {
-                        let block = sum.fixed_view::<3, 3>(row, column).into_owned();
-                        write(factor, rows, place, &block);
                     }
                 }
             }
         }
+    }
+}
+
+/// Adds a multiple of a column.
+fn add_multiple(to: &mut [f64], factor: f64, from: &[f64]) {
+    if factor != 0.0 {
+        let both = to.iter_mut().zip(from);
+        both.for_each(|(to, from)| *to += factor * from);
     }
 }
