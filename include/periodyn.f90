@@ -78,6 +78,8 @@ module periodyn_c
     integer(c_int32_t), parameter :: PDN_SHELL_EDGE_END_ETA = 2
     integer(c_int32_t), parameter :: PDN_SHELL_EDGE_START_XI = 3
     integer(c_int32_t), parameter :: PDN_SHELL_SURFACE = 4
+    integer(c_int32_t), parameter :: PDN_ANGLES_ROTATION_VECTOR = 0
+    integer(c_int32_t), parameter :: PDN_ANGLES_TILT_AND_SPIN = 1
     integer(c_int32_t), parameter :: PDN_TANGENTS_DIFFERENCED = 0
     integer(c_int32_t), parameter :: PDN_TANGENTS_GIVEN = 1
     integer(c_int32_t), parameter :: PDN_TANGENT_MOTION = 0
@@ -133,10 +135,12 @@ module periodyn_c
     integer(c_int32_t), parameter :: PDN_QUANTITY_BRANCH_EFFORT = 401
     integer(c_int32_t), parameter :: PDN_QUANTITY_BRANCH_ELONGATION = 402
     integer(c_int32_t), parameter :: PDN_QUANTITY_FORCE_ON_NODE = 403
+    integer(c_int32_t), parameter :: PDN_QUANTITY_BUSHING_EFFORTS = 404
     integer(c_int32_t), parameter :: PDN_QUANTITY_SHELL_STRAIN = 500
     integer(c_int32_t), parameter :: PDN_QUANTITY_SHELL_RESULTANT = 501
     integer(c_int32_t), parameter :: PDN_QUANTITY_STRESS_TOP = 502
     integer(c_int32_t), parameter :: PDN_QUANTITY_STRESS_BOTTOM = 503
+    integer(c_int32_t), parameter :: PDN_QUANTITY_RELATION_EFFORT = 600
     integer(c_int32_t), parameter :: PDN_ALL_COMPONENTS = -1
     integer(c_int32_t), parameter :: PDN_FORCE_EFFORT = 0
     integer(c_int32_t), parameter :: PDN_FORCE_BRANCH_EFFORT = 1
@@ -180,6 +184,7 @@ module periodyn_c
     integer(c_int32_t), parameter :: PDN_SIGNAL_OF_LOAD = 2
     integer(c_int32_t), parameter :: PDN_SIGNAL_OF_BEAM_LOAD = 3
     integer(c_int32_t), parameter :: PDN_SIGNAL_OF_GRAVITY = 4
+    integer(c_int32_t), parameter :: PDN_SIGNAL_OF_RELATION = 5
     integer(c_int32_t), parameter :: PDN_PART_MEAN = 0
     integer(c_int32_t), parameter :: PDN_PART_RATE = 1
     integer(c_int32_t), parameter :: PDN_PART_AMPLITUDE = 2
@@ -1141,6 +1146,28 @@ module periodyn_c
             integer(c_int32_t) :: pdn_model_add_screw_between
         end function pdn_model_add_screw_between
 
+        ! Number of linear relations between joint coordinates; their ids are 0 ..
+        function pdn_model_relation_count(model, count) bind(C, name="pdn_model_relation_count")
+            import
+            type(c_ptr), value :: model
+            integer(c_int32_t), intent(inout) :: count
+            integer(c_int32_t) :: pdn_model_relation_count
+        end function pdn_model_relation_count
+
+        ! Adds a linear relation between joint coordinates: gears, belts, racks, differentials
+        function pdn_model_add_relation(model, joints, coordinates, coefficients, count, signal, &
+            relation) bind(C, name="pdn_model_add_relation")
+            import
+            type(c_ptr), value :: model
+            integer(c_int32_t), intent(in) :: joints(*)
+            integer(c_int32_t), intent(in) :: coordinates(*)
+            real(c_double), intent(in) :: coefficients(*)
+            integer(c_size_t), value :: count
+            type(pdn_signal), intent(in), optional :: signal
+            integer(c_int32_t), intent(inout), optional :: relation
+            integer(c_int32_t) :: pdn_model_add_relation
+        end function pdn_model_add_relation
+
         ! Makes a line that is still to be set
         subroutine pdn_line_init(line, struct_size) bind(C, name="pdn_line_init")
             import
@@ -1593,6 +1620,22 @@ module periodyn_c
             integer(c_int32_t), intent(inout), optional :: force
             integer(c_int32_t) :: pdn_model_add_viscous_damper
         end function pdn_model_add_viscous_damper
+
+        ! Adds a bushing, a bearing or a seal: any matrices of stiffness and damping between two frames, unsymmetric ...
+        function pdn_model_add_bushing(model, first, second, first_frame, second_frame, stiffness, damping, &
+            angles, force) bind(C, name="pdn_model_add_bushing")
+            import
+            type(c_ptr), value :: model
+            integer(c_int32_t), value :: first
+            integer(c_int32_t), value :: second
+            type(pdn_frame), intent(in) :: first_frame
+            type(pdn_frame), intent(in) :: second_frame
+            real(c_double), intent(in) :: stiffness(*)
+            real(c_double), intent(in) :: damping(*)
+            integer(c_int32_t), value :: angles
+            integer(c_int32_t), intent(inout), optional :: force
+            integer(c_int32_t) :: pdn_model_add_bushing
+        end function pdn_model_add_bushing
 
         ! Adds a spring-damper on a joint coordinate whose law is a function of the caller
         function pdn_model_add_coordinate_law(model, joint, coordinate, tangents, function, user_data, &
@@ -3253,6 +3296,9 @@ module periodyn
         procedure, public :: joint_count => model_joint_count
         procedure, public :: element_count => model_element_count
         procedure, public :: force_count => model_force_count
+        procedure, public :: relation_count => model_relation_count
+        procedure, public :: add_relation => model_add_relation
+        procedure, public :: add_bushing => model_add_bushing
         procedure, public :: mass => model_mass
         procedure, public :: node_frame => model_node_frame
         procedure, public :: summary => model_summary
@@ -4015,6 +4061,55 @@ contains
 
         call report(pdn_model_element_count(self%c, count), stat, errmsg)
     end subroutine model_element_count
+
+    ! Number of relations between joint coordinates.
+    subroutine model_relation_count(self, count, stat, errmsg)
+        class(pdn_model), intent(in) :: self
+        integer(c_int32_t), intent(inout) :: count
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+
+        call report(pdn_model_relation_count(self%c, count), stat, errmsg)
+    end subroutine model_relation_count
+
+    ! The sum of coefficients times coordinates is the signal or, without one, stays what it is.
+    subroutine model_add_relation(self, joints, coordinates, coefficients, signal, relation, stat, errmsg)
+        class(pdn_model), intent(inout) :: self
+        integer(c_int32_t), intent(in) :: joints(:), coordinates(:)
+        real(c_double), intent(in) :: coefficients(:)
+        type(pdn_signal), intent(in), optional, target :: signal
+        integer(c_int32_t), intent(inout), optional :: relation
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        type(c_signal) :: raw
+
+        if (.not. fits('coordinates', shape(coordinates), shape(joints), stat, errmsg)) return
+        if (.not. fits('coefficients', shape(coefficients), shape(joints), stat, errmsg)) return
+        if (present(signal)) then
+            call signal%pass(raw)
+            call report(pdn_model_add_relation(self%c, joints, coordinates, coefficients, &
+                size(joints, kind=c_size_t), raw, relation), stat, errmsg)
+        else
+            call report(pdn_model_add_relation(self%c, joints, coordinates, coefficients, &
+                size(joints, kind=c_size_t), relation=relation), stat, errmsg)
+        end if
+    end subroutine model_add_relation
+
+    ! Matrices of stiffness and damping between two frames: row is the effort, column the motion.
+    subroutine model_add_bushing(self, first, second, first_frame, second_frame, stiffness, damping, &
+        angles, force, stat, errmsg)
+        class(pdn_model), intent(inout) :: self
+        integer(c_int32_t), intent(in) :: first, second
+        type(pdn_frame), intent(in) :: first_frame, second_frame
+        real(c_double), intent(in) :: stiffness(6, 6), damping(6, 6)
+        integer(c_int32_t), intent(in) :: angles
+        integer(c_int32_t), intent(inout), optional :: force
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+
+        call report(pdn_model_add_bushing(self%c, first, second, first_frame, second_frame, stiffness, &
+            damping, angles, force), stat, errmsg)
+    end subroutine model_add_bushing
 
     ! Number of forces.
     subroutine model_force_count(self, count, stat, errmsg)

@@ -364,6 +364,17 @@
 #define PDN_SHELL_SURFACE 4
 
 /**
+ * A bushing measures rotations by the rotation vector; its angle stays below half a turn.
+ */
+#define PDN_ANGLES_ROTATION_VECTOR 0
+
+/**
+ * A bushing measures the tilt of axis 3, as a rotation vector about axes 1 and 2, and the rate of
+ * the spin about axis 3, which may go on and on: for journal bearings and seals.
+ */
+#define PDN_ANGLES_TILT_AND_SPIN 1
+
+/**
  * Tangents of a user's function: it gives none, and the library finds them by differences of its
  * forces.
  */
@@ -647,6 +658,12 @@
 #define PDN_QUANTITY_FORCE_ON_NODE 403
 
 /**
+ * Kind of quantity: the efforts of a bushing against its deformation, forces along the axes of its
+ * first frame and moments; 6 components.
+ */
+#define PDN_QUANTITY_BUSHING_EFFORTS 404
+
+/**
  * Kind of quantity: strains of a shell element, in the order of ::pdn_shell_section; 12
  * components.
  */
@@ -668,6 +685,11 @@
  * Kind of quantity: the same at the other surface; 4 components.
  */
 #define PDN_QUANTITY_STRESS_BOTTOM 503
+
+/**
+ * Kind of quantity: effort of a linear relation on one of its joint coordinates, towards growth.
+ */
+#define PDN_QUANTITY_RELATION_EFFORT 600
 
 /**
  * All components of a quantity.
@@ -833,12 +855,14 @@
 
 /**
  * A parameter moves the coefficient of a power, from 1, of the growth of a spring-damper, or with
- * power 1 the long-term stiffness of a viscoelastic force.
+ * power 1 the long-term stiffness of a viscoelastic force or a factor of the stiffness of a
+ * bushing.
  */
 #define PDN_NUMBER_STIFFNESS 0
 
 /**
- * A parameter moves the coefficient of a power, from 1, of the rate of a spring-damper.
+ * A parameter moves the coefficient of a power, from 1, of the rate of a spring-damper, or with
+ * power 1 a factor of the damping of a bushing.
  */
 #define PDN_NUMBER_DAMPING 1
 
@@ -898,6 +922,11 @@
  * The signal of a component of gravity; its index is 0.
  */
 #define PDN_SIGNAL_OF_GRAVITY 4
+
+/**
+ * The signal of a linear relation between joint coordinates, by its id.
+ */
+#define PDN_SIGNAL_OF_RELATION 5
 
 /**
  * Part of a signal: the mean that is added to its shape.
@@ -1868,7 +1897,8 @@ typedef struct pdn_diagnostics {
 } pdn_diagnostics;
 
 /**
- * What is asked of a solution: of a node, a joint, a beam, a shell or a force. Initialise with
+ * What is asked of a solution: of a node, a joint, a beam, a shell, a force or a relation.
+ * Initialise with
  * `PDN_INIT(pdn_quantity, &quantity)`; fields that its kind does not have stay as they are.
  */
 typedef struct pdn_quantity {
@@ -1881,12 +1911,13 @@ typedef struct pdn_quantity {
      */
     int32_t kind;
     /**
-     * Id of the node, joint, beam element, shell element or force that it is of.
+     * Id of the node, joint, beam element, shell element, force or relation that it is of.
      */
     int32_t object;
     /**
      * The component, from 0, or PDN_ALL_COMPONENTS, the default. Of coordinates and driving
-     * efforts, the coordinate: PDN_DISPLACEMENT, ..., PDN_ROTATION_3.
+     * efforts, the coordinate: PDN_DISPLACEMENT, ..., PDN_ROTATION_3; of relations which of their
+     * coordinates, from 0.
      */
     int32_t component;
     /**
@@ -2885,7 +2916,8 @@ typedef struct pdn_summary {
      */
     int32_t prescribed;
     /**
-     * Number of constraints: those of the joints, and one for each prescribed coordinate.
+     * Number of constraints: those of the joints, and one for each prescribed coordinate and each
+     * relation between coordinates.
      */
     int32_t constraints;
     /**
@@ -3799,6 +3831,56 @@ pdn_status pdn_model_add_screw_between(struct pdn_model *model,
                                        const struct pdn_frame *second_frame,
                                        double pitch,
                                        int32_t *joint);
+
+/**
+ * Number of linear relations between joint coordinates; their ids are 0 ... count - 1.
+ *
+ * @param model  the model; not NULL
+ * @param count  the number; written on success only
+ * @return PDN_OK, PDN_ERR_NULL
+ *
+ * Threads: `model` is `const`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_model_relation_count(const struct pdn_model *model,
+                                    int32_t *count);
+
+/**
+ * Adds a linear relation between joint coordinates: gears, belts, racks, differentials.
+ *
+ * It keeps the sum of coefficients[i] * q[i] equal to a signal, with q[i] coordinate
+ * coordinates[i] of joint joints[i], whole turns counted. Gears that turn q1 by n q2 have
+ * coefficients 1 and -n, a rack on a pinion of radius r 1 and -r, a differential 1, 1 and -2. It
+ * exerts an effort on each of the coordinates, in proportion to the coefficients:
+ * PDN_QUANTITY_RELATION_EFFORT. Where angles that are prescribed turn on and on, those that they
+ * turn by relations must gain whole turns in a period as well; a solve refuses others with
+ * PDN_ERR_NOT_PERIODIC, and tells a period that would do.
+ *
+ * @param model  the model; not NULL
+ * @param joints  array of length [count]: ids of the joints
+ * @param coordinates  array of length [count]: PDN_DISPLACEMENT ... PDN_ROTATION_3 of each, one
+ *     that the joint has; each coordinate of a joint at most once
+ * @param coefficients  array of length [count]: numbers other than zero, in units that make the
+ *     terms of the sum alike
+ * @param count  number of coordinates, at least 2
+ * @param signal  what the sum is in time, copied; it must return to its value after a period. NULL
+ *     for what the sum is in the reference configuration
+ * @param relation  the relation's id; may be NULL if it is not wanted; written on success only
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_SIZE, PDN_ERR_ID, PDN_ERR_VALUE,
+ *     PDN_ERR_STRUCT_SIZE, PDN_ERR_NOT_AVAILABLE
+ *
+ * Threads: exclusive use of `model`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_model_add_relation(struct pdn_model *model,
+                                  const int32_t *joints,
+                                  const int32_t *coordinates,
+                                  const double *coefficients,
+                                  size_t count,
+                                  const struct pdn_signal *signal,
+                                  int32_t *relation);
 
 /**
  * Makes a line that is still to be set. Use it as `PDN_INIT(pdn_line, &line)`.
@@ -4748,6 +4830,47 @@ pdn_status pdn_model_add_viscous_damper(struct pdn_model *model,
                                         const struct pdn_frame *frame,
                                         const double *matrix,
                                         int32_t *force);
+
+/**
+ * Adds a bushing, a bearing or a seal: any matrices of stiffness and damping between two frames,
+ * unsymmetric ones included.
+ *
+ * With e the displacement of the second frame's origin and the angles of its turn, both relative
+ * to the first frame and along its axes, the efforts against e are f = stiffness e + damping e'.
+ * The first three are forces along the axes of the first frame, that act at the second frame's
+ * origin, on both bodies; the others are moments that do the work of the angles: for small turns
+ * moments about the axes of the first frame. So the axes of a journal bearing, with axis 3 along
+ * the shaft, are those of its housing if that is the first body.
+ *
+ * The matrices are column by column: stiffness[i + 6 j] is effort i for a unit of e[j]. Parameters
+ * scale them: PDN_NUMBER_STIFFNESS and PDN_NUMBER_DAMPING with power 1 move a factor of each.
+ *
+ * @param model  the model; not NULL
+ * @param first  id of the first node, or PDN_GROUND
+ * @param second  id of the second node, or PDN_GROUND; not the same body
+ * @param first_frame  frame fixed to the first body, where it is in the reference configuration;
+ *     not NULL
+ * @param second_frame  frame fixed to the second body, likewise; not NULL
+ * @param stiffness  array of length 36: 6 x 6 [force / length, force, force * length]; with
+ *     PDN_ANGLES_TILT_AND_SPIN its last column is zero
+ * @param damping  array of length 36: 6 x 6 [the same times time]
+ * @param angles  PDN_ANGLES_ROTATION_VECTOR or PDN_ANGLES_TILT_AND_SPIN
+ * @param force  the force's id; may be NULL if it is not wanted; written on success only
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_ID, PDN_ERR_VALUE
+ *
+ * Threads: exclusive use of `model`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_model_add_bushing(struct pdn_model *model,
+                                 int32_t first,
+                                 int32_t second,
+                                 const struct pdn_frame *first_frame,
+                                 const struct pdn_frame *second_frame,
+                                 const double *stiffness,
+                                 const double *damping,
+                                 int32_t angles,
+                                 int32_t *force);
 
 /**
  * Adds a spring-damper on a joint coordinate whose law is a function of the caller.

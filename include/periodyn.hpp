@@ -202,6 +202,13 @@ enum class SignalOf : std::int32_t {
     load = PDN_SIGNAL_OF_LOAD,
     beam_load = PDN_SIGNAL_OF_BEAM_LOAD,
     gravity = PDN_SIGNAL_OF_GRAVITY,
+    relation = PDN_SIGNAL_OF_RELATION,
+};
+
+/** How a bushing measures rotations. */
+enum class BushingAngles : std::int32_t {
+    rotation_vector = PDN_ANGLES_ROTATION_VECTOR,
+    tilt_and_spin = PDN_ANGLES_TILT_AND_SPIN,
 };
 
 /** The part of a signal that a parameter moves. */
@@ -302,6 +309,8 @@ enum class Kind : std::int32_t {
     branch_effort = PDN_QUANTITY_BRANCH_EFFORT,
     branch_elongation = PDN_QUANTITY_BRANCH_ELONGATION,
     force_on_node = PDN_QUANTITY_FORCE_ON_NODE,
+    bushing_efforts = PDN_QUANTITY_BUSHING_EFFORTS,
+    relation_effort = PDN_QUANTITY_RELATION_EFFORT,
     shell_strain = PDN_QUANTITY_SHELL_STRAIN,
     shell_resultant = PDN_QUANTITY_SHELL_RESULTANT,
     stress_top = PDN_QUANTITY_STRESS_TOP,
@@ -980,6 +989,10 @@ class Model
     {
         return id([&](Id *out) { return pdn_model_element_count(get(), out); });
     }
+    Id relation_count() const
+    {
+        return id([&](Id *out) { return pdn_model_relation_count(get(), out); });
+    }
     Id force_count() const
     {
         return id([&](Id *out) { return pdn_model_force_count(get(), out); });
@@ -1137,6 +1150,23 @@ class Model
         take({&signal}, [&] {
             return pdn_model_prescribe(get(), joint, detail::c(coordinate), &signal.get());
         });
+    }
+    /** The sum of coefficients times coordinates stays what it is in the reference configuration. */
+    Id add_relation(Ids joints, const std::vector<Coordinate> &coordinates, Reals coefficients)
+    {
+        return id([&](Id *out) {
+            return relation(joints, coordinates, coefficients, nullptr, out);
+        });
+    }
+    /** The sum of coefficients times coordinates is a signal. */
+    Id add_relation(Ids joints, const std::vector<Coordinate> &coordinates, Reals coefficients,
+                    const Signal &signal)
+    {
+        Id added = 0;
+        take({&signal}, [&] {
+            return relation(joints, coordinates, coefficients, &signal.get(), &added);
+        });
+        return added;
     }
     ///@}
 
@@ -1400,6 +1430,16 @@ class Model
             return pdn_model_add_viscous_damper(get(), first, second, &frame, matrix.data(), out);
         });
     }
+    /** Column by column: `stiffness[i + 6 * j]` is effort i for a unit of displacement or angle j. */
+    Id add_bushing(Id first, Id second, const pdn_frame &first_frame, const pdn_frame &second_frame,
+                   const Matrix6 &stiffness, const Matrix6 &damping,
+                   BushingAngles angles = BushingAngles::rotation_vector)
+    {
+        return id([&](Id *out) {
+            return pdn_model_add_bushing(get(), first, second, &first_frame, &second_frame,
+                                         stiffness.data(), damping.data(), detail::c(angles), out);
+        });
+    }
     /** A law double(time, coordinate, rate), or Effort(time, coordinate, rate) with derivatives. */
     template <class Law> Id add_coordinate_law(Id joint, Coordinate coordinate, Law law)
     {
@@ -1440,6 +1480,19 @@ class Model
     template <class Add> static Id id(Add add)
     {
         return detail::number<Id>(add);
+    }
+    pdn_status relation(Ids joints, const std::vector<Coordinate> &coordinates, Reals coefficients,
+                        const pdn_signal *signal, Id *out)
+    {
+        if (joints.size() != coordinates.size() || joints.size() != coefficients.size()) {
+            throw error(PDN_ERR_SIZE, "coefficients: expected as many as joints and coordinates");
+        }
+        std::vector<std::int32_t> which;
+        for (const Coordinate coordinate : coordinates) {
+            which.push_back(detail::c(coordinate));
+        }
+        return pdn_model_add_relation(get(), joints.data(), which.data(), coefficients.data(),
+                                      joints.size(), signal, out);
     }
     /** Calls what takes the signals, and keeps what they point to. */
     template <class Call> void take(const std::vector<const Signal *> &signals, Call call)

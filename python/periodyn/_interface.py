@@ -159,6 +159,12 @@ SHELL_EDGE_START_XI = 3
 """Place of a load on a shell element: its edge where xi = -1, along eta."""
 SHELL_SURFACE = 4
 """Place of a load on a shell element: its surface."""
+ANGLES_ROTATION_VECTOR = 0
+"""A bushing measures rotations by the rotation vector; its angle stays below half a turn."""
+ANGLES_TILT_AND_SPIN = 1
+"""A bushing measures the tilt of axis 3, as a rotation vector about axes 1 and 2, and the rate of
+the spin about axis 3, which may go on and on: for journal bearings and seals.
+"""
 TANGENTS_DIFFERENCED = 0
 """Tangents of a user's function: it gives none, and the library finds them by differences of its
 forces.
@@ -287,6 +293,10 @@ QUANTITY_FORCE_ON_NODE = 403
 """Kind of quantity: what a force exerts on one of its nodes, in a frame: force and moment; 6
 components.
 """
+QUANTITY_BUSHING_EFFORTS = 404
+"""Kind of quantity: the efforts of a bushing against its deformation, forces along the axes of its
+first frame and moments; 6 components.
+"""
 QUANTITY_SHELL_STRAIN = 500
 """Kind of quantity: strains of a shell element, in the order of ShellSection; 12 components."""
 QUANTITY_SHELL_RESULTANT = 501
@@ -299,6 +309,9 @@ points out of, and von Mises' stress of these [force / length^2]; 4 components.
 """
 QUANTITY_STRESS_BOTTOM = 503
 """Kind of quantity: the same at the other surface; 4 components."""
+QUANTITY_RELATION_EFFORT = 600
+"""Kind of quantity: effort of a linear relation on one of its joint coordinates, towards growth.
+"""
 ALL_COMPONENTS = -1
 """All components of a quantity."""
 FORCE_EFFORT = 0
@@ -386,10 +399,13 @@ LINEAR_CIRCULANT = 5
 """
 NUMBER_STIFFNESS = 0
 """A parameter moves the coefficient of a power, from 1, of the growth of a spring-damper, or with
-power 1 the long-term stiffness of a viscoelastic force.
+power 1 the long-term stiffness of a viscoelastic force or a factor of the stiffness of a
+bushing.
 """
 NUMBER_DAMPING = 1
-"""A parameter moves the coefficient of a power, from 1, of the rate of a spring-damper."""
+"""A parameter moves the coefficient of a power, from 1, of the rate of a spring-damper, or with
+power 1 a factor of the damping of a bushing.
+"""
 NUMBER_REST = 2
 """A parameter moves the coordinate at which a spring-damper or viscoelastic force is free of
 effort.
@@ -416,6 +432,8 @@ SIGNAL_OF_BEAM_LOAD = 3
 """The signal of a component of a load along beams, in the order in which these were added."""
 SIGNAL_OF_GRAVITY = 4
 """The signal of a component of gravity; its index is 0."""
+SIGNAL_OF_RELATION = 5
+"""The signal of a linear relation between joint coordinates, by its id."""
 PART_MEAN = 0
 """Part of a signal: the mean that is added to its shape."""
 PART_RATE = 1
@@ -1133,8 +1151,8 @@ class Diagnostics(Struct):
 
 
 class Quantity(Struct):
-    """What is asked of a solution: of a node, a joint, a beam, a shell or a force. Initialise with
-    `Quantity()`; fields that its kind does not have stay as they are.
+    """What is asked of a solution: of a node, a joint, a beam, a shell, a force or a relation.
+    Initialise with `Quantity()`; fields that its kind does not have stay as they are.
     """
 
     _type = "pdn_quantity"
@@ -1142,10 +1160,11 @@ class Quantity(Struct):
     kind = Number("kind")
     """QUANTITY_POSITION, ...; there is no default."""
     object = Number("object")
-    """Id of the node, joint, beam element, shell element or force that it is of."""
+    """Id of the node, joint, beam element, shell element, force or relation that it is of."""
     component = Number("component")
     """The component, from 0, or ALL_COMPONENTS, the default. Of coordinates and driving efforts,
-    the coordinate: DISPLACEMENT, ..., ROTATION_3.
+    the coordinate: DISPLACEMENT, ..., ROTATION_3; of relations which of their coordinates, from
+    0.
     """
     frame = Number("frame")
     """FRAME_SPACE, the default, or FRAME_MATERIAL; of reactions AXES_SPACE, AXES_FIRST or
@@ -1745,7 +1764,9 @@ class Summary(Struct):
     prescribed = Number("prescribed")
     """Number of prescribed joint coordinates."""
     constraints = Number("constraints")
-    """Number of constraints: those of the joints, and one for each prescribed coordinate."""
+    """Number of constraints: those of the joints, and one for each prescribed coordinate and each
+    relation between coordinates.
+    """
     redundant_constraints = Number("redundant_constraints")
     """Number of these that depend on others in the reference configuration."""
     degrees_of_freedom = Number("degrees_of_freedom")
@@ -2698,6 +2719,59 @@ class Model(ModelExtras):
         )
         return joint[0]
 
+    def relation_count(self):
+        """Number of linear relations between joint coordinates; their ids are 0 ... count - 1.
+
+        Returns:
+            count: the number
+        """
+        count = ffi.new("int32_t *")
+        call(lib.pdn_model_relation_count, self._c, count)
+        return count[0]
+
+    def add_relation(self, joints, coordinates, coefficients, signal=None):
+        """Adds a linear relation between joint coordinates: gears, belts, racks, differentials.
+
+        It keeps the sum of coefficients[i] * q[i] equal to a signal, with q[i] coordinate
+        coordinates[i] of joint joints[i], whole turns counted. Gears that turn q1 by n q2 have
+        coefficients 1 and -n, a rack on a pinion of radius r 1 and -r, a differential 1, 1 and
+        -2. It exerts an effort on each of the coordinates, in proportion to the coefficients:
+        QUANTITY_RELATION_EFFORT. Where angles that are prescribed turn on and on, those that
+        they turn by relations must gain whole turns in a period as well; a solve refuses others
+        with ERR_NOT_PERIODIC, and tells a period that would do.
+
+        Args:
+            joints: ids of the joints
+            coordinates: DISPLACEMENT ... ROTATION_3 of each, one that the joint has; each
+                coordinate of a joint at most once
+            coefficients: array of shape (count): numbers other than zero, in units that make
+                the terms of the sum alike
+            signal: what the sum is in time, copied; it must return to its value after a period.
+                None for what the sum is in the reference configuration; a number, a Signal, or
+                a function of time
+
+        Returns:
+            relation: the relation's id
+        """
+        joints = ids("joints", joints)
+        _count = len(joints)
+        coordinates = ids("coordinates", coordinates)
+        like("coordinates", coordinates, (_count,))
+        coefficients = reals("coefficients", coefficients, (_count,))
+        signal = as_signal(signal, self._kept)
+        relation = ffi.new("int32_t *")
+        call(
+            lib.pdn_model_add_relation,
+            self._c,
+            ffi.from_buffer("int32_t[]", joints),
+            ffi.from_buffer("int32_t[]", coordinates),
+            pointer(coefficients),
+            _count,
+            signal,
+            relation,
+        )
+        return relation[0]
+
     def add_beam_element(self, nodes, section):
         """Adds a beam element over nodes that are there; it may be curved and twisted.
 
@@ -3437,6 +3511,55 @@ class Model(ModelExtras):
             second,
             frame,
             pointer(matrix),
+            force,
+        )
+        return force[0]
+
+    def add_bushing(self, first, second, first_frame, second_frame, stiffness, damping, angles):
+        """Adds a bushing, a bearing or a seal: any matrices of stiffness and damping between two
+        frames, unsymmetric ones included.
+
+        With e the displacement of the second frame's origin and the angles of its turn, both
+        relative to the first frame and along its axes, the efforts against e are f = stiffness
+        e + damping e'. The first three are forces along the axes of the first frame, that act
+        at the second frame's origin, on both bodies; the others are moments that do the work of
+        the angles: for small turns moments about the axes of the first frame. So the axes of a
+        journal bearing, with axis 3 along the shaft, are those of its housing if that is the
+        first body.
+
+        The matrices are column by column: stiffness[i + 6 j] is effort i for a unit of e[j].
+        Parameters scale them: NUMBER_STIFFNESS and NUMBER_DAMPING with power 1 move a factor of
+        each.
+
+        Args:
+            first: id of the first node, or GROUND
+            second: id of the second node, or GROUND; not the same body
+            first_frame: frame fixed to the first body, where it is in the reference
+                configuration
+            second_frame: frame fixed to the second body,
+            stiffness: array of shape (6, 6): 6 x 6 [force / length, force, force * length];
+                with ANGLES_TILT_AND_SPIN its last column is zero
+            damping: array of shape (6, 6): 6 x 6 [the same times time]
+            angles: ANGLES_ROTATION_VECTOR or ANGLES_TILT_AND_SPIN
+
+        Returns:
+            force: the force's id
+        """
+        first_frame = of_type("Frame")(first_frame, self._kept)
+        second_frame = of_type("Frame")(second_frame, self._kept)
+        stiffness = reals("stiffness", stiffness, (6, 6), turned=True)
+        damping = reals("damping", damping, (6, 6), turned=True)
+        force = ffi.new("int32_t *")
+        call(
+            lib.pdn_model_add_bushing,
+            self._c,
+            first,
+            second,
+            first_frame,
+            second_frame,
+            pointer(stiffness),
+            pointer(damping),
+            angles,
             force,
         )
         return force[0]

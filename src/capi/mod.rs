@@ -72,6 +72,7 @@
 
 pub mod beam;
 pub mod branch;
+pub mod bushing;
 pub mod callback;
 pub mod condition;
 pub mod equations;
@@ -92,6 +93,7 @@ pub mod motion;
 pub mod parameter;
 pub mod periodic;
 pub mod quantity;
+pub mod relation;
 pub mod section;
 pub mod sensitivity;
 pub mod shell;

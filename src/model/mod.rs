@@ -4,6 +4,7 @@
 //! validates its arguments and leaves the model as it was if they are refused.
 
 mod beam;
+mod bushing;
 mod force;
 mod inertia;
 mod joint;
@@ -12,6 +13,7 @@ mod load;
 mod loaded;
 mod parameter;
 mod raised;
+mod relation;
 mod section;
 mod shell;
 mod shell_load;
@@ -24,12 +26,14 @@ mod user_function;
 mod validation;
 
 pub use beam::{BeamDefinition, BeamIds};
+pub use bushing::BushingDefinition;
 pub use force::{ForceDefinition, SpringDefinition};
 pub use inertia::InertiaDefinition;
 pub use joint::{JointCoordinate, JointDefinition};
 pub use line::{circular_arc, smooth_curve, straight_line};
 pub use load::{DistributedLoadDefinition, LoadDefinition, LoadPlace};
 pub use parameter::{Parameter, SignalPart, SignalPlace, Target};
+pub use relation::RelationDefinition;
 pub use section::SectionInput;
 pub use shell::{ShellDefinition, ShellPlacement};
 pub use shell_load::ShellLoadDefinition;
@@ -59,6 +63,8 @@ pub struct Model {
     pub(crate) joints: Vec<JointDefinition>,
     pub(crate) forces: Vec<ForceDefinition>,
     pub(crate) prescribed: Vec<(JointCoordinate, Signal)>,
+    #[serde(default)]
+    pub(crate) relations: Vec<RelationDefinition>,
     pub(crate) loads: Vec<LoadDefinition>,
     pub(crate) distributed_loads: Vec<DistributedLoadDefinition>,
     #[serde(default)]

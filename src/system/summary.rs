@@ -23,7 +23,8 @@ pub struct Summary {
     pub joints: usize,
     /// Number of prescribed joint coordinates.
     pub prescribed: usize,
-    /// Number of constraints: those of joints, and one for each prescribed coordinate.
+    /// Number of constraints: those of joints, and one for each prescribed coordinate and each
+    /// relation between coordinates.
     pub constraints: usize,
     /// Number of these that depend on others.
     pub redundant: usize,

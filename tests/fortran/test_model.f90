@@ -278,6 +278,15 @@ contains
         call m%add_viscous_damper(PDN_GROUND, b, unit, frame_at(origin), id)
         call m%force_count(forces)
         call check(id == 5 .and. forces == 6, 'forces')
+        call m%add_bushing(a, b, frame_at(origin), frame_at(axis_1), unit, unit, &
+            PDN_ANGLES_ROTATION_VECTOR, id)
+        call check(id == 6, 'bushing')
+        call m%add_relation([6, 8], [PDN_ROTATION_2, PDN_ROTATION], [1.0_dp, -2.0_dp], relation=id)
+        call check(id == 0, 'relation')
+        call m%add_relation([6, 8], [PDN_ROTATION_3, PDN_ROTATION], [1.0_dp, 3.0_dp], &
+            pdn_constant(0.5_dp))
+        call m%relation_count(forces)
+        call check(forces == 2, 'relations')
         call m%node_count(nodes)
         call check(nodes == 2, 'nodes')
         call m%mass(mass, centre)
