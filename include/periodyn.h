@@ -211,6 +211,17 @@
 #define PDN_JOINT_FREE 7
 
 /**
+ * Joint that allows a displacement along axis 3 of its frames, in proportion to the rotation about
+ * it; made by functions of its own, for its pitch.
+ */
+#define PDN_JOINT_SCREW 8
+
+/**
+ * The line between two points, which constrains nothing; made by ::pdn_model_add_strut.
+ */
+#define PDN_JOINT_STRUT 9
+
+/**
  * Joint coordinate: the displacement, or the first of several.
  */
 #define PDN_DISPLACEMENT 0
@@ -394,6 +405,41 @@
  * Which tangent: derivative by a velocity or rate.
  */
 #define PDN_TANGENT_VELOCITY 1
+
+/**
+ * What has an id: a node, or a rigid body, which is one.
+ */
+#define PDN_OBJECT_NODE 1000
+
+/**
+ * What has an id: a joint.
+ */
+#define PDN_OBJECT_JOINT 1001
+
+/**
+ * What has an id: a beam element.
+ */
+#define PDN_OBJECT_BEAM_ELEMENT 1002
+
+/**
+ * What has an id: a shell element.
+ */
+#define PDN_OBJECT_SHELL_ELEMENT 1003
+
+/**
+ * What has an id: a force, but not a load.
+ */
+#define PDN_OBJECT_FORCE 1004
+
+/**
+ * What has an id: a linear relation between joint coordinates.
+ */
+#define PDN_OBJECT_RELATION 1005
+
+/**
+ * Bytes of a label at most, without the NUL.
+ */
+#define PDN_LABEL_LENGTH 200
 
 /**
  * Outcome: converged. With PDN_TOLERANCE_NOT_MET the only outcomes that are solutions.
@@ -952,6 +998,47 @@
  * A parameter: the circular frequency 2 pi / T, which every model has.
  */
 #define PDN_FREQUENCY -1
+
+/**
+ * Kind of force: springs and dampers on a joint coordinate.
+ */
+#define PDN_FORCE_IS_SPRING_DAMPER 1100
+
+/**
+ * Kind of force: an actuator on a joint coordinate.
+ */
+#define PDN_FORCE_IS_ACTUATOR 1101
+
+/**
+ * Kind of force: a law of the user on a joint coordinate.
+ */
+#define PDN_FORCE_IS_COORDINATE_LAW 1102
+
+/**
+ * Kind of force: a viscoelastic element on a joint coordinate.
+ */
+#define PDN_FORCE_IS_VISCOELASTIC 1103
+
+/**
+ * Kind of force: a viscous damper between two bodies.
+ */
+#define PDN_FORCE_IS_VISCOUS_DAMPER 1104
+
+/**
+ * Kind of force: a bushing between two frames.
+ */
+#define PDN_FORCE_IS_BUSHING 1105
+
+/**
+ * Kind of force: forces of the user on nodes.
+ */
+#define PDN_FORCE_IS_USER_FORCE 1106
+
+/**
+ * Numbers of a force: relaxation times of the branches of a viscoelastic element. Parameters do
+ * not move them.
+ */
+#define PDN_NUMBER_RELAXATION_TIME 20
 
 /**
  * Feature of a quantity: its mean over the period, without what it gains.
@@ -2309,6 +2396,123 @@ typedef struct pdn_equations_sizes {
      */
     int32_t reserved;
 } pdn_equations_sizes;
+
+/**
+ * A joint of a model. Initialise with `PDN_INIT(pdn_joint_info, &info)`.
+ */
+typedef struct pdn_joint_info {
+    /**
+     * Set by the initialiser.
+     */
+    size_t struct_size;
+    /**
+     * PDN_JOINT_RIGID ... PDN_JOINT_STRUT.
+     */
+    int32_t kind;
+    /**
+     * Id of the first node, or PDN_GROUND.
+     */
+    int32_t first;
+    /**
+     * Id of the second node, or PDN_GROUND.
+     */
+    int32_t second;
+    /**
+     * Zero.
+     */
+    int32_t reserved;
+    /**
+     * Advance of a screw for one turn; zero of other joints.
+     */
+    double pitch;
+    /**
+     * Origin of the first frame in the reference configuration, global coordinates.
+     */
+    double first_position[3];
+    /**
+     * Axes of the first frame there, a rotation matrix, column by column.
+     */
+    double first_rotation[9];
+    /**
+     * Origin of the second frame, likewise.
+     */
+    double second_position[3];
+    /**
+     * Axes of the second frame, likewise.
+     */
+    double second_rotation[9];
+} pdn_joint_info;
+
+/**
+ * A force of a model. Initialise with `PDN_INIT(pdn_force_info, &info)`.
+ */
+typedef struct pdn_force_info {
+    /**
+     * Set by the initialiser.
+     */
+    size_t struct_size;
+    /**
+     * PDN_FORCE_IS_SPRING_DAMPER ... PDN_FORCE_IS_USER_FORCE.
+     */
+    int32_t kind;
+    /**
+     * Id of the joint on whose coordinate it acts, or -1.
+     */
+    int32_t joint;
+    /**
+     * The coordinate: PDN_DISPLACEMENT, ...; -1 if it acts on none.
+     */
+    int32_t coordinate;
+    /**
+     * Of what is between two bodies, id of the first node, or PDN_GROUND.
+     */
+    int32_t first;
+    /**
+     * Id of the second node, or PDN_GROUND.
+     */
+    int32_t second;
+    /**
+     * Of a bushing, PDN_ANGLES_ROTATION_VECTOR or PDN_ANGLES_TILT_AND_SPIN; else zero.
+     */
+    int32_t angles;
+    /**
+     * How many numbers PDN_NUMBER_STIFFNESS it has, for ::pdn_model_force_number.
+     */
+    int32_t stiffness_count;
+    /**
+     * The same of PDN_NUMBER_DAMPING.
+     */
+    int32_t damping_count;
+    /**
+     * The same of PDN_NUMBER_RELAXATION_TIME: branches of a viscoelastic element.
+     */
+    int32_t branch_count;
+    /**
+     * Nodes of forces of the user, for ::pdn_model_force_node.
+     */
+    int32_t node_count;
+    /**
+     * Coordinate at which springs are free of effort.
+     */
+    double rest;
+    /**
+     * Of what is between two bodies, origin of the first frame in the reference configuration,
+     * global coordinates.
+     */
+    double first_position[3];
+    /**
+     * Axes of the first frame there, a rotation matrix, column by column.
+     */
+    double first_rotation[9];
+    /**
+     * Origin of the second frame, likewise.
+     */
+    double second_position[3];
+    /**
+     * Axes of the second frame, likewise.
+     */
+    double second_rotation[9];
+} pdn_force_info;
 
 /**
  * Options of ::pdn_solution_sensitivities. Set the defaults by `PDN_INIT(pdn_sensitivity_options,
@@ -4976,6 +5180,68 @@ pdn_status pdn_model_check_tangents(const struct pdn_model *model,
                                     struct pdn_tangent_check *check);
 
 /**
+ * Gives a node, joint, element, force or relation a label, in place of the one that it has.
+ *
+ * Messages and reports name it after the id, as in: joint 3 "crank pin". Labels are saved and
+ * copied with the model, and solutions keep those that it has when it is solved.
+ *
+ * @param model  the model; not NULL
+ * @param kind  PDN_OBJECT_NODE, ...
+ * @param id  its id
+ * @param label  text in UTF-8 of at most PDN_LABEL_LENGTH bytes, without quotes (") and control
+ *     characters, that no other object of this kind has; empty or NULL to take the label away
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_ID, PDN_ERR_VALUE
+ *
+ * Threads: exclusive use of `model`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_model_set_label(struct pdn_model *model,
+                               int32_t kind,
+                               int32_t id,
+                               const char *label);
+
+/**
+ * The label of a node, joint, element, force or relation.
+ *
+ * @param model  the model; not NULL
+ * @param kind  PDN_OBJECT_NODE, ...
+ * @param id  its id
+ * @param buffer  array of length [capacity] for the label, UTF-8, always ended by NUL; may be NULL
+ *     if capacity is 0
+ * @param capacity  size of buffer in bytes
+ * @return length of the label without the NUL, as snprintf does; 0 if there is none, or if
+ *     the handle or id is not valid, see ::pdn_last_error
+ *
+ * Threads: `model` is `const`.
+ * @since 0.1
+ */
+PDN_API
+size_t pdn_model_label(const struct pdn_model *model,
+                       int32_t kind,
+                       int32_t id,
+                       char *buffer,
+                       size_t capacity);
+
+/**
+ * The node, joint, element, force or relation that has a label.
+ *
+ * @param model  the model; not NULL
+ * @param kind  PDN_OBJECT_NODE, ...
+ * @param label  the label; not NULL
+ * @param id  its id; written on success only
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_VALUE, PDN_ERR_NOT_AVAILABLE (none has this label)
+ *
+ * Threads: `model` is `const`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_model_find_label(const struct pdn_model *model,
+                                int32_t kind,
+                                const char *label,
+                                int32_t *id);
+
+/**
  * Frees a solution; NULL does nothing.
  *
  * @param solution  the solution, not to be used any more
@@ -6430,6 +6696,312 @@ PDN_API
 pdn_status pdn_solution_parameter(const struct pdn_solution *solution,
                                   int32_t parameter,
                                   double *out);
+
+/**
+ * Prepares a struct for ::pdn_model_joint; use `PDN_INIT(pdn_joint_info, &info)`.
+ *
+ * @param info  the struct; not NULL
+ * @param struct_size  `sizeof *info`
+ *
+ * Threads: any.
+ * @since 0.1
+ */
+PDN_API
+void pdn_joint_info_init(struct pdn_joint_info *info,
+                         size_t struct_size);
+
+/**
+ * Prepares a struct for ::pdn_model_force; use `PDN_INIT(pdn_force_info, &info)`.
+ *
+ * @param info  the struct; not NULL
+ * @param struct_size  `sizeof *info`
+ *
+ * Threads: any.
+ * @since 0.1
+ */
+PDN_API
+void pdn_force_info_init(struct pdn_force_info *info,
+                         size_t struct_size);
+
+/**
+ * Kind, bodies and frames of a joint.
+ *
+ * @param model  the model; not NULL
+ * @param joint  id of the joint
+ * @param out  the joint; initialised by PDN_INIT; filled on success only
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_STRUCT_SIZE, PDN_ERR_ID
+ *
+ * Threads: `model` is `const`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_model_joint(const struct pdn_model *model,
+                           int32_t joint,
+                           struct pdn_joint_info *out);
+
+/**
+ * Kind of a force, where it acts, and how many numbers it has.
+ *
+ * @param model  the model; not NULL
+ * @param force  id of the force
+ * @param out  the force; initialised by PDN_INIT; filled on success only
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_STRUCT_SIZE, PDN_ERR_ID
+ *
+ * Threads: `model` is `const`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_model_force(const struct pdn_model *model,
+                           int32_t force,
+                           struct pdn_force_info *out);
+
+/**
+ * A number of a force, with the factors of parameters.
+ *
+ * Of a spring-damper the coefficients of the powers of the growth and of the rate, from the first;
+ * of a viscoelastic element as PDN_NUMBER_STIFFNESS the long-term stiffness, then that of each
+ * branch; of viscous dampers and bushings their matrices, column by column.
+ *
+ * @param model  the model; not NULL
+ * @param force  id of the force
+ * @param number  PDN_NUMBER_STIFFNESS, PDN_NUMBER_DAMPING or PDN_NUMBER_RELAXATION_TIME
+ * @param index  which of these, from 0; their count is in pdn_force_info
+ * @param out  the number; written on success only
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_ID, PDN_ERR_VALUE
+ *
+ * Threads: `model` is `const`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_model_force_number(const struct pdn_model *model,
+                                  int32_t force,
+                                  int32_t number,
+                                  int32_t index,
+                                  double *out);
+
+/**
+ * A node of forces of the user.
+ *
+ * @param model  the model; not NULL
+ * @param force  id of the force
+ * @param index  which of its nodes, from 0; their count is in pdn_force_info
+ * @param node  the node's id; written on success only
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_ID
+ *
+ * Threads: `model` is `const`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_model_force_node(const struct pdn_model *model,
+                                int32_t force,
+                                int32_t index,
+                                int32_t *node);
+
+/**
+ * Number of nodes of a beam element.
+ *
+ * @param model  the model; not NULL
+ * @param element  id of the beam element
+ * @param count  the number; written on success only
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_ID
+ *
+ * Threads: `model` is `const`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_model_beam_element_node_count(const struct pdn_model *model,
+                                             int32_t element,
+                                             int32_t *count);
+
+/**
+ * A node of a beam element, in order along the beam.
+ *
+ * @param model  the model; not NULL
+ * @param element  id of the beam element
+ * @param index  which of its nodes, from 0
+ * @param node  the node's id; written on success only
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_ID
+ *
+ * Threads: `model` is `const`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_model_beam_element_node(const struct pdn_model *model,
+                                       int32_t element,
+                                       int32_t index,
+                                       int32_t *node);
+
+/**
+ * Cross-section of a beam element at a place, with the factors of parameters.
+ *
+ * @param model  the model; not NULL
+ * @param element  id of the beam element
+ * @param station  place along the element, from -1 at its first to 1 at its last node
+ * @param out  the section, in its own axes; initialised by PDN_INIT; filled on success only
+ * @param twist  angle by which its axes are turned about axis 1 from those between the nodes
+ *     [radian]; may be NULL if it is not wanted; written on success only
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_STRUCT_SIZE, PDN_ERR_NOT_FINITE, PDN_ERR_ID, PDN_ERR_VALUE
+ *
+ * Threads: `model` is `const`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_model_beam_section(const struct pdn_model *model,
+                                  int32_t element,
+                                  double station,
+                                  struct pdn_section *out,
+                                  double *twist);
+
+/**
+ * Number of bodies, masses and inertias on nodes.
+ *
+ * @param model  the model; not NULL
+ * @param count  the number; written on success only
+ * @return PDN_OK, PDN_ERR_NULL
+ *
+ * Threads: `model` is `const`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_model_inertia_count(const struct pdn_model *model,
+                                   int32_t *count);
+
+/**
+ * A body, mass or inertia on a node, in the order in which they were added, with the factors of
+ * parameters.
+ *
+ * @param model  the model; not NULL
+ * @param index  which of them, from 0
+ * @param node  the node's id; written on success only
+ * @param matrix  array of length 36: 6 x 6 inertia about the node, along its axes, as in
+ *     ::pdn_model_add_inertia; written on success only
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_ID
+ *
+ * Threads: `model` is `const`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_model_inertia(const struct pdn_model *model,
+                             int32_t index,
+                             int32_t *node,
+                             double *matrix);
+
+/**
+ * A prescribed coordinate, in the order in which they were prescribed; ::pdn_model_summary tells
+ * how many there are, and ::pdn_model_sample_signal what they follow.
+ *
+ * @param model  the model; not NULL
+ * @param index  which of them, from 0
+ * @param joint  id of its joint; written on success only
+ * @param coordinate  PDN_DISPLACEMENT, ...; written on success only
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_ID
+ *
+ * Threads: `model` is `const`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_model_prescribed(const struct pdn_model *model,
+                                int32_t index,
+                                int32_t *joint,
+                                int32_t *coordinate);
+
+/**
+ * Number of loads on nodes.
+ *
+ * @param model  the model; not NULL
+ * @param count  the number; written on success only
+ * @return PDN_OK, PDN_ERR_NULL
+ *
+ * Threads: `model` is `const`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_model_load_count(const struct pdn_model *model,
+                                int32_t *count);
+
+/**
+ * A load on a node, in the order in which they were added; its components are signals,
+ * ::pdn_model_sample_signal.
+ *
+ * @param model  the model; not NULL
+ * @param index  which of them, from 0
+ * @param node  the node's id; written on success only
+ * @param frame  PDN_FRAME_SPACE or PDN_FRAME_MATERIAL; written on success only
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_ID
+ *
+ * Threads: `model` is `const`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_model_load_at(const struct pdn_model *model,
+                             int32_t index,
+                             int32_t *node,
+                             int32_t *frame);
+
+/**
+ * Number of coordinates of a linear relation.
+ *
+ * @param model  the model; not NULL
+ * @param relation  id of the relation
+ * @param count  the number; written on success only
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_ID
+ *
+ * Threads: `model` is `const`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_model_relation_term_count(const struct pdn_model *model,
+                                         int32_t relation,
+                                         int32_t *count);
+
+/**
+ * A coordinate of a linear relation, and its coefficient.
+ *
+ * @param model  the model; not NULL
+ * @param relation  id of the relation
+ * @param index  which of its coordinates, from 0
+ * @param joint  id of the joint; written on success only
+ * @param coordinate  PDN_DISPLACEMENT, ...; written on success only
+ * @param coefficient  the coefficient; written on success only
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_ID
+ *
+ * Threads: `model` is `const`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_model_relation_term(const struct pdn_model *model,
+                                   int32_t relation,
+                                   int32_t index,
+                                   int32_t *joint,
+                                   int32_t *coordinate,
+                                   double *coefficient);
+
+/**
+ * Values of a signal of the model in time.
+ *
+ * @param model  the model; not NULL
+ * @param place  what has the signal: PDN_SIGNAL_OF_ACTUATOR, ...
+ * @param index  which of them
+ * @param component  of a load from 0 to 5, of gravity from 0 to 2; 0 for all else
+ * @param period  period of the motion, that harmonics refer to [time]
+ * @param times  array of length [count]: times
+ * @param count  number of times
+ * @param values  array of length [count]: the values there; written on success only
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_SIZE, PDN_ERR_NOT_FINITE, PDN_ERR_VALUE,
+ *     PDN_ERR_NOT_AVAILABLE (there is no such signal), PDN_ERR_CALLBACK
+ *
+ * Threads: `model` is `const`. Signals' functions are called on this thread.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_model_sample_signal(const struct pdn_model *model,
+                                   int32_t place,
+                                   int32_t index,
+                                   int32_t component,
+                                   double period,
+                                   const double *times,
+                                   size_t count,
+                                   double *values);
 
 /**
  * Makes an empty list: no parameter is free.

@@ -107,6 +107,8 @@ enum class JointKind : std::int32_t {
     cylindrical = PDN_JOINT_CYLINDRICAL,
     planar = PDN_JOINT_PLANAR,
     free = PDN_JOINT_FREE,
+    screw = PDN_JOINT_SCREW, ///< of pdn_joint_info only
+    strut = PDN_JOINT_STRUT, ///< likewise
 };
 enum class Frame : std::int32_t {
     space = PDN_FRAME_SPACE,
@@ -204,6 +206,44 @@ enum class SignalOf : std::int32_t {
     gravity = PDN_SIGNAL_OF_GRAVITY,
     relation = PDN_SIGNAL_OF_RELATION,
 };
+
+/** What has an id and may have a label. */
+enum class ObjectKind : std::int32_t {
+    node = PDN_OBJECT_NODE,
+    joint = PDN_OBJECT_JOINT,
+    beam_element = PDN_OBJECT_BEAM_ELEMENT,
+    shell_element = PDN_OBJECT_SHELL_ELEMENT,
+    force = PDN_OBJECT_FORCE,
+    relation = PDN_OBJECT_RELATION,
+};
+
+/** Kinds of pdn_force_info. */
+enum class ForceKind : std::int32_t {
+    spring_damper = PDN_FORCE_IS_SPRING_DAMPER,
+    actuator = PDN_FORCE_IS_ACTUATOR,
+    coordinate_law = PDN_FORCE_IS_COORDINATE_LAW,
+    viscoelastic = PDN_FORCE_IS_VISCOELASTIC,
+    viscous_damper = PDN_FORCE_IS_VISCOUS_DAMPER,
+    bushing = PDN_FORCE_IS_BUSHING,
+    user_force = PDN_FORCE_IS_USER_FORCE,
+};
+
+/** Numbers of a force. */
+enum class ForceNumber : std::int32_t {
+    stiffness = PDN_NUMBER_STIFFNESS,
+    damping = PDN_NUMBER_DAMPING,
+    relaxation_time = PDN_NUMBER_RELAXATION_TIME,
+};
+
+/** A coordinate of a linear relation, and its coefficient. */
+struct RelationTerm {
+    std::int32_t joint;
+    Coordinate coordinate;
+    double coefficient;
+};
+
+/** Bytes of a label at most. */
+constexpr std::int32_t longest_label = PDN_LABEL_LENGTH;
 
 /** How a bushing measures rotations. */
 enum class BushingAngles : std::int32_t {
@@ -1022,6 +1062,119 @@ class Model
         return detail::text([&](char *buffer, std::size_t capacity) {
             return pdn_model_describe(get(), buffer, capacity);
         });
+    }
+    /** Takes a label away if it is empty. */
+    void set_label(ObjectKind kind, Id of, const std::string &label)
+    {
+        detail::check(pdn_model_set_label(get(), detail::c(kind), of, label.c_str()));
+    }
+    /** Empty if there is none. */
+    std::string label(ObjectKind kind, Id of) const
+    {
+        return detail::text([&](char *buffer, std::size_t capacity) {
+            return pdn_model_label(get(), detail::c(kind), of, buffer, capacity);
+        });
+    }
+    Id find_label(ObjectKind kind, const std::string &label) const
+    {
+        return id([&](Id *out) {
+            return pdn_model_find_label(get(), detail::c(kind), label.c_str(), out);
+        });
+    }
+    ///@}
+
+    /** @name What it holds */
+    ///@{
+    pdn_joint_info joint(Id joint) const
+    {
+        pdn_joint_info out;
+        pdn_joint_info_init(&out, sizeof out);
+        detail::check(pdn_model_joint(get(), joint, &out));
+        return out;
+    }
+    pdn_force_info force(Id force) const
+    {
+        pdn_force_info out;
+        pdn_force_info_init(&out, sizeof out);
+        detail::check(pdn_model_force(get(), force, &out));
+        return out;
+    }
+    double force_number(Id force, ForceNumber number, std::int32_t index) const
+    {
+        double out = 0;
+        detail::check(pdn_model_force_number(get(), force, detail::c(number), index, &out));
+        return out;
+    }
+    Id force_node(Id force, std::int32_t index) const
+    {
+        return id([&](Id *out) { return pdn_model_force_node(get(), force, index, out); });
+    }
+    std::vector<Id> beam_element_nodes(Id element) const
+    {
+        std::vector<Id> nodes(static_cast<std::size_t>(
+            id([&](Id *out) { return pdn_model_beam_element_node_count(get(), element, out); })));
+        for (std::size_t i = 0; i < nodes.size(); ++i) {
+            detail::check(pdn_model_beam_element_node(get(), element, static_cast<Id>(i), &nodes[i]));
+        }
+        return nodes;
+    }
+    /** Section and twist at a place from -1 to 1. */
+    std::pair<pdn_section, double> beam_section(Id element, double station) const
+    {
+        std::pair<pdn_section, double> out;
+        pdn_section_init(&out.first, sizeof out.first);
+        detail::check(pdn_model_beam_section(get(), element, station, &out.first, &out.second));
+        return out;
+    }
+    Id inertia_count() const
+    {
+        return id([&](Id *out) { return pdn_model_inertia_count(get(), out); });
+    }
+    /** Node and matrix of a body, mass or inertia. */
+    std::pair<Id, Matrix6> inertia(std::int32_t index) const
+    {
+        std::pair<Id, Matrix6> out;
+        detail::check(pdn_model_inertia(get(), index, &out.first, out.second.data()));
+        return out;
+    }
+    std::pair<Id, Coordinate> prescribed(std::int32_t index) const
+    {
+        Id joint = 0;
+        std::int32_t coordinate = 0;
+        detail::check(pdn_model_prescribed(get(), index, &joint, &coordinate));
+        return {joint, static_cast<Coordinate>(coordinate)};
+    }
+    Id load_count() const
+    {
+        return id([&](Id *out) { return pdn_model_load_count(get(), out); });
+    }
+    std::pair<Id, Frame> load_at(std::int32_t index) const
+    {
+        Id node = 0;
+        std::int32_t frame = 0;
+        detail::check(pdn_model_load_at(get(), index, &node, &frame));
+        return {node, static_cast<Frame>(frame)};
+    }
+    std::vector<RelationTerm> relation_terms(Id relation) const
+    {
+        std::vector<RelationTerm> terms(static_cast<std::size_t>(
+            id([&](Id *out) { return pdn_model_relation_term_count(get(), relation, out); })));
+        for (std::size_t i = 0; i < terms.size(); ++i) {
+            std::int32_t coordinate = 0;
+            detail::check(pdn_model_relation_term(get(), relation, static_cast<Id>(i),
+                                                  &terms[i].joint, &coordinate,
+                                                  &terms[i].coefficient));
+            terms[i].coordinate = static_cast<Coordinate>(coordinate);
+        }
+        return terms;
+    }
+    std::vector<double> sample_signal(SignalOf place, std::int32_t index, std::int32_t component,
+                                      double period, Reals times) const
+    {
+        std::vector<double> values(times.size());
+        detail::check(pdn_model_sample_signal(get(), detail::c(place), index, component, period,
+                                              times.data(), times.size(), values.data()));
+        return values;
     }
     ///@}
 

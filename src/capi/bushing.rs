@@ -14,6 +14,14 @@ pub const PDN_ANGLES_ROTATION_VECTOR: i32 = 0;
 /// the spin about axis 3, which may go on and on: for journal bearings and seals.
 pub const PDN_ANGLES_TILT_AND_SPIN: i32 = 1;
 
+/// What C calls a way to measure rotations.
+pub(super) fn angles_code(angles: BushingAngles) -> i32 {
+    match angles {
+        BushingAngles::RotationVector => PDN_ANGLES_ROTATION_VECTOR,
+        BushingAngles::TiltAndSpin => PDN_ANGLES_TILT_AND_SPIN,
+    }
+}
+
 /// Adds a bushing, a bearing or a seal: any matrices of stiffness and damping between two frames,
 /// unsymmetric ones included.
 ///
@@ -64,10 +72,8 @@ pub unsafe extern "C" fn pdn_model_add_bushing(
             Matrix6::from_column_slice(&call.array::<36>(stiffness, "stiffness")?),
             Matrix6::from_column_slice(&call.array::<36>(damping, "damping")?),
         ];
-        let table = [
-            (PDN_ANGLES_ROTATION_VECTOR, BushingAngles::RotationVector),
-            (PDN_ANGLES_TILT_AND_SPIN, BushingAngles::TiltAndSpin),
-        ];
+        let table = [BushingAngles::RotationVector, BushingAngles::TiltAndSpin];
+        let table = table.map(|angles| (angles_code(angles), angles));
         let expected = "PDN_ANGLES_ROTATION_VECTOR or PDN_ANGLES_TILT_AND_SPIN";
         let angles = choose(&table, angles, "angles", expected)?;
         Ok((bodies, frames, matrices, angles))

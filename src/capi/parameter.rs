@@ -142,6 +142,20 @@ pub unsafe extern "C" fn pdn_model_move_number(
     })
 }
 
+/// The signal that arguments name.
+pub(super) fn signal_place(place: i32, index: i32, component: i32) -> Result<SignalPlace> {
+    let (at, component) = (count(index, "index")?, count(component, "component")?);
+    Ok(match place {
+        PDN_SIGNAL_OF_ACTUATOR => SignalPlace::Actuator(at),
+        PDN_SIGNAL_OF_PRESCRIBED => SignalPlace::Prescribed(at),
+        PDN_SIGNAL_OF_LOAD => SignalPlace::Load(at, component),
+        PDN_SIGNAL_OF_BEAM_LOAD => SignalPlace::DistributedLoad(at, component),
+        PDN_SIGNAL_OF_GRAVITY => SignalPlace::Gravity(component),
+        PDN_SIGNAL_OF_RELATION => SignalPlace::Relation(at),
+        other => return Err(Error::value("place", "a constant PDN_SIGNAL_OF_...", other)),
+    })
+}
+
 /// Lets a parameter move a part of a signal: it becomes `factor` times the parameter's value, now
 /// and whenever that changes.
 ///
@@ -169,16 +183,7 @@ pub unsafe extern "C" fn pdn_model_move_signal(
     guard(|call| {
         let mut model = call.exclusive(model, "model")?;
         let id = self::parameter(&model, parameter, "parameter")?;
-        let (at, component) = (count(index, "index")?, count(component, "component")?);
-        let place = match place {
-            PDN_SIGNAL_OF_ACTUATOR => SignalPlace::Actuator(at),
-            PDN_SIGNAL_OF_PRESCRIBED => SignalPlace::Prescribed(at),
-            PDN_SIGNAL_OF_LOAD => SignalPlace::Load(at, component),
-            PDN_SIGNAL_OF_BEAM_LOAD => SignalPlace::DistributedLoad(at, component),
-            PDN_SIGNAL_OF_GRAVITY => SignalPlace::Gravity(component),
-            PDN_SIGNAL_OF_RELATION => SignalPlace::Relation(at),
-            other => return Err(Error::value("place", "a constant PDN_SIGNAL_OF_...", other)),
-        };
+        let place = signal_place(place, index, component)?;
         let parts = [
             (PDN_PART_MEAN, SignalPart::Mean),
             (PDN_PART_RATE, SignalPart::Rate),

@@ -87,6 +87,7 @@ impl Model {
         for parameter in self.parameters {
             model.take_parameter(parameter)?;
         }
+        model.take_labels(self.labels)?;
         Ok(model)
     }
 

@@ -5,9 +5,11 @@
 
 mod beam;
 mod bushing;
+mod contents;
 mod force;
 mod inertia;
 mod joint;
+mod label;
 mod line;
 mod load;
 mod loaded;
@@ -27,9 +29,11 @@ mod validation;
 
 pub use beam::{BeamDefinition, BeamIds};
 pub use bushing::BushingDefinition;
+pub use contents::ForceNumber;
 pub use force::{ForceDefinition, SpringDefinition};
 pub use inertia::InertiaDefinition;
 pub use joint::{JointCoordinate, JointDefinition};
+pub use label::{LONGEST_LABEL, Labels, ObjectKind};
 pub use line::{circular_arc, smooth_curve, straight_line};
 pub use load::{DistributedLoadDefinition, LoadDefinition, LoadPlace};
 pub use parameter::{Parameter, SignalPart, SignalPlace, Target};
@@ -75,6 +79,8 @@ pub struct Model {
     pub(crate) mass_damping: f64,
     #[serde(default)]
     pub(crate) parameters: Vec<Parameter>,
+    #[serde(default)]
+    pub(crate) labels: Labels,
 }
 
 impl Model {

@@ -349,7 +349,7 @@ impl Model {
         all.chain(gravity).collect()
     }
 
-    fn signal(&self, place: SignalPlace) -> Option<&Signal> {
+    pub(super) fn signal(&self, place: SignalPlace) -> Option<&Signal> {
         match place {
             SignalPlace::Actuator(force) => match self.forces.get(force)? {
                 ForceDefinition::Actuator { signal, .. } => Some(signal),
