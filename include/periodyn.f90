@@ -48,6 +48,8 @@ module periodyn_c
     integer(c_int32_t), parameter :: PDN_JOINT_CYLINDRICAL = 5
     integer(c_int32_t), parameter :: PDN_JOINT_PLANAR = 6
     integer(c_int32_t), parameter :: PDN_JOINT_FREE = 7
+    integer(c_int32_t), parameter :: PDN_JOINT_SCREW = 8
+    integer(c_int32_t), parameter :: PDN_JOINT_STRUT = 9
     integer(c_int32_t), parameter :: PDN_DISPLACEMENT = 0
     integer(c_int32_t), parameter :: PDN_DISPLACEMENT_2 = 1
     integer(c_int32_t), parameter :: PDN_DISPLACEMENT_3 = 2
@@ -78,10 +80,19 @@ module periodyn_c
     integer(c_int32_t), parameter :: PDN_SHELL_EDGE_END_ETA = 2
     integer(c_int32_t), parameter :: PDN_SHELL_EDGE_START_XI = 3
     integer(c_int32_t), parameter :: PDN_SHELL_SURFACE = 4
+    integer(c_int32_t), parameter :: PDN_ANGLES_ROTATION_VECTOR = 0
+    integer(c_int32_t), parameter :: PDN_ANGLES_TILT_AND_SPIN = 1
     integer(c_int32_t), parameter :: PDN_TANGENTS_DIFFERENCED = 0
     integer(c_int32_t), parameter :: PDN_TANGENTS_GIVEN = 1
     integer(c_int32_t), parameter :: PDN_TANGENT_MOTION = 0
     integer(c_int32_t), parameter :: PDN_TANGENT_VELOCITY = 1
+    integer(c_int32_t), parameter :: PDN_OBJECT_NODE = 1000
+    integer(c_int32_t), parameter :: PDN_OBJECT_JOINT = 1001
+    integer(c_int32_t), parameter :: PDN_OBJECT_BEAM_ELEMENT = 1002
+    integer(c_int32_t), parameter :: PDN_OBJECT_SHELL_ELEMENT = 1003
+    integer(c_int32_t), parameter :: PDN_OBJECT_FORCE = 1004
+    integer(c_int32_t), parameter :: PDN_OBJECT_RELATION = 1005
+    integer(c_int32_t), parameter :: PDN_LABEL_LENGTH = 200
     integer(c_int32_t), parameter :: PDN_CONVERGED = 0
     integer(c_int32_t), parameter :: PDN_ITERATION_LIMIT = 1
     integer(c_int32_t), parameter :: PDN_STALLED = 2
@@ -133,10 +144,12 @@ module periodyn_c
     integer(c_int32_t), parameter :: PDN_QUANTITY_BRANCH_EFFORT = 401
     integer(c_int32_t), parameter :: PDN_QUANTITY_BRANCH_ELONGATION = 402
     integer(c_int32_t), parameter :: PDN_QUANTITY_FORCE_ON_NODE = 403
+    integer(c_int32_t), parameter :: PDN_QUANTITY_BUSHING_EFFORTS = 404
     integer(c_int32_t), parameter :: PDN_QUANTITY_SHELL_STRAIN = 500
     integer(c_int32_t), parameter :: PDN_QUANTITY_SHELL_RESULTANT = 501
     integer(c_int32_t), parameter :: PDN_QUANTITY_STRESS_TOP = 502
     integer(c_int32_t), parameter :: PDN_QUANTITY_STRESS_BOTTOM = 503
+    integer(c_int32_t), parameter :: PDN_QUANTITY_RELATION_EFFORT = 600
     integer(c_int32_t), parameter :: PDN_ALL_COMPONENTS = -1
     integer(c_int32_t), parameter :: PDN_FORCE_EFFORT = 0
     integer(c_int32_t), parameter :: PDN_FORCE_BRANCH_EFFORT = 1
@@ -180,11 +193,20 @@ module periodyn_c
     integer(c_int32_t), parameter :: PDN_SIGNAL_OF_LOAD = 2
     integer(c_int32_t), parameter :: PDN_SIGNAL_OF_BEAM_LOAD = 3
     integer(c_int32_t), parameter :: PDN_SIGNAL_OF_GRAVITY = 4
+    integer(c_int32_t), parameter :: PDN_SIGNAL_OF_RELATION = 5
     integer(c_int32_t), parameter :: PDN_PART_MEAN = 0
     integer(c_int32_t), parameter :: PDN_PART_RATE = 1
     integer(c_int32_t), parameter :: PDN_PART_AMPLITUDE = 2
     integer(c_int32_t), parameter :: PDN_PART_PHASE = 3
     integer(c_int32_t), parameter :: PDN_FREQUENCY = -1
+    integer(c_int32_t), parameter :: PDN_FORCE_IS_SPRING_DAMPER = 1100
+    integer(c_int32_t), parameter :: PDN_FORCE_IS_ACTUATOR = 1101
+    integer(c_int32_t), parameter :: PDN_FORCE_IS_COORDINATE_LAW = 1102
+    integer(c_int32_t), parameter :: PDN_FORCE_IS_VISCOELASTIC = 1103
+    integer(c_int32_t), parameter :: PDN_FORCE_IS_VISCOUS_DAMPER = 1104
+    integer(c_int32_t), parameter :: PDN_FORCE_IS_BUSHING = 1105
+    integer(c_int32_t), parameter :: PDN_FORCE_IS_USER_FORCE = 1106
+    integer(c_int32_t), parameter :: PDN_NUMBER_RELAXATION_TIME = 20
     integer(c_int32_t), parameter :: PDN_FEATURE_MEAN = 500
     integer(c_int32_t), parameter :: PDN_FEATURE_COSINE = 501
     integer(c_int32_t), parameter :: PDN_FEATURE_SINE = 502
@@ -453,6 +475,38 @@ module periodyn_c
         integer(c_int32_t) :: preconditioner
         integer(c_int32_t) :: reserved
     end type pdn_equations_sizes
+
+    type, bind(C) :: pdn_joint_info
+        integer(c_size_t) :: struct_size = 0
+        integer(c_int32_t) :: kind
+        integer(c_int32_t) :: first
+        integer(c_int32_t) :: second
+        integer(c_int32_t) :: reserved
+        real(c_double) :: pitch
+        real(c_double) :: first_position(3)
+        real(c_double) :: first_rotation(9)
+        real(c_double) :: second_position(3)
+        real(c_double) :: second_rotation(9)
+    end type pdn_joint_info
+
+    type, bind(C) :: pdn_force_info
+        integer(c_size_t) :: struct_size = 0
+        integer(c_int32_t) :: kind
+        integer(c_int32_t) :: joint
+        integer(c_int32_t) :: coordinate
+        integer(c_int32_t) :: first
+        integer(c_int32_t) :: second
+        integer(c_int32_t) :: angles
+        integer(c_int32_t) :: stiffness_count
+        integer(c_int32_t) :: damping_count
+        integer(c_int32_t) :: branch_count
+        integer(c_int32_t) :: node_count
+        real(c_double) :: rest
+        real(c_double) :: first_position(3)
+        real(c_double) :: first_rotation(9)
+        real(c_double) :: second_position(3)
+        real(c_double) :: second_rotation(9)
+    end type pdn_force_info
 
     type, bind(C) :: pdn_sensitivity_options
         integer(c_size_t) :: struct_size = 0
@@ -1141,6 +1195,28 @@ module periodyn_c
             integer(c_int32_t) :: pdn_model_add_screw_between
         end function pdn_model_add_screw_between
 
+        ! Number of linear relations between joint coordinates; their ids are 0 ..
+        function pdn_model_relation_count(model, count) bind(C, name="pdn_model_relation_count")
+            import
+            type(c_ptr), value :: model
+            integer(c_int32_t), intent(inout) :: count
+            integer(c_int32_t) :: pdn_model_relation_count
+        end function pdn_model_relation_count
+
+        ! Adds a linear relation between joint coordinates: gears, belts, racks, differentials
+        function pdn_model_add_relation(model, joints, coordinates, coefficients, count, signal, &
+            relation) bind(C, name="pdn_model_add_relation")
+            import
+            type(c_ptr), value :: model
+            integer(c_int32_t), intent(in) :: joints(*)
+            integer(c_int32_t), intent(in) :: coordinates(*)
+            real(c_double), intent(in) :: coefficients(*)
+            integer(c_size_t), value :: count
+            type(pdn_signal), intent(in), optional :: signal
+            integer(c_int32_t), intent(inout), optional :: relation
+            integer(c_int32_t) :: pdn_model_add_relation
+        end function pdn_model_add_relation
+
         ! Makes a line that is still to be set
         subroutine pdn_line_init(line, struct_size) bind(C, name="pdn_line_init")
             import
@@ -1594,6 +1670,22 @@ module periodyn_c
             integer(c_int32_t) :: pdn_model_add_viscous_damper
         end function pdn_model_add_viscous_damper
 
+        ! Adds a bushing, a bearing or a seal: any matrices of stiffness and damping between two frames, unsymmetric ...
+        function pdn_model_add_bushing(model, first, second, first_frame, second_frame, stiffness, damping, &
+            angles, force) bind(C, name="pdn_model_add_bushing")
+            import
+            type(c_ptr), value :: model
+            integer(c_int32_t), value :: first
+            integer(c_int32_t), value :: second
+            type(pdn_frame), intent(in) :: first_frame
+            type(pdn_frame), intent(in) :: second_frame
+            real(c_double), intent(in) :: stiffness(*)
+            real(c_double), intent(in) :: damping(*)
+            integer(c_int32_t), value :: angles
+            integer(c_int32_t), intent(inout), optional :: force
+            integer(c_int32_t) :: pdn_model_add_bushing
+        end function pdn_model_add_bushing
+
         ! Adds a spring-damper on a joint coordinate whose law is a function of the caller
         function pdn_model_add_coordinate_law(model, joint, coordinate, tangents, function, user_data, &
             destroy, force) bind(C, name="pdn_model_add_coordinate_law")
@@ -1642,6 +1734,37 @@ module periodyn_c
             type(pdn_tangent_check), intent(inout) :: check
             integer(c_int32_t) :: pdn_model_check_tangents
         end function pdn_model_check_tangents
+
+        ! Gives a node, joint, element, force or relation a label, in place of the one that it has
+        function pdn_model_set_label(model, kind, id, label) bind(C, name="pdn_model_set_label")
+            import
+            type(c_ptr), value :: model
+            integer(c_int32_t), value :: kind
+            integer(c_int32_t), value :: id
+            character(kind=c_char), intent(in), optional :: label(*)
+            integer(c_int32_t) :: pdn_model_set_label
+        end function pdn_model_set_label
+
+        ! The label of a node, joint, element, force or relation
+        function pdn_model_label(model, kind, id, buffer, capacity) bind(C, name="pdn_model_label")
+            import
+            type(c_ptr), value :: model
+            integer(c_int32_t), value :: kind
+            integer(c_int32_t), value :: id
+            character(kind=c_char), intent(inout), optional :: buffer(*)
+            integer(c_size_t), value :: capacity
+            integer(c_size_t) :: pdn_model_label
+        end function pdn_model_label
+
+        ! The node, joint, element, force or relation that has a label
+        function pdn_model_find_label(model, kind, label, id) bind(C, name="pdn_model_find_label")
+            import
+            type(c_ptr), value :: model
+            integer(c_int32_t), value :: kind
+            character(kind=c_char), intent(in) :: label(*)
+            integer(c_int32_t), intent(inout) :: id
+            integer(c_int32_t) :: pdn_model_find_label
+        end function pdn_model_find_label
 
         ! Frees a solution; NULL does nothing
         subroutine pdn_solution_free(solution) bind(C, name="pdn_solution_free")
@@ -2368,6 +2491,177 @@ module periodyn_c
             real(c_double), intent(inout) :: out
             integer(c_int32_t) :: pdn_solution_parameter
         end function pdn_solution_parameter
+
+        ! Prepares a struct for ::pdn_model_joint; use `PDN_INIT(pdn_joint_info, &info)`
+        subroutine pdn_joint_info_init(info, struct_size) bind(C, name="pdn_joint_info_init")
+            import
+            type(pdn_joint_info), intent(inout) :: info
+            integer(c_size_t), value :: struct_size
+        end subroutine pdn_joint_info_init
+
+        ! Prepares a struct for ::pdn_model_force; use `PDN_INIT(pdn_force_info, &info)`
+        subroutine pdn_force_info_init(info, struct_size) bind(C, name="pdn_force_info_init")
+            import
+            type(pdn_force_info), intent(inout) :: info
+            integer(c_size_t), value :: struct_size
+        end subroutine pdn_force_info_init
+
+        ! Kind, bodies and frames of a joint
+        function pdn_model_joint(model, joint, out) bind(C, name="pdn_model_joint")
+            import
+            type(c_ptr), value :: model
+            integer(c_int32_t), value :: joint
+            type(pdn_joint_info), intent(inout) :: out
+            integer(c_int32_t) :: pdn_model_joint
+        end function pdn_model_joint
+
+        ! Kind of a force, where it acts, and how many numbers it has
+        function pdn_model_force(model, force, out) bind(C, name="pdn_model_force")
+            import
+            type(c_ptr), value :: model
+            integer(c_int32_t), value :: force
+            type(pdn_force_info), intent(inout) :: out
+            integer(c_int32_t) :: pdn_model_force
+        end function pdn_model_force
+
+        ! A number of a force, with the factors of parameters
+        function pdn_model_force_number(model, force, number, index, &
+            out) bind(C, name="pdn_model_force_number")
+            import
+            type(c_ptr), value :: model
+            integer(c_int32_t), value :: force
+            integer(c_int32_t), value :: number
+            integer(c_int32_t), value :: index
+            real(c_double), intent(inout) :: out
+            integer(c_int32_t) :: pdn_model_force_number
+        end function pdn_model_force_number
+
+        ! A node of forces of the user
+        function pdn_model_force_node(model, force, index, node) bind(C, name="pdn_model_force_node")
+            import
+            type(c_ptr), value :: model
+            integer(c_int32_t), value :: force
+            integer(c_int32_t), value :: index
+            integer(c_int32_t), intent(inout) :: node
+            integer(c_int32_t) :: pdn_model_force_node
+        end function pdn_model_force_node
+
+        ! Number of nodes of a beam element
+        function pdn_model_beam_element_node_count(model, element, &
+            count) bind(C, name="pdn_model_beam_element_node_count")
+            import
+            type(c_ptr), value :: model
+            integer(c_int32_t), value :: element
+            integer(c_int32_t), intent(inout) :: count
+            integer(c_int32_t) :: pdn_model_beam_element_node_count
+        end function pdn_model_beam_element_node_count
+
+        ! A node of a beam element, in order along the beam
+        function pdn_model_beam_element_node(model, element, index, &
+            node) bind(C, name="pdn_model_beam_element_node")
+            import
+            type(c_ptr), value :: model
+            integer(c_int32_t), value :: element
+            integer(c_int32_t), value :: index
+            integer(c_int32_t), intent(inout) :: node
+            integer(c_int32_t) :: pdn_model_beam_element_node
+        end function pdn_model_beam_element_node
+
+        ! Cross-section of a beam element at a place, with the factors of parameters
+        function pdn_model_beam_section(model, element, station, out, &
+            twist) bind(C, name="pdn_model_beam_section")
+            import
+            type(c_ptr), value :: model
+            integer(c_int32_t), value :: element
+            real(c_double), value :: station
+            type(pdn_section), intent(inout) :: out
+            real(c_double), intent(inout), optional :: twist
+            integer(c_int32_t) :: pdn_model_beam_section
+        end function pdn_model_beam_section
+
+        ! Number of bodies, masses and inertias on nodes
+        function pdn_model_inertia_count(model, count) bind(C, name="pdn_model_inertia_count")
+            import
+            type(c_ptr), value :: model
+            integer(c_int32_t), intent(inout) :: count
+            integer(c_int32_t) :: pdn_model_inertia_count
+        end function pdn_model_inertia_count
+
+        ! A body, mass or inertia on a node, in the order in which they were added, with the factors of parameters
+        function pdn_model_inertia(model, index, node, matrix) bind(C, name="pdn_model_inertia")
+            import
+            type(c_ptr), value :: model
+            integer(c_int32_t), value :: index
+            integer(c_int32_t), intent(inout) :: node
+            real(c_double), intent(inout) :: matrix(*)
+            integer(c_int32_t) :: pdn_model_inertia
+        end function pdn_model_inertia
+
+        ! A prescribed coordinate, in the order in which they were prescribed; ::pdn_model_summary tells how many ...
+        function pdn_model_prescribed(model, index, joint, coordinate) bind(C, name="pdn_model_prescribed")
+            import
+            type(c_ptr), value :: model
+            integer(c_int32_t), value :: index
+            integer(c_int32_t), intent(inout) :: joint
+            integer(c_int32_t), intent(inout) :: coordinate
+            integer(c_int32_t) :: pdn_model_prescribed
+        end function pdn_model_prescribed
+
+        ! Number of loads on nodes
+        function pdn_model_load_count(model, count) bind(C, name="pdn_model_load_count")
+            import
+            type(c_ptr), value :: model
+            integer(c_int32_t), intent(inout) :: count
+            integer(c_int32_t) :: pdn_model_load_count
+        end function pdn_model_load_count
+
+        ! A load on a node, in the order in which they were added; its components are signals, ::pdn_model_sample_signal
+        function pdn_model_load_at(model, index, node, frame) bind(C, name="pdn_model_load_at")
+            import
+            type(c_ptr), value :: model
+            integer(c_int32_t), value :: index
+            integer(c_int32_t), intent(inout) :: node
+            integer(c_int32_t), intent(inout) :: frame
+            integer(c_int32_t) :: pdn_model_load_at
+        end function pdn_model_load_at
+
+        ! Number of coordinates of a linear relation
+        function pdn_model_relation_term_count(model, relation, &
+            count) bind(C, name="pdn_model_relation_term_count")
+            import
+            type(c_ptr), value :: model
+            integer(c_int32_t), value :: relation
+            integer(c_int32_t), intent(inout) :: count
+            integer(c_int32_t) :: pdn_model_relation_term_count
+        end function pdn_model_relation_term_count
+
+        ! A coordinate of a linear relation, and its coefficient
+        function pdn_model_relation_term(model, relation, index, joint, coordinate, &
+            coefficient) bind(C, name="pdn_model_relation_term")
+            import
+            type(c_ptr), value :: model
+            integer(c_int32_t), value :: relation
+            integer(c_int32_t), value :: index
+            integer(c_int32_t), intent(inout) :: joint
+            integer(c_int32_t), intent(inout) :: coordinate
+            real(c_double), intent(inout) :: coefficient
+            integer(c_int32_t) :: pdn_model_relation_term
+        end function pdn_model_relation_term
+
+        ! Values of a signal of the model in time
+        function pdn_model_sample_signal(model, place, index, component, period, times, count, &
+            values) bind(C, name="pdn_model_sample_signal")
+            import
+            type(c_ptr), value :: model
+            integer(c_int32_t), value :: place
+            integer(c_int32_t), value :: index
+            integer(c_int32_t), value :: component
+            real(c_double), value :: period
+            real(c_double), intent(in) :: times(*)
+            integer(c_size_t), value :: count
+            real(c_double), intent(inout) :: values(*)
+            integer(c_int32_t) :: pdn_model_sample_signal
+        end function pdn_model_sample_signal
 
         ! Makes an empty list: no parameter is free
         function pdn_conditions_new(out) bind(C, name="pdn_conditions_new")
@@ -3253,6 +3547,27 @@ module periodyn
         procedure, public :: joint_count => model_joint_count
         procedure, public :: element_count => model_element_count
         procedure, public :: force_count => model_force_count
+        procedure, public :: relation_count => model_relation_count
+        procedure, public :: add_relation => model_add_relation
+        procedure, public :: add_bushing => model_add_bushing
+        procedure, public :: set_label => model_set_label
+        procedure, public :: label => model_label
+        procedure, public :: find_label => model_find_label
+        procedure, public :: joint => model_joint
+        procedure, public :: force => model_force
+        procedure, public :: force_number => model_force_number
+        procedure, public :: force_node => model_force_node
+        procedure, public :: beam_element_node_count => model_beam_element_node_count
+        procedure, public :: beam_element_node => model_beam_element_node
+        procedure, public :: beam_section => model_beam_section
+        procedure, public :: inertia_count => model_inertia_count
+        procedure, public :: inertia => model_inertia
+        procedure, public :: prescribed => model_prescribed
+        procedure, public :: load_count => model_load_count
+        procedure, public :: load_at => model_load_at
+        procedure, public :: relation_term_count => model_relation_term_count
+        procedure, public :: relation_term => model_relation_term
+        procedure, public :: sample_signal => model_sample_signal
         procedure, public :: mass => model_mass
         procedure, public :: node_frame => model_node_frame
         procedure, public :: summary => model_summary
@@ -4015,6 +4330,275 @@ contains
 
         call report(pdn_model_element_count(self%c, count), stat, errmsg)
     end subroutine model_element_count
+
+    ! Labels that messages, reports and files tell; an empty one takes it away.
+    subroutine model_set_label(self, kind, id, label, stat, errmsg)
+        class(pdn_model), intent(inout) :: self
+        integer(c_int32_t), intent(in) :: kind, id
+        character(*), intent(in) :: label
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+
+        call report(pdn_model_set_label(self%c, kind, id, label//c_null_char), stat, errmsg)
+    end subroutine model_set_label
+
+    ! Empty if there is none.
+    subroutine model_label(self, kind, id, label)
+        class(pdn_model), intent(in) :: self
+        integer(c_int32_t), intent(in) :: kind, id
+        character(:), allocatable, intent(inout) :: label
+        character(kind=c_char) :: buffer(PDN_LABEL_LENGTH + 1)
+        integer(c_size_t) :: length
+
+        length = pdn_model_label(self%c, kind, id, buffer, size(buffer, kind=c_size_t))
+        label = joined(buffer(:length))
+    end subroutine model_label
+
+    ! What has a label.
+    subroutine model_find_label(self, kind, label, id, stat, errmsg)
+        class(pdn_model), intent(in) :: self
+        integer(c_int32_t), intent(in) :: kind
+        character(*), intent(in) :: label
+        integer(c_int32_t), intent(inout) :: id
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+
+        call report(pdn_model_find_label(self%c, kind, label//c_null_char, id), stat, errmsg)
+    end subroutine model_find_label
+
+    ! Kind, bodies and frames of a joint.
+    subroutine model_joint(self, joint, info, stat, errmsg)
+        class(pdn_model), intent(in) :: self
+        integer(c_int32_t), intent(in) :: joint
+        type(pdn_joint_info), intent(inout) :: info
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        type(pdn_joint_info) :: found
+        integer(c_int32_t) :: status
+
+        call pdn_joint_info_init(found, c_sizeof(found))
+        status = pdn_model_joint(self%c, joint, found)
+        if (status == PDN_OK) info = found
+        call report(status, stat, errmsg)
+    end subroutine model_joint
+
+    ! Kind, bodies and frames of a force.
+    subroutine model_force(self, force, info, stat, errmsg)
+        class(pdn_model), intent(in) :: self
+        integer(c_int32_t), intent(in) :: force
+        type(pdn_force_info), intent(inout) :: info
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        type(pdn_force_info) :: found
+        integer(c_int32_t) :: status
+
+        call pdn_force_info_init(found, c_sizeof(found))
+        status = pdn_model_force(self%c, force, found)
+        if (status == PDN_OK) info = found
+        call report(status, stat, errmsg)
+    end subroutine model_force
+
+    ! A number of a force; index is from 0.
+    subroutine model_force_number(self, force, number, index, value, stat, errmsg)
+        class(pdn_model), intent(in) :: self
+        integer(c_int32_t), intent(in) :: force, number, index
+        real(c_double), intent(inout) :: value
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+
+        call report(pdn_model_force_number(self%c, force, number, index, value), stat, errmsg)
+    end subroutine model_force_number
+
+    ! A node of forces of the user; index is from 0.
+    subroutine model_force_node(self, force, index, node, stat, errmsg)
+        class(pdn_model), intent(in) :: self
+        integer(c_int32_t), intent(in) :: force, index
+        integer(c_int32_t), intent(inout) :: node
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+
+        call report(pdn_model_force_node(self%c, force, index, node), stat, errmsg)
+    end subroutine model_force_node
+
+    ! Number of nodes of a beam element.
+    subroutine model_beam_element_node_count(self, element, count, stat, errmsg)
+        class(pdn_model), intent(in) :: self
+        integer(c_int32_t), intent(in) :: element
+        integer(c_int32_t), intent(inout) :: count
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+
+        call report(pdn_model_beam_element_node_count(self%c, element, count), stat, errmsg)
+    end subroutine model_beam_element_node_count
+
+    ! A node of a beam element; index is from 0.
+    subroutine model_beam_element_node(self, element, index, node, stat, errmsg)
+        class(pdn_model), intent(in) :: self
+        integer(c_int32_t), intent(in) :: element, index
+        integer(c_int32_t), intent(inout) :: node
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+
+        call report(pdn_model_beam_element_node(self%c, element, index, node), stat, errmsg)
+    end subroutine model_beam_element_node
+
+    ! Section of a beam element at a place from -1 to 1, and its twist.
+    subroutine model_beam_section(self, element, station, section, twist, stat, errmsg)
+        class(pdn_model), intent(in) :: self
+        integer(c_int32_t), intent(in) :: element
+        real(c_double), intent(in) :: station
+        type(pdn_section), intent(inout) :: section
+        real(c_double), intent(inout), optional :: twist
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        type(pdn_section) :: found
+        integer(c_int32_t) :: status
+
+        call pdn_section_init(found, c_sizeof(found))
+        status = pdn_model_beam_section(self%c, element, station, found, twist)
+        if (status == PDN_OK) section = found
+        call report(status, stat, errmsg)
+    end subroutine model_beam_section
+
+    ! Number of bodies, masses and inertias.
+    subroutine model_inertia_count(self, count, stat, errmsg)
+        class(pdn_model), intent(in) :: self
+        integer(c_int32_t), intent(inout) :: count
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+
+        call report(pdn_model_inertia_count(self%c, count), stat, errmsg)
+    end subroutine model_inertia_count
+
+    ! Node and matrix of a body, mass or inertia; index is from 0.
+    subroutine model_inertia(self, index, node, matrix, stat, errmsg)
+        class(pdn_model), intent(in) :: self
+        integer(c_int32_t), intent(in) :: index
+        integer(c_int32_t), intent(inout) :: node
+        real(c_double), intent(inout) :: matrix(6, 6)
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+
+        call report(pdn_model_inertia(self%c, index, node, matrix), stat, errmsg)
+    end subroutine model_inertia
+
+    ! A prescribed coordinate; index is from 0.
+    subroutine model_prescribed(self, index, joint, coordinate, stat, errmsg)
+        class(pdn_model), intent(in) :: self
+        integer(c_int32_t), intent(in) :: index
+        integer(c_int32_t), intent(inout) :: joint, coordinate
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+
+        call report(pdn_model_prescribed(self%c, index, joint, coordinate), stat, errmsg)
+    end subroutine model_prescribed
+
+    ! Number of loads on nodes.
+    subroutine model_load_count(self, count, stat, errmsg)
+        class(pdn_model), intent(in) :: self
+        integer(c_int32_t), intent(inout) :: count
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+
+        call report(pdn_model_load_count(self%c, count), stat, errmsg)
+    end subroutine model_load_count
+
+    ! A load on a node; index is from 0.
+    subroutine model_load_at(self, index, node, frame, stat, errmsg)
+        class(pdn_model), intent(in) :: self
+        integer(c_int32_t), intent(in) :: index
+        integer(c_int32_t), intent(inout) :: node, frame
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+
+        call report(pdn_model_load_at(self%c, index, node, frame), stat, errmsg)
+    end subroutine model_load_at
+
+    ! Number of coordinates of a linear relation.
+    subroutine model_relation_term_count(self, relation, count, stat, errmsg)
+        class(pdn_model), intent(in) :: self
+        integer(c_int32_t), intent(in) :: relation
+        integer(c_int32_t), intent(inout) :: count
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+
+        call report(pdn_model_relation_term_count(self%c, relation, count), stat, errmsg)
+    end subroutine model_relation_term_count
+
+    ! A coordinate of a linear relation, and its coefficient; index is from 0.
+    subroutine model_relation_term(self, relation, index, joint, coordinate, coefficient, stat, errmsg)
+        class(pdn_model), intent(in) :: self
+        integer(c_int32_t), intent(in) :: relation, index
+        integer(c_int32_t), intent(inout) :: joint, coordinate
+        real(c_double), intent(inout) :: coefficient
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+
+        call report(pdn_model_relation_term(self%c, relation, index, joint, coordinate, coefficient), stat, errmsg)
+    end subroutine model_relation_term
+
+    ! Values of a signal of the model at times.
+    subroutine model_sample_signal(self, place, index, component, period, times, values, stat, errmsg)
+        class(pdn_model), intent(in) :: self
+        integer(c_int32_t), intent(in) :: place, index, component
+        real(c_double), intent(in) :: period, times(:)
+        real(c_double), intent(inout) :: values(:)
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+
+        if (.not. fits('values', shape(values), shape(times), stat, errmsg)) return
+        call report(pdn_model_sample_signal(self%c, place, index, component, period, times, &
+            size(times, kind=c_size_t), values), stat, errmsg)
+    end subroutine model_sample_signal
+
+    ! Number of relations between joint coordinates.
+    subroutine model_relation_count(self, count, stat, errmsg)
+        class(pdn_model), intent(in) :: self
+        integer(c_int32_t), intent(inout) :: count
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+
+        call report(pdn_model_relation_count(self%c, count), stat, errmsg)
+    end subroutine model_relation_count
+
+    ! The sum of coefficients times coordinates is the signal or, without one, stays what it is.
+    subroutine model_add_relation(self, joints, coordinates, coefficients, signal, relation, stat, errmsg)
+        class(pdn_model), intent(inout) :: self
+        integer(c_int32_t), intent(in) :: joints(:), coordinates(:)
+        real(c_double), intent(in) :: coefficients(:)
+        type(pdn_signal), intent(in), optional, target :: signal
+        integer(c_int32_t), intent(inout), optional :: relation
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        type(c_signal) :: raw
+
+        if (.not. fits('coordinates', shape(coordinates), shape(joints), stat, errmsg)) return
+        if (.not. fits('coefficients', shape(coefficients), shape(joints), stat, errmsg)) return
+        if (present(signal)) then
+            call signal%pass(raw)
+            call report(pdn_model_add_relation(self%c, joints, coordinates, coefficients, &
+                size(joints, kind=c_size_t), raw, relation), stat, errmsg)
+        else
+            call report(pdn_model_add_relation(self%c, joints, coordinates, coefficients, &
+                size(joints, kind=c_size_t), relation=relation), stat, errmsg)
+        end if
+    end subroutine model_add_relation
+
+    ! Matrices of stiffness and damping between two frames: row is the effort, column the motion.
+    subroutine model_add_bushing(self, first, second, first_frame, second_frame, stiffness, damping, &
+        angles, force, stat, errmsg)
+        class(pdn_model), intent(inout) :: self
+        integer(c_int32_t), intent(in) :: first, second
+        type(pdn_frame), intent(in) :: first_frame, second_frame
+        real(c_double), intent(in) :: stiffness(6, 6), damping(6, 6)
+        integer(c_int32_t), intent(in) :: angles
+        integer(c_int32_t), intent(inout), optional :: force
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+
+        call report(pdn_model_add_bushing(self%c, first, second, first_frame, second_frame, stiffness, &
+            damping, angles, force), stat, errmsg)
+    end subroutine model_add_bushing
 
     ! Number of forces.
     subroutine model_force_count(self, count, stat, errmsg)

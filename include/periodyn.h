@@ -211,6 +211,17 @@
 #define PDN_JOINT_FREE 7
 
 /**
+ * Joint that allows a displacement along axis 3 of its frames, in proportion to the rotation about
+ * it; made by functions of its own, for its pitch.
+ */
+#define PDN_JOINT_SCREW 8
+
+/**
+ * The line between two points, which constrains nothing; made by ::pdn_model_add_strut.
+ */
+#define PDN_JOINT_STRUT 9
+
+/**
  * Joint coordinate: the displacement, or the first of several.
  */
 #define PDN_DISPLACEMENT 0
@@ -364,6 +375,17 @@
 #define PDN_SHELL_SURFACE 4
 
 /**
+ * A bushing measures rotations by the rotation vector; its angle stays below half a turn.
+ */
+#define PDN_ANGLES_ROTATION_VECTOR 0
+
+/**
+ * A bushing measures the tilt of axis 3, as a rotation vector about axes 1 and 2, and the rate of
+ * the spin about axis 3, which may go on and on: for journal bearings and seals.
+ */
+#define PDN_ANGLES_TILT_AND_SPIN 1
+
+/**
  * Tangents of a user's function: it gives none, and the library finds them by differences of its
  * forces.
  */
@@ -383,6 +405,41 @@
  * Which tangent: derivative by a velocity or rate.
  */
 #define PDN_TANGENT_VELOCITY 1
+
+/**
+ * What has an id: a node, or a rigid body, which is one.
+ */
+#define PDN_OBJECT_NODE 1000
+
+/**
+ * What has an id: a joint.
+ */
+#define PDN_OBJECT_JOINT 1001
+
+/**
+ * What has an id: a beam element.
+ */
+#define PDN_OBJECT_BEAM_ELEMENT 1002
+
+/**
+ * What has an id: a shell element.
+ */
+#define PDN_OBJECT_SHELL_ELEMENT 1003
+
+/**
+ * What has an id: a force, but not a load.
+ */
+#define PDN_OBJECT_FORCE 1004
+
+/**
+ * What has an id: a linear relation between joint coordinates.
+ */
+#define PDN_OBJECT_RELATION 1005
+
+/**
+ * Bytes of a label at most, without the NUL.
+ */
+#define PDN_LABEL_LENGTH 200
 
 /**
  * Outcome: converged. With PDN_TOLERANCE_NOT_MET the only outcomes that are solutions.
@@ -647,6 +704,12 @@
 #define PDN_QUANTITY_FORCE_ON_NODE 403
 
 /**
+ * Kind of quantity: the efforts of a bushing against its deformation, forces along the axes of its
+ * first frame and moments; 6 components.
+ */
+#define PDN_QUANTITY_BUSHING_EFFORTS 404
+
+/**
  * Kind of quantity: strains of a shell element, in the order of ::pdn_shell_section; 12
  * components.
  */
@@ -668,6 +731,11 @@
  * Kind of quantity: the same at the other surface; 4 components.
  */
 #define PDN_QUANTITY_STRESS_BOTTOM 503
+
+/**
+ * Kind of quantity: effort of a linear relation on one of its joint coordinates, towards growth.
+ */
+#define PDN_QUANTITY_RELATION_EFFORT 600
 
 /**
  * All components of a quantity.
@@ -833,12 +901,14 @@
 
 /**
  * A parameter moves the coefficient of a power, from 1, of the growth of a spring-damper, or with
- * power 1 the long-term stiffness of a viscoelastic force.
+ * power 1 the long-term stiffness of a viscoelastic force or a factor of the stiffness of a
+ * bushing.
  */
 #define PDN_NUMBER_STIFFNESS 0
 
 /**
- * A parameter moves the coefficient of a power, from 1, of the rate of a spring-damper.
+ * A parameter moves the coefficient of a power, from 1, of the rate of a spring-damper, or with
+ * power 1 a factor of the damping of a bushing.
  */
 #define PDN_NUMBER_DAMPING 1
 
@@ -900,6 +970,11 @@
 #define PDN_SIGNAL_OF_GRAVITY 4
 
 /**
+ * The signal of a linear relation between joint coordinates, by its id.
+ */
+#define PDN_SIGNAL_OF_RELATION 5
+
+/**
  * Part of a signal: the mean that is added to its shape.
  */
 #define PDN_PART_MEAN 0
@@ -923,6 +998,47 @@
  * A parameter: the circular frequency 2 pi / T, which every model has.
  */
 #define PDN_FREQUENCY -1
+
+/**
+ * Kind of force: springs and dampers on a joint coordinate.
+ */
+#define PDN_FORCE_IS_SPRING_DAMPER 1100
+
+/**
+ * Kind of force: an actuator on a joint coordinate.
+ */
+#define PDN_FORCE_IS_ACTUATOR 1101
+
+/**
+ * Kind of force: a law of the user on a joint coordinate.
+ */
+#define PDN_FORCE_IS_COORDINATE_LAW 1102
+
+/**
+ * Kind of force: a viscoelastic element on a joint coordinate.
+ */
+#define PDN_FORCE_IS_VISCOELASTIC 1103
+
+/**
+ * Kind of force: a viscous damper between two bodies.
+ */
+#define PDN_FORCE_IS_VISCOUS_DAMPER 1104
+
+/**
+ * Kind of force: a bushing between two frames.
+ */
+#define PDN_FORCE_IS_BUSHING 1105
+
+/**
+ * Kind of force: forces of the user on nodes.
+ */
+#define PDN_FORCE_IS_USER_FORCE 1106
+
+/**
+ * Numbers of a force: relaxation times of the branches of a viscoelastic element. Parameters do
+ * not move them.
+ */
+#define PDN_NUMBER_RELAXATION_TIME 20
 
 /**
  * Feature of a quantity: its mean over the period, without what it gains.
@@ -1868,7 +1984,8 @@ typedef struct pdn_diagnostics {
 } pdn_diagnostics;
 
 /**
- * What is asked of a solution: of a node, a joint, a beam, a shell or a force. Initialise with
+ * What is asked of a solution: of a node, a joint, a beam, a shell, a force or a relation.
+ * Initialise with
  * `PDN_INIT(pdn_quantity, &quantity)`; fields that its kind does not have stay as they are.
  */
 typedef struct pdn_quantity {
@@ -1881,12 +1998,13 @@ typedef struct pdn_quantity {
      */
     int32_t kind;
     /**
-     * Id of the node, joint, beam element, shell element or force that it is of.
+     * Id of the node, joint, beam element, shell element, force or relation that it is of.
      */
     int32_t object;
     /**
      * The component, from 0, or PDN_ALL_COMPONENTS, the default. Of coordinates and driving
-     * efforts, the coordinate: PDN_DISPLACEMENT, ..., PDN_ROTATION_3.
+     * efforts, the coordinate: PDN_DISPLACEMENT, ..., PDN_ROTATION_3; of relations which of their
+     * coordinates, from 0.
      */
     int32_t component;
     /**
@@ -2278,6 +2396,123 @@ typedef struct pdn_equations_sizes {
      */
     int32_t reserved;
 } pdn_equations_sizes;
+
+/**
+ * A joint of a model. Initialise with `PDN_INIT(pdn_joint_info, &info)`.
+ */
+typedef struct pdn_joint_info {
+    /**
+     * Set by the initialiser.
+     */
+    size_t struct_size;
+    /**
+     * PDN_JOINT_RIGID ... PDN_JOINT_STRUT.
+     */
+    int32_t kind;
+    /**
+     * Id of the first node, or PDN_GROUND.
+     */
+    int32_t first;
+    /**
+     * Id of the second node, or PDN_GROUND.
+     */
+    int32_t second;
+    /**
+     * Zero.
+     */
+    int32_t reserved;
+    /**
+     * Advance of a screw for one turn; zero of other joints.
+     */
+    double pitch;
+    /**
+     * Origin of the first frame in the reference configuration, global coordinates.
+     */
+    double first_position[3];
+    /**
+     * Axes of the first frame there, a rotation matrix, column by column.
+     */
+    double first_rotation[9];
+    /**
+     * Origin of the second frame, likewise.
+     */
+    double second_position[3];
+    /**
+     * Axes of the second frame, likewise.
+     */
+    double second_rotation[9];
+} pdn_joint_info;
+
+/**
+ * A force of a model. Initialise with `PDN_INIT(pdn_force_info, &info)`.
+ */
+typedef struct pdn_force_info {
+    /**
+     * Set by the initialiser.
+     */
+    size_t struct_size;
+    /**
+     * PDN_FORCE_IS_SPRING_DAMPER ... PDN_FORCE_IS_USER_FORCE.
+     */
+    int32_t kind;
+    /**
+     * Id of the joint on whose coordinate it acts, or -1.
+     */
+    int32_t joint;
+    /**
+     * The coordinate: PDN_DISPLACEMENT, ...; -1 if it acts on none.
+     */
+    int32_t coordinate;
+    /**
+     * Of what is between two bodies, id of the first node, or PDN_GROUND.
+     */
+    int32_t first;
+    /**
+     * Id of the second node, or PDN_GROUND.
+     */
+    int32_t second;
+    /**
+     * Of a bushing, PDN_ANGLES_ROTATION_VECTOR or PDN_ANGLES_TILT_AND_SPIN; else zero.
+     */
+    int32_t angles;
+    /**
+     * How many numbers PDN_NUMBER_STIFFNESS it has, for ::pdn_model_force_number.
+     */
+    int32_t stiffness_count;
+    /**
+     * The same of PDN_NUMBER_DAMPING.
+     */
+    int32_t damping_count;
+    /**
+     * The same of PDN_NUMBER_RELAXATION_TIME: branches of a viscoelastic element.
+     */
+    int32_t branch_count;
+    /**
+     * Nodes of forces of the user, for ::pdn_model_force_node.
+     */
+    int32_t node_count;
+    /**
+     * Coordinate at which springs are free of effort.
+     */
+    double rest;
+    /**
+     * Of what is between two bodies, origin of the first frame in the reference configuration,
+     * global coordinates.
+     */
+    double first_position[3];
+    /**
+     * Axes of the first frame there, a rotation matrix, column by column.
+     */
+    double first_rotation[9];
+    /**
+     * Origin of the second frame, likewise.
+     */
+    double second_position[3];
+    /**
+     * Axes of the second frame, likewise.
+     */
+    double second_rotation[9];
+} pdn_force_info;
 
 /**
  * Options of ::pdn_solution_sensitivities. Set the defaults by `PDN_INIT(pdn_sensitivity_options,
@@ -2885,7 +3120,8 @@ typedef struct pdn_summary {
      */
     int32_t prescribed;
     /**
-     * Number of constraints: those of the joints, and one for each prescribed coordinate.
+     * Number of constraints: those of the joints, and one for each prescribed coordinate and each
+     * relation between coordinates.
      */
     int32_t constraints;
     /**
@@ -3799,6 +4035,56 @@ pdn_status pdn_model_add_screw_between(struct pdn_model *model,
                                        const struct pdn_frame *second_frame,
                                        double pitch,
                                        int32_t *joint);
+
+/**
+ * Number of linear relations between joint coordinates; their ids are 0 ... count - 1.
+ *
+ * @param model  the model; not NULL
+ * @param count  the number; written on success only
+ * @return PDN_OK, PDN_ERR_NULL
+ *
+ * Threads: `model` is `const`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_model_relation_count(const struct pdn_model *model,
+                                    int32_t *count);
+
+/**
+ * Adds a linear relation between joint coordinates: gears, belts, racks, differentials.
+ *
+ * It keeps the sum of coefficients[i] * q[i] equal to a signal, with q[i] coordinate
+ * coordinates[i] of joint joints[i], whole turns counted. Gears that turn q1 by n q2 have
+ * coefficients 1 and -n, a rack on a pinion of radius r 1 and -r, a differential 1, 1 and -2. It
+ * exerts an effort on each of the coordinates, in proportion to the coefficients:
+ * PDN_QUANTITY_RELATION_EFFORT. Where angles that are prescribed turn on and on, those that they
+ * turn by relations must gain whole turns in a period as well; a solve refuses others with
+ * PDN_ERR_NOT_PERIODIC, and tells a period that would do.
+ *
+ * @param model  the model; not NULL
+ * @param joints  array of length [count]: ids of the joints
+ * @param coordinates  array of length [count]: PDN_DISPLACEMENT ... PDN_ROTATION_3 of each, one
+ *     that the joint has; each coordinate of a joint at most once
+ * @param coefficients  array of length [count]: numbers other than zero, in units that make the
+ *     terms of the sum alike
+ * @param count  number of coordinates, at least 2
+ * @param signal  what the sum is in time, copied; it must return to its value after a period. NULL
+ *     for what the sum is in the reference configuration
+ * @param relation  the relation's id; may be NULL if it is not wanted; written on success only
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_SIZE, PDN_ERR_ID, PDN_ERR_VALUE,
+ *     PDN_ERR_STRUCT_SIZE, PDN_ERR_NOT_AVAILABLE
+ *
+ * Threads: exclusive use of `model`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_model_add_relation(struct pdn_model *model,
+                                  const int32_t *joints,
+                                  const int32_t *coordinates,
+                                  const double *coefficients,
+                                  size_t count,
+                                  const struct pdn_signal *signal,
+                                  int32_t *relation);
 
 /**
  * Makes a line that is still to be set. Use it as `PDN_INIT(pdn_line, &line)`.
@@ -4750,6 +5036,47 @@ pdn_status pdn_model_add_viscous_damper(struct pdn_model *model,
                                         int32_t *force);
 
 /**
+ * Adds a bushing, a bearing or a seal: any matrices of stiffness and damping between two frames,
+ * unsymmetric ones included.
+ *
+ * With e the displacement of the second frame's origin and the angles of its turn, both relative
+ * to the first frame and along its axes, the efforts against e are f = stiffness e + damping e'.
+ * The first three are forces along the axes of the first frame, that act at the second frame's
+ * origin, on both bodies; the others are moments that do the work of the angles: for small turns
+ * moments about the axes of the first frame. So the axes of a journal bearing, with axis 3 along
+ * the shaft, are those of its housing if that is the first body.
+ *
+ * The matrices are column by column: stiffness[i + 6 j] is effort i for a unit of e[j]. Parameters
+ * scale them: PDN_NUMBER_STIFFNESS and PDN_NUMBER_DAMPING with power 1 move a factor of each.
+ *
+ * @param model  the model; not NULL
+ * @param first  id of the first node, or PDN_GROUND
+ * @param second  id of the second node, or PDN_GROUND; not the same body
+ * @param first_frame  frame fixed to the first body, where it is in the reference configuration;
+ *     not NULL
+ * @param second_frame  frame fixed to the second body, likewise; not NULL
+ * @param stiffness  array of length 36: 6 x 6 [force / length, force, force * length]; with
+ *     PDN_ANGLES_TILT_AND_SPIN its last column is zero
+ * @param damping  array of length 36: 6 x 6 [the same times time]
+ * @param angles  PDN_ANGLES_ROTATION_VECTOR or PDN_ANGLES_TILT_AND_SPIN
+ * @param force  the force's id; may be NULL if it is not wanted; written on success only
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_NOT_FINITE, PDN_ERR_ID, PDN_ERR_VALUE
+ *
+ * Threads: exclusive use of `model`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_model_add_bushing(struct pdn_model *model,
+                                 int32_t first,
+                                 int32_t second,
+                                 const struct pdn_frame *first_frame,
+                                 const struct pdn_frame *second_frame,
+                                 const double *stiffness,
+                                 const double *damping,
+                                 int32_t angles,
+                                 int32_t *force);
+
+/**
  * Adds a spring-damper on a joint coordinate whose law is a function of the caller.
  *
  * Its effort, a force on a displacement or a moment on an angle, resists growth of the coordinate
@@ -4851,6 +5178,68 @@ pdn_status pdn_model_check_tangents(const struct pdn_model *model,
                                     int32_t force,
                                     double period,
                                     struct pdn_tangent_check *check);
+
+/**
+ * Gives a node, joint, element, force or relation a label, in place of the one that it has.
+ *
+ * Messages and reports name it after the id, as in: joint 3 "crank pin". Labels are saved and
+ * copied with the model, and solutions keep those that it has when it is solved.
+ *
+ * @param model  the model; not NULL
+ * @param kind  PDN_OBJECT_NODE, ...
+ * @param id  its id
+ * @param label  text in UTF-8 of at most PDN_LABEL_LENGTH bytes, without quotes (") and control
+ *     characters, that no other object of this kind has; empty or NULL to take the label away
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_ID, PDN_ERR_VALUE
+ *
+ * Threads: exclusive use of `model`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_model_set_label(struct pdn_model *model,
+                               int32_t kind,
+                               int32_t id,
+                               const char *label);
+
+/**
+ * The label of a node, joint, element, force or relation.
+ *
+ * @param model  the model; not NULL
+ * @param kind  PDN_OBJECT_NODE, ...
+ * @param id  its id
+ * @param buffer  array of length [capacity] for the label, UTF-8, always ended by NUL; may be NULL
+ *     if capacity is 0
+ * @param capacity  size of buffer in bytes
+ * @return length of the label without the NUL, as snprintf does; 0 if there is none, or if
+ *     the handle or id is not valid, see ::pdn_last_error
+ *
+ * Threads: `model` is `const`.
+ * @since 0.1
+ */
+PDN_API
+size_t pdn_model_label(const struct pdn_model *model,
+                       int32_t kind,
+                       int32_t id,
+                       char *buffer,
+                       size_t capacity);
+
+/**
+ * The node, joint, element, force or relation that has a label.
+ *
+ * @param model  the model; not NULL
+ * @param kind  PDN_OBJECT_NODE, ...
+ * @param label  the label; not NULL
+ * @param id  its id; written on success only
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_VALUE, PDN_ERR_NOT_AVAILABLE (none has this label)
+ *
+ * Threads: `model` is `const`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_model_find_label(const struct pdn_model *model,
+                                int32_t kind,
+                                const char *label,
+                                int32_t *id);
 
 /**
  * Frees a solution; NULL does nothing.
@@ -6307,6 +6696,312 @@ PDN_API
 pdn_status pdn_solution_parameter(const struct pdn_solution *solution,
                                   int32_t parameter,
                                   double *out);
+
+/**
+ * Prepares a struct for ::pdn_model_joint; use `PDN_INIT(pdn_joint_info, &info)`.
+ *
+ * @param info  the struct; not NULL
+ * @param struct_size  `sizeof *info`
+ *
+ * Threads: any.
+ * @since 0.1
+ */
+PDN_API
+void pdn_joint_info_init(struct pdn_joint_info *info,
+                         size_t struct_size);
+
+/**
+ * Prepares a struct for ::pdn_model_force; use `PDN_INIT(pdn_force_info, &info)`.
+ *
+ * @param info  the struct; not NULL
+ * @param struct_size  `sizeof *info`
+ *
+ * Threads: any.
+ * @since 0.1
+ */
+PDN_API
+void pdn_force_info_init(struct pdn_force_info *info,
+                         size_t struct_size);
+
+/**
+ * Kind, bodies and frames of a joint.
+ *
+ * @param model  the model; not NULL
+ * @param joint  id of the joint
+ * @param out  the joint; initialised by PDN_INIT; filled on success only
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_STRUCT_SIZE, PDN_ERR_ID
+ *
+ * Threads: `model` is `const`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_model_joint(const struct pdn_model *model,
+                           int32_t joint,
+                           struct pdn_joint_info *out);
+
+/**
+ * Kind of a force, where it acts, and how many numbers it has.
+ *
+ * @param model  the model; not NULL
+ * @param force  id of the force
+ * @param out  the force; initialised by PDN_INIT; filled on success only
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_STRUCT_SIZE, PDN_ERR_ID
+ *
+ * Threads: `model` is `const`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_model_force(const struct pdn_model *model,
+                           int32_t force,
+                           struct pdn_force_info *out);
+
+/**
+ * A number of a force, with the factors of parameters.
+ *
+ * Of a spring-damper the coefficients of the powers of the growth and of the rate, from the first;
+ * of a viscoelastic element as PDN_NUMBER_STIFFNESS the long-term stiffness, then that of each
+ * branch; of viscous dampers and bushings their matrices, column by column.
+ *
+ * @param model  the model; not NULL
+ * @param force  id of the force
+ * @param number  PDN_NUMBER_STIFFNESS, PDN_NUMBER_DAMPING or PDN_NUMBER_RELAXATION_TIME
+ * @param index  which of these, from 0; their count is in pdn_force_info
+ * @param out  the number; written on success only
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_ID, PDN_ERR_VALUE
+ *
+ * Threads: `model` is `const`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_model_force_number(const struct pdn_model *model,
+                                  int32_t force,
+                                  int32_t number,
+                                  int32_t index,
+                                  double *out);
+
+/**
+ * A node of forces of the user.
+ *
+ * @param model  the model; not NULL
+ * @param force  id of the force
+ * @param index  which of its nodes, from 0; their count is in pdn_force_info
+ * @param node  the node's id; written on success only
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_ID
+ *
+ * Threads: `model` is `const`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_model_force_node(const struct pdn_model *model,
+                                int32_t force,
+                                int32_t index,
+                                int32_t *node);
+
+/**
+ * Number of nodes of a beam element.
+ *
+ * @param model  the model; not NULL
+ * @param element  id of the beam element
+ * @param count  the number; written on success only
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_ID
+ *
+ * Threads: `model` is `const`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_model_beam_element_node_count(const struct pdn_model *model,
+                                             int32_t element,
+                                             int32_t *count);
+
+/**
+ * A node of a beam element, in order along the beam.
+ *
+ * @param model  the model; not NULL
+ * @param element  id of the beam element
+ * @param index  which of its nodes, from 0
+ * @param node  the node's id; written on success only
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_ID
+ *
+ * Threads: `model` is `const`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_model_beam_element_node(const struct pdn_model *model,
+                                       int32_t element,
+                                       int32_t index,
+                                       int32_t *node);
+
+/**
+ * Cross-section of a beam element at a place, with the factors of parameters.
+ *
+ * @param model  the model; not NULL
+ * @param element  id of the beam element
+ * @param station  place along the element, from -1 at its first to 1 at its last node
+ * @param out  the section, in its own axes; initialised by PDN_INIT; filled on success only
+ * @param twist  angle by which its axes are turned about axis 1 from those between the nodes
+ *     [radian]; may be NULL if it is not wanted; written on success only
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_STRUCT_SIZE, PDN_ERR_NOT_FINITE, PDN_ERR_ID, PDN_ERR_VALUE
+ *
+ * Threads: `model` is `const`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_model_beam_section(const struct pdn_model *model,
+                                  int32_t element,
+                                  double station,
+                                  struct pdn_section *out,
+                                  double *twist);
+
+/**
+ * Number of bodies, masses and inertias on nodes.
+ *
+ * @param model  the model; not NULL
+ * @param count  the number; written on success only
+ * @return PDN_OK, PDN_ERR_NULL
+ *
+ * Threads: `model` is `const`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_model_inertia_count(const struct pdn_model *model,
+                                   int32_t *count);
+
+/**
+ * A body, mass or inertia on a node, in the order in which they were added, with the factors of
+ * parameters.
+ *
+ * @param model  the model; not NULL
+ * @param index  which of them, from 0
+ * @param node  the node's id; written on success only
+ * @param matrix  array of length 36: 6 x 6 inertia about the node, along its axes, as in
+ *     ::pdn_model_add_inertia; written on success only
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_ID
+ *
+ * Threads: `model` is `const`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_model_inertia(const struct pdn_model *model,
+                             int32_t index,
+                             int32_t *node,
+                             double *matrix);
+
+/**
+ * A prescribed coordinate, in the order in which they were prescribed; ::pdn_model_summary tells
+ * how many there are, and ::pdn_model_sample_signal what they follow.
+ *
+ * @param model  the model; not NULL
+ * @param index  which of them, from 0
+ * @param joint  id of its joint; written on success only
+ * @param coordinate  PDN_DISPLACEMENT, ...; written on success only
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_ID
+ *
+ * Threads: `model` is `const`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_model_prescribed(const struct pdn_model *model,
+                                int32_t index,
+                                int32_t *joint,
+                                int32_t *coordinate);
+
+/**
+ * Number of loads on nodes.
+ *
+ * @param model  the model; not NULL
+ * @param count  the number; written on success only
+ * @return PDN_OK, PDN_ERR_NULL
+ *
+ * Threads: `model` is `const`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_model_load_count(const struct pdn_model *model,
+                                int32_t *count);
+
+/**
+ * A load on a node, in the order in which they were added; its components are signals,
+ * ::pdn_model_sample_signal.
+ *
+ * @param model  the model; not NULL
+ * @param index  which of them, from 0
+ * @param node  the node's id; written on success only
+ * @param frame  PDN_FRAME_SPACE or PDN_FRAME_MATERIAL; written on success only
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_ID
+ *
+ * Threads: `model` is `const`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_model_load_at(const struct pdn_model *model,
+                             int32_t index,
+                             int32_t *node,
+                             int32_t *frame);
+
+/**
+ * Number of coordinates of a linear relation.
+ *
+ * @param model  the model; not NULL
+ * @param relation  id of the relation
+ * @param count  the number; written on success only
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_ID
+ *
+ * Threads: `model` is `const`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_model_relation_term_count(const struct pdn_model *model,
+                                         int32_t relation,
+                                         int32_t *count);
+
+/**
+ * A coordinate of a linear relation, and its coefficient.
+ *
+ * @param model  the model; not NULL
+ * @param relation  id of the relation
+ * @param index  which of its coordinates, from 0
+ * @param joint  id of the joint; written on success only
+ * @param coordinate  PDN_DISPLACEMENT, ...; written on success only
+ * @param coefficient  the coefficient; written on success only
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_ID
+ *
+ * Threads: `model` is `const`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_model_relation_term(const struct pdn_model *model,
+                                   int32_t relation,
+                                   int32_t index,
+                                   int32_t *joint,
+                                   int32_t *coordinate,
+                                   double *coefficient);
+
+/**
+ * Values of a signal of the model in time.
+ *
+ * @param model  the model; not NULL
+ * @param place  what has the signal: PDN_SIGNAL_OF_ACTUATOR, ...
+ * @param index  which of them
+ * @param component  of a load from 0 to 5, of gravity from 0 to 2; 0 for all else
+ * @param period  period of the motion, that harmonics refer to [time]
+ * @param times  array of length [count]: times
+ * @param count  number of times
+ * @param values  array of length [count]: the values there; written on success only
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_SIZE, PDN_ERR_NOT_FINITE, PDN_ERR_VALUE,
+ *     PDN_ERR_NOT_AVAILABLE (there is no such signal), PDN_ERR_CALLBACK
+ *
+ * Threads: `model` is `const`. Signals' functions are called on this thread.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_model_sample_signal(const struct pdn_model *model,
+                                   int32_t place,
+                                   int32_t index,
+                                   int32_t component,
+                                   double period,
+                                   const double *times,
+                                   size_t count,
+                                   double *values);
 
 /**
  * Makes an empty list: no parameter is free.

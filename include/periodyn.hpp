@@ -107,6 +107,8 @@ enum class JointKind : std::int32_t {
     cylindrical = PDN_JOINT_CYLINDRICAL,
     planar = PDN_JOINT_PLANAR,
     free = PDN_JOINT_FREE,
+    screw = PDN_JOINT_SCREW, ///< of pdn_joint_info only
+    strut = PDN_JOINT_STRUT, ///< likewise
 };
 enum class Frame : std::int32_t {
     space = PDN_FRAME_SPACE,
@@ -202,6 +204,51 @@ enum class SignalOf : std::int32_t {
     load = PDN_SIGNAL_OF_LOAD,
     beam_load = PDN_SIGNAL_OF_BEAM_LOAD,
     gravity = PDN_SIGNAL_OF_GRAVITY,
+    relation = PDN_SIGNAL_OF_RELATION,
+};
+
+/** What has an id and may have a label. */
+enum class ObjectKind : std::int32_t {
+    node = PDN_OBJECT_NODE,
+    joint = PDN_OBJECT_JOINT,
+    beam_element = PDN_OBJECT_BEAM_ELEMENT,
+    shell_element = PDN_OBJECT_SHELL_ELEMENT,
+    force = PDN_OBJECT_FORCE,
+    relation = PDN_OBJECT_RELATION,
+};
+
+/** Kinds of pdn_force_info. */
+enum class ForceKind : std::int32_t {
+    spring_damper = PDN_FORCE_IS_SPRING_DAMPER,
+    actuator = PDN_FORCE_IS_ACTUATOR,
+    coordinate_law = PDN_FORCE_IS_COORDINATE_LAW,
+    viscoelastic = PDN_FORCE_IS_VISCOELASTIC,
+    viscous_damper = PDN_FORCE_IS_VISCOUS_DAMPER,
+    bushing = PDN_FORCE_IS_BUSHING,
+    user_force = PDN_FORCE_IS_USER_FORCE,
+};
+
+/** Numbers of a force. */
+enum class ForceNumber : std::int32_t {
+    stiffness = PDN_NUMBER_STIFFNESS,
+    damping = PDN_NUMBER_DAMPING,
+    relaxation_time = PDN_NUMBER_RELAXATION_TIME,
+};
+
+/** A coordinate of a linear relation, and its coefficient. */
+struct RelationTerm {
+    std::int32_t joint;
+    Coordinate coordinate;
+    double coefficient;
+};
+
+/** Bytes of a label at most. */
+constexpr std::int32_t longest_label = PDN_LABEL_LENGTH;
+
+/** How a bushing measures rotations. */
+enum class BushingAngles : std::int32_t {
+    rotation_vector = PDN_ANGLES_ROTATION_VECTOR,
+    tilt_and_spin = PDN_ANGLES_TILT_AND_SPIN,
 };
 
 /** The part of a signal that a parameter moves. */
@@ -302,6 +349,8 @@ enum class Kind : std::int32_t {
     branch_effort = PDN_QUANTITY_BRANCH_EFFORT,
     branch_elongation = PDN_QUANTITY_BRANCH_ELONGATION,
     force_on_node = PDN_QUANTITY_FORCE_ON_NODE,
+    bushing_efforts = PDN_QUANTITY_BUSHING_EFFORTS,
+    relation_effort = PDN_QUANTITY_RELATION_EFFORT,
     shell_strain = PDN_QUANTITY_SHELL_STRAIN,
     shell_resultant = PDN_QUANTITY_SHELL_RESULTANT,
     stress_top = PDN_QUANTITY_STRESS_TOP,
@@ -980,6 +1029,10 @@ class Model
     {
         return id([&](Id *out) { return pdn_model_element_count(get(), out); });
     }
+    Id relation_count() const
+    {
+        return id([&](Id *out) { return pdn_model_relation_count(get(), out); });
+    }
     Id force_count() const
     {
         return id([&](Id *out) { return pdn_model_force_count(get(), out); });
@@ -1009,6 +1062,119 @@ class Model
         return detail::text([&](char *buffer, std::size_t capacity) {
             return pdn_model_describe(get(), buffer, capacity);
         });
+    }
+    /** Takes a label away if it is empty. */
+    void set_label(ObjectKind kind, Id of, const std::string &label)
+    {
+        detail::check(pdn_model_set_label(get(), detail::c(kind), of, label.c_str()));
+    }
+    /** Empty if there is none. */
+    std::string label(ObjectKind kind, Id of) const
+    {
+        return detail::text([&](char *buffer, std::size_t capacity) {
+            return pdn_model_label(get(), detail::c(kind), of, buffer, capacity);
+        });
+    }
+    Id find_label(ObjectKind kind, const std::string &label) const
+    {
+        return id([&](Id *out) {
+            return pdn_model_find_label(get(), detail::c(kind), label.c_str(), out);
+        });
+    }
+    ///@}
+
+    /** @name What it holds */
+    ///@{
+    pdn_joint_info joint(Id joint) const
+    {
+        pdn_joint_info out;
+        pdn_joint_info_init(&out, sizeof out);
+        detail::check(pdn_model_joint(get(), joint, &out));
+        return out;
+    }
+    pdn_force_info force(Id force) const
+    {
+        pdn_force_info out;
+        pdn_force_info_init(&out, sizeof out);
+        detail::check(pdn_model_force(get(), force, &out));
+        return out;
+    }
+    double force_number(Id force, ForceNumber number, std::int32_t index) const
+    {
+        double out = 0;
+        detail::check(pdn_model_force_number(get(), force, detail::c(number), index, &out));
+        return out;
+    }
+    Id force_node(Id force, std::int32_t index) const
+    {
+        return id([&](Id *out) { return pdn_model_force_node(get(), force, index, out); });
+    }
+    std::vector<Id> beam_element_nodes(Id element) const
+    {
+        std::vector<Id> nodes(static_cast<std::size_t>(
+            id([&](Id *out) { return pdn_model_beam_element_node_count(get(), element, out); })));
+        for (std::size_t i = 0; i < nodes.size(); ++i) {
+            detail::check(pdn_model_beam_element_node(get(), element, static_cast<Id>(i), &nodes[i]));
+        }
+        return nodes;
+    }
+    /** Section and twist at a place from -1 to 1. */
+    std::pair<pdn_section, double> beam_section(Id element, double station) const
+    {
+        std::pair<pdn_section, double> out;
+        pdn_section_init(&out.first, sizeof out.first);
+        detail::check(pdn_model_beam_section(get(), element, station, &out.first, &out.second));
+        return out;
+    }
+    Id inertia_count() const
+    {
+        return id([&](Id *out) { return pdn_model_inertia_count(get(), out); });
+    }
+    /** Node and matrix of a body, mass or inertia. */
+    std::pair<Id, Matrix6> inertia(std::int32_t index) const
+    {
+        std::pair<Id, Matrix6> out;
+        detail::check(pdn_model_inertia(get(), index, &out.first, out.second.data()));
+        return out;
+    }
+    std::pair<Id, Coordinate> prescribed(std::int32_t index) const
+    {
+        Id joint = 0;
+        std::int32_t coordinate = 0;
+        detail::check(pdn_model_prescribed(get(), index, &joint, &coordinate));
+        return {joint, static_cast<Coordinate>(coordinate)};
+    }
+    Id load_count() const
+    {
+        return id([&](Id *out) { return pdn_model_load_count(get(), out); });
+    }
+    std::pair<Id, Frame> load_at(std::int32_t index) const
+    {
+        Id node = 0;
+        std::int32_t frame = 0;
+        detail::check(pdn_model_load_at(get(), index, &node, &frame));
+        return {node, static_cast<Frame>(frame)};
+    }
+    std::vector<RelationTerm> relation_terms(Id relation) const
+    {
+        std::vector<RelationTerm> terms(static_cast<std::size_t>(
+            id([&](Id *out) { return pdn_model_relation_term_count(get(), relation, out); })));
+        for (std::size_t i = 0; i < terms.size(); ++i) {
+            std::int32_t coordinate = 0;
+            detail::check(pdn_model_relation_term(get(), relation, static_cast<Id>(i),
+                                                  &terms[i].joint, &coordinate,
+                                                  &terms[i].coefficient));
+            terms[i].coordinate = static_cast<Coordinate>(coordinate);
+        }
+        return terms;
+    }
+    std::vector<double> sample_signal(SignalOf place, std::int32_t index, std::int32_t component,
+                                      double period, Reals times) const
+    {
+        std::vector<double> values(times.size());
+        detail::check(pdn_model_sample_signal(get(), detail::c(place), index, component, period,
+                                              times.data(), times.size(), values.data()));
+        return values;
     }
     ///@}
 
@@ -1137,6 +1303,23 @@ class Model
         take({&signal}, [&] {
             return pdn_model_prescribe(get(), joint, detail::c(coordinate), &signal.get());
         });
+    }
+    /** The sum of coefficients times coordinates stays what it is in the reference configuration. */
+    Id add_relation(Ids joints, const std::vector<Coordinate> &coordinates, Reals coefficients)
+    {
+        return id([&](Id *out) {
+            return relation(joints, coordinates, coefficients, nullptr, out);
+        });
+    }
+    /** The sum of coefficients times coordinates is a signal. */
+    Id add_relation(Ids joints, const std::vector<Coordinate> &coordinates, Reals coefficients,
+                    const Signal &signal)
+    {
+        Id added = 0;
+        take({&signal}, [&] {
+            return relation(joints, coordinates, coefficients, &signal.get(), &added);
+        });
+        return added;
     }
     ///@}
 
@@ -1400,6 +1583,16 @@ class Model
             return pdn_model_add_viscous_damper(get(), first, second, &frame, matrix.data(), out);
         });
     }
+    /** Column by column: `stiffness[i + 6 * j]` is effort i for a unit of displacement or angle j. */
+    Id add_bushing(Id first, Id second, const pdn_frame &first_frame, const pdn_frame &second_frame,
+                   const Matrix6 &stiffness, const Matrix6 &damping,
+                   BushingAngles angles = BushingAngles::rotation_vector)
+    {
+        return id([&](Id *out) {
+            return pdn_model_add_bushing(get(), first, second, &first_frame, &second_frame,
+                                         stiffness.data(), damping.data(), detail::c(angles), out);
+        });
+    }
     /** A law double(time, coordinate, rate), or Effort(time, coordinate, rate) with derivatives. */
     template <class Law> Id add_coordinate_law(Id joint, Coordinate coordinate, Law law)
     {
@@ -1440,6 +1633,19 @@ class Model
     template <class Add> static Id id(Add add)
     {
         return detail::number<Id>(add);
+    }
+    pdn_status relation(Ids joints, const std::vector<Coordinate> &coordinates, Reals coefficients,
+                        const pdn_signal *signal, Id *out)
+    {
+        if (joints.size() != coordinates.size() || joints.size() != coefficients.size()) {
+            throw error(PDN_ERR_SIZE, "coefficients: expected as many as joints and coordinates");
+        }
+        std::vector<std::int32_t> which;
+        for (const Coordinate coordinate : coordinates) {
+            which.push_back(detail::c(coordinate));
+        }
+        return pdn_model_add_relation(get(), joints.data(), which.data(), coefficients.data(),
+                                      joints.size(), signal, out);
     }
     /** Calls what takes the signals, and keeps what they point to. */
     template <class Call> void take(const std::vector<const Signal *> &signals, Call call)

@@ -183,6 +183,12 @@ impl Error {
         self.kind
     }
 
+    /// The same error, with its message as `change` makes it.
+    pub(crate) fn reworded(mut self, change: impl FnOnce(&str) -> String) -> Self {
+        self.message = change(&self.message);
+        self
+    }
+
     /// The same error, with where it happened put before the message.
     pub fn within(mut self, place: impl fmt::Display) -> Self {
         self.message = format!("{place}: {}", self.message);

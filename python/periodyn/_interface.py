@@ -93,6 +93,12 @@ JOINT_PLANAR = 6
 """
 JOINT_FREE = 7
 """Joint that allows everything: it carries springs, prescribed coordinates and measures."""
+JOINT_SCREW = 8
+"""Joint that allows a displacement along axis 3 of its frames, in proportion to the rotation about
+it; made by functions of its own, for its pitch.
+"""
+JOINT_STRUT = 9
+"""The line between two points, which constrains nothing; made by Model.add_strut."""
 DISPLACEMENT = 0
 """Joint coordinate: the displacement, or the first of several."""
 DISPLACEMENT_2 = 1
@@ -159,6 +165,12 @@ SHELL_EDGE_START_XI = 3
 """Place of a load on a shell element: its edge where xi = -1, along eta."""
 SHELL_SURFACE = 4
 """Place of a load on a shell element: its surface."""
+ANGLES_ROTATION_VECTOR = 0
+"""A bushing measures rotations by the rotation vector; its angle stays below half a turn."""
+ANGLES_TILT_AND_SPIN = 1
+"""A bushing measures the tilt of axis 3, as a rotation vector about axes 1 and 2, and the rate of
+the spin about axis 3, which may go on and on: for journal bearings and seals.
+"""
 TANGENTS_DIFFERENCED = 0
 """Tangents of a user's function: it gives none, and the library finds them by differences of its
 forces.
@@ -169,6 +181,20 @@ TANGENT_MOTION = 0
 """Which tangent: derivative by a motion or coordinate."""
 TANGENT_VELOCITY = 1
 """Which tangent: derivative by a velocity or rate."""
+OBJECT_NODE = 1000
+"""What has an id: a node, or a rigid body, which is one."""
+OBJECT_JOINT = 1001
+"""What has an id: a joint."""
+OBJECT_BEAM_ELEMENT = 1002
+"""What has an id: a beam element."""
+OBJECT_SHELL_ELEMENT = 1003
+"""What has an id: a shell element."""
+OBJECT_FORCE = 1004
+"""What has an id: a force, but not a load."""
+OBJECT_RELATION = 1005
+"""What has an id: a linear relation between joint coordinates."""
+LABEL_LENGTH = 200
+"""Bytes of a label at most, without the NUL."""
 CONVERGED = 0
 """Outcome: converged. With TOLERANCE_NOT_MET the only outcomes that are solutions."""
 ITERATION_LIMIT = 1
@@ -287,6 +313,10 @@ QUANTITY_FORCE_ON_NODE = 403
 """Kind of quantity: what a force exerts on one of its nodes, in a frame: force and moment; 6
 components.
 """
+QUANTITY_BUSHING_EFFORTS = 404
+"""Kind of quantity: the efforts of a bushing against its deformation, forces along the axes of its
+first frame and moments; 6 components.
+"""
 QUANTITY_SHELL_STRAIN = 500
 """Kind of quantity: strains of a shell element, in the order of ShellSection; 12 components."""
 QUANTITY_SHELL_RESULTANT = 501
@@ -299,6 +329,9 @@ points out of, and von Mises' stress of these [force / length^2]; 4 components.
 """
 QUANTITY_STRESS_BOTTOM = 503
 """Kind of quantity: the same at the other surface; 4 components."""
+QUANTITY_RELATION_EFFORT = 600
+"""Kind of quantity: effort of a linear relation on one of its joint coordinates, towards growth.
+"""
 ALL_COMPONENTS = -1
 """All components of a quantity."""
 FORCE_EFFORT = 0
@@ -386,10 +419,13 @@ LINEAR_CIRCULANT = 5
 """
 NUMBER_STIFFNESS = 0
 """A parameter moves the coefficient of a power, from 1, of the growth of a spring-damper, or with
-power 1 the long-term stiffness of a viscoelastic force.
+power 1 the long-term stiffness of a viscoelastic force or a factor of the stiffness of a
+bushing.
 """
 NUMBER_DAMPING = 1
-"""A parameter moves the coefficient of a power, from 1, of the rate of a spring-damper."""
+"""A parameter moves the coefficient of a power, from 1, of the rate of a spring-damper, or with
+power 1 a factor of the damping of a bushing.
+"""
 NUMBER_REST = 2
 """A parameter moves the coordinate at which a spring-damper or viscoelastic force is free of
 effort.
@@ -416,6 +452,8 @@ SIGNAL_OF_BEAM_LOAD = 3
 """The signal of a component of a load along beams, in the order in which these were added."""
 SIGNAL_OF_GRAVITY = 4
 """The signal of a component of gravity; its index is 0."""
+SIGNAL_OF_RELATION = 5
+"""The signal of a linear relation between joint coordinates, by its id."""
 PART_MEAN = 0
 """Part of a signal: the mean that is added to its shape."""
 PART_RATE = 1
@@ -427,6 +465,24 @@ PART_PHASE = 3
 """Part of a signal: the phase by which its shape is ahead [radians]."""
 FREQUENCY = -1
 """A parameter: the circular frequency 2 pi / T, which every model has."""
+FORCE_IS_SPRING_DAMPER = 1100
+"""Kind of force: springs and dampers on a joint coordinate."""
+FORCE_IS_ACTUATOR = 1101
+"""Kind of force: an actuator on a joint coordinate."""
+FORCE_IS_COORDINATE_LAW = 1102
+"""Kind of force: a law of the user on a joint coordinate."""
+FORCE_IS_VISCOELASTIC = 1103
+"""Kind of force: a viscoelastic element on a joint coordinate."""
+FORCE_IS_VISCOUS_DAMPER = 1104
+"""Kind of force: a viscous damper between two bodies."""
+FORCE_IS_BUSHING = 1105
+"""Kind of force: a bushing between two frames."""
+FORCE_IS_USER_FORCE = 1106
+"""Kind of force: forces of the user on nodes."""
+NUMBER_RELAXATION_TIME = 20
+"""Numbers of a force: relaxation times of the branches of a viscoelastic element. Parameters do
+not move them.
+"""
 FEATURE_MEAN = 500
 """Feature of a quantity: its mean over the period, without what it gains."""
 FEATURE_COSINE = 501
@@ -1133,8 +1189,8 @@ class Diagnostics(Struct):
 
 
 class Quantity(Struct):
-    """What is asked of a solution: of a node, a joint, a beam, a shell or a force. Initialise with
-    `Quantity()`; fields that its kind does not have stay as they are.
+    """What is asked of a solution: of a node, a joint, a beam, a shell, a force or a relation.
+    Initialise with `Quantity()`; fields that its kind does not have stay as they are.
     """
 
     _type = "pdn_quantity"
@@ -1142,10 +1198,11 @@ class Quantity(Struct):
     kind = Number("kind")
     """QUANTITY_POSITION, ...; there is no default."""
     object = Number("object")
-    """Id of the node, joint, beam element, shell element or force that it is of."""
+    """Id of the node, joint, beam element, shell element, force or relation that it is of."""
     component = Number("component")
     """The component, from 0, or ALL_COMPONENTS, the default. Of coordinates and driving efforts,
-    the coordinate: DISPLACEMENT, ..., ROTATION_3.
+    the coordinate: DISPLACEMENT, ..., ROTATION_3; of relations which of their coordinates, from
+    0.
     """
     frame = Number("frame")
     """FRAME_SPACE, the default, or FRAME_MATERIAL; of reactions AXES_SPACE, AXES_FIRST or
@@ -1372,6 +1429,68 @@ class EquationsSizes(Struct):
     """Bytes that tangents, factors and vectors take here."""
     preconditioner = Number("preconditioner")
     """The preconditioner: LINEAR_TIME_LOCAL, LINEAR_BODY_CIRCULANT or LINEAR_CIRCULANT."""
+
+
+class JointInfo(Struct):
+    """A joint of a model. Initialise with `JointInfo()`."""
+
+    _type = "pdn_joint_info"
+    _initialise = lib.pdn_joint_info_init
+    kind = Number("kind")
+    """JOINT_RIGID ... JOINT_STRUT."""
+    first = Number("first")
+    """Id of the first node, or GROUND."""
+    second = Number("second")
+    """Id of the second node, or GROUND."""
+    pitch = Number("pitch")
+    """Advance of a screw for one turn; zero of other joints."""
+    first_position = Array("first_position", (3,))
+    """Origin of the first frame in the reference configuration, global coordinates."""
+    first_rotation = Array("first_rotation", (3, 3))
+    """Axes of the first frame there, a rotation matrix, column by column."""
+    second_position = Array("second_position", (3,))
+    """Origin of the second frame, likewise."""
+    second_rotation = Array("second_rotation", (3, 3))
+    """Axes of the second frame, likewise."""
+
+
+class ForceInfo(Struct):
+    """A force of a model. Initialise with `ForceInfo()`."""
+
+    _type = "pdn_force_info"
+    _initialise = lib.pdn_force_info_init
+    kind = Number("kind")
+    """FORCE_IS_SPRING_DAMPER ... FORCE_IS_USER_FORCE."""
+    joint = Number("joint")
+    """Id of the joint on whose coordinate it acts, or -1."""
+    coordinate = Number("coordinate")
+    """The coordinate: DISPLACEMENT, ...; -1 if it acts on none."""
+    first = Number("first")
+    """Of what is between two bodies, id of the first node, or GROUND."""
+    second = Number("second")
+    """Id of the second node, or GROUND."""
+    angles = Number("angles")
+    """Of a bushing, ANGLES_ROTATION_VECTOR or ANGLES_TILT_AND_SPIN; else zero."""
+    stiffness_count = Number("stiffness_count")
+    """How many numbers NUMBER_STIFFNESS it has, for Model.force_number."""
+    damping_count = Number("damping_count")
+    """The same of NUMBER_DAMPING."""
+    branch_count = Number("branch_count")
+    """The same of NUMBER_RELAXATION_TIME: branches of a viscoelastic element."""
+    node_count = Number("node_count")
+    """Nodes of forces of the user, for Model.force_node."""
+    rest = Number("rest")
+    """Coordinate at which springs are free of effort."""
+    first_position = Array("first_position", (3,))
+    """Of what is between two bodies, origin of the first frame in the reference configuration,
+    global coordinates.
+    """
+    first_rotation = Array("first_rotation", (3, 3))
+    """Axes of the first frame there, a rotation matrix, column by column."""
+    second_position = Array("second_position", (3,))
+    """Origin of the second frame, likewise."""
+    second_rotation = Array("second_rotation", (3, 3))
+    """Axes of the second frame, likewise."""
 
 
 class SensitivityOptions(Struct):
@@ -1745,7 +1864,9 @@ class Summary(Struct):
     prescribed = Number("prescribed")
     """Number of prescribed joint coordinates."""
     constraints = Number("constraints")
-    """Number of constraints: those of the joints, and one for each prescribed coordinate."""
+    """Number of constraints: those of the joints, and one for each prescribed coordinate and each
+    relation between coordinates.
+    """
     redundant_constraints = Number("redundant_constraints")
     """Number of these that depend on others in the reference configuration."""
     degrees_of_freedom = Number("degrees_of_freedom")
@@ -2698,6 +2819,59 @@ class Model(ModelExtras):
         )
         return joint[0]
 
+    def relation_count(self):
+        """Number of linear relations between joint coordinates; their ids are 0 ... count - 1.
+
+        Returns:
+            count: the number
+        """
+        count = ffi.new("int32_t *")
+        call(lib.pdn_model_relation_count, self._c, count)
+        return count[0]
+
+    def add_relation(self, joints, coordinates, coefficients, signal=None):
+        """Adds a linear relation between joint coordinates: gears, belts, racks, differentials.
+
+        It keeps the sum of coefficients[i] * q[i] equal to a signal, with q[i] coordinate
+        coordinates[i] of joint joints[i], whole turns counted. Gears that turn q1 by n q2 have
+        coefficients 1 and -n, a rack on a pinion of radius r 1 and -r, a differential 1, 1 and
+        -2. It exerts an effort on each of the coordinates, in proportion to the coefficients:
+        QUANTITY_RELATION_EFFORT. Where angles that are prescribed turn on and on, those that
+        they turn by relations must gain whole turns in a period as well; a solve refuses others
+        with ERR_NOT_PERIODIC, and tells a period that would do.
+
+        Args:
+            joints: ids of the joints
+            coordinates: DISPLACEMENT ... ROTATION_3 of each, one that the joint has; each
+                coordinate of a joint at most once
+            coefficients: array of shape (count): numbers other than zero, in units that make
+                the terms of the sum alike
+            signal: what the sum is in time, copied; it must return to its value after a period.
+                None for what the sum is in the reference configuration; a number, a Signal, or
+                a function of time
+
+        Returns:
+            relation: the relation's id
+        """
+        joints = ids("joints", joints)
+        _count = len(joints)
+        coordinates = ids("coordinates", coordinates)
+        like("coordinates", coordinates, (_count,))
+        coefficients = reals("coefficients", coefficients, (_count,))
+        signal = as_signal(signal, self._kept)
+        relation = ffi.new("int32_t *")
+        call(
+            lib.pdn_model_add_relation,
+            self._c,
+            ffi.from_buffer("int32_t[]", joints),
+            ffi.from_buffer("int32_t[]", coordinates),
+            pointer(coefficients),
+            _count,
+            signal,
+            relation,
+        )
+        return relation[0]
+
     def add_beam_element(self, nodes, section):
         """Adds a beam element over nodes that are there; it may be curved and twisted.
 
@@ -3441,6 +3615,55 @@ class Model(ModelExtras):
         )
         return force[0]
 
+    def add_bushing(self, first, second, first_frame, second_frame, stiffness, damping, angles):
+        """Adds a bushing, a bearing or a seal: any matrices of stiffness and damping between two
+        frames, unsymmetric ones included.
+
+        With e the displacement of the second frame's origin and the angles of its turn, both
+        relative to the first frame and along its axes, the efforts against e are f = stiffness
+        e + damping e'. The first three are forces along the axes of the first frame, that act
+        at the second frame's origin, on both bodies; the others are moments that do the work of
+        the angles: for small turns moments about the axes of the first frame. So the axes of a
+        journal bearing, with axis 3 along the shaft, are those of its housing if that is the
+        first body.
+
+        The matrices are column by column: stiffness[i + 6 j] is effort i for a unit of e[j].
+        Parameters scale them: NUMBER_STIFFNESS and NUMBER_DAMPING with power 1 move a factor of
+        each.
+
+        Args:
+            first: id of the first node, or GROUND
+            second: id of the second node, or GROUND; not the same body
+            first_frame: frame fixed to the first body, where it is in the reference
+                configuration
+            second_frame: frame fixed to the second body,
+            stiffness: array of shape (6, 6): 6 x 6 [force / length, force, force * length];
+                with ANGLES_TILT_AND_SPIN its last column is zero
+            damping: array of shape (6, 6): 6 x 6 [the same times time]
+            angles: ANGLES_ROTATION_VECTOR or ANGLES_TILT_AND_SPIN
+
+        Returns:
+            force: the force's id
+        """
+        first_frame = of_type("Frame")(first_frame, self._kept)
+        second_frame = of_type("Frame")(second_frame, self._kept)
+        stiffness = reals("stiffness", stiffness, (6, 6), turned=True)
+        damping = reals("damping", damping, (6, 6), turned=True)
+        force = ffi.new("int32_t *")
+        call(
+            lib.pdn_model_add_bushing,
+            self._c,
+            first,
+            second,
+            first_frame,
+            second_frame,
+            pointer(stiffness),
+            pointer(damping),
+            angles,
+            force,
+        )
+        return force[0]
+
     def add_coordinate_law(self, joint, coordinate, tangents, function):
         """Adds a spring-damper on a joint coordinate whose law is a function of the caller.
 
@@ -3524,6 +3747,45 @@ class Model(ModelExtras):
         check = TangentCheck()
         call(lib.pdn_model_check_tangents, self._c, force, period, check._c)
         return check
+
+    def set_label(self, kind, id, label=None):
+        """Gives a node, joint, element, force or relation a label, in place of the one that it
+        has.
+
+        Messages and reports name it after the id, as in: joint 3 "crank pin". Labels are saved
+        and copied with the model, and solutions keep those that it has when it is solved.
+
+        Args:
+            kind: OBJECT_NODE,
+            id: its id
+            label: text in UTF-8 of at most LABEL_LENGTH bytes, without quotes (") and control
+                characters, that no other object of this kind has; empty or None to take the
+                label away
+        """
+        call(lib.pdn_model_set_label, self._c, kind, id, text(label))
+
+    def label(self, kind, id):
+        """The label of a node, joint, element, force or relation.
+
+        Args:
+            kind: OBJECT_NODE,
+            id: its id
+        """
+        return text.of(lib.pdn_model_label, self._c, kind, id)
+
+    def find_label(self, kind, label):
+        """The node, joint, element, force or relation that has a label.
+
+        Args:
+            kind: OBJECT_NODE,
+            label: the label
+
+        Returns:
+            id: its id
+        """
+        id = ffi.new("int32_t *")
+        call(lib.pdn_model_find_label, self._c, kind, text(label), id)
+        return id[0]
 
     def solve_periodic(
         self,
@@ -3797,6 +4059,246 @@ class Model(ModelExtras):
             force: id of a force that has a function
         """
         call(lib.pdn_model_declare_of_phase, self._c, force)
+
+    def joint(self, joint):
+        """Kind, bodies and frames of a joint.
+
+        Args:
+            joint: id of the joint
+
+        Returns:
+            JointInfo: the joint
+        """
+        out = JointInfo()
+        call(lib.pdn_model_joint, self._c, joint, out._c)
+        return out
+
+    def force(self, force):
+        """Kind of a force, where it acts, and how many numbers it has.
+
+        Args:
+            force: id of the force
+
+        Returns:
+            ForceInfo: the force
+        """
+        out = ForceInfo()
+        call(lib.pdn_model_force, self._c, force, out._c)
+        return out
+
+    def force_number(self, force, number, index):
+        """A number of a force, with the factors of parameters.
+
+        Of a spring-damper the coefficients of the powers of the growth and of the rate, from
+        the first; of a viscoelastic element as NUMBER_STIFFNESS the long-term stiffness, then
+        that of each branch; of viscous dampers and bushings their matrices, column by column.
+
+        Args:
+            force: id of the force
+            number: NUMBER_STIFFNESS, NUMBER_DAMPING or NUMBER_RELAXATION_TIME
+            index: which of these, from 0; their count is in pdn_force_info
+
+        Returns:
+            out: the number
+        """
+        out = ffi.new("double *")
+        call(lib.pdn_model_force_number, self._c, force, number, index, out)
+        return out[0]
+
+    def force_node(self, force, index):
+        """A node of forces of the user.
+
+        Args:
+            force: id of the force
+            index: which of its nodes, from 0; their count is in pdn_force_info
+
+        Returns:
+            node: the node's id
+        """
+        node = ffi.new("int32_t *")
+        call(lib.pdn_model_force_node, self._c, force, index, node)
+        return node[0]
+
+    def beam_element_node_count(self, element):
+        """Number of nodes of a beam element.
+
+        Args:
+            element: id of the beam element
+
+        Returns:
+            count: the number
+        """
+        count = ffi.new("int32_t *")
+        call(lib.pdn_model_beam_element_node_count, self._c, element, count)
+        return count[0]
+
+    def beam_element_node(self, element, index):
+        """A node of a beam element, in order along the beam.
+
+        Args:
+            element: id of the beam element
+            index: which of its nodes, from 0
+
+        Returns:
+            node: the node's id
+        """
+        node = ffi.new("int32_t *")
+        call(lib.pdn_model_beam_element_node, self._c, element, index, node)
+        return node[0]
+
+    def beam_section(self, element, station):
+        """Cross-section of a beam element at a place, with the factors of parameters.
+
+        Args:
+            element: id of the beam element
+            station: place along the element, from -1 at its first to 1 at its last node
+
+        Returns:
+            Section: the section, in its own axes
+            twist: angle by which its axes are turned about axis 1 from those between the nodes
+                [radian]
+        """
+        out = Section()
+        twist = ffi.new("double *")
+        call(lib.pdn_model_beam_section, self._c, element, station, out._c, twist)
+        return out, twist[0]
+
+    def inertia_count(self):
+        """Number of bodies, masses and inertias on nodes.
+
+        Returns:
+            count: the number
+        """
+        count = ffi.new("int32_t *")
+        call(lib.pdn_model_inertia_count, self._c, count)
+        return count[0]
+
+    def inertia(self, index):
+        """A body, mass or inertia on a node, in the order in which they were added, with the
+        factors of parameters.
+
+        Args:
+            index: which of them, from 0
+
+        Returns:
+            node: the node's id
+            matrix, of shape (6, 6): 6 x 6 inertia about the node, along its axes, as in
+                Model.add_inertia
+        """
+        node = ffi.new("int32_t *")
+        matrix = reals.empty((6, 6))
+        call(lib.pdn_model_inertia, self._c, index, node, pointer(matrix))
+        return node[0], matrix.swapaxes(-1, -2)
+
+    def prescribed(self, index):
+        """A prescribed coordinate, in the order in which they were prescribed; Model.summary tells
+        how many there are, and Model.sample_signal what they follow.
+
+        Args:
+            index: which of them, from 0
+
+        Returns:
+            joint: id of its joint
+            coordinate: DISPLACEMENT,
+        """
+        joint = ffi.new("int32_t *")
+        coordinate = ffi.new("int32_t *")
+        call(lib.pdn_model_prescribed, self._c, index, joint, coordinate)
+        return joint[0], coordinate[0]
+
+    def load_count(self):
+        """Number of loads on nodes.
+
+        Returns:
+            count: the number
+        """
+        count = ffi.new("int32_t *")
+        call(lib.pdn_model_load_count, self._c, count)
+        return count[0]
+
+    def load_at(self, index):
+        """A load on a node, in the order in which they were added; its components are signals,
+        Model.sample_signal.
+
+        Args:
+            index: which of them, from 0
+
+        Returns:
+            node: the node's id
+            frame: FRAME_SPACE or FRAME_MATERIAL
+        """
+        node = ffi.new("int32_t *")
+        frame = ffi.new("int32_t *")
+        call(lib.pdn_model_load_at, self._c, index, node, frame)
+        return node[0], frame[0]
+
+    def relation_term_count(self, relation):
+        """Number of coordinates of a linear relation.
+
+        Args:
+            relation: id of the relation
+
+        Returns:
+            count: the number
+        """
+        count = ffi.new("int32_t *")
+        call(lib.pdn_model_relation_term_count, self._c, relation, count)
+        return count[0]
+
+    def relation_term(self, relation, index):
+        """A coordinate of a linear relation, and its coefficient.
+
+        Args:
+            relation: id of the relation
+            index: which of its coordinates, from 0
+
+        Returns:
+            joint: id of the joint
+            coordinate: DISPLACEMENT,
+            coefficient: the coefficient
+        """
+        joint = ffi.new("int32_t *")
+        coordinate = ffi.new("int32_t *")
+        coefficient = ffi.new("double *")
+        call(
+            lib.pdn_model_relation_term,
+            self._c,
+            relation,
+            index,
+            joint,
+            coordinate,
+            coefficient,
+        )
+        return joint[0], coordinate[0], coefficient[0]
+
+    def sample_signal(self, place, index, component, period, times):
+        """Values of a signal of the model in time.
+
+        Args:
+            place: what has the signal: SIGNAL_OF_ACTUATOR,
+            index: which of them
+            component: of a load from 0 to 5, of gravity from 0 to 2; 0 for all else
+            period: period of the motion, that harmonics refer to [time]
+            times: array of shape (count): times
+
+        Returns:
+            values, of shape (count): the values there
+        """
+        times = reals("times", times, (None,))
+        _count = len(times)
+        values = reals.empty((_count,))
+        call(
+            lib.pdn_model_sample_signal,
+            self._c,
+            place,
+            index,
+            component,
+            period,
+            pointer(times),
+            _count,
+            pointer(values),
+        )
+        return values
 
     def solve_conditioned(
         self,

@@ -13,7 +13,7 @@ use super::solution::pdn_solution;
 use super::stability::{PDN_STABILITY_NOT_KNOWN, verdict_code};
 use super::status::pdn_status;
 use crate::error::{Error, Result};
-use crate::model::Model;
+use crate::model::{Labels, Model};
 use crate::solve::{
     Branch, BranchEnd, BranchOptions, BranchPoint, Event, Free, StabilityOptions, continue_branch,
     follow_branch, follow_locus, switch_branch,
@@ -56,6 +56,10 @@ pub struct pdn_branch {
 
 impl Handle for pdn_branch {
     type Core = Branch;
+
+    fn labels(core: &Branch) -> Option<&Labels> {
+        Some(core.model().labels())
+    }
 }
 
 /// A point of a branch. Initialise with `PDN_INIT(pdn_branch_point, &point)`.

@@ -4,7 +4,9 @@ use super::handle::{self, Exclusive, Handle};
 use super::options::{self, Options, OutStruct};
 use super::pointer::{check_pointer, null};
 use crate::error::{Error, Result, require_finite};
+use crate::model::Labels;
 use libc::c_char;
+use std::cell::RefCell;
 use std::ffi::CStr;
 use std::marker::PhantomData;
 use std::sync::Arc;
@@ -13,16 +15,31 @@ use std::sync::Arc;
 ///
 /// Made by [`super::guard::guard`] alone. Its methods read pointers on the word of the C caller,
 /// who owes what the header says: each pointer is NULL or valid for the length given with it.
-pub(super) struct Call(());
+pub(super) struct Call {
+    /// Those of the model that the call is about, for its messages.
+    labels: RefCell<Labels>,
+}
 
 impl Call {
     pub(super) fn new() -> Self {
-        Call(())
+        Call {
+            labels: RefCell::default(),
+        }
+    }
+
+    /// An error of the call, that names what has a label.
+    pub(super) fn named(&self, error: Error) -> Error {
+        let labels = self.labels.borrow();
+        error.reworded(|message| labels.annotate(message))
     }
 
     /// The object of a handle, for reading. The `Arc` may be kept beyond the call.
     pub(super) fn shared<H: Handle>(&self, handle: *const H, name: &str) -> Result<Arc<H::Core>> {
-        handle::shared(handle, name)
+        let core = handle::shared(handle, name)?;
+        if let Some(labels) = H::labels(&core).filter(|labels| !labels.is_empty()) {
+            self.labels.replace(labels.clone());
+        }
+        Ok(core)
     }
 
     /// The object of a handle, for changing it.

@@ -48,7 +48,10 @@ pub(super) fn init<T: Options>(pointer: *mut T, struct_size: usize, name: &str) 
 fn run<T>(body: impl FnOnce(&Call) -> Result<T>) -> Result<T> {
     // Unwind safety: an exclusively used handle poisons itself, nothing else is changed in place.
     let outer = INSIDE.replace(true);
-    let outcome = catch_unwind(AssertUnwindSafe(|| body(&Call::new())));
+    let outcome = catch_unwind(AssertUnwindSafe(|| {
+        let call = Call::new();
+        body(&call).map_err(|error| call.named(error))
+    }));
     INSIDE.set(outer);
     outcome.unwrap_or_else(|payload| Err(panic_error(payload.as_ref())))
 }

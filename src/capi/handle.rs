@@ -33,6 +33,7 @@
 
 use super::pointer::null;
 use crate::error::{Error, ErrorKind, Result};
+use crate::model::Labels;
 use std::cell::UnsafeCell;
 use std::marker::PhantomData;
 use std::ops::{Deref, DerefMut};
@@ -43,6 +44,11 @@ use std::sync::atomic::{AtomicU8, Ordering};
 pub(crate) trait Handle {
     /// `Send + Sync` is the library's threading contract, checked here for every handle.
     type Core: Send + Sync + 'static;
+
+    /// What the user calls parts of the model that it is, or is of.
+    fn labels(_: &Self::Core) -> Option<&Labels> {
+        None
+    }
 }
 
 const FREE: u8 = 0;

@@ -30,6 +30,12 @@ pub const PDN_JOINT_PLANAR: i32 = 6;
 /// Joint that allows everything: it carries springs, prescribed coordinates and measures.
 pub const PDN_JOINT_FREE: i32 = 7;
 
+/// Joint that allows a displacement along axis 3 of its frames, in proportion to the rotation about
+/// it; made by functions of its own, for its pitch.
+pub const PDN_JOINT_SCREW: i32 = 8;
+/// The line between two points, which constrains nothing; made by ::pdn_model_add_strut.
+pub const PDN_JOINT_STRUT: i32 = 9;
+
 /// Joint coordinate: the displacement, or the first of several.
 pub const PDN_DISPLACEMENT: i32 = 0;
 /// Joint coordinate: second displacement of a planar or free joint.
@@ -46,29 +52,62 @@ pub const PDN_ROTATION_3: i32 = 5;
 /// The joint coordinate that a `PDN_DISPLACEMENT...` or `PDN_ROTATION...` names; whether the joint
 /// has it is for the core.
 pub(super) fn coordinate(given: i32, name: &str) -> Result<Coordinate> {
-    let table = [
-        (PDN_DISPLACEMENT, Coordinate::Displacement1),
-        (PDN_DISPLACEMENT_2, Coordinate::Displacement2),
-        (PDN_DISPLACEMENT_3, Coordinate::Displacement3),
-        (PDN_ROTATION, Coordinate::Rotation1),
-        (PDN_ROTATION_2, Coordinate::Rotation2),
-        (PDN_ROTATION_3, Coordinate::Rotation3),
+    use Coordinate::{
+        Displacement1, Displacement2, Displacement3, Rotation1, Rotation2, Rotation3,
+    };
+    let all = [
+        Displacement1,
+        Displacement2,
+        Displacement3,
+        Rotation1,
+        Rotation2,
+        Rotation3,
     ];
+    let table = all.map(|coordinate| (coordinate_code(coordinate), coordinate));
     let expected = "PDN_DISPLACEMENT, _2, _3 or PDN_ROTATION, _2, _3";
     choose(&table, given, name, expected)
 }
 
+/// What C calls a joint coordinate.
+pub(super) fn coordinate_code(coordinate: Coordinate) -> i32 {
+    match coordinate {
+        Coordinate::Displacement1 => PDN_DISPLACEMENT,
+        Coordinate::Displacement2 => PDN_DISPLACEMENT_2,
+        Coordinate::Displacement3 => PDN_DISPLACEMENT_3,
+        Coordinate::Rotation1 => PDN_ROTATION,
+        Coordinate::Rotation2 => PDN_ROTATION_2,
+        Coordinate::Rotation3 => PDN_ROTATION_3,
+    }
+}
+
+/// What C calls a kind of joint.
+pub(super) fn joint_code(kind: JointKind) -> i32 {
+    match kind {
+        JointKind::Rigid => PDN_JOINT_RIGID,
+        JointKind::Revolute => PDN_JOINT_REVOLUTE,
+        JointKind::Universal => PDN_JOINT_UNIVERSAL,
+        JointKind::Spherical => PDN_JOINT_SPHERICAL,
+        JointKind::Prismatic => PDN_JOINT_PRISMATIC,
+        JointKind::Cylindrical => PDN_JOINT_CYLINDRICAL,
+        JointKind::Planar => PDN_JOINT_PLANAR,
+        JointKind::Free => PDN_JOINT_FREE,
+        JointKind::Screw { .. } => PDN_JOINT_SCREW,
+        JointKind::Strut => PDN_JOINT_STRUT,
+    }
+}
+
 fn joint_kind(given: i32) -> Result<JointKind> {
-    let table = [
-        (PDN_JOINT_RIGID, JointKind::Rigid),
-        (PDN_JOINT_REVOLUTE, JointKind::Revolute),
-        (PDN_JOINT_UNIVERSAL, JointKind::Universal),
-        (PDN_JOINT_SPHERICAL, JointKind::Spherical),
-        (PDN_JOINT_PRISMATIC, JointKind::Prismatic),
-        (PDN_JOINT_CYLINDRICAL, JointKind::Cylindrical),
-        (PDN_JOINT_PLANAR, JointKind::Planar),
-        (PDN_JOINT_FREE, JointKind::Free),
+    let all = [
+        JointKind::Rigid,
+        JointKind::Revolute,
+        JointKind::Universal,
+        JointKind::Spherical,
+        JointKind::Prismatic,
+        JointKind::Cylindrical,
+        JointKind::Planar,
+        JointKind::Free,
     ];
+    let table = all.map(|kind| (joint_code(kind), kind));
     choose(&table, given, "kind", "PDN_JOINT_RIGID to PDN_JOINT_FREE")
 }
 

@@ -72,8 +72,10 @@
 
 pub mod beam;
 pub mod branch;
+pub mod bushing;
 pub mod callback;
 pub mod condition;
+pub mod contents;
 pub mod equations;
 pub mod files;
 pub mod filter;
@@ -81,6 +83,7 @@ pub mod force;
 pub mod force_solution;
 pub mod guard;
 pub mod joint;
+pub mod label;
 pub mod last_error;
 pub mod line;
 pub mod linear_solver;
@@ -92,6 +95,7 @@ pub mod motion;
 pub mod parameter;
 pub mod periodic;
 pub mod quantity;
+pub mod relation;
 pub mod section;
 pub mod sensitivity;
 pub mod shell;

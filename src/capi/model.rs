@@ -5,7 +5,7 @@ use super::guard::{free, guard};
 use super::handle::Handle;
 use super::status::pdn_status;
 use crate::error::{Error, ErrorKind, Result, require_finite};
-use crate::model::Model;
+use crate::model::{Labels, Model};
 use crate::motion::Motion;
 use nalgebra::{Matrix3, Matrix6, Vector3};
 
@@ -27,6 +27,10 @@ pub struct pdn_model {
 
 impl Handle for pdn_model {
     type Core = Model;
+
+    fn labels(core: &Model) -> Option<&Labels> {
+        Some(core.labels())
+    }
 }
 
 /// Position and axes of a frame. This struct will never change.

@@ -10,6 +10,7 @@ use super::statics::{pdn_static_options, read_static_options};
 use super::status::pdn_status;
 use crate::error::Result;
 use crate::memory;
+use crate::model::Labels;
 use crate::output::Modes;
 use crate::solve::ModesOptions;
 use libc::c_char;
@@ -21,6 +22,10 @@ pub struct pdn_modes {
 
 impl Handle for pdn_modes {
     type Core = Modes;
+
+    fn labels(core: &Modes) -> Option<&Labels> {
+        Some(core.model().labels())
+    }
 }
 
 /// Options of ::pdn_solve_modes. Set the defaults by `PDN_INIT(pdn_modes_options, &options)`.

@@ -3,6 +3,7 @@
 
 use super::beam::pdn_stations;
 use super::branch::{pdn_branch_options, pdn_branch_point};
+use super::contents::{pdn_force_info, pdn_joint_info};
 use super::equations::{pdn_equations_options, pdn_equations_sizes};
 use super::guard::init;
 use super::line::pdn_line;
@@ -90,6 +91,8 @@ fn structs_of_old_programs_are_read_and_written_as_far_as_they_go() {
         pdn_diagnostics: [112, 136, 160, 208];
         pdn_equations_options: [80];
         pdn_equations_sizes: [72];
+        pdn_force_info: [248];
+        pdn_joint_info: [224];
         pdn_line: [128];
         pdn_march_diagnostics: [88];
         pdn_march_options: [152, 160];

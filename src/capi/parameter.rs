@@ -9,9 +9,11 @@ use crate::model::{Model, SignalPart, SignalPlace, Target};
 use libc::c_char;
 
 /// A parameter moves the coefficient of a power, from 1, of the growth of a spring-damper, or with
-/// power 1 the long-term stiffness of a viscoelastic force.
+/// power 1 the long-term stiffness of a viscoelastic force or a factor of the stiffness of a
+/// bushing.
 pub const PDN_NUMBER_STIFFNESS: i32 = 0;
-/// A parameter moves the coefficient of a power, from 1, of the rate of a spring-damper.
+/// A parameter moves the coefficient of a power, from 1, of the rate of a spring-damper, or with
+/// power 1 a factor of the damping of a bushing.
 pub const PDN_NUMBER_DAMPING: i32 = 1;
 /// A parameter moves the coordinate at which a spring-damper or viscoelastic force is free of
 /// effort.
@@ -38,6 +40,8 @@ pub const PDN_SIGNAL_OF_LOAD: i32 = 2;
 pub const PDN_SIGNAL_OF_BEAM_LOAD: i32 = 3;
 /// The signal of a component of gravity; its index is 0.
 pub const PDN_SIGNAL_OF_GRAVITY: i32 = 4;
+/// The signal of a linear relation between joint coordinates, by its id.
+pub const PDN_SIGNAL_OF_RELATION: i32 = 5;
 
 /// Part of a signal: the mean that is added to its shape.
 pub const PDN_PART_MEAN: i32 = 0;
@@ -138,6 +142,20 @@ pub unsafe extern "C" fn pdn_model_move_number(
     })
 }
 
+/// The signal that arguments name.
+pub(super) fn signal_place(place: i32, index: i32, component: i32) -> Result<SignalPlace> {
+    let (at, component) = (count(index, "index")?, count(component, "component")?);
+    Ok(match place {
+        PDN_SIGNAL_OF_ACTUATOR => SignalPlace::Actuator(at),
+        PDN_SIGNAL_OF_PRESCRIBED => SignalPlace::Prescribed(at),
+        PDN_SIGNAL_OF_LOAD => SignalPlace::Load(at, component),
+        PDN_SIGNAL_OF_BEAM_LOAD => SignalPlace::DistributedLoad(at, component),
+        PDN_SIGNAL_OF_GRAVITY => SignalPlace::Gravity(component),
+        PDN_SIGNAL_OF_RELATION => SignalPlace::Relation(at),
+        other => return Err(Error::value("place", "a constant PDN_SIGNAL_OF_...", other)),
+    })
+}
+
 /// Lets a parameter move a part of a signal: it becomes `factor` times the parameter's value, now
 /// and whenever that changes.
 ///
@@ -165,15 +183,7 @@ pub unsafe extern "C" fn pdn_model_move_signal(
     guard(|call| {
         let mut model = call.exclusive(model, "model")?;
         let id = self::parameter(&model, parameter, "parameter")?;
-        let (at, component) = (count(index, "index")?, count(component, "component")?);
-        let place = match place {
-            PDN_SIGNAL_OF_ACTUATOR => SignalPlace::Actuator(at),
-            PDN_SIGNAL_OF_PRESCRIBED => SignalPlace::Prescribed(at),
-            PDN_SIGNAL_OF_LOAD => SignalPlace::Load(at, component),
-            PDN_SIGNAL_OF_BEAM_LOAD => SignalPlace::DistributedLoad(at, component),
-            PDN_SIGNAL_OF_GRAVITY => SignalPlace::Gravity(component),
-            other => return Err(Error::value("place", "a constant PDN_SIGNAL_OF_...", other)),
-        };
+        let place = signal_place(place, index, component)?;
         let parts = [
             (PDN_PART_MEAN, SignalPart::Mean),
             (PDN_PART_RATE, SignalPart::Rate),

@@ -58,6 +58,9 @@ pub const PDN_QUANTITY_BRANCH_ELONGATION: i32 = 402;
 /// Kind of quantity: what a force exerts on one of its nodes, in a frame: force and moment; 6
 /// components.
 pub const PDN_QUANTITY_FORCE_ON_NODE: i32 = 403;
+/// Kind of quantity: the efforts of a bushing against its deformation, forces along the axes of its
+/// first frame and moments; 6 components.
+pub const PDN_QUANTITY_BUSHING_EFFORTS: i32 = 404;
 /// Kind of quantity: strains of a shell element, in the order of ::pdn_shell_section; 12
 /// components.
 pub const PDN_QUANTITY_SHELL_STRAIN: i32 = 500;
@@ -69,11 +72,14 @@ pub const PDN_QUANTITY_SHELL_RESULTANT: i32 = 501;
 pub const PDN_QUANTITY_STRESS_TOP: i32 = 502;
 /// Kind of quantity: the same at the other surface; 4 components.
 pub const PDN_QUANTITY_STRESS_BOTTOM: i32 = 503;
+/// Kind of quantity: effort of a linear relation on one of its joint coordinates, towards growth.
+pub const PDN_QUANTITY_RELATION_EFFORT: i32 = 600;
 
 /// All components of a quantity.
 pub const PDN_ALL_COMPONENTS: i32 = -1;
 
-/// What is asked of a solution: of a node, a joint, a beam, a shell or a force. Initialise with
+/// What is asked of a solution: of a node, a joint, a beam, a shell, a force or a relation.
+/// Initialise with
 /// `PDN_INIT(pdn_quantity, &quantity)`; fields that its kind does not have stay as they are.
 #[repr(C)]
 #[derive(Clone, Copy)]
@@ -82,10 +88,11 @@ pub struct pdn_quantity {
     pub struct_size: usize,
     /// PDN_QUANTITY_POSITION, ...; there is no default.
     pub kind: i32,
-    /// Id of the node, joint, beam element, shell element or force that it is of.
+    /// Id of the node, joint, beam element, shell element, force or relation that it is of.
     pub object: i32,
     /// The component, from 0, or PDN_ALL_COMPONENTS, the default. Of coordinates and driving
-    /// efforts, the coordinate: PDN_DISPLACEMENT, ..., PDN_ROTATION_3.
+    /// efforts, the coordinate: PDN_DISPLACEMENT, ..., PDN_ROTATION_3; of relations which of their
+    /// coordinates, from 0.
     pub component: i32,
     /// PDN_FRAME_SPACE, the default, or PDN_FRAME_MATERIAL; of reactions PDN_AXES_SPACE,
     /// PDN_AXES_FIRST or PDN_AXES_SECOND.
@@ -162,11 +169,19 @@ impl pdn_quantity {
                 self.of_shell(ShellQuantity::SurfaceStress(ShellSide::Bottom))
             }
             PDN_QUANTITY_EFFORT => of_force(ForceQuantity::Effort),
+            PDN_QUANTITY_BUSHING_EFFORTS => of_force(ForceQuantity::BushingEfforts),
             PDN_QUANTITY_BRANCH_EFFORT => of_force(ForceQuantity::BranchEffort(branch()?)),
             PDN_QUANTITY_BRANCH_ELONGATION => of_force(ForceQuantity::BranchElongation(branch()?)),
             PDN_QUANTITY_FORCE_ON_NODE => {
                 let node = index(self.node, "quantity.node")?;
                 of_force(ForceQuantity::OnNode(node, load_frame(self.frame)?))
+            }
+            PDN_QUANTITY_RELATION_EFFORT => {
+                let quantity = Quantity::RelationEffort {
+                    relation: object()?,
+                    coordinate: index(self.component, "quantity.component")?,
+                };
+                return Ok(quantity.into());
             }
             // Their component is the coordinate.
             _ => return Ok(of_joint(self.of_coordinate()?)?.into()),

@@ -50,9 +50,14 @@ impl pdn_section {
     }
 
     fn set(&mut self, input: &SectionInput) {
-        self.stiffness.copy_from_slice(input.stiffness.as_slice());
-        self.mass.copy_from_slice(input.mass.as_slice());
-        self.damping.copy_from_slice(input.damping.as_slice());
+        self.fill([&input.stiffness, &input.mass, &input.damping]);
+    }
+
+    /// Sets stiffness, mass and damping.
+    pub(super) fn fill(&mut self, [stiffness, mass, damping]: [&Matrix6<f64>; 3]) {
+        self.stiffness.copy_from_slice(stiffness.as_slice());
+        self.mass.copy_from_slice(mass.as_slice());
+        self.damping.copy_from_slice(damping.as_slice());
     }
 }
 

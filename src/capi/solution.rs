@@ -13,6 +13,7 @@ use crate::collocation::DecayKind;
 use crate::error::{Error, ErrorKind, Result};
 use crate::fourier::{PeriodicSeries, SharpEvent};
 use crate::memory;
+use crate::model::Labels;
 use crate::output::{
     BeamQuantity, JointQuantity, NodeQuantity, Quantity, ResolvedIn, Selection, Solution,
 };
@@ -32,6 +33,10 @@ pub struct pdn_solution {
 
 impl Handle for pdn_solution {
     type Core = Solution;
+
+    fn labels(core: &Solution) -> Option<&Labels> {
+        Some(core.model().labels())
+    }
 }
 
 /// Outcome: converged. With PDN_TOLERANCE_NOT_MET the only outcomes that are solutions.

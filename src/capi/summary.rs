@@ -22,7 +22,8 @@ pub struct pdn_summary {
     pub joints: i32,
     /// Number of prescribed joint coordinates.
     pub prescribed: i32,
-    /// Number of constraints: those of the joints, and one for each prescribed coordinate.
+    /// Number of constraints: those of the joints, and one for each prescribed coordinate and each
+    /// relation between coordinates.
     pub constraints: i32,
     /// Number of these that depend on others in the reference configuration.
     pub redundant_constraints: i32,

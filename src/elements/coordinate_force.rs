@@ -53,6 +53,12 @@ impl ActedCoordinate {
         }
     }
 
+    /// The same coordinate in an element on these nodes, which those of its joint are among.
+    pub(super) fn among(mut self, nodes: &[usize]) -> Self {
+        self.pair = self.pair.among(nodes);
+        self
+    }
+
     pub(super) fn nodes(&self) -> &[usize] {
         self.pair.nodes()
     }

@@ -23,6 +23,8 @@ pub(super) struct FramePair {
     first: Attachment,
     second: Attachment,
     nodes: Vec<usize>,
+    /// Where the nodes of both are among those of the element, if they have any.
+    places: [usize; 2],
 }
 
 /// Relative motion at one instant, and its derivatives.
@@ -35,6 +37,8 @@ pub(super) struct RelativeState {
     carried: Vector6<f64>,
     /// `δz = Σ J_a δu_a` over the element's nodes.
     jacobians: [Option<Matrix6<f64>>; 2],
+    /// Places of these nodes in the element.
+    places: [usize; 2],
     first_carry: Option<Matrix6<f64>>,
 }
 
@@ -44,7 +48,15 @@ impl FramePair {
             first,
             second,
             nodes: first.node.into_iter().chain(second.node).collect(),
+            places: [0, usize::from(first.node.is_some())],
         }
+    }
+
+    /// The same pair in an element on these nodes, which its own are among.
+    pub fn among(mut self, nodes: &[usize]) -> Self {
+        let place = |end: &Attachment| nodes.iter().position(|&node| Some(node) == end.node);
+        self.places = [&self.first, &self.second].map(|end| place(end).unwrap_or(0));
+        self
     }
 
     pub fn nodes(&self) -> &[usize] {
@@ -59,17 +71,12 @@ impl FramePair {
     }
 
     fn frames(&self, states: &[NodeState]) -> (Motion, Motion) {
-        let mut states = states.iter();
-        let mut frame = |attachment: &Attachment| match (attachment.node, states.next()) {
-            (Some(_), Some(state)) => state.motion.compose(&attachment.offset),
-            _ => attachment.offset,
+        let frame = |end: &Attachment, place: usize| match (end.node, states.get(place)) {
+            (Some(_), Some(state)) => state.motion.compose(&end.offset),
+            _ => end.offset,
         };
-        // The ground takes no state: a grounded first frame must not consume the second's.
-        if self.first.node.is_none() {
-            return (self.first.offset, frame(&self.second));
-        }
-        let first = frame(&self.first);
-        (first, frame(&self.second))
+        let [first, second] = self.places;
+        (frame(&self.first, first), frame(&self.second, second))
     }
 
     pub fn relative_motion(&self, states: &[NodeState]) -> RelativeMotion {
@@ -84,14 +91,12 @@ impl FramePair {
     pub fn state(&self, states: &[NodeState]) -> RelativeState {
         let z = self.relative_motion(states);
         let z_inverse = z.inverse();
-        let mut local = 0;
-        let mut next = |attachment: &Attachment| {
-            attachment.node.map(|_| {
-                local += 1;
-                (attachment.offset.inverse(), states[local - 1].twist)
-            })
+        let at = |end: &Attachment, place: usize| {
+            end.node
+                .map(|_| (end.offset.inverse(), states[place].twist))
         };
-        let (first, second) = (next(&self.first), next(&self.second));
+        let [first, second] = self.places;
+        let (first, second) = (at(&self.first, first), at(&self.second, second));
         let carries = first.map(|(carry, v)| (z_inverse.compose(&carry).adjoint(), v));
         let own = second.map(|(carry, v)| (carry.adjoint(), v));
         let twist = |side: &Option<(Matrix6<f64>, Vector6<f64>)>| {
@@ -104,6 +109,7 @@ impl FramePair {
             rate: rate - carried,
             carried,
             jacobians,
+            places: self.places,
             first_carry: first.map(|(carry, _)| carry.adjoint()),
         }
     }
@@ -112,7 +118,8 @@ impl FramePair {
 impl RelativeState {
     /// Jacobians of the element's nodes, by local index.
     pub fn local_jacobians(&self) -> impl Iterator<Item = (usize, &Matrix6<f64>)> {
-        self.jacobians.iter().flatten().enumerate()
+        let both = self.places.into_iter().zip(&self.jacobians);
+        both.filter_map(|(place, jacobian)| Some((place, jacobian.as_ref()?)))
     }
 
     /// Variation of `ż` with the relative motion: `Δż = −(Ad(Z⁻¹) V_i)~ Δz`.
@@ -141,7 +148,7 @@ impl RelativeState {
         for (a, left) in self.local_jacobians() {
             let left = left.transpose();
             let mut rows = product(&left, variation);
-            if let (0, Some(carry)) = (a, &self.first_carry) {
+            if let Some(carry) = self.first_carry.as_ref().filter(|_| a == self.places[0]) {
                 // The first frame's lever arm turns with Z: −Δ(Z w) = Z w̃ Δz.
                 let turn = self.z.to_dual() * DualVector::from_wrench(wrench).skew();
                 rows += transposed_product(carry, &turn.to_stiffness_matrix());

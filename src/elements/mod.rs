@@ -5,6 +5,7 @@
 //! See docs/theory.md, section 5.1.
 
 mod beam;
+mod bushing;
 mod coordinate_force;
 mod damper;
 mod distributed_load;
@@ -14,6 +15,7 @@ mod line_station;
 mod load;
 mod mass_damping;
 mod raised;
+mod relation;
 mod relative;
 mod renumbered;
 mod section;
@@ -27,6 +29,7 @@ mod user_force;
 mod viscoelastic;
 
 pub use beam::Beam;
+pub use bushing::{Bushing, BushingAngles};
 pub use coordinate_force::{
     ActedCoordinate, CoordinateForce, CoordinateFunction, CoordinateLaw, CoordinateState, Effort,
     Law,
@@ -38,6 +41,7 @@ pub use joint::{Attachment, Joint, Prescribed};
 pub use load::{LoadFrame, NodalLoad};
 pub use mass_damping::MassDamping;
 pub use raised::Raised;
+pub use relation::Relation;
 pub(crate) use relative::nearest_turn;
 pub use relative::{Coordinate, JointKind, RelativeMotion, ScalarFunction};
 pub use renumbered::Renumbered;
@@ -340,6 +344,11 @@ pub trait Element: Send + Sync + std::fmt::Debug {
     /// What the joint coordinate measures that it acts on, if it acts on one.
     fn acted_measure(&self) -> Option<Measure> {
         None
+    }
+
+    /// Whether its outputs are the six efforts of a bushing.
+    fn is_bushing(&self) -> bool {
+        false
     }
 
     /// Adds what output `index` varies by to `out`, which is zero.

@@ -27,7 +27,7 @@ pub struct ScalarFunction {
 }
 
 /// What scalar functions are composed of: values alone, or with their derivatives.
-trait Composed: Copy {
+pub(super) trait Composed: Copy {
     /// Displacement `e_kᵀ r` along axis `k` of the first frame.
     fn displacement(z: &RelativeMotion, k: usize) -> Self;
     /// Direction cosine `e_aᵀ R e_b` between axis `a` of the first and axis `b` of the second
@@ -81,6 +81,27 @@ impl ScalarFunction {
             value,
             gradient: Vector6::zeros(),
             hessian: Matrix6::zeros(),
+        }
+    }
+
+    /// Product of two functions.
+    pub(super) fn times(&self, other: &Self) -> Self {
+        ScalarFunction {
+            value: self.value * other.value,
+            gradient: self.gradient * other.value + other.gradient * self.value,
+            hessian: self.hessian * other.value
+                + other.hessian * self.value
+                + self.gradient * other.gradient.transpose()
+                + other.gradient * self.gradient.transpose(),
+        }
+    }
+
+    /// A function of this one, by its value and its first and second derivative.
+    pub(super) fn mapped(&self, [value, slope, bend]: [f64; 3]) -> Self {
+        ScalarFunction {
+            value,
+            gradient: self.gradient * slope,
+            hessian: self.hessian * slope + self.gradient * self.gradient.transpose() * bend,
         }
     }
 }

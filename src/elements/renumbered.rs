@@ -54,6 +54,10 @@ impl Element for Renumbered {
         self.element.acted_measure()
     }
 
+    fn is_bushing(&self) -> bool {
+        self.element.is_bushing()
+    }
+
     fn vary_output(
         &self,
         instant: &Instant,

@@ -167,6 +167,56 @@ fn shell_cases(
     }
 }
 
+/// Relations between coordinates of joints in a chain, to the ground, and of one joint.
+fn relation_cases(
+    random: &mut Random,
+    states: &impl Fn(Vec<Motion>, &mut Random) -> Vec<NodeState>,
+    cases: &mut Vec<Case>,
+) {
+    use Coordinate::{Displacement1, Rotation1, Rotation2};
+    let motions: Vec<Motion> = (0..3).map(|_| random.motion()).collect();
+    // Open by half a unit: far from where angles are undefined.
+    let mut joint = |kind, ends: [Option<usize>; 2]| {
+        let frame = random.motion();
+        let frames = [frame, frame.increment(&(random.vector() * 0.5))];
+        let attach = |end: usize| Attachment {
+            node: ends[end],
+            offset: ends[end].map_or(frames[end], |n: usize| motions[n].relative(&frames[end])),
+        };
+        Joint::new(kind, attach(0), attach(1))
+    };
+    let chain = [
+        (joint(JointKind::Revolute, [None, Some(0)]), Rotation1, 0.7),
+        (
+            joint(JointKind::Cylindrical, [Some(2), Some(0)]),
+            Displacement1,
+            -1.0,
+        ),
+        (
+            joint(JointKind::Universal, [Some(1), Some(2)]),
+            Rotation2,
+            0.4,
+        ),
+        (joint(JointKind::Planar, [Some(1), None]), Rotation1, 1.3),
+    ];
+    let one = joint(JointKind::Cylindrical, [Some(1), Some(0)]);
+    let of_one = [(one.clone(), Displacement1, 1.0), (one, Rotation1, -0.3)];
+    for (name, terms) in [("chain to None", &chain[..]), ("of one joint", &of_one)] {
+        let terms = terms.iter().enumerate();
+        let terms = terms.map(|(place, (joint, which, b))| {
+            (ActedCoordinate::new(joint, *which, place, None, 0.0), *b)
+        });
+        let relation = Relation::new(terms.collect(), (1, 0.8), Measure::Length);
+        let of_nodes = relation.nodes().iter().map(|&node| motions[node]).collect();
+        cases.push(Case {
+            name: format!("relation, {name}"),
+            element: Box::new(relation),
+            states: states(of_nodes, random),
+            coordinates: vec![7.0, -3.0, 0.0, 20.0],
+        });
+    }
+}
+
 fn cases() -> Vec<Case> {
     let mut random = Random(42);
     let mut cases = Vec::new();
@@ -255,6 +305,8 @@ fn cases() -> Vec<Case> {
     }
 
     shell_cases(&mut Random(11), &states, &mut cases);
+    relation_cases(&mut Random(17), &states, &mut cases);
+    let mut unsymmetric = Random(19);
 
     // Every joint, and what attaches to its coordinates, between two nodes or a node and the
     // ground.
@@ -315,6 +367,24 @@ fn cases() -> Vec<Case> {
             });
             let damper = ViscousDamper::new(ends[0], ends[1], matrix);
             add("damper", Box::new(damper));
+            if kind == JointKind::Free {
+                // Unsymmetric.
+                let matrix = |random: &mut Random| Matrix6::from_fn(|_, _| random.next());
+                let (mut stiffness, damping) = (matrix(&mut unsymmetric), matrix(&mut unsymmetric));
+                let ends = [0, 1].map(|end| Attachment {
+                    node: [first, second][end],
+                    offset: offsets[end],
+                });
+                let mut bushing = |name: &str, matrices, angles| {
+                    let bushing = Bushing::new(ends[0], ends[1], matrices, angles);
+                    add(name, Box::new(bushing));
+                };
+                let angles = BushingAngles::RotationVector;
+                bushing("bushing", [stiffness, damping], angles);
+                bushing("bushing, undamped", [stiffness, Matrix6::zeros()], angles);
+                stiffness.set_column(5, &Vector6::zeros());
+                bushing("bearing", [stiffness, damping], BushingAngles::TiltAndSpin);
+            }
             for &coordinate in kind.coordinates() {
                 add(
                     "prescribed",

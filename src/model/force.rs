@@ -1,8 +1,10 @@
 //! Forces that attach to joint coordinates and nodes; each has an id, in the order they are added.
 
 use super::validation::{require_motion, require_positive, require_two_bodies};
-use super::{JointCoordinate, Model, Signal, UserFunction};
-use crate::elements::{Attachment, CoordinateLaw, JointKind, MaxwellBranch, NodeForceLaw};
+use super::{BushingDefinition, JointCoordinate, Model, Signal, UserFunction};
+use crate::elements::{
+    Attachment, BushingAngles, CoordinateLaw, JointKind, MaxwellBranch, NodeForceLaw,
+};
 use crate::error::{Error, ErrorKind, Result, require_finite};
 use crate::motion::Motion;
 use nalgebra::{Matrix3, Matrix6, Vector3};
@@ -74,6 +76,8 @@ pub enum ForceDefinition {
         /// The coefficients.
         matrix: Box<Matrix6<f64>>,
     },
+    /// Efforts of full matrices between two frames.
+    Bushing(Box<BushingDefinition>),
     /// A user's forces on nodes.
     NodeForces {
         /// The nodes.
@@ -94,7 +98,9 @@ impl ForceDefinition {
             | ForceDefinition::Actuator { at, .. }
             | ForceDefinition::CoordinateLaw { at, .. }
             | ForceDefinition::Viscoelastic { at, .. } => Some(*at),
-            ForceDefinition::ViscousDamper { .. } | ForceDefinition::NodeForces { .. } => None,
+            ForceDefinition::ViscousDamper { .. }
+            | ForceDefinition::Bushing(_)
+            | ForceDefinition::NodeForces { .. } => None,
         }
     }
 
@@ -156,6 +162,7 @@ impl Model {
                 require_two_bodies(first.node, second.node)?;
                 require_finite("matrix", matrix.as_slice())?;
             }
+            ForceDefinition::Bushing(bushing) => bushing.require_valid()?,
             ForceDefinition::NodeForces { nodes, .. } => self.require_distinct_nodes(nodes)?,
         }
         self.forces.push(force);
@@ -276,6 +283,36 @@ impl Model {
             second,
             matrix: Box::new(matrix),
         })
+    }
+
+    /// Adds a bushing between frames on two bodies (`None` is the ground), which are given where
+    /// they are in the reference configuration. With the deformation `e`, `[displacement; angles]`
+    /// of the second frame relative to the first along the axes of the first, the efforts against
+    /// it are `K e + C ė`: any matrices, unsymmetric ones included. Returns the force's id.
+    ///
+    /// # Errors
+    /// If a body or frame is none, the bodies are the same, or a number is not finite; with
+    /// [`BushingAngles::TiltAndSpin`] if the last column of the stiffness is not zero.
+    pub fn add_bushing(
+        &mut self,
+        [first, second]: [Option<usize>; 2],
+        [first_frame, second_frame]: [&Motion; 2],
+        [stiffness, damping]: [&Matrix6<f64>; 2],
+        angles: BushingAngles,
+    ) -> Result<usize> {
+        let attach = |name: &str, node: Option<usize>, frame: &Motion| -> Result<Attachment> {
+            let frame = require_motion(&format!("{name}_frame"), frame)?;
+            self.attachment(name, node, frame)
+        };
+        let bushing = BushingDefinition {
+            first: attach("first", first, first_frame)?,
+            second: attach("second", second, second_frame)?,
+            stiffness: *stiffness,
+            damping: *damping,
+            angles,
+            factors: [1.0; 2],
+        };
+        self.add_force(ForceDefinition::Bushing(Box::new(bushing)))
     }
 
     /// Adds forces on nodes that a user's function computes; returns the force's id.

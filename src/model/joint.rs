@@ -61,20 +61,31 @@ impl Model {
     ) -> Result<usize> {
         let attach = |name: &str, node: Option<usize>, frame: &Motion| -> Result<Attachment> {
             let frame = require_motion(&format!("{name}_frame"), frame)?;
-            let offset = match node {
-                None => frame,
-                Some(index) => {
-                    self.require_node(name, index)?;
-                    self.nodes[index].relative(&frame)
-                }
-            };
-            Ok(Attachment { node, offset })
+            self.attachment(name, node, frame)
         };
         self.place_joint(JointDefinition {
             kind,
             first: attach("first", first, first_frame)?,
             second: attach("second", second, second_frame)?,
         })
+    }
+
+    /// A frame fixed to a body (`None` is the ground), from where it is in the reference
+    /// configuration.
+    pub(super) fn attachment(
+        &self,
+        name: &str,
+        node: Option<usize>,
+        frame: Motion,
+    ) -> Result<Attachment> {
+        let offset = match node {
+            None => frame,
+            Some(index) => {
+                self.require_node(name, index)?;
+                self.nodes[index].relative(&frame)
+            }
+        };
+        Ok(Attachment { node, offset })
     }
 
     /// Adds a joint whose frames are valid.

@@ -57,13 +57,22 @@ impl Model {
             model.place_joint(joint)?;
         }
         for force in self.forces {
-            if let ForceDefinition::ViscousDamper { first, second, .. } = &force {
-                model.require_attachments([first, second])?;
+            match &force {
+                ForceDefinition::ViscousDamper { first, second, .. } => {
+                    model.require_attachments([first, second])?;
+                }
+                ForceDefinition::Bushing(bushing) => {
+                    model.require_attachments([&bushing.first, &bushing.second])?;
+                }
+                _ => {}
             }
             model.add_force(force)?;
         }
         for (at, signal) in self.prescribed {
             model.prescribe(at, &signal)?;
+        }
+        for relation in self.relations {
+            model.take_relation(relation)?;
         }
         for load in self.loads {
             model.add_load(load.node, load.frame, load.components)?;
@@ -78,6 +87,7 @@ impl Model {
         for parameter in self.parameters {
             model.take_parameter(parameter)?;
         }
+        model.take_labels(self.labels)?;
         Ok(model)
     }
 

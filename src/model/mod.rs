@@ -4,14 +4,18 @@
 //! validates its arguments and leaves the model as it was if they are refused.
 
 mod beam;
+mod bushing;
+mod contents;
 mod force;
 mod inertia;
 mod joint;
+mod label;
 mod line;
 mod load;
 mod loaded;
 mod parameter;
 mod raised;
+mod relation;
 mod section;
 mod shell;
 mod shell_load;
@@ -24,12 +28,16 @@ mod user_function;
 mod validation;
 
 pub use beam::{BeamDefinition, BeamIds};
+pub use bushing::BushingDefinition;
+pub use contents::ForceNumber;
 pub use force::{ForceDefinition, SpringDefinition};
 pub use inertia::InertiaDefinition;
 pub use joint::{JointCoordinate, JointDefinition};
+pub use label::{LONGEST_LABEL, Labels, ObjectKind};
 pub use line::{circular_arc, smooth_curve, straight_line};
 pub use load::{DistributedLoadDefinition, LoadDefinition, LoadPlace};
 pub use parameter::{Parameter, SignalPart, SignalPlace, Target};
+pub use relation::RelationDefinition;
 pub use section::SectionInput;
 pub use shell::{ShellDefinition, ShellPlacement};
 pub use shell_load::ShellLoadDefinition;
@@ -59,6 +67,8 @@ pub struct Model {
     pub(crate) joints: Vec<JointDefinition>,
     pub(crate) forces: Vec<ForceDefinition>,
     pub(crate) prescribed: Vec<(JointCoordinate, Signal)>,
+    #[serde(default)]
+    pub(crate) relations: Vec<RelationDefinition>,
     pub(crate) loads: Vec<LoadDefinition>,
     pub(crate) distributed_loads: Vec<DistributedLoadDefinition>,
     #[serde(default)]
@@ -69,6 +79,8 @@ pub struct Model {
     pub(crate) mass_damping: f64,
     #[serde(default)]
     pub(crate) parameters: Vec<Parameter>,
+    #[serde(default)]
+    pub(crate) labels: Labels,
 }
 
 impl Model {

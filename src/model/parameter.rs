@@ -22,6 +22,8 @@ pub enum SignalPlace {
     ShellLoad(usize, usize),
     /// Of a component of gravity.
     Gravity(usize),
+    /// Of a relation between joint coordinates.
+    Relation(usize),
 }
 
 /// A number of a signal.
@@ -42,10 +44,11 @@ pub enum SignalPart {
 pub enum Target {
     /// A number of a signal.
     Signal(SignalPlace, SignalPart),
-    /// The coefficient of a power, from 1, of the growth of a spring-damper; of a viscoelastic
-    /// force the long-term stiffness, with power 1.
+    /// The coefficient of a power, from 1, of the growth of a spring-damper; with power 1 the
+    /// long-term stiffness of a viscoelastic force, and a factor of the stiffness of a bushing.
     Stiffness(usize, usize),
-    /// The coefficient of a power, from 1, of the rate of a spring-damper.
+    /// The coefficient of a power, from 1, of the rate of a spring-damper; with power 1 a factor of
+    /// the damping of a bushing.
     Damping(usize, usize),
     /// The coordinate at which a spring-damper or a viscoelastic force is free of effort.
     Rest(usize),
@@ -72,7 +75,8 @@ impl Target {
     /// Whether forces and constraints are linear in it.
     fn is_linear(&self) -> bool {
         match self {
-            Target::Signal(SignalPlace::Prescribed(_), _) | Target::Rest(_) => false,
+            Target::Signal(SignalPlace::Prescribed(_) | SignalPlace::Relation(_), _)
+            | Target::Rest(_) => false,
             Target::Signal(_, part) => *part != SignalPart::Phase,
             _ => true,
         }
@@ -226,6 +230,10 @@ impl Model {
             Target::ShellStiffness(element)
             | Target::ShellMass(element)
             | Target::ShellDamping(element) => self.shells[element].require_finite(),
+            Target::Stiffness(force, _) | Target::Damping(force, _) => match &self.forces[force] {
+                ForceDefinition::Bushing(bushing) => bushing.require_scaled(),
+                _ => Ok(()),
+            },
             _ => Ok(()),
         }
     }
@@ -334,13 +342,14 @@ impl Model {
         let along = along.map(|(l, c)| SignalPlace::DistributedLoad(l, c));
         let on_shells = components(self.shell_loads.len());
         let on_shells = on_shells.map(|(l, c)| SignalPlace::ShellLoad(l, c));
-        let gravity = (0..3).map(SignalPlace::Gravity);
+        let relations = (0..self.relations.len()).map(SignalPlace::Relation);
+        let gravity = (0..3).map(SignalPlace::Gravity).chain(relations);
         let loads = loads.chain(along).chain(on_shells);
         let all = actuators.chain(prescribed).chain(loads);
         all.chain(gravity).collect()
     }
 
-    fn signal(&self, place: SignalPlace) -> Option<&Signal> {
+    pub(super) fn signal(&self, place: SignalPlace) -> Option<&Signal> {
         match place {
             SignalPlace::Actuator(force) => match self.forces.get(force)? {
                 ForceDefinition::Actuator { signal, .. } => Some(signal),
@@ -356,6 +365,7 @@ impl Model {
                 self.shell_loads.get(load)?.components.get(c)?.as_ref()
             }
             SignalPlace::Gravity(c) => self.gravity.as_ref()?.get(c),
+            SignalPlace::Relation(index) => self.relations.get(index).map(|it| &it.signal),
         }
     }
 
@@ -378,6 +388,7 @@ impl Model {
                 load.components.get_mut(c)?.as_mut()
             }
             SignalPlace::Gravity(c) => self.gravity.as_mut()?.get_mut(c),
+            SignalPlace::Relation(index) => self.relations.get_mut(index).map(|it| &mut it.signal),
         }
     }
 
@@ -398,12 +409,14 @@ impl Model {
                     stiffness.get_mut(power.checked_sub(1)?)
                 }
                 ForceDefinition::Viscoelastic { stiffness, .. } if power == 1 => Some(stiffness),
+                ForceDefinition::Bushing(bushing) if power == 1 => Some(&mut bushing.factors[0]),
                 _ => None,
             },
             Target::Damping(force, power) => match self.forces.get_mut(force)? {
                 ForceDefinition::SpringDamper { damping, .. } => {
                     damping.get_mut(power.checked_sub(1)?)
                 }
+                ForceDefinition::Bushing(bushing) if power == 1 => Some(&mut bushing.factors[1]),
                 _ => None,
             },
             Target::Rest(force) => match self.forces.get_mut(force)? {
@@ -446,6 +459,7 @@ fn describe(place: SignalPlace) -> String {
         SignalPlace::DistributedLoad(load, _) => format!("load {load} along beams"),
         SignalPlace::ShellLoad(load, _) => format!("load {load} on shells"),
         SignalPlace::Gravity(_) => "gravity".into(),
+        SignalPlace::Relation(index) => format!("relation {index}"),
     }
 }
 

@@ -37,6 +37,11 @@ impl Modes {
         })
     }
 
+    /// The model.
+    pub fn model(&self) -> &Model {
+        &self.model
+    }
+
     /// The modes found, in their order.
     pub fn modes(&self) -> &[Mode] {
         &self.solve.modes
@@ -168,6 +173,6 @@ impl Modes {
                 mode.residual
             ));
         }
-        text
+        self.model.labels().annotate(&text)
     }
 }

@@ -37,7 +37,7 @@ impl Solution {
         let mut text = String::new();
         // Writing to a string cannot fail.
         let _ = self.write_report(&mut text);
-        text
+        self.model().labels().annotate(&text)
     }
 
     fn write_report(&self, text: &mut String) -> Result {

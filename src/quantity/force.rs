@@ -23,6 +23,8 @@ pub enum ForceQuantity {
     /// Force and moment that it exerts on one of its nodes, along the inertial axes or those of the
     /// node.
     OnNode(usize, LoadFrame),
+    /// Forces and moments of a bushing, against its deformation.
+    BushingEfforts,
 }
 
 /// What one element does at all times of a motion, with these values of all signals, time by time.
@@ -98,7 +100,7 @@ impl ForceQuantity {
     /// Number of components.
     pub fn components(self) -> usize {
         match self {
-            ForceQuantity::OnNode(..) => 6,
+            ForceQuantity::OnNode(..) | ForceQuantity::BushingEfforts => 6,
             _ => 1,
         }
     }
@@ -136,9 +138,17 @@ impl ForceQuantity {
                         format!("force {force} is not on a joint coordinate: it has no effort");
                     return Err(Error::new(ErrorKind::NotAvailable, message));
                 }
-                Part::Output(0)
+                Part::Outputs(0, 1)
             }
-            ForceQuantity::BranchEffort(branch) => Part::Output(branch_output(branch)?),
+            ForceQuantity::BushingEfforts => {
+                if placed.element.is_bushing() {
+                    Part::Outputs(0, 6)
+                } else {
+                    let message = format!("force {force} is no bushing");
+                    return Err(Error::new(ErrorKind::NotAvailable, message));
+                }
+            }
+            ForceQuantity::BranchEffort(branch) => Part::Outputs(branch_output(branch)?, 1),
             ForceQuantity::BranchElongation(branch) => Part::Dashpot(branch_output(branch)? + 1),
             ForceQuantity::OnNode(node, frame) => {
                 require_id("node", "node", system.nodes(), node)?;
@@ -161,8 +171,8 @@ impl ForceQuantity {
 /// What of a force is asked for.
 #[derive(Debug, Clone, Copy)]
 enum Part {
-    /// One of its element's outputs.
-    Output(usize),
+    /// Outputs of its element, from one of them on.
+    Outputs(usize, usize),
     /// The same, where it gains what the internal states do.
     Dashpot(usize),
     /// What it exerts on one of its nodes.
@@ -213,16 +223,18 @@ impl Probe for ForceProbe {
             }
         };
         match self.part {
-            Part::Output(place) | Part::Dashpot(place) => {
+            Part::Outputs(first, count) => Samples::at_each(history, count, |k, row| {
+                let places = first..first + count;
+                row.extend(record.part(&record.outputs, k, places)?);
+                Ok(())
+            }),
+            Part::Dashpot(place) => {
                 let samples = Samples::at_each(history, 1, |k, row| {
                     row.push(record.part(&record.outputs, k, place..place + 1)?[0]);
                     Ok(())
                 })?;
-                // A dashpot on an angle that gains turns gains them too.
-                let gain = match self.part {
-                    Part::Dashpot(_) => record.gain,
-                    _ => 0.0,
-                };
+                // One on an angle that gains turns gains them too.
+                let gain = record.gain;
                 Ok(Samples {
                     rate: history.grid.map_or(0.0, |grid| gain / grid.period()),
                     ..samples
@@ -272,7 +284,8 @@ impl Probe for ForceProbe {
         };
         let (local, frame) = match self.part {
             Part::OnNode(local, frame) => (local, frame),
-            Part::Output(place) | Part::Dashpot(place) => {
+            Part::Outputs(first, _) | Part::Dashpot(first) => {
+                let place = first + component;
                 let states = history.nodes_of(&*placed.element, k);
                 let mut found = OutputVariation::new(nodes.len(), values.len());
                 system.vary_output(placed, &states, &conditions, own, (place, &mut found))?;

@@ -75,7 +75,10 @@ impl JointQuantity {
                     Error::new(ErrorKind::NotAvailable, message)
                 })?;
                 let element = place_of(system, ElementRole::Prescribed(index))?;
-                Ok(Box::new(DrivingEffort { element }))
+                Ok(Box::new(MultiplierEffort {
+                    element,
+                    factor: -1.0,
+                }))
             }
             JointQuantity::Reaction(axes) => {
                 let element = place_of(system, ElementRole::Joint(joint))?;
@@ -92,7 +95,12 @@ impl JointQuantity {
 /// Number of an element.
 fn place_of(system: &System, role: ElementRole) -> Result<usize> {
     let place = system.elements().iter().position(|p| p.role == role);
-    place.ok_or_else(|| Error::new(ErrorKind::NotAvailable, "the solution has no such joint"))
+    place.ok_or_else(|| {
+        Error::new(
+            ErrorKind::NotAvailable,
+            "the solution has no such constraint",
+        )
+    })
 }
 
 /// Steps in which an angle is followed from one grid point to the next.
@@ -237,22 +245,43 @@ impl Probe for CoordinateProbe {
     }
 }
 
-/// What drives a prescribed coordinate.
-#[derive(Debug)]
-struct DrivingEffort {
-    element: usize,
+/// What a relation exerts on one of its joint coordinates, towards growth.
+pub(super) fn relation_effort(
+    system: &System,
+    relation: usize,
+    coordinate: usize,
+) -> Result<Box<dyn Probe>> {
+    let relations = system.relations();
+    require_id("relation", "relation", relations.len(), relation)?;
+    let terms = &relations[relation].terms;
+    let Some((_, coefficient)) = terms.get(coordinate) else {
+        let expected = format!("a number below {}", terms.len());
+        return Err(Error::value("component", expected, coordinate));
+    };
+    let element = place_of(system, ElementRole::Relation(relation))?;
+    Ok(Box::new(MultiplierEffort {
+        element,
+        factor: -coefficient,
+    }))
 }
 
-impl Probe for DrivingEffort {
+/// A multiple of a multiplier: what drives a coordinate. Multipliers are efforts on the left-hand
+/// side.
+#[derive(Debug)]
+struct MultiplierEffort {
+    element: usize,
+    factor: f64,
+}
+
+impl Probe for MultiplierEffort {
     fn dependence(&self) -> Dependence {
         Dependence::Nothing
     }
 
     fn samples(&self, history: &History) -> Result<Samples> {
         let placed = &history.system.elements()[self.element];
-        // The multiplier is the effort on the left-hand side: that of the drive is opposite.
         Samples::at_each(history, 1, |k, row| {
-            row.push(-history.own_of(placed, k)[0]);
+            row.push(self.factor * history.own_of(placed, k)[0]);
             Ok(())
         })
     }
@@ -265,7 +294,8 @@ impl Probe for DrivingEffort {
         weight: f64,
         out: &mut Variation,
     ) -> Result<()> {
-        out.add_own(&history.system.elements()[self.element], 0, k, -weight);
+        let placed = &history.system.elements()[self.element];
+        out.add_own(placed, 0, k, self.factor * weight);
         Ok(())
     }
 }

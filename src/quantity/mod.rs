@@ -30,6 +30,7 @@ pub use feature::Feature;
 pub use force::ForceQuantity;
 pub(crate) use force::{exerted, record_forces, state_gain};
 pub use history::{Forces, History};
+use joint::relation_effort;
 pub use joint::{JointQuantity, ResolvedIn};
 pub use measurement::Measurement;
 pub use node::NodeQuantity;
@@ -64,6 +65,13 @@ pub enum Quantity {
     },
     /// Of a force.
     Force(usize, ForceQuantity),
+    /// Effort that a relation exerts on one of its joint coordinates, towards growth.
+    RelationEffort {
+        /// Number of the relation.
+        relation: usize,
+        /// Which of its coordinates, in their order.
+        coordinate: usize,
+    },
     /// Of a shell.
     Shell {
         /// Number of its element.
@@ -160,6 +168,7 @@ impl Quantity {
             Quantity::Joint(_, quantity) => quantity.components(),
             Quantity::Beam { .. } => 6,
             Quantity::Force(_, quantity) => quantity.components(),
+            Quantity::RelationEffort { .. } => 1,
             Quantity::Shell { quantity, .. } => quantity.components(),
         }
     }
@@ -202,6 +211,10 @@ impl Quantity {
                 quantity.probe(system, neighbours.as_ref(), element, station)?
             }
             Quantity::Force(force, quantity) => quantity.probe(system, force)?,
+            Quantity::RelationEffort {
+                relation,
+                coordinate,
+            } => relation_effort(system, relation, coordinate)?,
             Quantity::Shell {
                 element,
                 point,

@@ -89,7 +89,8 @@ impl Quantity {
                 ShellQuantity::Resultant => &SHELL_RESULTANT,
                 ShellQuantity::SurfaceStress(_) => &STRESS,
             },
-            Quantity::Joint(..) | Quantity::Force(..) => &[""],
+            Quantity::Force(_, ForceQuantity::BushingEfforts) => &MATERIAL_WRENCH,
+            Quantity::Joint(..) | Quantity::Force(..) | Quantity::RelationEffort { .. } => &[""],
         }
     }
 
@@ -129,7 +130,12 @@ impl fmt::Display for Quantity {
                     write!(f, "force{force}.branch{b}.elongation")
                 }
                 ForceQuantity::OnNode(node, _) => write!(f, "force{force}.on_node{node}"),
+                ForceQuantity::BushingEfforts => write!(f, "force{force}.efforts"),
             },
+            Quantity::RelationEffort {
+                relation,
+                coordinate,
+            } => write!(f, "relation{relation}.coordinate{coordinate}.effort"),
         }
     }
 }

@@ -58,8 +58,16 @@ impl Quantity {
                 match quantity {
                     ForceQuantity::Effort | ForceQuantity::BranchEffort(_) => effort(measure),
                     ForceQuantity::BranchElongation(_) => motion(measure),
-                    ForceQuantity::OnNode(..) => effort(half),
+                    ForceQuantity::OnNode(..) | ForceQuantity::BushingEfforts => effort(half),
                 }
+            }
+            Quantity::RelationEffort {
+                relation,
+                coordinate,
+            } => {
+                let relation = system.relations().get(relation);
+                let term = relation.and_then(|it| it.terms.get(coordinate));
+                effort(term.map_or(Measure::Length, |(at, _)| at.coordinate.measure()))
             }
         }
     }

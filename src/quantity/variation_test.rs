@@ -86,6 +86,9 @@ fn all(model: &Model, system: &System) -> Vec<Quantity> {
         if placed.element.acted_measure().is_some() {
             of_force(ForceQuantity::Effort);
         }
+        if placed.element.is_bushing() {
+            of_force(ForceQuantity::BushingEfforts);
+        }
         for branch in 0..placed.element.own_unknowns() {
             of_force(ForceQuantity::BranchEffort(branch));
             of_force(ForceQuantity::BranchElongation(branch));
@@ -94,6 +97,14 @@ fn all(model: &Model, system: &System) -> Vec<Quantity> {
             of_force(ForceQuantity::OnNode(node, LoadFrame::Space));
             of_force(ForceQuantity::OnNode(node, LoadFrame::Follower));
         }
+    }
+    for (relation, placed) in system.relations().iter().enumerate() {
+        all.extend(
+            (0..placed.terms.len()).map(|coordinate| Quantity::RelationEffort {
+                relation,
+                coordinate,
+            }),
+        );
     }
     all
 }

@@ -1,11 +1,11 @@
 //! A system made from a model: elements, signals and unknowns, each in its place.
 
 use super::driven::Drive;
-use super::{ElementRole, Placed, Regime, Scales, System};
+use super::{ElementRole, Placed, PlacedRelation, Regime, Scales, System};
 use crate::elements::{
     ActedCoordinate, Coordinate, CoordinateForce, CoordinateLaw, CoordinateState, Effort, Element,
     JointKind, Law, LoadFrame, MassDamping, Measure, NodalLoad, NodeForceInput, NodeForceLaw,
-    Prescribed, UserForce, Viscoelastic, ViscousDamper,
+    Prescribed, Relation, UserForce, Viscoelastic, ViscousDamper,
 };
 use crate::error::{Error, ErrorKind, Result, require_positive_number};
 use crate::model::{
@@ -105,6 +105,7 @@ impl<'a> Builder<'a> {
             turning: None,
             drives: Vec::new(),
             prescribed: model.prescribed.iter().map(|(at, _)| *at).collect(),
+            relations: Vec::new(),
             tracked: Vec::new(),
             acted_on: 0,
             loops: Vec::new(),
@@ -136,6 +137,7 @@ impl<'a> Builder<'a> {
             let element = self.force(index, force, length)?;
             self.system.place(element, ElementRole::Force(index));
         }
+        self.place_relations()?;
         self.system.acted_on = self.system.tracked.len();
         self.track_other_angles();
         self.place_loads()?;
@@ -180,7 +182,7 @@ impl<'a> Builder<'a> {
 
     fn place_prescribed(&mut self) -> Result<()> {
         let is_screw = |joint: &JointDefinition| matches!(joint.kind, JointKind::Screw { .. });
-        let has_screw = self.model.joints.iter().any(is_screw);
+        let counts = self.model.joints.iter().any(is_screw) || !self.model.relations.is_empty();
         for (index, (at, signal)) in self.model.prescribed.iter().enumerate() {
             let place = format!("prescribed {} of joint {}", at.coordinate, at.joint);
             let start = self.model.reference_coordinate(at);
@@ -192,7 +194,7 @@ impl<'a> Builder<'a> {
                 .leaves_turns_open(at.coordinate);
             let unit = if turns { TAU } else { 0.0 };
             let signal = system.add_signal(bound, start, unit, place)?;
-            if turns && has_screw {
+            if turns && counts {
                 system.counted_turns.push(signal);
             }
             if turns {
@@ -206,6 +208,32 @@ impl<'a> Builder<'a> {
             system.place(Arc::new(element), ElementRole::Prescribed(index));
         }
         Ok(())
+    }
+
+    fn place_relations(&mut self) -> Result<()> {
+        for (index, relation) in self.model.relations.iter().enumerate() {
+            let (measure, unit) = relation.unit();
+            let of_reference =
+                |(at, a): &(JointCoordinate, f64)| a * self.model.reference_coordinate(at);
+            let start = relation.terms.iter().map(of_reference).sum();
+            let (bound, place) = (self.bind(&relation.signal), format!("relation {index}"));
+            let signal = self.system.add_signal(bound, start, 0.0, place)?;
+            let terms: Vec<_> = relation
+                .terms
+                .iter()
+                .map(|(at, a)| (*at, a / unit))
+                .collect();
+            let acted = terms
+                .iter()
+                .map(|(at, b)| (self.acted_on(at), *b))
+                .collect();
+            let element = Relation::new(acted, (signal, 1.0 / unit), measure);
+            let factor = 1.0 / unit;
+            self.system.relations.push(PlacedRelation { terms, factor });
+            self.system
+                .place(Arc::new(element), ElementRole::Relation(index));
+        }
+        self.system.require_whole_turns()
     }
 
     fn place_loads(&mut self) -> Result<()> {
@@ -349,6 +377,7 @@ impl<'a> Builder<'a> {
                 second,
                 matrix,
             } => Arc::new(ViscousDamper::new(*first, *second, **matrix)),
+            ForceDefinition::Bushing(bushing) => Arc::new(bushing.element()),
             ForceDefinition::NodeForces { nodes, law, cycles } => {
                 let law = self.node_law(law, *cycles).map_err(within)?;
                 Arc::new(UserForce::new(nodes.clone(), law, length, frequency))

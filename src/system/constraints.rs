@@ -20,43 +20,74 @@ const REDUNDANT: f64 = 1e-7;
 const MOST_ROWS: usize = 1500;
 
 impl Dependency {
-    /// Indices of the joints and of the prescribed coordinates that take part.
-    pub fn joints_and_prescribed(&self) -> (Vec<usize>, Vec<usize>) {
-        let (mut joints, mut prescribed) = (Vec::new(), Vec::new());
-        for role in &self.roles {
-            match role {
-                ElementRole::Joint(index) => joints.push(*index),
-                ElementRole::Prescribed(index) => prescribed.push(*index),
-                _ => {}
-            }
+    /// What takes part.
+    pub fn constraints(&self) -> ConstraintNames {
+        let mut names = ConstraintNames::default();
+        self.roles.iter().for_each(|role| names.add(*role));
+        names
+    }
+}
+
+/// What constrains, by index.
+#[derive(Debug, Clone, Default)]
+pub struct ConstraintNames {
+    /// Joints.
+    pub joints: Vec<usize>,
+    /// Relations between joint coordinates.
+    pub relations: Vec<usize>,
+    /// Prescribed coordinates.
+    pub prescribed: Vec<usize>,
+}
+
+impl ConstraintNames {
+    /// Adds what constrains of this role, if it does.
+    pub fn add(&mut self, role: ElementRole) {
+        match role {
+            ElementRole::Joint(index) => self.joints.push(index),
+            ElementRole::Relation(index) => self.relations.push(index),
+            ElementRole::Prescribed(index) => self.prescribed.push(index),
+            _ => {}
         }
-        (joints, prescribed)
+    }
+
+    /// The same without those that are prescribed, and these.
+    pub fn parted(self) -> [Self; 2] {
+        let prescribed = ConstraintNames {
+            prescribed: self.prescribed,
+            ..Self::default()
+        };
+        let others = ConstraintNames {
+            prescribed: Vec::new(),
+            ..self
+        };
+        [others, prescribed]
+    }
+}
+
+/// "joints 0, 1, 2, relation 0 and prescribed coordinate 0".
+impl fmt::Display for ConstraintNames {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let all = [
+            ("joint", &self.joints),
+            ("relation", &self.relations),
+            ("prescribed coordinate", &self.prescribed),
+        ];
+        let there = all.iter().filter(|(_, ids)| !ids.is_empty());
+        let mut names: Vec<String> = there.map(|(noun, ids)| name_all(noun, ids)).collect();
+        let last = names.pop().unwrap_or_default();
+        if !names.is_empty() {
+            write!(f, "{} and ", names.join(", "))?;
+        }
+        f.write_str(&last)
     }
 }
 
 impl fmt::Display for Dependency {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let plural = if self.count == 1 { "" } else { "s" };
-        let (joints, prescribed) = self.joints_and_prescribed();
-        let names = name_constraints(&joints, &prescribed);
-        write!(
-            f,
-            "{} redundant constraint{plural} among {names}",
-            self.count
-        )
+        let (count, names) = (self.count, self.constraints());
+        write!(f, "{count} redundant constraint{plural} among {names}")
     }
-}
-
-/// "joints 0, 1, 2 and prescribed coordinate 0".
-pub fn name_constraints(joints: &[usize], prescribed: &[usize]) -> String {
-    let mut what = Vec::new();
-    if !joints.is_empty() {
-        what.push(name_all("joint", joints));
-    }
-    if !prescribed.is_empty() {
-        what.push(name_all("prescribed coordinate", prescribed));
-    }
-    what.join(" and ")
 }
 
 /// "node 3", or "nodes 3, 4, 5 and 2 more".
@@ -150,7 +181,7 @@ fn constraint_loops(system: &System, members: &[usize]) -> Vec<ConstraintLoop> {
 }
 
 /// Whether connected constraints are more than a tree of joints, each with at most one driven
-/// coordinate.
+/// coordinate: relations may always close a loop.
 fn closes_loop(system: &System, members: &[usize], elements: &[usize]) -> bool {
     let mut vertices = BTreeSet::new();
     let mut joined = BTreeSet::new();
@@ -158,6 +189,9 @@ fn closes_loop(system: &System, members: &[usize], elements: &[usize]) -> bool {
     let mut edges = 0;
     for &e in elements {
         let placed = &system.elements()[e];
+        if matches!(placed.role, ElementRole::Relation(_)) {
+            return true;
+        }
         let nodes = placed.element.nodes();
         // The ground is a vertex too.
         let vertex = |end: usize| nodes.get(end).map_or(usize::MAX, |&n| members[n]);

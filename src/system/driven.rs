@@ -201,7 +201,7 @@ impl System {
     }
 
     /// What a signal gains in a unit of time, in the mean.
-    fn mean_rate(&self, signal: usize) -> Result<f64> {
+    pub(super) fn mean_rate(&self, signal: usize) -> Result<f64> {
         let signal = &self.signals[signal].signal;
         let is_known = self.regime.knows_period();
         Ok(match signal {
@@ -272,10 +272,13 @@ impl System {
         hangs
     }
 
-    /// Whether no joint's constraints change as everything turns.
+    /// Whether neither joints' constraints nor relations change as everything turns.
     fn may_turn(&self, driven: &Driven) -> bool {
         let rates = driven.parts.iter().map(|part| part.rate.abs());
         let turn = TAU / rates.fold(f64::MIN_POSITIVE, f64::max);
+        if !self.relations_allow(|node| driven.twist(node)) {
+            return false;
+        }
         self.joints.iter().all(|joint| {
             let kind = joint.kind();
             let values = |time: f64| {

@@ -125,6 +125,7 @@ impl System {
                 ElementRole::Beam(index) => e.within(format!("beam element {index}")),
                 ElementRole::Shell(index) => e.within(format!("shell element {index}")),
                 ElementRole::Force(index) => e.within(format!("force {index}")),
+                ElementRole::Relation(index) => e.within(format!("relation {index}")),
                 _ => e,
             })?;
         if let Some(frame) = &frame

@@ -10,6 +10,7 @@ mod mass_properties;
 mod part;
 mod partition;
 mod regime;
+mod relations;
 mod repetition;
 mod scales;
 mod shell_warnings;
@@ -21,12 +22,13 @@ mod warnings;
 
 use build::coordinate_scales;
 pub use check::{TangentCheck, check_tangents};
-pub use constraints::{ConstraintLoop, Dependency, name_all, name_constraints};
+pub use constraints::{ConstraintLoop, ConstraintNames, Dependency, name_all};
 pub use driven::Driven;
 pub use evaluation::{Conditions, OwnValues, Workspace};
 pub use layout::Layout;
 pub use mass_properties::MassProperties;
 pub use regime::{Regime, Standstill, Transient};
+pub use relations::PlacedRelation;
 pub use repetition::{require_periodic_forces, require_reproducible_forces};
 pub use scales::Scales;
 pub use summary::Summary;
@@ -55,6 +57,8 @@ pub enum ElementRole {
     Prescribed(usize),
     /// Force of this index.
     Force(usize),
+    /// Relation between joint coordinates of this index.
+    Relation(usize),
     /// Load.
     Load,
     /// Damping in proportion to mass.
@@ -95,18 +99,20 @@ pub struct System {
     beams: Vec<Arc<Beam>>,
     shells: Vec<Arc<Shell>>,
     joints: Vec<Joint>,
-    /// Signals that prescribe angles whose whole turns matter, as they turn a screw.
+    /// Signals that prescribe angles whose whole turns matter, as they turn a screw or gears.
     counted_turns: Vec<usize>,
     /// Signals of the frame's angular velocity, if it turns.
     turning: Option<[usize; 3]>,
     /// Prescribed coordinates, in the order of their signals, which are the first.
     prescribed: Vec<JointCoordinate>,
+    /// Relations between joint coordinates.
+    relations: Vec<PlacedRelation>,
     /// Prescribed angles whose whole turns are open.
     drives: Vec<Drive>,
-    /// Coordinates that forces act on, force by force, then all other angles whose whole turns are
-    /// open.
+    /// Coordinates that forces act on, force by force, those of relations, then all other angles
+    /// whose whole turns are open.
     tracked: Vec<JointCoordinate>,
-    /// How many of them forces act on.
+    /// How many of them forces and relations act on.
     acted_on: usize,
     /// Loops of constraints, where some may depend on others.
     loops: Vec<ConstraintLoop>,

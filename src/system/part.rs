@@ -31,6 +31,7 @@ impl System {
             counted_turns: self.counted_turns.clone(),
             turning: self.turning,
             prescribed: self.prescribed.clone(),
+            relations: self.relations.clone(),
             drives: self.drives.clone(),
             tracked: self.tracked.clone(),
             acted_on: self.acted_on,

@@ -68,8 +68,8 @@ impl System {
         Ok(())
     }
 
-    /// Largest change of a prescribed angle whose whole turns matter, between two conditions
-    /// `(time, load factor)`.
+    /// Largest change of an angle whose whole turns matter by what prescribes it, or others that
+    /// it is geared to, between two conditions `(time, load factor)`.
     pub fn turn_between(&self, from: (f64, f64), to: (f64, f64)) -> Result<f64> {
         if self.counted_turns.is_empty() {
             return Ok(0.0);
@@ -79,7 +79,8 @@ impl System {
             self.signal_values(time, load_factor, values)?;
         }
         let change = |&signal: &usize| (values[1][signal] - values[0][signal]).abs();
-        Ok(self.counted_turns.iter().map(change).fold(0.0, f64::max))
+        let largest = self.counted_turns.iter().map(change).fold(0.0, f64::max);
+        Ok(largest * self.largest_ratio())
     }
 
     /// Values, first and second derivatives of all signals at `time`, see

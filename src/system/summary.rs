@@ -6,9 +6,9 @@ use super::partition::{Partition, parts};
 use super::warnings::warnings;
 use super::{ElementRole, Regime, Standstill, System};
 use crate::error::Result;
-use crate::model::Model;
+use crate::model::{Labels, Model};
 use nalgebra::Vector3;
-use std::fmt;
+use std::fmt::{self, Write};
 
 /// Counts, mass, mobility and warnings of a model in its reference configuration.
 #[derive(Debug, Clone)]
@@ -23,7 +23,8 @@ pub struct Summary {
     pub joints: usize,
     /// Number of prescribed joint coordinates.
     pub prescribed: usize,
-    /// Number of constraints: those of joints, and one for each prescribed coordinate.
+    /// Number of constraints: those of joints, and one for each prescribed coordinate and each
+    /// relation between coordinates.
     pub constraints: usize,
     /// Number of these that depend on others.
     pub redundant: usize,
@@ -50,6 +51,8 @@ pub struct Summary {
     pub warnings: Vec<String>,
     /// Constraints that depend on each other.
     dependencies: Vec<Dependency>,
+    /// What the user calls parts of the model.
+    labels: Labels,
 }
 
 impl Summary {
@@ -67,7 +70,9 @@ impl Summary {
         let redundant_if_rigid: usize = rigid.iter().map(|d| d.count).sum();
         let parts = parts(&system, |_| true);
         let (mass, moment) = model.mass_and_moment()?;
+        let labels = model.labels();
         let warnings = warnings(model, &system, &bodies, &parts);
+        let warnings = warnings.iter().map(|text| labels.annotate(text)).collect();
         Ok(Summary {
             nodes: system.nodes(),
             beam_elements: model.beams.len(),
@@ -95,6 +100,7 @@ impl Summary {
                 .sum(),
             warnings,
             dependencies: system.dependencies().to_vec(),
+            labels: labels.clone(),
         })
     }
 }
@@ -104,6 +110,15 @@ const WRITTEN: usize = 40;
 
 impl fmt::Display for Summary {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let mut text = String::new();
+        self.write_plain(&mut text)?;
+        f.write_str(&self.labels.annotate(&text))
+    }
+}
+
+impl Summary {
+    /// Without labels, but those that warnings have.
+    fn write_plain(&self, f: &mut String) -> fmt::Result {
         let shells = match self.shell_elements {
             0 => String::new(),
             count => format!(" {count} shell elements,"),

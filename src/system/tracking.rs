@@ -16,7 +16,7 @@ impl System {
         self.tracked.len()
     }
 
-    /// Number of those that forces act on: the first.
+    /// Number of those that forces and relations act on: the first.
     pub fn acted_on(&self) -> usize {
         self.acted_on
     }

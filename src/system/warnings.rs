@@ -68,11 +68,15 @@ fn warn_of_parts(parts: &[Option<usize>], warnings: &mut Vec<String>) {
 fn holds(model: &Model, placed: &Placed) -> bool {
     match placed.role {
         ElementRole::Inertia | ElementRole::Load | ElementRole::MassDamping => false,
-        ElementRole::Beam(_) | ElementRole::Shell(_) | ElementRole::Prescribed(_) => true,
+        ElementRole::Beam(_)
+        | ElementRole::Shell(_)
+        | ElementRole::Prescribed(_)
+        | ElementRole::Relation(_) => true,
         ElementRole::Joint(index) => model.joints[index].kind.constraints() > 0,
         ElementRole::Force(index) => match &model.forces[index] {
             ForceDefinition::SpringDamper { stiffness, .. } => stiffness.iter().any(|&k| k != 0.0),
             ForceDefinition::Viscoelastic { stiffness, .. } => *stiffness != 0.0,
+            ForceDefinition::Bushing(bushing) => bushing.stiffness.amax() > 0.0,
             ForceDefinition::Actuator { .. } | ForceDefinition::ViscousDamper { .. } => false,
             // What they do is not known.
             ForceDefinition::CoordinateLaw { .. } | ForceDefinition::NodeForces { .. } => true,

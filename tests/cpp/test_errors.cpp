@@ -102,6 +102,9 @@ static void model()
     REFUSED(m.add_viscoelastic(o.hinge, Coordinate::rotation, 1, 0, {1, 2}, {1}), PDN_ERR_SIZE,
             "relaxation_times: ");
     REFUSED(m.add_viscous_damper(pdn::ground, o.body, indefinite), PDN_ERR_VALUE, "matrix: ");
+    REFUSED(m.add_bushing(pdn::ground, 3, at_origin, at_origin, {}, {}), PDN_ERR_ID, "second: ");
+    REFUSED(m.add_relation({0, 0}, {pdn::Coordinate::rotation}, {1, 1}), PDN_ERR_SIZE,
+            "coefficients: ");
     REFUSED(m.add_viscous_damper(pdn::ground, 3, at_origin, indefinite), PDN_ERR_ID, "second: ");
     REFUSED(
         m.add_coordinate_law(8, Coordinate::rotation, [](double, double, double) { return 0.0; }),

@@ -266,6 +266,8 @@ static void everything()
              m.add_viscoelastic(6, Coordinate::rotation_3, 1, 0, {2, 3}, {0.1, 0.2}),
              m.add_viscous_damper(a, b, unit),
              m.add_viscous_damper(pdn::ground, b, at_origin, unit),
+             m.add_bushing(pdn::ground, b, at_origin, at_origin, unit, unit),
+             m.add_bushing(a, b, at_origin, at_origin, {}, unit, pdn::BushingAngles::tilt_and_spin),
              m.add_coordinate_law(6, Coordinate::rotation,
                                   [](double, double q, double rate) { return q + rate; }),
              m.add_user_force({a, b}, pdn::Frame::space, pdn::Tangents::differenced,
@@ -273,6 +275,22 @@ static void everything()
          }) {
         CHECK(force == forces++);
     }
+    CHECK(m.add_relation({6, 8}, {Coordinate::rotation_2, Coordinate::rotation}, {1, -2}) == 0);
+    CHECK(m.add_relation({6, 8}, {Coordinate::rotation_3, Coordinate::rotation}, {1, 3}, 0.5) == 1);
+    CHECK(m.relation_count() == 2);
+    m.set_label(pdn::ObjectKind::joint, 8, "shaft");
+    CHECK(m.label(pdn::ObjectKind::joint, 8) == "shaft");
+    CHECK(m.label(pdn::ObjectKind::joint, 7).empty());
+    CHECK(m.find_label(pdn::ObjectKind::joint, "shaft") == 8);
+    CHECK(m.joint(0).kind == PDN_JOINT_PRISMATIC && m.joint(0).first == pdn::ground);
+    CHECK(m.force(1).stiffness_count == 3);
+    CHECK(m.force_number(1, pdn::ForceNumber::stiffness, 2) == 2);
+    CHECK(m.relation_terms(0)[1].coefficient == -2);
+    CHECK(m.relation_terms(0)[1].coordinate == Coordinate::rotation);
+    CHECK(m.prescribed(1).first == 8);
+    CHECK(m.inertia_count() > 2 && m.inertia(0).first == a);
+    CHECK(m.load_count() == 0);
+    CHECK(m.sample_signal(pdn::SignalOf::gravity, 0, 2, 1, {0, 0.3})[1] == -9.81);
     CHECK(m.force_count() == forces);
     NEAR(m.mass().mass, 7, 1e-15);
     const auto summary = m.summary();

@@ -195,6 +195,8 @@ contains
         call m%add_viscoelastic(hinge, PDN_ROTATION, 1.0_dp, 0.0_dp, [1.0_dp], unit(:2, 1), id, &
             stat, errmsg)
         call refused(stat, errmsg, PDN_ERR_SIZE, 'relaxation_times: ')
+        call m%add_relation([0, 1], [PDN_ROTATION], [1.0_dp, 2.0_dp], stat=stat, errmsg=errmsg)
+        call refused(stat, errmsg, PDN_ERR_SIZE, 'coordinates: ')
         call m%add_viscous_damper(PDN_GROUND, body, unit, force=id, stat=stat, errmsg=errmsg)
         call refused(stat, errmsg, PDN_ERR_VALUE, 'matrix: ')
         call m%check_tangents(spring, 1.0_dp, tangents, stat, errmsg)

@@ -236,8 +236,10 @@ contains
     subroutine everything()
         type(pdn_model) :: m
         type(pdn_summary) :: summary
+        type(pdn_joint_info) :: pair
+        type(pdn_force_info) :: force
         character(:), allocatable :: text
-        real(dp) :: unit(6, 6), mass, centre(3)
+        real(dp) :: unit(6, 6), mass, centre(3), number
         integer :: a, b, id, joints, forces, nodes, i
 
         unit = 0
@@ -278,6 +280,35 @@ contains
         call m%add_viscous_damper(PDN_GROUND, b, unit, frame_at(origin), id)
         call m%force_count(forces)
         call check(id == 5 .and. forces == 6, 'forces')
+        call m%add_bushing(a, b, frame_at(origin), frame_at(axis_1), unit, unit, &
+            PDN_ANGLES_ROTATION_VECTOR, id)
+        call check(id == 6, 'bushing')
+        call m%add_relation([6, 8], [PDN_ROTATION_2, PDN_ROTATION], [1.0_dp, -2.0_dp], relation=id)
+        call check(id == 0, 'relation')
+        call m%add_relation([6, 8], [PDN_ROTATION_3, PDN_ROTATION], [1.0_dp, 3.0_dp], &
+            pdn_constant(0.5_dp))
+        call m%relation_count(forces)
+        call check(forces == 2, 'relations')
+        call m%set_label(PDN_OBJECT_JOINT, 8, 'shaft')
+        call m%label(PDN_OBJECT_JOINT, 8, text)
+        call check(text == 'shaft', 'label')
+        call m%find_label(PDN_OBJECT_JOINT, 'shaft', id)
+        call check(id == 8, 'labelled')
+        call m%joint(9, pair)
+        call check(pair%kind == PDN_JOINT_SPHERICAL .and. pair%first == a, 'joint')
+        call m%force(1, force)
+        call check(force%stiffness_count == 3, 'force')
+        call m%force_number(1, PDN_NUMBER_STIFFNESS, 2, number)
+        call near(number, 2.0_dp, 0.0_dp, 'number')
+        call m%relation_term(0, 1, id, nodes, number)
+        call check(id == 8 .and. nodes == PDN_ROTATION, 'term')
+        call m%prescribed(0, id, nodes)
+        call check(id == 0 .and. nodes == PDN_DISPLACEMENT, 'prescribed')
+        call m%inertia_count(nodes)
+        call m%inertia(0, id, unit)
+        call check(id == a .and. nodes > 2, 'inertia')
+        call m%sample_signal(PDN_SIGNAL_OF_GRAVITY, 0, 2, 1.0_dp, [0.0_dp, 0.3_dp], centre(:2))
+        call near(centre(2), -9.81_dp, 1e-14_dp, 'signal')
         call m%node_count(nodes)
         call check(nodes == 2, 'nodes')
         call m%mass(mass, centre)

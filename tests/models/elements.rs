@@ -3,14 +3,15 @@
 use super::parts::*;
 use nalgebra::{Matrix3, Matrix6, Vector3};
 use periodyn::elements::{
-    BeamLoadFrame, Coordinate, JointKind, LoadFrame, MaxwellBranch, NodeForceLaw,
+    BeamLoadFrame, BushingAngles, Coordinate, JointKind, LoadFrame, MaxwellBranch, NodeForceLaw,
 };
 use periodyn::model::*;
 use periodyn::motion::{Motion, rotation_from_vector};
 use std::sync::Arc;
 
 /// Elements of each kind, which need not be able to move: bodies on all joints, a damped beam whose
-/// section changes, springs, dampers, internal states, a user's force and loads.
+/// section changes, springs, dampers, internal states, a bushing, a relation between coordinates, a
+/// user's force and loads.
 pub fn all_elements() -> (Model, f64) {
     let mut model = Model::new();
     let frame = |x: f64| {
@@ -77,6 +78,22 @@ pub fn all_elements() -> (Model, f64) {
     model
         .add_viscous_damper(Some(bodies[4]), Some(bodies[7]), None, &matrix)
         .unwrap();
+    let unsymmetric = Matrix6::from_fn(|i, j| if i == j { 3.0 } else { 0.1 * i as f64 });
+    let (ends, frames) = (
+        [3, 7].map(|i: usize| Some(bodies[i])),
+        [frame(1.6), frame(1.5)],
+    );
+    let frames = [&frames[0], &frames[1]];
+    let angles = BushingAngles::RotationVector;
+    model
+        .add_bushing(ends, frames, [&unsymmetric, &matrix], angles)
+        .unwrap();
+    let slide = JointCoordinate {
+        joint: 1,
+        coordinate: Coordinate::Displacement1,
+    };
+    let terms = [(rotation1(2), 0.3), (slide, 1.0), (rotation1(4), -0.2)];
+    model.add_relation(&terms, Some(&wave)).unwrap();
     let law = NodeForceLaw {
         function: Arc::new(|input, output| {
             for (force, velocity) in output.forces.iter_mut().zip(input.velocities) {

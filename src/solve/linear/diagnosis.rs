@@ -2,7 +2,7 @@
 //! twice. See docs/theory.md, section 7.5.
 
 use crate::collocation::{Collocation, GridState, Pattern};
-use crate::system::{Dependency, ElementRole, Layout, System, name_all, name_constraints};
+use crate::system::{ConstraintNames, Dependency, ElementRole, Layout, System, name_all};
 use faer::MatMut;
 use faer::linalg::solvers::Solve;
 use faer::sparse::{SparseColMat, Triplet};
@@ -169,21 +169,14 @@ fn power_of(values: &[Vector3<f64>], harmonic: usize) -> f64 {
 fn describe_redundancy(equations: &Collocation, multipliers: &[f64]) -> String {
     let system = equations.system();
     let points = equations.grid().points();
-    let (mut joints, mut prescribed) = (Vec::new(), Vec::new());
+    let mut names = ConstraintNames::default();
     for placed in system.elements() {
         let part = &multipliers[placed.own_over(points)];
         if part.iter().any(|x| x.abs() > 0.05) {
-            match placed.role {
-                ElementRole::Joint(index) => joints.push(index),
-                ElementRole::Prescribed(index) => prescribed.push(index),
-                _ => {}
-            }
+            names.add(placed.role);
         }
     }
-    format!(
-        "over-constrained: the constraints of {} depend on each other",
-        name_constraints(&joints, &prescribed)
-    )
+    format!("over-constrained: the constraints of {names} depend on each other")
 }
 
 /// Says which constraints are redundant; empty if none is.
@@ -195,20 +188,18 @@ pub fn describe_dependencies(system: &System) -> String {
 /// Names constraints that cannot all hold.
 pub(crate) fn describe_inconsistency(equations: &Collocation, residual: &[f64]) -> String {
     let parts = equations.system().dependencies().iter().map(|dependency| {
-        let (joints, prescribed) = dependency.joints_and_prescribed();
-        if prescribed.is_empty() {
-            format!(
-                "the constraints of {} contradict each other: they depend on each other, and do \
-                 not all close",
-                name_constraints(&joints, &[])
-            )
-        } else {
-            format!(
-                "locked: {} cannot move as prescribed, since {} leave no freedom to do so",
-                name_constraints(&[], &prescribed),
-                name_constraints(&joints, &[])
-            )
+        let names = dependency.constraints();
+        if names.prescribed.is_empty() {
+            return format!(
+                "the constraints of {names} contradict each other: they depend on each other, and \
+                 do not all close"
+            );
         }
+        let [others, prescribed] = names.parted();
+        format!(
+            "locked: {prescribed} cannot move as prescribed, since {others} leave no freedom to do \
+             so"
+        )
     });
     format!(
         "{}{}. Use joints with fewer constraints, prescribe less, or make a member flexible",
@@ -230,6 +221,7 @@ pub(crate) fn describe_open_joint(equations: &Collocation, residual: &[f64]) -> 
         let open = part.iter().fold(0.0f64, |m, x| m.max(x.abs()));
         let what = match placed.role {
             ElementRole::Joint(index) => format!("joint {index}"),
+            ElementRole::Relation(index) => format!("relation {index}"),
             ElementRole::Prescribed(index) => format!("prescribed coordinate {index}"),
             _ => continue,
         };

@@ -1,0 +1,75 @@
+"""Relations, bearings, labels, and what a model holds."""
+
+import numpy as np
+import pytest
+from models import oscillator
+
+import periodyn as pdn
+
+FRAME = pdn.Frame(position=np.zeros(3), rotation=np.eye(3))
+
+
+def wheel(model, x, inertia):
+    body = model.add_rigid_body(1, [x, 0, 0], inertia * np.eye(3))
+    return model.add_revolute(pdn.GROUND, body, [x, 0, 0], [0, 0, 1])
+
+
+def test_geared_wheels_are_one_inertia():
+    model = pdn.Model()
+    joints = [wheel(model, 0, 0.4), wheel(model, 1, 0.15)]
+    model.add_spring_damper(joints[0], pdn.ROTATION, 3)
+    model.add_actuator(joints[0], pdn.ROTATION, np.cos)
+    relation = model.add_relation(joints, [pdn.ROTATION, pdn.ROTATION], [-2.5, -1])
+    solution = model.solve_periodic(2 * np.pi)
+    times = np.linspace(0, 6, 7)
+    exact = np.cos(times) / (3 - 0.4 - 2.5**2 * 0.15)
+    first, second = (solution.joint_coordinate(j, pdn.ROTATION, times) for j in joints)
+    np.testing.assert_allclose(first, exact, atol=1e-6)
+    np.testing.assert_allclose(second, -2.5 * first, atol=1e-6)
+    effort = solution.sample_quantity(
+        pdn.Quantity(kind=pdn.QUANTITY_RELATION_EFFORT, object=relation, component=1), times)
+    np.testing.assert_allclose(np.ravel(effort), 0.15 * 2.5 * exact, atol=1e-5)
+    assert model.relation_term(relation, 0) == (joints[0], pdn.ROTATION, -2.5)
+
+
+def test_turns_that_are_not_whole_name_a_period():
+    model = pdn.Model()
+    joints = [wheel(model, 0, 0.4), wheel(model, 1, 0.15)]
+    model.prescribe(joints[0], pdn.ROTATION, pdn.Signal().set_harmonics(rate=1.0))
+    model.add_relation(joints, [pdn.ROTATION, pdn.ROTATION], [0.5, -1])
+    with pytest.raises(pdn.Error, match="a period 2 times as long"):
+        model.solve_periodic(2 * np.pi)
+    assert model.solve_periodic(4 * np.pi).converged
+
+
+def test_matrices_of_bearings_are_rows_by_columns():
+    stiffness = np.arange(36.0).reshape(6, 6)
+    stiffness[:, 5] = 0
+    model = pdn.Model()
+    body = model.add_rigid_body(1, [0, 0, 0], np.eye(3))
+    force = model.add_bushing(pdn.GROUND, body, FRAME, FRAME, stiffness, np.eye(6),
+                              pdn.ANGLES_TILT_AND_SPIN)
+    info = model.force(force)
+    assert info.kind == pdn.FORCE_IS_BUSHING and info.first == pdn.GROUND and info.second == body
+    kept = [model.force_number(force, pdn.NUMBER_STIFFNESS, i) for i in range(36)]
+    np.testing.assert_array_equal(np.reshape(kept, (6, 6), order="F"), stiffness)
+
+
+def test_labels_and_contents():
+    model, body, joint, spring = oscillator(force=0.5)
+    model.set_label(pdn.OBJECT_JOINT, joint, "Führung")
+    assert model.label(pdn.OBJECT_JOINT, joint) == "Führung"
+    assert model.label(pdn.OBJECT_NODE, body) == ""
+    assert model.find_label(pdn.OBJECT_JOINT, "Führung") == joint
+    with pytest.raises(pdn.Error, match="no joint has the label"):
+        model.find_label(pdn.OBJECT_JOINT, "Kolben")
+    info = model.joint(joint)
+    assert info.kind == pdn.JOINT_PRISMATIC and info.second == body
+    assert model.force(spring).stiffness_count == 1
+    assert model.force_number(spring, pdn.NUMBER_STIFFNESS, 0) == 4
+    node, matrix = model.inertia(0)
+    assert node == body
+    np.testing.assert_array_equal(matrix, np.eye(6))
+    assert model.load_at(0) == (body, pdn.FRAME_SPACE)
+    values = model.sample_signal(pdn.SIGNAL_OF_LOAD, 0, 0, 1.0, [0, 0.5])
+    np.testing.assert_array_equal(values, [0.5, 0.5])

@@ -1,0 +1,635 @@
+//! What a model holds: for those who load one, or have not built it themselves.
+
+use super::bushing::angles_code;
+use super::guard::{guard, init};
+use super::joint::{coordinate_code, joint_code};
+use super::load::{PDN_FRAME_MATERIAL, PDN_FRAME_SPACE};
+use super::model::{PDN_GROUND, choose, count, index, joint, pdn_frame, pdn_model};
+use super::options::Options;
+use super::parameter::{PDN_NUMBER_DAMPING, PDN_NUMBER_STIFFNESS, signal_place};
+use super::section::pdn_section;
+use super::status::pdn_status;
+use crate::elements::{Attachment, JointKind, LoadFrame};
+use crate::error::Result;
+use crate::model::{ForceDefinition, ForceNumber, Model};
+
+/// Kind of force: springs and dampers on a joint coordinate.
+pub const PDN_FORCE_IS_SPRING_DAMPER: i32 = 1100;
+/// Kind of force: an actuator on a joint coordinate.
+pub const PDN_FORCE_IS_ACTUATOR: i32 = 1101;
+/// Kind of force: a law of the user on a joint coordinate.
+pub const PDN_FORCE_IS_COORDINATE_LAW: i32 = 1102;
+/// Kind of force: a viscoelastic element on a joint coordinate.
+pub const PDN_FORCE_IS_VISCOELASTIC: i32 = 1103;
+/// Kind of force: a viscous damper between two bodies.
+pub const PDN_FORCE_IS_VISCOUS_DAMPER: i32 = 1104;
+/// Kind of force: a bushing between two frames.
+pub const PDN_FORCE_IS_BUSHING: i32 = 1105;
+/// Kind of force: forces of the user on nodes.
+pub const PDN_FORCE_IS_USER_FORCE: i32 = 1106;
+
+/// Numbers of a force: relaxation times of the branches of a viscoelastic element. Parameters do
+/// not move them.
+pub const PDN_NUMBER_RELAXATION_TIME: i32 = 20;
+
+/// A joint of a model. Initialise with `PDN_INIT(pdn_joint_info, &info)`.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct pdn_joint_info {
+    /// Set by the initialiser.
+    pub struct_size: usize,
+    /// PDN_JOINT_RIGID ... PDN_JOINT_STRUT.
+    pub kind: i32,
+    /// Id of the first node, or PDN_GROUND.
+    pub first: i32,
+    /// Id of the second node, or PDN_GROUND.
+    pub second: i32,
+    /// Zero.
+    pub reserved: i32,
+    /// Advance of a screw for one turn; zero of other joints.
+    pub pitch: f64,
+    /// Origin of the first frame in the reference configuration, global coordinates.
+    pub first_position: [f64; 3],
+    /// Axes of the first frame there, a rotation matrix, column by column.
+    pub first_rotation: [f64; 9],
+    /// Origin of the second frame, likewise.
+    pub second_position: [f64; 3],
+    /// Axes of the second frame, likewise.
+    pub second_rotation: [f64; 9],
+}
+
+// SAFETY: all fields are plain numbers, `struct_size` is the first, no padding.
+unsafe impl Options for pdn_joint_info {
+    const SIZES: &'static [usize] = &[224];
+}
+
+/// A force of a model. Initialise with `PDN_INIT(pdn_force_info, &info)`.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct pdn_force_info {
+    /// Set by the initialiser.
+    pub struct_size: usize,
+    /// PDN_FORCE_IS_SPRING_DAMPER ... PDN_FORCE_IS_USER_FORCE.
+    pub kind: i32,
+    /// Id of the joint on whose coordinate it acts, or -1.
+    pub joint: i32,
+    /// The coordinate: PDN_DISPLACEMENT, ...; -1 if it acts on none.
+    pub coordinate: i32,
+    /// Of what is between two bodies, id of the first node, or PDN_GROUND.
+    pub first: i32,
+    /// Id of the second node, or PDN_GROUND.
+    pub second: i32,
+    /// Of a bushing, PDN_ANGLES_ROTATION_VECTOR or PDN_ANGLES_TILT_AND_SPIN; else zero.
+    pub angles: i32,
+    /// How many numbers PDN_NUMBER_STIFFNESS it has, for ::pdn_model_force_number.
+    pub stiffness_count: i32,
+    /// The same of PDN_NUMBER_DAMPING.
+    pub damping_count: i32,
+    /// The same of PDN_NUMBER_RELAXATION_TIME: branches of a viscoelastic element.
+    pub branch_count: i32,
+    /// Nodes of forces of the user, for ::pdn_model_force_node.
+    pub node_count: i32,
+    /// Coordinate at which springs are free of effort.
+    pub rest: f64,
+    /// Of what is between two bodies, origin of the first frame in the reference configuration,
+    /// global coordinates.
+    pub first_position: [f64; 3],
+    /// Axes of the first frame there, a rotation matrix, column by column.
+    pub first_rotation: [f64; 9],
+    /// Origin of the second frame, likewise.
+    pub second_position: [f64; 3],
+    /// Axes of the second frame, likewise.
+    pub second_rotation: [f64; 9],
+}
+
+// SAFETY: all fields are plain numbers, `struct_size` is the first, no padding.
+unsafe impl Options for pdn_force_info {
+    const SIZES: &'static [usize] = &[248];
+}
+
+/// Prepares a struct for ::pdn_model_joint; use `PDN_INIT(pdn_joint_info, &info)`.
+///
+/// @param info  the struct; not NULL
+/// @param struct_size  `sizeof *info`
+///
+/// Threads: any.
+/// @since 0.1
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn pdn_joint_info_init(info: *mut pdn_joint_info, struct_size: usize) {
+    init(info, struct_size, "info");
+}
+
+/// Prepares a struct for ::pdn_model_force; use `PDN_INIT(pdn_force_info, &info)`.
+///
+/// @param info  the struct; not NULL
+/// @param struct_size  `sizeof *info`
+///
+/// Threads: any.
+/// @since 0.1
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn pdn_force_info_init(info: *mut pdn_force_info, struct_size: usize) {
+    init(info, struct_size, "info");
+}
+
+/// An id, or what stands for the ground.
+fn id_of(node: Option<usize>) -> i32 {
+    // Ids fit: no more were made than they can name.
+    node.map_or(PDN_GROUND, |node| node as i32)
+}
+
+fn frames_of(model: &Model, ends: [Attachment; 2]) -> [pdn_frame; 2] {
+    ends.map(|end| pdn_frame::from(&model.reference_frame(&end)))
+}
+
+/// Kind, bodies and frames of a joint.
+///
+/// @param model  the model; not NULL
+/// @param joint  id of the joint
+/// @param out  the joint; initialised by PDN_INIT; filled on success only
+/// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_STRUCT_SIZE, PDN_ERR_ID
+///
+/// Threads: `model` is `const`.
+/// @since 0.1
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn pdn_model_joint(
+    model: *const pdn_model,
+    joint: i32,
+    out: *mut pdn_joint_info,
+) -> pdn_status {
+    guard(|call| {
+        let model = call.shared(model, "model")?;
+        let id = self::joint(&model, joint, "joint")?;
+        let out = call.out_struct(out, "out")?;
+        let joint = model.joint(id)?;
+        let [first, second] = frames_of(&model, [joint.first, joint.second]);
+        out.set(pdn_joint_info {
+            kind: joint_code(joint.kind),
+            first: id_of(joint.first.node),
+            second: id_of(joint.second.node),
+            pitch: match joint.kind {
+                JointKind::Screw { pitch } => pitch,
+                _ => 0.0,
+            },
+            first_position: first.position,
+            first_rotation: first.rotation,
+            second_position: second.position,
+            second_rotation: second.rotation,
+            ..pdn_joint_info::defaults()
+        });
+        Ok(())
+    })
+}
+
+fn force_kind(force: &ForceDefinition) -> i32 {
+    match force {
+        ForceDefinition::SpringDamper { .. } => PDN_FORCE_IS_SPRING_DAMPER,
+        ForceDefinition::Actuator { .. } => PDN_FORCE_IS_ACTUATOR,
+        ForceDefinition::CoordinateLaw { .. } => PDN_FORCE_IS_COORDINATE_LAW,
+        ForceDefinition::Viscoelastic { .. } => PDN_FORCE_IS_VISCOELASTIC,
+        ForceDefinition::ViscousDamper { .. } => PDN_FORCE_IS_VISCOUS_DAMPER,
+        ForceDefinition::Bushing(_) => PDN_FORCE_IS_BUSHING,
+        ForceDefinition::NodeForces { .. } => PDN_FORCE_IS_USER_FORCE,
+    }
+}
+
+/// Kind of a force, where it acts, and how many numbers it has.
+///
+/// @param model  the model; not NULL
+/// @param force  id of the force
+/// @param out  the force; initialised by PDN_INIT; filled on success only
+/// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_STRUCT_SIZE, PDN_ERR_ID
+///
+/// Threads: `model` is `const`.
+/// @since 0.1
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn pdn_model_force(
+    model: *const pdn_model,
+    force: i32,
+    out: *mut pdn_force_info,
+) -> pdn_status {
+    guard(|call| {
+        let model = call.shared(model, "model")?;
+        let id = index(force, model.force_count(), "force", "a force id")?;
+        let out = call.out_struct(out, "out")?;
+        let force = model.force(id)?;
+        let numbers = |which| force.numbers(which).len() as i32;
+        let at = force.at();
+        let mut info = pdn_force_info {
+            kind: force_kind(force),
+            joint: at.map_or(-1, |at| at.joint as i32),
+            coordinate: at.map_or(-1, |at| coordinate_code(at.coordinate)),
+            first: PDN_GROUND,
+            second: PDN_GROUND,
+            stiffness_count: numbers(ForceNumber::Stiffness),
+            damping_count: numbers(ForceNumber::Damping),
+            branch_count: numbers(ForceNumber::RelaxationTime),
+            node_count: force.user_nodes().len() as i32,
+            rest: force.rest(),
+            ..pdn_force_info::defaults()
+        };
+        if let Some(ends) = force.ends() {
+            let [first, second] = frames_of(&model, ends);
+            [info.first, info.second] = ends.map(|end| id_of(end.node));
+            (info.first_position, info.first_rotation) = (first.position, first.rotation);
+            (info.second_position, info.second_rotation) = (second.position, second.rotation);
+        }
+        if let ForceDefinition::Bushing(bushing) = force {
+            info.angles = angles_code(bushing.angles);
+        }
+        out.set(info);
+        Ok(())
+    })
+}
+
+/// A number of a force, with the factors of parameters.
+///
+/// Of a spring-damper the coefficients of the powers of the growth and of the rate, from the first;
+/// of a viscoelastic element as PDN_NUMBER_STIFFNESS the long-term stiffness, then that of each
+/// branch; of viscous dampers and bushings their matrices, column by column.
+///
+/// @param model  the model; not NULL
+/// @param force  id of the force
+/// @param number  PDN_NUMBER_STIFFNESS, PDN_NUMBER_DAMPING or PDN_NUMBER_RELAXATION_TIME
+/// @param index  which of these, from 0; their count is in pdn_force_info
+/// @param out  the number; written on success only
+/// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_ID, PDN_ERR_VALUE
+///
+/// Threads: `model` is `const`.
+/// @since 0.1
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn pdn_model_force_number(
+    model: *const pdn_model,
+    force: i32,
+    number: i32,
+    index: i32,
+    out: *mut f64,
+) -> pdn_status {
+    guard(|call| {
+        let model = call.shared(model, "model")?;
+        let id = self::index(force, model.force_count(), "force", "a force id")?;
+        let table = [
+            (PDN_NUMBER_STIFFNESS, ForceNumber::Stiffness),
+            (PDN_NUMBER_DAMPING, ForceNumber::Damping),
+            (PDN_NUMBER_RELAXATION_TIME, ForceNumber::RelaxationTime),
+        ];
+        let expected = "PDN_NUMBER_STIFFNESS, PDN_NUMBER_DAMPING or PDN_NUMBER_RELAXATION_TIME";
+        let which = choose(&table, number, "number", expected)?;
+        let numbers = model.force(id)?.numbers(which);
+        let place = self::index(index, numbers.len(), "index", "a number")?;
+        call.out(out, "out")?.set(numbers[place]);
+        Ok(())
+    })
+}
+
+/// A node of forces of the user.
+///
+/// @param model  the model; not NULL
+/// @param force  id of the force
+/// @param index  which of its nodes, from 0; their count is in pdn_force_info
+/// @param node  the node's id; written on success only
+/// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_ID
+///
+/// Threads: `model` is `const`.
+/// @since 0.1
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn pdn_model_force_node(
+    model: *const pdn_model,
+    force: i32,
+    index: i32,
+    node: *mut i32,
+) -> pdn_status {
+    guard(|call| {
+        let model = call.shared(model, "model")?;
+        let id = self::index(force, model.force_count(), "force", "a force id")?;
+        let nodes = model.force(id)?.user_nodes();
+        let place = self::index(index, nodes.len(), "index", "a node of the force")?;
+        call.out(node, "node")?.set(nodes[place] as i32);
+        Ok(())
+    })
+}
+
+/// Number of nodes of a beam element.
+///
+/// @param model  the model; not NULL
+/// @param element  id of the beam element
+/// @param count  the number; written on success only
+/// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_ID
+///
+/// Threads: `model` is `const`.
+/// @since 0.1
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn pdn_model_beam_element_node_count(
+    model: *const pdn_model,
+    element: i32,
+    count: *mut i32,
+) -> pdn_status {
+    guard(|call| {
+        let model = call.shared(model, "model")?;
+        let element = beam_element(&model, element)?;
+        let nodes = &model.beam_definition(element)?.nodes;
+        call.out(count, "count")?.set(nodes.len() as i32);
+        Ok(())
+    })
+}
+
+fn beam_element(model: &Model, id: i32) -> Result<usize> {
+    index(
+        id,
+        model.beam_element_count(),
+        "element",
+        "a beam element id",
+    )
+}
+
+/// A node of a beam element, in order along the beam.
+///
+/// @param model  the model; not NULL
+/// @param element  id of the beam element
+/// @param index  which of its nodes, from 0
+/// @param node  the node's id; written on success only
+/// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_ID
+///
+/// Threads: `model` is `const`.
+/// @since 0.1
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn pdn_model_beam_element_node(
+    model: *const pdn_model,
+    element: i32,
+    index: i32,
+    node: *mut i32,
+) -> pdn_status {
+    guard(|call| {
+        let model = call.shared(model, "model")?;
+        let element = beam_element(&model, element)?;
+        let nodes = &model.beam_definition(element)?.nodes;
+        let place = self::index(index, nodes.len(), "index", "a node of the element")?;
+        call.out(node, "node")?.set(nodes[place] as i32);
+        Ok(())
+    })
+}
+
+/// Cross-section of a beam element at a place, with the factors of parameters.
+///
+/// @param model  the model; not NULL
+/// @param element  id of the beam element
+/// @param station  place along the element, from -1 at its first to 1 at its last node
+/// @param out  the section, in its own axes; initialised by PDN_INIT; filled on success only
+/// @param twist  angle by which its axes are turned about axis 1 from those between the nodes
+///     [radian]; may be NULL if it is not wanted; written on success only
+/// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_STRUCT_SIZE, PDN_ERR_NOT_FINITE, PDN_ERR_ID, PDN_ERR_VALUE
+///
+/// Threads: `model` is `const`.
+/// @since 0.1
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn pdn_model_beam_section(
+    model: *const pdn_model,
+    element: i32,
+    station: f64,
+    out: *mut pdn_section,
+    twist: *mut f64,
+) -> pdn_status {
+    guard(|call| {
+        let model = call.shared(model, "model")?;
+        let element = beam_element(&model, element)?;
+        let out = call.out_struct(out, "out")?;
+        let twist_out = call.out_optional(twist, "twist")?;
+        let (section, twist) = model.beam_section(element, station)?;
+        let mut filled = pdn_section::defaults();
+        filled.fill([&section.stiffness, &section.mass, &section.damping]);
+        out.set(filled);
+        if let Some(twist_out) = twist_out {
+            twist_out.set(twist);
+        }
+        Ok(())
+    })
+}
+
+/// Number of bodies, masses and inertias on nodes.
+///
+/// @param model  the model; not NULL
+/// @param count  the number; written on success only
+/// @return PDN_OK, PDN_ERR_NULL
+///
+/// Threads: `model` is `const`.
+/// @since 0.1
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn pdn_model_inertia_count(
+    model: *const pdn_model,
+    count: *mut i32,
+) -> pdn_status {
+    self::count(model, count, |model| model.inertias().count())
+}
+
+/// A body, mass or inertia on a node, in the order in which they were added, with the factors of
+/// parameters.
+///
+/// @param model  the model; not NULL
+/// @param index  which of them, from 0
+/// @param node  the node's id; written on success only
+/// @param matrix  array of length 36: 6 x 6 inertia about the node, along its axes, as in
+///     ::pdn_model_add_inertia; written on success only
+/// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_ID
+///
+/// Threads: `model` is `const`.
+/// @since 0.1
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn pdn_model_inertia(
+    model: *const pdn_model,
+    index: i32,
+    node: *mut i32,
+    matrix: *mut f64,
+) -> pdn_status {
+    guard(|call| {
+        let model = call.shared(model, "model")?;
+        let all: Vec<_> = model.inertias().collect();
+        let place = self::index(index, all.len(), "index", "an inertia")?;
+        let node_out = call.out(node, "node")?;
+        let matrix_out = call.out_slice(matrix, 36, 36, "matrix")?;
+        let (node, inertia) = &all[place];
+        node_out.set(*node as i32);
+        matrix_out.set(inertia.as_slice());
+        Ok(())
+    })
+}
+
+/// A prescribed coordinate, in the order in which they were prescribed; ::pdn_model_summary tells
+/// how many there are, and ::pdn_model_sample_signal what they follow.
+///
+/// @param model  the model; not NULL
+/// @param index  which of them, from 0
+/// @param joint  id of its joint; written on success only
+/// @param coordinate  PDN_DISPLACEMENT, ...; written on success only
+/// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_ID
+///
+/// Threads: `model` is `const`.
+/// @since 0.1
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn pdn_model_prescribed(
+    model: *const pdn_model,
+    index: i32,
+    joint: *mut i32,
+    coordinate: *mut i32,
+) -> pdn_status {
+    guard(|call| {
+        let model = call.shared(model, "model")?;
+        let all = model.prescribed();
+        let place = self::index(index, all.len(), "index", "a prescribed coordinate")?;
+        let joint_out = call.out(joint, "joint")?;
+        let coordinate_out = call.out(coordinate, "coordinate")?;
+        let (at, _) = &all[place];
+        joint_out.set(at.joint as i32);
+        coordinate_out.set(coordinate_code(at.coordinate));
+        Ok(())
+    })
+}
+
+/// Number of loads on nodes.
+///
+/// @param model  the model; not NULL
+/// @param count  the number; written on success only
+/// @return PDN_OK, PDN_ERR_NULL
+///
+/// Threads: `model` is `const`.
+/// @since 0.1
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn pdn_model_load_count(
+    model: *const pdn_model,
+    count: *mut i32,
+) -> pdn_status {
+    self::count(model, count, |model| model.loads().len())
+}
+
+/// A load on a node, in the order in which they were added; its components are signals,
+/// ::pdn_model_sample_signal.
+///
+/// @param model  the model; not NULL
+/// @param index  which of them, from 0
+/// @param node  the node's id; written on success only
+/// @param frame  PDN_FRAME_SPACE or PDN_FRAME_MATERIAL; written on success only
+/// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_ID
+///
+/// Threads: `model` is `const`.
+/// @since 0.1
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn pdn_model_load_at(
+    model: *const pdn_model,
+    index: i32,
+    node: *mut i32,
+    frame: *mut i32,
+) -> pdn_status {
+    guard(|call| {
+        let model = call.shared(model, "model")?;
+        let all = model.loads();
+        let place = self::index(index, all.len(), "index", "a load")?;
+        let node_out = call.out(node, "node")?;
+        let frame_out = call.out(frame, "frame")?;
+        node_out.set(all[place].node as i32);
+        frame_out.set(match all[place].frame {
+            LoadFrame::Space => PDN_FRAME_SPACE,
+            LoadFrame::Follower => PDN_FRAME_MATERIAL,
+        });
+        Ok(())
+    })
+}
+
+/// Number of coordinates of a linear relation.
+///
+/// @param model  the model; not NULL
+/// @param relation  id of the relation
+/// @param count  the number; written on success only
+/// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_ID
+///
+/// Threads: `model` is `const`.
+/// @since 0.1
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn pdn_model_relation_term_count(
+    model: *const pdn_model,
+    relation: i32,
+    count: *mut i32,
+) -> pdn_status {
+    guard(|call| {
+        let model = call.shared(model, "model")?;
+        let relation = self::relation(&model, relation)?;
+        let terms = &model.relation(relation)?.terms;
+        call.out(count, "count")?.set(terms.len() as i32);
+        Ok(())
+    })
+}
+
+fn relation(model: &Model, id: i32) -> Result<usize> {
+    index(id, model.relation_count(), "relation", "a relation id")
+}
+
+/// A coordinate of a linear relation, and its coefficient.
+///
+/// @param model  the model; not NULL
+/// @param relation  id of the relation
+/// @param index  which of its coordinates, from 0
+/// @param joint  id of the joint; written on success only
+/// @param coordinate  PDN_DISPLACEMENT, ...; written on success only
+/// @param coefficient  the coefficient; written on success only
+/// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_ID
+///
+/// Threads: `model` is `const`.
+/// @since 0.1
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn pdn_model_relation_term(
+    model: *const pdn_model,
+    relation: i32,
+    index: i32,
+    joint: *mut i32,
+    coordinate: *mut i32,
+    coefficient: *mut f64,
+) -> pdn_status {
+    guard(|call| {
+        let model = call.shared(model, "model")?;
+        let relation = self::relation(&model, relation)?;
+        let terms = &model.relation(relation)?.terms;
+        let place = self::index(index, terms.len(), "index", "a coordinate of the relation")?;
+        let joint_out = call.out(joint, "joint")?;
+        let coordinate_out = call.out(coordinate, "coordinate")?;
+        let coefficient_out = call.out(coefficient, "coefficient")?;
+        let (at, given) = &terms[place];
+        joint_out.set(at.joint as i32);
+        coordinate_out.set(coordinate_code(at.coordinate));
+        coefficient_out.set(*given);
+        Ok(())
+    })
+}
+
+/// Values of a signal of the model in time.
+///
+/// @param model  the model; not NULL
+/// @param place  what has the signal: PDN_SIGNAL_OF_ACTUATOR, ...
+/// @param index  which of them
+/// @param component  of a load from 0 to 5, of gravity from 0 to 2; 0 for all else
+/// @param period  period of the motion, that harmonics refer to [time]
+/// @param times  array of length [count]: times
+/// @param count  number of times
+/// @param values  array of length [count]: the values there; written on success only
+/// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_SIZE, PDN_ERR_NOT_FINITE, PDN_ERR_VALUE,
+///     PDN_ERR_NOT_AVAILABLE (there is no such signal), PDN_ERR_CALLBACK
+///
+/// Threads: `model` is `const`. Signals' functions are called on this thread.
+/// @since 0.1
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn pdn_model_sample_signal(
+    model: *const pdn_model,
+    place: i32,
+    index: i32,
+    component: i32,
+    period: f64,
+    times: *const f64,
+    count: usize,
+    values: *mut f64,
+) -> pdn_status {
+    guard(|call| {
+        let model = call.shared(model, "model")?;
+        let place = signal_place(place, index, component)?;
+        let period = call.number(period, "period")?;
+        let times = call.numbers(times, count, "times")?;
+        let out = call.out_slice(values, count, count, "values")?;
+        out.set(&model.sample_signal(place, period, times)?);
+        Ok(())
+    })
+}

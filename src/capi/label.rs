@@ -1,0 +1,145 @@
+//! Labels of nodes, joints, elements, forces and relations.
+
+use super::guard::{guard, guard_or};
+use super::last_error::copy_message;
+use super::model::{choose, index, pdn_model};
+use super::status::pdn_status;
+use crate::error::{Error, ErrorKind, Result};
+use crate::model::{Model, ObjectKind};
+use libc::c_char;
+
+/// What has an id: a node, or a rigid body, which is one.
+pub const PDN_OBJECT_NODE: i32 = 1000;
+/// What has an id: a joint.
+pub const PDN_OBJECT_JOINT: i32 = 1001;
+/// What has an id: a beam element.
+pub const PDN_OBJECT_BEAM_ELEMENT: i32 = 1002;
+/// What has an id: a shell element.
+pub const PDN_OBJECT_SHELL_ELEMENT: i32 = 1003;
+/// What has an id: a force, but not a load.
+pub const PDN_OBJECT_FORCE: i32 = 1004;
+/// What has an id: a linear relation between joint coordinates.
+pub const PDN_OBJECT_RELATION: i32 = 1005;
+
+/// Bytes of a label at most, without the NUL.
+pub const PDN_LABEL_LENGTH: i32 = 200;
+
+const _: () = assert!(PDN_LABEL_LENGTH as usize == crate::model::LONGEST_LABEL);
+
+fn object_kind(given: i32) -> Result<ObjectKind> {
+    let table = [
+        (PDN_OBJECT_NODE, ObjectKind::Node),
+        (PDN_OBJECT_JOINT, ObjectKind::Joint),
+        (PDN_OBJECT_BEAM_ELEMENT, ObjectKind::BeamElement),
+        (PDN_OBJECT_SHELL_ELEMENT, ObjectKind::ShellElement),
+        (PDN_OBJECT_FORCE, ObjectKind::Force),
+        (PDN_OBJECT_RELATION, ObjectKind::Relation),
+    ];
+    choose(
+        &table,
+        given,
+        "kind",
+        "PDN_OBJECT_NODE to PDN_OBJECT_RELATION",
+    )
+}
+
+/// What a kind and an id name.
+fn object(model: &Model, kind: i32, id: i32) -> Result<(ObjectKind, usize)> {
+    let kind = object_kind(kind)?;
+    let count = model.object_count(kind);
+    Ok((kind, index(id, count, "id", &format!("a {kind} id"))?))
+}
+
+/// Gives a node, joint, element, force or relation a label, in place of the one that it has.
+///
+/// Messages and reports name it after the id, as in: joint 3 "crank pin". Labels are saved and
+/// copied with the model, and solutions keep those that it has when it is solved.
+///
+/// @param model  the model; not NULL
+/// @param kind  PDN_OBJECT_NODE, ...
+/// @param id  its id
+/// @param label  text in UTF-8 of at most PDN_LABEL_LENGTH bytes, without quotes (") and control
+///     characters, that no other object of this kind has; empty or NULL to take the label away
+/// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_ID, PDN_ERR_VALUE
+///
+/// Threads: exclusive use of `model`.
+/// @since 0.1
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn pdn_model_set_label(
+    model: *mut pdn_model,
+    kind: i32,
+    id: i32,
+    label: *const c_char,
+) -> pdn_status {
+    guard(|call| {
+        let mut model = call.exclusive(model, "model")?;
+        let (kind, id) = object(&model, kind, id)?;
+        let label = match label.is_null() {
+            true => "",
+            false => call.text(label, "label")?,
+        };
+        model.set_label(kind, id, label)
+    })
+}
+
+/// The label of a node, joint, element, force or relation.
+///
+/// @param model  the model; not NULL
+/// @param kind  PDN_OBJECT_NODE, ...
+/// @param id  its id
+/// @param buffer  array of length [capacity] for the label, UTF-8, always ended by NUL; may be NULL
+///     if capacity is 0
+/// @param capacity  size of buffer in bytes
+/// @return length of the label without the NUL, as snprintf does; 0 if there is none, or if
+///     the handle or id is not valid, see ::pdn_last_error
+///
+/// Threads: `model` is `const`.
+/// @since 0.1
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn pdn_model_label(
+    model: *const pdn_model,
+    kind: i32,
+    id: i32,
+    buffer: *mut c_char,
+    capacity: usize,
+) -> usize {
+    guard_or(0, |call| {
+        let model = call.shared(model, "model")?;
+        let (kind, id) = object(&model, kind, id)?;
+        let label = model.label(kind, id).unwrap_or("");
+        copy_message(label, buffer, capacity);
+        Ok(label.len())
+    })
+}
+
+/// The node, joint, element, force or relation that has a label.
+///
+/// @param model  the model; not NULL
+/// @param kind  PDN_OBJECT_NODE, ...
+/// @param label  the label; not NULL
+/// @param id  its id; written on success only
+/// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_VALUE, PDN_ERR_NOT_AVAILABLE (none has this label)
+///
+/// Threads: `model` is `const`.
+/// @since 0.1
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn pdn_model_find_label(
+    model: *const pdn_model,
+    kind: i32,
+    label: *const c_char,
+    id: *mut i32,
+) -> pdn_status {
+    guard(|call| {
+        let model = call.shared(model, "model")?;
+        let kind = object_kind(kind)?;
+        let label = call.text(label, "label")?;
+        let id = call.out(id, "id")?;
+        let found = model.find_label(kind, label).ok_or_else(|| {
+            let message = format!("label: no {kind} has the label \"{label}\"");
+            Error::new(ErrorKind::NotAvailable, message)
+        })?;
+        // Ids fit: no more were made than they can name.
+        id.set(found as i32);
+        Ok(())
+    })
+}
