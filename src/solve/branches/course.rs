@@ -5,6 +5,9 @@ use crate::motion::DualVector;
 use crate::system::Layout;
 use nalgebra::Vector6;
 
+/// Part of the third degree that is taken: where steps turn far, all of it misses as much as none.
+const DAMPED: f64 = 0.5;
+
 /// What follows the tangent `t` at a point: `t σ + a σ² + b σ³`, an increment of the state there.
 #[derive(Debug, Clone)]
 pub(super) struct Course {
@@ -18,8 +21,8 @@ pub(super) struct Course {
 type At<'a> = (&'a GridState, &'a [f64]);
 
 impl Course {
-    /// The cubic that has the points and the tangents of both; of multipliers and internal states,
-    /// which hardly count, of second degree.
+    /// The cubic that has the points and the tangents of both, but for a part of its third degree;
+    /// of multipliers and internal states, which hardly count, of second degree.
     pub fn through((before, first): At, (now, tangent): At, layout: Layout, length: f64) -> Self {
         let mut course = Course {
             second: vec![0.0; tangent.len()],
@@ -54,7 +57,7 @@ impl Course {
         let away = (back + length * tangent) / (length * length);
         let turn = (rate - tangent) / length;
         self.second[i] = 3.0 * away + turn;
-        self.third[i] = (2.0 * away + turn) / length;
+        self.third[i] = DAMPED * (2.0 * away + turn) / length;
     }
 
     /// The increment at `length` along the branch.

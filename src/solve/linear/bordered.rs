@@ -118,6 +118,7 @@ impl<L: LinearSolver> Bordered<L> {
     ) -> Result<bool> {
         self.at = Some(state.clone());
         self.is_evaluated = false;
+        self.borders.forget_elimination();
         let inner = &mut self.inner;
         loop {
             let regular = inner.linearise(equations, state, timings)?;
@@ -403,6 +404,7 @@ mod tests {
     fn error(model: &Model, period: f64, count: usize, method: LinearMethod) -> ([f64; 2], bool) {
         let mut at = Linearised::new(model, period, 5, |i| (0.9 * i as f64).sin());
         at.equations.set_scalars(Arc::new(Given(count)));
+        at.state.scalars = vec![0.0; count];
         let (size, all) = (at.equations.size(), at.equations.layout().size());
         let borders = borders(&at.equations, count);
         let jacobian = at.dense();
@@ -488,6 +490,7 @@ mod tests {
     fn what_the_borders_leave_open_is_not_solved() {
         let mut at = Linearised::new(&free_chain(2), TAU, 5, |_| 0.0);
         at.equations.set_scalars(Arc::new(Given(1)));
+        at.state.scalars = vec![0.0];
         let linear = Linear::new(&at.equations, LinearMethod::Direct);
         let mut bordered = Bordered::new(&at.equations, linear);
         bordered.borders = borders(&at.equations, 1);

@@ -87,6 +87,11 @@ impl Borders {
         self.rows.len()
     }
 
+    /// Forgets the Schur complement, which was that of another `J`.
+    pub fn forget_elimination(&mut self) {
+        self.inverse = DMatrix::zeros(0, 0);
+    }
+
     /// Whether the Schur complement is known.
     pub fn is_eliminated(&self) -> bool {
         self.inverse.nrows() == self.rows.len()
