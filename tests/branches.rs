@@ -14,7 +14,8 @@ use periodyn::motion::Motion;
 use periodyn::output::{ForceQuantity, NodeQuantity, Quantity, Solution};
 use periodyn::solve::{
     Adaptation, Branch, BranchEnd, BranchOptions, BranchPoint, Event, Free, GridPoints,
-    InitialGuess, LinearMethod, Outcome, Phase, follow_branch, switch_branch,
+    InitialGuess, LinearMethod, Outcome, Phase, StabilityOptions, follow_branch, solve_stability,
+    switch_branch,
 };
 use periodyn::system::System;
 use std::f64::consts::TAU;
@@ -310,6 +311,19 @@ fn an_escape_oscillator_folds_and_doubles_its_period() {
     let off = found[2].1 - 0.100_501_010_278;
     println!("period doubling off by {off:e}");
     assert!(off.abs() < 2e-12);
+    let doubles = |p: &BranchPoint| p.event == Some(Event::PeriodDoubling);
+    let at = branch.points.iter().position(doubles).unwrap();
+    let options = StabilityOptions {
+        tolerance: 1e-11,
+        ..StabilityOptions::default()
+    };
+    let stability = solve_stability(&branch.solved(at).unwrap().1, &options).unwrap();
+    let [one, other] = &stability.multipliers[..] else {
+        panic!("{stability:?}");
+    };
+    println!("multipliers {}, {}", one.value, other.value);
+    assert!((one.value + 1.0).norm() < 1e-10);
+    assert!((other.value + 0.4774965847545).norm() < 1e-10);
 }
 
 #[test]

@@ -162,6 +162,32 @@ fn a_pendulum_has_the_periods_of_its_amplitudes() {
 }
 
 #[test]
+fn a_family_of_free_motions_is_the_same_by_iteration() {
+    let (mut model, at) = pendulum();
+    let unfolding = model.add_parameter("unfolding", 0.0, 1.0).unwrap();
+    model
+        .move_by_parameter(unfolding, Target::MassDamping, 1.0)
+        .unwrap();
+    let free = [Free::Frequency, Free::Parameter(unfolding)];
+    let value = f64::to_radians(60.0);
+    let conditions: [Arc<dyn Condition>; 2] =
+        [Arc::new(Phase), Arc::new(JointCoordinateIs { at, value })];
+    let [direct, iterative] = [LinearMethod::Direct, LinearMethod::Iterative(None)].map(|linear| {
+        let options = PeriodicOptions {
+            linear,
+            ..options(41)
+        };
+        let options = starting_at(options, (&model, 41, 2.1), |t| swung(value * t.cos()));
+        solve_for(&model, 2.1, &free, &conditions, &options)
+    });
+    // Of a system that conserves energy J is singular twice.
+    let distance = (direct.details().state).distance(&iterative.details().state, 1.0);
+    let periods = [&direct, &iterative].map(|found| found.grid().period());
+    println!("{distance:e}, {periods:?}");
+    assert!(distance < 1e-8 && (periods[0] - periods[1]).abs() < 1e-8);
+}
+
+#[test]
 fn it_has_them_at_given_energies_too() {
     let (mut model, at) = pendulum();
     let unfolding = model.add_parameter("unfolding", 0.0, 1.0).unwrap();

@@ -10,7 +10,7 @@ use periodyn::elements::{Coordinate, CoordinateLaw, Effort, JointKind, LoadFrame
 use periodyn::error::ErrorKind;
 use periodyn::model::*;
 use periodyn::motion::Motion;
-use periodyn::output::Solution;
+use periodyn::output::{JointQuantity, NodeQuantity, Solution};
 use periodyn::solve::*;
 use std::f64::consts::TAU;
 use std::sync::Arc;
@@ -149,7 +149,26 @@ fn a_double_pendulum_has_a_close_pair() {
         .add_actuator(rotation1(shoulder), &cosine(4.0))
         .unwrap();
     gravity(&mut model, [0.0, 0.0, -9.81]);
-    let stability = analyse(solve(&model, TAU / 5.0, 41).details());
+    let solution = solve(&model, TAU / 5.0, 41);
+    let angle = JointQuantity::Coordinate(Coordinate::Rotation1);
+    let at = |joint: usize, times: &[f64]| solution.joint(joint, angle, times).unwrap();
+    // Of the upper rod, and of the lower one, from the vertical.
+    let angles = |times: &[f64]| {
+        let (upper, bend) = (at(shoulder, times), at(elbow, times));
+        let lower = upper.iter().zip(&bend).map(|(a, b)| a + b).collect();
+        [upper, lower]
+    };
+    let at_start = angles(&[0.0]).map(|angles| angles[0]);
+    println!("at the start {at_start:?}");
+    let expected = [-0.370253884881, 0.457259066301];
+    // What the grid leaves out.
+    assert!(largest_difference(&at_start, &expected) < 1e-11);
+    let most = angles(&times(TAU / 5.0, 401)).map(largest);
+    assert!(
+        largest_difference(&most, &[0.386, 0.498]) < 6e-4,
+        "{most:?}"
+    );
+    let stability = analyse(solution.details());
     let mut expected = pair(-0.001179792816, 0.718076889344).to_vec();
     expected.extend(pair(-0.971344211321, 0.013370958555));
     assert_multipliers(&stability, &expected, 2e-11);
@@ -181,6 +200,11 @@ fn a_pendulum_on_a_slider_crank_has_redundant_constraints_and_a_nearly_defective
     gravity(&mut model, [0.0, 0.0, -9.81]);
     let solution = solve(&model, period, 41);
     assert!(solution.details().system.redundant_constraints() > 0);
+    let angle = JointQuantity::Coordinate(Coordinate::Rotation1);
+    // About the axis that points away, from which a positive angle is one backwards.
+    let at_start = solution.joint(hinge, angle, &[0.0]).unwrap()[0];
+    println!("at the start {at_start}");
+    assert!((at_start - 0.552415495634).abs() < 1e-11);
     let stability = analyse(solution.details());
     assert_eq!(stability.multipliers.len(), 2);
     let [a, b] = [0, 1].map(|i| stability.multipliers[i].value);
@@ -191,6 +215,7 @@ fn a_pendulum_on_a_slider_crank_has_redundant_constraints_and_a_nearly_defective
     );
     assert!((a + b + 1.8428518487).norm() < 1e-10);
     assert!((a * b - (-0.05_f64 * period / 0.32).exp()).norm() < 1e-11);
+    assert!((a * b - 0.8490606846953).norm() < 1e-11);
 }
 
 /// A body that moves in the plane x, y without turning, with forces by its position and velocity.
@@ -356,7 +381,11 @@ fn a_rotor_on_springs_has_ground_resonance() {
     let speed = 9.0;
     let model = rotor_on_springs(speed, 9.81);
     let period = TAU / speed;
-    let stability = analyse(solve(&model, period, 33).details());
+    let solution = solve(&model, period, 33);
+    let hub = solution.node(0, NodeQuantity::Position, &[0.0]).unwrap();
+    println!("hub at the start {hub:?}");
+    assert!(largest_difference(&hub[..2], &[0.001588509235, -0.022461450796]) < 1e-11);
+    let stability = analyse(solution.details());
     let mut expected = Vec::new();
     for [re, im] in [
         [0.1023582061, 4.4770746319],
@@ -477,6 +506,29 @@ fn a_slider_crank_with_a_flexible_rod_is_the_same_by_both_methods_and_shooting()
     let model = models::beams::slider_crank(1, 2, period);
     let stability = assert_methods_agree(&solve(&model, period, 31));
     assert_largest_of_shooting(&stability, &model, period);
+}
+
+#[test]
+fn a_lower_frequency_asks_for_no_more() {
+    let (model, period) = models::beams::rotor(4);
+    let solution = solve(&model, period, 15);
+    let found = [None, Some(4.0)].map(|harmonics: Option<f64>| {
+        let options = StabilityOptions {
+            highest_frequency: harmonics.map(|harmonics| harmonics * TAU / period),
+            ..StabilityOptions::default()
+        };
+        let stability = solve_stability(solution.details(), &options).unwrap();
+        print(&stability);
+        assert_eq!(stability.outcome, Outcome::Converged);
+        stability
+    });
+    let [high, low] = found;
+    // Few steps kill few disturbances: these are not to be followed instead.
+    assert!(low.steps <= high.steps);
+    assert!(low.multipliers.len() <= high.multipliers.len() + 6);
+    for (a, b) in low.multipliers.iter().zip(&high.multipliers).take(4) {
+        assert!((a.value.norm() - b.value.norm()).abs() < 1e-7);
+    }
 }
 
 /// The largest multiplier of shooting comes nearer to one of these with the square of its steps.

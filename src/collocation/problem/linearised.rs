@@ -17,13 +17,13 @@ impl Collocation {
         out: &mut [f64],
     ) -> Result<()> {
         // Sampled elsewhere, or linearised by what does not say what is left.
-        let is_known = self.linearised_residual.len() == out.len();
+        let is_known = self.linearised_residual.len() == self.size();
         if self.oversampled.is_some() || !is_known {
             return self.residual(state, out);
         }
         let known = self.linearised_residual.iter().zip(&self.row_scale);
         let rows = out.iter_mut().zip(known);
         rows.for_each(|(row, (value, scale))| *row = value * scale);
-        Ok(())
+        self.scalar_residual(state, out)
     }
 }

@@ -22,19 +22,11 @@ pub trait ScalarEquations: Debug + Send + Sync {
     /// If a value is impossible.
     fn apply(&self, values: &[f64], equations: &mut Collocation) -> Result<()>;
 
-    /// Derivatives of the scaled residual of the grid by the scaled unknown `index`, where they are
-    /// known; otherwise they are differenced.
-    ///
-    /// # Errors
-    /// Those of the residual.
-    fn column(
-        &self,
-        equations: &mut Collocation,
-        state: &GridState,
-        index: usize,
-    ) -> Result<Option<Vec<f64>>> {
-        let _ = (equations, state, index);
-        Ok(None)
+    /// Derivative of the logarithm of the frequency by the scaled unknown `index` at `state`, where
+    /// it moves that alone; what others move is differenced.
+    fn moves_frequency(&self, state: &GridState, index: usize) -> Option<f64> {
+        let _ = (state, index);
+        None
     }
 
     /// Writes what is left of the scalar equations at `state`, in numbers of the order of scaled
@@ -120,9 +112,10 @@ impl Collocation {
     /// # Errors
     /// Those of the residual.
     pub fn by_scalar(&mut self, state: &GridState, index: usize) -> Result<Vec<f64>> {
-        if let Some(scalars) = self.scalars.clone()
-            && let Some(column) = scalars.column(self, state, index)?
-        {
+        if let Some(factor) = self.moves_frequency(state, index) {
+            self.apply_scalars(state)?;
+            let mut column = self.by_log_frequency(state)?;
+            column.iter_mut().for_each(|x| *x *= factor);
             return Ok(column);
         }
         let size = self.size();
@@ -138,6 +131,13 @@ impl Collocation {
         let pairs = column.iter_mut().zip(&other);
         pairs.for_each(|(x, y)| *x = (*x - y) / (2.0 * STEP));
         Ok(column)
+    }
+
+    /// Derivative of the logarithm of the frequency by the scaled scalar unknown `index`, if it
+    /// moves that alone.
+    pub fn moves_frequency(&self, state: &GridState, index: usize) -> Option<f64> {
+        let scalars = self.scalars.as_ref()?;
+        scalars.moves_frequency(state, index)
     }
 
     /// Derivatives of the scalar equation `index` by all scaled unknowns.

@@ -73,6 +73,23 @@ impl Tangent {
         (self.increment, self.stresses) = (increment, stresses);
     }
 
+    /// Writes the derivatives of the scaled equations of the grid by the logarithm of the
+    /// frequency, with which rates go, and accelerations with its square. `equations` keep the
+    /// state of these tangents; signals their values at the grid points.
+    pub fn by_log_frequency(&mut self, equations: &Collocation, y: &mut [f64]) {
+        let mut increment = std::mem::take(&mut self.increment);
+        let mut stresses = std::mem::take(&mut self.stresses);
+        increment.resize(equations);
+        increment.x.fill(0.0);
+        for (rates, state) in increment.rates.iter_mut().zip(equations.node_states()) {
+            *rates = [state.twist, state.twist_rate * 2.0];
+        }
+        increment.own_rates.copy_from_slice(equations.own_rates());
+        self.stress(equations, &increment, (&[], &mut []), &mut stresses);
+        self.write_forces(equations, &increment, &stresses, y);
+        (self.increment, self.stresses) = (increment, stresses);
+    }
+
     /// What is in proportion to `μ^power` where [`Tangent::vary`] has found what is not.
     ///
     /// ```text

@@ -223,6 +223,25 @@ fn what_is_left_where_the_equations_are_linearised_is_the_residual() {
     }
 }
 
+#[test]
+fn the_frequency_changes_what_the_elements_tangents_say() {
+    for (model, period) in models() {
+        let mut equations = equations(&model, period, 9);
+        let (system, state) = (equations.system().clone(), moved(&equations));
+        let expected = equations.by_log_frequency(&state).unwrap();
+        for mut tangent in [
+            Tangent::new(&system, 9),
+            Tangent::with_resultants_apart(&system, 9),
+        ] {
+            tangent.evaluate(&mut equations, &state).unwrap();
+            let mut found = vec![f64::NAN; expected.len()];
+            tangent.by_log_frequency(&equations, &mut found);
+            // Rounding alone.
+            assert_close(&found, &expected, 1e-12);
+        }
+    }
+}
+
 /// With `μ = iΩ/3`, `exp(μt) Δu` repeats after three periods: there the residual itself tells what
 /// it changes.
 #[test]

@@ -1,8 +1,8 @@
 //! Branches: periodic motions followed along a parameter, through folds.
 //! See docs/theory.md, section 13.3.
 //!
-//! * `walk.rs`: a point and its tangent, the next point;
-//! * `step.rs`: how long the next step is;
+//! * `walk.rs`: a point, the next point; `tangent.rs`: in which direction;
+//! * `course.rs`: where it is guessed to be; `step.rs`: how long the next step is;
 //! * `follow.rs`: from the first point to the end;
 //! * `grid.rs`: with how many grid points it goes on;
 //! * `events.rs`, `determinants.rs`, `multipliers.rs`: what lies between two points, located;
@@ -12,6 +12,7 @@
 //! * `locus.rs`: such points along a second parameter.
 
 mod augmented;
+mod course;
 mod determinants;
 mod events;
 mod follow;
@@ -22,6 +23,7 @@ mod multipliers;
 pub(in crate::solve) mod singular;
 mod step;
 mod switch;
+mod tangent;
 mod walk;
 
 pub use follow::follow_branch;

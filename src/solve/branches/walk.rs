@@ -1,6 +1,7 @@
-//! A point of a branch with its tangent, and the next one (docs/theory.md, section 13.3).
+//! A point of a branch, and the next one (docs/theory.md, section 13.3).
 
 use super::BranchOptions;
+use super::course::Course;
 use super::determinants::Determinants;
 use super::step::Shown;
 use crate::collocation::{Collocation, Decay, GridState};
@@ -20,9 +21,6 @@ use std::sync::Arc;
 
 /// Most Newton iterations of a step.
 const ITERATION_LIMIT: usize = 8;
-/// Accuracy of tangents, and of those by factors of a state nearby, of which nothing is better
-/// than was asked for.
-const TANGENT: [f64; 2] = [1e-9, 1e-12];
 /// Steps with the same matrix that are worth no other one: that takes borders, too.
 const CHORDS: i32 = 6;
 
@@ -33,8 +31,8 @@ pub(super) struct Place {
     pub state: GridState,
     /// Of unit length; not scaled.
     pub tangent: Vec<f64>,
-    /// Its derivative by the arc length, if it is known; else empty.
-    pub bend: Vec<f64>,
+    /// How the branch bends, if it is known.
+    pub course: Option<Course>,
 }
 
 impl Place {
@@ -43,7 +41,7 @@ impl Place {
         Place {
             state,
             tangent,
-            bend: Vec::new(),
+            course: None,
         }
     }
 }
@@ -75,7 +73,7 @@ pub(super) struct Walk<'a> {
     /// Newton iterations on earlier grids.
     before: usize,
     /// Whether the equations were linearised last near the end of a solve.
-    near: bool,
+    pub near: bool,
     /// What the last multipliers have taken.
     pub experience: Option<Experience>,
 }
@@ -206,67 +204,6 @@ impl<'a> Walk<'a> {
         Ok((state, report))
     }
 
-    /// The first tangent, at a solution where the parameter was given; none if the branch does not
-    /// go on along the parameter there.
-    pub fn first_tangent(&mut self, state: GridState) -> Result<Option<Place>> {
-        let found = self.tangent(&state, None)?;
-        let Some(mut tangent) = found else {
-            return Ok(None);
-        };
-        let last = tangent.len() - 1;
-        let wanted = if self.options.downwards { -1.0 } else { 1.0 };
-        if tangent[last] * wanted < 0.0 {
-            tangent.iter_mut().for_each(|x| *x = -*x);
-        }
-        Ok(Some(Place::new(state, tangent)))
-    }
-
-    /// The scaled direction at a solution that only the last condition is not met along; by factors
-    /// of a state nearby, if there are some.
-    fn direction(&mut self, state: &GridState, nearby: bool) -> Result<Option<Vec<f64>>> {
-        let newton = &mut self.newton;
-        let regular = match nearby {
-            true => {
-                let (equations, timings) = (&mut newton.equations, &mut newton.timings);
-                newton.linear.move_to(equations, state, timings)?
-            }
-            false => newton.linearise(state)?,
-        };
-        if !regular {
-            return Ok(None);
-        }
-        let mut rows = vec![0.0; newton.equations.layout().size()];
-        if let Some(last) = rows.last_mut() {
-            *last = 1.0;
-        }
-        let solved = newton.solve_linear(&mut rows, TANGENT[usize::from(nearby)])?;
-        Ok(solved.then_some(rows))
-    }
-
-    /// The tangent at a solution, along the one `before` if there is one; none if the equations are
-    /// singular.
-    fn tangent(&mut self, state: &GridState, before: Option<&[f64]>) -> Result<Option<Vec<f64>>> {
-        let near = std::mem::take(&mut self.near);
-        let with_present_factors = match near {
-            true => self.direction(state, true)?,
-            false => None,
-        };
-        let found = match with_present_factors {
-            Some(rows) => Some(rows),
-            None => self.direction(state, false)?,
-        };
-        let Some(rows) = found else {
-            return Ok(None);
-        };
-        let mut tangent = self.newton.equations.unscaled(&rows, 1.0);
-        let mut length = self.inner(&tangent, &tangent).sqrt();
-        if before.is_some_and(|before| self.inner(&tangent, before) < 0.0) {
-            length = -length;
-        }
-        tangent.iter_mut().for_each(|x| *x /= length);
-        Ok(tangent.iter().all(|x| x.is_finite()).then_some(tangent))
-    }
-
     /// `⟨a, b⟩` of motions and free parameters.
     pub fn inner(&self, a: &[f64], b: &[f64]) -> f64 {
         let layout = self.newton.equations.layout();
@@ -299,42 +236,44 @@ impl<'a> Walk<'a> {
         self.set_condition(Arc::new(arc), &from.state)?;
         let system = self.newton.equations.system().clone();
         let predicted = from.state.incremented(&system, &from.tangent, length);
-        let mut state = match from.bend.is_empty() {
-            true => predicted.clone(),
-            false => {
-                let both = from.tangent.iter().zip(&from.bend);
-                let to = both.map(|(t, b)| length * (t + 0.5 * length * b));
-                let to: Vec<f64> = to.collect();
-                from.state.incremented(&system, &to, 1.0)
+        let (mut state, rate) = match &from.course {
+            None => (predicted.clone(), None),
+            Some(course) => {
+                let to = course.increment(&from.tangent, length);
+                let rate = course.rate(&from.tangent, length);
+                (from.state.incremented(&system, &to, 1.0), Some(rate))
             }
         };
         let report = self.solve(&mut state, ITERATION_LIMIT)?;
         if report.outcome != Outcome::Converged {
+            self.newton.trusts = false;
             return Ok(Err(report));
         }
-        let Some(tangent) = self.tangent(&state, Some(&from.tangent))? else {
+        self.newton.trusts = true;
+        let found = self.tangent(&state, Some(&from.tangent), rate.as_deref())?;
+        let Some(tangent) = found else {
             let why = "no tangent of the branch could be found".to_string();
             return Ok(Err(NewtonReport::ended(Outcome::Singular, why)));
         };
         let error = self.away(&predicted, &state);
         let cosine = self.inner(&tangent, &from.tangent).clamp(-1.0, 1.0);
-        let bend = match length.abs() >= self.options.smallest_step {
-            true => {
-                let change = tangent.iter().zip(&from.tangent);
-                change
-                    .map(|(now, before)| (now - before) / length)
-                    .collect()
-            }
-            false => Vec::new(),
-        };
+        let angle = cosine.acos();
+        let course = (length >= self.options.smallest_step).then(|| {
+            // Of an arc, by its chord.
+            let away = self.away(&from.state, &state);
+            let arc = self.length(&away) * (1.0 + angle * angle / 24.0);
+            let layout = self.newton.equations.layout();
+            let before = (&from.state, &from.tangent[..]);
+            Course::through(before, (&state, &tangent), layout, arc)
+        });
         let to = Place {
             state,
             tangent,
-            bend,
+            course,
         };
         Ok(Ok(Stepped {
             shown: Shown {
-                angle: cosine.acos(),
+                angle,
                 prediction: self.inner(&error, &error).sqrt() / length.abs(),
             },
             to,

@@ -199,20 +199,9 @@ impl ScalarEquations for Conditioned {
         Ok(())
     }
 
-    fn column(
-        &self,
-        equations: &mut Collocation,
-        state: &GridState,
-        index: usize,
-    ) -> Result<Option<Vec<f64>>> {
-        if self.free[index] != Free::Frequency {
-            return Ok(None);
-        }
-        equations.apply_scalars(state)?;
-        let mut column = equations.by_log_frequency(state)?;
-        let factor = self.scales[index] / state.scalars[index];
-        column.iter_mut().for_each(|x| *x *= factor);
-        Ok(Some(column))
+    fn moves_frequency(&self, state: &GridState, index: usize) -> Option<f64> {
+        let is_frequency = self.free[index] == Free::Frequency;
+        is_frequency.then(|| self.scales[index] / state.scalars[index])
     }
 
     fn residual(&self, equations: &Collocation, state: &GridState, out: &mut [f64]) -> Result<()> {

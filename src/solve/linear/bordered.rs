@@ -4,20 +4,21 @@
 //! [J B; C D] [x; p] = [f; g]
 //! ```
 //!
-//! by block elimination with what solves those of `J`. At each limit cycle, and wherever else an
+//! by iteration on all of them where those of `J` are solved so, else by block elimination with
+//! what solves these. At each limit cycle, and wherever else an
 //! equation takes the place of what the grid's own leave open, `J` is singular and the whole is
 //! not. Then the nodes get a small stiffness against the ground, which makes factors exist, and
 //! elimination with them is the preconditioner of an iteration with the exact products: but for few
 //! directions, those that are soft beside the ground, the two are alike. See docs/theory.md,
 //! section 8.8.
 
-mod borders;
 mod refined;
 
 pub(crate) use refined::Side;
 
 use crate::collocation::{Collocation, GridState, Tangent};
 use crate::error::Result;
+use crate::solve::linear::borders::Borders;
 use crate::solve::linear::dense::{largest, probe};
 use crate::solve::linear::diagnosis::Singularity;
 use crate::solve::linear::iterative::{
@@ -25,7 +26,6 @@ use crate::solve::linear::iterative::{
 };
 use crate::solve::linear::solver::{COARSE, LinearSolver};
 use crate::solve::report::{Timings, timed};
-use borders::Borders;
 
 /// Scaled stiffness of the nodes against the ground.
 pub(crate) const GROUNDING: f64 = 1e-7;
@@ -43,7 +43,12 @@ const CANCELS: f64 = 10.0;
 /// Solves bordered equations; those of the grid as `inner` does.
 pub(crate) struct Bordered<L> {
     inner: L,
+    /// Where the equations were linearised last.
+    at: Option<GridState>,
+    /// The equations there, where `inner` does not keep them.
     tangent: Tangent,
+    /// Whether these are those.
+    is_evaluated: bool,
     borders: Borders,
     /// Whether `J` and its borders determine all unknowns, as far as is known.
     determined: bool,
@@ -60,7 +65,9 @@ impl<L: LinearSolver> Bordered<L> {
         let (system, points) = (equations.system(), equations.grid().points());
         Bordered {
             inner,
+            at: None,
             tangent: Tangent::with_resultants_apart(system, points),
+            is_evaluated: false,
             borders: Borders::default(),
             determined: true,
             eliminates: false,
@@ -69,23 +76,37 @@ impl<L: LinearSolver> Bordered<L> {
         }
     }
 
-    /// Takes the equations at `state`, which is near that where they were linearised: with factors
-    /// of those there. `false` if these do not serve.
+    /// Takes the equations at `state`, which is near that where they were linearised, with factors
+    /// of those there if there are any. `false` if these do not serve.
     pub fn move_to(
         &mut self,
         equations: &mut Collocation,
         state: &GridState,
         timings: &mut Timings,
     ) -> Result<bool> {
+        if self.inner.tangent().is_some() {
+            return self.linearise(equations, state, timings);
+        }
         self.eliminates = false;
+        self.at = Some(state.clone());
+        self.is_evaluated = false;
         self.borders = timed(&mut timings.assembly, || Borders::at(equations, state))?;
-        let inner = &mut self.inner;
-        let solve = |x: &mut [f64]| inner.solve(equations, x, COARSE, timings);
-        let determined = self.borders.eliminate(solve)?;
-        timed(&mut timings.assembly, || {
-            self.tangent.evaluate(equations, state)
-        })?;
-        Ok(determined)
+        self.prepare_elimination(equations, COARSE, timings)
+    }
+
+    /// Whether products with all equations are to be had without further ado.
+    pub fn multiplies(&mut self) -> bool {
+        self.inner.tangent().is_some()
+    }
+
+    /// Writes the product of all equations and `x`, where they are to be had.
+    pub fn product(&mut self, equations: &Collocation, x: &[f64], y: &mut [f64]) {
+        let size = equations.size();
+        if let Some(tangent) = self.inner.tangent() {
+            tangent.apply(equations, &x[..size], &mut y[..size]);
+        }
+        without_help(equations, &self.inner, &x[..size], &mut y[..size]);
+        self.borders.product(x, y);
     }
 
     /// Factors `J` at `state`, between the present borders.
@@ -95,6 +116,9 @@ impl<L: LinearSolver> Bordered<L> {
         state: &GridState,
         timings: &mut Timings,
     ) -> Result<bool> {
+        self.at = Some(state.clone());
+        self.is_evaluated = false;
+        self.borders.forget_elimination();
         let inner = &mut self.inner;
         loop {
             let regular = inner.linearise(equations, state, timings)?;
@@ -106,15 +130,42 @@ impl<L: LinearSolver> Bordered<L> {
             }
             self.determined = regular;
             self.eliminates = equations.grounding() == 0.0;
-            if regular {
-                let solve = |x: &mut [f64]| inner.solve(equations, x, SHARPEST, timings);
-                self.determined = self.borders.eliminate(solve)?;
+            let tangent = inner.tangent();
+            let iterates = tangent.is_some();
+            if let Some(tangent) = tangent {
+                timed(&mut timings.assembly, || {
+                    self.borders.complete(equations, state, tangent)
+                });
             }
+            if regular && !iterates {
+                self.determined = self.prepare_elimination(equations, SHARPEST, timings)?;
+            }
+            return Ok(regular && self.determined);
+        }
+    }
+
+    /// Makes what elimination needs, to this accuracy. `false` if there is no solution.
+    fn prepare_elimination(
+        &mut self,
+        equations: &mut Collocation,
+        accuracy: f64,
+        timings: &mut Timings,
+    ) -> Result<bool> {
+        if let (false, Some(state)) = (self.is_evaluated, &self.at) {
+            equations.apply_scalars(state)?;
             timed(&mut timings.assembly, || {
                 self.tangent.evaluate(equations, state)
             })?;
-            return Ok(regular && self.determined);
+            self.is_evaluated = true;
+            (self.borders).complete(equations, state, &mut self.tangent);
         }
+        if self.borders.is_eliminated() {
+            return Ok(true);
+        }
+        let inner = &mut self.inner;
+        let solve = |x: &mut [f64]| inner.solve(equations, x, accuracy, timings);
+        self.determined = self.borders.eliminate(solve)?;
+        Ok(self.determined)
     }
 }
 
@@ -148,6 +199,40 @@ impl<L: LinearSolver> Bordered<L> {
             rhs.copy_from_slice(&self.kept);
         }
         Ok(self.eliminates)
+    }
+
+    /// Solves by elimination, or by iteration around it.
+    fn solve_by_elimination(
+        &mut self,
+        equations: &mut Collocation,
+        rhs: &mut [f64],
+        accuracy: f64,
+        timings: &mut Timings,
+    ) -> Result<bool> {
+        if !self.prepare_elimination(equations, SHARPEST, timings)? {
+            return Ok(false);
+        }
+        if self.eliminate(equations, rhs, accuracy, timings)? {
+            return Ok(rhs.iter().all(|x| x.is_finite()));
+        }
+        let options = GmresOptions {
+            tolerance: accuracy,
+            leading: equations.layout().motions().end,
+            essential: rhs.len(),
+            parts: Parts::AsTheyAre,
+            iteration_limit: ITERATION_LIMIT,
+            restart: ITERATION_LIMIT,
+        };
+        let mut whole = Whole {
+            tangent: &mut self.tangent,
+            borders: &self.borders,
+        };
+        let of_grid = (equations, &mut self.inner);
+        let workspace = &mut self.workspace;
+        let (inner, end) = solve_around(of_grid, &mut whole, rhs, &options, timings, workspace)?;
+        // Written so that NaN fails too.
+        let accurate = end.error <= accuracy;
+        Ok(inner && accurate && rhs.iter().all(|x| x.is_finite()))
     }
 }
 
@@ -203,27 +288,17 @@ impl<L: LinearSolver> LinearSolver for Bordered<L> {
         accuracy: f64,
         timings: &mut Timings,
     ) -> Result<bool> {
-        if self.eliminate(equations, rhs, accuracy, timings)? {
-            return Ok(rhs.iter().all(|x| x.is_finite()));
+        self.kept.clear();
+        self.kept.extend_from_slice(rhs);
+        let borders = &self.borders;
+        let at_once = (self.inner).solve_bordered(equations, borders, rhs, accuracy, timings)?;
+        if at_once == Some(true) {
+            return Ok(true);
         }
-        let options = GmresOptions {
-            tolerance: accuracy,
-            leading: equations.layout().motions().end,
-            essential: rhs.len(),
-            parts: Parts::AsTheyAre,
-            iteration_limit: ITERATION_LIMIT,
-            restart: ITERATION_LIMIT,
-        };
-        let mut whole = Whole {
-            tangent: &mut self.tangent,
-            borders: &self.borders,
-        };
-        let of_grid = (equations, &mut self.inner);
-        let workspace = &mut self.workspace;
-        let (inner, end) = solve_around(of_grid, &mut whole, rhs, &options, timings, workspace)?;
-        // Written so that NaN fails too.
-        let accurate = end.error <= accuracy;
-        Ok(inner && accurate && rhs.iter().all(|x| x.is_finite()))
+        if at_once.is_some() {
+            rhs.copy_from_slice(&self.kept);
+        }
+        self.solve_by_elimination(equations, rhs, accuracy, timings)
     }
 
     fn has_compliance(&self) -> bool {
@@ -234,7 +309,13 @@ impl<L: LinearSolver> LinearSolver for Bordered<L> {
         let mut probe = probe(equations.layout().size());
         let mut product = vec![0.0; equations.size()];
         let of_grid = &probe[..product.len()];
-        self.tangent.apply(equations, of_grid, &mut product);
+        match self.inner.tangent() {
+            Some(tangent) => tangent.apply(equations, of_grid, &mut product),
+            None => match self.prepare_elimination(equations, SHARPEST, &mut Timings::default()) {
+                Ok(true) => self.tangent.apply(equations, of_grid, &mut product),
+                _ => return f64::INFINITY,
+            },
+        }
         let found = self.solve(equations, &mut probe, ROUGH, &mut Timings::default());
         match found {
             Ok(true) => largest(&probe) * largest(&product),
@@ -323,6 +404,7 @@ mod tests {
     fn error(model: &Model, period: f64, count: usize, method: LinearMethod) -> ([f64; 2], bool) {
         let mut at = Linearised::new(model, period, 5, |i| (0.9 * i as f64).sin());
         at.equations.set_scalars(Arc::new(Given(count)));
+        at.state.scalars = vec![0.0; count];
         let (size, all) = (at.equations.size(), at.equations.layout().size());
         let borders = borders(&at.equations, count);
         let jacobian = at.dense();
@@ -408,6 +490,7 @@ mod tests {
     fn what_the_borders_leave_open_is_not_solved() {
         let mut at = Linearised::new(&free_chain(2), TAU, 5, |_| 0.0);
         at.equations.set_scalars(Arc::new(Given(1)));
+        at.state.scalars = vec![0.0];
         let linear = Linear::new(&at.equations, LinearMethod::Direct);
         let mut bordered = Bordered::new(&at.equations, linear);
         bordered.borders = borders(&at.equations, 1);

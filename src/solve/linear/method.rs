@@ -1,9 +1,10 @@
 //! How Newton's linear equations are solved: directly or by iteration, as costs less.
 //! See docs/theory.md, section 8.7.
 
-use crate::collocation::{Collocation, GridState};
+use crate::collocation::{Collocation, GridState, Tangent};
 use crate::error::{Error, ErrorKind, Result};
 use crate::solve::linear::assembled::Assembled;
+use crate::solve::linear::borders::Borders;
 use crate::solve::linear::diagnosis::Singularity;
 use crate::solve::linear::freedoms::FreedomSolver;
 use crate::solve::linear::front::elimination_work;
@@ -295,6 +296,21 @@ impl Linear {
         self.active = Active::Iterative(Box::new(Iterative::new(equations, None)));
     }
 
+    /// Gives iteration up for factors where it has taken as long as they do: short steps take many
+    /// solutions. An estimate is the last.
+    fn limit_products(
+        &mut self,
+        equations: &mut Collocation,
+        accuracy: f64,
+        timings: &mut Timings,
+    ) -> Result<()> {
+        let is_last = accuracy >= ESTIMATE;
+        if self.falls_back && !is_last && self.products > self.most_products {
+            self.falls_back = self.fall_back(equations, timings)?;
+        }
+        Ok(())
+    }
+
     /// Gives iteration up for factors.
     fn fall_back(&mut self, equations: &mut Collocation, timings: &mut Timings) -> Result<bool> {
         let (Active::Iterative(iterative), Some(state), true) =
@@ -358,11 +374,7 @@ impl LinearSolver for Linear {
         accuracy: f64,
         timings: &mut Timings,
     ) -> Result<bool> {
-        // Short steps take many solutions: factors are made once. An estimate is the last.
-        let is_last = accuracy >= ESTIMATE;
-        if self.falls_back && !is_last && self.products > self.most_products {
-            self.falls_back = self.fall_back(equations, timings)?;
-        }
+        self.limit_products(equations, accuracy, timings)?;
         let done = match &mut self.active {
             Active::Direct(direct) => return direct.solve(equations, rhs, accuracy, timings),
             Active::Iterative(iterative) => {
@@ -378,6 +390,27 @@ impl LinearSolver for Linear {
             Active::Direct(direct) => direct.solve(equations, rhs, accuracy, timings),
             Active::Iterative(_) => Ok(false),
         }
+    }
+
+    fn tangent(&mut self) -> Option<&mut Tangent> {
+        self.active.solver_mut().tangent()
+    }
+
+    fn solve_bordered(
+        &mut self,
+        equations: &mut Collocation,
+        borders: &Borders,
+        rhs: &mut [f64],
+        accuracy: f64,
+        timings: &mut Timings,
+    ) -> Result<Option<bool>> {
+        self.limit_products(equations, accuracy, timings)?;
+        let Active::Iterative(iterative) = &mut self.active else {
+            return Ok(None);
+        };
+        let done = iterative.solve_bordered(equations, borders, rhs, accuracy, timings)?;
+        self.products += iterative.record.products.last().copied().unwrap_or(0);
+        Ok(done)
     }
 
     fn error_of(&self, accuracy: f64) -> f64 {

@@ -12,6 +12,8 @@
 //! * By iteration: `iterative`, with GMRES in `iterative/gmres` (docs/theory.md, section 8.3) and
 //!   the preconditioners `iterative/body_circulant` (docs/theory.md, section 8.5) and
 //!   `iterative/time_local` (docs/theory.md, section 8.6).
+//! * With scalar unknowns, such as a period, and equations for them: `bordered`, `borders`
+//!   (docs/theory.md, section 8.8).
 //! * `diagnosis` says what is free to move, or which constraints say the same thing twice
 //!   (docs/theory.md, section 7.5).
 //! * Dense kernels: `dense` with one vector, `blocks` with large matrices, `eigenvalues`.
@@ -19,6 +21,7 @@
 pub(crate) mod assembled;
 mod blocks;
 pub(crate) mod bordered;
+pub(crate) mod borders;
 pub(crate) mod dense;
 pub(crate) mod diagnosis;
 pub(crate) mod direct;

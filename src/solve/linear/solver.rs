@@ -1,7 +1,8 @@
 //! What Newton's method asks of a solver of its linear equations.
 
-use crate::collocation::{Collocation, GridState};
+use crate::collocation::{Collocation, GridState, Tangent};
 use crate::error::Result;
+use crate::solve::linear::borders::Borders;
 use crate::solve::linear::diagnosis::Singularity;
 use crate::solve::report::Timings;
 
@@ -54,6 +55,27 @@ pub(crate) trait LinearSolver {
         _: &mut Timings,
     ) -> Result<bool> {
         Ok(false)
+    }
+
+    /// The equations where they were linearised last, if they are kept to be multiplied with.
+    fn tangent(&mut self) -> Option<&mut Tangent> {
+        None
+    }
+
+    /// As [`LinearSolver::solve`], the equations between borders, which stand for those of the last
+    /// linearisation, by iteration on all at once. None if the equations are not solved so.
+    ///
+    /// # Errors
+    /// If memory runs out.
+    fn solve_bordered(
+        &mut self,
+        _: &mut Collocation,
+        _: &Borders,
+        _: &mut [f64],
+        _: f64,
+        _: &mut Timings,
+    ) -> Result<Option<bool>> {
+        Ok(None)
     }
 
     /// Whether the compliance of constraints that may depend on each other is in the solutions of

@@ -67,6 +67,8 @@ pub(crate) struct Newton<L = Assembled> {
     contraction: Option<f64>,
     /// Steps with the same matrix that are worth no other one.
     pub chords: i32,
+    /// Whether the Jacobian is taken to be regular where a solve begins, as next to where it was.
+    pub trusts: bool,
     /// Short steps after which it is given up, if there are other ways.
     pub patience: Option<usize>,
     /// Iterations since this object was made.
@@ -140,6 +142,7 @@ impl<L: LinearSolver> Newton<L> {
             linear,
             contraction: None,
             patience: None,
+            trusts: false,
             chords: chord::STEPS,
             iterations: 0,
             equations,

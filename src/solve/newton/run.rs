@@ -122,7 +122,8 @@ impl<'a, L: LinearSolver> Run<'a, L> {
             return Ok(self.go_back(start));
         }
         let is_first = self.iterations.is_empty();
-        let regular = found.filter(|_| !is_first || !self.newton.is_singular(SINGULAR_GROWTH));
+        let asks = is_first && !self.newton.trusts;
+        let regular = found.filter(|_| !asks || !self.newton.is_singular(SINGULAR_GROWTH));
         let Some(size) = regular else {
             return Ok(match self.newton.judge_singular(self.state) {
                 Verdict::Regularise => ControlFlow::Continue(()),

@@ -25,8 +25,10 @@ use std::time::{Duration, Instant};
 
 /// Frequencies that matter unless others are asked for, in those of the period.
 const HARMONICS: f64 = 20.0;
-/// Steps of the first try at least.
+/// Steps of the first try at least,
 const FEWEST_STEPS: usize = 5;
+/// and where not all disturbances are followed: what few steps do not resolve they do not kill.
+const FEWEST_OF_LARGE: usize = 17;
 /// Errors with the steps of a motion nearby are taken for so many times larger than they were
 /// there, where steps were halved.
 const MARGIN: f64 = 100.0;
@@ -382,7 +384,7 @@ impl Analysis<'_> {
             let wanted = (self.resolution).steps(self.highest * period, self.tolerance);
             steps = steps
                 .max((wanted / 2 + 1) | 1)
-                .min((MOST_STEPS / 2 - 1) | 1);
+                .clamp(FEWEST_OF_LARGE, (MOST_STEPS / 2 - 1) | 1);
         }
         let mut before: Vec<Rough> = Vec::new();
         let mut best: Option<Found> = None;
@@ -415,12 +417,12 @@ impl Analysis<'_> {
                         all,
                     });
                 }
-                if is_last || 2 * steps + 1 > MOST_STEPS {
+                if is_last || 2 * steps - 1 > MOST_STEPS {
                     return Ok(best);
                 }
             }
             before = rough;
-            steps = 2 * steps + 1;
+            steps = 2 * steps - 1;
         }
     }
 }

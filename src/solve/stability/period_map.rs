@@ -26,7 +26,6 @@ pub(super) struct PeriodMap {
     state: GridState,
     tangent: Tangent,
     pattern: Pattern,
-    values: Vec<f64>,
     solver: DirectSolver,
     /// Steps that were factored, and the bytes that they take.
     kept: Vec<Option<StepMap>>,
@@ -91,7 +90,6 @@ impl PeriodMap {
             stages,
             state: GridState::at_points(system, STAGES),
             tangent,
-            values: vec![0.0; pattern.entries()],
             pattern,
             solver,
             kept: (0..steps).map(|_| None).collect(),
@@ -168,9 +166,10 @@ impl PeriodMap {
     fn factored(&mut self, step: usize, mut map: StepMap) -> Result<Option<StepMap>> {
         let equations = &mut self.common.equations;
         (self.stages).set(step, &mut self.rule, equations, &mut self.state)?;
-        let (tangent, values) = (&mut self.tangent, &mut self.values);
+        let (tangent, values) = (&mut self.tangent, &mut map.values);
+        values.resize(self.pattern.entries(), 0.0);
         equations.jacobian(&self.state, &self.pattern, tangent, values)?;
-        let regular = map.factor(&self.common, &self.tangent, &self.values, &self.rule)?;
+        let regular = map.factor(&self.common, &self.tangent, &self.rule)?;
         Ok(regular.then_some(map))
     }
 }

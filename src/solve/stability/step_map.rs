@@ -62,8 +62,8 @@ impl Default for Memory {
 #[derive(Debug)]
 pub(super) struct StepMap {
     solver: DirectSolver,
-    /// Of the matrix, as long as solutions are to be refined.
-    values: Vec<f64>,
+    /// Of the matrix.
+    pub values: Vec<f64>,
     /// Of each moving coupling: what the start of the step gives the equations of its row at the
     /// stages, by increment and change of velocity, as if the stages did not move.
     starts: Vec<Mat<f64>>,
@@ -85,19 +85,11 @@ impl StepMap {
         }
     }
 
-    /// Takes the matrix with these `values`, at the state of `tangent`. `false` if it is singular.
+    /// Factors the matrix of `values`, at the state of `tangent`. `false` if it is singular.
     ///
     /// # Errors
     /// If memory runs out, or work is to end.
-    pub fn factor(
-        &mut self,
-        common: &Common,
-        tangent: &Tangent,
-        values: &[f64],
-        rule: &RadauStep,
-    ) -> Result<bool> {
-        self.values.clear();
-        self.values.extend_from_slice(values);
+    pub fn factor(&mut self, common: &Common, tangent: &Tangent, rule: &RadauStep) -> Result<bool> {
         let (rows, weights) = (common.equations.row_scale(), &common.weights);
         let layout = common.equations.layout();
         self.starts
@@ -133,7 +125,7 @@ impl StepMap {
         let ends = (0..system.nodes()).map(|node| rule.nodes[(node + 1) * STAGES - 1].twist);
         self.twists.clear();
         self.twists.extend(ends);
-        self.solver.factor(values)
+        self.solver.factor(&self.values)
     }
 
     /// Bytes that it takes.

@@ -1,9 +1,10 @@
 //! Solutions to rounding, of the equations and of the transposed ones, for sensitivities: refined
 //! by the residual of exact products, with what solves similar equations.
 
-use super::{Bordered, Borders, ITERATION_LIMIT};
+use super::{Bordered, ITERATION_LIMIT};
 use crate::collocation::{Collocation, Tangent};
 use crate::error::Result;
+use crate::solve::linear::borders::Borders;
 use crate::solve::linear::dense::largest;
 use crate::solve::linear::iterative::{GmresOptions, Parts, Preconditioned, SHARPEST, gmres};
 use crate::solve::linear::solver::LinearSolver;
@@ -100,6 +101,9 @@ impl<L: LinearSolver> Bordered<L> {
         side: Side,
         timings: &mut Timings,
     ) -> Result<bool> {
+        if !self.prepare_elimination(equations, SHARPEST, timings)? {
+            return Ok(false);
+        }
         let workers = equations.workers().clone();
         let motions = equations.layout().motions().end;
         let own = motions..equations.size();

@@ -3,7 +3,8 @@
 //! docs/theory.md, section 8.3.
 //!
 //! * `gmres`: the iteration itself, on any operator, in `long_vectors` and `least_squares`.
-//!   `projected` iterates on oversampled equations.
+//!   `operator` is that of the equations, between borders, too; `projected` iterates on oversampled
+//!   equations.
 //! * `body_circulant`: bodies averaged over time, joints as they are. In `constraints` which of
 //!   these may be averaged too, in `mean` the averages, in `resultants` those of stress resultants,
 //!   in `interface` the system of the joints that turn.
@@ -27,6 +28,7 @@ mod layout;
 mod least_squares;
 mod long_vectors;
 mod mean;
+mod operator;
 mod outer;
 mod part;
 mod projected;
@@ -45,16 +47,17 @@ mod trial;
 
 use crate::collocation::{Collocation, GridState, Tangent};
 use crate::error::Result;
+use crate::solve::linear::borders::Borders;
 use crate::solve::linear::dense::{largest, probe};
 use crate::solve::linear::diagnosis::Singularity;
 use crate::solve::linear::slender::SLENDER;
 use crate::solve::linear::solver::{ESTIMATE, LinearSolver};
 use crate::solve::report::{Timings, timed};
-use crate::work::PRODUCT;
 use factors::Factors;
 pub(crate) use gmres::{GmresOptions, GmresWorkspace, Preconditioned, gmres};
 use interface::{Bounds, LEFT_OUT, likely_work};
 pub(crate) use long_vectors::Parts;
+use operator::{Eliminated, Operator};
 pub(crate) use outer::{Outer, SHARPEST, solve_around};
 pub(crate) use projected::Projected;
 use serde::{Deserialize, Serialize};
@@ -157,6 +160,8 @@ pub(crate) struct Iterative {
     is_old: bool,
     /// Whether the size of stress resultants has been found for the factors.
     is_scaled: bool,
+    /// What the factors make of borders.
+    eliminated: Option<Eliminated>,
     /// Products of the first solve with the factors.
     first_products: Option<usize>,
     /// Products that a solve may take.
@@ -165,22 +170,14 @@ pub(crate) struct Iterative {
     pub record: IterativeRecord,
 }
 
-struct Operator<'a> {
-    equations: &'a Collocation,
-    tangent: &'a mut Tangent,
-    factors: &'a mut Factors,
-}
-
-impl Preconditioned for Operator<'_> {
-    fn product(&mut self, x: &[f64], y: &mut [f64]) {
-        let numbers = self.equations.layout().motions().len() as f64;
-        self.equations.workers().work().spend(PRODUCT * numbers);
-        self.tangent.apply(self.equations, x, y);
-    }
-
-    fn precondition(&mut self, y: &mut [f64]) {
-        self.factors.apply(y, self.equations.size());
-    }
+/// Whether an error is small enough for Newton's method to go on where rounding allows no more: of
+/// a right side that is rounding, or beside multipliers that have no effect.
+fn is_enough(equations: &Collocation, error: f64) -> bool {
+    let enough = match equations.is_regularised() {
+        true => ROUGH_BESIDE_MULTIPLIERS,
+        false => ROUGH,
+    };
+    error <= enough
 }
 
 /// How motions and multipliers count in a solve this accurate, of a system this slender.
@@ -212,6 +209,7 @@ impl Iterative {
             factors: None,
             is_old: false,
             is_scaled: false,
+            eliminated: None,
             first_products: None,
             limit: ITERATION_LIMIT,
             workspace: GmresWorkspace::default(),
@@ -245,6 +243,7 @@ impl Iterative {
         self.factors = None;
         self.first_products = None;
         self.is_scaled = false;
+        self.eliminated = None;
         self.tangent.set_resultant_scale(1.0);
         while let Some(&(preconditioner, limit)) = self.candidates.first() {
             equations.workers().pulse()?;
@@ -308,10 +307,104 @@ impl Iterative {
         }
     }
 
+    /// Leaves out what has failed with this error: none is left where it failed before.
+    fn note_failure(&mut self, error: f64) {
+        if !self.is_old
+            && let Some(&failed) = self.candidates.first()
+        {
+            self.candidates.retain(|other| *other != failed);
+            let far = error > ROUGH;
+            self.fails_locally |= failed.0 == Preconditioner::TimeLocal && far;
+        }
+    }
+
     fn count_bytes(&mut self, vectors: usize, size: usize) {
         let factors = self.factors.as_ref().map_or(0, Factors::bytes);
         let bytes = self.tangent.bytes() + factors + (vectors + 4) * size * size_of::<f64>();
         self.record.bytes = self.record.bytes.max(bytes);
+    }
+}
+
+impl Iterative {
+    /// Solves the equations, or those between borders.
+    fn iterate(
+        &mut self,
+        (equations, borders): (&mut Collocation, Option<&Borders>),
+        rhs: &mut [f64],
+        accuracy: f64,
+        timings: &mut Timings,
+    ) -> Result<bool> {
+        let size = equations.size();
+        loop {
+            let began = Instant::now();
+            let Some(factors) = &mut self.factors else {
+                return Ok(false);
+            };
+            let resultants = match factors {
+                Factors::Body(_) => self.tangent.resultants(),
+                Factors::Local(_) => 0,
+            };
+            let (of_grid, scalars) = rhs.split_at(size);
+            let mut unknowns = Vec::with_capacity(rhs.len() + resultants);
+            unknowns.extend_from_slice(of_grid);
+            unknowns.resize(size + resultants, 0.0);
+            if !self.is_scaled {
+                factors.scale_resultants(&mut self.tangent, &unknowns, size);
+                self.is_scaled = true;
+                self.eliminated = None;
+            }
+            unknowns.extend_from_slice(scalars);
+            if let (Some(borders), None) = (borders, &self.eliminated) {
+                self.eliminated = Eliminated::new(borders, factors, size + resultants);
+            }
+            let borders = match (borders, &self.eliminated) {
+                (Some(_), None) => return Ok(false),
+                (Some(borders), Some(eliminated)) => Some((borders, eliminated)),
+                (None, _) => None,
+            };
+            let options = GmresOptions {
+                tolerance: accuracy,
+                leading: equations.layout().motions().end,
+                iteration_limit: self.limit,
+                essential: size,
+                parts: parts(self.slenderness, accuracy),
+                restart: (KEPT / size_of_val(&unknowns[..]))
+                    .clamp(RESTART, self.limit.max(RESTART)),
+            };
+            let mut operator = Operator {
+                equations,
+                tangent: &mut self.tangent,
+                factors,
+                borders,
+            };
+            let workers = equations.workers();
+            let end = gmres(
+                &mut operator,
+                &mut unknowns,
+                &options,
+                workers,
+                &mut self.workspace,
+            )?;
+            self.record.products.push(end.iterations);
+            self.count_bytes(end.iterations.min(options.restart), unknowns.len());
+            timings.substitution += began.elapsed();
+            equations.workers().pulse()?;
+            let solved = end.error <= accuracy || end.stagnated && is_enough(equations, end.error);
+            let first = *self.first_products.get_or_insert(end.iterations);
+            if solved {
+                let (of_grid, scalars) = rhs.split_at_mut(size);
+                of_grid.copy_from_slice(&unknowns[..size]);
+                scalars.copy_from_slice(&unknowns[size + resultants..]);
+                if self.is_old && end.iterations > first + MANY {
+                    self.prepare(equations, timings)?;
+                }
+                return Ok(rhs.iter().all(|x| x.is_finite()));
+            }
+            self.note_failure(end.error);
+            if self.candidates.is_empty() || !self.prepare(equations, timings)? {
+                return Ok(false);
+            }
+        }
     }
 }
 
@@ -331,6 +424,7 @@ impl LinearSolver for Iterative {
             self.tangent.evaluate(equations, state)
         })?;
         self.is_old = true;
+        self.eliminated = None;
         if let Some(factors) = &self.factors
             && !factors.are_cheap(equations.size())
         {
@@ -349,77 +443,23 @@ impl LinearSolver for Iterative {
         accuracy: f64,
         timings: &mut Timings,
     ) -> Result<bool> {
-        loop {
-            let began = Instant::now();
-            let Some(factors) = &mut self.factors else {
-                return Ok(false);
-            };
-            let resultants = match factors {
-                Factors::Body(_) => self.tangent.resultants(),
-                Factors::Local(_) => 0,
-            };
-            let mut unknowns = Vec::with_capacity(rhs.len() + resultants);
-            unknowns.extend_from_slice(rhs);
-            unknowns.resize(rhs.len() + resultants, 0.0);
-            if !self.is_scaled {
-                factors.scale_resultants(&mut self.tangent, &unknowns, rhs.len());
-                self.is_scaled = true;
-            }
-            let motions = equations.layout().motions().end;
-            let options = GmresOptions {
-                tolerance: accuracy,
-                leading: motions,
-                iteration_limit: self.limit,
-                essential: rhs.len(),
-                parts: parts(self.slenderness, accuracy),
-                restart: (KEPT / size_of_val(&unknowns[..]))
-                    .clamp(RESTART, self.limit.max(RESTART)),
-            };
-            let mut operator = Operator {
-                equations,
-                tangent: &mut self.tangent,
-                factors,
-            };
-            let workers = equations.workers();
-            let end = gmres(
-                &mut operator,
-                &mut unknowns,
-                &options,
-                workers,
-                &mut self.workspace,
-            )?;
-            self.record.products.push(end.iterations);
-            self.count_bytes(end.iterations.min(options.restart), unknowns.len());
-            timings.substitution += began.elapsed();
-            equations.workers().pulse()?;
-            // Where rounding allows no more, of a right side that is rounding or beside multipliers
-            // that have no effect, that is enough for Newton's method to go on.
-            let enough = match equations.is_regularised() {
-                true => ROUGH_BESIDE_MULTIPLIERS,
-                false => ROUGH,
-            };
-            let solved = end.error <= accuracy || end.stagnated && end.error <= enough;
-            let first = *self.first_products.get_or_insert(end.iterations);
-            if solved {
-                let size = rhs.len();
-                rhs.copy_from_slice(&unknowns[..size]);
-                if self.is_old && end.iterations > first + MANY {
-                    self.prepare(equations, timings)?;
-                }
-                return Ok(rhs.iter().all(|x| x.is_finite()));
-            }
-            // None is left where it failed before.
-            if !self.is_old
-                && let Some(&failed) = self.candidates.first()
-            {
-                self.candidates.retain(|other| *other != failed);
-                let far = end.error > ROUGH;
-                self.fails_locally |= failed.0 == Preconditioner::TimeLocal && far;
-            }
-            if self.candidates.is_empty() || !self.prepare(equations, timings)? {
-                return Ok(false);
-            }
-        }
+        self.iterate((equations, None), rhs, accuracy, timings)
+    }
+
+    fn tangent(&mut self) -> Option<&mut Tangent> {
+        Some(&mut self.tangent)
+    }
+
+    fn solve_bordered(
+        &mut self,
+        equations: &mut Collocation,
+        borders: &Borders,
+        rhs: &mut [f64],
+        accuracy: f64,
+        timings: &mut Timings,
+    ) -> Result<Option<bool>> {
+        let solved = self.iterate((equations, Some(borders)), rhs, accuracy, timings)?;
+        Ok(Some(solved))
     }
 
     fn growth(&mut self, equations: &mut Collocation) -> f64 {

@@ -1,6 +1,6 @@
 //! Scalar equations and what scalar unknowns do to those of the grid (docs/theory.md, section 8.8).
 
-use crate::collocation::{Collocation, GridState};
+use crate::collocation::{Collocation, GridState, Tangent};
 use crate::error::Result;
 use nalgebra::{DMatrix, DVector};
 
@@ -9,7 +9,7 @@ const NO_PIVOT: f64 = 1e-11;
 
 /// What stands beside and below `J`, and the Schur complement.
 #[derive(Debug, Default)]
-pub(super) struct Borders {
+pub(crate) struct Borders {
     /// `B`, column by column.
     pub columns: Vec<Vec<f64>>,
     /// `[C D]`, row by row.
@@ -23,10 +23,15 @@ pub(super) struct Borders {
 }
 
 impl Borders {
+    /// Those of `equations` at `state`, but for the columns of the frequency, which
+    /// [`Borders::complete`] makes.
     pub fn at(equations: &mut Collocation, state: &GridState) -> Result<Self> {
         let all = 0..equations.layout().scalars().len();
-        let columns = all.clone().map(|i| equations.by_scalar(state, i));
-        let columns = columns.collect::<Result<_>>()?;
+        let column = |i: usize| match equations.moves_frequency(state, i) {
+            Some(_) => Ok(Vec::new()),
+            None => equations.by_scalar(state, i),
+        };
+        let columns = all.clone().map(column).collect::<Result<_>>()?;
         equations.apply_scalars(state)?;
         equations.update_kinematics(state);
         Ok(Borders {
@@ -38,6 +43,19 @@ impl Borders {
         })
     }
 
+    /// Makes the columns of the frequency by the tangents at `state`.
+    pub fn complete(&mut self, equations: &Collocation, state: &GridState, tangent: &mut Tangent) {
+        for (i, column) in self.columns.iter_mut().enumerate() {
+            if column.is_empty()
+                && let Some(factor) = equations.moves_frequency(state, i)
+            {
+                column.resize(equations.size(), 0.0);
+                tangent.by_log_frequency(equations, column);
+                column.iter_mut().for_each(|x| *x *= factor);
+            }
+        }
+    }
+
     /// Finds the Schur complement, by what solves with `J`. `false` if that cannot be done.
     pub fn eliminate(&mut self, mut solve: impl FnMut(&mut [f64]) -> Result<bool>) -> Result<bool> {
         self.eliminated.clone_from(&self.columns);
@@ -46,10 +64,7 @@ impl Borders {
                 return Ok(false);
             }
         }
-        let complement = DMatrix::from_fn(self.rows.len(), self.columns.len(), |i, j| {
-            let row = &self.rows[i];
-            row[self.columns[j].len() + j] - dot(row, &self.eliminated[j])
-        });
+        let complement = self.complement(&self.eliminated);
         self.undetermined = smallest_pivot(&complement);
         if self.undetermined.is_some() {
             return Ok(false);
@@ -59,14 +74,40 @@ impl Borders {
         Ok(found.map(|inverse| self.inverse = inverse).is_some())
     }
 
-    /// Adds `B p`, and writes `C x + D p`.
+    /// `D − C X`, where the first entries of `eliminated` are the columns of `X`.
+    pub fn complement(&self, eliminated: &[Vec<f64>]) -> DMatrix<f64> {
+        DMatrix::from_fn(self.rows.len(), self.columns.len(), |i, j| {
+            let (row, size) = (&self.rows[i], self.columns[j].len());
+            row[size + j] - dot(row, &eliminated[j][..size])
+        })
+    }
+
+    /// Number of scalars.
+    pub fn count(&self) -> usize {
+        self.rows.len()
+    }
+
+    /// Forgets the Schur complement, which was that of another `J`.
+    pub fn forget_elimination(&mut self) {
+        self.inverse = DMatrix::zeros(0, 0);
+    }
+
+    /// Whether the Schur complement is known.
+    pub fn is_eliminated(&self) -> bool {
+        self.inverse.nrows() == self.rows.len()
+    }
+
+    /// Adds `B p`, and writes `C x + D p` to the end; between may stand what is not of the grid.
     pub fn product(&self, x: &[f64], y: &mut [f64]) {
-        let (y, out) = y.split_at_mut(y.len() - self.rows.len());
-        for (column, p) in self.columns.iter().zip(&x[y.len()..]) {
+        let first = y.len() - self.rows.len();
+        let (y, out) = y.split_at_mut(first);
+        let (x, p) = x.split_at(first);
+        for (column, p) in self.columns.iter().zip(p) {
             y.iter_mut().zip(column).for_each(|(y, b)| *y += b * p);
         }
         for (out, row) in out.iter_mut().zip(&self.rows) {
-            *out = dot(row, x);
+            let (of_grid, of_scalars) = row.split_at(row.len() - p.len());
+            *out = dot(of_grid, x) + dot(of_scalars, p);
         }
     }
 
@@ -100,10 +141,18 @@ impl Borders {
 
     /// Makes of `[J⁻¹ f; g]` the solution.
     pub fn substitute(&self, y: &mut [f64]) {
+        self.substitute_with(&self.eliminated, &self.inverse, y);
+    }
+
+    /// The same by other columns in place of `J⁻¹ B`, which may go on with what is not of the grid,
+    /// and the inverse of their complement.
+    pub fn substitute_with(&self, eliminated: &[Vec<f64>], inverse: &DMatrix<f64>, y: &mut [f64]) {
         let (x, p) = y.split_at_mut(y.len() - self.rows.len());
-        let rest = p.iter().zip(&self.rows).map(|(g, row)| g - dot(row, x));
-        let found = &self.inverse * DVector::from_iterator(self.rows.len(), rest);
-        for (column, p) in self.eliminated.iter().zip(&found) {
+        let of_grid = |row: &Vec<f64>| row.len() - self.rows.len();
+        let rows = p.iter().zip(&self.rows);
+        let rest = rows.map(|(g, row)| g - dot(&row[..of_grid(row)], x));
+        let found = inverse * DVector::from_iterator(self.rows.len(), rest);
+        for (column, p) in eliminated.iter().zip(&found) {
             x.iter_mut().zip(column).for_each(|(x, e)| *x -= e * p);
         }
         p.copy_from_slice(found.as_slice());

@@ -1,0 +1,71 @@
+//! The linearised equations as what GMRES multiplies with, between borders if there are any
+//! (docs/theory.md, section 8.8).
+
+use super::factors::Factors;
+use super::gmres::Preconditioned;
+use crate::collocation::{Collocation, Tangent};
+use crate::solve::linear::borders::Borders;
+use crate::work::PRODUCT;
+use nalgebra::DMatrix;
+
+/// What GMRES multiplies with, and its preconditioner.
+pub(super) struct Operator<'a> {
+    pub equations: &'a Collocation,
+    pub tangent: &'a mut Tangent,
+    pub factors: &'a mut Factors,
+    /// With these, and what the factors make of them.
+    pub borders: Option<(&'a Borders, &'a Eliminated)>,
+}
+
+impl Preconditioned for Operator<'_> {
+    fn product(&mut self, x: &[f64], y: &mut [f64]) {
+        let numbers = self.equations.layout().motions().len() as f64;
+        self.equations.workers().work().spend(PRODUCT * numbers);
+        let Some((borders, _)) = self.borders else {
+            return self.tangent.apply(self.equations, x, y);
+        };
+        let end = x.len() - borders.count();
+        self.tangent.apply(self.equations, &x[..end], &mut y[..end]);
+        // What only makes factors exist is no part of the whole.
+        let grounding = self.equations.grounding();
+        if grounding != 0.0 {
+            let motions = self.equations.layout().motions();
+            let grounded = y[motions.clone()].iter_mut().zip(&x[motions]);
+            grounded.for_each(|(y, x)| *y -= grounding * x);
+        }
+        borders.product(x, y);
+    }
+
+    fn precondition(&mut self, y: &mut [f64]) {
+        let size = self.equations.size();
+        let Some((borders, eliminated)) = self.borders else {
+            return self.factors.apply(y, size);
+        };
+        let end = y.len() - borders.count();
+        self.factors.apply(&mut y[..end], size);
+        borders.substitute_with(&eliminated.columns, &eliminated.inverse, y);
+    }
+}
+
+/// What factors make of borders.
+pub(super) struct Eliminated {
+    /// `P⁻¹ B`, with stress resultants.
+    columns: Vec<Vec<f64>>,
+    /// `(D − C P⁻¹ B)⁻¹`.
+    inverse: DMatrix<f64>,
+}
+
+impl Eliminated {
+    /// For vectors with so many unknowns that are no scalars; none if that is singular.
+    pub fn new(borders: &Borders, factors: &mut Factors, unknowns: usize) -> Option<Self> {
+        let mut columns = borders.columns.clone();
+        for column in &mut columns {
+            let size = column.len();
+            column.resize(unknowns, 0.0);
+            factors.apply(column, size);
+        }
+        let inverse = borders.complement(&columns).try_inverse()?;
+        let finite = inverse.iter().all(|x| x.is_finite());
+        finite.then_some(Eliminated { columns, inverse })
+    }
+}
