@@ -1,5 +1,6 @@
 //! Vectors of all unknowns: sums, products and projections by several threads.
 
+use crate::solve::linear::solver::ESTIMATE;
 use crate::work::PROJECTION;
 use crate::workers::Workers;
 use faer::linalg::matmul::matmul;
@@ -15,6 +16,24 @@ pub(crate) enum Parts {
     AsTheyAre,
     /// The smaller weighs as much as the larger.
     Balanced,
+}
+
+/// Beams that are so much stiffer in tension than in bending feel errors of motions that are none
+/// for others: the smaller part asks more of the whole there.
+const STRETCHING: f64 = 1e6;
+
+impl Parts {
+    /// How motions and multipliers count in a solve this accurate, of a system this slender.
+    pub fn of(slenderness: f64, accuracy: f64) -> Self {
+        if accuracy >= ESTIMATE {
+            // Estimates are of motions alone.
+            Parts::LeadingAlone
+        } else if slenderness < STRETCHING {
+            Parts::Balanced
+        } else {
+            Parts::AsTheyAre
+        }
+    }
 }
 
 /// A part that is smaller than this may be nothing but rounding.

@@ -51,7 +51,7 @@ use crate::solve::linear::borders::Borders;
 use crate::solve::linear::dense::{largest, probe};
 use crate::solve::linear::diagnosis::Singularity;
 use crate::solve::linear::slender::SLENDER;
-use crate::solve::linear::solver::{ESTIMATE, LinearSolver};
+use crate::solve::linear::solver::LinearSolver;
 use crate::solve::report::{Timings, timed};
 use factors::Factors;
 pub(crate) use gmres::{GmresOptions, GmresWorkspace, Preconditioned, gmres};
@@ -84,10 +84,6 @@ const FEW: usize = 12;
 const FEW_FOR_A_LARGE_INTERFACE: usize = 60;
 /// more multiply-adds than this.
 const LARGE_INTERFACE: f64 = 5e10;
-
-/// Beams that are so much stiffer in tension than in bending feel errors of motions that are none
-/// for others: the smaller part asks more of the whole there.
-const STRETCHING: f64 = 1e6;
 
 /// Growth of a preconditioner that means a Jacobian which may be singular.
 const SUSPECT: f64 = 1e13;
@@ -178,18 +174,6 @@ fn is_enough(equations: &Collocation, error: f64) -> bool {
         false => ROUGH,
     };
     error <= enough
-}
-
-/// How motions and multipliers count in a solve this accurate, of a system this slender.
-fn parts(slenderness: f64, accuracy: f64) -> Parts {
-    if accuracy >= ESTIMATE {
-        // Estimates are of motions alone.
-        Parts::LeadingAlone
-    } else if slenderness < STRETCHING {
-        Parts::Balanced
-    } else {
-        Parts::AsTheyAre
-    }
 }
 
 impl Iterative {
@@ -367,7 +351,7 @@ impl Iterative {
                 leading: equations.layout().motions().end,
                 iteration_limit: self.limit,
                 essential: size,
-                parts: parts(self.slenderness, accuracy),
+                parts: Parts::of(self.slenderness, accuracy),
                 restart: (KEPT / size_of_val(&unknowns[..]))
                     .clamp(RESTART, self.limit.max(RESTART)),
             };
