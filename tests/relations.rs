@@ -3,13 +3,13 @@
 mod common;
 
 use common::*;
-use nalgebra::{Complex, Vector3};
+use nalgebra::{Complex, Vector3, Vector6};
 use periodyn::elements::{Coordinate, JointKind};
 use periodyn::error::ErrorKind;
 use periodyn::model::*;
-use periodyn::output::{JointQuantity, Modes, Quantity, Solution};
+use periodyn::output::{JointQuantity, Modes, NodeQuantity, Quantity, Solution};
 use periodyn::solve::*;
-use periodyn::system::Summary;
+use periodyn::system::{Summary, System};
 use std::f64::consts::TAU;
 
 const ANGLE: JointQuantity = JointQuantity::Coordinate(Coordinate::Rotation1);
@@ -202,6 +202,57 @@ fn geared_wheels_turn_on_and_on() {
         let on_first = solution.sample(effort(0, 0), &times).unwrap();
         assert_all_near(&on_first, |t| -moment(t), &times, 1e-9);
     }
+}
+
+/// A flexible blade on a hub that turns at `2 · rate`, driven itself or by a gear; its tip.
+fn blade(rate: f64, geared: bool) -> (Model, usize) {
+    let mut model = Model::new();
+    let first = wheel(&mut model, 0.0, 0.4);
+    let hub = wheel(&mut model, 3.0, 0.4);
+    let mut section =
+        SectionInput::diagonal(&[1e4, 4e3, 4e3, 1.0, 1.0, 1.5], &[1.0, 2e-4, 1e-4, 1e-4]).unwrap();
+    section.damp_proportionally(3e-3).unwrap();
+    let root = Vector3::x() * 3.1;
+    let ends = (root, Vector3::x() * 4.1);
+    let beam = model.add_straight_beam(&ends.0, &ends.1, &Vector3::y(), &section, 2, 4);
+    let beam = beam.unwrap();
+    let clamp = [Some(1), Some(beam.first_node)];
+    join(&mut model, JointKind::Rigid, clamp, &root, &Vector3::x());
+    if geared {
+        model.prescribe(rotation1(first), &steady(rate)).unwrap();
+        let terms = [(rotation1(first), 2.0), (rotation1(hub), -1.0)];
+        model.add_relation(&terms, None).unwrap();
+    } else {
+        model
+            .prescribe(rotation1(hub), &steady(2.0 * rate))
+            .unwrap();
+        let still = Signal::constant(0.0).unwrap();
+        model.prescribe(rotation1(first), &still).unwrap();
+    }
+    gravity(&mut model, [0.0, -3.0, 0.0]);
+    (model, beam.last_node)
+}
+
+#[test]
+fn what_is_geared_to_a_drive_starts_in_steady_rotation() {
+    let (rate, period) = (5.0, TAU / 5.0);
+    let times = times(period, 11);
+    let [driven, geared] = [false, true].map(|geared| {
+        let (model, tip) = blade(rate, geared);
+        let system = System::new(&model, period).unwrap();
+        let driven = system.driven().unwrap().unwrap();
+        assert!(driven.is_rigid());
+        // About an axis at x = 3: the origin moves along −y.
+        let twist = [0.0, -3.0, 0.0, 0.0, 0.0, 1.0].map(|x| 2.0 * rate * x);
+        let error = (driven.twist(tip) - Vector6::from(twist)).amax();
+        assert!(error < 1e-13, "{error:e}");
+        let solution = solve(&model, period, 29);
+        solution.node(tip, NodeQuantity::Position, &times).unwrap()
+    });
+    let bend = largest(driven.iter().map(|x| x.abs()));
+    // The tolerance of Newton's method, squared, and rounding of stiff beams.
+    let error = largest_difference(&driven, &geared) / bend;
+    assert!(error < 1e-9, "{error:e}");
 }
 
 #[test]

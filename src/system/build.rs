@@ -199,7 +199,6 @@ impl<'a> Builder<'a> {
             }
             if turns {
                 system.drives.push(Drive {
-                    joint: at.joint,
                     coordinate: at.coordinate,
                     signal,
                 });
@@ -229,7 +228,11 @@ impl<'a> Builder<'a> {
                 .collect();
             let element = Relation::new(acted, (signal, 1.0 / unit), measure);
             let factor = 1.0 / unit;
-            self.system.relations.push(PlacedRelation { terms, factor });
+            self.system.relations.push(PlacedRelation {
+                terms,
+                factor,
+                signal,
+            });
             self.system
                 .place(Arc::new(element), ElementRole::Relation(index));
         }

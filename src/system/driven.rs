@@ -1,10 +1,10 @@
 //! Parts that hang on drives which turn on and on: a rotor on its shaft, a blade behind a hub.
 //! See docs/theory.md, section 9.3.
 
-use super::{ElementRole, Placed, System};
+use super::{ElementRole, Placed, PlacedRelation, System};
 use crate::elements::{Attachment, Coordinate, Element, Joint, Measure, NodeState};
 use crate::error::Result;
-use crate::model::BoundSignal;
+use crate::model::{BoundSignal, JointCoordinate};
 use crate::motion::Motion;
 use nalgebra::{Matrix6, Vector6};
 use std::f64::consts::TAU;
@@ -20,20 +20,25 @@ const LOOKED_AT: [f64; 3] = [0.13, 0.41, 0.77];
 /// A prescribed joint coordinate.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Drive {
-    pub joint: usize,
     pub coordinate: Coordinate,
     /// The signal that it follows.
     pub signal: usize,
 }
 
-/// What hangs on one drive.
+/// An angle that signals determine: the sum of their values times factors.
+#[derive(Debug, Clone)]
+struct Turning {
+    joint: usize,
+    coordinate: Coordinate,
+    /// Signals, each with its factor and its value in the reference configuration.
+    signals: Vec<(usize, f64, f64)>,
+    rate: f64,
+}
+
+/// What hangs on one drive, or on an angle that drives turn by relations.
 #[derive(Debug, Clone)]
 struct Part {
-    drive: Drive,
-    /// Angle of the drive in the reference configuration.
-    start: f64,
-    /// Rate of the drive.
-    rate: f64,
+    by: Turning,
     /// Twist about the origin, resolved in space, for a unit rate.
     unit: Vector6<f64>,
     /// Which nodes hang on it.
@@ -58,7 +63,7 @@ impl Driven {
     /// not turn.
     pub fn twist(&self, node: usize) -> Vector6<f64> {
         let parts = self.parts.iter().filter(|part| part.hangs[node]);
-        parts.map(|part| part.unit * part.rate).sum()
+        parts.map(|part| part.unit * part.by.rate).sum()
     }
 
     /// Twists of all nodes, times `factor`.
@@ -75,7 +80,11 @@ impl Driven {
     /// Reference `motion` of a node carried to where the drives are, given the values of all
     /// signals.
     pub fn carried(&self, node: usize, motion: &Motion, signals: &[f64]) -> Motion {
-        self.carried_by(node, motion, |part| signals[part.drive.signal] - part.start)
+        self.carried_by(node, motion, |by| {
+            let each = by.signals.iter();
+            each.map(|(s, factor, start)| factor * (signals[*s] - start))
+                .sum()
+        })
     }
 
     /// `motion` of a node carried from where the drives are with one set of values of all signals
@@ -87,14 +96,16 @@ impl Driven {
         from: &[f64],
         to: &[f64],
     ) -> Motion {
-        self.carried_by(node, motion, |part| {
-            to[part.drive.signal] - from[part.drive.signal]
+        self.carried_by(node, motion, |by| {
+            let each = by.signals.iter();
+            each.map(|(s, factor, _)| factor * (to[*s] - from[*s]))
+                .sum()
         })
     }
 
-    fn carried_by(&self, node: usize, motion: &Motion, angle: impl Fn(&Part) -> f64) -> Motion {
+    fn carried_by(&self, node: usize, motion: &Motion, angle: impl Fn(&Turning) -> f64) -> Motion {
         let parts = self.parts.iter().filter(|part| part.hangs[node]);
-        turned(motion, &parts.map(|part| part.unit * angle(part)).sum())
+        turned(motion, &parts.map(|part| part.unit * angle(&part.by)).sum())
     }
 }
 
@@ -109,7 +120,7 @@ impl System {
     ///
     /// A drive is a joint coordinate whose prescribed angle gains whole turns in a period, or grows
     /// in a march. What hangs on it is connected to it by joints and beams otherwise than through
-    /// the ground.
+    /// the ground. So it is with angles that drives turn by relations.
     ///
     /// # Errors
     /// Those of signals.
@@ -150,40 +161,104 @@ impl System {
             parts: Vec::new(),
             rigid: true,
         };
-        for drive in &self.drives {
-            let rate = rate_of(drive)?;
-            let Some(unit) = self.unit_twist(drive).filter(|_| rate != 0.0) else {
-                continue;
-            };
-            let (first, second) = self.joints[drive.joint].attachments();
-            let with_side = |side: Attachment, other: Attachment, sign: f64| {
-                let hangs = self.hangs_on(side.node?, drive.joint);
-                if other.node.is_some_and(|node| hangs[node]) {
-                    return None;
+        let mut known = Vec::new();
+        for (signal, at) in self.prescribed.iter().enumerate() {
+            let drive = self.drives.iter().find(|drive| drive.signal == signal);
+            known.push(Turning {
+                joint: at.joint,
+                coordinate: at.coordinate,
+                signals: vec![(signal, 1.0, self.signals[signal].start)],
+                rate: drive.map_or(Ok(0.0), &rate_of)?,
+            });
+        }
+        self.follow_relations(&mut known);
+        for by in known.into_iter().filter(|by| by.rate != 0.0) {
+            self.add_part(by, &mut driven);
+        }
+        driven.rigid &= self.relations_allow(|node| driven.twist(node));
+        Ok((!driven.parts.is_empty()).then_some(driven))
+    }
+
+    /// Adds angles that relations determine by those that are known.
+    fn follow_relations(&self, known: &mut Vec<Turning>) {
+        let mut open: Vec<&PlacedRelation> = self.relations.iter().collect();
+        loop {
+            let before = open.len();
+            open.retain(|relation| match self.followed(relation, known) {
+                Some(by) => {
+                    known.push(by);
+                    false
                 }
-                let mut with = driven.clone();
-                with.parts.push(Part {
-                    drive: *drive,
-                    start: self.signals[drive.signal].start,
-                    rate,
-                    unit: unit * sign,
-                    hangs,
-                });
-                with.rigid &= self.may_turn(&with);
-                Some(with)
-            };
-            // Of equals the second body turns.
-            let sides = [
-                with_side(first, second, -1.0),
-                with_side(second, first, 1.0),
-            ];
-            let best = sides.into_iter().flatten().max_by_key(|with| with.rigid);
-            match best {
-                Some(best) => driven = best,
-                None => driven.rigid = false,
+                None => true,
+            });
+            if open.len() == before {
+                return;
             }
         }
-        Ok((!driven.parts.is_empty()).then_some(driven))
+    }
+
+    /// The angle of a relation that is the only one of its coordinates not to be known.
+    fn followed(&self, relation: &PlacedRelation, known: &[Turning]) -> Option<Turning> {
+        let of = |at: &JointCoordinate| {
+            let mut all = known.iter();
+            all.find(|by| by.joint == at.joint && by.coordinate == at.coordinate)
+        };
+        let mut unknown = relation.terms.iter().filter(|(at, _)| of(at).is_none());
+        let (at, own) = unknown.next()?;
+        let turns = self.joints[at.joint]
+            .kind()
+            .leaves_turns_open(at.coordinate);
+        if !turns || unknown.next().is_some() {
+            return None;
+        }
+        let start = self.signals[relation.signal].start;
+        let mut by = Turning {
+            joint: at.joint,
+            coordinate: at.coordinate,
+            signals: vec![(relation.signal, relation.factor / own, start)],
+            rate: 0.0,
+        };
+        for (other, b) in &relation.terms {
+            let factor = -b / own;
+            let Some(turning) = of(other) else { continue };
+            by.rate += factor * turning.rate;
+            let signals = turning.signals.iter();
+            by.signals
+                .extend(signals.map(|(s, f, start)| (*s, f * factor, *start)));
+        }
+        Some(by)
+    }
+
+    /// Adds what hangs on an angle that turns; without it all is not rigid.
+    fn add_part(&self, by: Turning, driven: &mut Driven) {
+        let Some(unit) = self.unit_twist(by.joint, by.coordinate) else {
+            return;
+        };
+        let (first, second) = self.joints[by.joint].attachments();
+        let with_side = |side: Attachment, other: Attachment, sign: f64| {
+            let hangs = self.hangs_on(side.node?, by.joint);
+            if other.node.is_some_and(|node| hangs[node]) {
+                return None;
+            }
+            let mut with = driven.clone();
+            with.parts.push(Part {
+                by: by.clone(),
+                unit: unit * sign,
+                hangs,
+            });
+            with.rigid &= self.may_turn(&with);
+            Some(with)
+        };
+        // Of equals the second body turns.
+        let sides = [
+            with_side(first, second, -1.0),
+            with_side(second, first, 1.0),
+        ];
+        let best = sides.into_iter().flatten().max_by_key(|with| with.rigid);
+        match best {
+            Some(best) => *driven = best,
+            None => driven.rigid = false,
+        }
     }
 
     /// Whether prescribed angles gain whole turns in a period.
@@ -214,15 +289,15 @@ impl System {
     /// Twist of the second body of a driven joint relative to the first for a unit rate of its
     /// coordinate, all others at rest, in the reference configuration; about the origin, resolved
     /// in space.
-    fn unit_twist(&self, drive: &Drive) -> Option<Vector6<f64>> {
-        let joint = &self.joints[drive.joint];
+    fn unit_twist(&self, joint: usize, coordinate: Coordinate) -> Option<Vector6<f64>> {
+        let joint = &self.joints[joint];
         let states = self.reference_states(joint);
         let (kind, z) = (joint.kind(), joint.relative_motion(&states));
         let mut gradients = Matrix6::zeros();
         let mut rates = Vector6::zeros();
         let constraints = (0..kind.constraints()).map(|row| (kind.constraint(row, &z), 0.0));
         let coordinates = kind.coordinates().iter().map(|&which| {
-            let rate = if which == drive.coordinate { 1.0 } else { 0.0 };
+            let rate = if which == coordinate { 1.0 } else { 0.0 };
             (kind.coordinate(which, &z), rate)
         });
         for (row, (function, rate)) in constraints.chain(coordinates).take(6).enumerate() {
@@ -272,13 +347,10 @@ impl System {
         hangs
     }
 
-    /// Whether neither joints' constraints nor relations change as everything turns.
+    /// Whether no joint's constraints change as everything turns.
     fn may_turn(&self, driven: &Driven) -> bool {
-        let rates = driven.parts.iter().map(|part| part.rate.abs());
+        let rates = driven.parts.iter().map(|part| part.by.rate.abs());
         let turn = TAU / rates.fold(f64::MIN_POSITIVE, f64::max);
-        if !self.relations_allow(|node| driven.twist(node)) {
-            return false;
-        }
         self.joints.iter().all(|joint| {
             let kind = joint.kind();
             let values = |time: f64| {

@@ -23,6 +23,8 @@ pub struct PlacedRelation {
     pub terms: Vec<(JointCoordinate, f64)>,
     /// What the sum of these is of the sum that the user gave.
     pub factor: f64,
+    /// Number of the signal that the latter is equal to.
+    pub signal: usize,
 }
 
 impl System {
