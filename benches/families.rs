@@ -1,5 +1,6 @@
 //! Families of solutions by the solves that they cost: points of branches with their stability,
-//! multipliers, sensitivities; and points of a backbone. With arguments only the tables whose names contain one of them.
+//! multipliers, sensitivities; and points of a backbone. With arguments only the tables whose names
+//! contain one of them.
 
 mod common;
 
