@@ -1,25 +1,18 @@
 //! Families of solutions by the solves that they cost: points of branches with their stability,
-//! multipliers, sensitivities; and points of a backbone. With arguments only the tables whose names contain one of them.
+//! multipliers, sensitivities. With arguments only the tables whose names contain one of them.
 
 mod common;
 
-use common::models::beams::{forced_cantilever, free_rod, rotor_blade, shaken_rod};
+use common::models::beams::{forced_cantilever, rotor_blade, shaken_rod};
 use common::table::Table;
 use common::timing::{median, processor_time};
-use nalgebra::{Rotation3, Vector3};
-use periodyn::collocation::GridState;
-use periodyn::fourier::TimeGrid;
 use periodyn::model::{Model, Target};
-use periodyn::motion::Motion;
 use periodyn::quantity::{Feature, NodeQuantity, Quantity};
 use periodyn::solve::{
-    BranchOptions, Dependent, Free, InitialGuess, Outcome, PeriodicOptions, Phase,
-    SensitivityOptions, Solved, StabilityOptions, follow_branch, solve_periodic,
-    solve_sensitivities, solve_stability,
+    BranchOptions, Dependent, Free, Outcome, PeriodicOptions, SensitivityOptions, Solved,
+    StabilityOptions, follow_branch, solve_periodic, solve_sensitivities, solve_stability,
 };
-use periodyn::system::System;
 use std::f64::consts::TAU;
-use std::sync::Arc;
 use std::time::Duration;
 
 const REPETITIONS: usize = 3;
@@ -32,7 +25,6 @@ fn main() {
     for (name, measure) in [
         ("multipliers", multipliers as fn()),
         ("branches", branches),
-        ("backbone", backbone),
         ("sensitivities", sensitivities),
     ] {
         if asked.is_empty() || asked.iter().any(|a| name.contains(&a[..])) {
@@ -134,78 +126,6 @@ fn branches() {
             format!("{:.2}", with.as_secs_f64() / solve_time.as_secs_f64()),
         ]);
     }
-}
-
-/// The first bending mode of a free rod at this tip deflection, as Euler and Bernoulli have it.
-fn swinging(model: &Model, grid: TimeGrid, deflection: f64) -> GridState {
-    let system = System::new(model, grid.period()).unwrap();
-    let mut state = GridState::reference(&system, grid);
-    let (wave, ratio) = (1.875_104_068_7, 0.734_095_514);
-    let shape = |x: f64| {
-        let z = wave * x;
-        let (sine, cosine) = z.sin_cos();
-        let (value, slope) = (
-            z.cosh() - cosine - ratio * (z.sinh() - sine),
-            z.sinh() + sine - ratio * (z.cosh() - cosine),
-        );
-        [0.5 * value, 0.5 * wave * slope]
-    };
-    let points = grid.points();
-    for (place, motion) in state.motions.iter_mut().enumerate() {
-        let phase = (TAU * (place % points) as f64 / points as f64).cos();
-        let [value, slope] = shape(motion.position.x).map(|x| x * deflection * phase);
-        let turn = Rotation3::new(Vector3::y() * -slope.atan()).into_inner();
-        let position = Vector3::new(motion.position.x, 0.0, value);
-        *motion = Motion::new(turn * motion.rotation, position);
-    }
-    state
-}
-
-fn backbone() {
-    let titles = [
-        "elements",
-        "N",
-        "points",
-        "point ms",
-        "largest angle",
-        "from Hz",
-        "to Hz",
-    ];
-    let mut table = Table::new("backbone", &titles);
-    let (model, period, unfolding) = free_rod(40, 1);
-    let grid = TimeGrid::new(17, period).unwrap();
-    let frequency = TAU / period;
-    let guess = InitialGuess::State(swinging(&model, grid, 0.1));
-    let options = BranchOptions {
-        periodic: PeriodicOptions {
-            guess,
-            ..PeriodicOptions::with_grid_points(grid.points())
-        },
-        free: vec![Free::Parameter(unfolding)],
-        conditions: vec![Arc::new(Phase)],
-        range: [0.9 * frequency, 1.1 * frequency],
-        point_limit: 12,
-        ..BranchOptions::default()
-    };
-    let follow =
-        || follow_branch(&model, period, Free::Frequency, &options, &mut |_, _| true).unwrap();
-    let branch = follow();
-    assert!(branch.points.len() > 1, "{}", branch.explanation);
-    let time = median((0..REPETITIONS).map(|_| processor_time(follow).0));
-    let angle = branch
-        .points
-        .iter()
-        .fold(0.0f64, |most, p| most.max(p.angle));
-    let hertz = |place: usize| format!("{:.4}", branch.points[place].values[0] / TAU);
-    table.row(cells![
-        40,
-        grid.points(),
-        branch.points.len(),
-        milliseconds(time / branch.points.len() as u32),
-        format!("{angle:.2}"),
-        hertz(0),
-        hertz(branch.points.len() - 1),
-    ]);
 }
 
 fn sensitivities() {

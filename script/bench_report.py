@@ -208,7 +208,6 @@ def main():
         "krylov": plain(read(directory, "krylov")),
         "multipliers": plain(read(directory, "multipliers")),
         "branches": plain(read(directory, "branches")),
-        "backbone": plain(read(directory, "backbone")),
         "sensitivities": plain(read(directory, "sensitivities")),
         "scaling": plain(read(directory, "scaling")),
         "exponents": plain(read(directory, "exponents")),

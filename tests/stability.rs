@@ -508,29 +508,6 @@ fn a_slider_crank_with_a_flexible_rod_is_the_same_by_both_methods_and_shooting()
     assert_largest_of_shooting(&stability, &model, period);
 }
 
-#[test]
-fn a_lower_frequency_asks_for_no_more() {
-    let (model, period) = models::beams::rotor(4);
-    let solution = solve(&model, period, 15);
-    let found = [None, Some(4.0)].map(|harmonics: Option<f64>| {
-        let options = StabilityOptions {
-            highest_frequency: harmonics.map(|harmonics| harmonics * TAU / period),
-            ..StabilityOptions::default()
-        };
-        let stability = solve_stability(solution.details(), &options).unwrap();
-        print(&stability);
-        assert_eq!(stability.outcome, Outcome::Converged);
-        stability
-    });
-    let [high, low] = found;
-    // Few steps kill few disturbances: these are not to be followed instead.
-    assert!(low.steps <= high.steps);
-    assert!(low.multipliers.len() <= high.multipliers.len() + 6);
-    for (a, b) in low.multipliers.iter().zip(&high.multipliers).take(4) {
-        assert!((a.value.norm() - b.value.norm()).abs() < 1e-7);
-    }
-}
-
 /// The largest multiplier of shooting comes nearer to one of these with the square of its steps.
 fn assert_largest_of_shooting(stability: &Stability, model: &Model, period: f64) {
     let errors = [400, 800].map(|steps| {

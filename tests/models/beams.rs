@@ -3,7 +3,7 @@
 use super::parts::*;
 use nalgebra::{Matrix3, Vector3};
 use periodyn::elements::JointKind;
-use periodyn::model::{Model, SectionInput, Signal, Target};
+use periodyn::model::{Model, SectionInput, Signal};
 use periodyn::motion::Motion;
 use std::f64::consts::TAU;
 
@@ -49,22 +49,6 @@ pub fn shaken_rod(force: f64, elements: usize, degree: usize) -> (Model, f64) {
     gravity(&mut model, [0.0, 0.0, -9.81]);
     push(&mut model, tip, 2, cosine(force));
     (model, 0.3)
-}
-
-/// The same rod without damping, weight or load, with a parameter that damps in proportion to mass;
-/// the period of its first bending mode, for small amplitudes, and the parameter.
-pub fn free_rod(elements: usize, degree: usize) -> (Model, f64, usize) {
-    let (bending, mass) = (19.6f64, 0.361);
-    let stiffness = [785e3, 250e3, 250e3, 14.0, bending, bending];
-    let nylon = SectionInput::diagonal(&stiffness, &[mass, 18.0e-6, 9.0e-6, 9.0e-6]).unwrap();
-    let (mut model, _) = cantilever(&nylon, elements, degree);
-    let unfolding = model.add_parameter("unfolding", 0.0, 1.0).unwrap();
-    model
-        .move_by_parameter(unfolding, Target::MassDamping, 1.0)
-        .unwrap();
-    // Euler and Bernoulli's first wave number.
-    let frequency = 1.875_104_068_7f64.powi(2) * (bending / mass).sqrt();
-    (model, TAU / frequency, unfolding)
 }
 
 /// A steel strip of 1 m, all of whose strains are damped by `seconds` times the stiffness, and its
