@@ -22,8 +22,8 @@ const POINTS: usize = 15;
 /// Elements along the plate, half as many across it, and nodes a side of each.
 type Size = (usize, usize);
 
-const ITERATIVE: [Size; 5] = [(4, 5), (8, 5), (16, 5), (32, 5), (46, 5)];
-const DIRECT: [Size; 3] = [(2, 5), (4, 5), (8, 5)];
+const ITERATIVE: [Size; 4] = [(2, 5), (4, 5), (8, 5), (16, 5)];
+const DIRECT: [Size; 3] = [(1, 5), (2, 5), (4, 5)];
 
 /// What the process of a case tells, in this order.
 const TITLES: [&str; 11] = [
