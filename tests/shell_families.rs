@@ -1,10 +1,12 @@
 //! What is told of periodic motions with shells besides these: multipliers against small motions,
-//! sensitivities against differences.
+//! sensitivities against differences, folds of a branch against those of a beam.
 
 mod common;
 
 use common::models::shells::*;
-use common::{cosine, options};
+use common::{clamp, cosine, damped_section, options};
+use nalgebra::Vector3;
+use periodyn::collocation::GridState;
 use periodyn::elements::{IsotropicShell, LoadFrame, ShellLoadPlace};
 use periodyn::model::*;
 use periodyn::output::{Modes, NodeQuantity, Quantity, Solution};
@@ -14,9 +16,9 @@ use std::f64::consts::TAU;
 
 const LENGTH: f64 = 1.0;
 const WIDTH: f64 = 0.1;
-/// Elements along the strip, and nodes along each.
-const ELEMENTS: usize = 2;
-const NODES: usize = 4;
+/// Nodes along the strip, which is one element, and across it. Two across would sag between them.
+const NODES: usize = 5;
+const ACROSS: usize = 3;
 /// Time of damping: half a percent of the first natural frequency's critical damping.
 const DAMPING: f64 = 2e-4;
 
@@ -32,13 +34,95 @@ fn strip_section() -> IsotropicShell {
 /// A strip that is clamped at both ends.
 fn clamped_strip() -> Model {
     let mut model = Model::new();
-    let mesh = mesh([ELEMENTS, 1], [NODES, 2]);
+    let mesh = mesh([1, 1], [NODES, ACROSS]);
     let section = strip_section().section().unwrap();
     let patch = add_strip(&mut model, [LENGTH, WIDTH], &section, &mesh);
     for edge in [PatchEdge::StartU, PatchEdge::EndU] {
         clamp_edge(&mut model, &patch.edge(edge));
     }
     model
+}
+
+/// Shakes all across the strip.
+fn shake(model: &mut Model, acceleration: f64) {
+    let constant = |g| Signal::constant(g).unwrap();
+    model.set_gravity([constant(0.0), constant(0.0), cosine(acceleration)]);
+}
+
+/// The same strip shaken, and a node in its middle.
+fn shaken_strip(acceleration: f64) -> (Model, usize) {
+    let mut model = clamped_strip();
+    shake(&mut model, acceleration);
+    (model, ACROSS * (NODES / 2))
+}
+
+/// The same as a beam.
+fn shaken_beam(acceleration: f64) -> (Model, usize) {
+    let [thickness, young, density, _] = RUBBER;
+    let (area, moment) = (WIDTH * thickness, WIDTH * thickness.powi(3) / 12.0);
+    let (bending, shear) = (young * moment, 5.0 / 12.0 * young * area);
+    let stiffness = [young * area, shear, shear, bending, bending, 25.0 * bending];
+    let inertia = density * moment;
+    let mass = [density * area, inertia, inertia, inertia];
+    let section = damped_section(&stiffness, &mass, DAMPING);
+    let mut model = Model::new();
+    let (root, tip) = (Vector3::zeros(), Vector3::x() * LENGTH);
+    let beam = model
+        .add_straight_beam(&root, &tip, &Vector3::y(), &section, 1, NODES - 1)
+        .unwrap();
+    clamp(&mut model, beam.first_node);
+    clamp(&mut model, beam.last_node);
+    shake(&mut model, acceleration);
+    let middle = beam.first_node + NODES / 2;
+    (model, middle)
+}
+
+/// Size of the first harmonic of a node's height.
+fn first_harmonic(state: &GridState, node: usize) -> f64 {
+    let count = state.points() as f64;
+    let sum = |f: fn(f64) -> f64| {
+        let all = state.node(node).iter().enumerate();
+        let terms = all.map(|(k, m)| m.position.z * f(TAU * k as f64 / count));
+        2.0 / count * terms.sum::<f64>()
+    };
+    sum(f64::cos).hypot(sum(f64::sin))
+}
+
+#[test]
+fn a_stretched_strip_folds_where_the_beam_does() {
+    let folds = |(model, middle): (Model, usize)| -> Vec<[f64; 2]> {
+        let options = BranchOptions {
+            periodic: options(7),
+            range: [53.0, 60.0],
+            motion_scale: 0.1,
+            ..BranchOptions::default()
+        };
+        let frequency = Free::Frequency;
+        let branch = follow_branch(
+            &model,
+            TAU / options.range[0],
+            frequency,
+            &options,
+            &mut |_, _| true,
+        )
+        .unwrap();
+        assert_eq!(branch.end, BranchEnd::Range, "{}", branch.explanation);
+        let points = branch.points.iter();
+        let folds = points.filter(|point| point.event == Some(Event::Fold));
+        folds
+            .map(|point| [point.values[0], first_harmonic(&point.state, middle)])
+            .collect()
+    };
+    let (strip, beam) = (folds(shaken_strip(0.3)), folds(shaken_beam(0.3)));
+    println!("{strip:?} {beam:?}");
+    assert_eq!(strip.len(), 2);
+    assert_eq!(beam.len(), 2);
+    for (strip, beam) in strip.iter().zip(&beam) {
+        // Both are located to rounding.
+        for (a, b) in strip.iter().zip(beam) {
+            assert!((a - b).abs() < 1e-8 * b, "{a} {b}");
+        }
+    }
 }
 
 #[test]
