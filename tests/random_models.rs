@@ -20,7 +20,7 @@ const SHARE: usize = 5;
 /// Nodes of a machine that is small enough.
 const MOST_NODES: usize = 14;
 /// Least number that converge, of all.
-const LEAST: usize = 43;
+const LEAST: usize = 48;
 /// Iterations after which a solve is given up, those of all attempts together.
 const MOST_ITERATIONS: usize = 3000;
 

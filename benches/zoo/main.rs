@@ -1,4 +1,4 @@
-//! Random machines of ten families, solved by default options and judged; see docs/robustness.md.
+//! Random machines of eleven families, solved by default options and judged (docs/robustness.md).
 //!
 //!     script/zoo [--seed S] [--count N] [--only FAMILY:INDEX] [--limit SECONDS]
 //!                [--verbose] [--docs]

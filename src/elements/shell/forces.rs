@@ -2,7 +2,7 @@
 //! back.
 
 use super::scratch::{Damping, Scratch};
-use super::{Shell, ShellSection};
+use super::{Axes, Shell, ShellSection};
 use crate::elements::line_station::rate_variations;
 use crate::elements::{Contribution, Element, Instant, NodeState, OtherStation, StressLaw};
 use crate::error::Result;
@@ -210,16 +210,11 @@ impl Shell {
         for (values, out) in samples.iter().zip(points) {
             out.clear();
             for (index, point) in self.points.iter().enumerate() {
-                let [xi, eta] = [0, 1].map(|direction| -> Vector6<f64> {
+                let both = [0, 1].map(|direction| -> Vector6<f64> {
                     let samples = self.sampling.of_point(direction, index);
                     samples.map(|(t, weight)| values[t] * weight).sum()
                 });
-                let back = point.axes.transpose();
-                out.extend(
-                    point
-                        .slopes
-                        .map(|[a, b]| turned(&back, &(xi * a + eta * b))),
-                );
+                out.extend(point.axes.strains(&both));
             }
         }
     }
@@ -229,10 +224,8 @@ impl Shell {
     fn collect(&self, resultants: &[Vector6<f64>], samples: &mut [Vector6<f64>]) {
         samples.fill(Vector6::zeros());
         for (index, (point, here)) in self.points.iter().zip(resultants.chunks(2)).enumerate() {
-            let here = [0, 1].map(|axis| turned(&point.axes, &here[axis]) * point.area);
-            for direction in [0, 1] {
-                let sum =
-                    here[0] * point.slopes[0][direction] + here[1] * point.slopes[1][direction];
+            let by = [0, 1].map(|axis| here[axis] * point.area);
+            for (direction, sum) in point.axes.spread(&by).iter().enumerate() {
                 for (t, weight) in self.sampling.of_point(direction, index) {
                     samples[t] += sum * weight;
                 }
@@ -285,5 +278,19 @@ impl Shell {
             let (rate, twists) = (&scratch.rates[sample], &scratch.twists);
             rate_variations(at, rate, |a| twists[a], places, &mut scratch.terms);
         }
+    }
+}
+
+impl Axes {
+    /// Strains along axes 1 and 2 by "velocities" in ξ and η.
+    pub(super) fn strains(&self, [xi, eta]: &[Vector6<f64>; 2]) -> [Vector6<f64>; 2] {
+        let back = self.turn.transpose();
+        self.slopes.map(|[a, b]| turned(&back, &(xi * a + eta * b)))
+    }
+
+    /// The transposed: factors of "velocities" in ξ and η by those of strains.
+    pub(super) fn spread(&self, by: &[Vector6<f64>; 2]) -> [Vector6<f64>; 2] {
+        let [first, second] = by.each_ref().map(|by| turned(&self.turn, by));
+        [0, 1].map(|i| first * self.slopes[0][i] + second * self.slopes[1][i])
     }
 }

@@ -46,7 +46,7 @@ impl Shell {
         let in_space = frame == LoadFrame::Space;
         let axes = |point: &super::Point| match in_space {
             true => Matrix3::identity(),
-            false => point.axes,
+            false => point.axes.turn,
         };
         let axes: Vec<_> = self.points.iter().map(axes).collect();
         let areas: Vec<_> = self.points.iter().map(|point| point.area).collect();
@@ -86,12 +86,13 @@ impl Shell {
             let place = self.place(at, None)?;
             // Along the edge, as the section's axes and the slopes of the other coordinate tell.
             let [first, second] = place
+                .axes
                 .slopes
                 .map(|slopes| slopes[usize::from(edge.is_multiple_of(2))]);
-            let along = place.axes * Vector3::new(second, -first, 0.0);
+            let along = place.axes.turn * Vector3::new(second, -first, 0.0);
             let sign = if edge.is_multiple_of(2) { 1.0 } else { -1.0 };
             let along = along.normalize() * sign;
-            let normal: Vector3<f64> = place.axes.column(2).into();
+            let normal: Vector3<f64> = place.axes.turn.column(2).into();
             axes.push(match in_space {
                 true => Matrix3::identity(),
                 false => Matrix3::from_columns(&[along, normal.cross(&along), normal]),

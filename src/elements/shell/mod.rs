@@ -63,8 +63,14 @@ struct Sample {
 struct Point {
     /// Reference area that it stands for.
     area: f64,
+    axes: Axes,
+}
+
+/// Axes of a place in the surface.
+#[derive(Debug, Clone)]
+struct Axes {
     /// Axes 1 and 2 and the normal, in the frame that the nodes give it.
-    axes: Matrix3<f64>,
+    turn: Matrix3<f64>,
     /// `∂ξ_i/∂s_α`: of each axis, the slopes of ξ and η.
     slopes: [[f64; 2]; 2],
 }
@@ -75,8 +81,7 @@ struct Place {
     motion: Motion,
     /// Area for a unit of ξ and η.
     area: f64,
-    axes: Matrix3<f64>,
-    slopes: [[f64; 2]; 2],
+    axes: Axes,
 }
 
 /// A normal shorter than this part of the product of its tangents' lengths vanishes.

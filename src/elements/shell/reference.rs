@@ -1,6 +1,6 @@
 //! A shell element in its reference configuration: its surface, axes, areas and inertia.
 
-use super::{Place, Point, Sample, Shell, VANISHING, relative_to_first};
+use super::{Axes, Place, Point, Sample, Shell, VANISHING, relative_to_first};
 use crate::elements::Inertia;
 use crate::elements::shape::gauss_legendre;
 use crate::error::{Error, Result, require_finite};
@@ -52,7 +52,6 @@ impl Shell {
             Ok(Point {
                 area: weight * place.area,
                 axes: place.axes,
-                slopes: place.slopes,
             })
         };
         self.points = self.rule().into_iter().map(point).collect::<Result<_>>()?;
@@ -77,7 +76,7 @@ impl Shell {
             return Err(Error::value("nodes", "a surface with a normal", got));
         }
         let normal = normal / area;
-        let axes = match direction {
+        let turn = match direction {
             None => axes_between(&tangents, &normal),
             Some(direction) => {
                 let here = motion.rotation.tr_mul(direction);
@@ -92,16 +91,18 @@ impl Shell {
                 Matrix3::from_columns(&[along, normal.cross(&along), normal])
             }
         };
-        let along = |i: usize, axis: usize| tangents[i].dot(&axes.column(axis));
+        let along = |i: usize, axis: usize| tangents[i].dot(&turn.column(axis));
         let determinant = along(0, 0) * along(1, 1) - along(0, 1) * along(1, 0);
         Ok(Place {
             motion,
             area,
-            axes,
-            slopes: [
-                [along(1, 1) / determinant, -along(0, 1) / determinant],
-                [-along(1, 0) / determinant, along(0, 0) / determinant],
-            ],
+            axes: Axes {
+                turn,
+                slopes: [
+                    [along(1, 1) / determinant, -along(0, 1) / determinant],
+                    [-along(1, 0) / determinant, along(0, 0) / determinant],
+                ],
+            },
         })
     }
 
@@ -122,7 +123,7 @@ impl Shell {
                 .zip(self.grid.shapes(at))
                 .map(|(node, shape)| surface.relative(node).adjoint() * shape[0])
                 .collect();
-            let turn = turn_of_both(&point.axes);
+            let turn = turn_of_both(&point.axes.turn);
             let own = turn * self.section.mass * turn.transpose() * point.area;
             for a in 0..count {
                 let left = carry[a].transpose() * own;

@@ -65,17 +65,14 @@ impl Field {
             let weights = self.samples[direction].iter();
             weights.map(|&(t, weight)| samples[t] * weight).sum()
         });
-        let back = self.place.axes.transpose();
-        let [first, second] = (self.place.slopes).map(|[a, b]| turned(&back, &(xi * a + eta * b)));
+        let [first, second] = self.place.axes.strains(&[xi, eta]);
         joined(&first, &second)
     }
 
     /// The transposed: adds what factors of the strains make of those of the samples.
     fn spread(&self, by: &Vector12, samples: &mut [Vector6<f64>]) {
-        let by = halves(by).map(|by| turned(&self.place.axes, &by));
-        for (direction, weights) in self.samples.iter().enumerate() {
-            let [first, second] = [0, 1].map(|axis| self.place.slopes[axis][direction]);
-            let sum = by[0] * first + by[1] * second;
+        let sums = self.place.axes.spread(&halves(by));
+        for (sum, weights) in sums.iter().zip(&self.samples) {
             for &(t, weight) in weights {
                 samples[t] += sum * weight;
             }
@@ -119,7 +116,7 @@ impl Shell {
         let relative: Vec<_> = super::relative_to_first(carried.iter()).collect();
         let polar = self.grid.station(at, 0).polar(&relative)?;
         let motion = carried[0].compose(&polar.motion());
-        let axes = self.place(at, self.direction.as_ref())?.axes;
+        let axes = self.place(at, self.direction.as_ref())?.axes.turn;
         Ok(Motion::new(motion.rotation * axes, motion.position))
     }
 
@@ -174,7 +171,7 @@ impl Shell {
                     let expected = "a direction that is not along the normal";
                     Error::value("axis", expected, format!("{:?}", axis.as_slice()))
                 })?;
-                axes.axes.tr_mul(&place.axes)
+                axes.axes.turn.tr_mul(&place.axes.turn)
             }
         };
         Ok(Field {

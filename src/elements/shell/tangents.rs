@@ -116,10 +116,10 @@ impl Shell {
         let point = &self.points[index];
         for (column, to) in to.chunks_exact_mut(rows).enumerate() {
             let (axis, k) = (column / 3, column % 3);
-            let slopes = &point.slopes[axis];
+            let slopes = &point.axes.slopes[axis];
             to.fill(0.0);
             for (m, from) in by.chunks_exact(rows).enumerate() {
-                add_multiple(to, slopes[m / 3] * point.axes[(m % 3, k)], from);
+                add_multiple(to, slopes[m / 3] * point.axes.turn[(m % 3, k)], from);
             }
         }
     }

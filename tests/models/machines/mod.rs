@@ -1,5 +1,5 @@
-//! Random machines of ten families, as an engineer might build them: periodic by construction, and
-//! all drawn from a seed.
+//! Random machines of eleven families, as an engineer might build them: periodic by construction,
+//! and all drawn from a seed.
 //!
 //! Nothing here looks at what the solver makes of them.
 
@@ -11,6 +11,7 @@ mod chains;
 mod drivelines;
 mod four_bars;
 pub mod judge;
+mod plates;
 mod rotors;
 mod shafts;
 mod slider_cranks;
@@ -34,7 +35,7 @@ pub struct Machine {
 /// A family's name, and what builds one of it.
 type Family = (&'static str, fn(&mut Workshop));
 
-pub const FAMILIES: [Family; 10] = [
+pub const FAMILIES: [Family; 11] = [
     ("chains", chains::build),
     ("planar four-bars", four_bars::planar),
     ("spatial four-bars", four_bars::spatial),
@@ -45,6 +46,7 @@ pub const FAMILIES: [Family; 10] = [
     ("cantilevers", cantilevers::build),
     ("trees", trees::build),
     ("drivelines and laws", drivelines::build),
+    ("plates and shells", plates::build),
 ];
 
 /// Machine number `index` of a family.

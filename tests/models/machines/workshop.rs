@@ -6,9 +6,13 @@ use super::waves::Wave;
 use crate::common::{Random, Setting};
 use nalgebra::{Matrix3, Vector3};
 use periodyn::elements::{
-    Coordinate, CoordinateLaw, CoordinateState, Effort, JointKind, LoadFrame,
+    Coordinate, CoordinateLaw, CoordinateState, Effort, IsotropicShell, JointKind, LoadFrame,
+    ShellLoadPlace,
 };
-use periodyn::model::{JointCoordinate, Model, SectionInput, Signal, SpringDefinition};
+use periodyn::model::{
+    JointCoordinate, Model, SectionInput, ShellLoadDefinition, ShellMesh, ShellPatch,
+    ShellPlacement, Signal, SpringDefinition,
+};
 use periodyn::motion::{Motion, rotation_from_vector};
 use std::f64::consts::TAU;
 use std::sync::Arc;
@@ -470,6 +474,52 @@ impl Workshop {
         };
         self.model
             .add_load(node, frame, std::array::from_fn(component))
+            .unwrap();
+    }
+    /// A patch of shells over the unit square.
+    pub fn shell(
+        &mut self,
+        surface: impl Fn([f64; 2]) -> Vec3,
+        mesh: &ShellMesh,
+        section: &IsotropicShell,
+    ) -> ShellPatch {
+        let set = self.set;
+        let section = IsotropicShell {
+            thickness: section.thickness * set.length,
+            young: section.young * set.force() / set.length.powi(2),
+            density: section.density * set.mass / set.length.powi(3),
+            damping_time: section.damping_time * set.time,
+            ..*section
+        };
+        let surface = |at| Ok(set.point(&surface(at)));
+        let placement = ShellPlacement::default();
+        let section = section.section().unwrap();
+        self.model
+            .add_shell_patch(surface, mesh, &section, &placement)
+            .unwrap()
+    }
+
+    /// A force per area on all of a patch, along the third axis or, if it follows, the normal:
+    /// `amplitude × wave`.
+    pub fn pressure(&mut self, patch: &ShellPatch, follows: bool, (wave, size): (&Wave, f64)) {
+        let unit = self.set.force() / self.set.length.powi(2);
+        let (frame, direction) = if follows {
+            (LoadFrame::Follower, Vec3::z())
+        } else {
+            (LoadFrame::Space, self.set.turned(&Vec3::z()))
+        };
+        let component = |i: usize| {
+            let part = *direction.as_slice().get(i)? * size * unit;
+            Some(wave.signal(0.0, 0.0, part))
+        };
+        self.model
+            .add_shell_load(ShellLoadDefinition {
+                first_element: patch.first_element,
+                elements: patch.element_count(),
+                place: ShellLoadPlace::Surface,
+                frame,
+                components: std::array::from_fn(component),
+            })
             .unwrap();
     }
 }
