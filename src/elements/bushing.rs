@@ -2,7 +2,7 @@
 //! See docs/theory.md, section 6.10.
 
 use super::joint::{Attachment, FramePair, RelativeState};
-use super::relative::{Composed, RelativeMotion, ScalarFunction};
+use super::scalar_function::{Composed, RelativeMotion, ScalarFunction};
 use super::{Contribution, Element, Instant, OutputVariation};
 use crate::error::{Error, ErrorKind, Result};
 use crate::motion::transposed_product;

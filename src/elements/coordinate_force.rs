@@ -2,7 +2,8 @@
 //! See docs/theory.md, section 6.10.
 
 use super::joint::{FramePair, Joint, RelativeState};
-use super::relative::{Coordinate, JointKind, ScalarFunction};
+use super::relative::{Coordinate, JointKind};
+use super::scalar_function::ScalarFunction;
 use super::{Contribution, Element, Instant, Measure, OutputVariation, Unknown};
 use crate::error::{Error, ErrorKind, Result};
 use crate::motion::transposed_product;

@@ -1,7 +1,8 @@
 //! Joints between two frames, and joint coordinates prescribed by a signal (docs/theory.md, section
 //! 6.9).
 
-use super::relative::{Coordinate, JointKind, RelativeMotion, ScalarFunction};
+use super::relative::{Coordinate, JointKind};
+use super::scalar_function::{RelativeMotion, ScalarFunction};
 use super::{Contribution, Element, Instant, NodeState, Unknown};
 use crate::error::Result;
 use crate::motion::{DualVector, Motion, product, transposed_product};

@@ -18,6 +18,7 @@ mod raised;
 mod relation;
 mod relative;
 mod renumbered;
+mod scalar_function;
 mod section;
 mod shape;
 mod shell;
@@ -43,8 +44,9 @@ pub use mass_damping::MassDamping;
 pub use raised::Raised;
 pub use relation::Relation;
 pub(crate) use relative::nearest_turn;
-pub use relative::{Coordinate, JointKind, RelativeMotion, ScalarFunction};
+pub use relative::{Coordinate, JointKind};
 pub use renumbered::Renumbered;
+pub use scalar_function::{RelativeMotion, ScalarFunction};
 pub use section::{Section, SectionLine};
 pub use shape::{gauss_legendre, lobatto_points, shape_functions};
 pub use shell::{

@@ -1,11 +1,12 @@
 //! A system made from a model: elements, signals and unknowns, each in its place.
 
 use super::driven::Drive;
+use super::scales::coordinate_scales;
 use super::{ElementRole, Placed, PlacedRelation, Regime, Scales, System};
 use crate::elements::{
-    ActedCoordinate, Coordinate, CoordinateForce, CoordinateLaw, CoordinateState, Effort, Element,
-    JointKind, Law, LoadFrame, MassDamping, Measure, NodalLoad, NodeForceInput, NodeForceLaw,
-    Prescribed, Relation, UserForce, Viscoelastic, ViscousDamper,
+    ActedCoordinate, CoordinateForce, CoordinateLaw, CoordinateState, Effort, Element, JointKind,
+    Law, LoadFrame, MassDamping, NodalLoad, NodeForceInput, NodeForceLaw, Prescribed, Relation,
+    UserForce, Viscoelastic, ViscousDamper,
 };
 use crate::error::{Error, ErrorKind, Result, require_positive_number};
 use crate::model::{
@@ -498,14 +499,4 @@ impl System {
             shape,
         });
     }
-}
-
-/// What a joint coordinate and its rate are of the order of, in a mechanism of this length and
-/// circular frequency.
-pub(super) fn coordinate_scales(coordinate: Coordinate, length: f64, frequency: f64) -> [f64; 2] {
-    let size = match coordinate.measure() {
-        Measure::Angle => 1.0,
-        Measure::Length => length,
-    };
-    [size, size * frequency]
 }

@@ -1,6 +1,7 @@
 //! Compares the tangents that a user's function gives with differences of its forces.
 
-use super::{System, coordinate_scales};
+use super::System;
+use super::scales::coordinate_scales;
 use crate::elements::{
     CoordinateLaw, CoordinateState, NodeForceLaw, NodeState, Tangent, UserForce,
 };

@@ -20,7 +20,6 @@ mod tracking;
 mod turning;
 mod warnings;
 
-use build::coordinate_scales;
 pub use check::{TangentCheck, check_tangents};
 pub use constraints::{ConstraintLoop, ConstraintNames, Dependency, name_all};
 pub use driven::Driven;

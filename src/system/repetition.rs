@@ -1,7 +1,7 @@
 //! Whether the user's forces are the same at the same state, and repeat with the period.
 
 use super::check::Probe;
-use super::coordinate_scales;
+use super::scales::coordinate_scales;
 use crate::elements::{CoordinateState, UserForce};
 use crate::error::{Error, ErrorKind, Result};
 use crate::model::{ForceDefinition, Model};

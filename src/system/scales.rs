@@ -2,7 +2,7 @@
 //! See docs/theory.md, section 5.4.
 
 use super::System;
-use crate::elements::{NodeState, StressLaw};
+use crate::elements::{Coordinate, Measure, NodeState, StressLaw};
 use crate::error::Result;
 use nalgebra::Vector6;
 
@@ -121,4 +121,14 @@ impl System {
             });
         (high - low).norm()
     }
+}
+
+/// What a joint coordinate and its rate are of the order of, in a mechanism of this length and
+/// circular frequency.
+pub(super) fn coordinate_scales(coordinate: Coordinate, length: f64, frequency: f64) -> [f64; 2] {
+    let size = match coordinate.measure() {
+        Measure::Angle => 1.0,
+        Measure::Length => length,
+    };
+    [size, size * frequency]
 }
