@@ -481,14 +481,11 @@ impl System {
         let first_own = self.own_unknowns.len();
         self.own_unknowns
             .extend((0..size.1).map(|i| element.unknown(i)));
-        let shape = self
-            .shapes
-            .iter()
-            .position(|s| *s == size)
-            .unwrap_or_else(|| {
-                self.shapes.push(size);
-                self.shapes.len() - 1
-            });
+        let known = self.shapes.iter().position(|s| *s == size);
+        let shape = known.unwrap_or_else(|| {
+            self.shapes.push(size);
+            self.shapes.len() - 1
+        });
         let first_station = self.stations();
         self.elements.push(Placed {
             has_states: element.has_states(),
