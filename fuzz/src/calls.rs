@@ -4,9 +4,11 @@ use super::bytes::Bytes;
 use super::given::{self, Arrays};
 use super::promises::{check_numbers, check_status};
 use periodyn::capi::beam::*;
+use periodyn::capi::bushing::*;
 use periodyn::capi::files::*;
 use periodyn::capi::force::*;
 use periodyn::capi::joint::*;
+use periodyn::capi::label::*;
 use periodyn::capi::load::*;
 use periodyn::capi::march::*;
 use periodyn::capi::model::*;
@@ -14,6 +16,7 @@ use periodyn::capi::modes::*;
 use periodyn::capi::parameter::*;
 use periodyn::capi::periodic::*;
 use periodyn::capi::quantity::*;
+use periodyn::capi::relation::*;
 use periodyn::capi::solution::*;
 use periodyn::capi::statics::*;
 use periodyn::capi::summary::*;
@@ -199,7 +202,7 @@ impl Session<'_, '_> {
         let more = self.bytes.numbers::<3>();
         let times = self.bytes.positives::<2>();
         let count = self.bytes.below(3);
-        match self.bytes.below(6) {
+        match self.bytes.below(8) {
             0..=1 => {
                 call!(pdn_model_add_spring_damper(
                     model,
@@ -240,6 +243,8 @@ impl Session<'_, '_> {
                     model, joint, coordinate, &signal, out
                 ))
             }
+            5 => self.bushing(nodes),
+            6 => self.relation(joints),
             _ if self.bytes.below(2) == 0 => {
                 let second = self.bytes.id(nodes);
                 let matrix: [f64; 36] =
@@ -264,6 +269,69 @@ impl Session<'_, '_> {
                 out,
             )),
         };
+    }
+
+    fn bushing(&mut self, nodes: usize) -> i32 {
+        let (first, second) = (self.bytes.id(nodes) - 1, self.bytes.id(nodes));
+        let frames = [self.frame(), self.frame()];
+        let [stiffness, damping] = [(); 2].map(|()| {
+            let mut matrix = [0.0; 36];
+            for entry in matrix.iter_mut().take(18) {
+                *entry = self.bytes.number();
+            }
+            matrix
+        });
+        let (angles, mut id) = (self.bytes.constant(2), 0);
+        call!(pdn_model_add_bushing(
+            self.model,
+            first,
+            second,
+            &frames[0],
+            &frames[1],
+            stiffness.as_ptr(),
+            damping.as_ptr(),
+            angles,
+            &mut id,
+        ))
+    }
+
+    /// Where axes are turned by a quarter or not.
+    fn frame(&mut self) -> pdn_frame {
+        let rotation = match self.bytes.rarely(2) {
+            true => [0.0, 1.0, 0.0, -1.0, 0.0, 0.0, 0.0, 0.0, 1.0],
+            false => [1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0],
+        };
+        pdn_frame {
+            position: self.bytes.numbers::<3>(),
+            rotation,
+        }
+    }
+
+    fn relation(&mut self, joints: usize) -> i32 {
+        let ids = [(); 2].map(|()| self.bytes.id(joints));
+        let coordinates = [(); 2].map(|()| self.bytes.constant(6));
+        let coefficients = self.bytes.numbers::<2>();
+        let mut arrays = Arrays::default();
+        let signal = given::signal(self.bytes, &mut arrays);
+        let signal = match self.bytes.rarely(3) {
+            true => &raw const signal,
+            false => null(),
+        };
+        let (count, mut id) = (self.bytes.below(3), 0);
+        call!(pdn_model_add_relation(
+            self.model,
+            ids.as_ptr(),
+            coordinates.as_ptr(),
+            coefficients.as_ptr(),
+            count,
+            signal,
+            &mut id,
+        ));
+        let (kind, label) = (self.bytes.constant(6), [b'a' + self.bytes.byte() % 4, 0]);
+        let label = label.as_ptr().cast();
+        let object = self.bytes.id(joints);
+        call!(pdn_model_set_label(self.model, kind, object, label));
+        call!(pdn_model_find_label(self.model, kind, label, &mut id))
     }
 
     fn load(&mut self) {
