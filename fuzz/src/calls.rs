@@ -272,7 +272,11 @@ impl Session<'_, '_> {
     }
 
     fn bushing(&mut self, nodes: usize) -> i32 {
-        let (first, second) = (self.bytes.id(nodes) - 1, self.bytes.id(nodes));
+        let first = match self.bytes.rarely(3) {
+            true => self.bytes.id(nodes),
+            false => -1,
+        };
+        let second = self.bytes.id(nodes);
         let frames = [self.frame(), self.frame()];
         let [stiffness, damping] = [(); 2].map(|()| {
             let mut matrix = [0.0; 36];
