@@ -5186,7 +5186,7 @@ pdn_status pdn_model_check_tangents(const struct pdn_model *model,
  * copied with the model, and solutions keep those that it has when it is solved.
  *
  * @param model  the model; not NULL
- * @param kind  PDN_OBJECT_NODE, ...
+ * @param kind  PDN_OBJECT_NODE to PDN_OBJECT_RELATION
  * @param id  its id
  * @param label  text in UTF-8 of at most PDN_LABEL_LENGTH bytes, without quotes (") and control
  *     characters, that no other object of this kind has; empty or NULL to take the label away
@@ -5205,7 +5205,7 @@ pdn_status pdn_model_set_label(struct pdn_model *model,
  * The label of a node, joint, element, force or relation.
  *
  * @param model  the model; not NULL
- * @param kind  PDN_OBJECT_NODE, ...
+ * @param kind  PDN_OBJECT_NODE to PDN_OBJECT_RELATION
  * @param id  its id
  * @param buffer  array of length [capacity] for the label, UTF-8, always ended by NUL; may be NULL
  *     if capacity is 0
@@ -5227,7 +5227,7 @@ size_t pdn_model_label(const struct pdn_model *model,
  * The node, joint, element, force or relation that has a label.
  *
  * @param model  the model; not NULL
- * @param kind  PDN_OBJECT_NODE, ...
+ * @param kind  PDN_OBJECT_NODE to PDN_OBJECT_RELATION
  * @param label  the label; not NULL
  * @param id  its id; written on success only
  * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_VALUE, PDN_ERR_NOT_AVAILABLE (none has this label)

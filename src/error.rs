@@ -216,6 +216,15 @@ pub fn require_positive_number(name: &str, x: f64) -> Result<()> {
     Err(Error::value(name, "a positive, finite number", x))
 }
 
+/// Checks that there is a thing of this id among so many.
+pub(crate) fn require_id(name: &str, what: &str, count: usize, id: usize) -> Result<()> {
+    if id < count {
+        return Ok(());
+    }
+    let message = format!("{name}: expected a {what} id below {count}, got {id}");
+    Err(Error::new(ErrorKind::Identifier, message))
+}
+
 /// Checks that `values` are finite; the message names the first that is not.
 pub fn require_finite(name: &str, values: &[f64]) -> Result<()> {
     match values.iter().position(|x| !x.is_finite()) {

@@ -100,6 +100,16 @@ fn pendulum() -> (Model, JointCoordinate) {
     (model, rotation1(hinge))
 }
 
+/// With a parameter that damps in proportion to mass, which free motions need none of.
+fn unfolded_pendulum() -> (Model, JointCoordinate, usize) {
+    let (mut model, at) = pendulum();
+    let unfolding = model.add_parameter("unfolding", 0.0, 1.0).unwrap();
+    model
+        .move_by_parameter(unfolding, Target::MassDamping, 1.0)
+        .unwrap();
+    (model, at, unfolding)
+}
+
 fn swung(angle: f64) -> Motion {
     let turn = nalgebra::Rotation3::new(Vector3::y() * angle).into_inner();
     Motion::new(turn, turn * Vector3::new(0.0, 0.0, -1.0))
@@ -107,11 +117,7 @@ fn swung(angle: f64) -> Motion {
 
 #[test]
 fn a_pendulum_has_the_periods_of_its_amplitudes() {
-    let (mut model, at) = pendulum();
-    let unfolding = model.add_parameter("unfolding", 0.0, 1.0).unwrap();
-    model
-        .move_by_parameter(unfolding, Target::MassDamping, 1.0)
-        .unwrap();
+    let (model, at, unfolding) = unfolded_pendulum();
     let free = [Free::Frequency, Free::Parameter(unfolding)];
     let mut before: Option<(Solution, f64)> = None;
     for (degrees, points, exact) in [
@@ -163,11 +169,7 @@ fn a_pendulum_has_the_periods_of_its_amplitudes() {
 
 #[test]
 fn a_family_of_free_motions_is_the_same_by_iteration() {
-    let (mut model, at) = pendulum();
-    let unfolding = model.add_parameter("unfolding", 0.0, 1.0).unwrap();
-    model
-        .move_by_parameter(unfolding, Target::MassDamping, 1.0)
-        .unwrap();
+    let (model, at, unfolding) = unfolded_pendulum();
     let free = [Free::Frequency, Free::Parameter(unfolding)];
     let value = f64::to_radians(60.0);
     let conditions: [Arc<dyn Condition>; 2] =
@@ -189,11 +191,7 @@ fn a_family_of_free_motions_is_the_same_by_iteration() {
 
 #[test]
 fn it_has_them_at_given_energies_too() {
-    let (mut model, at) = pendulum();
-    let unfolding = model.add_parameter("unfolding", 0.0, 1.0).unwrap();
-    model
-        .move_by_parameter(unfolding, Target::MassDamping, 1.0)
-        .unwrap();
+    let (mut model, at, unfolding) = unfolded_pendulum();
     let free = [Free::Frequency, Free::Parameter(unfolding)];
     for (degrees, exact) in [(30.0, 2.040_989_889_519), (60.0, 2.152_874_666_881)] {
         let amplitude = f64::to_radians(degrees);

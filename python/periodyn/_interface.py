@@ -3756,7 +3756,7 @@ class Model(ModelExtras):
         and copied with the model, and solutions keep those that it has when it is solved.
 
         Args:
-            kind: OBJECT_NODE,
+            kind: OBJECT_NODE to OBJECT_RELATION
             id: its id
             label: text in UTF-8 of at most LABEL_LENGTH bytes, without quotes (") and control
                 characters, that no other object of this kind has; empty or None to take the
@@ -3768,7 +3768,7 @@ class Model(ModelExtras):
         """The label of a node, joint, element, force or relation.
 
         Args:
-            kind: OBJECT_NODE,
+            kind: OBJECT_NODE to OBJECT_RELATION
             id: its id
         """
         return text.of(lib.pdn_model_label, self._c, kind, id)
@@ -3777,7 +3777,7 @@ class Model(ModelExtras):
         """The node, joint, element, force or relation that has a label.
 
         Args:
-            kind: OBJECT_NODE,
+            kind: OBJECT_NODE to OBJECT_RELATION
             label: the label
 
         Returns:

@@ -4,7 +4,7 @@ use super::bushing::angles_code;
 use super::guard::{guard, init};
 use super::joint::{coordinate_code, joint_code};
 use super::load::{PDN_FRAME_MATERIAL, PDN_FRAME_SPACE};
-use super::model::{PDN_GROUND, choose, count, index, joint, pdn_frame, pdn_model};
+use super::model::{PDN_GROUND, choose, count, force, index, joint, pdn_frame, pdn_model};
 use super::options::Options;
 use super::parameter::{PDN_NUMBER_DAMPING, PDN_NUMBER_STIFFNESS, signal_place};
 use super::section::pdn_section;
@@ -209,7 +209,7 @@ pub unsafe extern "C" fn pdn_model_force(
 ) -> pdn_status {
     guard(|call| {
         let model = call.shared(model, "model")?;
-        let id = index(force, model.force_count(), "force", "a force id")?;
+        let id = self::force(&model, force, "force")?;
         let out = call.out_struct(out, "out")?;
         let force = model.force(id)?;
         let numbers = |which| force.numbers(which).len() as i32;
@@ -266,7 +266,7 @@ pub unsafe extern "C" fn pdn_model_force_number(
 ) -> pdn_status {
     guard(|call| {
         let model = call.shared(model, "model")?;
-        let id = self::index(force, model.force_count(), "force", "a force id")?;
+        let id = self::force(&model, force, "force")?;
         let table = [
             (PDN_NUMBER_STIFFNESS, ForceNumber::Stiffness),
             (PDN_NUMBER_DAMPING, ForceNumber::Damping),
@@ -300,7 +300,7 @@ pub unsafe extern "C" fn pdn_model_force_node(
 ) -> pdn_status {
     guard(|call| {
         let model = call.shared(model, "model")?;
-        let id = self::index(force, model.force_count(), "force", "a force id")?;
+        let id = self::force(&model, force, "force")?;
         let nodes = model.force(id)?.user_nodes();
         let place = self::index(index, nodes.len(), "index", "a node of the force")?;
         call.out(node, "node")?.set(nodes[place] as i32);

@@ -56,7 +56,7 @@ fn object(model: &Model, kind: i32, id: i32) -> Result<(ObjectKind, usize)> {
 /// copied with the model, and solutions keep those that it has when it is solved.
 ///
 /// @param model  the model; not NULL
-/// @param kind  PDN_OBJECT_NODE, ...
+/// @param kind  PDN_OBJECT_NODE to PDN_OBJECT_RELATION
 /// @param id  its id
 /// @param label  text in UTF-8 of at most PDN_LABEL_LENGTH bytes, without quotes (") and control
 ///     characters, that no other object of this kind has; empty or NULL to take the label away
@@ -85,7 +85,7 @@ pub unsafe extern "C" fn pdn_model_set_label(
 /// The label of a node, joint, element, force or relation.
 ///
 /// @param model  the model; not NULL
-/// @param kind  PDN_OBJECT_NODE, ...
+/// @param kind  PDN_OBJECT_NODE to PDN_OBJECT_RELATION
 /// @param id  its id
 /// @param buffer  array of length [capacity] for the label, UTF-8, always ended by NUL; may be NULL
 ///     if capacity is 0
@@ -115,7 +115,7 @@ pub unsafe extern "C" fn pdn_model_label(
 /// The node, joint, element, force or relation that has a label.
 ///
 /// @param model  the model; not NULL
-/// @param kind  PDN_OBJECT_NODE, ...
+/// @param kind  PDN_OBJECT_NODE to PDN_OBJECT_RELATION
 /// @param label  the label; not NULL
 /// @param id  its id; written on success only
 /// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_VALUE, PDN_ERR_NOT_AVAILABLE (none has this label)

@@ -74,6 +74,11 @@ pub(super) fn joint(model: &Model, id: i32, name: &str) -> Result<usize> {
     index(id, model.joint_count(), name, "a joint id")
 }
 
+/// The force that an id names.
+pub(super) fn force(model: &Model, id: i32, name: &str) -> Result<usize> {
+    index(id, model.force_count(), name, "a force id")
+}
+
 /// The index of thing `id` of `count`.
 pub(super) fn index(id: i32, count: usize, name: &str, what: &str) -> Result<usize> {
     match usize::try_from(id) {

@@ -252,7 +252,7 @@ pub unsafe extern "C" fn pdn_model_declare_of_phase(
 ) -> pdn_status {
     guard(|call| {
         let mut model = call.exclusive(model, "model")?;
-        let force = index(force, model.force_count(), "force", "a force id")?;
+        let force = super::model::force(&model, force, "force")?;
         model.declare_of_phase(force)
     })
 }

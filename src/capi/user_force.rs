@@ -6,7 +6,7 @@ use super::force::add_force;
 use super::guard::{guard, init};
 use super::joint::joint_coordinate;
 use super::load::load_frame;
-use super::model::{index, node, pdn_model};
+use super::model::{node, pdn_model};
 use super::options::Options;
 use super::pointer::check_pointer;
 use super::status::pdn_status;
@@ -410,7 +410,7 @@ pub unsafe extern "C" fn pdn_model_check_tangents(
 ) -> pdn_status {
     guard(|call| {
         let model = call.shared(model, "model")?;
-        let force = index(force, model.force_count(), "force", "a force id")?;
+        let force = super::model::force(&model, force, "force")?;
         let period = call.number(period, "period")?;
         let out = call.out_struct(check, "check")?;
         let TangentCheck {

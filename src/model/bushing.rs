@@ -27,9 +27,13 @@ pub struct BushingDefinition {
 impl BushingDefinition {
     /// The element.
     pub(crate) fn element(&self) -> Bushing {
+        Bushing::new(self.first, self.second, self.scaled(), self.angles)
+    }
+
+    /// The matrices times their factors.
+    pub(super) fn scaled(&self) -> [Matrix6<f64>; 2] {
         let [stiffness, damping] = self.factors;
-        let matrices = [self.stiffness * stiffness, self.damping * damping];
-        Bushing::new(self.first, self.second, matrices, self.angles)
+        [self.stiffness * stiffness, self.damping * damping]
     }
 
     pub(super) fn require_valid(&self) -> Result<()> {
@@ -47,9 +51,8 @@ impl BushingDefinition {
 
     /// Checks that the matrices times their factors are numbers.
     pub(super) fn require_scaled(&self) -> Result<()> {
-        let [stiffness, damping] = self.factors;
-        let scaled = [self.stiffness * stiffness, self.damping * damping];
-        require_finite("stiffness times its factor", scaled[0].as_slice())?;
-        require_finite("damping times its factor", scaled[1].as_slice())
+        let [stiffness, damping] = self.scaled();
+        require_finite("stiffness times its factor", stiffness.as_slice())?;
+        require_finite("damping times its factor", damping.as_slice())
     }
 }

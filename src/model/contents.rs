@@ -5,7 +5,7 @@ use super::{
     LoadDefinition, Model, Signal, SignalPlace,
 };
 use crate::elements::{Attachment, Section};
-use crate::error::{Error, ErrorKind, Result, require_finite, require_positive_number};
+use crate::error::{Error, ErrorKind, Result, require_finite, require_id, require_positive_number};
 use crate::motion::Motion;
 use nalgebra::Matrix6;
 
@@ -31,12 +31,8 @@ impl Model {
     /// # Errors
     /// [`ErrorKind::Identifier`].
     pub fn beam_definition(&self, element: usize) -> Result<&BeamDefinition> {
-        self.beams.get(element).ok_or_else(|| {
-            let count = self.beams.len();
-            let message =
-                format!("element: expected a beam element id below {count}, got {element}");
-            Error::new(ErrorKind::Identifier, message)
-        })
+        require_id("element", "beam element", self.beams.len(), element)?;
+        Ok(&self.beams[element])
     }
 
     /// Cross-section of a beam element, with the factors of parameters, at a place from −1 to 1,
@@ -120,7 +116,6 @@ impl ForceDefinition {
     /// Its numbers of a sort, with the factors of parameters; none if it has none.
     pub fn numbers(&self, which: ForceNumber) -> Vec<f64> {
         use ForceNumber::{Damping, RelaxationTime, Stiffness};
-        let scaled = |matrix: &Matrix6<f64>, factor: f64| (matrix * factor).as_slice().to_vec();
         match (self, which) {
             (ForceDefinition::SpringDamper { stiffness, .. }, Stiffness) => stiffness.clone(),
             (ForceDefinition::SpringDamper { damping, .. }, Damping) => damping.clone(),
@@ -139,13 +134,11 @@ impl ForceDefinition {
                 .iter()
                 .map(|branch| branch.relaxation_time)
                 .collect(),
-            (ForceDefinition::ViscousDamper { matrix, .. }, Damping) => scaled(matrix, 1.0),
+            (ForceDefinition::ViscousDamper { matrix, .. }, Damping) => matrix.as_slice().to_vec(),
             (ForceDefinition::Bushing(bushing), Stiffness) => {
-                scaled(&bushing.stiffness, bushing.factors[0])
+                bushing.scaled()[0].as_slice().to_vec()
             }
-            (ForceDefinition::Bushing(bushing), Damping) => {
-                scaled(&bushing.damping, bushing.factors[1])
-            }
+            (ForceDefinition::Bushing(bushing), Damping) => bushing.scaled()[1].as_slice().to_vec(),
             _ => Vec::new(),
         }
     }

@@ -5,7 +5,7 @@ use super::{BushingDefinition, JointCoordinate, Model, Signal, UserFunction};
 use crate::elements::{
     Attachment, BushingAngles, CoordinateLaw, JointKind, MaxwellBranch, NodeForceLaw,
 };
-use crate::error::{Error, ErrorKind, Result, require_finite};
+use crate::error::{Error, ErrorKind, Result, require_finite, require_id};
 use crate::motion::Motion;
 use nalgebra::{Matrix3, Matrix6, Vector3};
 use serde::{Deserialize, Serialize};
@@ -120,11 +120,8 @@ impl Model {
     }
 
     pub(crate) fn require_force(&self, name: &str, force: usize) -> Result<&ForceDefinition> {
-        self.forces.get(force).ok_or_else(|| {
-            let count = self.forces.len();
-            let message = format!("{name}: expected a force id below {count}, got {force}");
-            Error::new(ErrorKind::Identifier, message)
-        })
+        require_id(name, "force", self.forces.len(), force)?;
+        Ok(&self.forces[force])
     }
 
     /// Adds a force, if it is valid; returns its id.

@@ -3,7 +3,7 @@
 use super::validation::{direction, require_motion, require_two_bodies};
 use super::{Model, Signal};
 use crate::elements::{Attachment, Coordinate, Element, Joint, JointKind, NodeState};
-use crate::error::{Error, ErrorKind, Result, require_finite};
+use crate::error::{Error, Result, require_finite, require_id};
 use crate::motion::{Motion, frame_from_axis};
 use nalgebra::{Matrix3, Vector3};
 use serde::{Deserialize, Serialize};
@@ -37,11 +37,8 @@ impl JointDefinition {
 
 impl Model {
     pub(crate) fn require_joint(&self, name: &str, joint: usize) -> Result<&JointDefinition> {
-        self.joints.get(joint).ok_or_else(|| {
-            let count = self.joints.len();
-            let message = format!("{name}: expected a joint id below {count}, got {joint}");
-            Error::new(ErrorKind::Identifier, message)
-        })
+        require_id(name, "joint", self.joints.len(), joint)?;
+        Ok(&self.joints[joint])
     }
 
     pub(crate) fn require_coordinate(&self, at: &JointCoordinate) -> Result<()> {

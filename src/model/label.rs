@@ -1,7 +1,7 @@
 //! Labels: what the user calls nodes, joints, elements, forces and relations.
 
 use super::Model;
-use crate::error::{Error, ErrorKind, Result};
+use crate::error::{Error, Result, require_id};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 use std::fmt;
@@ -219,12 +219,7 @@ impl Model {
     }
 
     pub(crate) fn require_object(&self, kind: ObjectKind, id: usize) -> Result<()> {
-        let count = self.object_count(kind);
-        if id < count {
-            return Ok(());
-        }
-        let message = format!("id: expected a {kind} id below {count}, got {id}");
-        Err(Error::new(ErrorKind::Identifier, message))
+        require_id("id", kind.noun(), self.object_count(kind), id)
     }
 
     /// Gives something a label, which messages, reports and files tell, in place of the one that it

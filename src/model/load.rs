@@ -3,7 +3,7 @@
 use super::validation::require_ascending;
 use super::{Model, Signal};
 use crate::elements::{Beam, BeamLoadFrame, DistributedLoad, LoadFrame};
-use crate::error::{Error, ErrorKind, Result, require_finite};
+use crate::error::{Error, Result, require_finite, require_id};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 use std::collections::btree_map::Entry;
@@ -189,13 +189,7 @@ impl Model {
 
     fn require_load(&self, load: &DistributedLoadDefinition) -> Result<()> {
         let count = self.beams.len();
-        if load.first_element >= count {
-            let message = format!(
-                "first_element: expected a beam element id below {count}, got {}",
-                load.first_element
-            );
-            return Err(Error::new(ErrorKind::Identifier, message));
-        }
+        require_id("first_element", "beam element", count, load.first_element)?;
         let most = count - load.first_element;
         if !(1..=most).contains(&load.elements) {
             let expected = format!("1 to {most} from element {} on", load.first_element);

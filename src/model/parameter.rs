@@ -4,7 +4,7 @@
 //! parameter's value. A new target is a line of [`Target`] and one of `Model::number`.
 
 use super::{BeamDefinition, ForceDefinition, InertiaDefinition, Model, Signal};
-use crate::error::{Error, ErrorKind, Result, require_finite, require_positive_number};
+use crate::error::{Error, ErrorKind, Result, require_finite, require_id, require_positive_number};
 use serde::{Deserialize, Serialize};
 
 /// A signal of the model.
@@ -245,12 +245,8 @@ impl Model {
 
     /// The parameter of this id.
     pub fn require_parameter(&self, parameter: usize) -> Result<&Parameter> {
-        self.parameters.get(parameter).ok_or_else(|| {
-            let count = self.parameters.len();
-            let message =
-                format!("parameter: expected a parameter id below {count}, got {parameter}");
-            Error::new(ErrorKind::Identifier, message)
-        })
+        require_id("parameter", "parameter", self.parameters.len(), parameter)?;
+        Ok(&self.parameters[parameter])
     }
 
     /// Whether something other than zero damps in proportion to mass, or may come to do so.

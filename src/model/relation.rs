@@ -2,7 +2,7 @@
 
 use super::{JointCoordinate, Model, Signal};
 use crate::elements::Measure;
-use crate::error::{Error, ErrorKind, Result, require_finite};
+use crate::error::{Error, Result, require_finite, require_id};
 use serde::{Deserialize, Serialize};
 
 /// `Σ aᵢ qᵢ = s(t)` of joint coordinates `qᵢ`, whole turns counted.
@@ -114,10 +114,7 @@ impl Model {
     /// # Errors
     /// [`ErrorKind::Identifier`].
     pub fn relation(&self, relation: usize) -> Result<&RelationDefinition> {
-        self.relations.get(relation).ok_or_else(|| {
-            let count = self.relations.len();
-            let message = format!("relation: expected a relation id below {count}, got {relation}");
-            Error::new(ErrorKind::Identifier, message)
-        })
+        require_id("relation", "relation", self.relations.len(), relation)?;
+        Ok(&self.relations[relation])
     }
 }

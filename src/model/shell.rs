@@ -3,7 +3,7 @@
 use super::validation::{direction, require_positive};
 use super::{InertiaDefinition, Model};
 use crate::elements::{NodeGrid, Shell, ShellFrames, ShellSection, Vector12, element_frames};
-use crate::error::{Error, ErrorKind, Result, require_finite};
+use crate::error::{Error, Result, require_finite, require_id};
 use crate::motion::Motion;
 use nalgebra::Vector3;
 use serde::{Deserialize, Serialize};
@@ -299,13 +299,8 @@ impl Model {
     /// If there is no such element, or a number is not finite.
     pub fn set_shell_prestress(&mut self, element: usize, resultants: &Vector12) -> Result<()> {
         require_finite("resultants", resultants.as_slice())?;
-        let count = self.shells.len();
-        let shell = self.shells.get_mut(element).ok_or_else(|| {
-            let message =
-                format!("element: expected a shell element id below {count}, got {element}");
-            Error::new(ErrorKind::Identifier, message)
-        })?;
-        shell.prestress = *resultants;
+        require_id("element", "shell element", self.shells.len(), element)?;
+        self.shells[element].prestress = *resultants;
         Ok(())
     }
 

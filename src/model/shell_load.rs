@@ -2,7 +2,7 @@
 
 use super::{Model, Signal};
 use crate::elements::{LoadFrame, ShellLoadPlace};
-use crate::error::{Error, ErrorKind, Result};
+use crate::error::{Error, Result, require_id};
 use serde::{Deserialize, Serialize};
 use std::ops::Range;
 
@@ -37,13 +37,7 @@ impl Model {
     /// If the elements or the edge do not exist.
     pub fn add_shell_load(&mut self, load: ShellLoadDefinition) -> Result<()> {
         let count = self.shells.len();
-        if load.first_element >= count {
-            let message = format!(
-                "first_element: expected a shell element id below {count}, got {}",
-                load.first_element
-            );
-            return Err(Error::new(ErrorKind::Identifier, message));
-        }
+        require_id("first_element", "shell element", count, load.first_element)?;
         let most = count - load.first_element;
         if !(1..=most).contains(&load.elements) {
             let expected = format!("1 to {most} from element {} on", load.first_element);

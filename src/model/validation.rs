@@ -1,7 +1,7 @@
 //! Checks of what the user, or a file, says.
 
 use super::Model;
-use crate::error::{Error, ErrorKind, Result, require_finite};
+use crate::error::{Error, Result, require_finite, require_id};
 use crate::motion::{Motion, is_rotation};
 use nalgebra::{DMatrix, Matrix3, SMatrix, Vector3};
 
@@ -117,14 +117,7 @@ pub(super) fn require_two_bodies(first: Option<usize>, second: Option<usize>) ->
 
 impl Model {
     pub(crate) fn require_node(&self, name: &str, node: usize) -> Result<()> {
-        if node < self.nodes.len() {
-            return Ok(());
-        }
-        let message = format!(
-            "{name}: expected a node id below {}, got {node}",
-            self.nodes.len()
-        );
-        Err(Error::new(ErrorKind::Identifier, message))
+        require_id(name, "node", self.nodes.len(), node)
     }
 
     /// Checks the nodes of an element: at least one, and all different.

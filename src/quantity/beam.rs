@@ -3,9 +3,9 @@
 use super::history::History;
 use super::samples::Samples;
 use super::variation::Variation;
-use super::{Dependence, Probe, require_id};
+use super::{Dependence, Probe};
 use crate::elements::{Beam, Element};
-use crate::error::{Error, Result, require_finite};
+use crate::error::{Error, Result, require_finite, require_id};
 use crate::system::{ElementRole, System};
 use nalgebra::Vector6;
 

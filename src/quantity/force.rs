@@ -1,12 +1,12 @@
 //! What forces do: efforts, and what they exert on nodes.
 
+use super::Probe;
 use super::history::{Forces, History};
 use super::record::ForceRecord;
 use super::samples::Samples;
 use super::variation::Variation;
-use super::{Probe, require_id};
 use crate::elements::{InertialForces, LoadFrame, OutputVariation};
-use crate::error::{Error, ErrorKind, Result};
+use crate::error::{Error, ErrorKind, Result, require_id};
 use crate::motion::{halves, joined, turned};
 use crate::system::{Conditions, ElementRole, OwnValues, Placed, System};
 use nalgebra::{Matrix3, Vector3, Vector6};

@@ -3,9 +3,9 @@
 use super::history::History;
 use super::samples::Samples;
 use super::variation::Variation;
-use super::{Dependence, Probe, require_id};
+use super::{Dependence, Probe};
 use crate::elements::{Coordinate, Element, Joint, NodeState, nearest_turn};
-use crate::error::{Error, ErrorKind, Result};
+use crate::error::{Error, ErrorKind, Result, require_id};
 use crate::fourier::{CardinalWeights, TimeGrid};
 use crate::model::JointCoordinate;
 use crate::motion::{PeriodicMotion, halves, joined, turned};

@@ -43,7 +43,7 @@ pub use shell::ShellQuantity;
 pub use variation::Variation;
 
 use crate::elements::ShellPoint;
-use crate::error::{Error, ErrorKind, Result};
+use crate::error::{Error, Result};
 use crate::system::System;
 use std::fmt::Debug;
 
@@ -222,13 +222,4 @@ impl Quantity {
             } => quantity.probe(system, element, point)?,
         })
     }
-}
-
-/// Checks that an id is one of so many.
-fn require_id(name: &str, what: &str, count: usize, id: usize) -> Result<()> {
-    if id < count {
-        return Ok(());
-    }
-    let message = format!("{name}: expected a {what} id below {count}, got {id}");
-    Err(Error::new(ErrorKind::Identifier, message))
 }

@@ -3,9 +3,9 @@
 use super::history::History;
 use super::samples::Samples;
 use super::variation::Variation;
-use super::{Dependence, Probe, require_id};
+use super::{Dependence, Probe};
 use crate::elements::NodeState;
-use crate::error::{Error, ErrorKind, Result};
+use crate::error::{Error, ErrorKind, Result, require_id};
 use crate::motion::{halves, joined, quaternion_from_rotation};
 use crate::system::System;
 use nalgebra::{Vector3, Vector6};

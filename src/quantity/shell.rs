@@ -3,9 +3,9 @@
 use super::history::History;
 use super::samples::Samples;
 use super::variation::Variation;
-use super::{Dependence, Probe, require_id};
+use super::{Dependence, Probe};
 use crate::elements::{Element, ShellPoint, ShellSide, Vector12, surface_stress};
-use crate::error::{Error, Result};
+use crate::error::{Error, Result, require_id};
 use crate::system::System;
 
 /// What can be asked of a shell element at a place; components along the axes of that.

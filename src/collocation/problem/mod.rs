@@ -1,6 +1,7 @@
 //! Residual of the governing equations at all grid points (docs/theory.md, section 5.2).
 
 mod energy;
+mod ground;
 mod linearised;
 mod oversampled;
 mod resultants;
@@ -345,17 +346,6 @@ impl Collocation {
     /// norm.
     pub fn is_regularised(&self) -> bool {
         self.regularisation != 0.0
-    }
-
-    /// Scaled stiffness of all nodes against the ground in the Jacobian, not in the residual.
-    pub fn grounding(&self) -> f64 {
-        self.grounding
-    }
-
-    /// Gives the nodes such a stiffness, that the Jacobian is regular where nothing else holds
-    /// them.
-    pub fn ground(&mut self, stiffness: f64) {
-        self.grounding = stiffness;
     }
 
     /// Makes it so, as for a system that has such constraints from the start.

@@ -239,10 +239,7 @@ impl<L: LinearSolver> Bordered<L> {
 /// Takes from the product with `x`, or from the transposed one, what only makes factors exist: the
 /// ground, and compliance that the solutions of `inner` do not have.
 fn without_help<L: LinearSolver>(equations: &Collocation, inner: &L, x: &[f64], y: &mut [f64]) {
-    let grounding = equations.grounding();
-    for i in equations.layout().motions() {
-        y[i] -= grounding * x[i];
-    }
+    equations.subtract_ground(x, y);
     if equations.is_regularised() && !inner.has_compliance() {
         let mut compliance = vec![0.0; x.len()];
         equations.compliance_of(x, &mut compliance);

@@ -1,6 +1,8 @@
 //! Products and triangular solves with one vector: bound by memory, so four columns are read at a
 //! time.
 
+use nalgebra::{DMatrix, Dyn, SVD};
+
 /// Columns that are taken together.
 const TOGETHER: usize = 4;
 
@@ -20,6 +22,12 @@ pub(crate) fn largest(values: &[f64]) -> f64 {
         }
     }
     lanes.into_iter().fold(most, f64::max)
+}
+
+/// The singular value decomposition of what consists of numbers: of others it does not end.
+pub(crate) fn decomposed(matrix: DMatrix<f64>) -> Option<SVD<f64, Dyn, Dyn>> {
+    let finite = matrix.iter().all(|x| x.is_finite());
+    finite.then(|| matrix.svd(true, true))
 }
 
 /// A vector without structure, which has a part along any null space.
@@ -131,6 +139,16 @@ pub(crate) fn dot(a: &[f64], b: &[f64]) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn only_numbers_are_decomposed() {
+        let numbers = DMatrix::from_fn(4, 4, |i, j| (0.37 * (3 * i + 7 * j) as f64).sin());
+        for (value, serves) in [(f64::NAN, false), (f64::INFINITY, false), (1e300, true)] {
+            let mut matrix = numbers.clone();
+            matrix[(0, 1)] = value;
+            assert_eq!(decomposed(matrix).is_some(), serves, "{value}");
+        }
+    }
 
     #[test]
     fn triangles_undo_their_products() {

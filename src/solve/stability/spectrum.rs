@@ -3,6 +3,7 @@
 use crate::error::{Error, ErrorKind, Result};
 use crate::memory;
 use crate::motion::DualVector;
+use crate::solve::linear::dense::decomposed;
 use crate::solve::linear::eigenvalues::eigenvectors;
 use crate::solve::modes::krylov::Random;
 use crate::solve::result::Solved;
@@ -414,16 +415,14 @@ impl Shifts {
                 column /= size;
             }
         }
-        let decomposition = basis.svd(true, false);
-        let sizes = decomposition.singular_values.iter();
-        let kept: Vec<usize> = sizes
-            .enumerate()
-            .filter(|s| *s.1 > FLAT)
-            .map(|s| s.0)
-            .collect();
-        let directions = decomposition.u.unwrap_or_default();
+        let none = DMatrix::zeros(basis.nrows(), 0);
+        let directions = decomposed(basis).and_then(|found| {
+            let sizes = found.singular_values.iter().enumerate();
+            let kept: Vec<usize> = sizes.filter(|s| *s.1 > FLAT).map(|s| s.0).collect();
+            Some(found.u?.select_columns(&kept))
+        });
         Ok(Shifts {
-            directions: directions.select_columns(&kept),
+            directions: directions.unwrap_or(none),
             nodes,
         })
     }

@@ -27,12 +27,7 @@ impl Preconditioned for Operator<'_> {
         let end = x.len() - borders.count();
         self.tangent.apply(self.equations, &x[..end], &mut y[..end]);
         // What only makes factors exist is no part of the whole.
-        let grounding = self.equations.grounding();
-        if grounding != 0.0 {
-            let motions = self.equations.layout().motions();
-            let grounded = y[motions.clone()].iter_mut().zip(&x[motions]);
-            grounded.for_each(|(y, x)| *y -= grounding * x);
-        }
+        self.equations.subtract_ground(x, y);
         borders.product(x, y);
     }
 

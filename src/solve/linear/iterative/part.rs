@@ -3,14 +3,12 @@
 use super::constraints::Class;
 use super::transport::transport;
 use crate::collocation::Collocation;
+use crate::solve::linear::dense::decomposed;
 use nalgebra::{DMatrix, DVector};
 
 /// Singular values of gradients below this, relative to the largest, are those of constraints that
 /// depend on others.
 const DEPENDENT: f64 = 1e-9;
-/// Accuracy of singular values, and sweeps that are far more than they take.
-const ACCURACY: f64 = 5.0 * f64::EPSILON;
-const MOST_SWEEPS: usize = 10_000;
 
 /// Constraints that share motions. Matrices stand entry by entry, each over the grid.
 pub(super) struct Part {
@@ -200,17 +198,13 @@ fn connected(
 }
 
 impl Split {
-    /// Of the gradient `G`. None if constraints depend on each other that have no compliance, or
-    /// are no numbers, with which the decomposition would not end.
+    /// Of the gradient `G`. None if constraints depend on each other that have no compliance.
     fn new(gradient: &DMatrix<f64>, compliant: f64) -> Option<Self> {
         let (rows, columns) = gradient.shape();
-        if !gradient.iter().all(|x| x.is_finite()) {
-            return None;
-        }
         // Padded to a square, so that the decomposition has all directions.
         let mut square = DMatrix::zeros(columns.max(rows), columns);
         square.rows_mut(0, rows).copy_from(gradient);
-        let svd = square.try_svd(true, true, ACCURACY, MOST_SWEEPS)?;
+        let svd = decomposed(square)?;
         let (u, v) = (svd.u?, svd.v_t?.transpose());
         let largest = svd.singular_values.max();
         let (mut determined, mut free) = (DMatrix::zeros(columns, rows), Vec::new());

@@ -60,7 +60,7 @@ impl<L: LinearSolver> LinearSolver for Projected<L> {
         timings: &mut Timings,
     ) -> Result<bool> {
         self.failed = false;
-        self.workspace = GmresWorkspace::default();
+        self.release();
         if !self.sampled.linearise(equations, state, timings)? {
             return Ok(false);
         }
