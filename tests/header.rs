@@ -23,6 +23,7 @@ const FILES: &[&str] = &[
     "force",
     "bushing",
     "user_force",
+    "controller",
     "label",
     "solution",
     "quantity",

@@ -61,6 +61,11 @@ pub const PDN_QUANTITY_FORCE_ON_NODE: i32 = 403;
 /// Kind of quantity: the efforts of a bushing against its deformation, forces along the axes of its
 /// first frame and moments; 6 components.
 pub const PDN_QUANTITY_BUSHING_EFFORTS: i32 = 404;
+/// Kind of quantity: effort of a controller on one of the coordinates that it acts on, towards
+/// growth.
+pub const PDN_QUANTITY_CONTROL_EFFORT: i32 = 405;
+/// Kind of quantity: a state of a controller.
+pub const PDN_QUANTITY_CONTROL_STATE: i32 = 406;
 /// Kind of quantity: strains of a shell element, in the order of ::pdn_shell_section; 12
 /// components.
 pub const PDN_QUANTITY_SHELL_STRAIN: i32 = 500;
@@ -99,7 +104,8 @@ pub struct pdn_quantity {
     pub frame: i32,
     /// Of what a force exerts on one of its nodes, the node.
     pub node: i32,
-    /// Of viscoelastic elements, the branch, from 0.
+    /// Of viscoelastic elements, the branch, from 0; of controllers, which of the coordinates that
+    /// they act on, or which state, from 0.
     pub branch: i32,
     /// Of beams, the place along the element, from -1 at its first to 1 at its last node; of
     /// shells, xi, from -1 to 1.
@@ -172,6 +178,8 @@ impl pdn_quantity {
             PDN_QUANTITY_BUSHING_EFFORTS => of_force(ForceQuantity::BushingEfforts),
             PDN_QUANTITY_BRANCH_EFFORT => of_force(ForceQuantity::BranchEffort(branch()?)),
             PDN_QUANTITY_BRANCH_ELONGATION => of_force(ForceQuantity::BranchElongation(branch()?)),
+            PDN_QUANTITY_CONTROL_EFFORT => of_force(ForceQuantity::ControlEffort(branch()?)),
+            PDN_QUANTITY_CONTROL_STATE => of_force(ForceQuantity::ControlState(branch()?)),
             PDN_QUANTITY_FORCE_ON_NODE => {
                 let node = index(self.node, "quantity.node")?;
                 of_force(ForceQuantity::OnNode(node, load_frame(self.frame)?))

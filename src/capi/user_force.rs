@@ -141,7 +141,7 @@ type UserForceFunction = unsafe extern "C" fn(
 /// Disposes of the `user_data` of a force; see ::pdn_model_add_user_force for when it is called.
 pub type pdn_destroy_fn = Option<unsafe extern "C" fn(user_data: *mut c_void)>;
 
-fn gives_tangents(given: i32) -> Result<bool> {
+pub(super) fn gives_tangents(given: i32) -> Result<bool> {
     match given {
         PDN_TANGENTS_DIFFERENCED => Ok(false),
         PDN_TANGENTS_GIVEN => Ok(true),
@@ -392,7 +392,8 @@ pub unsafe extern "C" fn pdn_tangent_check_init(check: *mut pdn_tangent_check, s
 /// not make solutions wrong, but Newton's method slow, or fail.
 ///
 /// @param model  the model; not NULL
-/// @param force  id of a force by ::pdn_model_add_coordinate_law or ::pdn_model_add_user_force
+/// @param force  id of a force by ::pdn_model_add_coordinate_law, ::pdn_model_add_user_force or
+///     ::pdn_model_add_controller
 /// @param period  the period that the model is to be solved for, positive [time]
 /// @param check  initialised by PDN_INIT; filled on success only
 /// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_STRUCT_SIZE, PDN_ERR_ID, PDN_ERR_VALUE,

@@ -1,7 +1,9 @@
 //! Forces that attach to joint coordinates and nodes; each has an id, in the order they are added.
 
 use super::validation::{require_motion, require_positive, require_two_bodies};
-use super::{BushingDefinition, JointCoordinate, Model, Signal, UserFunction};
+use super::{
+    BushingDefinition, ControllerDefinition, JointCoordinate, Model, Signal, UserFunction,
+};
 use crate::elements::{
     Attachment, BushingAngles, CoordinateLaw, JointKind, MaxwellBranch, NodeForceLaw,
 };
@@ -88,6 +90,8 @@ pub enum ForceDefinition {
         #[serde(default)]
         cycles: usize,
     },
+    /// A law of the user that reads joint coordinates, has states, and acts on joint coordinates.
+    Controller(Box<ControllerDefinition>),
 }
 
 impl ForceDefinition {
@@ -100,16 +104,43 @@ impl ForceDefinition {
             | ForceDefinition::Viscoelastic { at, .. } => Some(*at),
             ForceDefinition::ViscousDamper { .. }
             | ForceDefinition::Bushing(_)
-            | ForceDefinition::NodeForces { .. } => None,
+            | ForceDefinition::NodeForces { .. }
+            | ForceDefinition::Controller(_) => None,
+        }
+    }
+
+    /// All joint coordinates that it depends on or acts on.
+    pub fn coordinates(&self) -> Vec<JointCoordinate> {
+        match self {
+            ForceDefinition::Controller(controller) => {
+                [&controller.inputs[..], &controller.outputs].concat()
+            }
+            _ => self.at().into_iter().collect(),
         }
     }
 
     /// Whether it is a function of the user.
     pub fn calls_function(&self) -> bool {
-        matches!(
-            self,
-            ForceDefinition::CoordinateLaw { .. } | ForceDefinition::NodeForces { .. }
-        )
+        self.cycles().is_some()
+    }
+
+    /// Cycles of the phase that its function is told in a period; none if it has no function.
+    pub fn cycles(&self) -> Option<usize> {
+        match self {
+            ForceDefinition::CoordinateLaw { cycles, .. }
+            | ForceDefinition::NodeForces { cycles, .. } => Some(*cycles),
+            ForceDefinition::Controller(controller) => Some(controller.cycles),
+            _ => None,
+        }
+    }
+
+    pub(super) fn cycles_mut(&mut self) -> Option<&mut usize> {
+        match self {
+            ForceDefinition::CoordinateLaw { cycles, .. }
+            | ForceDefinition::NodeForces { cycles, .. } => Some(cycles),
+            ForceDefinition::Controller(controller) => Some(&mut controller.cycles),
+            _ => None,
+        }
     }
 }
 
@@ -161,6 +192,7 @@ impl Model {
             }
             ForceDefinition::Bushing(bushing) => bushing.require_valid()?,
             ForceDefinition::NodeForces { nodes, .. } => self.require_distinct_nodes(nodes)?,
+            ForceDefinition::Controller(controller) => controller.require_valid(self)?,
         }
         self.forces.push(force);
         Ok(self.forces.len() - 1)
@@ -327,13 +359,12 @@ impl Model {
     /// on time is, too.
     pub fn declare_of_phase(&mut self, force: usize) -> Result<()> {
         self.require_force("force", force)?;
-        match &mut self.forces[force] {
-            ForceDefinition::CoordinateLaw { cycles, .. }
-            | ForceDefinition::NodeForces { cycles, .. } => {
+        match self.forces[force].cycles_mut() {
+            Some(cycles) => {
                 *cycles = 1;
                 Ok(())
             }
-            _ => {
+            None => {
                 let message = format!("force: {force} has no function");
                 Err(Error::new(ErrorKind::NotAvailable, message))
             }

@@ -1,6 +1,7 @@
 //! What a file holds of a solution, and whether it fits together.
 
 use super::diagnostics::Diagnostics;
+use super::file::Saved;
 use super::solution::Solution;
 use crate::collocation::GridState;
 use crate::elements::NodeState;
@@ -56,6 +57,12 @@ pub(super) struct Content<'a> {
     /// Of a mapped grid.
     #[serde(default)]
     sharp_events: Vec<SharpEvent>,
+}
+
+impl Saved for Content<'_> {
+    fn model(&self) -> &Model {
+        &self.model
+    }
 }
 
 #[derive(Serialize, Deserialize)]
