@@ -145,6 +145,8 @@ module periodyn_c
     integer(c_int32_t), parameter :: PDN_QUANTITY_BRANCH_ELONGATION = 402
     integer(c_int32_t), parameter :: PDN_QUANTITY_FORCE_ON_NODE = 403
     integer(c_int32_t), parameter :: PDN_QUANTITY_BUSHING_EFFORTS = 404
+    integer(c_int32_t), parameter :: PDN_QUANTITY_CONTROL_EFFORT = 405
+    integer(c_int32_t), parameter :: PDN_QUANTITY_CONTROL_STATE = 406
     integer(c_int32_t), parameter :: PDN_QUANTITY_SHELL_STRAIN = 500
     integer(c_int32_t), parameter :: PDN_QUANTITY_SHELL_RESULTANT = 501
     integer(c_int32_t), parameter :: PDN_QUANTITY_STRESS_TOP = 502
@@ -206,6 +208,7 @@ module periodyn_c
     integer(c_int32_t), parameter :: PDN_FORCE_IS_VISCOUS_DAMPER = 1104
     integer(c_int32_t), parameter :: PDN_FORCE_IS_BUSHING = 1105
     integer(c_int32_t), parameter :: PDN_FORCE_IS_USER_FORCE = 1106
+    integer(c_int32_t), parameter :: PDN_FORCE_IS_CONTROLLER = 1107
     integer(c_int32_t), parameter :: PDN_NUMBER_RELAXATION_TIME = 20
     integer(c_int32_t), parameter :: PDN_FEATURE_MEAN = 500
     integer(c_int32_t), parameter :: PDN_FEATURE_COSINE = 501
@@ -353,6 +356,26 @@ module periodyn_c
         integer(c_int32_t) :: column_component
         integer(c_int32_t) :: reserved
     end type pdn_tangent_check
+
+    type, bind(C) :: pdn_controller_state
+        integer(c_size_t) :: struct_size = 0
+        real(c_double) :: time
+        integer(c_size_t) :: input_count
+        type(c_ptr) :: inputs = c_null_ptr
+        type(c_ptr) :: input_rates = c_null_ptr
+        integer(c_size_t) :: state_count
+        type(c_ptr) :: states = c_null_ptr
+    end type pdn_controller_state
+
+    type, bind(C) :: pdn_controller_values
+        integer(c_size_t) :: struct_size = 0
+        integer(c_size_t) :: output_count
+        type(c_ptr) :: efforts = c_null_ptr
+        type(c_ptr) :: state_rates = c_null_ptr
+        type(c_ptr) :: by_inputs = c_null_ptr
+        type(c_ptr) :: by_input_rates = c_null_ptr
+        type(c_ptr) :: by_states = c_null_ptr
+    end type pdn_controller_values
 
     type, bind(C) :: pdn_diagnostics
         integer(c_size_t) :: struct_size = 0
@@ -729,6 +752,15 @@ module periodyn_c
             type(c_ptr), value :: user_data
             integer(c_int32_t) :: pdn_user_force_fn
         end function pdn_user_force_fn
+
+        ! A controller, to be written by the caller
+        function pdn_controller_fn(state, values, user_data) bind(C)
+            import
+            type(pdn_controller_state), intent(in) :: state
+            type(pdn_controller_values), intent(inout) :: values
+            type(c_ptr), value :: user_data
+            integer(c_int32_t) :: pdn_controller_fn
+        end function pdn_controller_fn
 
         ! Called after each Newton iteration, or after each step of a march, and while one lasts about ten times a ...
         function pdn_progress_fn(progress, user_data) bind(C)
@@ -1734,6 +1766,78 @@ module periodyn_c
             type(pdn_tangent_check), intent(inout) :: check
             integer(c_int32_t) :: pdn_model_check_tangents
         end function pdn_model_check_tangents
+
+        ! Adds a controller: efforts on joint coordinates by a function of the caller that reads any joint ...
+        function pdn_model_add_controller(model, input_joints, input_coordinates, input_count, output_joints, &
+            output_coordinates, output_count, initial, sizes, state_count, tangents, function, user_data, &
+            destroy, force) bind(C, name="pdn_model_add_controller")
+            import
+            type(c_ptr), value :: model
+            integer(c_int32_t), intent(in), optional :: input_joints(*)
+            integer(c_int32_t), intent(in), optional :: input_coordinates(*)
+            integer(c_size_t), value :: input_count
+            integer(c_int32_t), intent(in) :: output_joints(*)
+            integer(c_int32_t), intent(in) :: output_coordinates(*)
+            integer(c_size_t), value :: output_count
+            real(c_double), intent(in), optional :: initial(*)
+            real(c_double), intent(in), optional :: sizes(*)
+            integer(c_size_t), value :: state_count
+            integer(c_int32_t), value :: tangents
+            type(c_funptr), value :: function
+            type(c_ptr), value :: user_data
+            type(c_funptr), value :: destroy
+            integer(c_int32_t), intent(inout), optional :: force
+            integer(c_int32_t) :: pdn_model_add_controller
+        end function pdn_model_add_controller
+
+        ! Gives a controller its function, or another one: that of a model from a file is not there
+        function pdn_model_bind_controller(model, force, tangents, function, user_data, &
+            destroy) bind(C, name="pdn_model_bind_controller")
+            import
+            type(c_ptr), value :: model
+            integer(c_int32_t), value :: force
+            integer(c_int32_t), value :: tangents
+            type(c_funptr), value :: function
+            type(c_ptr), value :: user_data
+            type(c_funptr), value :: destroy
+            integer(c_int32_t) :: pdn_model_bind_controller
+        end function pdn_model_bind_controller
+
+        ! Numbers of the coordinates that a controller reads, of those that it acts on, and of its states
+        function pdn_model_controller_counts(model, force, input_count, output_count, &
+            state_count) bind(C, name="pdn_model_controller_counts")
+            import
+            type(c_ptr), value :: model
+            integer(c_int32_t), value :: force
+            integer(c_int32_t), intent(inout), optional :: input_count
+            integer(c_int32_t), intent(inout), optional :: output_count
+            integer(c_int32_t), intent(inout), optional :: state_count
+            integer(c_int32_t) :: pdn_model_controller_counts
+        end function pdn_model_controller_counts
+
+        ! A coordinate that a controller reads or acts on
+        function pdn_model_controller_coordinate(model, force, index, joint, &
+            coordinate) bind(C, name="pdn_model_controller_coordinate")
+            import
+            type(c_ptr), value :: model
+            integer(c_int32_t), value :: force
+            integer(c_int32_t), value :: index
+            integer(c_int32_t), intent(inout) :: joint
+            integer(c_int32_t), intent(inout) :: coordinate
+            integer(c_int32_t) :: pdn_model_controller_coordinate
+        end function pdn_model_controller_coordinate
+
+        ! A state of a controller
+        function pdn_model_controller_state(model, force, index, initial, &
+            size) bind(C, name="pdn_model_controller_state")
+            import
+            type(c_ptr), value :: model
+            integer(c_int32_t), value :: force
+            integer(c_int32_t), value :: index
+            real(c_double), intent(inout), optional :: initial
+            real(c_double), intent(inout), optional :: size
+            integer(c_int32_t) :: pdn_model_controller_state
+        end function pdn_model_controller_state
 
         ! Gives a node, joint, element, force or relation a label, in place of the one that it has
         function pdn_model_set_label(model, kind, id, label) bind(C, name="pdn_model_set_label")

@@ -710,6 +710,17 @@
 #define PDN_QUANTITY_BUSHING_EFFORTS 404
 
 /**
+ * Kind of quantity: effort of a controller on one of the coordinates that it acts on, towards
+ * growth.
+ */
+#define PDN_QUANTITY_CONTROL_EFFORT 405
+
+/**
+ * Kind of quantity: a state of a controller.
+ */
+#define PDN_QUANTITY_CONTROL_STATE 406
+
+/**
  * Kind of quantity: strains of a shell element, in the order of ::pdn_shell_section; 12
  * components.
  */
@@ -1033,6 +1044,11 @@
  * Kind of force: forces of the user on nodes.
  */
 #define PDN_FORCE_IS_USER_FORCE 1106
+
+/**
+ * Kind of force: a controller.
+ */
+#define PDN_FORCE_IS_CONTROLLER 1107
 
 /**
  * Numbers of a force: relaxation times of the branches of a viscoelastic element. Parameters do
@@ -1835,6 +1851,103 @@ typedef struct pdn_tangent_check {
 } pdn_tangent_check;
 
 /**
+ * What a controller reads. The library makes it; a later one may add fields at its end.
+ */
+typedef struct pdn_controller_state {
+    /**
+     * Size of the struct that the library knows.
+     */
+    size_t struct_size;
+    /**
+     * Time, in [0, T) of the period T of the solve, but for the first calls of a solve
+     * (::pdn_controller_fn).
+     */
+    double time;
+    /**
+     * Number of coordinates that are read.
+     */
+    size_t input_count;
+    /**
+     * Array of length [input_count]: the coordinates, angles with their whole turns
+     * [length or radian].
+     */
+    const double *inputs;
+    /**
+     * Array of length [input_count]: their rates.
+     */
+    const double *input_rates;
+    /**
+     * Number of states.
+     */
+    size_t state_count;
+    /**
+     * Array of length [state_count]: the states.
+     */
+    const double *states;
+} pdn_controller_state;
+
+/**
+ * Where a controller writes. The library makes it, with all arrays set to zero; a later one may
+ * add fields.
+ *
+ * Rows of the tangents are the efforts, then the rates of the states.
+ */
+typedef struct pdn_controller_values {
+    /**
+     * Size of the struct that the library knows.
+     */
+    size_t struct_size;
+    /**
+     * Number of coordinates that it acts on.
+     */
+    size_t output_count;
+    /**
+     * Array of length [output_count]: efforts on the coordinates that it acts on, towards growth
+     * [force on a displacement, force * length on an angle].
+     */
+    double *efforts;
+    /**
+     * Array of length [state_count]: rates of the states.
+     */
+    double *state_rates;
+    /**
+     * Array of shape ([output_count] + [state_count]) x [input_count], column by column:
+     * derivatives by the coordinates. NULL if tangents are not wanted, or were said not to be
+     * given.
+     */
+    double *by_inputs;
+    /**
+     * The same by their rates; NULL where by_inputs is.
+     */
+    double *by_input_rates;
+    /**
+     * Array of shape ([output_count] + [state_count]) x [state_count], column by column:
+     * derivatives by the states; NULL where by_inputs is.
+     */
+    double *by_states;
+} pdn_controller_values;
+
+/**
+ * A controller, to be written by the caller.
+ *
+ * Called on the thread that solves; if two threads solve at once, on both at once. The same state
+ * must give the same values, and over time they must repeat with the period: solves call it first
+ * a few times at one motion, at times in [0, 2 T), and refuse what does not with
+ * PDN_ERR_NOT_PERIODIC. Where a coordinate that it reads gains whole turns in a period, efforts
+ * must repeat with these. It must neither throw nor jump out, nor use the model it belongs to. It
+ * is called many times at trial motions, which may be far from the solution.
+ *
+ * @param state  time, coordinates and states; valid during the call only
+ * @param values  where efforts and rates go, all zero at first; valid during the call only
+ * @param user_data  as given to ::pdn_model_add_controller
+ * @return 0 for success; anything else makes the solve fail with PDN_ERR_CALLBACK (see
+ *     ::pdn_set_callback_error and ::pdn_last_callback_code), as does a value that is not finite
+ */
+typedef int32_t (*pdn_controller_fn)(const struct pdn_controller_state *state,
+                                     struct pdn_controller_values *values,
+                                     void *user_data);
+
+/**
  * Figures of a solve. Initialise with `PDN_INIT(pdn_diagnostics, &diagnostics)`.
  */
 typedef struct pdn_diagnostics {
@@ -2017,7 +2130,8 @@ typedef struct pdn_quantity {
      */
     int32_t node;
     /**
-     * Of viscoelastic elements, the branch, from 0.
+     * Of viscoelastic elements, the branch, from 0; of controllers, which of the coordinates that
+     * they act on, or which state, from 0.
      */
     int32_t branch;
     /**
@@ -2452,7 +2566,8 @@ typedef struct pdn_force_info {
      */
     size_t struct_size;
     /**
-     * PDN_FORCE_IS_SPRING_DAMPER ... PDN_FORCE_IS_USER_FORCE.
+     * PDN_FORCE_IS_SPRING_DAMPER ... PDN_FORCE_IS_CONTROLLER, of which
+     * ::pdn_model_controller_counts tells more.
      */
     int32_t kind;
     /**
@@ -5163,7 +5278,8 @@ void pdn_tangent_check_init(struct pdn_tangent_check *check,
  * not make solutions wrong, but Newton's method slow, or fail.
  *
  * @param model  the model; not NULL
- * @param force  id of a force by ::pdn_model_add_coordinate_law or ::pdn_model_add_user_force
+ * @param force  id of a force by ::pdn_model_add_coordinate_law, ::pdn_model_add_user_force or
+ *     ::pdn_model_add_controller
  * @param period  the period that the model is to be solved for, positive [time]
  * @param check  initialised by PDN_INIT; filled on success only
  * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_STRUCT_SIZE, PDN_ERR_ID, PDN_ERR_VALUE,
@@ -5178,6 +5294,146 @@ pdn_status pdn_model_check_tangents(const struct pdn_model *model,
                                     int32_t force,
                                     double period,
                                     struct pdn_tangent_check *check);
+
+/**
+ * Adds a controller: efforts on joint coordinates by a function of the caller that reads any joint
+ * coordinates and their rates, and may have states of its own.
+ *
+ * Without states it is a law that reads other coordinates, such as the gas force on a piston by
+ * the angle of the crank. States x follow x' = f(t, coordinates, rates, x), which the function
+ * gives: integrals of controllers, filters, actuators that lag, inflow. They are solved for with
+ * the motion in all analyses, and are among the states that multipliers and modes count.
+ *
+ * @param model  the model; not NULL
+ * @param input_joints  array of length [input_count]: ids of the joints of the coordinates that
+ *     are read; may be NULL if there are none
+ * @param input_coordinates  array of length [input_count]: PDN_DISPLACEMENT ... PDN_ROTATION_3 of
+ *     each, one that the joint has; each coordinate of a joint at most once; may be NULL likewise
+ * @param input_count  number of coordinates that are read
+ * @param output_joints  array of length [output_count]: ids of the joints of the coordinates that
+ *     it acts on
+ * @param output_coordinates  array of length [output_count]: the coordinate of each, likewise
+ * @param output_count  number of coordinates that it acts on, at least 1
+ * @param initial  array of length [state_count]: the states where a march begins; NULL for zero
+ * @param sizes  array of length [state_count]: what each state is of the order of, positive, by
+ *     which equations are scaled and differences taken; NULL for 1
+ * @param state_count  number of states
+ * @param tangents  PDN_TANGENTS_GIVEN if the function writes tangents, which
+ *     ::pdn_model_check_tangents checks; PDN_TANGENTS_DIFFERENCED if the library is to find them
+ *     by differences, with two calls for each coordinate, rate and state
+ * @param function  the controller, see ::pdn_controller_fn for when it is called; not NULL
+ * @param user_data  handed to the function; may be NULL
+ * @param destroy  called once with user_data when the model, its copies in solutions included, no
+ *     longer needs it, on the thread that frees the last; may be NULL. It is not called if this
+ *     call fails
+ * @param force  the force's id; may be NULL if it is not wanted; written on success only
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_SIZE, PDN_ERR_NOT_FINITE, PDN_ERR_ID, PDN_ERR_VALUE,
+ *     PDN_ERR_NOT_AVAILABLE
+ *
+ * Threads: exclusive use of `model`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_model_add_controller(struct pdn_model *model,
+                                    const int32_t *input_joints,
+                                    const int32_t *input_coordinates,
+                                    size_t input_count,
+                                    const int32_t *output_joints,
+                                    const int32_t *output_coordinates,
+                                    size_t output_count,
+                                    const double *initial,
+                                    const double *sizes,
+                                    size_t state_count,
+                                    int32_t tangents,
+                                    pdn_controller_fn function,
+                                    void *user_data,
+                                    pdn_destroy_fn destroy,
+                                    int32_t *force);
+
+/**
+ * Gives a controller its function, or another one: that of a model from a file is not there.
+ *
+ * @param model  the model; not NULL
+ * @param force  id of a force by ::pdn_model_add_controller; ::pdn_model_find_label finds it by
+ *     its label
+ * @param tangents  PDN_TANGENTS_GIVEN or PDN_TANGENTS_DIFFERENCED
+ * @param function  the controller, see ::pdn_controller_fn for when it is called; not NULL
+ * @param user_data  handed to the function; may be NULL
+ * @param destroy  called once with user_data as in ::pdn_model_add_controller; may be NULL. It is
+ *     not called if this call fails
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_ID, PDN_ERR_VALUE, PDN_ERR_NOT_AVAILABLE (the force is no
+ *     controller)
+ *
+ * Threads: exclusive use of `model`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_model_bind_controller(struct pdn_model *model,
+                                     int32_t force,
+                                     int32_t tangents,
+                                     pdn_controller_fn function,
+                                     void *user_data,
+                                     pdn_destroy_fn destroy);
+
+/**
+ * Numbers of the coordinates that a controller reads, of those that it acts on, and of its states.
+ *
+ * @param model  the model; not NULL
+ * @param force  id of a force by ::pdn_model_add_controller
+ * @param input_count  number of coordinates that it reads; may be NULL
+ * @param output_count  number of coordinates that it acts on; may be NULL
+ * @param state_count  number of its states; may be NULL
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_ID, PDN_ERR_NOT_AVAILABLE (the force is no controller)
+ *
+ * Threads: `model` is `const`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_model_controller_counts(const struct pdn_model *model,
+                                       int32_t force,
+                                       int32_t *input_count,
+                                       int32_t *output_count,
+                                       int32_t *state_count);
+
+/**
+ * A coordinate that a controller reads or acts on.
+ *
+ * @param model  the model; not NULL
+ * @param force  id of a force by ::pdn_model_add_controller
+ * @param index  number of the coordinate, from 0: those that it reads, then those that it acts on
+ * @param joint  id of its joint; written on success only
+ * @param coordinate  the coordinate: PDN_DISPLACEMENT, ...; written on success only
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_ID, PDN_ERR_NOT_AVAILABLE (the force is no controller)
+ *
+ * Threads: `model` is `const`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_model_controller_coordinate(const struct pdn_model *model,
+                                           int32_t force,
+                                           int32_t index,
+                                           int32_t *joint,
+                                           int32_t *coordinate);
+
+/**
+ * A state of a controller.
+ *
+ * @param model  the model; not NULL
+ * @param force  id of a force by ::pdn_model_add_controller
+ * @param index  number of the state, from 0
+ * @param initial  its value where a march begins; may be NULL
+ * @param size  what it is of the order of; may be NULL
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_ID, PDN_ERR_NOT_AVAILABLE (the force is no controller)
+ *
+ * Threads: `model` is `const`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_model_controller_state(const struct pdn_model *model,
+                                      int32_t force,
+                                      int32_t index,
+                                      double *initial,
+                                      double *size);
 
 /**
  * Gives a node, joint, element, force or relation a label, in place of the one that it has.

@@ -317,6 +317,12 @@ QUANTITY_BUSHING_EFFORTS = 404
 """Kind of quantity: the efforts of a bushing against its deformation, forces along the axes of its
 first frame and moments; 6 components.
 """
+QUANTITY_CONTROL_EFFORT = 405
+"""Kind of quantity: effort of a controller on one of the coordinates that it acts on, towards
+growth.
+"""
+QUANTITY_CONTROL_STATE = 406
+"""Kind of quantity: a state of a controller."""
 QUANTITY_SHELL_STRAIN = 500
 """Kind of quantity: strains of a shell element, in the order of ShellSection; 12 components."""
 QUANTITY_SHELL_RESULTANT = 501
@@ -479,6 +485,8 @@ FORCE_IS_BUSHING = 1105
 """Kind of force: a bushing between two frames."""
 FORCE_IS_USER_FORCE = 1106
 """Kind of force: forces of the user on nodes."""
+FORCE_IS_CONTROLLER = 1107
+"""Kind of force: a controller."""
 NUMBER_RELAXATION_TIME = 20
 """Numbers of a force: relaxation times of the branches of a viscoelastic element. Parameters do
 not move them.
@@ -1211,7 +1219,9 @@ class Quantity(Struct):
     node = Number("node")
     """Of what a force exerts on one of its nodes, the node."""
     branch = Number("branch")
-    """Of viscoelastic elements, the branch, from 0."""
+    """Of viscoelastic elements, the branch, from 0; of controllers, which of the coordinates that
+    they act on, or which state, from 0.
+    """
     station = Number("station")
     """Of beams, the place along the element, from -1 at its first to 1 at its last node; of
     shells, xi, from -1 to 1.
@@ -1460,7 +1470,8 @@ class ForceInfo(Struct):
     _type = "pdn_force_info"
     _initialise = lib.pdn_force_info_init
     kind = Number("kind")
-    """FORCE_IS_SPRING_DAMPER ... FORCE_IS_USER_FORCE."""
+    """FORCE_IS_SPRING_DAMPER ... FORCE_IS_CONTROLLER, of which Model.controller_counts tells more.
+    """
     joint = Number("joint")
     """Id of the joint on whose coordinate it acts, or -1."""
     coordinate = Number("coordinate")
@@ -3738,7 +3749,8 @@ class Model(ModelExtras):
         Wrong tangents do not make solutions wrong, but Newton's method slow, or fail.
 
         Args:
-            force: id of a force by Model.add_coordinate_law or Model.add_user_force
+            force: id of a force by Model.add_coordinate_law, Model.add_user_force or
+                Model.add_controller
             period: the period that the model is to be solved for, positive [time]
 
         Returns:
@@ -3747,6 +3759,153 @@ class Model(ModelExtras):
         check = TangentCheck()
         call(lib.pdn_model_check_tangents, self._c, force, period, check._c)
         return check
+
+    def add_controller(
+        self,
+        output_joints,
+        output_coordinates,
+        tangents,
+        function,
+        input_joints=None,
+        input_coordinates=None,
+        initial=None,
+        sizes=None,
+    ):
+        """Adds a controller: efforts on joint coordinates by a function of the caller that reads
+        any joint coordinates and their rates, and may have states of its own.
+
+        Without states it is a law that reads other coordinates, such as the gas force on a
+        piston by the angle of the crank. States x follow x' = f(t, coordinates, rates, x),
+        which the function gives: integrals of controllers, filters, actuators that lag, inflow.
+        They are solved for with the motion in all analyses, and are among the states that
+        multipliers and modes count.
+
+        Args:
+            input_joints: ids of the joints of the coordinates that are read; may be None if
+                there are none
+            input_coordinates: DISPLACEMENT ... ROTATION_3 of each, one that the joint has; each
+                coordinate of a joint at most once; may be None likewise
+            output_joints: ids of the joints of the coordinates that it acts on
+            output_coordinates: the coordinate of each, likewise
+            initial: array of shape (statecount): the states where a march begins; None for zero
+            sizes: array of shape (statecount): what each state is of the order of, positive, by
+                which equations are scaled and differences taken; None for 1
+            tangents: TANGENTS_GIVEN if the function writes tangents, which Model.check_tangents
+                checks; TANGENTS_DIFFERENCED if the library is to find them by differences, with
+                two calls for each coordinate, rate and state
+            function: the controller
+
+        Returns:
+            force: the force's id
+        """
+        input_joints = ids("input_joints", input_joints)
+        _input_count = len(input_joints)
+        input_coordinates = ids("input_coordinates", input_coordinates)
+        like("input_coordinates", input_coordinates, (_input_count,))
+        output_joints = ids("output_joints", output_joints)
+        _output_count = len(output_joints)
+        output_coordinates = ids("output_coordinates", output_coordinates)
+        like("output_coordinates", output_coordinates, (_output_count,))
+        initial, sizes, _state_count = together(initial=initial, sizes=sizes)
+        function = _callbacks.controller(function, self._kept)
+        force = ffi.new("int32_t *")
+        call(
+            lib.pdn_model_add_controller,
+            self._c,
+            ffi.from_buffer("int32_t[]", input_joints),
+            ffi.from_buffer("int32_t[]", input_coordinates),
+            _input_count,
+            ffi.from_buffer("int32_t[]", output_joints),
+            ffi.from_buffer("int32_t[]", output_coordinates),
+            _output_count,
+            pointer(initial),
+            pointer(sizes),
+            _state_count,
+            tangents,
+            function.function,
+            function.data,
+            ffi.NULL,
+            force,
+        )
+        return force[0]
+
+    def bind_controller(self, force, tangents, function):
+        """Gives a controller its function, or another one: that of a model from a file is not
+        there.
+
+        Args:
+            force: id of a force by Model.add_controller; Model.find_label finds it by its label
+            tangents: TANGENTS_GIVEN or TANGENTS_DIFFERENCED
+            function: the controller
+        """
+        function = _callbacks.controller(function, self._kept)
+        call(
+            lib.pdn_model_bind_controller,
+            self._c,
+            force,
+            tangents,
+            function.function,
+            function.data,
+            ffi.NULL,
+        )
+
+    def controller_counts(self, force):
+        """Numbers of the coordinates that a controller reads, of those that it acts on, and of its
+        states.
+
+        Args:
+            force: id of a force by Model.add_controller
+
+        Returns:
+            input_count: number of coordinates that it reads
+            output_count: number of coordinates that it acts on
+            state_count: number of its states
+        """
+        input_count = ffi.new("int32_t *")
+        output_count = ffi.new("int32_t *")
+        state_count = ffi.new("int32_t *")
+        call(
+            lib.pdn_model_controller_counts,
+            self._c,
+            force,
+            input_count,
+            output_count,
+            state_count,
+        )
+        return input_count[0], output_count[0], state_count[0]
+
+    def controller_coordinate(self, force, index):
+        """A coordinate that a controller reads or acts on.
+
+        Args:
+            force: id of a force by Model.add_controller
+            index: number of the coordinate, from 0: those that it reads, then those that it
+                acts on
+
+        Returns:
+            joint: id of its joint
+            coordinate: the coordinate: DISPLACEMENT,
+        """
+        joint = ffi.new("int32_t *")
+        coordinate = ffi.new("int32_t *")
+        call(lib.pdn_model_controller_coordinate, self._c, force, index, joint, coordinate)
+        return joint[0], coordinate[0]
+
+    def controller_state(self, force, index):
+        """A state of a controller.
+
+        Args:
+            force: id of a force by Model.add_controller
+            index: number of the state, from 0
+
+        Returns:
+            initial: its value where a march begins
+            size: what it is of the order of
+        """
+        initial = ffi.new("double *")
+        size = ffi.new("double *")
+        call(lib.pdn_model_controller_state, self._c, force, index, initial, size)
+        return initial[0], size[0]
 
     def set_label(self, kind, id, label=None):
         """Gives a node, joint, element, force or relation a label, in place of the one that it

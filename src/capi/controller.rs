@@ -47,6 +47,8 @@ pub struct pdn_controller_state {
 pub struct pdn_controller_values {
     /// Size of the struct that the library knows.
     pub struct_size: usize,
+    /// Number of coordinates that it acts on.
+    pub output_count: usize,
     /// Array of length [output_count]: efforts on the coordinates that it acts on, towards growth
     /// [force on a displacement, force * length on an angle].
     pub efforts: *mut f64,
@@ -64,7 +66,7 @@ pub struct pdn_controller_values {
 }
 
 const _: () =
-    assert!(size_of::<pdn_controller_state>() == 56 && size_of::<pdn_controller_values>() == 48);
+    assert!(size_of::<pdn_controller_state>() == 56 && size_of::<pdn_controller_values>() == 56);
 
 /// A controller, to be written by the caller.
 ///
@@ -177,6 +179,7 @@ fn call_back(
     };
     let mut values = pdn_controller_values {
         struct_size: size_of::<pdn_controller_values>(),
+        output_count: output.efforts.len(),
         efforts: output.efforts.as_mut_ptr(),
         state_rates: output.state_rates.as_mut_ptr(),
         by_inputs: tangents[0],
