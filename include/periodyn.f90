@@ -3721,6 +3721,11 @@ module periodyn
         procedure, public :: add_viscous_damper => model_add_viscous_damper
         procedure, public :: add_coordinate_law => model_add_coordinate_law
         procedure, public :: add_user_force => model_add_user_force
+        procedure, public :: add_controller => model_add_controller
+        procedure, public :: bind_controller => model_bind_controller
+        procedure, public :: controller_counts => model_controller_counts
+        procedure, public :: controller_coordinate => model_controller_coordinate
+        procedure, public :: controller_state => model_controller_state
         procedure, public :: check_tangents => model_check_tangents
         procedure, public :: add_parameter => model_add_parameter
         procedure, public :: set_parameter => model_set_parameter
@@ -5432,6 +5437,95 @@ contains
         call report(pdn_model_add_user_force(self%c, nodes, size(nodes, kind=c_size_t), frame, tangents, &
             c_funloc(forces), data, dispose, force), stat, errmsg)
     end subroutine model_add_user_force
+
+    ! Efforts on coordinates by the caller's law of coordinates, rates and states; without `initial` and
+    ! `sizes` it has no states.
+    subroutine model_add_controller(self, input_joints, input_coordinates, output_joints, output_coordinates, &
+        tangents, controller, initial, sizes, user_data, destroy, force, stat, errmsg)
+        class(pdn_model), intent(inout) :: self
+        integer(c_int32_t), intent(in) :: input_joints(:), input_coordinates(:)
+        integer(c_int32_t), intent(in) :: output_joints(:), output_coordinates(:), tangents
+        procedure(pdn_controller_fn) :: controller
+        real(c_double), intent(in), optional :: initial(:), sizes(:)
+        type(c_ptr), intent(in), optional :: user_data
+        procedure(pdn_destroy_fn), optional :: destroy
+        integer(c_int32_t), intent(inout), optional :: force
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        type(c_ptr) :: data
+        type(c_funptr) :: dispose
+        integer(c_size_t) :: states
+
+        if (.not. fits('input_coordinates', shape(input_coordinates), shape(input_joints), stat, errmsg)) return
+        if (.not. fits('output_coordinates', shape(output_coordinates), shape(output_joints), stat, errmsg)) return
+        states = 0
+        if (present(initial)) states = size(initial, kind=c_size_t)
+        if (present(sizes)) then
+            if (present(initial)) then
+                if (.not. fits('sizes', shape(sizes), shape(initial), stat, errmsg)) return
+            end if
+            states = size(sizes, kind=c_size_t)
+        end if
+        data = c_null_ptr
+        if (present(user_data)) data = user_data
+        dispose = c_null_funptr
+        if (present(destroy)) dispose = c_funloc(destroy)
+        call report(pdn_model_add_controller(self%c, input_joints, input_coordinates, &
+            size(input_joints, kind=c_size_t), output_joints, output_coordinates, &
+            size(output_joints, kind=c_size_t), initial, sizes, states, tangents, c_funloc(controller), data, &
+            dispose, force), stat, errmsg)
+    end subroutine model_add_controller
+
+    ! A function for a controller, in place of the one that it has.
+    subroutine model_bind_controller(self, force, tangents, controller, user_data, destroy, stat, errmsg)
+        class(pdn_model), intent(inout) :: self
+        integer(c_int32_t), intent(in) :: force, tangents
+        procedure(pdn_controller_fn) :: controller
+        type(c_ptr), intent(in), optional :: user_data
+        procedure(pdn_destroy_fn), optional :: destroy
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        type(c_ptr) :: data
+        type(c_funptr) :: dispose
+
+        data = c_null_ptr
+        if (present(user_data)) data = user_data
+        dispose = c_null_funptr
+        if (present(destroy)) dispose = c_funloc(destroy)
+        call report(pdn_model_bind_controller(self%c, force, tangents, c_funloc(controller), data, dispose), stat, &
+            errmsg)
+    end subroutine model_bind_controller
+
+    subroutine model_controller_counts(self, force, inputs, outputs, states, stat, errmsg)
+        class(pdn_model), intent(in) :: self
+        integer(c_int32_t), intent(in) :: force
+        integer(c_int32_t), intent(inout), optional :: inputs, outputs, states
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+
+        call report(pdn_model_controller_counts(self%c, force, inputs, outputs, states), stat, errmsg)
+    end subroutine model_controller_counts
+
+    ! A coordinate that a controller reads or, counted on, acts on.
+    subroutine model_controller_coordinate(self, force, index, joint, coordinate, stat, errmsg)
+        class(pdn_model), intent(in) :: self
+        integer(c_int32_t), intent(in) :: force, index
+        integer(c_int32_t), intent(inout) :: joint, coordinate
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+
+        call report(pdn_model_controller_coordinate(self%c, force, index, joint, coordinate), stat, errmsg)
+    end subroutine model_controller_coordinate
+
+    subroutine model_controller_state(self, force, index, initial, size, stat, errmsg)
+        class(pdn_model), intent(in) :: self
+        integer(c_int32_t), intent(in) :: force, index
+        real(c_double), intent(inout), optional :: initial, size
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+
+        call report(pdn_model_controller_state(self%c, force, index, initial, size), stat, errmsg)
+    end subroutine model_controller_state
 
     ! Compares the tangents of a law or user force with differences.
     subroutine model_check_tangents(self, force, period, check, stat, errmsg)
