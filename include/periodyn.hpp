@@ -141,9 +141,9 @@ enum class Tangents : std::int32_t {
 };
 enum class Tangent : std::int32_t { motion = PDN_TANGENT_MOTION, velocity = PDN_TANGENT_VELOCITY };
 enum class Axes : std::int32_t {
-    space = PDN_AXES_SPACE,
-    first = PDN_AXES_FIRST,
-    second = PDN_AXES_SECOND,
+    space = PDN_FRAME_SPACE,
+    first = PDN_FRAME_FIRST,
+    second = PDN_FRAME_SECOND,
 };
 enum class Outcome : std::int32_t {
     converged = PDN_CONVERGED,

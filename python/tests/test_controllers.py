@@ -51,7 +51,7 @@ def test_an_integral_makes_it_third_order(tangents):
     assert model.controller_coordinate(force, 1) == (slide, pdn.DISPLACEMENT)
     assert model.controller_state(force, 0) == (0.25, 0.5)
     if tangents == pdn.TANGENTS_GIVEN:
-        assert model.check_tangents(force, 2.0).error < 1e-8
+        assert model.check_tangents(force, 2 * np.pi / OMEGA).error < 1e-8
 
 
 def test_without_states_and_inputs_it_is_a_function_of_time():

@@ -32,7 +32,7 @@ pub const PDN_FORCE_IS_CONTROLLER: i32 = 1107;
 
 /// Numbers of a force: relaxation times of the branches of a viscoelastic element. Parameters do
 /// not move them.
-pub const PDN_NUMBER_RELAXATION_TIME: i32 = 20;
+pub const PDN_NUMBER_RELAXATION_TIME: i32 = 3608;
 
 /// A joint of a model. Initialise with `PDN_INIT(pdn_joint_info, &info)`.
 #[repr(C)]
@@ -606,7 +606,7 @@ pub unsafe extern "C" fn pdn_model_relation_term(
 /// @param model  the model; not NULL
 /// @param place  what has the signal: PDN_SIGNAL_OF_ACTUATOR, ...
 /// @param index  which of them
-/// @param component  of a load from 0 to 5, of gravity from 0 to 2; 0 for all else
+/// @param component  of a load PDN_FORCE_1, ... or PDN_MOMENT_3, of gravity from 0 to 2; 0 for all else
 /// @param period  period of the motion, that harmonics refer to [time]
 /// @param times  array of length [count]: times
 /// @param count  number of times

@@ -3,7 +3,7 @@
 use super::call::Call;
 use super::guard::{guard, init};
 use super::joint::coordinate;
-use super::load::load_frame;
+use super::load::{PDN_FRAME_SPACE, load_frame};
 use super::options::Options;
 use super::pointer::check_pointer;
 use super::solution::{
@@ -81,7 +81,7 @@ pub const PDN_QUANTITY_STRESS_BOTTOM: i32 = 503;
 pub const PDN_QUANTITY_RELATION_EFFORT: i32 = 600;
 
 /// All components of a quantity.
-pub const PDN_ALL_COMPONENTS: i32 = -1;
+pub const PDN_ALL_COMPONENTS: i32 = -2;
 
 /// What is asked of a solution: of a node, a joint, a beam, a shell, a force or a relation.
 /// Initialise with
@@ -99,8 +99,8 @@ pub struct pdn_quantity {
     /// efforts, the coordinate: PDN_DISPLACEMENT, ..., PDN_ROTATION_3; of relations which of their
     /// coordinates, from 0.
     pub component: i32,
-    /// PDN_FRAME_SPACE, the default, or PDN_FRAME_MATERIAL; of reactions PDN_AXES_SPACE,
-    /// PDN_AXES_FIRST or PDN_AXES_SECOND.
+    /// PDN_FRAME_SPACE, the default, or PDN_FRAME_MATERIAL; of reactions PDN_FRAME_SPACE,
+    /// PDN_FRAME_FIRST or PDN_FRAME_SECOND.
     pub frame: i32,
     /// Of what a force exerts on one of its nodes, the node.
     pub node: i32,
@@ -125,6 +125,7 @@ unsafe impl Options for pdn_quantity {
     fn defaults() -> Self {
         pdn_quantity {
             component: PDN_ALL_COMPONENTS,
+            frame: PDN_FRAME_SPACE,
             ..Self::blank()
         }
     }

@@ -91,7 +91,7 @@ contains
         call solution%joint_coordinate(hinge, PDN_ROTATION, times, angle)
         call solution%joint_rate(hinge, PDN_ROTATION, times, rate)
         call solution%joint_acceleration(hinge, PDN_ROTATION, times, acceleration)
-        call solution%joint_reaction(hinge, PDN_AXES_FIRST, times, reaction)
+        call solution%joint_reaction(hinge, PDN_FRAME_FIRST, times, reaction)
         call solution%node_position(body, times, position)
         call solution%node_rotation(body, times, rotation)
         call solution%node_quaternion(body, times, quaternion)
