@@ -3924,9 +3924,12 @@ contains
     pure integer function components(quantity, of_all)
         integer(c_int32_t), intent(in) :: quantity
         integer, intent(in) :: of_all(0:)
+        integer :: place
 
         components = maxval(of_all)
-        if (quantity >= 0 .and. quantity < size(of_all)) components = of_all(quantity)
+        ! Constants of each list count on from a hundred.
+        place = modulo(quantity, 100)
+        if (quantity >= 0 .and. place < size(of_all)) components = of_all(place)
     end function components
 
     ! A count for the library; none instead of a negative one, which it refuses.
