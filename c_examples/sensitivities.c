@@ -72,7 +72,7 @@ int main(int argc, char **argv)
     TRY(pdn_model_prescribe(model, shaft, PDN_ROTATION, &turn));
     TRY(pdn_model_add_spring_damper(model, hinge, PDN_ROTATION, hinge_stiffness, hinge_damping, 0,
                                     &spring));
-    TRY(pdn_model_add_load(model, blade.last, PDN_FRAME_SPACE, 2, &force));
+    TRY(pdn_model_add_load(model, blade.last, PDN_FRAME_SPACE, PDN_FORCE_3, &force));
 
     /* Whatever may change is a parameter. Sections are of all elements alike. */
     int32_t p[PARAMETERS] = {0, 0, 0, 0, 0, PDN_FREQUENCY};

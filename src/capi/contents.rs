@@ -606,7 +606,8 @@ pub unsafe extern "C" fn pdn_model_relation_term(
 /// @param model  the model; not NULL
 /// @param place  what has the signal: PDN_SIGNAL_OF_ACTUATOR, ...
 /// @param index  which of them
-/// @param component  of a load PDN_FORCE_1, ... or PDN_MOMENT_3, of gravity from 0 to 2; 0 for all else
+/// @param component  of a load PDN_FORCE_1, ... or PDN_MOMENT_3, of gravity from 0 to 2; 0 for all
+///     else
 /// @param period  period of the motion, that harmonics refer to [time]
 /// @param times  array of length [count]: times
 /// @param count  number of times

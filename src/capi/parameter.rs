@@ -168,7 +168,8 @@ pub(super) fn signal_place(place: i32, index: i32, component: i32) -> Result<Sig
 /// @param parameter  id of the parameter
 /// @param place  what has the signal: PDN_SIGNAL_OF_ACTUATOR, ...
 /// @param index  which of them
-/// @param component  of a load PDN_FORCE_1, ... or PDN_MOMENT_3, of gravity from 0 to 2; 0 for all else
+/// @param component  of a load PDN_FORCE_1, ... or PDN_MOMENT_3, of gravity from 0 to 2; 0 for all
+///     else
 /// @param part  PDN_PART_MEAN, PDN_PART_RATE, PDN_PART_AMPLITUDE or PDN_PART_PHASE
 /// @param factor  the part for a unit of the parameter, not zero
 /// @return as ::pdn_model_move_number

@@ -17,12 +17,12 @@
 use super::saved::Content;
 use super::saved_branch::BranchContent;
 use super::solution::Solution;
+use super::version::{Saved, VERSION};
 use super::write::{refused, write_file};
 use crate::error::{Error, ErrorKind, Result};
 use crate::memory;
 use crate::model::Model;
 use crate::solve::Branch;
-use serde::Serialize;
 use serde::de::DeserializeOwned;
 use std::fs::File;
 use std::io::{self, Read};
@@ -48,10 +48,6 @@ const BRANCH: Format = Format {
     signature: *b"\x93PDB\r\n\x1a\n",
     what: "branch",
 };
-/// The latest version that can be read.
-const VERSION: u32 = 3;
-/// The version that is written of models that its readers know all of.
-const COMMON_VERSION: u32 = 2;
 const HEADER: usize = 24;
 /// Room for the probe by which reading notices the end of a file.
 const MARGIN: usize = 64;
@@ -65,26 +61,6 @@ const SHORT_VALUES: usize = 1 << 16;
 /// Memory for what a byte of a file is read into: a number of 9 bytes takes 8, in lists that grow
 /// to twice their length.
 const BYTES_PER_BYTE: usize = 2;
-
-/// What a file holds.
-pub(super) trait Saved: Serialize {
-    /// The model in it.
-    fn model(&self) -> &Model;
-
-    /// The version that can hold it.
-    fn version(&self) -> u32 {
-        match self.model().has_newer_parts() {
-            true => VERSION,
-            false => COMMON_VERSION,
-        }
-    }
-}
-
-impl Saved for Model {
-    fn model(&self) -> &Model {
-        self
-    }
-}
 
 impl Solution {
     /// Saves the solution with its model, whether it has converged or not.

@@ -1,8 +1,8 @@
 //! What a file holds of a solution, and whether it fits together.
 
 use super::diagnostics::Diagnostics;
-use super::file::Saved;
 use super::solution::Solution;
+use super::version::Saved;
 use crate::collocation::GridState;
 use crate::elements::NodeState;
 use crate::error::{Error, ErrorKind, Result, require_finite};

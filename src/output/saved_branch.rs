@@ -1,7 +1,7 @@
 //! What a file holds of a branch, and whether it fits together.
 
-use super::file::Saved;
 use super::saved::require;
+use super::version::Saved;
 use crate::collocation::GridState;
 use crate::error::{Result, require_finite, require_positive_number};
 use crate::fourier::TimeGrid;

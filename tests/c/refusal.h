@@ -60,7 +60,8 @@ static inline int same_role(int32_t one, int32_t other)
     return one / 100 == other / 100 || (one < 1000 && other < 1000);
 }
 
-/* The call, with each constant of another role in place of the variable, which has one of its own. */
+/* The call, with each constant of another role in place of the variable, which has one of its
+ * own. */
 #define REFUSES_OTHER_ROLES(variable, call, start)                                                 \
     do {                                                                                           \
         const int32_t own_ = (variable);                                                           \

@@ -212,7 +212,8 @@ static void wrong_calls_are_refused(void)
     REFUSES_EACH(in.number, int32_t, none,
                  pdn_model_force_number(in.model, 0, in.number, 0, &out.number), PDN_ERR_VALUE,
                  "number: ");
-    REFUSED(pdn_model_force_number(in.model, 0, PDN_NUMBER_STIFFNESS, 0, NULL), PDN_ERR_NULL, "out");
+    REFUSED(pdn_model_force_number(in.model, 0, PDN_NUMBER_STIFFNESS, 0, NULL), PDN_ERR_NULL,
+            "out");
     REFUSED(pdn_model_force_node(in.model, 0, 0, &out.id), PDN_ERR_ID, "index: ");
     REFUSES_EACH(in.id, int32_t, none,
                  pdn_model_beam_element_node_count(in.model, in.id, &out.id), PDN_ERR_ID,

@@ -341,7 +341,8 @@ static void times_may_be_any(void)
     CHECK_STATUS(pdn_solution_node_position(solution, rotor, grid, 0, &canary), PDN_OK);
     CHECK_STATUS(pdn_solution_joint_coordinate(solution, motor, PDN_ROTATION, NULL, 0, NULL),
                  PDN_OK);
-    CHECK_STATUS(pdn_solution_joint_reaction(solution, motor, PDN_FRAME_SPACE, NULL, 0, NULL), PDN_OK);
+    CHECK_STATUS(pdn_solution_joint_reaction(solution, motor, PDN_FRAME_SPACE, NULL, 0, NULL),
+                 PDN_OK);
     CHECK_STATUS(pdn_solution_beam_force(solution, 0, 0.0, NULL, 0, NULL), PDN_OK);
     CHECK(canary == 7);
 }

@@ -1,7 +1,7 @@
 //! Which constraints may be averaged over time, and which must stay exact.
 
-use super::mean::twist_skew;
 use crate::collocation::{Collocation, Tangent};
+use crate::motion::DualVector;
 use crate::system::System;
 use nalgebra::DMatrix;
 
@@ -257,7 +257,8 @@ fn mean_feedback(equations: &Collocation, tangent: &Tangent, index: usize) -> Av
         let by_velocity = DMatrix::from_column_slice(own, 6 * nodes.len(), rate);
         let by_pseudo = slopes.get(k).map_or(1.0, |slope| slope.rate);
         for (local, &node) in nodes.iter().enumerate() {
-            let twist = twist_skew(&equations.node_states()[node * points + k].twist);
+            let twist = DualVector::from_twist(&equations.node_states()[node * points + k].twist);
+            let twist = twist.skew().to_twist_matrix();
             let of_node = by_velocity.columns(6 * local, 6);
             let carried = of_node * twist;
             for (row, component) in (0..own).flat_map(|row| (0..6).map(move |i| (row, i))) {

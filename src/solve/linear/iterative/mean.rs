@@ -140,7 +140,7 @@ impl MeanStrain {
 }
 
 /// `Ṽ = [ω̃ ṽ; 0 ω̃]`.
-pub(super) fn twist_skew(twist: &Vector6<f64>) -> Matrix6<f64> {
+fn twist_skew(twist: &Vector6<f64>) -> Matrix6<f64> {
     let skew = |first: usize| -> Matrix3<f64> {
         Vector3::new(twist[first], twist[first + 1], twist[first + 2]).cross_matrix()
     };
