@@ -33,7 +33,8 @@ static pdn_status prescribe(const int32_t *v)
 static pdn_status add_joint(const int32_t *v)
 {
     const pdn_frame at = {{1, 0, 0}, {1, 0, 0, 0, 1, 0, 0, 0, 1}};
-    return pdn_model_add_joint(model, v[0], v[1], v[2], &at, &at, NULL);
+    int32_t joint;
+    return pdn_model_add_joint(model, v[0], v[1], v[2], &at, &at, &joint);
 }
 
 static pdn_status add_load(const int32_t *v)
@@ -135,7 +136,7 @@ static pdn_status force_on_node(const int32_t *v)
 
 static pdn_status node_harmonics(const int32_t *v)
 {
-    return pdn_solution_node_harmonics(solution, v[0], v[1], 0, values, NULL, NULL, NULL);
+    return pdn_solution_node_harmonics(solution, v[0], v[1], 0, values, NULL, NULL);
 }
 
 static pdn_status joint_harmonics(const int32_t *v)
@@ -145,7 +146,7 @@ static pdn_status joint_harmonics(const int32_t *v)
 
 static pdn_status beam_harmonics(const int32_t *v)
 {
-    return pdn_solution_beam_harmonics(solution, v[0], 0, v[1], 0, values, NULL, NULL, NULL);
+    return pdn_solution_beam_harmonics(solution, v[0], 0, v[1], 0, values, NULL, NULL);
 }
 
 static pdn_status force_harmonics(const int32_t *v)
@@ -229,15 +230,15 @@ static pdn_model *made(void)
     stations.fractions = origin;
     stations.sections = &section;
     CHECK_STATUS(pdn_model_add_beam(out, &line, &stations, 1, 2, &beam), PDN_OK);
-    CHECK_STATUS(pdn_model_add_rigid_joint(out, PDN_GROUND, beam.first, y, NULL), PDN_OK);
+    CHECK_STATUS(pdn_model_add_rigid_joint(out, PDN_GROUND, beam.first, y, &id), PDN_OK);
     PDN_INIT(pdn_surface, &surface);
     CHECK_STATUS(pdn_surface_set_parallelogram(&surface, x, y, z), PDN_OK);
     PDN_INIT(pdn_shell_section, &plate);
     CHECK_STATUS(pdn_shell_section_set_isotropic(&plate, 0.1, 1e6, 0.3, 1000, 1, 0.1), PDN_OK);
     CHECK_STATUS(pdn_model_add_shell(out, &surface, 1, 1, 1, 1, 0, &plate, NULL, &shell), PDN_OK);
     CHECK_STATUS(pdn_model_shell_node(out, shell.first_element, 0, 0, &id), PDN_OK);
-    CHECK_STATUS(pdn_model_add_rigid_joint(out, PDN_GROUND, id, x, NULL), PDN_OK);
-    CHECK_STATUS(pdn_model_add_parameter(out, "p", 1, NULL), PDN_OK);
+    CHECK_STATUS(pdn_model_add_rigid_joint(out, PDN_GROUND, id, x, &id), PDN_OK);
+    CHECK_STATUS(pdn_model_add_parameter(out, "p", 1, 1, &id), PDN_OK);
     return out;
 }
 
