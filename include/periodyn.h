@@ -6867,7 +6867,8 @@ pdn_status pdn_model_move_number(struct pdn_model *model,
  * @param parameter  id of the parameter
  * @param place  what has the signal: PDN_SIGNAL_OF_ACTUATOR, ...
  * @param index  which of them
- * @param component  of a load PDN_FORCE_1, ... or PDN_MOMENT_3, of gravity from 0 to 2; 0 for all else
+ * @param component  of a load PDN_FORCE_1, ... or PDN_MOMENT_3, of gravity from 0 to 2; 0 for all
+ *     else
  * @param part  PDN_PART_MEAN, PDN_PART_RATE, PDN_PART_AMPLITUDE or PDN_PART_PHASE
  * @param factor  the part for a unit of the parameter, not zero
  * @return as ::pdn_model_move_number
@@ -7233,7 +7234,8 @@ pdn_status pdn_model_relation_term(const struct pdn_model *model,
  * @param model  the model; not NULL
  * @param place  what has the signal: PDN_SIGNAL_OF_ACTUATOR, ...
  * @param index  which of them
- * @param component  of a load PDN_FORCE_1, ... or PDN_MOMENT_3, of gravity from 0 to 2; 0 for all else
+ * @param component  of a load PDN_FORCE_1, ... or PDN_MOMENT_3, of gravity from 0 to 2; 0 for all
+ *     else
  * @param period  period of the motion, that harmonics refer to [time]
  * @param times  array of length [count]: times
  * @param count  number of times
