@@ -79,7 +79,7 @@ int main(int argc, char **argv)
         t[i] = period * i / (TIMES - 1);
     }
     TRY(pdn_solution_node_position(solution, rod.last, t, TIMES, position[0]));
-    TRY(pdn_solution_joint_reaction(solution, clamp, PDN_AXES_SPACE, t, TIMES, reaction[0]));
+    TRY(pdn_solution_joint_reaction(solution, clamp, PDN_FRAME_SPACE, t, TIMES, reaction[0]));
     if (file) {
         fputs("time [s],tip along [m],tip upwards [m],root bending moment [N m]\n", file);
         for (int i = 0; i < TIMES; ++i) {

@@ -104,7 +104,7 @@ int main(int argc, char **argv)
     }
     TRY(pdn_solution_joint_coordinate(solution, gauge, PDN_DISPLACEMENT, t, TIMES, flap));
     TRY(pdn_solution_joint_coordinate(solution, gauge, PDN_DISPLACEMENT_2, t, TIMES, lag));
-    TRY(pdn_solution_joint_reaction(solution, clamp, PDN_AXES_FIRST, t, TIMES, reaction[0]));
+    TRY(pdn_solution_joint_reaction(solution, clamp, PDN_FRAME_FIRST, t, TIMES, reaction[0]));
     for (int i = 0; i < TIMES; ++i) {
         y[i][0] = flap[i];
         y[i][1] = lag[i];

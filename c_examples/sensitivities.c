@@ -72,7 +72,7 @@ int main(int argc, char **argv)
     TRY(pdn_model_prescribe(model, shaft, PDN_ROTATION, &turn));
     TRY(pdn_model_add_spring_damper(model, hinge, PDN_ROTATION, hinge_stiffness, hinge_damping, 0,
                                     &spring));
-    TRY(pdn_model_add_load(model, blade.last, PDN_FRAME_SPACE, 2, &force));
+    TRY(pdn_model_add_load(model, blade.last, PDN_FRAME_SPACE, PDN_FORCE_3, &force));
 
     /* Whatever may change is a parameter. Sections are of all elements alike. */
     int32_t p[PARAMETERS] = {0, 0, 0, 0, 0, PDN_FREQUENCY};
@@ -88,7 +88,7 @@ int main(int argc, char **argv)
         TRY(pdn_model_move_number(model, p[2], PDN_NUMBER_BEAM_STIFFNESS, e, 0, 1));
         TRY(pdn_model_move_number(model, p[3], PDN_NUMBER_BEAM_MASS, e, 0, 1));
     }
-    TRY(pdn_model_move_signal(model, p[4], PDN_SIGNAL_OF_LOAD, 0, 2, PDN_PART_MEAN, 1));
+    TRY(pdn_model_move_signal(model, p[4], PDN_SIGNAL_OF_LOAD, 0, PDN_FORCE_3, PDN_PART_MEAN, 1));
 
     pdn_periodic_options options;
     PDN_INIT(pdn_periodic_options, &options);

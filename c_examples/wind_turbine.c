@@ -268,7 +268,8 @@ static int sample(const turbine *e, const pdn_solution *solution, double period,
     TRY(pdn_solution_joint_coordinate(solution, e->gauge, PDN_DISPLACEMENT_2, out->t, TIMES,
                                       out->curve[BACK]));
     TRY(pdn_solution_node_position(solution, e->tower_top, out->t, TIMES, top[0]));
-    TRY(pdn_solution_joint_reaction(solution, e->roots[0], PDN_AXES_FIRST, out->t, TIMES, root[0]));
+    TRY(pdn_solution_joint_reaction(solution, e->roots[0], PDN_FRAME_FIRST, out->t, TIMES,
+                                    root[0]));
     TRY(pdn_solution_joint_driving_effort(solution, e->bearing, PDN_ROTATION, out->t, TIMES,
                                           out->curve[TORQUE]));
     for (int i = 0; i < TIMES; ++i) {

@@ -35,57 +35,57 @@ module periodyn_c
     integer(c_int32_t), parameter :: PDN_ERR_MEMORY = -900
     integer(c_int32_t), parameter :: PDN_ERR_PANIC = -901
     integer(c_int32_t), parameter :: PDN_ERR_POISONED = -902
-    integer(c_int32_t), parameter :: PDN_SIGNAL_HARMONICS = 0
-    integer(c_int32_t), parameter :: PDN_SIGNAL_SAMPLES = 1
-    integer(c_int32_t), parameter :: PDN_SIGNAL_FUNCTION = 2
-    integer(c_int32_t), parameter :: PDN_SIGNAL_FUNCTION_OF_PHASE = 3
+    integer(c_int32_t), parameter :: PDN_SIGNAL_HARMONICS = 1200
+    integer(c_int32_t), parameter :: PDN_SIGNAL_SAMPLES = 1201
+    integer(c_int32_t), parameter :: PDN_SIGNAL_FUNCTION = 1202
+    integer(c_int32_t), parameter :: PDN_SIGNAL_FUNCTION_OF_PHASE = 1203
     integer(c_int32_t), parameter :: PDN_GROUND = -1
-    integer(c_int32_t), parameter :: PDN_JOINT_RIGID = 0
-    integer(c_int32_t), parameter :: PDN_JOINT_REVOLUTE = 1
-    integer(c_int32_t), parameter :: PDN_JOINT_UNIVERSAL = 2
-    integer(c_int32_t), parameter :: PDN_JOINT_SPHERICAL = 3
-    integer(c_int32_t), parameter :: PDN_JOINT_PRISMATIC = 4
-    integer(c_int32_t), parameter :: PDN_JOINT_CYLINDRICAL = 5
-    integer(c_int32_t), parameter :: PDN_JOINT_PLANAR = 6
-    integer(c_int32_t), parameter :: PDN_JOINT_FREE = 7
-    integer(c_int32_t), parameter :: PDN_JOINT_SCREW = 8
-    integer(c_int32_t), parameter :: PDN_JOINT_STRUT = 9
-    integer(c_int32_t), parameter :: PDN_DISPLACEMENT = 0
-    integer(c_int32_t), parameter :: PDN_DISPLACEMENT_2 = 1
-    integer(c_int32_t), parameter :: PDN_DISPLACEMENT_3 = 2
-    integer(c_int32_t), parameter :: PDN_ROTATION = 3
-    integer(c_int32_t), parameter :: PDN_ROTATION_2 = 4
-    integer(c_int32_t), parameter :: PDN_ROTATION_3 = 5
-    integer(c_int32_t), parameter :: PDN_LINE_STRAIGHT = 0
-    integer(c_int32_t), parameter :: PDN_LINE_ARC = 1
-    integer(c_int32_t), parameter :: PDN_LINE_CURVE = 2
-    integer(c_int32_t), parameter :: PDN_FRAME_SPACE = 0
-    integer(c_int32_t), parameter :: PDN_FRAME_MATERIAL = 1
-    integer(c_int32_t), parameter :: PDN_FRAME_UNTWISTED = 2
-    integer(c_int32_t), parameter :: PDN_FORCE_1 = 0
-    integer(c_int32_t), parameter :: PDN_FORCE_2 = 1
-    integer(c_int32_t), parameter :: PDN_FORCE_3 = 2
-    integer(c_int32_t), parameter :: PDN_MOMENT_1 = 3
-    integer(c_int32_t), parameter :: PDN_MOMENT_2 = 4
-    integer(c_int32_t), parameter :: PDN_MOMENT_3 = 5
-    integer(c_int32_t), parameter :: PDN_SURFACE_PARALLELOGRAM = 0
-    integer(c_int32_t), parameter :: PDN_SURFACE_ANNULUS = 1
-    integer(c_int32_t), parameter :: PDN_SURFACE_CYLINDER = 2
-    integer(c_int32_t), parameter :: PDN_SURFACE_FUNCTION = 3
-    integer(c_int32_t), parameter :: PDN_SHELL_NORMALS = 0
-    integer(c_int32_t), parameter :: PDN_SHELL_PARALLEL = 1
-    integer(c_int32_t), parameter :: PDN_SHELL_NODE_AXES = 2
-    integer(c_int32_t), parameter :: PDN_SHELL_EDGE_START_ETA = 0
-    integer(c_int32_t), parameter :: PDN_SHELL_EDGE_END_XI = 1
-    integer(c_int32_t), parameter :: PDN_SHELL_EDGE_END_ETA = 2
-    integer(c_int32_t), parameter :: PDN_SHELL_EDGE_START_XI = 3
-    integer(c_int32_t), parameter :: PDN_SHELL_SURFACE = 4
-    integer(c_int32_t), parameter :: PDN_ANGLES_ROTATION_VECTOR = 0
-    integer(c_int32_t), parameter :: PDN_ANGLES_TILT_AND_SPIN = 1
-    integer(c_int32_t), parameter :: PDN_TANGENTS_DIFFERENCED = 0
-    integer(c_int32_t), parameter :: PDN_TANGENTS_GIVEN = 1
-    integer(c_int32_t), parameter :: PDN_TANGENT_MOTION = 0
-    integer(c_int32_t), parameter :: PDN_TANGENT_VELOCITY = 1
+    integer(c_int32_t), parameter :: PDN_JOINT_RIGID = 1300
+    integer(c_int32_t), parameter :: PDN_JOINT_REVOLUTE = 1301
+    integer(c_int32_t), parameter :: PDN_JOINT_UNIVERSAL = 1302
+    integer(c_int32_t), parameter :: PDN_JOINT_SPHERICAL = 1303
+    integer(c_int32_t), parameter :: PDN_JOINT_PRISMATIC = 1304
+    integer(c_int32_t), parameter :: PDN_JOINT_CYLINDRICAL = 1305
+    integer(c_int32_t), parameter :: PDN_JOINT_PLANAR = 1306
+    integer(c_int32_t), parameter :: PDN_JOINT_FREE = 1307
+    integer(c_int32_t), parameter :: PDN_JOINT_SCREW = 1308
+    integer(c_int32_t), parameter :: PDN_JOINT_STRUT = 1309
+    integer(c_int32_t), parameter :: PDN_DISPLACEMENT = 1400
+    integer(c_int32_t), parameter :: PDN_DISPLACEMENT_2 = 1401
+    integer(c_int32_t), parameter :: PDN_DISPLACEMENT_3 = 1402
+    integer(c_int32_t), parameter :: PDN_ROTATION = 1403
+    integer(c_int32_t), parameter :: PDN_ROTATION_2 = 1404
+    integer(c_int32_t), parameter :: PDN_ROTATION_3 = 1405
+    integer(c_int32_t), parameter :: PDN_LINE_STRAIGHT = 1500
+    integer(c_int32_t), parameter :: PDN_LINE_ARC = 1501
+    integer(c_int32_t), parameter :: PDN_LINE_CURVE = 1502
+    integer(c_int32_t), parameter :: PDN_FRAME_SPACE = 1600
+    integer(c_int32_t), parameter :: PDN_FRAME_MATERIAL = 1601
+    integer(c_int32_t), parameter :: PDN_FRAME_UNTWISTED = 1602
+    integer(c_int32_t), parameter :: PDN_FORCE_1 = 1700
+    integer(c_int32_t), parameter :: PDN_FORCE_2 = 1701
+    integer(c_int32_t), parameter :: PDN_FORCE_3 = 1702
+    integer(c_int32_t), parameter :: PDN_MOMENT_1 = 1703
+    integer(c_int32_t), parameter :: PDN_MOMENT_2 = 1704
+    integer(c_int32_t), parameter :: PDN_MOMENT_3 = 1705
+    integer(c_int32_t), parameter :: PDN_SURFACE_PARALLELOGRAM = 1800
+    integer(c_int32_t), parameter :: PDN_SURFACE_ANNULUS = 1801
+    integer(c_int32_t), parameter :: PDN_SURFACE_CYLINDER = 1802
+    integer(c_int32_t), parameter :: PDN_SURFACE_FUNCTION = 1803
+    integer(c_int32_t), parameter :: PDN_SHELL_NORMALS = 1900
+    integer(c_int32_t), parameter :: PDN_SHELL_PARALLEL = 1901
+    integer(c_int32_t), parameter :: PDN_SHELL_NODE_AXES = 1902
+    integer(c_int32_t), parameter :: PDN_SHELL_EDGE_START_ETA = 2000
+    integer(c_int32_t), parameter :: PDN_SHELL_EDGE_END_XI = 2001
+    integer(c_int32_t), parameter :: PDN_SHELL_EDGE_END_ETA = 2002
+    integer(c_int32_t), parameter :: PDN_SHELL_EDGE_START_XI = 2003
+    integer(c_int32_t), parameter :: PDN_SHELL_SURFACE = 2004
+    integer(c_int32_t), parameter :: PDN_ANGLES_ROTATION_VECTOR = 2100
+    integer(c_int32_t), parameter :: PDN_ANGLES_TILT_AND_SPIN = 2101
+    integer(c_int32_t), parameter :: PDN_TANGENTS_DIFFERENCED = 2200
+    integer(c_int32_t), parameter :: PDN_TANGENTS_GIVEN = 2201
+    integer(c_int32_t), parameter :: PDN_TANGENT_MOTION = 2300
+    integer(c_int32_t), parameter :: PDN_TANGENT_VELOCITY = 2301
     integer(c_int32_t), parameter :: PDN_OBJECT_NODE = 1000
     integer(c_int32_t), parameter :: PDN_OBJECT_JOINT = 1001
     integer(c_int32_t), parameter :: PDN_OBJECT_BEAM_ELEMENT = 1002
@@ -93,39 +93,38 @@ module periodyn_c
     integer(c_int32_t), parameter :: PDN_OBJECT_FORCE = 1004
     integer(c_int32_t), parameter :: PDN_OBJECT_RELATION = 1005
     integer(c_int32_t), parameter :: PDN_LABEL_LENGTH = 200
-    integer(c_int32_t), parameter :: PDN_CONVERGED = 0
-    integer(c_int32_t), parameter :: PDN_ITERATION_LIMIT = 1
-    integer(c_int32_t), parameter :: PDN_STALLED = 2
-    integer(c_int32_t), parameter :: PDN_SINGULAR = 3
-    integer(c_int32_t), parameter :: PDN_CANCELLED = 4
-    integer(c_int32_t), parameter :: PDN_NO_INITIAL_GUESS = 5
-    integer(c_int32_t), parameter :: PDN_INCONSISTENT = 6
-    integer(c_int32_t), parameter :: PDN_WRONG_ASSEMBLY = 7
-    integer(c_int32_t), parameter :: PDN_TOLERANCE_NOT_MET = 8
-    integer(c_int32_t), parameter :: PDN_WORK_LIMIT = 9
-    integer(c_int32_t), parameter :: PDN_DECAY_UNKNOWN = 0
-    integer(c_int32_t), parameter :: PDN_DECAY_FAST = 1
-    integer(c_int32_t), parameter :: PDN_DECAY_SLOW = 2
-    integer(c_int32_t), parameter :: PDN_DECAY_ROUNDING = 3
-    integer(c_int32_t), parameter :: PDN_AXES_SPACE = 0
-    integer(c_int32_t), parameter :: PDN_AXES_FIRST = 1
-    integer(c_int32_t), parameter :: PDN_AXES_SECOND = 2
-    integer(c_int32_t), parameter :: PDN_NODE_POSITION = 0
-    integer(c_int32_t), parameter :: PDN_NODE_ROTATION = 1
-    integer(c_int32_t), parameter :: PDN_NODE_QUATERNION = 2
-    integer(c_int32_t), parameter :: PDN_NODE_VELOCITY = 3
-    integer(c_int32_t), parameter :: PDN_NODE_ACCELERATION = 4
-    integer(c_int32_t), parameter :: PDN_NODE_MATERIAL_VELOCITY = 5
-    integer(c_int32_t), parameter :: PDN_NODE_MATERIAL_ACCELERATION = 6
-    integer(c_int32_t), parameter :: PDN_JOINT_COORDINATE = 0
-    integer(c_int32_t), parameter :: PDN_JOINT_RATE = 1
-    integer(c_int32_t), parameter :: PDN_JOINT_ACCELERATION = 2
-    integer(c_int32_t), parameter :: PDN_JOINT_DRIVING_EFFORT = 3
-    integer(c_int32_t), parameter :: PDN_JOINT_REACTION = 4
-    integer(c_int32_t), parameter :: PDN_BEAM_STRAIN = 0
-    integer(c_int32_t), parameter :: PDN_BEAM_FORCE = 1
-    integer(c_int32_t), parameter :: PDN_BEAM_FORCE_MEAN = 2
-    integer(c_int32_t), parameter :: PDN_BEAM_FORCE_JUMP = 3
+    integer(c_int32_t), parameter :: PDN_CONVERGED = 2400
+    integer(c_int32_t), parameter :: PDN_ITERATION_LIMIT = 2401
+    integer(c_int32_t), parameter :: PDN_STALLED = 2402
+    integer(c_int32_t), parameter :: PDN_SINGULAR = 2403
+    integer(c_int32_t), parameter :: PDN_CANCELLED = 2404
+    integer(c_int32_t), parameter :: PDN_NO_INITIAL_GUESS = 2405
+    integer(c_int32_t), parameter :: PDN_INCONSISTENT = 2406
+    integer(c_int32_t), parameter :: PDN_WRONG_ASSEMBLY = 2407
+    integer(c_int32_t), parameter :: PDN_TOLERANCE_NOT_MET = 2408
+    integer(c_int32_t), parameter :: PDN_WORK_LIMIT = 2409
+    integer(c_int32_t), parameter :: PDN_DECAY_UNKNOWN = 2500
+    integer(c_int32_t), parameter :: PDN_DECAY_FAST = 2501
+    integer(c_int32_t), parameter :: PDN_DECAY_SLOW = 2502
+    integer(c_int32_t), parameter :: PDN_DECAY_ROUNDING = 2503
+    integer(c_int32_t), parameter :: PDN_FRAME_FIRST = 1603
+    integer(c_int32_t), parameter :: PDN_FRAME_SECOND = 1604
+    integer(c_int32_t), parameter :: PDN_NODE_POSITION = 2600
+    integer(c_int32_t), parameter :: PDN_NODE_ROTATION = 2601
+    integer(c_int32_t), parameter :: PDN_NODE_QUATERNION = 2602
+    integer(c_int32_t), parameter :: PDN_NODE_VELOCITY = 2603
+    integer(c_int32_t), parameter :: PDN_NODE_ACCELERATION = 2604
+    integer(c_int32_t), parameter :: PDN_NODE_MATERIAL_VELOCITY = 2605
+    integer(c_int32_t), parameter :: PDN_NODE_MATERIAL_ACCELERATION = 2606
+    integer(c_int32_t), parameter :: PDN_JOINT_COORDINATE = 2700
+    integer(c_int32_t), parameter :: PDN_JOINT_RATE = 2701
+    integer(c_int32_t), parameter :: PDN_JOINT_ACCELERATION = 2702
+    integer(c_int32_t), parameter :: PDN_JOINT_DRIVING_EFFORT = 2703
+    integer(c_int32_t), parameter :: PDN_JOINT_REACTION = 2704
+    integer(c_int32_t), parameter :: PDN_BEAM_STRAIN = 2800
+    integer(c_int32_t), parameter :: PDN_BEAM_FORCE = 2801
+    integer(c_int32_t), parameter :: PDN_BEAM_FORCE_MEAN = 2802
+    integer(c_int32_t), parameter :: PDN_BEAM_FORCE_JUMP = 2803
     integer(c_int32_t), parameter :: PDN_QUANTITY_POSITION = 100
     integer(c_int32_t), parameter :: PDN_QUANTITY_ROTATION = 101
     integer(c_int32_t), parameter :: PDN_QUANTITY_QUATERNION = 102
@@ -145,60 +144,62 @@ module periodyn_c
     integer(c_int32_t), parameter :: PDN_QUANTITY_BRANCH_ELONGATION = 402
     integer(c_int32_t), parameter :: PDN_QUANTITY_FORCE_ON_NODE = 403
     integer(c_int32_t), parameter :: PDN_QUANTITY_BUSHING_EFFORTS = 404
+    integer(c_int32_t), parameter :: PDN_QUANTITY_CONTROL_EFFORT = 405
+    integer(c_int32_t), parameter :: PDN_QUANTITY_CONTROL_STATE = 406
     integer(c_int32_t), parameter :: PDN_QUANTITY_SHELL_STRAIN = 500
     integer(c_int32_t), parameter :: PDN_QUANTITY_SHELL_RESULTANT = 501
     integer(c_int32_t), parameter :: PDN_QUANTITY_STRESS_TOP = 502
     integer(c_int32_t), parameter :: PDN_QUANTITY_STRESS_BOTTOM = 503
     integer(c_int32_t), parameter :: PDN_QUANTITY_RELATION_EFFORT = 600
-    integer(c_int32_t), parameter :: PDN_ALL_COMPONENTS = -1
-    integer(c_int32_t), parameter :: PDN_FORCE_EFFORT = 0
-    integer(c_int32_t), parameter :: PDN_FORCE_BRANCH_EFFORT = 1
-    integer(c_int32_t), parameter :: PDN_FORCE_BRANCH_ELONGATION = 2
-    integer(c_int32_t), parameter :: PDN_FORCE_ON_NODE = 3
-    integer(c_int32_t), parameter :: PDN_FORCE_ON_NODE_MATERIAL = 4
-    integer(c_int32_t), parameter :: PDN_FILTER_LANCZOS = 0
-    integer(c_int32_t), parameter :: PDN_FILTER_EXPONENTIAL = 1
-    integer(c_int32_t), parameter :: PDN_STAGE_INITIAL_GUESS = 0
-    integer(c_int32_t), parameter :: PDN_STAGE_NEWTON = 1
-    integer(c_int32_t), parameter :: PDN_STAGE_MARCH = 2
-    integer(c_int32_t), parameter :: PDN_STAGE_MODES = 3
-    integer(c_int32_t), parameter :: PDN_STAGE_STABILITY = 4
-    integer(c_int32_t), parameter :: PDN_START_AUTOMATIC = 0
-    integer(c_int32_t), parameter :: PDN_START_QUASI_STATIC = 1
-    integer(c_int32_t), parameter :: PDN_START_STEADY_ROTATION = 2
-    integer(c_int32_t), parameter :: PDN_START_RIGID_ROTATION = 3
-    integer(c_int32_t), parameter :: PDN_START_RAISED_INERTIA = 4
-    integer(c_int32_t), parameter :: PDN_START_MARCH = 5
-    integer(c_int32_t), parameter :: PDN_START_LOWERED_DAMPING = 6
-    integer(c_int32_t), parameter :: PDN_START_RAISED_LOADS = 7
-    integer(c_int32_t), parameter :: PDN_TIME_MAP_AUTOMATIC = 0
-    integer(c_int32_t), parameter :: PDN_TIME_MAP_EQUISPACED = 1
-    integer(c_int32_t), parameter :: PDN_TIME_MAP_EVENTS = 2
-    integer(c_int32_t), parameter :: PDN_LINEAR_AUTOMATIC = 0
-    integer(c_int32_t), parameter :: PDN_LINEAR_DIRECT = 1
-    integer(c_int32_t), parameter :: PDN_LINEAR_ITERATIVE = 2
-    integer(c_int32_t), parameter :: PDN_LINEAR_BODY_CIRCULANT = 3
-    integer(c_int32_t), parameter :: PDN_LINEAR_TIME_LOCAL = 4
-    integer(c_int32_t), parameter :: PDN_LINEAR_CIRCULANT = 5
-    integer(c_int32_t), parameter :: PDN_NUMBER_STIFFNESS = 0
-    integer(c_int32_t), parameter :: PDN_NUMBER_DAMPING = 1
-    integer(c_int32_t), parameter :: PDN_NUMBER_REST = 2
-    integer(c_int32_t), parameter :: PDN_NUMBER_INERTIA = 3
-    integer(c_int32_t), parameter :: PDN_NUMBER_BEAM_STIFFNESS = 4
-    integer(c_int32_t), parameter :: PDN_NUMBER_BEAM_MASS = 5
-    integer(c_int32_t), parameter :: PDN_NUMBER_BEAM_DAMPING = 6
-    integer(c_int32_t), parameter :: PDN_NUMBER_MASS_DAMPING = 7
-    integer(c_int32_t), parameter :: PDN_SIGNAL_OF_ACTUATOR = 0
-    integer(c_int32_t), parameter :: PDN_SIGNAL_OF_PRESCRIBED = 1
-    integer(c_int32_t), parameter :: PDN_SIGNAL_OF_LOAD = 2
-    integer(c_int32_t), parameter :: PDN_SIGNAL_OF_BEAM_LOAD = 3
-    integer(c_int32_t), parameter :: PDN_SIGNAL_OF_GRAVITY = 4
-    integer(c_int32_t), parameter :: PDN_SIGNAL_OF_RELATION = 5
-    integer(c_int32_t), parameter :: PDN_PART_MEAN = 0
-    integer(c_int32_t), parameter :: PDN_PART_RATE = 1
-    integer(c_int32_t), parameter :: PDN_PART_AMPLITUDE = 2
-    integer(c_int32_t), parameter :: PDN_PART_PHASE = 3
-    integer(c_int32_t), parameter :: PDN_FREQUENCY = -1
+    integer(c_int32_t), parameter :: PDN_ALL_COMPONENTS = -2
+    integer(c_int32_t), parameter :: PDN_FORCE_EFFORT = 3000
+    integer(c_int32_t), parameter :: PDN_FORCE_BRANCH_EFFORT = 3001
+    integer(c_int32_t), parameter :: PDN_FORCE_BRANCH_ELONGATION = 3002
+    integer(c_int32_t), parameter :: PDN_FORCE_ON_NODE = 3003
+    integer(c_int32_t), parameter :: PDN_FORCE_ON_NODE_MATERIAL = 3004
+    integer(c_int32_t), parameter :: PDN_FILTER_LANCZOS = 3100
+    integer(c_int32_t), parameter :: PDN_FILTER_EXPONENTIAL = 3101
+    integer(c_int32_t), parameter :: PDN_STAGE_INITIAL_GUESS = 3200
+    integer(c_int32_t), parameter :: PDN_STAGE_NEWTON = 3201
+    integer(c_int32_t), parameter :: PDN_STAGE_MARCH = 3202
+    integer(c_int32_t), parameter :: PDN_STAGE_MODES = 3203
+    integer(c_int32_t), parameter :: PDN_STAGE_STABILITY = 3204
+    integer(c_int32_t), parameter :: PDN_START_AUTOMATIC = 3300
+    integer(c_int32_t), parameter :: PDN_START_QUASI_STATIC = 3301
+    integer(c_int32_t), parameter :: PDN_START_STEADY_ROTATION = 3302
+    integer(c_int32_t), parameter :: PDN_START_RIGID_ROTATION = 3303
+    integer(c_int32_t), parameter :: PDN_START_RAISED_INERTIA = 3304
+    integer(c_int32_t), parameter :: PDN_START_MARCH = 3305
+    integer(c_int32_t), parameter :: PDN_START_LOWERED_DAMPING = 3306
+    integer(c_int32_t), parameter :: PDN_START_RAISED_LOADS = 3307
+    integer(c_int32_t), parameter :: PDN_TIME_MAP_AUTOMATIC = 3400
+    integer(c_int32_t), parameter :: PDN_TIME_MAP_EQUISPACED = 3401
+    integer(c_int32_t), parameter :: PDN_TIME_MAP_EVENTS = 3402
+    integer(c_int32_t), parameter :: PDN_LINEAR_AUTOMATIC = 3500
+    integer(c_int32_t), parameter :: PDN_LINEAR_DIRECT = 3501
+    integer(c_int32_t), parameter :: PDN_LINEAR_ITERATIVE = 3502
+    integer(c_int32_t), parameter :: PDN_LINEAR_BODY_CIRCULANT = 3503
+    integer(c_int32_t), parameter :: PDN_LINEAR_TIME_LOCAL = 3504
+    integer(c_int32_t), parameter :: PDN_LINEAR_CIRCULANT = 3505
+    integer(c_int32_t), parameter :: PDN_NUMBER_STIFFNESS = 3600
+    integer(c_int32_t), parameter :: PDN_NUMBER_DAMPING = 3601
+    integer(c_int32_t), parameter :: PDN_NUMBER_REST = 3602
+    integer(c_int32_t), parameter :: PDN_NUMBER_INERTIA = 3603
+    integer(c_int32_t), parameter :: PDN_NUMBER_BEAM_STIFFNESS = 3604
+    integer(c_int32_t), parameter :: PDN_NUMBER_BEAM_MASS = 3605
+    integer(c_int32_t), parameter :: PDN_NUMBER_BEAM_DAMPING = 3606
+    integer(c_int32_t), parameter :: PDN_NUMBER_MASS_DAMPING = 3607
+    integer(c_int32_t), parameter :: PDN_SIGNAL_OF_ACTUATOR = 3700
+    integer(c_int32_t), parameter :: PDN_SIGNAL_OF_PRESCRIBED = 3701
+    integer(c_int32_t), parameter :: PDN_SIGNAL_OF_LOAD = 3702
+    integer(c_int32_t), parameter :: PDN_SIGNAL_OF_BEAM_LOAD = 3703
+    integer(c_int32_t), parameter :: PDN_SIGNAL_OF_GRAVITY = 3704
+    integer(c_int32_t), parameter :: PDN_SIGNAL_OF_RELATION = 3705
+    integer(c_int32_t), parameter :: PDN_PART_MEAN = 3800
+    integer(c_int32_t), parameter :: PDN_PART_RATE = 3801
+    integer(c_int32_t), parameter :: PDN_PART_AMPLITUDE = 3802
+    integer(c_int32_t), parameter :: PDN_PART_PHASE = 3803
+    integer(c_int32_t), parameter :: PDN_FREQUENCY = -3
     integer(c_int32_t), parameter :: PDN_FORCE_IS_SPRING_DAMPER = 1100
     integer(c_int32_t), parameter :: PDN_FORCE_IS_ACTUATOR = 1101
     integer(c_int32_t), parameter :: PDN_FORCE_IS_COORDINATE_LAW = 1102
@@ -206,31 +207,32 @@ module periodyn_c
     integer(c_int32_t), parameter :: PDN_FORCE_IS_VISCOUS_DAMPER = 1104
     integer(c_int32_t), parameter :: PDN_FORCE_IS_BUSHING = 1105
     integer(c_int32_t), parameter :: PDN_FORCE_IS_USER_FORCE = 1106
-    integer(c_int32_t), parameter :: PDN_NUMBER_RELAXATION_TIME = 20
-    integer(c_int32_t), parameter :: PDN_FEATURE_MEAN = 500
-    integer(c_int32_t), parameter :: PDN_FEATURE_COSINE = 501
-    integer(c_int32_t), parameter :: PDN_FEATURE_SINE = 502
-    integer(c_int32_t), parameter :: PDN_FEATURE_VALUE = 503
-    integer(c_int32_t), parameter :: PDN_FEATURE_LARGEST = 504
-    integer(c_int32_t), parameter :: PDN_FEATURE_SMALLEST = 505
-    integer(c_int32_t), parameter :: PDN_SENSITIVITY_AUTOMATIC = 0
-    integer(c_int32_t), parameter :: PDN_SENSITIVITY_DIRECT = 1
-    integer(c_int32_t), parameter :: PDN_SENSITIVITY_ADJOINT = 2
-    integer(c_int32_t), parameter :: PDN_BRANCH_RANGE = 0
-    integer(c_int32_t), parameter :: PDN_BRANCH_CLOSED = 1
-    integer(c_int32_t), parameter :: PDN_BRANCH_POINT_LIMIT = 2
-    integer(c_int32_t), parameter :: PDN_BRANCH_SMALLEST_STEP = 3
-    integer(c_int32_t), parameter :: PDN_BRANCH_CANCELLED = 4
-    integer(c_int32_t), parameter :: PDN_BRANCH_NO_START = 5
-    integer(c_int32_t), parameter :: PDN_BRANCH_FAILED = 6
-    integer(c_int32_t), parameter :: PDN_EVENT_NONE = 0
-    integer(c_int32_t), parameter :: PDN_EVENT_FOLD = 1
-    integer(c_int32_t), parameter :: PDN_EVENT_BRANCH_POINT = 2
-    integer(c_int32_t), parameter :: PDN_EVENT_PERIOD_DOUBLING = 3
-    integer(c_int32_t), parameter :: PDN_EVENT_TORUS = 4
-    integer(c_int32_t), parameter :: PDN_STABILITY_NOT_KNOWN = 0
-    integer(c_int32_t), parameter :: PDN_STABLE = 1
-    integer(c_int32_t), parameter :: PDN_UNSTABLE = 2
+    integer(c_int32_t), parameter :: PDN_FORCE_IS_CONTROLLER = 1107
+    integer(c_int32_t), parameter :: PDN_NUMBER_RELAXATION_TIME = 3608
+    integer(c_int32_t), parameter :: PDN_FEATURE_MEAN = 2900
+    integer(c_int32_t), parameter :: PDN_FEATURE_COSINE = 2901
+    integer(c_int32_t), parameter :: PDN_FEATURE_SINE = 2902
+    integer(c_int32_t), parameter :: PDN_FEATURE_VALUE = 2903
+    integer(c_int32_t), parameter :: PDN_FEATURE_LARGEST = 2904
+    integer(c_int32_t), parameter :: PDN_FEATURE_SMALLEST = 2905
+    integer(c_int32_t), parameter :: PDN_SENSITIVITY_AUTOMATIC = 3900
+    integer(c_int32_t), parameter :: PDN_SENSITIVITY_DIRECT = 3901
+    integer(c_int32_t), parameter :: PDN_SENSITIVITY_ADJOINT = 3902
+    integer(c_int32_t), parameter :: PDN_BRANCH_RANGE = 4000
+    integer(c_int32_t), parameter :: PDN_BRANCH_CLOSED = 4001
+    integer(c_int32_t), parameter :: PDN_BRANCH_POINT_LIMIT = 4002
+    integer(c_int32_t), parameter :: PDN_BRANCH_SMALLEST_STEP = 4003
+    integer(c_int32_t), parameter :: PDN_BRANCH_CANCELLED = 4004
+    integer(c_int32_t), parameter :: PDN_BRANCH_NO_START = 4005
+    integer(c_int32_t), parameter :: PDN_BRANCH_FAILED = 4006
+    integer(c_int32_t), parameter :: PDN_EVENT_NONE = 4100
+    integer(c_int32_t), parameter :: PDN_EVENT_FOLD = 4101
+    integer(c_int32_t), parameter :: PDN_EVENT_BRANCH_POINT = 4102
+    integer(c_int32_t), parameter :: PDN_EVENT_PERIOD_DOUBLING = 4103
+    integer(c_int32_t), parameter :: PDN_EVENT_TORUS = 4104
+    integer(c_int32_t), parameter :: PDN_STABILITY_NOT_KNOWN = 4200
+    integer(c_int32_t), parameter :: PDN_STABLE = 4201
+    integer(c_int32_t), parameter :: PDN_UNSTABLE = 4202
 
     type, bind(C) :: pdn_section
         integer(c_size_t) :: struct_size = 0
@@ -353,6 +355,26 @@ module periodyn_c
         integer(c_int32_t) :: column_component
         integer(c_int32_t) :: reserved
     end type pdn_tangent_check
+
+    type, bind(C) :: pdn_controller_state
+        integer(c_size_t) :: struct_size = 0
+        real(c_double) :: time
+        integer(c_size_t) :: input_count
+        type(c_ptr) :: inputs = c_null_ptr
+        type(c_ptr) :: input_rates = c_null_ptr
+        integer(c_size_t) :: state_count
+        type(c_ptr) :: states = c_null_ptr
+    end type pdn_controller_state
+
+    type, bind(C) :: pdn_controller_values
+        integer(c_size_t) :: struct_size = 0
+        integer(c_size_t) :: output_count
+        type(c_ptr) :: efforts = c_null_ptr
+        type(c_ptr) :: state_rates = c_null_ptr
+        type(c_ptr) :: by_inputs = c_null_ptr
+        type(c_ptr) :: by_input_rates = c_null_ptr
+        type(c_ptr) :: by_states = c_null_ptr
+    end type pdn_controller_values
 
     type, bind(C) :: pdn_diagnostics
         integer(c_size_t) :: struct_size = 0
@@ -729,6 +751,15 @@ module periodyn_c
             type(c_ptr), value :: user_data
             integer(c_int32_t) :: pdn_user_force_fn
         end function pdn_user_force_fn
+
+        ! A controller, to be written by the caller
+        function pdn_controller_fn(state, values, user_data) bind(C)
+            import
+            type(pdn_controller_state), intent(in) :: state
+            type(pdn_controller_values), intent(inout) :: values
+            type(c_ptr), value :: user_data
+            integer(c_int32_t) :: pdn_controller_fn
+        end function pdn_controller_fn
 
         ! Called after each Newton iteration, or after each step of a march, and while one lasts about ten times a ...
         function pdn_progress_fn(progress, user_data) bind(C)
@@ -1734,6 +1765,78 @@ module periodyn_c
             type(pdn_tangent_check), intent(inout) :: check
             integer(c_int32_t) :: pdn_model_check_tangents
         end function pdn_model_check_tangents
+
+        ! Adds a controller: efforts on joint coordinates by a function of the caller that reads any joint ...
+        function pdn_model_add_controller(model, input_joints, input_coordinates, input_count, output_joints, &
+            output_coordinates, output_count, initial, sizes, state_count, tangents, function, user_data, &
+            destroy, force) bind(C, name="pdn_model_add_controller")
+            import
+            type(c_ptr), value :: model
+            integer(c_int32_t), intent(in), optional :: input_joints(*)
+            integer(c_int32_t), intent(in), optional :: input_coordinates(*)
+            integer(c_size_t), value :: input_count
+            integer(c_int32_t), intent(in) :: output_joints(*)
+            integer(c_int32_t), intent(in) :: output_coordinates(*)
+            integer(c_size_t), value :: output_count
+            real(c_double), intent(in), optional :: initial(*)
+            real(c_double), intent(in), optional :: sizes(*)
+            integer(c_size_t), value :: state_count
+            integer(c_int32_t), value :: tangents
+            type(c_funptr), value :: function
+            type(c_ptr), value :: user_data
+            type(c_funptr), value :: destroy
+            integer(c_int32_t), intent(inout), optional :: force
+            integer(c_int32_t) :: pdn_model_add_controller
+        end function pdn_model_add_controller
+
+        ! Gives a controller its function, or another one: that of a model from a file is not there
+        function pdn_model_bind_controller(model, force, tangents, function, user_data, &
+            destroy) bind(C, name="pdn_model_bind_controller")
+            import
+            type(c_ptr), value :: model
+            integer(c_int32_t), value :: force
+            integer(c_int32_t), value :: tangents
+            type(c_funptr), value :: function
+            type(c_ptr), value :: user_data
+            type(c_funptr), value :: destroy
+            integer(c_int32_t) :: pdn_model_bind_controller
+        end function pdn_model_bind_controller
+
+        ! Numbers of the coordinates that a controller reads, of those that it acts on, and of its states
+        function pdn_model_controller_counts(model, force, input_count, output_count, &
+            state_count) bind(C, name="pdn_model_controller_counts")
+            import
+            type(c_ptr), value :: model
+            integer(c_int32_t), value :: force
+            integer(c_int32_t), intent(inout), optional :: input_count
+            integer(c_int32_t), intent(inout), optional :: output_count
+            integer(c_int32_t), intent(inout), optional :: state_count
+            integer(c_int32_t) :: pdn_model_controller_counts
+        end function pdn_model_controller_counts
+
+        ! A coordinate that a controller reads or acts on
+        function pdn_model_controller_coordinate(model, force, index, joint, &
+            coordinate) bind(C, name="pdn_model_controller_coordinate")
+            import
+            type(c_ptr), value :: model
+            integer(c_int32_t), value :: force
+            integer(c_int32_t), value :: index
+            integer(c_int32_t), intent(inout) :: joint
+            integer(c_int32_t), intent(inout) :: coordinate
+            integer(c_int32_t) :: pdn_model_controller_coordinate
+        end function pdn_model_controller_coordinate
+
+        ! A state of a controller
+        function pdn_model_controller_state(model, force, index, initial, &
+            size) bind(C, name="pdn_model_controller_state")
+            import
+            type(c_ptr), value :: model
+            integer(c_int32_t), value :: force
+            integer(c_int32_t), value :: index
+            real(c_double), intent(inout), optional :: initial
+            real(c_double), intent(inout), optional :: size
+            integer(c_int32_t) :: pdn_model_controller_state
+        end function pdn_model_controller_state
 
         ! Gives a node, joint, element, force or relation a label, in place of the one that it has
         function pdn_model_set_label(model, kind, id, label) bind(C, name="pdn_model_set_label")
@@ -2815,7 +2918,7 @@ module periodyn_c
             integer(c_int32_t) :: pdn_solution_multiplier_sensitivities
         end function pdn_solution_multiplier_sensitivities
 
-        ! Sets a point to zero; use `PDN_INIT(pdn_branch_point, &point)`
+        ! Sets a point to that of nothing; use `PDN_INIT(pdn_branch_point, &point)`
         subroutine pdn_branch_point_init(point, struct_size) bind(C, name="pdn_branch_point_init")
             import
             type(pdn_branch_point), intent(inout) :: point
@@ -3617,6 +3720,11 @@ module periodyn
         procedure, public :: add_viscous_damper => model_add_viscous_damper
         procedure, public :: add_coordinate_law => model_add_coordinate_law
         procedure, public :: add_user_force => model_add_user_force
+        procedure, public :: add_controller => model_add_controller
+        procedure, public :: bind_controller => model_bind_controller
+        procedure, public :: controller_counts => model_controller_counts
+        procedure, public :: controller_coordinate => model_controller_coordinate
+        procedure, public :: controller_state => model_controller_state
         procedure, public :: check_tangents => model_check_tangents
         procedure, public :: add_parameter => model_add_parameter
         procedure, public :: set_parameter => model_set_parameter
@@ -3816,9 +3924,12 @@ contains
     pure integer function components(quantity, of_all)
         integer(c_int32_t), intent(in) :: quantity
         integer, intent(in) :: of_all(0:)
+        integer :: place
 
         components = maxval(of_all)
-        if (quantity >= 0 .and. quantity < size(of_all)) components = of_all(quantity)
+        ! Constants of each list count on from a hundred.
+        place = modulo(quantity, 100)
+        if (quantity >= 0 .and. place < size(of_all)) components = of_all(place)
     end function components
 
     ! A count for the library; none instead of a negative one, which it refuses.
@@ -5328,6 +5439,95 @@ contains
         call report(pdn_model_add_user_force(self%c, nodes, size(nodes, kind=c_size_t), frame, tangents, &
             c_funloc(forces), data, dispose, force), stat, errmsg)
     end subroutine model_add_user_force
+
+    ! Efforts on coordinates by the caller's law of coordinates, rates and states; without `initial` and
+    ! `sizes` it has no states.
+    subroutine model_add_controller(self, input_joints, input_coordinates, output_joints, output_coordinates, &
+        tangents, controller, initial, sizes, user_data, destroy, force, stat, errmsg)
+        class(pdn_model), intent(inout) :: self
+        integer(c_int32_t), intent(in) :: input_joints(:), input_coordinates(:)
+        integer(c_int32_t), intent(in) :: output_joints(:), output_coordinates(:), tangents
+        procedure(pdn_controller_fn) :: controller
+        real(c_double), intent(in), optional :: initial(:), sizes(:)
+        type(c_ptr), intent(in), optional :: user_data
+        procedure(pdn_destroy_fn), optional :: destroy
+        integer(c_int32_t), intent(inout), optional :: force
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        type(c_ptr) :: data
+        type(c_funptr) :: dispose
+        integer(c_size_t) :: states
+
+        if (.not. fits('input_coordinates', shape(input_coordinates), shape(input_joints), stat, errmsg)) return
+        if (.not. fits('output_coordinates', shape(output_coordinates), shape(output_joints), stat, errmsg)) return
+        states = 0
+        if (present(initial)) states = size(initial, kind=c_size_t)
+        if (present(sizes)) then
+            if (present(initial)) then
+                if (.not. fits('sizes', shape(sizes), shape(initial), stat, errmsg)) return
+            end if
+            states = size(sizes, kind=c_size_t)
+        end if
+        data = c_null_ptr
+        if (present(user_data)) data = user_data
+        dispose = c_null_funptr
+        if (present(destroy)) dispose = c_funloc(destroy)
+        call report(pdn_model_add_controller(self%c, input_joints, input_coordinates, &
+            size(input_joints, kind=c_size_t), output_joints, output_coordinates, &
+            size(output_joints, kind=c_size_t), initial, sizes, states, tangents, c_funloc(controller), data, &
+            dispose, force), stat, errmsg)
+    end subroutine model_add_controller
+
+    ! A function for a controller, in place of the one that it has.
+    subroutine model_bind_controller(self, force, tangents, controller, user_data, destroy, stat, errmsg)
+        class(pdn_model), intent(inout) :: self
+        integer(c_int32_t), intent(in) :: force, tangents
+        procedure(pdn_controller_fn) :: controller
+        type(c_ptr), intent(in), optional :: user_data
+        procedure(pdn_destroy_fn), optional :: destroy
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        type(c_ptr) :: data
+        type(c_funptr) :: dispose
+
+        data = c_null_ptr
+        if (present(user_data)) data = user_data
+        dispose = c_null_funptr
+        if (present(destroy)) dispose = c_funloc(destroy)
+        call report(pdn_model_bind_controller(self%c, force, tangents, c_funloc(controller), data, dispose), stat, &
+            errmsg)
+    end subroutine model_bind_controller
+
+    subroutine model_controller_counts(self, force, inputs, outputs, states, stat, errmsg)
+        class(pdn_model), intent(in) :: self
+        integer(c_int32_t), intent(in) :: force
+        integer(c_int32_t), intent(inout), optional :: inputs, outputs, states
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+
+        call report(pdn_model_controller_counts(self%c, force, inputs, outputs, states), stat, errmsg)
+    end subroutine model_controller_counts
+
+    ! A coordinate that a controller reads or, counted on, acts on.
+    subroutine model_controller_coordinate(self, force, index, joint, coordinate, stat, errmsg)
+        class(pdn_model), intent(in) :: self
+        integer(c_int32_t), intent(in) :: force, index
+        integer(c_int32_t), intent(inout) :: joint, coordinate
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+
+        call report(pdn_model_controller_coordinate(self%c, force, index, joint, coordinate), stat, errmsg)
+    end subroutine model_controller_coordinate
+
+    subroutine model_controller_state(self, force, index, initial, size, stat, errmsg)
+        class(pdn_model), intent(in) :: self
+        integer(c_int32_t), intent(in) :: force, index
+        real(c_double), intent(inout), optional :: initial, size
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+
+        call report(pdn_model_controller_state(self%c, force, index, initial, size), stat, errmsg)
+    end subroutine model_controller_state
 
     ! Compares the tangents of a law or user force with differences.
     subroutine model_check_tangents(self, force, period, check, stat, errmsg)

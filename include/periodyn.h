@@ -147,22 +147,22 @@
 /**
  * Kind of a signal: mean, rate and harmonics. Also what a constant is.
  */
-#define PDN_SIGNAL_HARMONICS 0
+#define PDN_SIGNAL_HARMONICS 1200
 
 /**
  * Kind of a signal: rate and samples over one period.
  */
-#define PDN_SIGNAL_SAMPLES 1
+#define PDN_SIGNAL_SAMPLES 1201
 
 /**
  * Kind of a signal: a function of the caller.
  */
-#define PDN_SIGNAL_FUNCTION 2
+#define PDN_SIGNAL_FUNCTION 1202
 
 /**
  * Kind of a signal: a function of the caller, of the phase.
  */
-#define PDN_SIGNAL_FUNCTION_OF_PHASE 3
+#define PDN_SIGNAL_FUNCTION_OF_PHASE 1203
 
 /**
  * In place of a node's id: the ground, which does not move.
@@ -172,239 +172,239 @@
 /**
  * Joint that allows no relative motion.
  */
-#define PDN_JOINT_RIGID 0
+#define PDN_JOINT_RIGID 1300
 
 /**
  * Joint that allows a rotation about axis 3 of its frames.
  */
-#define PDN_JOINT_REVOLUTE 1
+#define PDN_JOINT_REVOLUTE 1301
 
 /**
  * Joint that allows a rotation about axis 1 of its first frame, then about axis 2 of its second.
  */
-#define PDN_JOINT_UNIVERSAL 2
+#define PDN_JOINT_UNIVERSAL 1302
 
 /**
  * Joint that allows all rotations.
  */
-#define PDN_JOINT_SPHERICAL 3
+#define PDN_JOINT_SPHERICAL 1303
 
 /**
  * Joint that allows a displacement along axis 3 of its frames.
  */
-#define PDN_JOINT_PRISMATIC 4
+#define PDN_JOINT_PRISMATIC 1304
 
 /**
  * Joint that allows a displacement along axis 3 of its frames and a rotation about it.
  */
-#define PDN_JOINT_CYLINDRICAL 5
+#define PDN_JOINT_CYLINDRICAL 1305
 
 /**
  * Joint that allows displacements along axes 1 and 2 of its first frame and a rotation about axis
  * 3.
  */
-#define PDN_JOINT_PLANAR 6
+#define PDN_JOINT_PLANAR 1306
 
 /**
  * Joint that allows everything: it carries springs, prescribed coordinates and measures.
  */
-#define PDN_JOINT_FREE 7
+#define PDN_JOINT_FREE 1307
 
 /**
  * Joint that allows a displacement along axis 3 of its frames, in proportion to the rotation about
  * it; made by functions of its own, for its pitch.
  */
-#define PDN_JOINT_SCREW 8
+#define PDN_JOINT_SCREW 1308
 
 /**
  * The line between two points, which constrains nothing; made by ::pdn_model_add_strut.
  */
-#define PDN_JOINT_STRUT 9
+#define PDN_JOINT_STRUT 1309
 
 /**
  * Joint coordinate: the displacement, or the first of several.
  */
-#define PDN_DISPLACEMENT 0
+#define PDN_DISPLACEMENT 1400
 
 /**
  * Joint coordinate: second displacement of a planar or free joint.
  */
-#define PDN_DISPLACEMENT_2 1
+#define PDN_DISPLACEMENT_2 1401
 
 /**
  * Joint coordinate: third displacement of a free joint.
  */
-#define PDN_DISPLACEMENT_3 2
+#define PDN_DISPLACEMENT_3 1402
 
 /**
  * Joint coordinate: the angle, or the first of several.
  */
-#define PDN_ROTATION 3
+#define PDN_ROTATION 1403
 
 /**
  * Joint coordinate: second angle of a universal, spherical or free joint.
  */
-#define PDN_ROTATION_2 4
+#define PDN_ROTATION_2 1404
 
 /**
  * Joint coordinate: third angle of a spherical or free joint.
  */
-#define PDN_ROTATION_3 5
+#define PDN_ROTATION_3 1405
 
 /**
  * Kind of a line: straight.
  */
-#define PDN_LINE_STRAIGHT 0
+#define PDN_LINE_STRAIGHT 1500
 
 /**
  * Kind of a line: circular arc.
  */
-#define PDN_LINE_ARC 1
+#define PDN_LINE_ARC 1501
 
 /**
  * Kind of a line: a curve that the caller computes.
  */
-#define PDN_LINE_CURVE 2
+#define PDN_LINE_CURVE 1502
 
 /**
- * Directions of a load: the global axes.
+ * Directions of a load, or axes of a velocity, force or reaction: the global axes.
  */
-#define PDN_FRAME_SPACE 0
+#define PDN_FRAME_SPACE 1600
 
 /**
- * Directions of a load: the axes of the node, which the load follows.
+ * The same: the axes of the node, which a load follows.
  */
-#define PDN_FRAME_MATERIAL 1
+#define PDN_FRAME_MATERIAL 1601
 
 /**
  * Directions of a load along a beam: the axes that its sections have without twist, which follow
  * the sections.
  */
-#define PDN_FRAME_UNTWISTED 2
+#define PDN_FRAME_UNTWISTED 1602
 
 /**
  * Component of a load: force along axis 1.
  */
-#define PDN_FORCE_1 0
+#define PDN_FORCE_1 1700
 
 /**
  * Component of a load: force along axis 2.
  */
-#define PDN_FORCE_2 1
+#define PDN_FORCE_2 1701
 
 /**
  * Component of a load: force along axis 3.
  */
-#define PDN_FORCE_3 2
+#define PDN_FORCE_3 1702
 
 /**
  * Component of a load: moment about axis 1.
  */
-#define PDN_MOMENT_1 3
+#define PDN_MOMENT_1 1703
 
 /**
  * Component of a load: moment about axis 2.
  */
-#define PDN_MOMENT_2 4
+#define PDN_MOMENT_2 1704
 
 /**
  * Component of a load: moment about axis 3.
  */
-#define PDN_MOMENT_3 5
+#define PDN_MOMENT_3 1705
 
 /**
  * Kind of a surface: parallelogram.
  */
-#define PDN_SURFACE_PARALLELOGRAM 0
+#define PDN_SURFACE_PARALLELOGRAM 1800
 
 /**
  * Kind of a surface: sector of an annulus.
  */
-#define PDN_SURFACE_ANNULUS 1
+#define PDN_SURFACE_ANNULUS 1801
 
 /**
  * Kind of a surface: cylinder.
  */
-#define PDN_SURFACE_CYLINDER 2
+#define PDN_SURFACE_CYLINDER 1802
 
 /**
  * Kind of a surface: one that the caller computes.
  */
-#define PDN_SURFACE_FUNCTION 3
+#define PDN_SURFACE_FUNCTION 1803
 
 /**
  * Frames of a shell: along the normals of its surface at the nodes.
  */
-#define PDN_SHELL_NORMALS 0
+#define PDN_SHELL_NORMALS 1900
 
 /**
  * Frames of a shell: parallel at all nodes of an element. Somewhat better on curved elements of
  * three and more nodes a side; thin warped elements of two nodes a side lock.
  */
-#define PDN_SHELL_PARALLEL 1
+#define PDN_SHELL_PARALLEL 1901
 
 /**
  * Frames of a shell: along the third axes of the nodes' own frames, as normals of a surface that
  * is known better than its elements show it; of use with two nodes a side.
  */
-#define PDN_SHELL_NODE_AXES 2
+#define PDN_SHELL_NODE_AXES 1902
 
 /**
  * Place of a load on a shell element: its edge where eta = -1, along xi.
  */
-#define PDN_SHELL_EDGE_START_ETA 0
+#define PDN_SHELL_EDGE_START_ETA 2000
 
 /**
  * Place of a load on a shell element: its edge where xi = 1, along eta.
  */
-#define PDN_SHELL_EDGE_END_XI 1
+#define PDN_SHELL_EDGE_END_XI 2001
 
 /**
  * Place of a load on a shell element: its edge where eta = 1, along xi.
  */
-#define PDN_SHELL_EDGE_END_ETA 2
+#define PDN_SHELL_EDGE_END_ETA 2002
 
 /**
  * Place of a load on a shell element: its edge where xi = -1, along eta.
  */
-#define PDN_SHELL_EDGE_START_XI 3
+#define PDN_SHELL_EDGE_START_XI 2003
 
 /**
  * Place of a load on a shell element: its surface.
  */
-#define PDN_SHELL_SURFACE 4
+#define PDN_SHELL_SURFACE 2004
 
 /**
  * A bushing measures rotations by the rotation vector; its angle stays below half a turn.
  */
-#define PDN_ANGLES_ROTATION_VECTOR 0
+#define PDN_ANGLES_ROTATION_VECTOR 2100
 
 /**
  * A bushing measures the tilt of axis 3, as a rotation vector about axes 1 and 2, and the rate of
  * the spin about axis 3, which may go on and on: for journal bearings and seals.
  */
-#define PDN_ANGLES_TILT_AND_SPIN 1
+#define PDN_ANGLES_TILT_AND_SPIN 2101
 
 /**
  * Tangents of a user's function: it gives none, and the library finds them by differences of its
  * forces.
  */
-#define PDN_TANGENTS_DIFFERENCED 0
+#define PDN_TANGENTS_DIFFERENCED 2200
 
 /**
  * Tangents of a user's function: it gives them.
  */
-#define PDN_TANGENTS_GIVEN 1
+#define PDN_TANGENTS_GIVEN 2201
 
 /**
  * Which tangent: derivative by a motion or coordinate.
  */
-#define PDN_TANGENT_MOTION 0
+#define PDN_TANGENT_MOTION 2300
 
 /**
  * Which tangent: derivative by a velocity or rate.
  */
-#define PDN_TANGENT_VELOCITY 1
+#define PDN_TANGENT_VELOCITY 2301
 
 /**
  * What has an id: a node, or a rigid body, which is one.
@@ -444,172 +444,167 @@
 /**
  * Outcome: converged. With PDN_TOLERANCE_NOT_MET the only outcomes that are solutions.
  */
-#define PDN_CONVERGED 0
+#define PDN_CONVERGED 2400
 
 /**
  * Outcome: the iteration limit was reached.
  */
-#define PDN_ITERATION_LIMIT 1
+#define PDN_ITERATION_LIMIT 2401
 
 /**
  * Outcome: no step along the Newton direction brings progress.
  */
-#define PDN_STALLED 2
+#define PDN_STALLED 2402
 
 /**
  * Outcome: the Jacobian is singular; something is free to move, or in resonance without damping.
  */
-#define PDN_SINGULAR 3
+#define PDN_SINGULAR 2403
 
 /**
  * Outcome: the progress callback cancelled the solve.
  */
-#define PDN_CANCELLED 4
+#define PDN_CANCELLED 2404
 
 /**
  * Outcome: no initial guess could be found.
  */
-#define PDN_NO_INITIAL_GUESS 5
+#define PDN_NO_INITIAL_GUESS 2405
 
 /**
  * Outcome: constraints that depend on each other contradict each other; the mechanism is locked,
  * or cannot close.
  */
-#define PDN_INCONSISTENT 6
+#define PDN_INCONSISTENT 2406
 
 /**
  * Outcome: a joint has closed turned over, its axes against each other; the report names it.
  */
-#define PDN_WRONG_ASSEMBLY 7
+#define PDN_WRONG_ASSEMBLY 2407
 
 /**
  * Outcome: converged on the last grid tried, but the estimated error misses the tolerance, as the
  * report explains; quantities are as good as pdn_diagnostics.error_estimate says.
  */
-#define PDN_TOLERANCE_NOT_MET 8
+#define PDN_TOLERANCE_NOT_MET 2408
 
 /**
  * Outcome: all work was done that pdn_periodic_options.work_limit allows, and the report tells
  * what was tried; or as many steps of a march are kept as pdn_march_options.memory_limit allows.
  */
-#define PDN_WORK_LIMIT 9
+#define PDN_WORK_LIMIT 2409
 
 /**
  * Decay of harmonics: not known, as there are too few or the solve has not converged.
  */
-#define PDN_DECAY_UNKNOWN 0
+#define PDN_DECAY_UNKNOWN 2500
 
 /**
  * Decay of harmonics: fast, as of a smooth response that the grid resolves.
  */
-#define PDN_DECAY_FAST 1
+#define PDN_DECAY_FAST 2501
 
 /**
  * Decay of harmonics: no faster than the fourth power of their number. The response has a kink, or
  * a peak too narrow for the grid; forces may oscillate about their values.
  */
-#define PDN_DECAY_SLOW 2
+#define PDN_DECAY_SLOW 2502
 
 /**
  * Decay of harmonics: they have fallen to rounding; a finer grid gains nothing.
  */
-#define PDN_DECAY_ROUNDING 3
-
-/**
- * Axes of a joint reaction: inertial.
- */
-#define PDN_AXES_SPACE 0
+#define PDN_DECAY_ROUNDING 2503
 
 /**
  * Axes of a joint reaction: the joint frame on the first body.
  */
-#define PDN_AXES_FIRST 1
+#define PDN_FRAME_FIRST 1603
 
 /**
  * Axes of a joint reaction: the joint frame on the second body.
  */
-#define PDN_AXES_SECOND 2
+#define PDN_FRAME_SECOND 1604
 
 /**
  * Quantity of a node: position, inertial frame; 3 components \[length\].
  */
-#define PDN_NODE_POSITION 0
+#define PDN_NODE_POSITION 2600
 
 /**
  * Quantity of a node: rotation matrix, column by column; 9 components.
  */
-#define PDN_NODE_ROTATION 1
+#define PDN_NODE_ROTATION 2601
 
 /**
  * Quantity of a node: unit quaternion (w, x, y, z) of continuous sign; 4 components.
  */
-#define PDN_NODE_QUATERNION 2
+#define PDN_NODE_QUATERNION 2602
 
 /**
  * Quantity of a node: velocity and angular velocity, inertial frame; 6 components.
  */
-#define PDN_NODE_VELOCITY 3
+#define PDN_NODE_VELOCITY 2603
 
 /**
  * Quantity of a node: acceleration and angular acceleration, inertial frame; 6 components.
  */
-#define PDN_NODE_ACCELERATION 4
+#define PDN_NODE_ACCELERATION 2604
 
 /**
  * Quantity of a node: velocity and angular velocity along the node's axes; 6 components.
  */
-#define PDN_NODE_MATERIAL_VELOCITY 5
+#define PDN_NODE_MATERIAL_VELOCITY 2605
 
 /**
  * Quantity of a node: time derivative of PDN_NODE_MATERIAL_VELOCITY; 6 components.
  */
-#define PDN_NODE_MATERIAL_ACCELERATION 6
+#define PDN_NODE_MATERIAL_ACCELERATION 2606
 
 /**
  * Quantity of a joint: coordinate, angles followed through whole turns; 1 component.
  */
-#define PDN_JOINT_COORDINATE 0
+#define PDN_JOINT_COORDINATE 2700
 
 /**
  * Quantity of a joint: rate of a coordinate; 1 component.
  */
-#define PDN_JOINT_RATE 1
+#define PDN_JOINT_RATE 2701
 
 /**
  * Quantity of a joint: second derivative of a coordinate; 1 component.
  */
-#define PDN_JOINT_ACCELERATION 2
+#define PDN_JOINT_ACCELERATION 2702
 
 /**
  * Quantity of a joint: force or torque that drives a prescribed coordinate; 1 component.
  */
-#define PDN_JOINT_DRIVING_EFFORT 3
+#define PDN_JOINT_DRIVING_EFFORT 2703
 
 /**
  * Quantity of a joint: force and moment on the second body; 6 components.
  */
-#define PDN_JOINT_REACTION 4
+#define PDN_JOINT_REACTION 2704
 
 /**
  * Quantity of a beam: strains and curvatures; 6 components.
  */
-#define PDN_BEAM_STRAIN 0
+#define PDN_BEAM_STRAIN 2800
 
 /**
  * Quantity of a beam: internal forces and moments; 6 components.
  */
-#define PDN_BEAM_FORCE 1
+#define PDN_BEAM_FORCE 2801
 
 /**
  * Quantity of a beam: internal forces, at a node between two elements the mean of those of both.
  */
-#define PDN_BEAM_FORCE_MEAN 2
+#define PDN_BEAM_FORCE_MEAN 2802
 
 /**
  * Quantity of a beam: at a node between two elements, internal forces of the one beyond it less
  * those of the one before it; zero elsewhere.
  */
-#define PDN_BEAM_FORCE_JUMP 3
+#define PDN_BEAM_FORCE_JUMP 2803
 
 /**
  * Kind of quantity: position of a node; 3 components \[length\].
@@ -710,6 +705,17 @@
 #define PDN_QUANTITY_BUSHING_EFFORTS 404
 
 /**
+ * Kind of quantity: effort of a controller on one of the coordinates that it acts on, towards
+ * growth.
+ */
+#define PDN_QUANTITY_CONTROL_EFFORT 405
+
+/**
+ * Kind of quantity: a state of a controller.
+ */
+#define PDN_QUANTITY_CONTROL_STATE 406
+
+/**
  * Kind of quantity: strains of a shell element, in the order of ::pdn_shell_section; 12
  * components.
  */
@@ -740,264 +746,264 @@
 /**
  * All components of a quantity.
  */
-#define PDN_ALL_COMPONENTS -1
+#define PDN_ALL_COMPONENTS -2
 
 /**
  * Quantity of a force on a joint coordinate: its effort; 1 component.
  */
-#define PDN_FORCE_EFFORT 0
+#define PDN_FORCE_EFFORT 3000
 
 /**
  * Quantity of a viscoelastic element: effort of one of its branches; 1 component.
  */
-#define PDN_FORCE_BRANCH_EFFORT 1
+#define PDN_FORCE_BRANCH_EFFORT 3001
 
 /**
  * Quantity of a viscoelastic element: elongation of the dashpot of one of its branches; 1
  * component.
  */
-#define PDN_FORCE_BRANCH_ELONGATION 2
+#define PDN_FORCE_BRANCH_ELONGATION 3002
 
 /**
  * Quantity of a force: force and moment on one of its nodes, along the inertial axes; 6
  * components.
  */
-#define PDN_FORCE_ON_NODE 3
+#define PDN_FORCE_ON_NODE 3003
 
 /**
  * Quantity of a force: force and moment on one of its nodes, along the node's own axes; 6
  * components.
  */
-#define PDN_FORCE_ON_NODE_MATERIAL 4
+#define PDN_FORCE_ON_NODE_MATERIAL 3004
 
 /**
  * Spectral filter: Lanczos' factors, (sin(x) / x)^order with x = pi j / (H + 1) for harmonic j of
  * H. Of order 1 they are running means over two grid intervals; order 2 or 3 removes more.
  */
-#define PDN_FILTER_LANCZOS 0
+#define PDN_FILTER_LANCZOS 3100
 
 /**
  * Spectral filter: exp(-36 (j / (H + 1))^order) for harmonic j of H. Order 2 smooths most; a high
  * order, as 8, spares all but the highest harmonics.
  */
-#define PDN_FILTER_EXPONENTIAL 1
+#define PDN_FILTER_EXPONENTIAL 3101
 
 /**
  * Stage of a solve: finding the initial guess, each iteration at a single instant.
  */
-#define PDN_STAGE_INITIAL_GUESS 0
+#define PDN_STAGE_INITIAL_GUESS 3200
 
 /**
  * Stage of a solve: Newton iterations of the periodic problem.
  */
-#define PDN_STAGE_NEWTON 1
+#define PDN_STAGE_NEWTON 3201
 
 /**
  * Stage of a march: a step, with the last of its iterations.
  */
-#define PDN_STAGE_MARCH 2
+#define PDN_STAGE_MARCH 3202
 
 /**
  * Stage of a modal analysis: looking for modes about the equilibrium.
  */
-#define PDN_STAGE_MODES 3
+#define PDN_STAGE_MODES 3203
 
 /**
  * Following disturbances of a periodic solution.
  */
-#define PDN_STAGE_STABILITY 4
+#define PDN_STAGE_STABILITY 3204
 
 /**
  * Start of a periodic solve: the library tries those that suit, cheapest first.
  */
-#define PDN_START_AUTOMATIC 0
+#define PDN_START_AUTOMATIC 3300
 
 /**
  * Start of a periodic solve: equilibrium at each time, without velocities.
  */
-#define PDN_START_QUASI_STATIC 1
+#define PDN_START_QUASI_STATIC 3301
 
 /**
  * Start of a periodic solve: equilibrium at each time of what turns steadily with its drives, with
  * its centrifugal and gyroscopic forces.
  */
-#define PDN_START_STEADY_ROTATION 2
+#define PDN_START_STEADY_ROTATION 3302
 
 /**
  * Start of a periodic solve: all that hangs on drives turned with them, undeformed.
  */
-#define PDN_START_RIGID_ROTATION 3
+#define PDN_START_RIGID_ROTATION 3303
 
 /**
  * Start of a periodic solve: the quasi-static motion, and inertial forces raised in steps.
  */
-#define PDN_START_RAISED_INERTIA 4
+#define PDN_START_RAISED_INERTIA 3304
 
 /**
  * Start of a periodic solve: a march in time with strong numerical dissipation.
  */
-#define PDN_START_MARCH 5
+#define PDN_START_MARCH 3305
 
 /**
  * Start of a periodic solve: the quasi-static motion, and added damping taken away in steps.
  */
-#define PDN_START_LOWERED_DAMPING 6
+#define PDN_START_LOWERED_DAMPING 3306
 
 /**
  * Start of a periodic solve: the reference configuration, and loads and prescribed motions raised
  * in steps; not where these gain whole turns in a period.
  */
-#define PDN_START_RAISED_LOADS 7
+#define PDN_START_RAISED_LOADS 3307
 
 /**
  * Grid points are equispaced, but closer together where a solve to a tolerance finds the motion
  * sharp.
  */
-#define PDN_TIME_MAP_AUTOMATIC 0
+#define PDN_TIME_MAP_AUTOMATIC 3400
 
 /**
  * Grid points are equispaced.
  */
-#define PDN_TIME_MAP_EQUISPACED 1
+#define PDN_TIME_MAP_EQUISPACED 3401
 
 /**
  * Grid points are closer together about events that are given.
  */
-#define PDN_TIME_MAP_EVENTS 2
+#define PDN_TIME_MAP_EVENTS 3402
 
 /**
  * Linear equations: solved directly where that is quick, by iteration otherwise.
  */
-#define PDN_LINEAR_AUTOMATIC 0
+#define PDN_LINEAR_AUTOMATIC 3500
 
 /**
  * Linear equations: solved by factors of the whole Jacobian. Time grows with the third power of
  * the number of grid points, memory with the second.
  */
-#define PDN_LINEAR_DIRECT 1
+#define PDN_LINEAR_DIRECT 3501
 
 /**
  * Linear equations: solved by iteration, with the preconditioner that suits; time and memory grow
  * in proportion to nodes and grid points, or little more.
  */
-#define PDN_LINEAR_ITERATIVE 2
+#define PDN_LINEAR_ITERATIVE 3502
 
 /**
  * Linear equations: solved by iteration; bodies are averaged over time for the preconditioner,
  * joints are not.
  */
-#define PDN_LINEAR_BODY_CIRCULANT 3
+#define PDN_LINEAR_BODY_CIRCULANT 3503
 
 /**
  * Linear equations: solved by iteration; the preconditioner is equilibrium at each grid point,
  * without inertia.
  */
-#define PDN_LINEAR_TIME_LOCAL 4
+#define PDN_LINEAR_TIME_LOCAL 3504
 
 /**
  * Linear equations: solved by iteration; everything is averaged over time for the preconditioner.
  */
-#define PDN_LINEAR_CIRCULANT 5
+#define PDN_LINEAR_CIRCULANT 3505
 
 /**
  * A parameter moves the coefficient of a power, from 1, of the growth of a spring-damper, or with
  * power 1 the long-term stiffness of a viscoelastic force or a factor of the stiffness of a
  * bushing.
  */
-#define PDN_NUMBER_STIFFNESS 0
+#define PDN_NUMBER_STIFFNESS 3600
 
 /**
  * A parameter moves the coefficient of a power, from 1, of the rate of a spring-damper, or with
  * power 1 a factor of the damping of a bushing.
  */
-#define PDN_NUMBER_DAMPING 1
+#define PDN_NUMBER_DAMPING 3601
 
 /**
  * A parameter moves the coordinate at which a spring-damper or viscoelastic force is free of
  * effort.
  */
-#define PDN_NUMBER_REST 2
+#define PDN_NUMBER_REST 3602
 
 /**
  * A parameter moves a factor of the inertia of a body: of the bodies, masses and inertias that
  * were given, in their order.
  */
-#define PDN_NUMBER_INERTIA 3
+#define PDN_NUMBER_INERTIA 3603
 
 /**
  * A parameter moves a factor of the sections' stiffness along a beam element.
  */
-#define PDN_NUMBER_BEAM_STIFFNESS 4
+#define PDN_NUMBER_BEAM_STIFFNESS 3604
 
 /**
  * A parameter moves a factor of the sections' mass along a beam element.
  */
-#define PDN_NUMBER_BEAM_MASS 5
+#define PDN_NUMBER_BEAM_MASS 3605
 
 /**
  * A parameter moves a factor of the sections' damping along a beam element.
  */
-#define PDN_NUMBER_BEAM_DAMPING 6
+#define PDN_NUMBER_BEAM_DAMPING 3606
 
 /**
  * A parameter moves the damping in proportion to mass, ::pdn_model_set_mass_damping.
  */
-#define PDN_NUMBER_MASS_DAMPING 7
+#define PDN_NUMBER_MASS_DAMPING 3607
 
 /**
  * The signal of an actuator, by its force id.
  */
-#define PDN_SIGNAL_OF_ACTUATOR 0
+#define PDN_SIGNAL_OF_ACTUATOR 3700
 
 /**
  * The signal of a prescribed coordinate, in the order in which they were prescribed.
  */
-#define PDN_SIGNAL_OF_PRESCRIBED 1
+#define PDN_SIGNAL_OF_PRESCRIBED 3701
 
 /**
  * The signal of a component of a load on a node, in the order in which these were added.
  */
-#define PDN_SIGNAL_OF_LOAD 2
+#define PDN_SIGNAL_OF_LOAD 3702
 
 /**
  * The signal of a component of a load along beams, in the order in which these were added.
  */
-#define PDN_SIGNAL_OF_BEAM_LOAD 3
+#define PDN_SIGNAL_OF_BEAM_LOAD 3703
 
 /**
  * The signal of a component of gravity; its index is 0.
  */
-#define PDN_SIGNAL_OF_GRAVITY 4
+#define PDN_SIGNAL_OF_GRAVITY 3704
 
 /**
  * The signal of a linear relation between joint coordinates, by its id.
  */
-#define PDN_SIGNAL_OF_RELATION 5
+#define PDN_SIGNAL_OF_RELATION 3705
 
 /**
  * Part of a signal: the mean that is added to its shape.
  */
-#define PDN_PART_MEAN 0
+#define PDN_PART_MEAN 3800
 
 /**
  * Part of a signal: growth in a unit of time.
  */
-#define PDN_PART_RATE 1
+#define PDN_PART_RATE 3801
 
 /**
  * Part of a signal: the factor of its shape, which is its harmonics, its samples or its function.
  */
-#define PDN_PART_AMPLITUDE 2
+#define PDN_PART_AMPLITUDE 3802
 
 /**
  * Part of a signal: the phase by which its shape is ahead \[radians\].
  */
-#define PDN_PART_PHASE 3
+#define PDN_PART_PHASE 3803
 
 /**
  * A parameter: the circular frequency 2 pi / T, which every model has.
  */
-#define PDN_FREQUENCY -1
+#define PDN_FREQUENCY -3
 
 /**
  * Kind of force: springs and dampers on a joint coordinate.
@@ -1035,134 +1041,139 @@
 #define PDN_FORCE_IS_USER_FORCE 1106
 
 /**
+ * Kind of force: a controller.
+ */
+#define PDN_FORCE_IS_CONTROLLER 1107
+
+/**
  * Numbers of a force: relaxation times of the branches of a viscoelastic element. Parameters do
  * not move them.
  */
-#define PDN_NUMBER_RELAXATION_TIME 20
+#define PDN_NUMBER_RELAXATION_TIME 3608
 
 /**
  * Feature of a quantity: its mean over the period, without what it gains.
  */
-#define PDN_FEATURE_MEAN 500
+#define PDN_FEATURE_MEAN 2900
 
 /**
  * Feature of a quantity: coefficient of the cosine of a harmonic.
  */
-#define PDN_FEATURE_COSINE 501
+#define PDN_FEATURE_COSINE 2901
 
 /**
  * Feature of a quantity: coefficient of the sine of a harmonic.
  */
-#define PDN_FEATURE_SINE 502
+#define PDN_FEATURE_SINE 2902
 
 /**
  * Feature of a quantity: value at a time, of the trigonometric polynomial through the values at
  * the grid points.
  */
-#define PDN_FEATURE_VALUE 503
+#define PDN_FEATURE_VALUE 2903
 
 /**
  * Feature of a quantity, for sensitivities: its largest value over the period.
  */
-#define PDN_FEATURE_LARGEST 504
+#define PDN_FEATURE_LARGEST 2904
 
 /**
  * Feature of a quantity, for sensitivities: its smallest value over the period.
  */
-#define PDN_FEATURE_SMALLEST 505
+#define PDN_FEATURE_SMALLEST 2905
 
 /**
  * Sensitivities: with as few linear solves as can be, directly or adjoint.
  */
-#define PDN_SENSITIVITY_AUTOMATIC 0
+#define PDN_SENSITIVITY_AUTOMATIC 3900
 
 /**
  * Sensitivities: a linear solve for each parameter.
  */
-#define PDN_SENSITIVITY_DIRECT 1
+#define PDN_SENSITIVITY_DIRECT 3901
 
 /**
  * Sensitivities: a transposed linear solve for each dependent, by factors of the whole Jacobian.
  */
-#define PDN_SENSITIVITY_ADJOINT 2
+#define PDN_SENSITIVITY_ADJOINT 3902
 
 /**
  * A branch ended at an end of the parameter's range.
  */
-#define PDN_BRANCH_RANGE 0
+#define PDN_BRANCH_RANGE 4000
 
 /**
  * A branch ended as it came back to its first point.
  */
-#define PDN_BRANCH_CLOSED 1
+#define PDN_BRANCH_CLOSED 4001
 
 /**
  * A branch ended as it has as many points as are allowed.
  */
-#define PDN_BRANCH_POINT_LIMIT 2
+#define PDN_BRANCH_POINT_LIMIT 4002
 
 /**
  * A branch ended where the shortest step leads to no solution.
  */
-#define PDN_BRANCH_SMALLEST_STEP 3
+#define PDN_BRANCH_SMALLEST_STEP 4003
 
 /**
  * A branch ended as it was cancelled.
  */
-#define PDN_BRANCH_CANCELLED 4
+#define PDN_BRANCH_CANCELLED 4004
 
 /**
  * A branch has no points, as there is no solution to start from.
  */
-#define PDN_BRANCH_NO_START 5
+#define PDN_BRANCH_NO_START 4005
 
 /**
  * A branch ended with an error, such as that of a callback, which its report tells.
  */
-#define PDN_BRANCH_FAILED 6
+#define PDN_BRANCH_FAILED 4006
 
 /**
  * Nothing happens at a point of a branch.
  */
-#define PDN_EVENT_NONE 0
+#define PDN_EVENT_NONE 4100
 
 /**
  * The parameter turns back at a point of a branch: a fold.
  */
-#define PDN_EVENT_FOLD 1
+#define PDN_EVENT_FOLD 4101
 
 /**
  * Another branch passes through a point of a branch.
  */
-#define PDN_EVENT_BRANCH_POINT 2
+#define PDN_EVENT_BRANCH_POINT 4102
 
 /**
  * A branch of twice the period begins at a point of a branch.
  */
-#define PDN_EVENT_PERIOD_DOUBLING 3
+#define PDN_EVENT_PERIOD_DOUBLING 4103
 
 /**
  * A pair of complex multipliers is on the unit circle at a point of a branch: motions with a
  * second frequency begin there.
  */
-#define PDN_EVENT_TORUS 4
+#define PDN_EVENT_TORUS 4104
 
 /**
  * Verdict on stability: it cannot be told, as multipliers are on the unit circle or not known well
  * enough.
  */
-#define PDN_STABILITY_NOT_KNOWN 0
+#define PDN_STABILITY_NOT_KNOWN 4200
 
 /**
  * Verdict on stability: disturbances die away, but for those that only move the solution in time
  * or space.
  */
-#define PDN_STABLE 1
+#define PDN_STABLE 4201
 
 /**
  * Verdict on stability: a disturbance grows.
  */
-#define PDN_UNSTABLE 2
+#define PDN_UNSTABLE 4202
 
 /**
  * Periodic motions along a parameter. Made by ::pdn_follow_branch, freed by ::pdn_branch_free.
@@ -1835,6 +1846,103 @@ typedef struct pdn_tangent_check {
 } pdn_tangent_check;
 
 /**
+ * What a controller reads. The library makes it; a later one may add fields at its end.
+ */
+typedef struct pdn_controller_state {
+    /**
+     * Size of the struct that the library knows.
+     */
+    size_t struct_size;
+    /**
+     * Time, in [0, T) of the period T of the solve, but for the first calls of a solve
+     * (::pdn_controller_fn).
+     */
+    double time;
+    /**
+     * Number of coordinates that are read.
+     */
+    size_t input_count;
+    /**
+     * Array of length [input_count]: the coordinates, angles with their whole turns
+     * [length or radian].
+     */
+    const double *inputs;
+    /**
+     * Array of length [input_count]: their rates.
+     */
+    const double *input_rates;
+    /**
+     * Number of states.
+     */
+    size_t state_count;
+    /**
+     * Array of length [state_count]: the states.
+     */
+    const double *states;
+} pdn_controller_state;
+
+/**
+ * Where a controller writes. The library makes it, with all arrays set to zero; a later one may
+ * add fields.
+ *
+ * Rows of the tangents are the efforts, then the rates of the states.
+ */
+typedef struct pdn_controller_values {
+    /**
+     * Size of the struct that the library knows.
+     */
+    size_t struct_size;
+    /**
+     * Number of coordinates that it acts on.
+     */
+    size_t output_count;
+    /**
+     * Array of length [output_count]: efforts on the coordinates that it acts on, towards growth
+     * [force on a displacement, force * length on an angle].
+     */
+    double *efforts;
+    /**
+     * Array of length [state_count]: rates of the states.
+     */
+    double *state_rates;
+    /**
+     * Array of shape ([output_count] + [state_count]) x [input_count], column by column:
+     * derivatives by the coordinates. NULL if tangents are not wanted, or were said not to be
+     * given.
+     */
+    double *by_inputs;
+    /**
+     * The same by their rates; NULL where by_inputs is.
+     */
+    double *by_input_rates;
+    /**
+     * Array of shape ([output_count] + [state_count]) x [state_count], column by column:
+     * derivatives by the states; NULL where by_inputs is.
+     */
+    double *by_states;
+} pdn_controller_values;
+
+/**
+ * A controller, to be written by the caller.
+ *
+ * Called on the thread that solves; if two threads solve at once, on both at once. The same state
+ * must give the same values, and over time they must repeat with the period: solves call it first
+ * a few times at one motion, at times in [0, 2 T), and refuse what does not with
+ * PDN_ERR_NOT_PERIODIC. Where a coordinate that it reads gains whole turns in a period, efforts
+ * must repeat with these. It must neither throw nor jump out, nor use the model it belongs to. It
+ * is called many times at trial motions, which may be far from the solution.
+ *
+ * @param state  time, coordinates and states; valid during the call only
+ * @param values  where efforts and rates go, all zero at first; valid during the call only
+ * @param user_data  as given to ::pdn_model_add_controller
+ * @return 0 for success; anything else makes the solve fail with PDN_ERR_CALLBACK (see
+ *     ::pdn_set_callback_error and ::pdn_last_callback_code), as does a value that is not finite
+ */
+typedef int32_t (*pdn_controller_fn)(const struct pdn_controller_state *state,
+                                     struct pdn_controller_values *values,
+                                     void *user_data);
+
+/**
  * Figures of a solve. Initialise with `PDN_INIT(pdn_diagnostics, &diagnostics)`.
  */
 typedef struct pdn_diagnostics {
@@ -2008,8 +2116,8 @@ typedef struct pdn_quantity {
      */
     int32_t component;
     /**
-     * PDN_FRAME_SPACE, the default, or PDN_FRAME_MATERIAL; of reactions PDN_AXES_SPACE,
-     * PDN_AXES_FIRST or PDN_AXES_SECOND.
+     * PDN_FRAME_SPACE, the default, or PDN_FRAME_MATERIAL; of reactions PDN_FRAME_SPACE,
+     * PDN_FRAME_FIRST or PDN_FRAME_SECOND.
      */
     int32_t frame;
     /**
@@ -2017,7 +2125,8 @@ typedef struct pdn_quantity {
      */
     int32_t node;
     /**
-     * Of viscoelastic elements, the branch, from 0.
+     * Of viscoelastic elements, the branch, from 0; of controllers, which of the coordinates that
+     * they act on, or which state, from 0.
      */
     int32_t branch;
     /**
@@ -2452,7 +2561,8 @@ typedef struct pdn_force_info {
      */
     size_t struct_size;
     /**
-     * PDN_FORCE_IS_SPRING_DAMPER ... PDN_FORCE_IS_USER_FORCE.
+     * PDN_FORCE_IS_SPRING_DAMPER ... PDN_FORCE_IS_CONTROLLER, of which
+     * ::pdn_model_controller_counts tells more.
      */
     int32_t kind;
     /**
@@ -5163,7 +5273,8 @@ void pdn_tangent_check_init(struct pdn_tangent_check *check,
  * not make solutions wrong, but Newton's method slow, or fail.
  *
  * @param model  the model; not NULL
- * @param force  id of a force by ::pdn_model_add_coordinate_law or ::pdn_model_add_user_force
+ * @param force  id of a force by ::pdn_model_add_coordinate_law, ::pdn_model_add_user_force or
+ *     ::pdn_model_add_controller
  * @param period  the period that the model is to be solved for, positive [time]
  * @param check  initialised by PDN_INIT; filled on success only
  * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_STRUCT_SIZE, PDN_ERR_ID, PDN_ERR_VALUE,
@@ -5178,6 +5289,146 @@ pdn_status pdn_model_check_tangents(const struct pdn_model *model,
                                     int32_t force,
                                     double period,
                                     struct pdn_tangent_check *check);
+
+/**
+ * Adds a controller: efforts on joint coordinates by a function of the caller that reads any joint
+ * coordinates and their rates, and may have states of its own.
+ *
+ * Without states it is a law that reads other coordinates, such as the gas force on a piston by
+ * the angle of the crank. States x follow x' = f(t, coordinates, rates, x), which the function
+ * gives: integrals of controllers, filters, actuators that lag, inflow. They are solved for with
+ * the motion in all analyses, and are among the states that multipliers and modes count.
+ *
+ * @param model  the model; not NULL
+ * @param input_joints  array of length [input_count]: ids of the joints of the coordinates that
+ *     are read; may be NULL if there are none
+ * @param input_coordinates  array of length [input_count]: PDN_DISPLACEMENT ... PDN_ROTATION_3 of
+ *     each, one that the joint has; each coordinate of a joint at most once; may be NULL likewise
+ * @param input_count  number of coordinates that are read
+ * @param output_joints  array of length [output_count]: ids of the joints of the coordinates that
+ *     it acts on
+ * @param output_coordinates  array of length [output_count]: the coordinate of each, likewise
+ * @param output_count  number of coordinates that it acts on, at least 1
+ * @param initial  array of length [state_count]: the states where a march begins; NULL for zero
+ * @param sizes  array of length [state_count]: what each state is of the order of, positive, by
+ *     which equations are scaled and differences taken; NULL for 1
+ * @param state_count  number of states
+ * @param tangents  PDN_TANGENTS_GIVEN if the function writes tangents, which
+ *     ::pdn_model_check_tangents checks; PDN_TANGENTS_DIFFERENCED if the library is to find them
+ *     by differences, with two calls for each coordinate, rate and state
+ * @param function  the controller, see ::pdn_controller_fn for when it is called; not NULL
+ * @param user_data  handed to the function; may be NULL
+ * @param destroy  called once with user_data when the model, its copies in solutions included, no
+ *     longer needs it, on the thread that frees the last; may be NULL. It is not called if this
+ *     call fails
+ * @param force  the force's id; may be NULL if it is not wanted; written on success only
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_SIZE, PDN_ERR_NOT_FINITE, PDN_ERR_ID, PDN_ERR_VALUE,
+ *     PDN_ERR_NOT_AVAILABLE
+ *
+ * Threads: exclusive use of `model`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_model_add_controller(struct pdn_model *model,
+                                    const int32_t *input_joints,
+                                    const int32_t *input_coordinates,
+                                    size_t input_count,
+                                    const int32_t *output_joints,
+                                    const int32_t *output_coordinates,
+                                    size_t output_count,
+                                    const double *initial,
+                                    const double *sizes,
+                                    size_t state_count,
+                                    int32_t tangents,
+                                    pdn_controller_fn function,
+                                    void *user_data,
+                                    pdn_destroy_fn destroy,
+                                    int32_t *force);
+
+/**
+ * Gives a controller its function, or another one: that of a model from a file is not there.
+ *
+ * @param model  the model; not NULL
+ * @param force  id of a force by ::pdn_model_add_controller; ::pdn_model_find_label finds it by
+ *     its label
+ * @param tangents  PDN_TANGENTS_GIVEN or PDN_TANGENTS_DIFFERENCED
+ * @param function  the controller, see ::pdn_controller_fn for when it is called; not NULL
+ * @param user_data  handed to the function; may be NULL
+ * @param destroy  called once with user_data as in ::pdn_model_add_controller; may be NULL. It is
+ *     not called if this call fails
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_ID, PDN_ERR_VALUE, PDN_ERR_NOT_AVAILABLE (the force is no
+ *     controller)
+ *
+ * Threads: exclusive use of `model`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_model_bind_controller(struct pdn_model *model,
+                                     int32_t force,
+                                     int32_t tangents,
+                                     pdn_controller_fn function,
+                                     void *user_data,
+                                     pdn_destroy_fn destroy);
+
+/**
+ * Numbers of the coordinates that a controller reads, of those that it acts on, and of its states.
+ *
+ * @param model  the model; not NULL
+ * @param force  id of a force by ::pdn_model_add_controller
+ * @param input_count  number of coordinates that it reads; may be NULL
+ * @param output_count  number of coordinates that it acts on; may be NULL
+ * @param state_count  number of its states; may be NULL
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_ID, PDN_ERR_NOT_AVAILABLE (the force is no controller)
+ *
+ * Threads: `model` is `const`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_model_controller_counts(const struct pdn_model *model,
+                                       int32_t force,
+                                       int32_t *input_count,
+                                       int32_t *output_count,
+                                       int32_t *state_count);
+
+/**
+ * A coordinate that a controller reads or acts on.
+ *
+ * @param model  the model; not NULL
+ * @param force  id of a force by ::pdn_model_add_controller
+ * @param index  number of the coordinate, from 0: those that it reads, then those that it acts on
+ * @param joint  id of its joint; written on success only
+ * @param coordinate  the coordinate: PDN_DISPLACEMENT, ...; written on success only
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_ID, PDN_ERR_NOT_AVAILABLE (the force is no controller)
+ *
+ * Threads: `model` is `const`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_model_controller_coordinate(const struct pdn_model *model,
+                                           int32_t force,
+                                           int32_t index,
+                                           int32_t *joint,
+                                           int32_t *coordinate);
+
+/**
+ * A state of a controller.
+ *
+ * @param model  the model; not NULL
+ * @param force  id of a force by ::pdn_model_add_controller
+ * @param index  number of the state, from 0
+ * @param initial  its value where a march begins; may be NULL
+ * @param size  what it is of the order of; may be NULL
+ * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_ID, PDN_ERR_NOT_AVAILABLE (the force is no controller)
+ *
+ * Threads: `model` is `const`.
+ * @since 0.1
+ */
+PDN_API
+pdn_status pdn_model_controller_state(const struct pdn_model *model,
+                                      int32_t force,
+                                      int32_t index,
+                                      double *initial,
+                                      double *size);
 
 /**
  * Gives a node, joint, element, force or relation a label, in place of the one that it has.
@@ -5632,7 +5883,7 @@ pdn_status pdn_solution_joint_driving_effort(const struct pdn_solution *solution
  *
  * @param solution  the solution; not NULL
  * @param joint  id of the joint
- * @param axes  PDN_AXES_SPACE, PDN_AXES_FIRST or PDN_AXES_SECOND: axes of the components
+ * @param axes  PDN_FRAME_SPACE, PDN_FRAME_FIRST or PDN_FRAME_SECOND: axes of the components
  * @param times  array of length [count]: times, also outside the first period
  * @param count  number of times
  * @param out  array of shape 6 x [count]: force, then moment of each time
@@ -5776,7 +6027,7 @@ pdn_status pdn_solution_node_harmonics(const struct pdn_solution *solution,
  * @param joint  id of the joint
  * @param quantity  PDN_JOINT_COORDINATE, ...; it has C components
  * @param detail  the coordinate (PDN_DISPLACEMENT, ...) or, for PDN_JOINT_REACTION, the axes
- *     (PDN_AXES_SPACE, ...)
+ *     (PDN_FRAME_SPACE, ...)
  * @param harmonics  number of harmonics wanted; those above (N - 1) / 2 are zero
  * @param mean  array of length C; may be NULL
  * @param rate  array of length C: growth per unit of time, of an angle that gains turns; may be
@@ -6616,7 +6867,8 @@ pdn_status pdn_model_move_number(struct pdn_model *model,
  * @param parameter  id of the parameter
  * @param place  what has the signal: PDN_SIGNAL_OF_ACTUATOR, ...
  * @param index  which of them
- * @param component  of a load from 0 to 5, of gravity from 0 to 2; 0 for all else
+ * @param component  of a load PDN_FORCE_1, ... or PDN_MOMENT_3, of gravity from 0 to 2; 0 for all
+ *     else
  * @param part  PDN_PART_MEAN, PDN_PART_RATE, PDN_PART_AMPLITUDE or PDN_PART_PHASE
  * @param factor  the part for a unit of the parameter, not zero
  * @return as ::pdn_model_move_number
@@ -6982,7 +7234,8 @@ pdn_status pdn_model_relation_term(const struct pdn_model *model,
  * @param model  the model; not NULL
  * @param place  what has the signal: PDN_SIGNAL_OF_ACTUATOR, ...
  * @param index  which of them
- * @param component  of a load from 0 to 5, of gravity from 0 to 2; 0 for all else
+ * @param component  of a load PDN_FORCE_1, ... or PDN_MOMENT_3, of gravity from 0 to 2; 0 for all
+ *     else
  * @param period  period of the motion, that harmonics refer to [time]
  * @param times  array of length [count]: times
  * @param count  number of times
@@ -7316,7 +7569,7 @@ pdn_status pdn_solution_multiplier_sensitivities(const struct pdn_solution *solu
                                                  size_t parameters);
 
 /**
- * Sets a point to zero; use `PDN_INIT(pdn_branch_point, &point)`.
+ * Sets a point to that of nothing; use `PDN_INIT(pdn_branch_point, &point)`.
  *
  * @param point  the point; not NULL
  * @param struct_size  `sizeof *point`
@@ -8392,7 +8645,7 @@ pdn_status pdn_table_add_node(struct pdn_table *table,
  * @param joint  id of the joint
  * @param quantity  PDN_JOINT_COORDINATE, ...
  * @param detail  the coordinate (PDN_DISPLACEMENT, ...) or, for PDN_JOINT_REACTION, the axes
- *     (PDN_AXES_SPACE, ...)
+ *     (PDN_FRAME_SPACE, ...)
  * @param label  name of the column or, followed by a dot and the component, of the columns; NULL
  *     for a name such as `joint2.rotation_1.rate`
  * @return PDN_OK, PDN_ERR_NULL, PDN_ERR_ID, PDN_ERR_VALUE (no such quantity; a name that a column

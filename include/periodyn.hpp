@@ -141,9 +141,9 @@ enum class Tangents : std::int32_t {
 };
 enum class Tangent : std::int32_t { motion = PDN_TANGENT_MOTION, velocity = PDN_TANGENT_VELOCITY };
 enum class Axes : std::int32_t {
-    space = PDN_AXES_SPACE,
-    first = PDN_AXES_FIRST,
-    second = PDN_AXES_SECOND,
+    space = PDN_FRAME_SPACE,
+    first = PDN_FRAME_FIRST,
+    second = PDN_FRAME_SECOND,
 };
 enum class Outcome : std::int32_t {
     converged = PDN_CONVERGED,
@@ -226,6 +226,7 @@ enum class ForceKind : std::int32_t {
     viscous_damper = PDN_FORCE_IS_VISCOUS_DAMPER,
     bushing = PDN_FORCE_IS_BUSHING,
     user_force = PDN_FORCE_IS_USER_FORCE,
+    controller = PDN_FORCE_IS_CONTROLLER,
 };
 
 /** Numbers of a force. */
@@ -350,6 +351,8 @@ enum class Kind : std::int32_t {
     branch_elongation = PDN_QUANTITY_BRANCH_ELONGATION,
     force_on_node = PDN_QUANTITY_FORCE_ON_NODE,
     bushing_efforts = PDN_QUANTITY_BUSHING_EFFORTS,
+    control_effort = PDN_QUANTITY_CONTROL_EFFORT,
+    control_state = PDN_QUANTITY_CONTROL_STATE,
     relation_effort = PDN_QUANTITY_RELATION_EFFORT,
     shell_strain = PDN_QUANTITY_SHELL_STRAIN,
     shell_resultant = PDN_QUANTITY_SHELL_RESULTANT,
@@ -961,6 +964,100 @@ class ForceValues
 
     std::size_t nodes_;
     pdn_force_values &values_;
+};
+
+/** What a controller may depend on: time, the coordinates that it reads, and its states. */
+class ControllerState
+{
+  public:
+    explicit ControllerState(const pdn_controller_state &state) : state_(state)
+    {
+    }
+    double time() const
+    {
+        return state_.time;
+    }
+    double input(std::size_t number) const
+    {
+        return entry(state_.inputs, number, state_.input_count);
+    }
+    double input_rate(std::size_t number) const
+    {
+        return entry(state_.input_rates, number, state_.input_count);
+    }
+    double state(std::size_t number) const
+    {
+        return entry(state_.states, number, state_.state_count);
+    }
+
+  private:
+    friend class ControllerValues;
+    static double entry(const double *array, std::size_t number, std::size_t count)
+    {
+        if (number >= count) {
+            throw std::out_of_range("ControllerState: no such entry");
+        }
+        return array[number];
+    }
+
+    const pdn_controller_state &state_;
+};
+
+/** Where a controller writes; all is zero at first. Rows of the tangents are the efforts, then the
+    rates of the states. */
+class ControllerValues
+{
+  public:
+    ControllerValues(const ControllerState &state, pdn_controller_values &values)
+        : inputs_(state.state_.input_count), states_(state.state_.state_count), values_(values)
+    {
+    }
+    /** Effort on a coordinate that it acts on, towards growth. */
+    double &effort(std::size_t output)
+    {
+        return values_.efforts[below(output, values_.output_count)];
+    }
+    double &state_rate(std::size_t state)
+    {
+        return values_.state_rates[below(state, states_)];
+    }
+    /** Whether tangents are wanted; otherwise leave them. */
+    bool tangents_wanted() const
+    {
+        return values_.by_inputs != nullptr;
+    }
+    double &by_input(std::size_t row, std::size_t input)
+    {
+        return tangent(values_.by_inputs, row, below(input, inputs_));
+    }
+    double &by_input_rate(std::size_t row, std::size_t input)
+    {
+        return tangent(values_.by_input_rates, row, below(input, inputs_));
+    }
+    double &by_state(std::size_t row, std::size_t state)
+    {
+        return tangent(values_.by_states, row, below(state, states_));
+    }
+
+  private:
+    static std::size_t below(std::size_t number, std::size_t count)
+    {
+        if (number >= count) {
+            throw std::out_of_range("ControllerValues: no such entry");
+        }
+        return number;
+    }
+    double &tangent(double *matrix, std::size_t row, std::size_t column)
+    {
+        if (matrix == nullptr) {
+            throw std::logic_error("ControllerValues: tangents are not wanted");
+        }
+        const std::size_t rows = values_.output_count + states_;
+        return matrix[rows * column + below(row, rows)];
+    }
+
+    std::size_t inputs_, states_;
+    pdn_controller_values &values_;
 };
 
 /** Total mass, and its centre. */
@@ -1619,6 +1716,59 @@ class Model
         });
         return force;
     }
+    /** Efforts by a law void(const ControllerState &, ControllerValues &) of coordinates, their
+        rates, and states: of as many as `initial` has, or `sizes`. */
+    template <class Law>
+    Id add_controller(Ids input_joints, const std::vector<Coordinate> &input_coordinates,
+                      Ids output_joints, const std::vector<Coordinate> &output_coordinates,
+                      Reals initial, Reals sizes, Tangents tangents, Law law)
+    {
+        const std::vector<std::int32_t> read = codes(input_coordinates, input_joints);
+        const std::vector<std::int32_t> acted = codes(output_coordinates, output_joints);
+        if (initial.size() != sizes.size() && initial.size() != 0 && sizes.size() != 0) {
+            throw error(PDN_ERR_SIZE, "sizes: expected as many as initial");
+        }
+        const std::size_t states = initial.size() == 0 ? sizes.size() : initial.size();
+        Id force = 0;
+        detail::hand_over(std::move(law), [&](void *owned, pdn_destroy_fn destroy) {
+            return pdn_model_add_controller(
+                get(), input_joints.data(), read.data(), read.size(), output_joints.data(),
+                acted.data(), acted.size(), initial.size() == 0 ? nullptr : initial.data(),
+                sizes.size() == 0 ? nullptr : sizes.data(), states, detail::c(tangents),
+                &evaluate_controller<Law>, owned, destroy, &force);
+        });
+        return force;
+    }
+    /** Gives a controller its function, or another: that of a file is not there. */
+    template <class Law> void bind_controller(Id force, Tangents tangents, Law law)
+    {
+        detail::hand_over(std::move(law), [&](void *owned, pdn_destroy_fn destroy) {
+            return pdn_model_bind_controller(get(), force, detail::c(tangents),
+                                             &evaluate_controller<Law>, owned, destroy);
+        });
+    }
+    /** Numbers of the coordinates that a controller reads, acts on, and of its states. */
+    std::array<Id, 3> controller_counts(Id force) const
+    {
+        std::array<Id, 3> out{};
+        detail::check(pdn_model_controller_counts(get(), force, &out[0], &out[1], &out[2]));
+        return out;
+    }
+    /** Joint and coordinate that a controller reads or, counted on, acts on. */
+    std::pair<Id, Coordinate> controller_coordinate(Id force, Id index) const
+    {
+        Id joint = 0, coordinate = 0;
+        detail::check(
+            pdn_model_controller_coordinate(get(), force, index, &joint, &coordinate));
+        return {joint, static_cast<Coordinate>(coordinate)};
+    }
+    /** Where a state begins in a march, and its size. */
+    std::pair<double, double> controller_state(Id force, Id index) const
+    {
+        double initial = 0.0, size = 0.0;
+        detail::check(pdn_model_controller_state(get(), force, index, &initial, &size));
+        return {initial, size};
+    }
     /** Compares the tangents that a law or user's force gives with differences. */
     pdn_tangent_check check_tangents(Id force, double period) const
     {
@@ -1634,16 +1784,24 @@ class Model
     {
         return detail::number<Id>(add);
     }
+    static std::vector<std::int32_t> codes(const std::vector<Coordinate> &coordinates, Ids joints)
+    {
+        if (joints.size() != coordinates.size()) {
+            throw error(PDN_ERR_SIZE, "coordinates: expected as many as joints");
+        }
+        std::vector<std::int32_t> which;
+        for (const Coordinate coordinate : coordinates) {
+            which.push_back(detail::c(coordinate));
+        }
+        return which;
+    }
     pdn_status relation(Ids joints, const std::vector<Coordinate> &coordinates, Reals coefficients,
                         const pdn_signal *signal, Id *out)
     {
         if (joints.size() != coordinates.size() || joints.size() != coefficients.size()) {
             throw error(PDN_ERR_SIZE, "coefficients: expected as many as joints and coordinates");
         }
-        std::vector<std::int32_t> which;
-        for (const Coordinate coordinate : coordinates) {
-            which.push_back(detail::c(coordinate));
-        }
+        const std::vector<std::int32_t> which = codes(coordinates, joints);
         return pdn_model_add_relation(get(), joints.data(), which.data(), coefficients.data(),
                                       joints.size(), signal, out);
     }
@@ -1690,6 +1848,17 @@ class Model
             const ForceState motions(*state);
             ForceValues out(state->node_count, *values);
             (*static_cast<Forces *>(forces))(motions, out);
+        });
+    }
+
+    template <class Law>
+    static std::int32_t evaluate_controller(const pdn_controller_state *state,
+                                            pdn_controller_values *values, void *law) noexcept
+    {
+        return detail::guarded([=] {
+            const ControllerState read(*state);
+            ControllerValues out(read, *values);
+            (*static_cast<Law *>(law))(read, out);
         });
     }
 

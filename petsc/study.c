@@ -115,7 +115,7 @@ static int32_t solve_case(size_t task, double *results, size_t count, void *user
                                      &results[0], NULL, &cosine, &sine));
     results[1] = hypot(cosine, sine);
     double means[6], cosines[6], sines[6];
-    TRY(pdn_solution_joint_harmonics(solution, clamp, PDN_JOINT_REACTION, PDN_AXES_FIRST, 1, means,
+    TRY(pdn_solution_joint_harmonics(solution, clamp, PDN_JOINT_REACTION, PDN_FRAME_FIRST, 1, means,
                                      NULL, cosines, sines));
     results[2] = means[4];
     results[3] = hypot(cosines[4], sines[4]);

@@ -162,7 +162,7 @@ fn a_loaded_model_tells_what_it_holds() {
         assert_eq!(model.force(0).unwrap().rest(), 0.7);
         assert_eq!(model.force(5).unwrap().user_nodes().len(), 2);
         assert!(model.force(4).unwrap().ends().is_some());
-        assert!(model.force(6).is_err());
+        assert!(model.force(8).is_err());
         let first = model.inertias().next().unwrap();
         assert_eq!((first.0, first.1[(0, 0)]), (0, 1.5));
         assert_eq!(model.prescribed()[0].0, rotation1(0));

@@ -385,11 +385,11 @@ fn damaged_and_foreign_files_are_refused() {
     assert_refused(&path, b"t,x\n0,1\n", "is not a saved solution");
     assert_refused(&path, &vec![0; 1 << 20], "is not a saved solution");
     assert_refused(&path, &[&good[..], b"x"].concat(), "goes on after its end");
-    let newer = [&good[..8], &3u32.to_le_bytes(), &good[12..]].concat();
+    let newer = [&good[..8], &4u32.to_le_bytes(), &good[12..]].concat();
     assert_refused(
         &path,
         &newer,
-        "version 3 of the format; this library reads up to 2",
+        "version 4 of the format; this library reads up to 3",
     );
     // As long as it gets: nothing is set aside for what is not there.
     let endless = [&good[..16], &u64::MAX.to_le_bytes(), &good[24..]].concat();

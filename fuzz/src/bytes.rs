@@ -87,9 +87,12 @@ impl Bytes<'_> {
         }
     }
 
-    /// A constant of so many, or now and then of none.
-    pub fn constant(&mut self, count: usize) -> i32 {
-        self.id(count)
+    /// One of so many constants from `first` on, or now and then none.
+    pub fn constant(&mut self, first: i32, count: usize) -> i32 {
+        match self.id(count) {
+            id @ 0.. if (id as usize) < count => first + id,
+            other => other,
+        }
     }
 
     /// A vector of length one along an axis, or any.

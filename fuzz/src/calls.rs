@@ -9,6 +9,7 @@ use periodyn::capi::files::*;
 use periodyn::capi::force::*;
 use periodyn::capi::joint::*;
 use periodyn::capi::label::*;
+use periodyn::capi::linear_solver::PDN_LINEAR_AUTOMATIC;
 use periodyn::capi::load::*;
 use periodyn::capi::march::*;
 use periodyn::capi::model::*;
@@ -21,7 +22,7 @@ use periodyn::capi::solution::*;
 use periodyn::capi::statics::*;
 use periodyn::capi::summary::*;
 use periodyn::capi::table::*;
-use periodyn::capi::user_force::pdn_model_add_coordinate_law;
+use periodyn::capi::user_force::{PDN_TANGENTS_DIFFERENCED, pdn_model_add_coordinate_law};
 use std::ffi::CString;
 use std::mem::MaybeUninit;
 use std::path::Path;
@@ -161,7 +162,7 @@ impl Session<'_, '_> {
             "a joint, or nothing"
         );
         if self.bytes.below(2) == 0 {
-            let (joint, coordinate) = (self.bytes.id(joints + 1), self.bytes.constant(6));
+            let (joint, coordinate) = (self.bytes.id(joints + 1), self.coordinate());
             let mut arrays = Arrays::default();
             let signal = given::signal(self.bytes, &mut arrays);
             call!(pdn_model_prescribe(model, joint, coordinate, &signal));
@@ -195,7 +196,7 @@ impl Session<'_, '_> {
 
     fn force(&mut self) {
         let [nodes, joints, ..] = self.counts();
-        let (joint, coordinate) = (self.bytes.id(joints), self.bytes.constant(6));
+        let (joint, coordinate) = (self.bytes.id(joints), self.coordinate());
         let (model, mut id) = (self.model, 0);
         let out = &mut id;
         let [a, b, rest] = self.bytes.numbers();
@@ -262,7 +263,7 @@ impl Session<'_, '_> {
                 model,
                 joint,
                 coordinate,
-                self.bytes.constant(2),
+                self.bytes.constant(PDN_TANGENTS_DIFFERENCED, 2),
                 Some(given::law),
                 null_mut(),
                 None,
@@ -285,7 +286,7 @@ impl Session<'_, '_> {
             }
             matrix
         });
-        let (angles, mut id) = (self.bytes.constant(2), 0);
+        let (angles, mut id) = (self.bytes.constant(PDN_ANGLES_ROTATION_VECTOR, 2), 0);
         call!(pdn_model_add_bushing(
             self.model,
             first,
@@ -300,6 +301,10 @@ impl Session<'_, '_> {
     }
 
     /// Where axes are turned by a quarter or not.
+    fn coordinate(&mut self) -> i32 {
+        self.bytes.constant(PDN_DISPLACEMENT, 6)
+    }
+
     fn frame(&mut self) -> pdn_frame {
         let rotation = match self.bytes.rarely(2) {
             true => [0.0, 1.0, 0.0, -1.0, 0.0, 0.0, 0.0, 0.0, 1.0],
@@ -313,7 +318,7 @@ impl Session<'_, '_> {
 
     fn relation(&mut self, joints: usize) -> i32 {
         let ids = [(); 2].map(|()| self.bytes.id(joints));
-        let coordinates = [(); 2].map(|()| self.bytes.constant(6));
+        let coordinates = [(); 2].map(|()| self.coordinate());
         let coefficients = self.bytes.numbers::<2>();
         let mut arrays = Arrays::default();
         let signal = given::signal(self.bytes, &mut arrays);
@@ -331,7 +336,8 @@ impl Session<'_, '_> {
             signal,
             &mut id,
         ));
-        let (kind, label) = (self.bytes.constant(6), [b'a' + self.bytes.byte() % 4, 0]);
+        let kind = self.bytes.constant(PDN_OBJECT_NODE, 6);
+        let label = [b'a' + self.bytes.byte() % 4, 0];
         let label = label.as_ptr().cast();
         let object = self.bytes.id(joints);
         call!(pdn_model_set_label(self.model, kind, object, label));
@@ -345,8 +351,9 @@ impl Session<'_, '_> {
             call!(pdn_model_set_gravity(self.model, gravity.as_ptr()));
             return;
         }
-        let (node, frame) = (self.bytes.id(nodes), self.bytes.constant(2));
-        let component = self.bytes.constant(6);
+        let node = self.bytes.id(nodes);
+        let frame = self.bytes.constant(PDN_FRAME_SPACE, 2);
+        let component = self.bytes.constant(PDN_FORCE_1, 6);
         let mut arrays = Arrays::default();
         let signal = given::signal(self.bytes, &mut arrays);
         call!(pdn_model_add_load(
@@ -369,8 +376,9 @@ impl Session<'_, '_> {
             return;
         }
         for _ in 0..self.bytes.below(3) {
-            let (number, index) = (self.bytes.constant(8), self.bytes.id(3));
-            let (power, factor) = (self.bytes.constant(3), self.bytes.number());
+            let number = self.bytes.constant(PDN_NUMBER_STIFFNESS, 8);
+            let index = self.bytes.id(3);
+            let (power, factor) = (self.bytes.id(3), self.bytes.number());
             call!(pdn_model_move_number(
                 model, id, number, index, power, factor
             ));
@@ -436,9 +444,10 @@ impl Session<'_, '_> {
                 options.grid_points = [0, 1, 3, 5, 7, 9, 4, 15][self.bytes.below(8)];
                 options.largest_grid_points = 31;
                 options.iteration_limit = 1 + self.bytes.below(12);
-                options.linear_solver = [0, 0, 0, 1, 2, 3, 4, 5][self.bytes.below(8)];
+                options.linear_solver =
+                    PDN_LINEAR_AUTOMATIC + [0, 0, 0, 1, 2, 3, 4, 5][self.bytes.below(8)];
                 options.oversampling = [1, 1, 1, 2, 0][self.bytes.below(5)];
-                options.start = [0, 0, 0, 1, 2, 3, 4, 5][self.bytes.below(8)];
+                options.start = PDN_START_AUTOMATIC + [0, 0, 0, 1, 2, 3, 4, 5][self.bytes.below(8)];
                 options.memory_limit = [0, 0, 0, 1 << 20][self.bytes.below(4)];
                 options.initial = initial;
                 options.progress = Some(given::progress);
@@ -514,12 +523,16 @@ impl Session<'_, '_> {
         };
         let [nodes, joints, elements, forces] = self.counts();
         let mut quantity = defaults!(pdn_quantity, pdn_quantity_init);
-        quantity.kind = self.bytes.constant(18);
+        let first = 100 * (1 + self.bytes.below(6) as i32);
+        quantity.kind = self.bytes.constant(first, 7);
         quantity.object = self.bytes.id(nodes.max(joints).max(elements).max(forces));
         if self.bytes.below(2) == 0 {
-            quantity.component = self.bytes.constant(6);
+            quantity.component = match self.bytes.below(2) {
+                0 => self.coordinate(),
+                _ => self.bytes.id(6),
+            };
         }
-        quantity.frame = self.bytes.below(3) as i32;
+        quantity.frame = PDN_FRAME_SPACE + self.bytes.below(5) as i32;
         quantity.station = f64::from(self.bytes.byte()) / 128.0 - 1.0;
         let times: [f64; 3] = self.bytes.numbers();
         let (t, q) = (times.as_ptr(), &raw const quantity);

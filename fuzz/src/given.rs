@@ -3,7 +3,7 @@
 use super::bytes::Bytes;
 use periodyn::capi::periodic::pdn_progress;
 use periodyn::capi::section::{pdn_section, pdn_section_init};
-use periodyn::capi::signal::{pdn_signal, pdn_signal_init};
+use periodyn::capi::signal::{PDN_SIGNAL_HARMONICS, pdn_signal, pdn_signal_init};
 use std::cell::Cell;
 use std::ffi::c_void;
 use std::ptr::null_mut;
@@ -119,7 +119,7 @@ pub fn signal(bytes: &mut Bytes, arrays: &mut Arrays) -> pdn_signal {
     };
     arrays.first = bytes.numbers();
     arrays.second = bytes.numbers();
-    signal.kind = bytes.constant(4);
+    signal.kind = bytes.constant(PDN_SIGNAL_HARMONICS, 4);
     signal.mean = bytes.number();
     signal.rate = match bytes.below(4) {
         0 => bytes.number(),

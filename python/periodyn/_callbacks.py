@@ -104,6 +104,41 @@ def _user_force(state, values, data):
     return 0
 
 
+class ControllerState:
+    """What a controller may depend on: `time`, `inputs` (the coordinates that it reads), their
+    `input_rates`, and its `states`; during the call only."""
+
+    def __init__(self, c):
+        self.time = c.time
+        self.inputs = view(c.inputs, c.input_count)
+        self.input_rates = view(c.input_rates, c.input_count)
+        self.states = view(c.states, c.state_count)
+
+
+class ControllerValues:
+    """Where a controller writes: `efforts` and `state_rates`, all zero at first; `by_inputs`,
+    `by_input_rates` and `by_states`, None where they are not wanted, with a row for each effort
+    and then for each state rate."""
+
+    def __init__(self, c, state, outputs):
+        inputs, states = state.input_count, state.state_count
+        self.efforts = view(c.efforts, outputs)
+        self.state_rates = view(c.state_rates, states)
+        tangents = (c.by_inputs, inputs), (c.by_input_rates, inputs), (c.by_states, states)
+        self.by_inputs, self.by_input_rates, self.by_states = (
+            None if c.by_inputs == ffi.NULL else view(tangent, columns, outputs + states).T
+            for tangent, columns in tangents
+        )
+
+
+@ffi.callback("int32_t(pdn_controller_state *, pdn_controller_values *, void *)", error=1,
+              onerror=_failed)
+def _controller(state, values, data):
+    ffi.from_handle(data)(
+        ControllerState(state), ControllerValues(values, state, values.output_count))
+    return 0
+
+
 @ffi.callback("int32_t(pdn_progress *, void *)", error=1, onerror=_failed)
 def _progress(told, data):
     return 1 if ffi.from_handle(data)(told) else 0
@@ -119,6 +154,7 @@ curve = _taker("curve", _curve)
 surface = _taker("surface", _surface)
 coordinate_law = _taker("function", _coordinate_law)
 user_force = _taker("function", _user_force)
+controller = _taker("function", _controller)
 _told = _taker("progress", _progress)
 _followed = _taker("progress", _branch)
 

@@ -64,122 +64,122 @@ ERR_PANIC = -901
 """Internal error, a defect of the library."""
 ERR_POISONED = -902
 """An internal error left this handle in an unknown state."""
-SIGNAL_HARMONICS = 0
+SIGNAL_HARMONICS = 1200
 """Kind of a signal: mean, rate and harmonics. Also what a constant is."""
-SIGNAL_SAMPLES = 1
+SIGNAL_SAMPLES = 1201
 """Kind of a signal: rate and samples over one period."""
-SIGNAL_FUNCTION = 2
+SIGNAL_FUNCTION = 1202
 """Kind of a signal: a function of the caller."""
-SIGNAL_FUNCTION_OF_PHASE = 3
+SIGNAL_FUNCTION_OF_PHASE = 1203
 """Kind of a signal: a function of the caller, of the phase."""
 GROUND = -1
 """In place of a node's id: the ground, which does not move."""
-JOINT_RIGID = 0
+JOINT_RIGID = 1300
 """Joint that allows no relative motion."""
-JOINT_REVOLUTE = 1
+JOINT_REVOLUTE = 1301
 """Joint that allows a rotation about axis 3 of its frames."""
-JOINT_UNIVERSAL = 2
+JOINT_UNIVERSAL = 1302
 """Joint that allows a rotation about axis 1 of its first frame, then about axis 2 of its second.
 """
-JOINT_SPHERICAL = 3
+JOINT_SPHERICAL = 1303
 """Joint that allows all rotations."""
-JOINT_PRISMATIC = 4
+JOINT_PRISMATIC = 1304
 """Joint that allows a displacement along axis 3 of its frames."""
-JOINT_CYLINDRICAL = 5
+JOINT_CYLINDRICAL = 1305
 """Joint that allows a displacement along axis 3 of its frames and a rotation about it."""
-JOINT_PLANAR = 6
+JOINT_PLANAR = 1306
 """Joint that allows displacements along axes 1 and 2 of its first frame and a rotation about axis
 3.
 """
-JOINT_FREE = 7
+JOINT_FREE = 1307
 """Joint that allows everything: it carries springs, prescribed coordinates and measures."""
-JOINT_SCREW = 8
+JOINT_SCREW = 1308
 """Joint that allows a displacement along axis 3 of its frames, in proportion to the rotation about
 it; made by functions of its own, for its pitch.
 """
-JOINT_STRUT = 9
+JOINT_STRUT = 1309
 """The line between two points, which constrains nothing; made by Model.add_strut."""
-DISPLACEMENT = 0
+DISPLACEMENT = 1400
 """Joint coordinate: the displacement, or the first of several."""
-DISPLACEMENT_2 = 1
+DISPLACEMENT_2 = 1401
 """Joint coordinate: second displacement of a planar or free joint."""
-DISPLACEMENT_3 = 2
+DISPLACEMENT_3 = 1402
 """Joint coordinate: third displacement of a free joint."""
-ROTATION = 3
+ROTATION = 1403
 """Joint coordinate: the angle, or the first of several."""
-ROTATION_2 = 4
+ROTATION_2 = 1404
 """Joint coordinate: second angle of a universal, spherical or free joint."""
-ROTATION_3 = 5
+ROTATION_3 = 1405
 """Joint coordinate: third angle of a spherical or free joint."""
-LINE_STRAIGHT = 0
+LINE_STRAIGHT = 1500
 """Kind of a line: straight."""
-LINE_ARC = 1
+LINE_ARC = 1501
 """Kind of a line: circular arc."""
-LINE_CURVE = 2
+LINE_CURVE = 1502
 """Kind of a line: a curve that the caller computes."""
-FRAME_SPACE = 0
-"""Directions of a load: the global axes."""
-FRAME_MATERIAL = 1
-"""Directions of a load: the axes of the node, which the load follows."""
-FRAME_UNTWISTED = 2
+FRAME_SPACE = 1600
+"""Directions of a load, or axes of a velocity, force or reaction: the global axes."""
+FRAME_MATERIAL = 1601
+"""The same: the axes of the node, which a load follows."""
+FRAME_UNTWISTED = 1602
 """Directions of a load along a beam: the axes that its sections have without twist, which follow
 the sections.
 """
-FORCE_1 = 0
+FORCE_1 = 1700
 """Component of a load: force along axis 1."""
-FORCE_2 = 1
+FORCE_2 = 1701
 """Component of a load: force along axis 2."""
-FORCE_3 = 2
+FORCE_3 = 1702
 """Component of a load: force along axis 3."""
-MOMENT_1 = 3
+MOMENT_1 = 1703
 """Component of a load: moment about axis 1."""
-MOMENT_2 = 4
+MOMENT_2 = 1704
 """Component of a load: moment about axis 2."""
-MOMENT_3 = 5
+MOMENT_3 = 1705
 """Component of a load: moment about axis 3."""
-SURFACE_PARALLELOGRAM = 0
+SURFACE_PARALLELOGRAM = 1800
 """Kind of a surface: parallelogram."""
-SURFACE_ANNULUS = 1
+SURFACE_ANNULUS = 1801
 """Kind of a surface: sector of an annulus."""
-SURFACE_CYLINDER = 2
+SURFACE_CYLINDER = 1802
 """Kind of a surface: cylinder."""
-SURFACE_FUNCTION = 3
+SURFACE_FUNCTION = 1803
 """Kind of a surface: one that the caller computes."""
-SHELL_NORMALS = 0
+SHELL_NORMALS = 1900
 """Frames of a shell: along the normals of its surface at the nodes."""
-SHELL_PARALLEL = 1
+SHELL_PARALLEL = 1901
 """Frames of a shell: parallel at all nodes of an element. Somewhat better on curved elements of
 three and more nodes a side; thin warped elements of two nodes a side lock.
 """
-SHELL_NODE_AXES = 2
+SHELL_NODE_AXES = 1902
 """Frames of a shell: along the third axes of the nodes' own frames, as normals of a surface that
 is known better than its elements show it; of use with two nodes a side.
 """
-SHELL_EDGE_START_ETA = 0
+SHELL_EDGE_START_ETA = 2000
 """Place of a load on a shell element: its edge where eta = -1, along xi."""
-SHELL_EDGE_END_XI = 1
+SHELL_EDGE_END_XI = 2001
 """Place of a load on a shell element: its edge where xi = 1, along eta."""
-SHELL_EDGE_END_ETA = 2
+SHELL_EDGE_END_ETA = 2002
 """Place of a load on a shell element: its edge where eta = 1, along xi."""
-SHELL_EDGE_START_XI = 3
+SHELL_EDGE_START_XI = 2003
 """Place of a load on a shell element: its edge where xi = -1, along eta."""
-SHELL_SURFACE = 4
+SHELL_SURFACE = 2004
 """Place of a load on a shell element: its surface."""
-ANGLES_ROTATION_VECTOR = 0
+ANGLES_ROTATION_VECTOR = 2100
 """A bushing measures rotations by the rotation vector; its angle stays below half a turn."""
-ANGLES_TILT_AND_SPIN = 1
+ANGLES_TILT_AND_SPIN = 2101
 """A bushing measures the tilt of axis 3, as a rotation vector about axes 1 and 2, and the rate of
 the spin about axis 3, which may go on and on: for journal bearings and seals.
 """
-TANGENTS_DIFFERENCED = 0
+TANGENTS_DIFFERENCED = 2200
 """Tangents of a user's function: it gives none, and the library finds them by differences of its
 forces.
 """
-TANGENTS_GIVEN = 1
+TANGENTS_GIVEN = 2201
 """Tangents of a user's function: it gives them."""
-TANGENT_MOTION = 0
+TANGENT_MOTION = 2300
 """Which tangent: derivative by a motion or coordinate."""
-TANGENT_VELOCITY = 1
+TANGENT_VELOCITY = 2301
 """Which tangent: derivative by a velocity or rate."""
 OBJECT_NODE = 1000
 """What has an id: a node, or a rigid body, which is one."""
@@ -195,81 +195,79 @@ OBJECT_RELATION = 1005
 """What has an id: a linear relation between joint coordinates."""
 LABEL_LENGTH = 200
 """Bytes of a label at most, without the NUL."""
-CONVERGED = 0
+CONVERGED = 2400
 """Outcome: converged. With TOLERANCE_NOT_MET the only outcomes that are solutions."""
-ITERATION_LIMIT = 1
+ITERATION_LIMIT = 2401
 """Outcome: the iteration limit was reached."""
-STALLED = 2
+STALLED = 2402
 """Outcome: no step along the Newton direction brings progress."""
-SINGULAR = 3
+SINGULAR = 2403
 """Outcome: the Jacobian is singular; something is free to move, or in resonance without damping.
 """
-CANCELLED = 4
+CANCELLED = 2404
 """Outcome: the progress callback cancelled the solve."""
-NO_INITIAL_GUESS = 5
+NO_INITIAL_GUESS = 2405
 """Outcome: no initial guess could be found."""
-INCONSISTENT = 6
+INCONSISTENT = 2406
 """Outcome: constraints that depend on each other contradict each other; the mechanism is locked,
 or cannot close.
 """
-WRONG_ASSEMBLY = 7
+WRONG_ASSEMBLY = 2407
 """Outcome: a joint has closed turned over, its axes against each other; the report names it."""
-TOLERANCE_NOT_MET = 8
+TOLERANCE_NOT_MET = 2408
 """Outcome: converged on the last grid tried, but the estimated error misses the tolerance, as the
 report explains; quantities are as good as Diagnostics.error_estimate says.
 """
-WORK_LIMIT = 9
+WORK_LIMIT = 2409
 """Outcome: all work was done that PeriodicOptions.work_limit allows, and the report tells what was
 tried; or as many steps of a march are kept as MarchOptions.memory_limit allows.
 """
-DECAY_UNKNOWN = 0
+DECAY_UNKNOWN = 2500
 """Decay of harmonics: not known, as there are too few or the solve has not converged."""
-DECAY_FAST = 1
+DECAY_FAST = 2501
 """Decay of harmonics: fast, as of a smooth response that the grid resolves."""
-DECAY_SLOW = 2
+DECAY_SLOW = 2502
 """Decay of harmonics: no faster than the fourth power of their number. The response has a kink, or
 a peak too narrow for the grid; forces may oscillate about their values.
 """
-DECAY_ROUNDING = 3
+DECAY_ROUNDING = 2503
 """Decay of harmonics: they have fallen to rounding; a finer grid gains nothing."""
-AXES_SPACE = 0
-"""Axes of a joint reaction: inertial."""
-AXES_FIRST = 1
+FRAME_FIRST = 1603
 """Axes of a joint reaction: the joint frame on the first body."""
-AXES_SECOND = 2
+FRAME_SECOND = 1604
 """Axes of a joint reaction: the joint frame on the second body."""
-NODE_POSITION = 0
+NODE_POSITION = 2600
 """Quantity of a node: position, inertial frame; 3 components [length]."""
-NODE_ROTATION = 1
+NODE_ROTATION = 2601
 """Quantity of a node: rotation matrix, column by column; 9 components."""
-NODE_QUATERNION = 2
+NODE_QUATERNION = 2602
 """Quantity of a node: unit quaternion (w, x, y, z) of continuous sign; 4 components."""
-NODE_VELOCITY = 3
+NODE_VELOCITY = 2603
 """Quantity of a node: velocity and angular velocity, inertial frame; 6 components."""
-NODE_ACCELERATION = 4
+NODE_ACCELERATION = 2604
 """Quantity of a node: acceleration and angular acceleration, inertial frame; 6 components."""
-NODE_MATERIAL_VELOCITY = 5
+NODE_MATERIAL_VELOCITY = 2605
 """Quantity of a node: velocity and angular velocity along the node's axes; 6 components."""
-NODE_MATERIAL_ACCELERATION = 6
+NODE_MATERIAL_ACCELERATION = 2606
 """Quantity of a node: time derivative of NODE_MATERIAL_VELOCITY; 6 components."""
-JOINT_COORDINATE = 0
+JOINT_COORDINATE = 2700
 """Quantity of a joint: coordinate, angles followed through whole turns; 1 component."""
-JOINT_RATE = 1
+JOINT_RATE = 2701
 """Quantity of a joint: rate of a coordinate; 1 component."""
-JOINT_ACCELERATION = 2
+JOINT_ACCELERATION = 2702
 """Quantity of a joint: second derivative of a coordinate; 1 component."""
-JOINT_DRIVING_EFFORT = 3
+JOINT_DRIVING_EFFORT = 2703
 """Quantity of a joint: force or torque that drives a prescribed coordinate; 1 component."""
-JOINT_REACTION = 4
+JOINT_REACTION = 2704
 """Quantity of a joint: force and moment on the second body; 6 components."""
-BEAM_STRAIN = 0
+BEAM_STRAIN = 2800
 """Quantity of a beam: strains and curvatures; 6 components."""
-BEAM_FORCE = 1
+BEAM_FORCE = 2801
 """Quantity of a beam: internal forces and moments; 6 components."""
-BEAM_FORCE_MEAN = 2
+BEAM_FORCE_MEAN = 2802
 """Quantity of a beam: internal forces, at a node between two elements the mean of those of both.
 """
-BEAM_FORCE_JUMP = 3
+BEAM_FORCE_JUMP = 2803
 """Quantity of a beam: at a node between two elements, internal forces of the one beyond it less
 those of the one before it; zero elsewhere.
 """
@@ -317,6 +315,12 @@ QUANTITY_BUSHING_EFFORTS = 404
 """Kind of quantity: the efforts of a bushing against its deformation, forces along the axes of its
 first frame and moments; 6 components.
 """
+QUANTITY_CONTROL_EFFORT = 405
+"""Kind of quantity: effort of a controller on one of the coordinates that it acts on, towards
+growth.
+"""
+QUANTITY_CONTROL_STATE = 406
+"""Kind of quantity: a state of a controller."""
 QUANTITY_SHELL_STRAIN = 500
 """Kind of quantity: strains of a shell element, in the order of ShellSection; 12 components."""
 QUANTITY_SHELL_RESULTANT = 501
@@ -332,138 +336,138 @@ QUANTITY_STRESS_BOTTOM = 503
 QUANTITY_RELATION_EFFORT = 600
 """Kind of quantity: effort of a linear relation on one of its joint coordinates, towards growth.
 """
-ALL_COMPONENTS = -1
+ALL_COMPONENTS = -2
 """All components of a quantity."""
-FORCE_EFFORT = 0
+FORCE_EFFORT = 3000
 """Quantity of a force on a joint coordinate: its effort; 1 component."""
-FORCE_BRANCH_EFFORT = 1
+FORCE_BRANCH_EFFORT = 3001
 """Quantity of a viscoelastic element: effort of one of its branches; 1 component."""
-FORCE_BRANCH_ELONGATION = 2
+FORCE_BRANCH_ELONGATION = 3002
 """Quantity of a viscoelastic element: elongation of the dashpot of one of its branches; 1
 component.
 """
-FORCE_ON_NODE = 3
+FORCE_ON_NODE = 3003
 """Quantity of a force: force and moment on one of its nodes, along the inertial axes; 6
 components.
 """
-FORCE_ON_NODE_MATERIAL = 4
+FORCE_ON_NODE_MATERIAL = 3004
 """Quantity of a force: force and moment on one of its nodes, along the node's own axes; 6
 components.
 """
-FILTER_LANCZOS = 0
+FILTER_LANCZOS = 3100
 """Spectral filter: Lanczos' factors, (sin(x) / x)^order with x = pi j / (H + 1) for harmonic j of
 H. Of order 1 they are running means over two grid intervals; order 2 or 3 removes more.
 """
-FILTER_EXPONENTIAL = 1
+FILTER_EXPONENTIAL = 3101
 """Spectral filter: exp(-36 (j / (H + 1))^order) for harmonic j of H. Order 2 smooths most; a high
 order, as 8, spares all but the highest harmonics.
 """
-STAGE_INITIAL_GUESS = 0
+STAGE_INITIAL_GUESS = 3200
 """Stage of a solve: finding the initial guess, each iteration at a single instant."""
-STAGE_NEWTON = 1
+STAGE_NEWTON = 3201
 """Stage of a solve: Newton iterations of the periodic problem."""
-STAGE_MARCH = 2
+STAGE_MARCH = 3202
 """Stage of a march: a step, with the last of its iterations."""
-STAGE_MODES = 3
+STAGE_MODES = 3203
 """Stage of a modal analysis: looking for modes about the equilibrium."""
-STAGE_STABILITY = 4
+STAGE_STABILITY = 3204
 """Following disturbances of a periodic solution."""
-START_AUTOMATIC = 0
+START_AUTOMATIC = 3300
 """Start of a periodic solve: the library tries those that suit, cheapest first."""
-START_QUASI_STATIC = 1
+START_QUASI_STATIC = 3301
 """Start of a periodic solve: equilibrium at each time, without velocities."""
-START_STEADY_ROTATION = 2
+START_STEADY_ROTATION = 3302
 """Start of a periodic solve: equilibrium at each time of what turns steadily with its drives, with
 its centrifugal and gyroscopic forces.
 """
-START_RIGID_ROTATION = 3
+START_RIGID_ROTATION = 3303
 """Start of a periodic solve: all that hangs on drives turned with them, undeformed."""
-START_RAISED_INERTIA = 4
+START_RAISED_INERTIA = 3304
 """Start of a periodic solve: the quasi-static motion, and inertial forces raised in steps."""
-START_MARCH = 5
+START_MARCH = 3305
 """Start of a periodic solve: a march in time with strong numerical dissipation."""
-START_LOWERED_DAMPING = 6
+START_LOWERED_DAMPING = 3306
 """Start of a periodic solve: the quasi-static motion, and added damping taken away in steps."""
-START_RAISED_LOADS = 7
+START_RAISED_LOADS = 3307
 """Start of a periodic solve: the reference configuration, and loads and prescribed motions raised
 in steps; not where these gain whole turns in a period.
 """
-TIME_MAP_AUTOMATIC = 0
+TIME_MAP_AUTOMATIC = 3400
 """Grid points are equispaced, but closer together where a solve to a tolerance finds the motion
 sharp.
 """
-TIME_MAP_EQUISPACED = 1
+TIME_MAP_EQUISPACED = 3401
 """Grid points are equispaced."""
-TIME_MAP_EVENTS = 2
+TIME_MAP_EVENTS = 3402
 """Grid points are closer together about events that are given."""
-LINEAR_AUTOMATIC = 0
+LINEAR_AUTOMATIC = 3500
 """Linear equations: solved directly where that is quick, by iteration otherwise."""
-LINEAR_DIRECT = 1
+LINEAR_DIRECT = 3501
 """Linear equations: solved by factors of the whole Jacobian. Time grows with the third power of
 the number of grid points, memory with the second.
 """
-LINEAR_ITERATIVE = 2
+LINEAR_ITERATIVE = 3502
 """Linear equations: solved by iteration, with the preconditioner that suits; time and memory grow
 in proportion to nodes and grid points, or little more.
 """
-LINEAR_BODY_CIRCULANT = 3
+LINEAR_BODY_CIRCULANT = 3503
 """Linear equations: solved by iteration; bodies are averaged over time for the preconditioner,
 joints are not.
 """
-LINEAR_TIME_LOCAL = 4
+LINEAR_TIME_LOCAL = 3504
 """Linear equations: solved by iteration; the preconditioner is equilibrium at each grid point,
 without inertia.
 """
-LINEAR_CIRCULANT = 5
+LINEAR_CIRCULANT = 3505
 """Linear equations: solved by iteration; everything is averaged over time for the preconditioner.
 """
-NUMBER_STIFFNESS = 0
+NUMBER_STIFFNESS = 3600
 """A parameter moves the coefficient of a power, from 1, of the growth of a spring-damper, or with
 power 1 the long-term stiffness of a viscoelastic force or a factor of the stiffness of a
 bushing.
 """
-NUMBER_DAMPING = 1
+NUMBER_DAMPING = 3601
 """A parameter moves the coefficient of a power, from 1, of the rate of a spring-damper, or with
 power 1 a factor of the damping of a bushing.
 """
-NUMBER_REST = 2
+NUMBER_REST = 3602
 """A parameter moves the coordinate at which a spring-damper or viscoelastic force is free of
 effort.
 """
-NUMBER_INERTIA = 3
+NUMBER_INERTIA = 3603
 """A parameter moves a factor of the inertia of a body: of the bodies, masses and inertias that
 were given, in their order.
 """
-NUMBER_BEAM_STIFFNESS = 4
+NUMBER_BEAM_STIFFNESS = 3604
 """A parameter moves a factor of the sections' stiffness along a beam element."""
-NUMBER_BEAM_MASS = 5
+NUMBER_BEAM_MASS = 3605
 """A parameter moves a factor of the sections' mass along a beam element."""
-NUMBER_BEAM_DAMPING = 6
+NUMBER_BEAM_DAMPING = 3606
 """A parameter moves a factor of the sections' damping along a beam element."""
-NUMBER_MASS_DAMPING = 7
+NUMBER_MASS_DAMPING = 3607
 """A parameter moves the damping in proportion to mass, Model.set_mass_damping."""
-SIGNAL_OF_ACTUATOR = 0
+SIGNAL_OF_ACTUATOR = 3700
 """The signal of an actuator, by its force id."""
-SIGNAL_OF_PRESCRIBED = 1
+SIGNAL_OF_PRESCRIBED = 3701
 """The signal of a prescribed coordinate, in the order in which they were prescribed."""
-SIGNAL_OF_LOAD = 2
+SIGNAL_OF_LOAD = 3702
 """The signal of a component of a load on a node, in the order in which these were added."""
-SIGNAL_OF_BEAM_LOAD = 3
+SIGNAL_OF_BEAM_LOAD = 3703
 """The signal of a component of a load along beams, in the order in which these were added."""
-SIGNAL_OF_GRAVITY = 4
+SIGNAL_OF_GRAVITY = 3704
 """The signal of a component of gravity; its index is 0."""
-SIGNAL_OF_RELATION = 5
+SIGNAL_OF_RELATION = 3705
 """The signal of a linear relation between joint coordinates, by its id."""
-PART_MEAN = 0
+PART_MEAN = 3800
 """Part of a signal: the mean that is added to its shape."""
-PART_RATE = 1
+PART_RATE = 3801
 """Part of a signal: growth in a unit of time."""
-PART_AMPLITUDE = 2
+PART_AMPLITUDE = 3802
 """Part of a signal: the factor of its shape, which is its harmonics, its samples or its function.
 """
-PART_PHASE = 3
+PART_PHASE = 3803
 """Part of a signal: the phase by which its shape is ahead [radians]."""
-FREQUENCY = -1
+FREQUENCY = -3
 """A parameter: the circular frequency 2 pi / T, which every model has."""
 FORCE_IS_SPRING_DAMPER = 1100
 """Kind of force: springs and dampers on a joint coordinate."""
@@ -479,86 +483,88 @@ FORCE_IS_BUSHING = 1105
 """Kind of force: a bushing between two frames."""
 FORCE_IS_USER_FORCE = 1106
 """Kind of force: forces of the user on nodes."""
-NUMBER_RELAXATION_TIME = 20
+FORCE_IS_CONTROLLER = 1107
+"""Kind of force: a controller."""
+NUMBER_RELAXATION_TIME = 3608
 """Numbers of a force: relaxation times of the branches of a viscoelastic element. Parameters do
 not move them.
 """
-FEATURE_MEAN = 500
+FEATURE_MEAN = 2900
 """Feature of a quantity: its mean over the period, without what it gains."""
-FEATURE_COSINE = 501
+FEATURE_COSINE = 2901
 """Feature of a quantity: coefficient of the cosine of a harmonic."""
-FEATURE_SINE = 502
+FEATURE_SINE = 2902
 """Feature of a quantity: coefficient of the sine of a harmonic."""
-FEATURE_VALUE = 503
+FEATURE_VALUE = 2903
 """Feature of a quantity: value at a time, of the trigonometric polynomial through the values at
 the grid points.
 """
-FEATURE_LARGEST = 504
+FEATURE_LARGEST = 2904
 """Feature of a quantity, for sensitivities: its largest value over the period."""
-FEATURE_SMALLEST = 505
+FEATURE_SMALLEST = 2905
 """Feature of a quantity, for sensitivities: its smallest value over the period."""
-SENSITIVITY_AUTOMATIC = 0
+SENSITIVITY_AUTOMATIC = 3900
 """Sensitivities: with as few linear solves as can be, directly or adjoint."""
-SENSITIVITY_DIRECT = 1
+SENSITIVITY_DIRECT = 3901
 """Sensitivities: a linear solve for each parameter."""
-SENSITIVITY_ADJOINT = 2
+SENSITIVITY_ADJOINT = 3902
 """Sensitivities: a transposed linear solve for each dependent, by factors of the whole Jacobian.
 """
-BRANCH_RANGE = 0
+BRANCH_RANGE = 4000
 """A branch ended at an end of the parameter's range."""
-BRANCH_CLOSED = 1
+BRANCH_CLOSED = 4001
 """A branch ended as it came back to its first point."""
-BRANCH_POINT_LIMIT = 2
+BRANCH_POINT_LIMIT = 4002
 """A branch ended as it has as many points as are allowed."""
-BRANCH_SMALLEST_STEP = 3
+BRANCH_SMALLEST_STEP = 4003
 """A branch ended where the shortest step leads to no solution."""
-BRANCH_CANCELLED = 4
+BRANCH_CANCELLED = 4004
 """A branch ended as it was cancelled."""
-BRANCH_NO_START = 5
+BRANCH_NO_START = 4005
 """A branch has no points, as there is no solution to start from."""
-BRANCH_FAILED = 6
+BRANCH_FAILED = 4006
 """A branch ended with an error, such as that of a callback, which its report tells."""
-EVENT_NONE = 0
+EVENT_NONE = 4100
 """Nothing happens at a point of a branch."""
-EVENT_FOLD = 1
+EVENT_FOLD = 4101
 """The parameter turns back at a point of a branch: a fold."""
-EVENT_BRANCH_POINT = 2
+EVENT_BRANCH_POINT = 4102
 """Another branch passes through a point of a branch."""
-EVENT_PERIOD_DOUBLING = 3
+EVENT_PERIOD_DOUBLING = 4103
 """A branch of twice the period begins at a point of a branch."""
-EVENT_TORUS = 4
+EVENT_TORUS = 4104
 """A pair of complex multipliers is on the unit circle at a point of a branch: motions with a
 second frequency begin there.
 """
-STABILITY_NOT_KNOWN = 0
+STABILITY_NOT_KNOWN = 4200
 """Verdict on stability: it cannot be told, as multipliers are on the unit circle or not known well
 enough.
 """
-STABLE = 1
+STABLE = 4201
 """Verdict on stability: disturbances die away, but for those that only move the solution in time
 or space.
 """
-UNSTABLE = 2
+UNSTABLE = 4202
 """Verdict on stability: a disturbance grows."""
 
 OUTCOMES = {
-    0: "CONVERGED",
-    1: "ITERATION_LIMIT",
-    2: "STALLED",
-    3: "SINGULAR",
-    4: "CANCELLED",
-    5: "NO_INITIAL_GUESS",
-    6: "INCONSISTENT",
-    7: "WRONG_ASSEMBLY",
-    8: "TOLERANCE_NOT_MET",
-    9: "WORK_LIMIT",
+    2400: "CONVERGED",
+    2401: "ITERATION_LIMIT",
+    2402: "STALLED",
+    2403: "SINGULAR",
+    2404: "CANCELLED",
+    2405: "NO_INITIAL_GUESS",
+    2406: "INCONSISTENT",
+    2407: "WRONG_ASSEMBLY",
+    2408: "TOLERANCE_NOT_MET",
+    2409: "WORK_LIMIT",
 }
 """Names of the outcomes of a solve."""
 COMPONENTS = {
-    "node": {0: 3, 1: 9, 2: 4, 3: 6, 4: 6, 5: 6, 6: 6},
-    "joint": {0: 1, 1: 1, 2: 1, 3: 1, 4: 6},
-    "beam": {0: 6, 1: 6, 2: 6, 3: 6},
-    "force": {0: 1, 1: 1, 2: 1, 3: 6, 4: 6},
+    "node": {2600: 3, 2601: 9, 2602: 4, 2603: 6, 2604: 6, 2605: 6, 2606: 6},
+    "joint": {2700: 1, 2701: 1, 2702: 1, 2703: 1, 2704: 6},
+    "beam": {2800: 6, 2801: 6, 2802: 6, 2803: 6},
+    "force": {3000: 1, 3001: 1, 3002: 1, 3003: 6, 3004: 6},
 }
 """Components of each quantity."""
 
@@ -1205,13 +1211,15 @@ class Quantity(Struct):
     0.
     """
     frame = Number("frame")
-    """FRAME_SPACE, the default, or FRAME_MATERIAL; of reactions AXES_SPACE, AXES_FIRST or
-    AXES_SECOND.
+    """FRAME_SPACE, the default, or FRAME_MATERIAL; of reactions FRAME_SPACE, FRAME_FIRST or
+    FRAME_SECOND.
     """
     node = Number("node")
     """Of what a force exerts on one of its nodes, the node."""
     branch = Number("branch")
-    """Of viscoelastic elements, the branch, from 0."""
+    """Of viscoelastic elements, the branch, from 0; of controllers, which of the coordinates that
+    they act on, or which state, from 0.
+    """
     station = Number("station")
     """Of beams, the place along the element, from -1 at its first to 1 at its last node; of
     shells, xi, from -1 to 1.
@@ -1460,7 +1468,8 @@ class ForceInfo(Struct):
     _type = "pdn_force_info"
     _initialise = lib.pdn_force_info_init
     kind = Number("kind")
-    """FORCE_IS_SPRING_DAMPER ... FORCE_IS_USER_FORCE."""
+    """FORCE_IS_SPRING_DAMPER ... FORCE_IS_CONTROLLER, of which Model.controller_counts tells more.
+    """
     joint = Number("joint")
     """Id of the joint on whose coordinate it acts, or -1."""
     coordinate = Number("coordinate")
@@ -3738,7 +3747,8 @@ class Model(ModelExtras):
         Wrong tangents do not make solutions wrong, but Newton's method slow, or fail.
 
         Args:
-            force: id of a force by Model.add_coordinate_law or Model.add_user_force
+            force: id of a force by Model.add_coordinate_law, Model.add_user_force or
+                Model.add_controller
             period: the period that the model is to be solved for, positive [time]
 
         Returns:
@@ -3747,6 +3757,153 @@ class Model(ModelExtras):
         check = TangentCheck()
         call(lib.pdn_model_check_tangents, self._c, force, period, check._c)
         return check
+
+    def add_controller(
+        self,
+        output_joints,
+        output_coordinates,
+        tangents,
+        function,
+        input_joints=None,
+        input_coordinates=None,
+        initial=None,
+        sizes=None,
+    ):
+        """Adds a controller: efforts on joint coordinates by a function of the caller that reads
+        any joint coordinates and their rates, and may have states of its own.
+
+        Without states it is a law that reads other coordinates, such as the gas force on a
+        piston by the angle of the crank. States x follow x' = f(t, coordinates, rates, x),
+        which the function gives: integrals of controllers, filters, actuators that lag, inflow.
+        They are solved for with the motion in all analyses, and are among the states that
+        multipliers and modes count.
+
+        Args:
+            input_joints: ids of the joints of the coordinates that are read; may be None if
+                there are none
+            input_coordinates: DISPLACEMENT ... ROTATION_3 of each, one that the joint has; each
+                coordinate of a joint at most once; may be None likewise
+            output_joints: ids of the joints of the coordinates that it acts on
+            output_coordinates: the coordinate of each, likewise
+            initial: array of shape (statecount): the states where a march begins; None for zero
+            sizes: array of shape (statecount): what each state is of the order of, positive, by
+                which equations are scaled and differences taken; None for 1
+            tangents: TANGENTS_GIVEN if the function writes tangents, which Model.check_tangents
+                checks; TANGENTS_DIFFERENCED if the library is to find them by differences, with
+                two calls for each coordinate, rate and state
+            function: the controller
+
+        Returns:
+            force: the force's id
+        """
+        input_joints = ids("input_joints", input_joints)
+        _input_count = len(input_joints)
+        input_coordinates = ids("input_coordinates", input_coordinates)
+        like("input_coordinates", input_coordinates, (_input_count,))
+        output_joints = ids("output_joints", output_joints)
+        _output_count = len(output_joints)
+        output_coordinates = ids("output_coordinates", output_coordinates)
+        like("output_coordinates", output_coordinates, (_output_count,))
+        initial, sizes, _state_count = together(initial=initial, sizes=sizes)
+        function = _callbacks.controller(function, self._kept)
+        force = ffi.new("int32_t *")
+        call(
+            lib.pdn_model_add_controller,
+            self._c,
+            ffi.from_buffer("int32_t[]", input_joints),
+            ffi.from_buffer("int32_t[]", input_coordinates),
+            _input_count,
+            ffi.from_buffer("int32_t[]", output_joints),
+            ffi.from_buffer("int32_t[]", output_coordinates),
+            _output_count,
+            pointer(initial),
+            pointer(sizes),
+            _state_count,
+            tangents,
+            function.function,
+            function.data,
+            ffi.NULL,
+            force,
+        )
+        return force[0]
+
+    def bind_controller(self, force, tangents, function):
+        """Gives a controller its function, or another one: that of a model from a file is not
+        there.
+
+        Args:
+            force: id of a force by Model.add_controller; Model.find_label finds it by its label
+            tangents: TANGENTS_GIVEN or TANGENTS_DIFFERENCED
+            function: the controller
+        """
+        function = _callbacks.controller(function, self._kept)
+        call(
+            lib.pdn_model_bind_controller,
+            self._c,
+            force,
+            tangents,
+            function.function,
+            function.data,
+            ffi.NULL,
+        )
+
+    def controller_counts(self, force):
+        """Numbers of the coordinates that a controller reads, of those that it acts on, and of its
+        states.
+
+        Args:
+            force: id of a force by Model.add_controller
+
+        Returns:
+            input_count: number of coordinates that it reads
+            output_count: number of coordinates that it acts on
+            state_count: number of its states
+        """
+        input_count = ffi.new("int32_t *")
+        output_count = ffi.new("int32_t *")
+        state_count = ffi.new("int32_t *")
+        call(
+            lib.pdn_model_controller_counts,
+            self._c,
+            force,
+            input_count,
+            output_count,
+            state_count,
+        )
+        return input_count[0], output_count[0], state_count[0]
+
+    def controller_coordinate(self, force, index):
+        """A coordinate that a controller reads or acts on.
+
+        Args:
+            force: id of a force by Model.add_controller
+            index: number of the coordinate, from 0: those that it reads, then those that it
+                acts on
+
+        Returns:
+            joint: id of its joint
+            coordinate: the coordinate: DISPLACEMENT,
+        """
+        joint = ffi.new("int32_t *")
+        coordinate = ffi.new("int32_t *")
+        call(lib.pdn_model_controller_coordinate, self._c, force, index, joint, coordinate)
+        return joint[0], coordinate[0]
+
+    def controller_state(self, force, index):
+        """A state of a controller.
+
+        Args:
+            force: id of a force by Model.add_controller
+            index: number of the state, from 0
+
+        Returns:
+            initial: its value where a march begins
+            size: what it is of the order of
+        """
+        initial = ffi.new("double *")
+        size = ffi.new("double *")
+        call(lib.pdn_model_controller_state, self._c, force, index, initial, size)
+        return initial[0], size[0]
 
     def set_label(self, kind, id, label=None):
         """Gives a node, joint, element, force or relation a label, in place of the one that it
@@ -4025,7 +4182,8 @@ class Model(ModelExtras):
             parameter: id of the parameter
             place: what has the signal: SIGNAL_OF_ACTUATOR,
             index: which of them
-            component: of a load from 0 to 5, of gravity from 0 to 2; 0 for all else
+            component: of a load FORCE_1, ... or MOMENT_3, of gravity from 0 to 2; 0 for all
+                else
             part: PART_MEAN, PART_RATE, PART_AMPLITUDE or PART_PHASE
             factor: the part for a unit of the parameter, not zero
         """
@@ -4277,7 +4435,8 @@ class Model(ModelExtras):
         Args:
             place: what has the signal: SIGNAL_OF_ACTUATOR,
             index: which of them
-            component: of a load from 0 to 5, of gravity from 0 to 2; 0 for all else
+            component: of a load FORCE_1, ... or MOMENT_3, of gravity from 0 to 2; 0 for all
+                else
             period: period of the motion, that harmonics refer to [time]
             times: array of shape (count): times
 
@@ -5419,7 +5578,7 @@ class Solution(SolutionExtras):
 
         Args:
             joint: id of the joint
-            axes: AXES_SPACE, AXES_FIRST or AXES_SECOND: axes of the components
+            axes: FRAME_SPACE, FRAME_FIRST or FRAME_SECOND: axes of the components
             times: array of shape (count): times, also outside the first period
 
         Returns:
@@ -5580,7 +5739,7 @@ class Solution(SolutionExtras):
             joint: id of the joint
             quantity: JOINT_COORDINATE, ...; it has C components
             detail: the coordinate (DISPLACEMENT, ...) or, for JOINT_REACTION, the axes
-                (AXES_SPACE, ...)
+                (FRAME_SPACE, ...)
             harmonics: number of harmonics wanted; those above (N - 1) / 2 are zero
 
         Returns:
@@ -6360,7 +6519,7 @@ class Table(TableExtras):
             joint: id of the joint
             quantity: JOINT_COORDINATE,
             detail: the coordinate (DISPLACEMENT, ...) or, for JOINT_REACTION, the axes
-                (AXES_SPACE, ...)
+                (FRAME_SPACE, ...)
             label: name of the column or, followed by a dot and the component, of the columns;
                 None for a name such as `joint2.rotation_1.rate`
         """

@@ -6,7 +6,7 @@ from ._abi import ffi
 from ._call import LIBRARY as lib
 from ._call import Error, call
 from ._extras import Handle
-from ._interface import EquationsOptions, EquationsSizes, Solution
+from ._interface import CONVERGED, LINEAR_AUTOMATIC, EquationsOptions, EquationsSizes, Solution
 from ._numbers import ids, reals
 from ._structs import pointer
 
@@ -31,7 +31,8 @@ class Equations(Handle):
 
     _free = lib.pdn_equations_free
 
-    def __init__(self, model, period, grid_points, initial=None, preconditioner=0, threads=1):
+    def __init__(self, model, period, grid_points, initial=None,
+                 preconditioner=LINEAR_AUTOMATIC, threads=1):
         options = EquationsOptions(
             grid_points=grid_points,
             initial=initial,
@@ -138,7 +139,7 @@ class Equations(Handle):
         call(lib.pdn_equations_norms, self._c, pointer(increment), len(increment), motion, own)
         return motion[0], own[0]
 
-    def solution(self, outcome=0):
+    def solution(self, outcome=CONVERGED):
         """The present state as a Solution; `outcome` says how the solve ended."""
         out = ffi.new("pdn_solution **")
         call(lib.pdn_equations_solution, self._c, -1, outcome, out)

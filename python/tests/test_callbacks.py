@@ -100,7 +100,7 @@ def test_tangents_are_row_by_column():
     model = pdn.Model()
     body = model.add_rigid_body(1, [0, 0, 0], np.eye(3))
     joint = model.add_free_joint(pdn.GROUND, body, [0, 0, 0])
-    for coordinate in range(6):
+    for coordinate in range(pdn.DISPLACEMENT, pdn.ROTATION_3 + 1):
         model.add_spring_damper(joint, coordinate, 10, 1, 0)
     user = model.add_user_force([body], pdn.FRAME_SPACE, pdn.TANGENTS_GIVEN, force)
     assert model.check_tangents(user, 1.0).error < 1e-6

@@ -71,5 +71,5 @@ def test_labels_and_contents():
     assert node == body
     np.testing.assert_array_equal(matrix, np.eye(6))
     assert model.load_at(0) == (body, pdn.FRAME_SPACE)
-    values = model.sample_signal(pdn.SIGNAL_OF_LOAD, 0, 0, 1.0, [0, 0.5])
+    values = model.sample_signal(pdn.SIGNAL_OF_LOAD, 0, pdn.FORCE_1, 1.0, [0, 0.5])
     np.testing.assert_array_equal(values, [0.5, 0.5])

@@ -23,31 +23,31 @@ use std::f64::consts::TAU;
 use std::path::Path;
 
 /// A branch ended at an end of the parameter's range.
-pub const PDN_BRANCH_RANGE: i32 = 0;
+pub const PDN_BRANCH_RANGE: i32 = 4000;
 /// A branch ended as it came back to its first point.
-pub const PDN_BRANCH_CLOSED: i32 = 1;
+pub const PDN_BRANCH_CLOSED: i32 = 4001;
 /// A branch ended as it has as many points as are allowed.
-pub const PDN_BRANCH_POINT_LIMIT: i32 = 2;
+pub const PDN_BRANCH_POINT_LIMIT: i32 = 4002;
 /// A branch ended where the shortest step leads to no solution.
-pub const PDN_BRANCH_SMALLEST_STEP: i32 = 3;
+pub const PDN_BRANCH_SMALLEST_STEP: i32 = 4003;
 /// A branch ended as it was cancelled.
-pub const PDN_BRANCH_CANCELLED: i32 = 4;
+pub const PDN_BRANCH_CANCELLED: i32 = 4004;
 /// A branch has no points, as there is no solution to start from.
-pub const PDN_BRANCH_NO_START: i32 = 5;
+pub const PDN_BRANCH_NO_START: i32 = 4005;
 /// A branch ended with an error, such as that of a callback, which its report tells.
-pub const PDN_BRANCH_FAILED: i32 = 6;
+pub const PDN_BRANCH_FAILED: i32 = 4006;
 
 /// Nothing happens at a point of a branch.
-pub const PDN_EVENT_NONE: i32 = 0;
+pub const PDN_EVENT_NONE: i32 = 4100;
 /// The parameter turns back at a point of a branch: a fold.
-pub const PDN_EVENT_FOLD: i32 = 1;
+pub const PDN_EVENT_FOLD: i32 = 4101;
 /// Another branch passes through a point of a branch.
-pub const PDN_EVENT_BRANCH_POINT: i32 = 2;
+pub const PDN_EVENT_BRANCH_POINT: i32 = 4102;
 /// A branch of twice the period begins at a point of a branch.
-pub const PDN_EVENT_PERIOD_DOUBLING: i32 = 3;
+pub const PDN_EVENT_PERIOD_DOUBLING: i32 = 4103;
 /// A pair of complex multipliers is on the unit circle at a point of a branch: motions with a
 /// second frequency begin there.
-pub const PDN_EVENT_TORUS: i32 = 4;
+pub const PDN_EVENT_TORUS: i32 = 4104;
 
 /// Periodic motions along a parameter. Made by ::pdn_follow_branch, freed by ::pdn_branch_free.
 pub struct pdn_branch {
@@ -97,9 +97,17 @@ pub struct pdn_branch_point {
 // SAFETY: all fields are plain numbers, `struct_size` is the first, no padding.
 unsafe impl Options for pdn_branch_point {
     const SIZES: &'static [usize] = &[88];
+
+    fn defaults() -> Self {
+        pdn_branch_point {
+            event: PDN_EVENT_NONE,
+            stability: PDN_STABILITY_NOT_KNOWN,
+            ..Self::blank()
+        }
+    }
 }
 
-/// Sets a point to zero; use `PDN_INIT(pdn_branch_point, &point)`.
+/// Sets a point to that of nothing; use `PDN_INIT(pdn_branch_point, &point)`.
 ///
 /// @param point  the point; not NULL
 /// @param struct_size  `sizeof *point`

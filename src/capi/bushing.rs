@@ -9,10 +9,10 @@ use crate::model::Model;
 use nalgebra::Matrix6;
 
 /// A bushing measures rotations by the rotation vector; its angle stays below half a turn.
-pub const PDN_ANGLES_ROTATION_VECTOR: i32 = 0;
+pub const PDN_ANGLES_ROTATION_VECTOR: i32 = 2100;
 /// A bushing measures the tilt of axis 3, as a rotation vector about axes 1 and 2, and the rate of
 /// the spin about axis 3, which may go on and on: for journal bearings and seals.
-pub const PDN_ANGLES_TILT_AND_SPIN: i32 = 1;
+pub const PDN_ANGLES_TILT_AND_SPIN: i32 = 2101;
 
 /// What C calls a way to measure rotations.
 pub(super) fn angles_code(angles: BushingAngles) -> i32 {

@@ -97,7 +97,7 @@ pub unsafe extern "C" fn pdn_conditions_release(
 ) -> pdn_status {
     guard(|call| {
         let mut conditions = call.exclusive(conditions, "conditions")?;
-        if parameter < PDN_FREQUENCY {
+        if parameter < 0 && parameter != PDN_FREQUENCY {
             let expected = "a parameter id or PDN_FREQUENCY";
             return Err(Error::value("parameter", expected, parameter));
         }
@@ -126,14 +126,14 @@ pub unsafe extern "C" fn pdn_conditions_add_phase(conditions: *mut pdn_condition
 }
 
 /// Feature of a quantity: its mean over the period, without what it gains.
-pub const PDN_FEATURE_MEAN: i32 = 500;
+pub const PDN_FEATURE_MEAN: i32 = 2900;
 /// Feature of a quantity: coefficient of the cosine of a harmonic.
-pub const PDN_FEATURE_COSINE: i32 = 501;
+pub const PDN_FEATURE_COSINE: i32 = 2901;
 /// Feature of a quantity: coefficient of the sine of a harmonic.
-pub const PDN_FEATURE_SINE: i32 = 502;
+pub const PDN_FEATURE_SINE: i32 = 2902;
 /// Feature of a quantity: value at a time, of the trigonometric polynomial through the values at
 /// the grid points.
-pub const PDN_FEATURE_VALUE: i32 = 503;
+pub const PDN_FEATURE_VALUE: i32 = 2903;
 
 /// The feature that C means.
 pub(super) fn feature(call: &Call, feature: i32, at: f64) -> Result<Feature> {

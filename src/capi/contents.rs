@@ -27,10 +27,12 @@ pub const PDN_FORCE_IS_VISCOUS_DAMPER: i32 = 1104;
 pub const PDN_FORCE_IS_BUSHING: i32 = 1105;
 /// Kind of force: forces of the user on nodes.
 pub const PDN_FORCE_IS_USER_FORCE: i32 = 1106;
+/// Kind of force: a controller.
+pub const PDN_FORCE_IS_CONTROLLER: i32 = 1107;
 
 /// Numbers of a force: relaxation times of the branches of a viscoelastic element. Parameters do
 /// not move them.
-pub const PDN_NUMBER_RELAXATION_TIME: i32 = 20;
+pub const PDN_NUMBER_RELAXATION_TIME: i32 = 3608;
 
 /// A joint of a model. Initialise with `PDN_INIT(pdn_joint_info, &info)`.
 #[repr(C)]
@@ -69,7 +71,8 @@ unsafe impl Options for pdn_joint_info {
 pub struct pdn_force_info {
     /// Set by the initialiser.
     pub struct_size: usize,
-    /// PDN_FORCE_IS_SPRING_DAMPER ... PDN_FORCE_IS_USER_FORCE.
+    /// PDN_FORCE_IS_SPRING_DAMPER ... PDN_FORCE_IS_CONTROLLER, of which
+    /// ::pdn_model_controller_counts tells more.
     pub kind: i32,
     /// Id of the joint on whose coordinate it acts, or -1.
     pub joint: i32,
@@ -189,6 +192,7 @@ fn force_kind(force: &ForceDefinition) -> i32 {
         ForceDefinition::ViscousDamper { .. } => PDN_FORCE_IS_VISCOUS_DAMPER,
         ForceDefinition::Bushing(_) => PDN_FORCE_IS_BUSHING,
         ForceDefinition::NodeForces { .. } => PDN_FORCE_IS_USER_FORCE,
+        ForceDefinition::Controller(_) => PDN_FORCE_IS_CONTROLLER,
     }
 }
 
@@ -602,7 +606,8 @@ pub unsafe extern "C" fn pdn_model_relation_term(
 /// @param model  the model; not NULL
 /// @param place  what has the signal: PDN_SIGNAL_OF_ACTUATOR, ...
 /// @param index  which of them
-/// @param component  of a load from 0 to 5, of gravity from 0 to 2; 0 for all else
+/// @param component  of a load PDN_FORCE_1, ... or PDN_MOMENT_3, of gravity from 0 to 2; 0 for all
+///     else
 /// @param period  period of the motion, that harmonics refer to [time]
 /// @param times  array of length [count]: times
 /// @param count  number of times

@@ -3,7 +3,7 @@
 use super::call::Call;
 use super::guard::{free, guard, init};
 use super::handle::Handle;
-use super::linear_solver::{preconditioner_code, read_linear_solver};
+use super::linear_solver::{PDN_LINEAR_AUTOMATIC, preconditioner_code, read_linear_solver};
 use super::model::pdn_model;
 use super::options::Options;
 use super::periodic::read_threads;
@@ -119,6 +119,7 @@ unsafe impl Options for pdn_equations_options {
         pdn_equations_options {
             ranks: 1,
             threads: 1,
+            preconditioner: PDN_LINEAR_AUTOMATIC,
             ..Self::blank()
         }
     }

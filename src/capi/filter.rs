@@ -8,10 +8,10 @@ use crate::fourier::{FilterKind, SpectralFilter};
 
 /// Spectral filter: Lanczos' factors, (sin(x) / x)^order with x = pi j / (H + 1) for harmonic j of
 /// H. Of order 1 they are running means over two grid intervals; order 2 or 3 removes more.
-pub const PDN_FILTER_LANCZOS: i32 = 0;
+pub const PDN_FILTER_LANCZOS: i32 = 3100;
 /// Spectral filter: exp(-36 (j / (H + 1))^order) for harmonic j of H. Order 2 smooths most; a high
 /// order, as 8, spares all but the highest harmonics.
-pub const PDN_FILTER_EXPONENTIAL: i32 = 1;
+pub const PDN_FILTER_EXPONENTIAL: i32 = 3101;
 
 /// A copy of a solution whose quantities are seen through a spectral filter.
 ///

@@ -8,18 +8,18 @@ use crate::error::{Error, Result};
 use crate::output::{ForceQuantity, Quantity};
 
 /// Quantity of a force on a joint coordinate: its effort; 1 component.
-pub const PDN_FORCE_EFFORT: i32 = 0;
+pub const PDN_FORCE_EFFORT: i32 = 3000;
 /// Quantity of a viscoelastic element: effort of one of its branches; 1 component.
-pub const PDN_FORCE_BRANCH_EFFORT: i32 = 1;
+pub const PDN_FORCE_BRANCH_EFFORT: i32 = 3001;
 /// Quantity of a viscoelastic element: elongation of the dashpot of one of its branches; 1
 /// component.
-pub const PDN_FORCE_BRANCH_ELONGATION: i32 = 2;
+pub const PDN_FORCE_BRANCH_ELONGATION: i32 = 3002;
 /// Quantity of a force: force and moment on one of its nodes, along the inertial axes; 6
 /// components.
-pub const PDN_FORCE_ON_NODE: i32 = 3;
+pub const PDN_FORCE_ON_NODE: i32 = 3003;
 /// Quantity of a force: force and moment on one of its nodes, along the node's own axes; 6
 /// components.
-pub const PDN_FORCE_ON_NODE_MATERIAL: i32 = 4;
+pub const PDN_FORCE_ON_NODE_MATERIAL: i32 = 3004;
 
 fn force_at(
     to: Samples,

@@ -13,41 +13,41 @@ use crate::motion::Motion;
 use nalgebra::Matrix3;
 
 /// Joint that allows no relative motion.
-pub const PDN_JOINT_RIGID: i32 = 0;
+pub const PDN_JOINT_RIGID: i32 = 1300;
 /// Joint that allows a rotation about axis 3 of its frames.
-pub const PDN_JOINT_REVOLUTE: i32 = 1;
+pub const PDN_JOINT_REVOLUTE: i32 = 1301;
 /// Joint that allows a rotation about axis 1 of its first frame, then about axis 2 of its second.
-pub const PDN_JOINT_UNIVERSAL: i32 = 2;
+pub const PDN_JOINT_UNIVERSAL: i32 = 1302;
 /// Joint that allows all rotations.
-pub const PDN_JOINT_SPHERICAL: i32 = 3;
+pub const PDN_JOINT_SPHERICAL: i32 = 1303;
 /// Joint that allows a displacement along axis 3 of its frames.
-pub const PDN_JOINT_PRISMATIC: i32 = 4;
+pub const PDN_JOINT_PRISMATIC: i32 = 1304;
 /// Joint that allows a displacement along axis 3 of its frames and a rotation about it.
-pub const PDN_JOINT_CYLINDRICAL: i32 = 5;
+pub const PDN_JOINT_CYLINDRICAL: i32 = 1305;
 /// Joint that allows displacements along axes 1 and 2 of its first frame and a rotation about axis
 /// 3.
-pub const PDN_JOINT_PLANAR: i32 = 6;
+pub const PDN_JOINT_PLANAR: i32 = 1306;
 /// Joint that allows everything: it carries springs, prescribed coordinates and measures.
-pub const PDN_JOINT_FREE: i32 = 7;
+pub const PDN_JOINT_FREE: i32 = 1307;
 
 /// Joint that allows a displacement along axis 3 of its frames, in proportion to the rotation about
 /// it; made by functions of its own, for its pitch.
-pub const PDN_JOINT_SCREW: i32 = 8;
+pub const PDN_JOINT_SCREW: i32 = 1308;
 /// The line between two points, which constrains nothing; made by ::pdn_model_add_strut.
-pub const PDN_JOINT_STRUT: i32 = 9;
+pub const PDN_JOINT_STRUT: i32 = 1309;
 
 /// Joint coordinate: the displacement, or the first of several.
-pub const PDN_DISPLACEMENT: i32 = 0;
+pub const PDN_DISPLACEMENT: i32 = 1400;
 /// Joint coordinate: second displacement of a planar or free joint.
-pub const PDN_DISPLACEMENT_2: i32 = 1;
+pub const PDN_DISPLACEMENT_2: i32 = 1401;
 /// Joint coordinate: third displacement of a free joint.
-pub const PDN_DISPLACEMENT_3: i32 = 2;
+pub const PDN_DISPLACEMENT_3: i32 = 1402;
 /// Joint coordinate: the angle, or the first of several.
-pub const PDN_ROTATION: i32 = 3;
+pub const PDN_ROTATION: i32 = 1403;
 /// Joint coordinate: second angle of a universal, spherical or free joint.
-pub const PDN_ROTATION_2: i32 = 4;
+pub const PDN_ROTATION_2: i32 = 1404;
 /// Joint coordinate: third angle of a spherical or free joint.
-pub const PDN_ROTATION_3: i32 = 5;
+pub const PDN_ROTATION_3: i32 = 1405;
 
 /// The joint coordinate that a `PDN_DISPLACEMENT...` or `PDN_ROTATION...` names; whether the joint
 /// has it is for the core.

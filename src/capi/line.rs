@@ -15,11 +15,11 @@ use nalgebra::Vector3;
 use std::mem::offset_of;
 
 /// Kind of a line: straight.
-pub const PDN_LINE_STRAIGHT: i32 = 0;
+pub const PDN_LINE_STRAIGHT: i32 = 1500;
 /// Kind of a line: circular arc.
-pub const PDN_LINE_ARC: i32 = 1;
+pub const PDN_LINE_ARC: i32 = 1501;
 /// Kind of a line: a curve that the caller computes.
-pub const PDN_LINE_CURVE: i32 = 2;
+pub const PDN_LINE_CURVE: i32 = 1502;
 
 /// A smooth curve in space, to be written by the caller.
 ///
@@ -77,6 +77,13 @@ pub struct pdn_line {
 unsafe impl Options for pdn_line {
     // A release that adds a field adds where that field ends.
     const SIZES: &'static [usize] = &[offset_of!(pdn_line, user_data) + size_of::<*mut c_void>()];
+
+    fn defaults() -> Self {
+        pdn_line {
+            kind: PDN_LINE_STRAIGHT,
+            ..Self::blank()
+        }
+    }
 }
 
 /// Frames along a line.

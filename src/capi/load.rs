@@ -9,26 +9,26 @@ use crate::elements::{BeamLoadFrame, LoadFrame};
 use crate::error::{Error, Result};
 use crate::model::{DistributedLoadDefinition, LoadPlace, Signal};
 
-/// Directions of a load: the global axes.
-pub const PDN_FRAME_SPACE: i32 = 0;
-/// Directions of a load: the axes of the node, which the load follows.
-pub const PDN_FRAME_MATERIAL: i32 = 1;
+/// Directions of a load, or axes of a velocity, force or reaction: the global axes.
+pub const PDN_FRAME_SPACE: i32 = 1600;
+/// The same: the axes of the node, which a load follows.
+pub const PDN_FRAME_MATERIAL: i32 = 1601;
 /// Directions of a load along a beam: the axes that its sections have without twist, which follow
 /// the sections.
-pub const PDN_FRAME_UNTWISTED: i32 = 2;
+pub const PDN_FRAME_UNTWISTED: i32 = 1602;
 
 /// Component of a load: force along axis 1.
-pub const PDN_FORCE_1: i32 = 0;
+pub const PDN_FORCE_1: i32 = 1700;
 /// Component of a load: force along axis 2.
-pub const PDN_FORCE_2: i32 = 1;
+pub const PDN_FORCE_2: i32 = 1701;
 /// Component of a load: force along axis 3.
-pub const PDN_FORCE_3: i32 = 2;
+pub const PDN_FORCE_3: i32 = 1702;
 /// Component of a load: moment about axis 1.
-pub const PDN_MOMENT_1: i32 = 3;
+pub const PDN_MOMENT_1: i32 = 1703;
 /// Component of a load: moment about axis 2.
-pub const PDN_MOMENT_2: i32 = 4;
+pub const PDN_MOMENT_2: i32 = 1704;
 /// Component of a load: moment about axis 3.
-pub const PDN_MOMENT_3: i32 = 5;
+pub const PDN_MOMENT_3: i32 = 1705;
 
 pub(super) fn load_frame(given: i32) -> Result<LoadFrame> {
     let table = [
@@ -58,6 +58,13 @@ fn beam_load_frame(call: &Call, given: i32, axis_2: *const f64) -> Result<BeamLo
     choose(&table, given, "frame", names)
 }
 
+/// The place of a component that a `PDN_FORCE_...` or `PDN_MOMENT_...` names among six.
+pub(super) fn component_place(component: i32) -> Option<usize> {
+    (PDN_FORCE_1..=PDN_MOMENT_3)
+        .contains(&component)
+        .then_some((component.wrapping_sub(PDN_FORCE_1)) as usize)
+}
+
 /// A load with one component, that a `PDN_FORCE_...` or `PDN_MOMENT_...` names.
 pub(super) fn components(
     call: &Call,
@@ -65,8 +72,7 @@ pub(super) fn components(
     signal: *const pdn_signal,
 ) -> Result<[Option<Signal>; 6]> {
     let mut components = [const { None }; 6];
-    let place = usize::try_from(component)
-        .ok()
+    let place = component_place(component)
         .and_then(|index| components.get_mut(index))
         .ok_or_else(|| {
             let expected = "PDN_FORCE_1 to PDN_FORCE_3 or PDN_MOMENT_1 to PDN_MOMENT_3";

@@ -76,6 +76,7 @@ pub mod bushing;
 pub mod callback;
 pub mod condition;
 pub mod contents;
+pub mod controller;
 pub mod equations;
 pub mod files;
 pub mod filter;

@@ -1,6 +1,7 @@
 //! Parameters of a model.
 
 use super::guard::guard;
+use super::load::component_place;
 use super::model::{choose, index, next_id, pdn_model};
 use super::solution::pdn_solution;
 use super::status::pdn_status;
@@ -11,49 +12,49 @@ use libc::c_char;
 /// A parameter moves the coefficient of a power, from 1, of the growth of a spring-damper, or with
 /// power 1 the long-term stiffness of a viscoelastic force or a factor of the stiffness of a
 /// bushing.
-pub const PDN_NUMBER_STIFFNESS: i32 = 0;
+pub const PDN_NUMBER_STIFFNESS: i32 = 3600;
 /// A parameter moves the coefficient of a power, from 1, of the rate of a spring-damper, or with
 /// power 1 a factor of the damping of a bushing.
-pub const PDN_NUMBER_DAMPING: i32 = 1;
+pub const PDN_NUMBER_DAMPING: i32 = 3601;
 /// A parameter moves the coordinate at which a spring-damper or viscoelastic force is free of
 /// effort.
-pub const PDN_NUMBER_REST: i32 = 2;
+pub const PDN_NUMBER_REST: i32 = 3602;
 /// A parameter moves a factor of the inertia of a body: of the bodies, masses and inertias that
 /// were given, in their order.
-pub const PDN_NUMBER_INERTIA: i32 = 3;
+pub const PDN_NUMBER_INERTIA: i32 = 3603;
 /// A parameter moves a factor of the sections' stiffness along a beam element.
-pub const PDN_NUMBER_BEAM_STIFFNESS: i32 = 4;
+pub const PDN_NUMBER_BEAM_STIFFNESS: i32 = 3604;
 /// A parameter moves a factor of the sections' mass along a beam element.
-pub const PDN_NUMBER_BEAM_MASS: i32 = 5;
+pub const PDN_NUMBER_BEAM_MASS: i32 = 3605;
 /// A parameter moves a factor of the sections' damping along a beam element.
-pub const PDN_NUMBER_BEAM_DAMPING: i32 = 6;
+pub const PDN_NUMBER_BEAM_DAMPING: i32 = 3606;
 /// A parameter moves the damping in proportion to mass, ::pdn_model_set_mass_damping.
-pub const PDN_NUMBER_MASS_DAMPING: i32 = 7;
+pub const PDN_NUMBER_MASS_DAMPING: i32 = 3607;
 
 /// The signal of an actuator, by its force id.
-pub const PDN_SIGNAL_OF_ACTUATOR: i32 = 0;
+pub const PDN_SIGNAL_OF_ACTUATOR: i32 = 3700;
 /// The signal of a prescribed coordinate, in the order in which they were prescribed.
-pub const PDN_SIGNAL_OF_PRESCRIBED: i32 = 1;
+pub const PDN_SIGNAL_OF_PRESCRIBED: i32 = 3701;
 /// The signal of a component of a load on a node, in the order in which these were added.
-pub const PDN_SIGNAL_OF_LOAD: i32 = 2;
+pub const PDN_SIGNAL_OF_LOAD: i32 = 3702;
 /// The signal of a component of a load along beams, in the order in which these were added.
-pub const PDN_SIGNAL_OF_BEAM_LOAD: i32 = 3;
+pub const PDN_SIGNAL_OF_BEAM_LOAD: i32 = 3703;
 /// The signal of a component of gravity; its index is 0.
-pub const PDN_SIGNAL_OF_GRAVITY: i32 = 4;
+pub const PDN_SIGNAL_OF_GRAVITY: i32 = 3704;
 /// The signal of a linear relation between joint coordinates, by its id.
-pub const PDN_SIGNAL_OF_RELATION: i32 = 5;
+pub const PDN_SIGNAL_OF_RELATION: i32 = 3705;
 
 /// Part of a signal: the mean that is added to its shape.
-pub const PDN_PART_MEAN: i32 = 0;
+pub const PDN_PART_MEAN: i32 = 3800;
 /// Part of a signal: growth in a unit of time.
-pub const PDN_PART_RATE: i32 = 1;
+pub const PDN_PART_RATE: i32 = 3801;
 /// Part of a signal: the factor of its shape, which is its harmonics, its samples or its function.
-pub const PDN_PART_AMPLITUDE: i32 = 2;
+pub const PDN_PART_AMPLITUDE: i32 = 3802;
 /// Part of a signal: the phase by which its shape is ahead \[radians\].
-pub const PDN_PART_PHASE: i32 = 3;
+pub const PDN_PART_PHASE: i32 = 3803;
 
 /// A parameter: the circular frequency 2 pi / T, which every model has.
-pub const PDN_FREQUENCY: i32 = -1;
+pub const PDN_FREQUENCY: i32 = -3;
 
 /// Adds a parameter: a named number that moves what ::pdn_model_move_number and
 /// ::pdn_model_move_signal say. At first it moves nothing.
@@ -144,13 +145,17 @@ pub unsafe extern "C" fn pdn_model_move_number(
 
 /// The signal that arguments name.
 pub(super) fn signal_place(place: i32, index: i32, component: i32) -> Result<SignalPlace> {
-    let (at, component) = (count(index, "index")?, count(component, "component")?);
+    let at = count(index, "index")?;
+    let of_load = || {
+        let expected = "PDN_FORCE_1 to PDN_FORCE_3 or PDN_MOMENT_1 to PDN_MOMENT_3";
+        component_place(component).ok_or_else(|| Error::value("component", expected, component))
+    };
     Ok(match place {
         PDN_SIGNAL_OF_ACTUATOR => SignalPlace::Actuator(at),
         PDN_SIGNAL_OF_PRESCRIBED => SignalPlace::Prescribed(at),
-        PDN_SIGNAL_OF_LOAD => SignalPlace::Load(at, component),
-        PDN_SIGNAL_OF_BEAM_LOAD => SignalPlace::DistributedLoad(at, component),
-        PDN_SIGNAL_OF_GRAVITY => SignalPlace::Gravity(component),
+        PDN_SIGNAL_OF_LOAD => SignalPlace::Load(at, of_load()?),
+        PDN_SIGNAL_OF_BEAM_LOAD => SignalPlace::DistributedLoad(at, of_load()?),
+        PDN_SIGNAL_OF_GRAVITY => SignalPlace::Gravity(count(component, "component")?),
         PDN_SIGNAL_OF_RELATION => SignalPlace::Relation(at),
         other => return Err(Error::value("place", "a constant PDN_SIGNAL_OF_...", other)),
     })
@@ -163,7 +168,8 @@ pub(super) fn signal_place(place: i32, index: i32, component: i32) -> Result<Sig
 /// @param parameter  id of the parameter
 /// @param place  what has the signal: PDN_SIGNAL_OF_ACTUATOR, ...
 /// @param index  which of them
-/// @param component  of a load from 0 to 5, of gravity from 0 to 2; 0 for all else
+/// @param component  of a load PDN_FORCE_1, ... or PDN_MOMENT_3, of gravity from 0 to 2; 0 for all
+///     else
 /// @param part  PDN_PART_MEAN, PDN_PART_RATE, PDN_PART_AMPLITUDE or PDN_PART_PHASE
 /// @param factor  the part for a unit of the parameter, not zero
 /// @return as ::pdn_model_move_number

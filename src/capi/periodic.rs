@@ -2,7 +2,7 @@
 
 use super::call::Call;
 use super::guard::{guard, init};
-use super::linear_solver::read_linear_solver;
+use super::linear_solver::{PDN_LINEAR_AUTOMATIC, read_linear_solver};
 use super::model::pdn_model;
 use super::options::Options;
 use super::pointer::null;
@@ -23,42 +23,42 @@ use libc::c_void;
 use nalgebra::{Matrix3, Vector3};
 
 /// Stage of a solve: finding the initial guess, each iteration at a single instant.
-pub const PDN_STAGE_INITIAL_GUESS: i32 = 0;
+pub const PDN_STAGE_INITIAL_GUESS: i32 = 3200;
 /// Stage of a solve: Newton iterations of the periodic problem.
-pub const PDN_STAGE_NEWTON: i32 = 1;
+pub const PDN_STAGE_NEWTON: i32 = 3201;
 /// Stage of a march: a step, with the last of its iterations.
-pub const PDN_STAGE_MARCH: i32 = 2;
+pub const PDN_STAGE_MARCH: i32 = 3202;
 /// Stage of a modal analysis: looking for modes about the equilibrium.
-pub const PDN_STAGE_MODES: i32 = 3;
+pub const PDN_STAGE_MODES: i32 = 3203;
 /// Following disturbances of a periodic solution.
-pub const PDN_STAGE_STABILITY: i32 = 4;
+pub const PDN_STAGE_STABILITY: i32 = 3204;
 
 /// Start of a periodic solve: the library tries those that suit, cheapest first.
-pub const PDN_START_AUTOMATIC: i32 = 0;
+pub const PDN_START_AUTOMATIC: i32 = 3300;
 /// Start of a periodic solve: equilibrium at each time, without velocities.
-pub const PDN_START_QUASI_STATIC: i32 = 1;
+pub const PDN_START_QUASI_STATIC: i32 = 3301;
 /// Start of a periodic solve: equilibrium at each time of what turns steadily with its drives, with
 /// its centrifugal and gyroscopic forces.
-pub const PDN_START_STEADY_ROTATION: i32 = 2;
+pub const PDN_START_STEADY_ROTATION: i32 = 3302;
 /// Start of a periodic solve: all that hangs on drives turned with them, undeformed.
-pub const PDN_START_RIGID_ROTATION: i32 = 3;
+pub const PDN_START_RIGID_ROTATION: i32 = 3303;
 /// Start of a periodic solve: the quasi-static motion, and inertial forces raised in steps.
-pub const PDN_START_RAISED_INERTIA: i32 = 4;
+pub const PDN_START_RAISED_INERTIA: i32 = 3304;
 /// Start of a periodic solve: a march in time with strong numerical dissipation.
-pub const PDN_START_MARCH: i32 = 5;
+pub const PDN_START_MARCH: i32 = 3305;
 /// Start of a periodic solve: the quasi-static motion, and added damping taken away in steps.
-pub const PDN_START_LOWERED_DAMPING: i32 = 6;
+pub const PDN_START_LOWERED_DAMPING: i32 = 3306;
 /// Start of a periodic solve: the reference configuration, and loads and prescribed motions raised
 /// in steps; not where these gain whole turns in a period.
-pub const PDN_START_RAISED_LOADS: i32 = 7;
+pub const PDN_START_RAISED_LOADS: i32 = 3307;
 
 /// Grid points are equispaced, but closer together where a solve to a tolerance finds the motion
 /// sharp.
-pub const PDN_TIME_MAP_AUTOMATIC: i32 = 0;
+pub const PDN_TIME_MAP_AUTOMATIC: i32 = 3400;
 /// Grid points are equispaced.
-pub const PDN_TIME_MAP_EQUISPACED: i32 = 1;
+pub const PDN_TIME_MAP_EQUISPACED: i32 = 3401;
 /// Grid points are closer together about events that are given.
-pub const PDN_TIME_MAP_EVENTS: i32 = 2;
+pub const PDN_TIME_MAP_EVENTS: i32 = 3402;
 
 /// How far a solve is, as told to a ::pdn_progress_fn.
 #[repr(C)]
@@ -222,6 +222,8 @@ unsafe impl Options for pdn_periodic_options {
             response_tolerance: adaptation.response_tolerance,
             progress_interval: PROGRESS_INTERVAL,
             work_limit: core.work_limit,
+            linear_solver: PDN_LINEAR_AUTOMATIC,
+            start: PDN_START_AUTOMATIC,
             time_map: PDN_TIME_MAP_EQUISPACED,
             ..Self::blank()
         }

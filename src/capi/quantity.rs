@@ -3,7 +3,7 @@
 use super::call::Call;
 use super::guard::{guard, init};
 use super::joint::coordinate;
-use super::load::load_frame;
+use super::load::{PDN_FRAME_SPACE, load_frame};
 use super::options::Options;
 use super::pointer::check_pointer;
 use super::solution::{
@@ -61,6 +61,11 @@ pub const PDN_QUANTITY_FORCE_ON_NODE: i32 = 403;
 /// Kind of quantity: the efforts of a bushing against its deformation, forces along the axes of its
 /// first frame and moments; 6 components.
 pub const PDN_QUANTITY_BUSHING_EFFORTS: i32 = 404;
+/// Kind of quantity: effort of a controller on one of the coordinates that it acts on, towards
+/// growth.
+pub const PDN_QUANTITY_CONTROL_EFFORT: i32 = 405;
+/// Kind of quantity: a state of a controller.
+pub const PDN_QUANTITY_CONTROL_STATE: i32 = 406;
 /// Kind of quantity: strains of a shell element, in the order of ::pdn_shell_section; 12
 /// components.
 pub const PDN_QUANTITY_SHELL_STRAIN: i32 = 500;
@@ -76,7 +81,7 @@ pub const PDN_QUANTITY_STRESS_BOTTOM: i32 = 503;
 pub const PDN_QUANTITY_RELATION_EFFORT: i32 = 600;
 
 /// All components of a quantity.
-pub const PDN_ALL_COMPONENTS: i32 = -1;
+pub const PDN_ALL_COMPONENTS: i32 = -2;
 
 /// What is asked of a solution: of a node, a joint, a beam, a shell, a force or a relation.
 /// Initialise with
@@ -94,12 +99,13 @@ pub struct pdn_quantity {
     /// efforts, the coordinate: PDN_DISPLACEMENT, ..., PDN_ROTATION_3; of relations which of their
     /// coordinates, from 0.
     pub component: i32,
-    /// PDN_FRAME_SPACE, the default, or PDN_FRAME_MATERIAL; of reactions PDN_AXES_SPACE,
-    /// PDN_AXES_FIRST or PDN_AXES_SECOND.
+    /// PDN_FRAME_SPACE, the default, or PDN_FRAME_MATERIAL; of reactions PDN_FRAME_SPACE,
+    /// PDN_FRAME_FIRST or PDN_FRAME_SECOND.
     pub frame: i32,
     /// Of what a force exerts on one of its nodes, the node.
     pub node: i32,
-    /// Of viscoelastic elements, the branch, from 0.
+    /// Of viscoelastic elements, the branch, from 0; of controllers, which of the coordinates that
+    /// they act on, or which state, from 0.
     pub branch: i32,
     /// Of beams, the place along the element, from -1 at its first to 1 at its last node; of
     /// shells, xi, from -1 to 1.
@@ -119,6 +125,7 @@ unsafe impl Options for pdn_quantity {
     fn defaults() -> Self {
         pdn_quantity {
             component: PDN_ALL_COMPONENTS,
+            frame: PDN_FRAME_SPACE,
             ..Self::blank()
         }
     }
@@ -172,6 +179,8 @@ impl pdn_quantity {
             PDN_QUANTITY_BUSHING_EFFORTS => of_force(ForceQuantity::BushingEfforts),
             PDN_QUANTITY_BRANCH_EFFORT => of_force(ForceQuantity::BranchEffort(branch()?)),
             PDN_QUANTITY_BRANCH_ELONGATION => of_force(ForceQuantity::BranchElongation(branch()?)),
+            PDN_QUANTITY_CONTROL_EFFORT => of_force(ForceQuantity::ControlEffort(branch()?)),
+            PDN_QUANTITY_CONTROL_STATE => of_force(ForceQuantity::ControlState(branch()?)),
             PDN_QUANTITY_FORCE_ON_NODE => {
                 let node = index(self.node, "quantity.node")?;
                 of_force(ForceQuantity::OnNode(node, load_frame(self.frame)?))

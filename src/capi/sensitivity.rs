@@ -3,7 +3,7 @@
 use super::condition::{Conditions, feature, free_parameter, pdn_conditions};
 use super::guard::{free, guard, init};
 use super::handle::Handle;
-use super::linear_solver::read_linear_solver;
+use super::linear_solver::{PDN_LINEAR_AUTOMATIC, read_linear_solver};
 use super::model::{choose, index};
 use super::options::Options;
 use super::parameter::PDN_FREQUENCY;
@@ -20,16 +20,16 @@ use crate::solve::{
 use nalgebra::Complex;
 
 /// Feature of a quantity, for sensitivities: its largest value over the period.
-pub const PDN_FEATURE_LARGEST: i32 = 504;
+pub const PDN_FEATURE_LARGEST: i32 = 2904;
 /// Feature of a quantity, for sensitivities: its smallest value over the period.
-pub const PDN_FEATURE_SMALLEST: i32 = 505;
+pub const PDN_FEATURE_SMALLEST: i32 = 2905;
 
 /// Sensitivities: with as few linear solves as can be, directly or adjoint.
-pub const PDN_SENSITIVITY_AUTOMATIC: i32 = 0;
+pub const PDN_SENSITIVITY_AUTOMATIC: i32 = 3900;
 /// Sensitivities: a linear solve for each parameter.
-pub const PDN_SENSITIVITY_DIRECT: i32 = 1;
+pub const PDN_SENSITIVITY_DIRECT: i32 = 3901;
 /// Sensitivities: a transposed linear solve for each dependent, by factors of the whole Jacobian.
-pub const PDN_SENSITIVITY_ADJOINT: i32 = 2;
+pub const PDN_SENSITIVITY_ADJOINT: i32 = 3902;
 
 /// What is differentiated, by what. Made by ::pdn_sensitivities_new, freed by
 /// ::pdn_sensitivities_free.
@@ -78,6 +78,8 @@ unsafe impl Options for pdn_sensitivity_options {
 
     fn defaults() -> Self {
         pdn_sensitivity_options {
+            method: PDN_SENSITIVITY_AUTOMATIC,
+            linear_solver: PDN_LINEAR_AUTOMATIC,
             threads: 1,
             ..Self::blank()
         }
@@ -207,7 +209,7 @@ pub unsafe extern "C" fn pdn_sensitivities_add_parameter(
 
 /// An id that may be that of a parameter.
 fn any_parameter(id: i32) -> Result<i32> {
-    if id >= PDN_FREQUENCY {
+    if id >= 0 || id == PDN_FREQUENCY {
         return Ok(id);
     }
     let message = format!("parameter: expected a parameter id or PDN_FREQUENCY, got {id}");

@@ -19,24 +19,24 @@ use nalgebra::{Matrix6, Vector3};
 use std::mem::offset_of;
 
 /// Frames of a shell: along the normals of its surface at the nodes.
-pub const PDN_SHELL_NORMALS: i32 = 0;
+pub const PDN_SHELL_NORMALS: i32 = 1900;
 /// Frames of a shell: parallel at all nodes of an element. Somewhat better on curved elements of
 /// three and more nodes a side; thin warped elements of two nodes a side lock.
-pub const PDN_SHELL_PARALLEL: i32 = 1;
+pub const PDN_SHELL_PARALLEL: i32 = 1901;
 /// Frames of a shell: along the third axes of the nodes' own frames, as normals of a surface that
 /// is known better than its elements show it; of use with two nodes a side.
-pub const PDN_SHELL_NODE_AXES: i32 = 2;
+pub const PDN_SHELL_NODE_AXES: i32 = 1902;
 
 /// Place of a load on a shell element: its edge where eta = -1, along xi.
-pub const PDN_SHELL_EDGE_START_ETA: i32 = 0;
+pub const PDN_SHELL_EDGE_START_ETA: i32 = 2000;
 /// Place of a load on a shell element: its edge where xi = 1, along eta.
-pub const PDN_SHELL_EDGE_END_XI: i32 = 1;
+pub const PDN_SHELL_EDGE_END_XI: i32 = 2001;
 /// Place of a load on a shell element: its edge where eta = 1, along xi.
-pub const PDN_SHELL_EDGE_END_ETA: i32 = 2;
+pub const PDN_SHELL_EDGE_END_ETA: i32 = 2002;
 /// Place of a load on a shell element: its edge where xi = -1, along eta.
-pub const PDN_SHELL_EDGE_START_XI: i32 = 3;
+pub const PDN_SHELL_EDGE_START_XI: i32 = 2003;
 /// Place of a load on a shell element: its surface.
-pub const PDN_SHELL_SURFACE: i32 = 4;
+pub const PDN_SHELL_SURFACE: i32 = 2004;
 
 /// Stiffness, damping and mass of a shell, per unit of its reference area.
 ///
@@ -107,6 +107,13 @@ unsafe impl Options for pdn_shell_placement {
     // A release that adds a field adds where that field ends.
     const SIZES: &'static [usize] =
         &[offset_of!(pdn_shell_placement, direction) + size_of::<[f64; 3]>()];
+
+    fn defaults() -> Self {
+        pdn_shell_placement {
+            frames: PDN_SHELL_NORMALS,
+            ..Self::blank()
+        }
+    }
 }
 
 impl pdn_shell_placement {

@@ -14,14 +14,14 @@ use std::mem::offset_of;
 use std::sync::Arc;
 
 /// Kind of a signal: mean, rate and harmonics. Also what a constant is.
-pub const PDN_SIGNAL_HARMONICS: i32 = 0;
+pub const PDN_SIGNAL_HARMONICS: i32 = 1200;
 /// Kind of a signal: rate and samples over one period.
-pub const PDN_SIGNAL_SAMPLES: i32 = 1;
+pub const PDN_SIGNAL_SAMPLES: i32 = 1201;
 /// Kind of a signal: a function of the caller.
-pub const PDN_SIGNAL_FUNCTION: i32 = 2;
+pub const PDN_SIGNAL_FUNCTION: i32 = 1202;
 
 /// Kind of a signal: a function of the caller, of the phase.
-pub const PDN_SIGNAL_FUNCTION_OF_PHASE: i32 = 3;
+pub const PDN_SIGNAL_FUNCTION_OF_PHASE: i32 = 1203;
 
 /// A function of time, to be written by the caller.
 ///
@@ -81,6 +81,13 @@ pub struct pdn_signal {
 unsafe impl Options for pdn_signal {
     // A release that adds a field adds where that field ends.
     const SIZES: &'static [usize] = &[offset_of!(pdn_signal, user_data) + size_of::<*mut c_void>()];
+
+    fn defaults() -> Self {
+        pdn_signal {
+            kind: PDN_SIGNAL_HARMONICS,
+            ..Self::blank()
+        }
+    }
 }
 
 /// The signal that an argument gives, with copies of its arrays.

@@ -40,81 +40,79 @@ impl Handle for pdn_solution {
 }
 
 /// Outcome: converged. With PDN_TOLERANCE_NOT_MET the only outcomes that are solutions.
-pub const PDN_CONVERGED: i32 = 0;
+pub const PDN_CONVERGED: i32 = 2400;
 /// Outcome: the iteration limit was reached.
-pub const PDN_ITERATION_LIMIT: i32 = 1;
+pub const PDN_ITERATION_LIMIT: i32 = 2401;
 /// Outcome: no step along the Newton direction brings progress.
-pub const PDN_STALLED: i32 = 2;
+pub const PDN_STALLED: i32 = 2402;
 /// Outcome: the Jacobian is singular; something is free to move, or in resonance without damping.
-pub const PDN_SINGULAR: i32 = 3;
+pub const PDN_SINGULAR: i32 = 2403;
 /// Outcome: the progress callback cancelled the solve.
-pub const PDN_CANCELLED: i32 = 4;
+pub const PDN_CANCELLED: i32 = 2404;
 /// Outcome: no initial guess could be found.
-pub const PDN_NO_INITIAL_GUESS: i32 = 5;
+pub const PDN_NO_INITIAL_GUESS: i32 = 2405;
 /// Outcome: constraints that depend on each other contradict each other; the mechanism is locked,
 /// or cannot close.
-pub const PDN_INCONSISTENT: i32 = 6;
+pub const PDN_INCONSISTENT: i32 = 2406;
 /// Outcome: a joint has closed turned over, its axes against each other; the report names it.
-pub const PDN_WRONG_ASSEMBLY: i32 = 7;
+pub const PDN_WRONG_ASSEMBLY: i32 = 2407;
 /// Outcome: converged on the last grid tried, but the estimated error misses the tolerance, as the
 /// report explains; quantities are as good as pdn_diagnostics.error_estimate says.
-pub const PDN_TOLERANCE_NOT_MET: i32 = 8;
+pub const PDN_TOLERANCE_NOT_MET: i32 = 2408;
 /// Outcome: all work was done that pdn_periodic_options.work_limit allows, and the report tells
 /// what was tried; or as many steps of a march are kept as pdn_march_options.memory_limit allows.
-pub const PDN_WORK_LIMIT: i32 = 9;
+pub const PDN_WORK_LIMIT: i32 = 2409;
 
 /// Decay of harmonics: not known, as there are too few or the solve has not converged.
-pub const PDN_DECAY_UNKNOWN: i32 = 0;
+pub const PDN_DECAY_UNKNOWN: i32 = 2500;
 /// Decay of harmonics: fast, as of a smooth response that the grid resolves.
-pub const PDN_DECAY_FAST: i32 = 1;
+pub const PDN_DECAY_FAST: i32 = 2501;
 /// Decay of harmonics: no faster than the fourth power of their number. The response has a kink, or
 /// a peak too narrow for the grid; forces may oscillate about their values.
-pub const PDN_DECAY_SLOW: i32 = 2;
+pub const PDN_DECAY_SLOW: i32 = 2502;
 /// Decay of harmonics: they have fallen to rounding; a finer grid gains nothing.
-pub const PDN_DECAY_ROUNDING: i32 = 3;
+pub const PDN_DECAY_ROUNDING: i32 = 2503;
 
-/// Axes of a joint reaction: inertial.
-pub const PDN_AXES_SPACE: i32 = 0;
 /// Axes of a joint reaction: the joint frame on the first body.
-pub const PDN_AXES_FIRST: i32 = 1;
+pub const PDN_FRAME_FIRST: i32 = 1603;
 /// Axes of a joint reaction: the joint frame on the second body.
-pub const PDN_AXES_SECOND: i32 = 2;
+pub const PDN_FRAME_SECOND: i32 = 1604;
 
 /// Quantity of a node: position, inertial frame; 3 components \[length\].
-pub const PDN_NODE_POSITION: i32 = 0;
+pub const PDN_NODE_POSITION: i32 = 2600;
 /// Quantity of a node: rotation matrix, column by column; 9 components.
-pub const PDN_NODE_ROTATION: i32 = 1;
+pub const PDN_NODE_ROTATION: i32 = 2601;
 /// Quantity of a node: unit quaternion (w, x, y, z) of continuous sign; 4 components.
-pub const PDN_NODE_QUATERNION: i32 = 2;
+pub const PDN_NODE_QUATERNION: i32 = 2602;
 /// Quantity of a node: velocity and angular velocity, inertial frame; 6 components.
-pub const PDN_NODE_VELOCITY: i32 = 3;
+pub const PDN_NODE_VELOCITY: i32 = 2603;
 /// Quantity of a node: acceleration and angular acceleration, inertial frame; 6 components.
-pub const PDN_NODE_ACCELERATION: i32 = 4;
+pub const PDN_NODE_ACCELERATION: i32 = 2604;
 /// Quantity of a node: velocity and angular velocity along the node's axes; 6 components.
-pub const PDN_NODE_MATERIAL_VELOCITY: i32 = 5;
+pub const PDN_NODE_MATERIAL_VELOCITY: i32 = 2605;
 /// Quantity of a node: time derivative of PDN_NODE_MATERIAL_VELOCITY; 6 components.
-pub const PDN_NODE_MATERIAL_ACCELERATION: i32 = 6;
+pub const PDN_NODE_MATERIAL_ACCELERATION: i32 = 2606;
 
 /// Quantity of a joint: coordinate, angles followed through whole turns; 1 component.
-pub const PDN_JOINT_COORDINATE: i32 = 0;
+pub const PDN_JOINT_COORDINATE: i32 = 2700;
 /// Quantity of a joint: rate of a coordinate; 1 component.
-pub const PDN_JOINT_RATE: i32 = 1;
+pub const PDN_JOINT_RATE: i32 = 2701;
 /// Quantity of a joint: second derivative of a coordinate; 1 component.
-pub const PDN_JOINT_ACCELERATION: i32 = 2;
+pub const PDN_JOINT_ACCELERATION: i32 = 2702;
 /// Quantity of a joint: force or torque that drives a prescribed coordinate; 1 component.
-pub const PDN_JOINT_DRIVING_EFFORT: i32 = 3;
+pub const PDN_JOINT_DRIVING_EFFORT: i32 = 2703;
 /// Quantity of a joint: force and moment on the second body; 6 components.
-pub const PDN_JOINT_REACTION: i32 = 4;
+pub const PDN_JOINT_REACTION: i32 = 2704;
 
 /// Quantity of a beam: strains and curvatures; 6 components.
-pub const PDN_BEAM_STRAIN: i32 = 0;
+pub const PDN_BEAM_STRAIN: i32 = 2800;
 /// Quantity of a beam: internal forces and moments; 6 components.
-pub const PDN_BEAM_FORCE: i32 = 1;
+pub const PDN_BEAM_FORCE: i32 = 2801;
 /// Quantity of a beam: internal forces, at a node between two elements the mean of those of both.
-pub const PDN_BEAM_FORCE_MEAN: i32 = 2;
+pub const PDN_BEAM_FORCE_MEAN: i32 = 2802;
 /// Quantity of a beam: at a node between two elements, internal forces of the one beyond it less
 /// those of the one before it; zero elsewhere.
-pub const PDN_BEAM_FORCE_JUMP: i32 = 3;
+pub const PDN_BEAM_FORCE_JUMP: i32 = 2803;
 
 /// Frees a solution; NULL does nothing.
 ///
@@ -830,11 +828,11 @@ pub(super) fn joint_quantity(quantity: i32, detail: i32, name: &str) -> Result<J
 /// A reaction along the axes that C means.
 pub(super) fn reaction(axes: i32, name: &str) -> Result<JointQuantity> {
     let axes = match axes {
-        PDN_AXES_SPACE => ResolvedIn::Space,
-        PDN_AXES_FIRST => ResolvedIn::First,
-        PDN_AXES_SECOND => ResolvedIn::Second,
+        PDN_FRAME_SPACE => ResolvedIn::Space,
+        PDN_FRAME_FIRST => ResolvedIn::First,
+        PDN_FRAME_SECOND => ResolvedIn::Second,
         _ => {
-            let expected = "PDN_AXES_SPACE, PDN_AXES_FIRST or PDN_AXES_SECOND";
+            let expected = "PDN_FRAME_SPACE, PDN_FRAME_FIRST or PDN_FRAME_SECOND";
             return Err(Error::value(name, expected, axes));
         }
     };
@@ -956,7 +954,7 @@ pub unsafe extern "C" fn pdn_solution_joint_driving_effort(
 ///
 /// @param solution  the solution; not NULL
 /// @param joint  id of the joint
-/// @param axes  PDN_AXES_SPACE, PDN_AXES_FIRST or PDN_AXES_SECOND: axes of the components
+/// @param axes  PDN_FRAME_SPACE, PDN_FRAME_FIRST or PDN_FRAME_SECOND: axes of the components
 /// @param times  array of length [count]: times, also outside the first period
 /// @param count  number of times
 /// @param out  array of shape 6 x [count]: force, then moment of each time
@@ -1205,7 +1203,7 @@ pub unsafe extern "C" fn pdn_solution_node_harmonics(
 /// @param joint  id of the joint
 /// @param quantity  PDN_JOINT_COORDINATE, ...; it has C components
 /// @param detail  the coordinate (PDN_DISPLACEMENT, ...) or, for PDN_JOINT_REACTION, the axes
-///     (PDN_AXES_SPACE, ...)
+///     (PDN_FRAME_SPACE, ...)
 /// @param harmonics  number of harmonics wanted; those above (N - 1) / 2 are zero
 /// @param mean  array of length C; may be NULL
 /// @param rate  array of length C: growth per unit of time, of an angle that gains turns; may be

@@ -13,12 +13,12 @@ use libc::{c_char, c_void};
 
 /// Verdict on stability: it cannot be told, as multipliers are on the unit circle or not known well
 /// enough.
-pub const PDN_STABILITY_NOT_KNOWN: i32 = 0;
+pub const PDN_STABILITY_NOT_KNOWN: i32 = 4200;
 /// Verdict on stability: disturbances die away, but for those that only move the solution in time
 /// or space.
-pub const PDN_STABLE: i32 = 1;
+pub const PDN_STABLE: i32 = 4201;
 /// Verdict on stability: a disturbance grows.
-pub const PDN_UNSTABLE: i32 = 2;
+pub const PDN_UNSTABLE: i32 = 4202;
 
 /// Floquet multipliers of a periodic solution. Made by ::pdn_solve_stability, freed by
 /// ::pdn_stability_free.

@@ -14,13 +14,13 @@ use nalgebra::Vector3;
 use std::mem::offset_of;
 
 /// Kind of a surface: parallelogram.
-pub const PDN_SURFACE_PARALLELOGRAM: i32 = 0;
+pub const PDN_SURFACE_PARALLELOGRAM: i32 = 1800;
 /// Kind of a surface: sector of an annulus.
-pub const PDN_SURFACE_ANNULUS: i32 = 1;
+pub const PDN_SURFACE_ANNULUS: i32 = 1801;
 /// Kind of a surface: cylinder.
-pub const PDN_SURFACE_CYLINDER: i32 = 2;
+pub const PDN_SURFACE_CYLINDER: i32 = 1802;
 /// Kind of a surface: one that the caller computes.
-pub const PDN_SURFACE_FUNCTION: i32 = 3;
+pub const PDN_SURFACE_FUNCTION: i32 = 1803;
 
 /// A surface in space, to be written by the caller.
 ///
@@ -76,6 +76,13 @@ unsafe impl Options for pdn_surface {
     // A release that adds a field adds where that field ends.
     const SIZES: &'static [usize] =
         &[offset_of!(pdn_surface, user_data) + size_of::<*mut c_void>()];
+
+    fn defaults() -> Self {
+        pdn_surface {
+            kind: PDN_SURFACE_PARALLELOGRAM,
+            ..Self::blank()
+        }
+    }
 }
 
 /// Points of a surface.

@@ -122,7 +122,7 @@ pub unsafe extern "C" fn pdn_table_add_node(
 /// @param joint  id of the joint
 /// @param quantity  PDN_JOINT_COORDINATE, ...
 /// @param detail  the coordinate (PDN_DISPLACEMENT, ...) or, for PDN_JOINT_REACTION, the axes
-///     (PDN_AXES_SPACE, ...)
+///     (PDN_FRAME_SPACE, ...)
 /// @param label  name of the column or, followed by a dot and the component, of the columns; NULL
 ///     for a name such as `joint2.rotation_1.rate`
 /// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_ID, PDN_ERR_VALUE (no such quantity; a name that a column

@@ -5,7 +5,7 @@ use super::callback::Callback;
 use super::force::add_force;
 use super::guard::{guard, init};
 use super::joint::joint_coordinate;
-use super::load::load_frame;
+use super::load::{PDN_FORCE_1, load_frame};
 use super::model::{node, pdn_model};
 use super::options::Options;
 use super::pointer::check_pointer;
@@ -21,14 +21,14 @@ use std::sync::Arc;
 
 /// Tangents of a user's function: it gives none, and the library finds them by differences of its
 /// forces.
-pub const PDN_TANGENTS_DIFFERENCED: i32 = 0;
+pub const PDN_TANGENTS_DIFFERENCED: i32 = 2200;
 /// Tangents of a user's function: it gives them.
-pub const PDN_TANGENTS_GIVEN: i32 = 1;
+pub const PDN_TANGENTS_GIVEN: i32 = 2201;
 
 /// Which tangent: derivative by a motion or coordinate.
-pub const PDN_TANGENT_MOTION: i32 = 0;
+pub const PDN_TANGENT_MOTION: i32 = 2300;
 /// Which tangent: derivative by a velocity or rate.
-pub const PDN_TANGENT_VELOCITY: i32 = 1;
+pub const PDN_TANGENT_VELOCITY: i32 = 2301;
 
 /// A law of effort on a joint coordinate, to be written by the caller.
 ///
@@ -141,7 +141,7 @@ type UserForceFunction = unsafe extern "C" fn(
 /// Disposes of the `user_data` of a force; see ::pdn_model_add_user_force for when it is called.
 pub type pdn_destroy_fn = Option<unsafe extern "C" fn(user_data: *mut c_void)>;
 
-fn gives_tangents(given: i32) -> Result<bool> {
+pub(super) fn gives_tangents(given: i32) -> Result<bool> {
     match given {
         PDN_TANGENTS_DIFFERENCED => Ok(false),
         PDN_TANGENTS_GIVEN => Ok(true),
@@ -371,6 +371,13 @@ pub struct pdn_tangent_check {
 // SAFETY: all fields are plain numbers, `struct_size` is the first, no padding.
 unsafe impl Options for pdn_tangent_check {
     const SIZES: &'static [usize] = &[64];
+
+    fn defaults() -> Self {
+        pdn_tangent_check {
+            tangent: PDN_TANGENT_MOTION,
+            ..Self::blank()
+        }
+    }
 }
 
 /// Prepares a struct for ::pdn_model_check_tangents; use `PDN_INIT(pdn_tangent_check, &check)`.
@@ -392,7 +399,8 @@ pub unsafe extern "C" fn pdn_tangent_check_init(check: *mut pdn_tangent_check, s
 /// not make solutions wrong, but Newton's method slow, or fail.
 ///
 /// @param model  the model; not NULL
-/// @param force  id of a force by ::pdn_model_add_coordinate_law or ::pdn_model_add_user_force
+/// @param force  id of a force by ::pdn_model_add_coordinate_law, ::pdn_model_add_user_force or
+///     ::pdn_model_add_controller
 /// @param period  the period that the model is to be solved for, positive [time]
 /// @param check  initialised by PDN_INIT; filled on success only
 /// @return PDN_OK, PDN_ERR_NULL, PDN_ERR_STRUCT_SIZE, PDN_ERR_ID, PDN_ERR_VALUE,
@@ -424,8 +432,7 @@ pub unsafe extern "C" fn pdn_model_check_tangents(
         } = check_tangents(&model, force, period)?;
         // Ids are in range, as they were given out.
         let place = |at: Option<(usize, usize)>| at.map_or((-1, 0), |(n, i)| (n as i32, i as i32));
-        let ((row_node, row_component), (column_node, column_component)) =
-            (place(row), place(column));
+        let ((row_node, _), (column_node, column_component)) = (place(row), place(column));
         out.set(pdn_tangent_check {
             error,
             time,
@@ -436,7 +443,8 @@ pub unsafe extern "C" fn pdn_model_check_tangents(
                 Tangent::Damping => PDN_TANGENT_VELOCITY,
             },
             row_node,
-            row_component,
+            // Of an effort it is none.
+            row_component: row.map_or(0, |(_, i)| PDN_FORCE_1 + i as i32),
             column_node,
             column_component,
             ..pdn_tangent_check::defaults()

@@ -15,6 +15,7 @@ use crate::system::{Conditions, OwnValues, System, Workspace};
 use crate::workers::Workers;
 use nalgebra::Vector6;
 use serde::{Deserialize, Serialize};
+use std::f64::consts::TAU;
 
 /// Where between two grid points the equations are looked at: the golden section of the interval.
 pub(super) const PART: f64 = 0.381_966_011_250_105_1;
@@ -156,6 +157,11 @@ impl Scratch {
                             Measure::Angle => length,
                         };
                         found.force = found.force.max(violation.abs() / scale);
+                    }
+                    // Of the size of a state in the time of a radian.
+                    Unknown::UserState => {
+                        let part = violation.abs() * system.period() / TAU;
+                        found.force = found.force.max(part * system.scales().force);
                     }
                 }
             }

@@ -1,5 +1,5 @@
 //! Sparsity of the Jacobian: dense in time within and between nodes coupled by inertia or damping,
-//! and within internal states; diagonal in time everywhere else.
+//! within internal states, and where these depend on velocities; diagonal in time everywhere else.
 
 use super::coupling::Couplings;
 use crate::elements::Element;
@@ -22,6 +22,15 @@ pub struct Panel {
     pub value: usize,
     /// Values from one column to the next.
     pub stride: usize,
+}
+
+/// What is dense in time of an element's own unknowns.
+#[derive(Debug, Clone, Copy)]
+struct InTime {
+    /// How they depend on each other: as internal states.
+    states: bool,
+    /// How their equations depend on motions: by velocities.
+    feedback: bool,
 }
 
 /// Node or multipliers a group of columns belongs to.
@@ -52,8 +61,8 @@ pub struct Pattern {
     force_offsets: Vec<Vec<usize>>,
     /// Place, within a column of the element's multipliers, of its own rows.
     own_offsets: Vec<usize>,
-    /// Nodes of each element, and whether its own unknowns are internal states.
-    elements: Vec<(Vec<usize>, bool)>,
+    /// Nodes of each element, and what is dense in time of its own unknowns.
+    elements: Vec<(Vec<usize>, InTime)>,
     column_pointers: Vec<usize>,
     row_indices: OnceLock<Vec<usize>>,
 }
@@ -97,13 +106,19 @@ impl Pattern {
             }
             for &(index, local) in &pattern.constrained[node] {
                 pattern.constraint_offsets[index][local] = length;
-                length += system.elements()[index].element.own_unknowns();
+                let placed = &system.elements()[index];
+                let times = if placed.has_feedback { points } else { 1 };
+                length += times * placed.element.own_unknowns();
             }
             let group = pattern.next_group(length, 6 * points);
             pattern.nodes.push(group);
         }
         for placed in system.elements() {
-            pattern.add_multiplier_columns(placed.element.as_ref(), placed.has_states);
+            let in_time = InTime {
+                states: placed.has_states,
+                feedback: placed.has_feedback,
+            };
+            pattern.add_multiplier_columns(placed.element.as_ref(), in_time);
         }
         pattern
     }
@@ -120,7 +135,7 @@ impl Pattern {
         }
     }
 
-    fn add_multiplier_columns(&mut self, element: &dyn Element, has_states: bool) {
+    fn add_multiplier_columns(&mut self, element: &dyn Element, in_time: InTime) {
         // Rows ascend with the node's index, whatever the element's own order.
         let mut order: Vec<usize> = (0..element.nodes().len()).collect();
         order.sort_by_key(|&local| element.nodes()[local]);
@@ -132,11 +147,11 @@ impl Pattern {
         // Internal states couple with themselves at all times, a multiplier's own entry regularises
         // it.
         let count = self.points * element.own_unknowns();
-        let own_rows = if has_states { count } else { 1 };
+        let own_rows = if in_time.states { count } else { 1 };
         let group = self.next_group(6 * order.len() + own_rows, count);
         self.own_offsets.push(6 * order.len());
         self.multipliers.push(group);
-        self.elements.push((element.nodes().to_vec(), has_states));
+        self.elements.push((element.nodes().to_vec(), in_time));
     }
 
     /// All entries, by dense panels; groups are those of [`Pattern::groups`].
@@ -160,7 +175,7 @@ impl Pattern {
             }));
         }
         let mut own_group = self.nodes.len();
-        for (index, (group, (nodes, has_states))) in
+        for (index, (group, (nodes, in_time))) in
             self.multipliers.iter().zip(&self.elements).enumerate()
         {
             let all = group.columns.len();
@@ -169,15 +184,20 @@ impl Pattern {
             }
             let count = all / points;
             for (local, &node) in nodes.iter().enumerate() {
+                // One of all grid points, or one for each.
+                let (parts, times) = match in_time.feedback {
+                    true => (1, points),
+                    false => (points, 1),
+                };
+                panels.extend((0..parts).map(|k| Panel {
+                    row: (own_group, count * k),
+                    column: (node, 6 * k),
+                    rows: count * times,
+                    columns: 6 * times,
+                    value: self.constraint_value(index, local, node, k, 0),
+                    stride: self.nodes[node].length,
+                }));
                 for k in 0..points {
-                    let constraints = Panel {
-                        row: (own_group, count * k),
-                        column: (node, 6 * k),
-                        rows: count,
-                        columns: 6,
-                        value: self.constraint_value(index, local, node, k, 0),
-                        stride: self.nodes[node].length,
-                    };
                     let forces = Panel {
                         row: (node, 6 * k),
                         column: (own_group, count * k),
@@ -186,10 +206,10 @@ impl Pattern {
                         value: self.force_value(index, local, k, 0, count),
                         stride: group.length,
                     };
-                    panels.extend([constraints, forces]);
+                    panels.push(forces);
                 }
             }
-            let (parts, size) = if *has_states { (1, all) } else { (all, 1) };
+            let (parts, size) = if in_time.states { (1, all) } else { (all, 1) };
             panels.extend((0..parts).map(|i| Panel {
                 row: (own_group, i),
                 column: (own_group, i),
@@ -299,7 +319,7 @@ impl Pattern {
     }
 
     /// Position of an element's first constraint row in column `component` of its local node at
-    /// `k`.
+    /// `k`: of those at `k`, or of those at all grid points if it has feedback.
     pub fn constraint_value(
         &self,
         element: usize,

@@ -50,6 +50,12 @@ impl GridState {
             coordinates: vec![0.0; system.tracked() * points],
             scalars: Vec::new(),
         };
+        for placed in system.elements().iter().filter(|p| p.has_feedback) {
+            for k in 0..points {
+                let own = state.own_of_mut(placed, k).iter_mut().enumerate();
+                own.for_each(|(i, x)| *x = placed.element.initial_state(i));
+            }
+        }
         state.track(system);
         state
     }

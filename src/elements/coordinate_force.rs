@@ -7,7 +7,7 @@ use super::scalar_function::ScalarFunction;
 use super::{Contribution, Element, Instant, Measure, OutputVariation, Unknown};
 use crate::error::{Error, ErrorKind, Result};
 use crate::motion::transposed_product;
-use nalgebra::RowVector6;
+use nalgebra::{RowVector6, Vector6};
 use std::fmt;
 use std::sync::Arc;
 
@@ -26,6 +26,7 @@ pub struct ActedCoordinate {
 }
 
 /// The coordinate at one instant.
+#[derive(Debug, Clone)]
 pub(super) struct ActedState {
     pub relative: RelativeState,
     /// Value with its whole turns, gradient, and the gradient's variation.
@@ -96,12 +97,26 @@ impl ActedCoordinate {
 }
 
 impl ActedState {
+    /// What the rate varies by with the relative motion.
+    fn rate_by_motion(&self) -> RowVector6<f64> {
+        let ActedState { relative, q, .. } = self;
+        q.gradient.transpose() * relative.rate_variation() + relative.rate.transpose() * q.hessian
+    }
+
+    /// Gives, of each node, what coordinate and rate vary by with its motion. With its velocity the
+    /// rate varies as the coordinate does with its motion.
+    pub fn vary(&self, mut add: impl FnMut(usize, [&Vector6<f64>; 2])) {
+        let by_motion = self.rate_by_motion().transpose();
+        for (local, jacobian) in self.relative.local_jacobians() {
+            let coordinate = transposed_product(jacobian, &self.q.gradient);
+            let rate = transposed_product(jacobian, &by_motion);
+            add(local, [&coordinate, &rate]);
+        }
+    }
+
     /// What an effort varies by with the relative motion.
     fn by_motion(&self, effort: &Effort) -> RowVector6<f64> {
-        let ActedState { relative, q, .. } = self;
-        let rate_variation = q.gradient.transpose() * relative.rate_variation()
-            + relative.rate.transpose() * q.hessian;
-        q.gradient.transpose() * effort.by_coordinate + rate_variation * effort.by_rate
+        self.q.gradient.transpose() * effort.by_coordinate + self.rate_by_motion() * effort.by_rate
     }
 
     /// Adds what an effort varies by with the motions and velocities of the nodes.

@@ -29,6 +29,7 @@ pub(super) struct FramePair {
 }
 
 /// Relative motion at one instant, and its derivatives.
+#[derive(Debug, Clone)]
 pub(super) struct RelativeState {
     /// `Z = C_i⁻¹ C_j`.
     pub z: RelativeMotion,

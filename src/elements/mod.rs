@@ -6,6 +6,7 @@
 
 mod beam;
 mod bushing;
+mod controller;
 mod coordinate_force;
 mod damper;
 mod distributed_load;
@@ -31,6 +32,10 @@ mod viscoelastic;
 
 pub use beam::Beam;
 pub use bushing::{Bushing, BushingAngles};
+pub use controller::{
+    Controller, ControllerCall, ControllerFunction, ControllerInput, ControllerLaw,
+    ControllerOutput, ControllerState,
+};
 pub use coordinate_force::{
     ActedCoordinate, CoordinateForce, CoordinateFunction, CoordinateLaw, CoordinateState, Effort,
     Law,
@@ -128,6 +133,15 @@ pub enum Unknown {
         /// Place of the tracked coordinate that an angle gains whole turns with.
         tracked: usize,
     },
+    /// Internal state of a law of the user, in units of its size; its equation is that of its rate.
+    UserState,
+}
+
+impl Unknown {
+    /// Whether it is an internal state.
+    pub fn is_state(self) -> bool {
+        !matches!(self, Unknown::Multiplier(_))
+    }
 }
 
 /// Stress resultants at a station of an element, integrated with its weight: `f = S e + D ė` of its
@@ -190,8 +204,12 @@ pub struct Contribution {
     pub damping: DMatrix<f64>,
     /// `∂force/∂V̇`, `6 n × 6 n`.
     pub mass: DMatrix<f64>,
-    /// `∂constraint/∂u`, `m × 6 n`; its transpose is `∂force/∂λ`.
+    /// `∂constraint/∂u`, `m × 6 n`; its transpose is `∂force/∂λ`, but of elements with feedback.
     pub gradient: DMatrix<f64>,
+    /// `(∂force/∂λ)ᵀ`, `m × 6 n`, of elements with feedback; else empty.
+    pub effect: DMatrix<f64>,
+    /// `∂constraint/∂V`, `m × 6 n`, of elements with feedback; else empty.
+    pub gradient_rate: DMatrix<f64>,
     /// `∂constraint/∂λ`, `m × m`, for internal states `λ`.
     pub own: DMatrix<f64>,
     /// `∂constraint/∂λ̇`, `m × m`, for internal states `λ`.
@@ -209,6 +227,8 @@ pub struct Contribution {
     load: distributed_load::Scratch,
     /// Scratch of user's forces.
     user_force: user_force::Scratch,
+    /// Scratch of controllers.
+    controller: controller::Scratch,
 }
 
 impl Contribution {
@@ -223,6 +243,8 @@ impl Contribution {
             damping: DMatrix::zeros(size, size),
             mass: DMatrix::zeros(size, size),
             gradient: DMatrix::zeros(multipliers, size),
+            effect: DMatrix::zeros(0, 0),
+            gradient_rate: DMatrix::zeros(0, 0),
             own: DMatrix::zeros(multipliers, multipliers),
             own_rate: DMatrix::zeros(multipliers, multipliers),
             with_resultants_apart: false,
@@ -231,6 +253,33 @@ impl Contribution {
             shell: shell::Scratch::default(),
             load: distributed_load::Scratch::default(),
             user_force: user_force::Scratch::default(),
+            controller: controller::Scratch::default(),
+        }
+    }
+
+    /// Zero contribution of an element with feedback.
+    pub fn with_feedback(nodes: usize, states: usize, with_tangents: bool) -> Self {
+        Contribution {
+            effect: DMatrix::zeros(states, 6 * nodes),
+            gradient_rate: DMatrix::zeros(states, 6 * nodes),
+            ..Self::new(nodes, states, with_tangents)
+        }
+    }
+
+    /// Zero contribution of `element`.
+    pub fn of(element: &dyn Element, with_tangents: bool) -> Self {
+        let (nodes, own) = (element.nodes().len(), element.own_unknowns());
+        match element.has_feedback() {
+            true => Self::with_feedback(nodes, own, with_tangents),
+            false => Self::new(nodes, own, with_tangents),
+        }
+    }
+
+    /// `(∂force/∂λ)ᵀ`, `m × 6 n`.
+    pub fn by_own(&self) -> &DMatrix<f64> {
+        match self.effect.is_empty() {
+            true => &self.gradient,
+            false => &self.effect,
         }
     }
 
@@ -245,6 +294,8 @@ impl Contribution {
                 &mut self.damping,
                 &mut self.mass,
                 &mut self.gradient,
+                &mut self.effect,
+                &mut self.gradient_rate,
                 &mut self.own,
                 &mut self.own_rate,
             ] {
@@ -317,7 +368,19 @@ pub trait Element: Send + Sync + std::fmt::Debug {
 
     /// Whether the own unknowns are internal states.
     fn has_states(&self) -> bool {
-        (0..self.own_unknowns()).any(|i| matches!(self.unknown(i), Unknown::State { .. }))
+        (0..self.own_unknowns()).any(|i| self.unknown(i).is_state())
+    }
+
+    /// Whether its own unknowns, which are internal states then, act on its nodes otherwise than by
+    /// the transpose of their equations' gradient, and these depend on velocities. Its forces do,
+    /// too.
+    fn has_feedback(&self) -> bool {
+        false
+    }
+
+    /// The value of an internal state that marches begin with, where it is not to be at rest.
+    fn initial_state(&self, _index: usize) -> f64 {
+        0.0
     }
 
     /// Adds the element's forces, constraints and, if wanted, tangents to `out`, which was cleared.
@@ -345,6 +408,11 @@ pub trait Element: Send + Sync + std::fmt::Debug {
 
     /// What the joint coordinate measures that it acts on, if it acts on one.
     fn acted_measure(&self) -> Option<Measure> {
+        None
+    }
+
+    /// The controller that it is, if it is one.
+    fn as_controller(&self) -> Option<&Controller> {
         None
     }
 

@@ -1,7 +1,8 @@
 //! An element as a part of a mechanism has it, whose nodes have other numbers there.
 
 use super::{
-    Contribution, Element, Instant, Measure, NodeState, OutputVariation, StressLaw, Unknown,
+    Contribution, Controller, Element, Instant, Measure, NodeState, OutputVariation, StressLaw,
+    Unknown,
 };
 use crate::error::Result;
 use nalgebra::Vector6;
@@ -36,6 +37,18 @@ impl Element for Renumbered {
 
     fn has_states(&self) -> bool {
         self.element.has_states()
+    }
+
+    fn has_feedback(&self) -> bool {
+        self.element.has_feedback()
+    }
+
+    fn initial_state(&self, index: usize) -> f64 {
+        self.element.initial_state(index)
+    }
+
+    fn as_controller(&self) -> Option<&Controller> {
+        self.element.as_controller()
     }
 
     fn evaluate(&self, instant: &Instant, out: &mut Contribution) -> Result<()> {

@@ -306,6 +306,7 @@ fn cases() -> Vec<Case> {
 
     shell_cases(&mut Random(11), &states, &mut cases);
     relation_cases(&mut Random(17), &states, &mut cases);
+    controller_cases(&mut Random(23), &states, &mut cases);
     let mut unsymmetric = Random(19);
 
     // Every joint, and what attaches to its coordinates, between two nodes or a node and the
@@ -474,6 +475,87 @@ fn cases() -> Vec<Case> {
     cases
 }
 
+/// Controllers that read the ways of three bodies and act on two of them and on the ground.
+fn controller_cases(
+    random: &mut Random,
+    states: &impl Fn(Vec<Motion>, &mut Random) -> Vec<NodeState>,
+    cases: &mut Vec<Case>,
+) {
+    for (count, gives_tangents) in [(0, true), (0, false), (2, true), (2, false)] {
+        let motions: Vec<Motion> = (0..3).map(|_| random.motion()).collect();
+        let pairs = [(None, Some(0)), (Some(1), Some(0)), (Some(2), Some(1))];
+        let mut joint = |(first, second): (Option<usize>, Option<usize>)| {
+            // Open by less than what makes angles jump.
+            let frame = |node: Option<usize>| node.map_or(Motion::identity(), |n| motions[n]);
+            let middle = frame(second).increment(&(random.vector() * 0.2));
+            let end = |node: Option<usize>, near: Motion| Attachment {
+                node,
+                offset: frame(node).relative(&near),
+            };
+            let far = middle.increment(&(random.vector() * 0.3));
+            Joint::new(JointKind::Cylindrical, end(first, middle), end(second, far))
+        };
+        let joints = pairs.map(&mut joint);
+        let at = |joint: usize, coordinate| {
+            ActedCoordinate::new(&joints[joint], coordinate, 0, None, 0.0)
+        };
+        let (turn, slide) = (Coordinate::Rotation1, Coordinate::Displacement1);
+        let inputs = vec![at(0, turn), at(1, slide), at(2, turn)];
+        let outputs = vec![at(0, slide), at(1, slide)];
+        let law = ControllerLaw {
+            function: std::sync::Arc::new(move |input, output| {
+                control(count, input, output);
+                Ok(())
+            }),
+            gives_tangents,
+        };
+        let of_size = |size| ControllerState { initial: 0.0, size };
+        let list = [0.4, 3.0].map(of_size)[..count].to_vec();
+        let element = Controller::new(inputs, outputs, list, law, vec![[1.0; 2]; 3]);
+        let differenced = if gives_tangents { "" } else { ", differenced" };
+        cases.push(Case {
+            name: format!("controller, {count} states{differenced} None"),
+            element: Box::new(element),
+            states: states(motions.clone(), random),
+            coordinates: vec![7.0],
+        });
+    }
+}
+
+/// `e₀ = q₀ q̇₁ + x₁², e₁ = sin q₂ − x₀ q̇₀; ẋ₀ = q̇₂² x₁ − q₁ x₀, ẋ₁ = t q₀ q̇₁ − x₀`; without
+/// states what is left.
+fn control(states: usize, input: &ControllerInput, output: &mut ControllerOutput) {
+    let (q, v) = (input.values, input.rates);
+    let mut x = [0.0; 2];
+    x[..states].copy_from_slice(input.states);
+    output.efforts[0] = q[0] * v[1] + x[1] * x[1];
+    output.efforts[1] = q[2].sin() - x[0] * v[0];
+    let rates = [
+        v[2] * v[2] * x[1] - q[1] * x[0],
+        input.time * q[0] * v[1] - x[0],
+    ];
+    output.state_rates.copy_from_slice(&rates[..states]);
+    let Some([by_value, by_rate, by_state]) = &mut output.tangents else {
+        return;
+    };
+    by_value[(0, 0)] = v[1];
+    by_rate[(0, 1)] = q[0];
+    by_value[(1, 2)] = q[2].cos();
+    by_rate[(1, 0)] = -x[0];
+    if states == 0 {
+        return;
+    }
+    by_state[(0, 1)] = 2.0 * x[1];
+    by_state[(1, 0)] = -v[0];
+    by_rate[(2, 2)] = 2.0 * v[2] * x[1];
+    by_state[(2, 1)] = v[2] * v[2];
+    by_value[(2, 1)] = -x[0];
+    by_state[(2, 0)] = -q[1];
+    by_value[(3, 0)] = input.time * v[1];
+    by_rate[(3, 1)] = input.time * q[0];
+    by_state[(3, 0)] = -1.0;
+}
+
 /// A user's law with derivatives.
 fn coordinate_law(at: &CoordinateState) -> Result<Effort> {
     let CoordinateState { time, value, rate } = *at;
@@ -554,7 +636,7 @@ fn residual(
     rates: &[f64],
     tangents: bool,
 ) -> Contribution {
-    let mut out = Contribution::new(states.len(), multipliers.len(), tangents);
+    let mut out = Contribution::of(&*case.element, tangents);
     let instant = Instant {
         time: 0.6,
         nodes: states,
@@ -632,7 +714,13 @@ fn tangents_are_the_derivatives_of_forces() {
                 &constraint,
                 1.0,
             );
-            let (force, _) = difference(&|step, states, _| states[node].twist += unit(step));
+            let (force, constraint) =
+                difference(&|step, states, _| states[node].twist += unit(step));
+            let by_velocity = match exact.gradient_rate.is_empty() {
+                true => DVector::zeros(count),
+                false => exact.gradient_rate.column(column).into_owned(),
+            };
+            check("gradient by velocity", by_velocity, &constraint, 1.0);
             let scale = exact.damping.amax();
             check(
                 "damping",
@@ -653,7 +741,7 @@ fn tangents_are_the_derivatives_of_forces() {
             let scale = exact.own.amax();
             check(
                 "multiplier",
-                exact.gradient.row(row).transpose(),
+                exact.by_own().row(row).transpose(),
                 &force,
                 1.0,
             );
@@ -696,7 +784,7 @@ fn extrapolated_resultants_are_tangent_to_those_of_the_strains() {
     for case in cases() {
         let still = case.states.clone();
         let (element, stations) = (&case.element, case.element.stress_laws().len());
-        let mut scratch = Contribution::new(still.len(), element.own_unknowns(), false);
+        let mut scratch = Contribution::of(&**element, false);
         let mut random = Random(5);
         let mut increment = || random.motion().logarithm() * 0.1;
         let increments: Vec<_> = still.iter().map(|_| [increment(), increment()]).collect();
@@ -730,7 +818,7 @@ fn extrapolated_resultants_are_tangent_to_those_of_the_strains() {
         }
 
         // Where they are those of the strains, so is the geometric stiffness.
-        let mut exact = Contribution::new(still.len(), case.element.own_unknowns(), true);
+        let mut exact = Contribution::of(&**element, true);
         let mut found = exact.clone();
         let multipliers = vec![0.7; case.element.own_unknowns()];
         for (resultants, out) in [(&[][..], &mut exact), (&here, &mut found)] {

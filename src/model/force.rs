@@ -1,9 +1,12 @@
 //! Forces that attach to joint coordinates and nodes; each has an id, in the order they are added.
 
 use super::validation::{require_motion, require_positive, require_two_bodies};
-use super::{BushingDefinition, JointCoordinate, Model, Signal, UserFunction};
+use super::{
+    BushingDefinition, ControllerDefinition, JointCoordinate, Model, Signal, UserFunction,
+};
 use crate::elements::{
-    Attachment, BushingAngles, CoordinateLaw, JointKind, MaxwellBranch, NodeForceLaw,
+    Attachment, BushingAngles, ControllerLaw, ControllerState, CoordinateLaw, JointKind,
+    MaxwellBranch, NodeForceLaw,
 };
 use crate::error::{Error, ErrorKind, Result, require_finite, require_id};
 use crate::motion::Motion;
@@ -88,6 +91,8 @@ pub enum ForceDefinition {
         #[serde(default)]
         cycles: usize,
     },
+    /// A law of the user that reads joint coordinates, has states, and acts on joint coordinates.
+    Controller(Box<ControllerDefinition>),
 }
 
 impl ForceDefinition {
@@ -100,16 +105,43 @@ impl ForceDefinition {
             | ForceDefinition::Viscoelastic { at, .. } => Some(*at),
             ForceDefinition::ViscousDamper { .. }
             | ForceDefinition::Bushing(_)
-            | ForceDefinition::NodeForces { .. } => None,
+            | ForceDefinition::NodeForces { .. }
+            | ForceDefinition::Controller(_) => None,
+        }
+    }
+
+    /// All joint coordinates that it depends on or acts on.
+    pub fn coordinates(&self) -> Vec<JointCoordinate> {
+        match self {
+            ForceDefinition::Controller(controller) => {
+                [&controller.inputs[..], &controller.outputs].concat()
+            }
+            _ => self.at().into_iter().collect(),
         }
     }
 
     /// Whether it is a function of the user.
     pub fn calls_function(&self) -> bool {
-        matches!(
-            self,
-            ForceDefinition::CoordinateLaw { .. } | ForceDefinition::NodeForces { .. }
-        )
+        self.cycles().is_some()
+    }
+
+    /// Cycles of the phase that its function is told in a period; none if it has no function.
+    pub fn cycles(&self) -> Option<usize> {
+        match self {
+            ForceDefinition::CoordinateLaw { cycles, .. }
+            | ForceDefinition::NodeForces { cycles, .. } => Some(*cycles),
+            ForceDefinition::Controller(controller) => Some(controller.cycles),
+            _ => None,
+        }
+    }
+
+    pub(super) fn cycles_mut(&mut self) -> Option<&mut usize> {
+        match self {
+            ForceDefinition::CoordinateLaw { cycles, .. }
+            | ForceDefinition::NodeForces { cycles, .. } => Some(cycles),
+            ForceDefinition::Controller(controller) => Some(&mut controller.cycles),
+            _ => None,
+        }
     }
 }
 
@@ -161,6 +193,7 @@ impl Model {
             }
             ForceDefinition::Bushing(bushing) => bushing.require_valid()?,
             ForceDefinition::NodeForces { nodes, .. } => self.require_distinct_nodes(nodes)?,
+            ForceDefinition::Controller(controller) => controller.require_valid(self)?,
         }
         self.forces.push(force);
         Ok(self.forces.len() - 1)
@@ -327,14 +360,79 @@ impl Model {
     /// on time is, too.
     pub fn declare_of_phase(&mut self, force: usize) -> Result<()> {
         self.require_force("force", force)?;
-        match &mut self.forces[force] {
-            ForceDefinition::CoordinateLaw { cycles, .. }
-            | ForceDefinition::NodeForces { cycles, .. } => {
+        match self.forces[force].cycles_mut() {
+            Some(cycles) => {
                 *cycles = 1;
                 Ok(())
             }
-            _ => {
+            None => {
                 let message = format!("force: {force} has no function");
+                Err(Error::new(ErrorKind::NotAvailable, message))
+            }
+        }
+    }
+}
+
+impl Model {
+    /// Adds a controller: efforts on the joint coordinates `outputs`, towards growth, by a law of
+    /// time, of the coordinates `inputs` and their rates, and of states that it gives the rates of.
+    /// Without states it is a law that reads other coordinates. Returns the force's id.
+    ///
+    /// # Errors
+    /// If a coordinate is none of its joint or in a list twice, if there is no output, or if the
+    /// size of a state is not positive.
+    pub fn add_controller(
+        &mut self,
+        inputs: &[JointCoordinate],
+        outputs: &[JointCoordinate],
+        states: &[ControllerState],
+        law: ControllerLaw,
+    ) -> Result<usize> {
+        self.add_force(ForceDefinition::Controller(Box::new(
+            ControllerDefinition {
+                inputs: inputs.to_vec(),
+                outputs: outputs.to_vec(),
+                states: states.to_vec(),
+                law: UserFunction::new(law),
+                cycles: 0,
+            },
+        )))
+    }
+
+    /// Checks what a controller would be made of.
+    ///
+    /// # Errors
+    /// As [`Model::add_controller`].
+    pub(crate) fn require_controller_of(
+        &self,
+        inputs: &[JointCoordinate],
+        outputs: &[JointCoordinate],
+        states: &[ControllerState],
+    ) -> Result<()> {
+        super::controller::require_valid(self, [inputs, outputs], states)
+    }
+
+    /// Gives a controller its law, or another: that of a model that was loaded is not in the file.
+    ///
+    /// # Errors
+    /// If the force is no controller.
+    pub fn bind_controller(&mut self, force: usize, law: ControllerLaw) -> Result<()> {
+        self.require_controller(force)?;
+        if let ForceDefinition::Controller(controller) = &mut self.forces[force] {
+            controller.law = UserFunction::new(law);
+        }
+        Ok(())
+    }
+
+    /// The controller of this id.
+    ///
+    /// # Errors
+    /// If there is no such force, or it is no controller.
+    pub fn require_controller(&self, force: usize) -> Result<&ControllerDefinition> {
+        match self.require_force("force", force)? {
+            ForceDefinition::Controller(controller) => Ok(controller),
+            _ => {
+                let message = format!("force: {force} is no controller");
                 Err(Error::new(ErrorKind::NotAvailable, message))
             }
         }

@@ -19,6 +19,20 @@ pub(super) fn require_clean_motion(name: &str, motion: &Motion) -> Result<()> {
 }
 
 impl Model {
+    /// Whether it holds what readers of files of version 2 may not know.
+    pub(crate) fn has_newer_parts(&self) -> bool {
+        let is_newer = |force: &ForceDefinition| {
+            matches!(
+                force,
+                ForceDefinition::Bushing(_) | ForceDefinition::Controller(_)
+            )
+        };
+        !self.relations.is_empty()
+            || !self.shells.is_empty()
+            || !self.shell_loads.is_empty()
+            || self.forces.iter().any(is_newer)
+    }
+
     /// Builds the model anew, with all the checks of building. Unlike the calls of the user, none
     /// of it changes a number.
     pub(crate) fn checked(self) -> Result<Model> {

@@ -6,6 +6,7 @@
 mod beam;
 mod bushing;
 mod contents;
+mod controller;
 mod force;
 mod inertia;
 mod joint;
@@ -30,6 +31,7 @@ mod validation;
 pub use beam::{BeamDefinition, BeamIds};
 pub use bushing::BushingDefinition;
 pub use contents::ForceNumber;
+pub use controller::ControllerDefinition;
 pub use force::{ForceDefinition, SpringDefinition};
 pub use inertia::InertiaDefinition;
 pub use joint::{JointCoordinate, JointDefinition};

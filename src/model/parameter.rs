@@ -298,9 +298,7 @@ impl Model {
             }
         }
         for force in &mut model.forces {
-            if let ForceDefinition::CoordinateLaw { cycles, .. }
-            | ForceDefinition::NodeForces { cycles, .. } = force
-            {
+            if let Some(cycles) = force.cycles_mut() {
                 *cycles = cycles.saturating_mul(times);
             }
         }
@@ -322,9 +320,7 @@ impl Model {
             }
         }
         for (index, force) in self.forces.iter().enumerate() {
-            if let ForceDefinition::CoordinateLaw { cycles: 0, .. }
-            | ForceDefinition::NodeForces { cycles: 0, .. } = force
-            {
+            if force.cycles() == Some(0) {
                 return refuse(format!("the function of force {index}"));
             }
         }

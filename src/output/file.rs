@@ -11,16 +11,18 @@
 //! 1. Beams with the motions of their nodes, and the inertia of each written out; functions of the
 //!    user with what belongs to them. It can still be read. Of solutions only.
 //! 2. Definitions alone.
+//! 3. With relations, shells, bushings or controllers, which readers of version 2 may not know and
+//!    would leave out. A file without these is of version 2.
 
 use super::saved::Content;
 use super::saved_branch::BranchContent;
 use super::solution::Solution;
+use super::version::{Saved, VERSION};
 use super::write::{refused, write_file};
 use crate::error::{Error, ErrorKind, Result};
 use crate::memory;
 use crate::model::Model;
 use crate::solve::Branch;
-use serde::Serialize;
 use serde::de::DeserializeOwned;
 use std::fs::File;
 use std::io::{self, Read};
@@ -46,8 +48,6 @@ const BRANCH: Format = Format {
     signature: *b"\x93PDB\r\n\x1a\n",
     what: "branch",
 };
-/// The version that is written, and the latest that can be read.
-const VERSION: u32 = 2;
 const HEADER: usize = 24;
 /// Room for the probe by which reading notices the end of a file.
 const MARGIN: usize = 64;
@@ -133,10 +133,10 @@ impl Branch {
 }
 
 impl Format {
-    fn save(&self, content: &impl Serialize, path: &Path) -> Result<()> {
+    fn save(&self, content: &impl Saved, path: &Path) -> Result<()> {
         let body = rmp_serde::to_vec_named(content)
             .map_err(|e| refused("write", path, &io::Error::other(e)))?;
-        let header = self.header(&body);
+        let header = self.header(content.version(), &body);
         write_file(path, |file| {
             file.write_all(&header)?;
             file.write_all(&body)
@@ -190,9 +190,9 @@ impl Format {
         build(content).map_err(|e| file_of(format!("is no valid {}: {e}", self.what)))
     }
 
-    fn header(&self, body: &[u8]) -> Vec<u8> {
+    fn header(&self, version: u32, body: &[u8]) -> Vec<u8> {
         let mut header = self.signature.to_vec();
-        header.extend(VERSION.to_le_bytes());
+        header.extend(version.to_le_bytes());
         header.extend([0; 4]);
         header.extend((body.len() as u64).to_le_bytes());
         let checksum = checksum_of(&header, body);

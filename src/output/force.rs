@@ -2,7 +2,6 @@
 
 use super::solution::Solution;
 use crate::error::{Error, ErrorKind, Result};
-use crate::fourier::PeriodicSeries;
 use crate::model::JointCoordinate;
 use crate::quantity::{JointQuantity, Quantity, exerted, state_gain};
 use crate::system::ElementRole;
@@ -16,53 +15,71 @@ impl Solution {
         }
         let (system, history) = (&self.solve.system, self.history());
         // Of each coordinate that forces are at.
-        let mut known: Vec<(JointCoordinate, PeriodicSeries)> = Vec::new();
+        let mut known: Vec<(JointCoordinate, f64)> = Vec::new();
         for placed in system.elements() {
             let ElementRole::Force(index) = placed.role else {
                 continue;
             };
-            let Some(at) = self.model.forces[index].at() else {
-                continue;
-            };
-            let place = match known.iter().position(|(other, _)| *other == at) {
-                Some(place) => place,
-                None => {
-                    let coordinate = JointQuantity::Coordinate(at.coordinate);
-                    let series = self.series(Quantity::Joint(at.joint, coordinate))?;
-                    known.extend(series.into_iter().map(|series| (at, series)));
-                    known.len() - 1
+            let mut gains: Vec<(JointCoordinate, f64)> = Vec::new();
+            for at in self.model.forces[index].coordinates() {
+                let gain = match known.iter().find(|(other, _)| *other == at) {
+                    Some(&(_, gain)) => gain,
+                    None => {
+                        let coordinate = JointQuantity::Coordinate(at.coordinate);
+                        let series = self.series(Quantity::Joint(at.joint, coordinate))?;
+                        let gain = series.first().map_or(0.0, |x| x.rate * x.period());
+                        known.push((at, gain));
+                        gain
+                    }
+                };
+                if gain != 0.0 {
+                    gains.push((at, gain));
                 }
-            };
-            let series = &known[place].1;
-            if series.rate == 0.0 {
-                continue;
             }
+            let Some(&(at, gain)) = gains.first() else {
+                continue;
+            };
             let signals = self.solve.signals()?;
-            let gain = series.rate * series.period();
             let state_gain = state_gain(&history, placed);
-            let (mut change, mut size) = (0.0f64, 0.0f64);
+            // Of all forces together, then of the rates of each state of the user.
+            let states = match placed.has_feedback {
+                true => placed.element.own_unknowns(),
+                false => 0,
+            };
+            let mut changes = vec![[0.0f64; 2]; 1 + states];
             let count = system.signals();
             for k in 0..history.points() {
                 let signals = &signals[k * count..][..count];
                 let own = history.own_of(placed, k);
                 let here = history.state.tracked(system, k);
-                let later: Vec<f64> = here.iter().map(|q| q + gain).collect();
+                let mut later = here.to_vec();
                 let mut signals_later = signals.to_vec();
-                if let Some(prescribed) = self.model.prescribed_index(&at) {
-                    signals_later[prescribed] += gain;
+                for (at, gain) in &gains {
+                    system.add_to_tracked(at, *gain, &mut later);
+                    if let Some(prescribed) = self.model.prescribed_index(at) {
+                        signals_later[prescribed] += gain;
+                    }
                 }
                 let own_later: Vec<f64> = own.iter().map(|x| x + state_gain).collect();
                 let exerted = |coordinates: &[f64], signals: &[f64], values: &[f64]| {
                     exerted(&history, placed, k, coordinates, signals, values)
                 };
-                let now = exerted(here, signals, own)?.0;
-                let then = exerted(&later, &signals_later, &own_later)?.0;
-                for (now, then) in now.iter().zip(&then) {
-                    size = size.max(now.abs());
-                    change = change.max((then - now).abs());
+                let now = exerted(here, signals, own)?;
+                let then = exerted(&later, &signals_later, &own_later)?;
+                let forces = now
+                    .on_nodes
+                    .iter()
+                    .zip(&then.on_nodes)
+                    .map(|pair| (0, pair));
+                let rates = now.unbalance.iter().zip(&then.unbalance).take(states);
+                let rates = rates.enumerate().map(|(state, pair)| (1 + state, pair));
+                for (place, (now, then)) in forces.chain(rates) {
+                    let [change, size] = &mut changes[place];
+                    *size = size.max(now.abs());
+                    *change = change.max((then - now).abs());
                 }
             }
-            if change > 1e-9 * size {
+            if changes.iter().any(|[change, size]| *change > 1e-9 * size) {
                 let turns = gain / std::f64::consts::TAU;
                 let plural = if turns.abs() < 1.5 { "" } else { "s" };
                 return Err(Error::new(

@@ -17,6 +17,7 @@ mod solution;
 mod stability;
 mod table;
 mod trajectory;
+mod version;
 mod vtk;
 mod write;
 

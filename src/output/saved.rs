@@ -2,6 +2,7 @@
 
 use super::diagnostics::Diagnostics;
 use super::solution::Solution;
+use super::version::Saved;
 use crate::collocation::GridState;
 use crate::elements::NodeState;
 use crate::error::{Error, ErrorKind, Result, require_finite};
@@ -56,6 +57,12 @@ pub(super) struct Content<'a> {
     /// Of a mapped grid.
     #[serde(default)]
     sharp_events: Vec<SharpEvent>,
+}
+
+impl Saved for Content<'_> {
+    fn model(&self) -> &Model {
+        &self.model
+    }
 }
 
 #[derive(Serialize, Deserialize)]

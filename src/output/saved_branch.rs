@@ -1,6 +1,7 @@
 //! What a file holds of a branch, and whether it fits together.
 
 use super::saved::require;
+use super::version::Saved;
 use crate::collocation::GridState;
 use crate::error::{Result, require_finite, require_positive_number};
 use crate::fourier::TimeGrid;
@@ -38,6 +39,12 @@ struct SavedPoint<'a> {
     increments: Cow<'a, [f64]>,
     second_frequency: Option<f64>,
     stability: Option<PointStability>,
+}
+
+impl Saved for BranchContent<'_> {
+    fn model(&self) -> &Model {
+        &self.model
+    }
 }
 
 impl<'a> BranchContent<'a> {

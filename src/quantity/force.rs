@@ -8,7 +8,7 @@ use super::variation::Variation;
 use crate::elements::{InertialForces, LoadFrame, OutputVariation};
 use crate::error::{Error, ErrorKind, Result, require_id};
 use crate::motion::{halves, joined, turned};
-use crate::system::{Conditions, ElementRole, OwnValues, Placed, System};
+use crate::system::{Conditions, ElementRole, Exerted, OwnValues, Placed, System};
 use nalgebra::{Matrix3, Vector3, Vector6};
 
 /// What can be asked of a force.
@@ -25,6 +25,10 @@ pub enum ForceQuantity {
     OnNode(usize, LoadFrame),
     /// Forces and moments of a bushing, against its deformation.
     BushingEfforts,
+    /// Effort of a controller on one of the coordinates that it acts on, towards growth.
+    ControlEffort(usize),
+    /// A state of a controller.
+    ControlState(usize),
 }
 
 /// What one element does at all times of a motion, with these values of all signals, time by time.
@@ -45,9 +49,9 @@ fn recorded(history: &History, placed: &Placed, signals: &[f64]) -> Result<Force
     for k in 0..history.points() {
         let coordinates = history.state.tracked(history.system, k);
         let (signals, own) = (&signals[k * count..][..count], history.own_of(placed, k));
-        let (on_nodes, outputs) = exerted(history, placed, k, coordinates, signals, own)?;
-        record.on_nodes.push(on_nodes);
-        record.outputs.push(outputs);
+        let exerted = exerted(history, placed, k, coordinates, signals, own)?;
+        record.on_nodes.push(exerted.on_nodes);
+        record.outputs.push(exerted.outputs);
     }
     Ok(record)
 }
@@ -69,8 +73,7 @@ pub(crate) fn state_gain(history: &History, placed: &Placed) -> f64 {
     }
 }
 
-/// What an element exerts on its nodes, in their axes, at time `k`, for these coordinates, signals
-/// and own unknowns, and its outputs.
+/// What an element does at time `k`, for these coordinates, signals and own unknowns.
 pub(crate) fn exerted(
     history: &History,
     placed: &Placed,
@@ -78,7 +81,7 @@ pub(crate) fn exerted(
     coordinates: &[f64],
     signals: &[f64],
     values: &[f64],
-) -> Result<(Vec<f64>, Vec<f64>)> {
+) -> Result<Exerted> {
     let conditions = Conditions {
         time: history.times[k],
         signals,
@@ -92,8 +95,7 @@ pub(crate) fn exerted(
         resultants: &[],
     };
     let states = history.nodes_of(&*placed.element, k);
-    let (forces, outputs) = history.system.outputs(placed, &states, &conditions, own)?;
-    Ok((forces.as_slice().to_vec(), outputs))
+    history.system.outputs(placed, &states, &conditions, own)
 }
 
 impl ForceQuantity {
@@ -118,7 +120,7 @@ impl ForceQuantity {
         let (element, placed) = elements
             .find(|(_, placed)| placed.role == ElementRole::Force(force))
             .ok_or_else(|| Error::new(ErrorKind::NotAvailable, "the solution has no such force"))?;
-        let branches = if placed.has_states {
+        let branches = if placed.has_states && !placed.has_feedback {
             placed.element.own_unknowns()
         } else {
             0
@@ -148,6 +150,16 @@ impl ForceQuantity {
                     return Err(Error::new(ErrorKind::NotAvailable, message));
                 }
             }
+            ForceQuantity::ControlEffort(output) => {
+                let [outputs, _] = controlled(placed, force)?;
+                require_one("outputs", force, outputs, output)?;
+                Part::Outputs(output, 1)
+            }
+            ForceQuantity::ControlState(state) => {
+                let [outputs, states] = controlled(placed, force)?;
+                require_one("states", force, states, state)?;
+                Part::Outputs(outputs + state, 1)
+            }
             ForceQuantity::BranchEffort(branch) => Part::Outputs(branch_output(branch)?, 1),
             ForceQuantity::BranchElongation(branch) => Part::Dashpot(branch_output(branch)? + 1),
             ForceQuantity::OnNode(node, frame) => {
@@ -166,6 +178,24 @@ impl ForceQuantity {
             part,
         }))
     }
+}
+
+/// Numbers of outputs and states of a controller.
+fn controlled(placed: &Placed, force: usize) -> Result<[usize; 2]> {
+    let counts = placed.element.as_controller();
+    let counts = counts.map(|of| [of.outputs().len(), of.states().len()]);
+    counts.ok_or_else(|| {
+        let message = format!("force {force} is no controller");
+        Error::new(ErrorKind::NotAvailable, message)
+    })
+}
+
+fn require_one(what: &str, force: usize, count: usize, number: usize) -> Result<()> {
+    if number < count {
+        return Ok(());
+    }
+    let message = format!("{what}: the controller force {force} has {count}, got number {number}");
+    Err(Error::new(ErrorKind::NotAvailable, message))
 }
 
 /// What of a force is asked for.
@@ -315,7 +345,7 @@ impl Probe for ForceProbe {
                 out.add(other, k, &rows);
             }
             for index in 0..values.len() {
-                let column = tangents.gradient.fixed_view::<1, 6>(index, 6 * local);
+                let column = tangents.by_own().fixed_view::<1, 6>(index, 6 * local);
                 out.add_own(placed, index, k, -(column * by_force)[0]);
             }
         }

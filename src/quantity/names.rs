@@ -130,6 +130,10 @@ impl fmt::Display for Quantity {
                     write!(f, "force{force}.branch{b}.elongation")
                 }
                 ForceQuantity::OnNode(node, _) => write!(f, "force{force}.on_node{node}"),
+                ForceQuantity::ControlEffort(output) => {
+                    write!(f, "force{force}.output{output}.effort")
+                }
+                ForceQuantity::ControlState(state) => write!(f, "force{force}.state{state}"),
                 ForceQuantity::BushingEfforts => write!(f, "force{force}.efforts"),
             },
             Quantity::RelationEffort {

@@ -55,7 +55,16 @@ impl Quantity {
                 let placed = system.elements().iter().find(|placed| placed.role == role);
                 let measure = placed.and_then(|placed| placed.element.acted_measure());
                 let measure = measure.unwrap_or(Measure::Length);
+                let controller = placed.and_then(|placed| placed.element.as_controller());
                 match quantity {
+                    ForceQuantity::ControlEffort(output) => {
+                        let measure = controller.and_then(|of| of.outputs().nth(output));
+                        effort(measure.unwrap_or(Measure::Length))
+                    }
+                    ForceQuantity::ControlState(state) => {
+                        let state = controller.and_then(|of| of.states().get(state));
+                        state.map_or(1.0, |state| state.size)
+                    }
                     ForceQuantity::Effort | ForceQuantity::BranchEffort(_) => effort(measure),
                     ForceQuantity::BranchElongation(_) => motion(measure),
                     ForceQuantity::OnNode(..) | ForceQuantity::BushingEfforts => effort(half),

@@ -89,7 +89,15 @@ fn all(model: &Model, system: &System) -> Vec<Quantity> {
         if placed.element.is_bushing() {
             of_force(ForceQuantity::BushingEfforts);
         }
-        for branch in 0..placed.element.own_unknowns() {
+        if let Some(controller) = placed.element.as_controller() {
+            (0..controller.outputs().len()).for_each(|i| of_force(ForceQuantity::ControlEffort(i)));
+            (0..controller.states().len()).for_each(|i| of_force(ForceQuantity::ControlState(i)));
+        }
+        let branches = match placed.has_feedback {
+            true => 0,
+            false => placed.element.own_unknowns(),
+        };
+        for branch in 0..branches {
             of_force(ForceQuantity::BranchEffort(branch));
             of_force(ForceQuantity::BranchElongation(branch));
         }

@@ -4,14 +4,12 @@ use super::driven::Drive;
 use super::scales::coordinate_scales;
 use super::{ElementRole, Placed, PlacedRelation, Regime, Scales, System};
 use crate::elements::{
-    ActedCoordinate, CoordinateForce, CoordinateLaw, CoordinateState, Effort, Element, JointKind,
-    Law, LoadFrame, MassDamping, NodalLoad, NodeForceInput, NodeForceLaw, Prescribed, Relation,
-    UserForce, Viscoelastic, ViscousDamper,
+    ActedCoordinate, CoordinateForce, Element, JointKind, Law, MassDamping, NodalLoad, Prescribed,
+    Relation, UserForce, Viscoelastic, ViscousDamper,
 };
 use crate::error::{Error, ErrorKind, Result, require_positive_number};
 use crate::model::{
     BoundSignal, ForceDefinition, JointCoordinate, JointDefinition, Model, Parameter, Signal,
-    UserFunction,
 };
 use crate::workers::no_threads_unasked;
 use std::collections::BTreeMap;
@@ -57,13 +55,13 @@ impl System {
 }
 
 /// A system on its way.
-struct Builder<'a> {
+pub(super) struct Builder<'a> {
     model: &'a Model,
     /// Whether functions that are absent count as zero.
-    known: bool,
+    pub(super) known: bool,
     /// Whether any did.
-    lacks_functions: bool,
-    system: System,
+    pub(super) lacks_functions: bool,
+    pub(super) system: System,
 }
 
 impl<'a> Builder<'a> {
@@ -301,15 +299,6 @@ impl<'a> Builder<'a> {
         signal.bind(self.system.period())
     }
 
-    /// A function of the user, or what stands for it where it does not matter.
-    fn function<F: Clone>(&mut self, function: &UserFunction<F>, zero: F) -> Result<F> {
-        if self.known && function.is_absent() {
-            self.lacks_functions = true;
-            return Ok(zero);
-        }
-        function.get().cloned()
-    }
-
     /// Adds the signals of a load's components.
     fn add_components(
         &mut self,
@@ -386,68 +375,15 @@ impl<'a> Builder<'a> {
                 let law = self.node_law(law, *cycles).map_err(within)?;
                 Arc::new(UserForce::new(nodes.clone(), law, length, frequency))
             }
+            ForceDefinition::Controller(controller) => {
+                let made = self.controller(controller, length);
+                Arc::new(made.map_err(within)?)
+            }
         })
     }
 
-    /// A user's law on a joint coordinate, that is told the time.
-    fn coordinate_law(
-        &mut self,
-        law: &UserFunction<CoordinateLaw>,
-        cycles: usize,
-    ) -> Result<CoordinateLaw> {
-        let zero = CoordinateLaw {
-            function: Arc::new(|_| Ok(Effort::default())),
-            gives_derivatives: true,
-        };
-        let mut law = self.function(law, zero)?;
-        if cycles > 0 {
-            let (unit, function) = (self.phase_unit()? * cycles as f64, law.function);
-            law.function = Arc::new(move |state| {
-                let time = state.time * unit;
-                function(&CoordinateState { time, ..*state })
-            });
-        }
-        Ok(law)
-    }
-
-    /// A user's law on nodes, that is told the time.
-    fn node_law(
-        &mut self,
-        law: &UserFunction<NodeForceLaw>,
-        cycles: usize,
-    ) -> Result<NodeForceLaw> {
-        let zero = NodeForceLaw {
-            function: Arc::new(|_, _| Ok(())),
-            gives_tangents: true,
-            frame: LoadFrame::Space,
-        };
-        let mut law = self.function(law, zero)?;
-        if cycles > 0 {
-            let (unit, function) = (self.phase_unit()? * cycles as f64, law.function);
-            law.function = Arc::new(move |state, out| {
-                let time = state.time * unit;
-                function(&NodeForceInput { time, ..*state }, out)
-            });
-        }
-        Ok(law)
-    }
-
-    /// Phase in a unit of time, for functions of it.
-    fn phase_unit(&self) -> Result<f64> {
-        let regime = &self.system.regime;
-        let is_known = match regime.standstill() {
-            Some(standstill) => standstill.time == 0.0 || standstill.period.is_some(),
-            None => regime.knows_period(),
-        };
-        if is_known {
-            return Ok(TAU / regime.period());
-        }
-        let expected = "the period that its phase is of";
-        Err(Error::value("options.period", expected, "none"))
-    }
-
     /// A joint coordinate that a force acts on, whose whole turns are followed.
-    fn acted_on(&mut self, at: &JointCoordinate) -> ActedCoordinate {
+    pub(super) fn acted_on(&mut self, at: &JointCoordinate) -> ActedCoordinate {
         let joint = &self.system.joints[at.joint];
         // Signals of prescribed coordinates are the first, in their order.
         let prescribed = self.model.prescribed_index(at);
@@ -477,7 +413,8 @@ impl<'a> Builder<'a> {
 
 impl System {
     pub(super) fn place(&mut self, element: Arc<dyn Element>, role: ElementRole) {
-        let size = (element.nodes().len(), element.own_unknowns());
+        let has_feedback = element.has_feedback();
+        let size = (element.nodes().len(), element.own_unknowns(), has_feedback);
         let first_own = self.own_unknowns.len();
         self.own_unknowns
             .extend((0..size.1).map(|i| element.unknown(i)));
@@ -489,6 +426,7 @@ impl System {
         let first_station = self.stations();
         self.elements.push(Placed {
             has_states: element.has_states(),
+            has_feedback,
             stations: first_station..first_station + element.stress_laws().len(),
             element,
             role,

@@ -3,10 +3,10 @@
 use super::System;
 use super::scales::coordinate_scales;
 use crate::elements::{
-    CoordinateLaw, CoordinateState, NodeForceLaw, NodeState, Tangent, UserForce,
+    ControllerCall, CoordinateLaw, CoordinateState, NodeForceLaw, NodeState, Tangent, UserForce,
 };
 use crate::error::{Error, ErrorKind, Result};
-use crate::model::{ForceDefinition, JointCoordinate, Model};
+use crate::model::{ControllerDefinition, ForceDefinition, JointCoordinate, Model};
 use nalgebra::{DMatrix, Vector6};
 use std::f64::consts::TAU;
 
@@ -66,6 +66,26 @@ impl Probe {
             value: reference + 0.3 * scales[0] * self.spread(),
             rate: scales[1] * self.spread(),
         }
+    }
+
+    /// What a controller may be called with.
+    pub(super) fn controller(
+        &mut self,
+        model: &Model,
+        controller: &ControllerDefinition,
+    ) -> ControllerCall {
+        let mut call = ControllerCall::default();
+        for at in &controller.inputs {
+            let scales = coordinate_scales(at.coordinate, self.length, self.frequency);
+            let state = self.coordinate(model.reference_coordinate(at), scales);
+            call.values.push(state.value);
+            call.rates.push(state.rate);
+        }
+        for state in &controller.states {
+            call.states.push(state.size * self.spread());
+        }
+        call.resize(controller.outputs.len() + controller.states.len());
+        call
     }
 
     /// Motions and velocities of nodes.
@@ -130,6 +150,7 @@ pub fn check_tangents(model: &Model, force: usize, period: f64) -> Result<Tangen
         ForceDefinition::NodeForces { nodes, law, .. } => {
             law.get().and_then(|law| check.node_forces(nodes, law))
         }
+        ForceDefinition::Controller(controller) => check.controller(controller),
         _ => Err(unavailable("it is not a function of the user")),
     };
     checked.map_err(|e| e.within(format!("force {force}")))?;
@@ -210,6 +231,52 @@ impl Check<'_> {
                 };
                 let place = |at: usize| Some((nodes[at / 6], at % 6));
                 self.compare(time, &entries, weight, place);
+            }
+        }
+        Ok(())
+    }
+
+    fn controller(&mut self, controller: &ControllerDefinition) -> Result<()> {
+        let law = controller.law.get()?;
+        if !law.gives_tangents {
+            return Err(unavailable(DIFFERENCED));
+        }
+        let (length, frequency) = (self.length, TAU / self.period);
+        let scales = controller.inputs.iter();
+        let scales = scales.map(|at| coordinate_scales(at.coordinate, length, frequency));
+        let scales: Vec<[f64; 2]> = scales.collect();
+        let efforts = controller.outputs.len();
+        for time in self.times() {
+            let mut call = self.probe.controller(self.model, controller);
+            law.evaluate(time, efforts, &mut call, true)?;
+            let given = call.tangents.clone();
+            let sizes = |which: usize, column: usize| match which {
+                0 | 1 => scales[column][which],
+                _ => controller.states[column].size,
+            };
+            law.difference(time, efforts, &mut call, sizes)?;
+            // Efforts and state rates are compared apart: nothing relates their sizes.
+            for rows in [0..efforts, efforts..efforts + controller.states.len()] {
+                let row_size = |row: usize| match row.checked_sub(efforts) {
+                    Some(state) => controller.states[state].size,
+                    None => 1.0,
+                };
+                for (which, given) in given.iter().enumerate() {
+                    let entries = Entries {
+                        tangent: match which {
+                            1 => Tangent::Damping,
+                            _ => Tangent::Stiffness,
+                        },
+                        given: &given.rows(rows.start, rows.len()).into_owned(),
+                        differenced: &call.tangents[which]
+                            .rows(rows.start, rows.len())
+                            .into_owned(),
+                    };
+                    let weight = |row: usize, column: usize| {
+                        sizes(which, column) / row_size(row + rows.start)
+                    };
+                    self.compare(time, &entries, weight, |_| None);
+                }
             }
         }
         Ok(())

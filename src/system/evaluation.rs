@@ -3,7 +3,7 @@
 use super::{ElementRole, Placed, System, turning};
 use crate::elements::{Contribution, InertialForces, Instant, NodeState, OutputVariation};
 use crate::error::Result;
-use nalgebra::{DVector, Vector6};
+use nalgebra::Vector6;
 
 /// An element's own unknowns at one instant.
 #[derive(Debug, Clone, Copy)]
@@ -27,6 +27,17 @@ pub struct Conditions<'a> {
     pub coordinates: &'a [f64],
     /// How inertia counts.
     pub inertial: InertialForces,
+}
+
+/// What an element does.
+#[derive(Debug, Clone)]
+pub struct Exerted {
+    /// Forces on its nodes, in their own axes.
+    pub on_nodes: Vec<f64>,
+    /// What is left of the equations of its own unknowns.
+    pub unbalance: Vec<f64>,
+    /// Its outputs.
+    pub outputs: Vec<f64>,
 }
 
 /// Scratch for evaluating elements: one contribution for each size of element.
@@ -53,7 +64,10 @@ impl System {
             contributions: self
                 .shapes
                 .iter()
-                .map(|&(nodes, multipliers)| Contribution::new(nodes, multipliers, with_tangents))
+                .map(|&(nodes, own, has_feedback)| match has_feedback {
+                    true => Contribution::with_feedback(nodes, own, with_tangents),
+                    false => Contribution::new(nodes, own, with_tangents),
+                })
                 .collect(),
             states: Vec::new(),
             changes: Vec::new(),
@@ -277,14 +291,14 @@ impl System {
         placed.element.vary_output(&instant, index, out)
     }
 
-    /// Forces that one element exerts on its nodes, in their own axes, and its outputs.
+    /// What one element does.
     pub fn outputs(
         &self,
         placed: &Placed,
         states: &[NodeState],
         conditions: &Conditions,
         own: OwnValues,
-    ) -> Result<(DVector<f64>, Vec<f64>)> {
+    ) -> Result<Exerted> {
         let seen: Vec<NodeState> = match self.frame_seen_by(placed, conditions.signals) {
             Some(frame) => {
                 let inertial = |state| turning::inertial(state, &frame);
@@ -293,11 +307,16 @@ impl System {
             None => states.to_vec(),
         };
         let instant = self.instant(&seen, conditions, own);
-        let mut contribution = Contribution::new(states.len(), own.values.len(), false);
+        let mut contribution = Contribution::of(&*placed.element, false);
         placed.element.evaluate(&instant, &mut contribution)?;
         let mut outputs = Vec::new();
         placed.element.outputs(&instant, &mut outputs)?;
         // Forces count on the left-hand side of the equations.
-        Ok((-contribution.force, outputs))
+        let forces = contribution.force.iter();
+        Ok(Exerted {
+            on_nodes: forces.map(|f| -f).collect(),
+            unbalance: contribution.constraint.as_slice().to_vec(),
+            outputs,
+        })
     }
 }

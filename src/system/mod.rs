@@ -18,12 +18,13 @@ mod signals;
 mod summary;
 mod tracking;
 mod turning;
+mod user_laws;
 mod warnings;
 
 pub use check::{TangentCheck, check_tangents};
 pub use constraints::{ConstraintLoop, ConstraintNames, Dependency, name_all};
 pub use driven::Driven;
-pub use evaluation::{Conditions, OwnValues, Workspace};
+pub use evaluation::{Conditions, Exerted, OwnValues, Workspace};
 pub use layout::Layout;
 pub use mass_properties::MassProperties;
 pub use regime::{Regime, Standstill, Transient};
@@ -75,6 +76,9 @@ pub struct Placed {
     pub first_own: usize,
     /// Whether its own unknowns are internal states.
     pub has_states: bool,
+    /// Whether these act otherwise than by the transposed gradient, see
+    /// [`Element::has_feedback`].
+    pub has_feedback: bool,
     /// Its stations with stress resultants, among those of all elements.
     pub stations: Range<usize>,
     /// Its scratch among those of a [`Workspace`].
@@ -88,8 +92,8 @@ pub struct System {
     /// Reference motions of the nodes.
     reference: Vec<Motion>,
     elements: Vec<Placed>,
-    /// `(nodes, own unknowns)` of each kind of scratch.
-    shapes: Vec<(usize, usize)>,
+    /// Nodes and own unknowns of each kind of scratch, and whether it is for feedback.
+    shapes: Vec<(usize, usize, bool)>,
     /// What each own unknown of the elements is.
     own_unknowns: Vec<Unknown>,
     signals: Vec<DrivenSignal>,

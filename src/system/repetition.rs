@@ -74,6 +74,18 @@ fn require_repeating_forces(
                 require_repeating(forces, times, period)
                     .map_err(|e| e.within(format!("force {index}")))?;
             }
+            ForceDefinition::Controller(controller) => {
+                let law = controller.law.get()?;
+                let call = probe.controller(model, controller);
+                let unit = unit_of_time(controller.cycles, frequency);
+                let results = |time: f64| {
+                    let mut call = call.clone();
+                    law.evaluate(time * unit, controller.outputs.len(), &mut call, false)?;
+                    Ok(call.results)
+                };
+                require_repeating(results, times, period)
+                    .map_err(|e| e.within(format!("force {index}")))?;
+            }
             _ => {}
         }
     }

@@ -99,8 +99,9 @@ impl System {
     pub fn prescribed_measures(&self) -> impl Iterator<Item = Measure> {
         let prescribed = |placed: &&Placed| matches!(placed.role, ElementRole::Prescribed(_));
         let placed = self.elements.iter().filter(prescribed);
-        placed.map(|placed| match placed.element.unknown(0) {
-            Unknown::Multiplier(measure) | Unknown::State { measure, .. } => measure,
+        placed.filter_map(|placed| match placed.element.unknown(0) {
+            Unknown::Multiplier(measure) | Unknown::State { measure, .. } => Some(measure),
+            Unknown::UserState => None,
         })
     }
 

@@ -11,6 +11,13 @@ impl System {
         self.tracked.iter().position(|tracked| tracked == at)
     }
 
+    /// Adds turns that a joint coordinate gains wherever it is followed.
+    pub(crate) fn add_to_tracked(&self, at: &JointCoordinate, gain: f64, coordinates: &mut [f64]) {
+        let all = self.tracked.iter().zip(coordinates);
+        all.filter(|(tracked, _)| *tracked == at)
+            .for_each(|(_, q)| *q += gain);
+    }
+
     /// Number of coordinates whose turns are followed.
     pub fn tracked(&self) -> usize {
         self.tracked.len()

@@ -6,6 +6,7 @@
 #define PDN_TEST_REFUSAL_H
 
 #include "check.h"
+#include "constants.h"
 #include <math.h>
 
 #define LENGTH(array) (sizeof(array) / sizeof *(array))
@@ -51,6 +52,28 @@ static void check_refusal(const char *start, const void *before, const char *cal
             REFUSED(call, status, start);                                                          \
         }                                                                                          \
         (variable) = saved_;                                                                       \
+    } while (0)
+
+/* Whether constants are of one list: each has a hundred of its own, kinds of quantities several. */
+static inline int same_role(int32_t one, int32_t other)
+{
+    return one / 100 == other / 100 || (one < 1000 && other < 1000);
+}
+
+/* The call, with each constant of another role in place of the variable, which has one of its
+ * own. */
+#define REFUSES_OTHER_ROLES(variable, call, start)                                                 \
+    do {                                                                                           \
+        const int32_t own_ = (variable);                                                           \
+        size_t c_;                                                                                 \
+        CHECK(own_ >= 100);                                                                        \
+        for (c_ = 0; c_ < LENGTH(all_constants); c_++) {                                           \
+            if (same_role(own_, all_constants[c_]))                                                \
+                continue;                                                                          \
+            (variable) = all_constants[c_];                                                        \
+            REFUSED(call, PDN_ERR_VALUE, start);                                                   \
+        }                                                                                          \
+        (variable) = own_;                                                                         \
     } while (0)
 
 static const double not_finite[] = {(double)NAN, (double)INFINITY, -(double)INFINITY};

@@ -290,11 +290,11 @@ static void a_load_at_places_in_untwisted_axes(void)
         PDN_INIT(pdn_signal, &signals[i]);
     /* Along the given direction, across the beam: 0, 4, 10 for a unit of length; along the beam 1,
      * 1, 1; a moment of 2 at the start. */
-    signals[6 + PDN_FORCE_2] = constant(4);
-    signals[12 + PDN_FORCE_2] = constant(10);
+    signals[6 + 1] = constant(4);
+    signals[12 + 1] = constant(10);
     for (i = 0; i < 3; i++)
-        signals[6 * i + PDN_FORCE_1] = constant(1);
-    signals[PDN_MOMENT_3] = constant(2);
+        signals[6 * i] = constant(1);
+    signals[5] = constant(2);
     CHECK_STATUS(pdn_model_add_load_at_places(model, beam.first_element, beam.elements,
                                               PDN_FRAME_UNTWISTED, given, fractions, signals, 3),
                  PDN_OK);

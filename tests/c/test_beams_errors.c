@@ -79,7 +79,11 @@ static const int32_t bad_ids[] = {-1, -2, 99, INT32_MAX, INT32_MIN};
     REFUSES_EACH(variable.struct_size, size_t, bad_struct_sizes, call, PDN_ERR_STRUCT_SIZE,        \
                  name ": expected struct_size ")
 #define REFUSES_ENUMS(variable, call, name)                                                        \
-    REFUSES_EACH(variable, int32_t, bad_enums, call, PDN_ERR_VALUE, name ": expected ")
+    do {                                                                                           \
+        REFUSES_EACH(variable, int32_t, bad_enums, call, PDN_ERR_VALUE,                            \
+                     name ": expected ");                                                          \
+        REFUSES_OTHER_ROLES(variable, call, name ": expected ");                                   \
+    } while (0)
 
 static void set_up(void)
 {
@@ -112,6 +116,8 @@ static void set_up(void)
     in.degree = 3;
     in.count = 4;
     in.loaded = 2;
+    in.frame = PDN_FRAME_SPACE;
+    in.component = PDN_FORCE_1;
     CHECK_STATUS(pdn_model_add_beam(in.model, &in.line, &in.stations, 2, 3, &beam), PDN_OK);
     summarise(&expected);
 }
@@ -324,9 +330,9 @@ static void loads_at_places(void)
     REFUSES_STRUCT_SIZES(signals[0], CALL, "signals");
     REFUSES_STRUCT_SIZES(signals[7], CALL, "signals[7]");
     REFUSES_NOT_FINITE(signals[7].mean, CALL, "signals[7]: mean");
-    in.frame = 3;
+    in.frame = PDN_FRAME_FIRST;
     REFUSED(CALL, PDN_ERR_VALUE,
-            "frame: expected PDN_FRAME_SPACE, PDN_FRAME_MATERIAL or PDN_FRAME_UNTWISTED, got 3");
+            "frame: expected PDN_FRAME_SPACE, PDN_FRAME_MATERIAL or PDN_FRAME_UNTWISTED, got 1603");
     in.frame = PDN_FRAME_UNTWISTED;
     REFUSES_NULL(WITH(in.model, NULL, in.fractions, signals), "axis_2");
     REFUSES_NOT_FINITE_ENTRIES(in.axis, 3, CALL, "axis_2");
@@ -347,7 +353,8 @@ static void loads(void)
     pdn_model_add_distributed_load(in.model, in.first_element, in.loaded, in.frame, in.component,  \
                                    &in.signal, in.fractions, in.factors, in.count)
 #define WITH(model, signal, fractions, factors, count)                                             \
-    pdn_model_add_distributed_load(model, 0, 2, in.frame, 0, signal, fractions, factors, count)
+    pdn_model_add_distributed_load(model, 0, 2, in.frame, in.component, signal, fractions,         \
+                                   factors, count)
     REFUSES_NULL(WITH(NULL, &in.signal, in.fractions, in.factors, 4), "model");
     REFUSES_NULL(WITH(in.model, NULL, in.fractions, in.factors, 4), "signal");
     REFUSES_NULL(WITH(in.model, &in.signal, NULL, in.factors, 4), "fractions");

@@ -126,7 +126,9 @@ static void joints_and_forces_are_those_given(void)
     CHECK(count == 1 && id == 1 && other == PDN_FRAME_MATERIAL);
     for (i = 0; i < 2; i++) {
         const int32_t place = i == 0 ? PDN_SIGNAL_OF_PRESCRIBED : PDN_SIGNAL_OF_LOAD;
-        CHECK_STATUS(pdn_model_sample_signal(in.model, place, 0, i, 2.0, times, 2, values), PDN_OK);
+        const int32_t component = i == 0 ? 0 : PDN_FORCE_2;
+        CHECK_STATUS(
+            pdn_model_sample_signal(in.model, place, 0, component, 2.0, times, 2, values), PDN_OK);
         CHECK_NEAR(values[0], 0.5, 1e-15);
         CHECK_NEAR(values[1], 0.3, 1e-15);
     }
@@ -201,15 +203,17 @@ static void wrong_calls_are_refused(void)
     REFUSES_EACH(in.kind, int32_t, none, FIND(in.model, "a", &out.id), PDN_ERR_VALUE, "kind: ");
 #undef FIND
     in.id = 0;
-    REFUSES_EACH(in.id, int32_t, none, pdn_model_force_number(in.model, in.id, 0, 0, &out.number),
+    REFUSES_EACH(in.id, int32_t, none,
+                 pdn_model_force_number(in.model, in.id, PDN_NUMBER_STIFFNESS, 0, &out.number),
                  PDN_ERR_ID, "force: ");
     REFUSES_EACH(in.index, int32_t, none,
-                 pdn_model_force_number(in.model, 0, 0, in.index, &out.number), PDN_ERR_ID,
-                 "index: ");
+                 pdn_model_force_number(in.model, 0, PDN_NUMBER_STIFFNESS, in.index, &out.number),
+                 PDN_ERR_ID, "index: ");
     REFUSES_EACH(in.number, int32_t, none,
                  pdn_model_force_number(in.model, 0, in.number, 0, &out.number), PDN_ERR_VALUE,
                  "number: ");
-    REFUSED(pdn_model_force_number(in.model, 0, 0, 0, NULL), PDN_ERR_NULL, "out");
+    REFUSED(pdn_model_force_number(in.model, 0, PDN_NUMBER_STIFFNESS, 0, NULL), PDN_ERR_NULL,
+            "out");
     REFUSED(pdn_model_force_node(in.model, 0, 0, &out.id), PDN_ERR_ID, "index: ");
     REFUSES_EACH(in.id, int32_t, none,
                  pdn_model_beam_element_node_count(in.model, in.id, &out.id), PDN_ERR_ID,
@@ -232,7 +236,7 @@ static void wrong_calls_are_refused(void)
     in.period = 2;
     REFUSED(SAMPLE(99, 0), PDN_ERR_VALUE, "place: ");
     REFUSED(SAMPLE(PDN_SIGNAL_OF_GRAVITY, 0), PDN_ERR_NOT_AVAILABLE, "place: ");
-    REFUSED(SAMPLE(PDN_SIGNAL_OF_LOAD, 0), PDN_ERR_NOT_AVAILABLE, "place: ");
+    REFUSED(SAMPLE(PDN_SIGNAL_OF_LOAD, PDN_FORCE_1), PDN_ERR_NOT_AVAILABLE, "place: ");
     REFUSED(SAMPLE(PDN_SIGNAL_OF_LOAD, -1), PDN_ERR_VALUE, "component: ");
     REFUSES_NOT_FINITE(in.period, SAMPLE(PDN_SIGNAL_OF_PRESCRIBED, 0), "period");
     REFUSES_NOT_FINITE_ENTRIES(in.times, 2, SAMPLE(PDN_SIGNAL_OF_PRESCRIBED, 0), "times");

@@ -82,7 +82,7 @@ static void a_table(const pdn_solution *solution)
                                      "torque"),
                  PDN_OK);
     CHECK_STATUS(
-        pdn_table_add_joint(table, solution, hinge, PDN_JOINT_REACTION, PDN_AXES_SPACE, NULL),
+        pdn_table_add_joint(table, solution, hinge, PDN_JOINT_REACTION, PDN_FRAME_SPACE, NULL),
         PDN_OK);
     CHECK_STATUS(
         pdn_table_add_beam(table, solution, beam.first_element, -1, PDN_BEAM_FORCE, "root"),
@@ -99,7 +99,7 @@ static void a_table(const pdn_solution *solution)
         pdn_solution_joint_driving_effort(solution, hinge, PDN_ROTATION, times, TIMES, torque),
         PDN_OK);
     CHECK_STATUS(
-        pdn_solution_joint_reaction(solution, hinge, PDN_AXES_SPACE, times, TIMES, reaction),
+        pdn_solution_joint_reaction(solution, hinge, PDN_FRAME_SPACE, times, TIMES, reaction),
         PDN_OK);
     CHECK_STATUS(
         pdn_solution_beam_force(solution, beam.first_element, -1, times, TIMES, root), PDN_OK);

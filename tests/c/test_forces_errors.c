@@ -42,7 +42,11 @@ static int model_changed(void)
 #define REFUSES_IDS(variable, ids, call, name)                                                     \
     REFUSES_EACH(variable, int32_t, ids, call, PDN_ERR_ID, name ": expected ")
 #define REFUSES_ENUMS(variable, call, name)                                                        \
-    REFUSES_EACH(variable, int32_t, bad_enums, call, PDN_ERR_VALUE, name ": expected ")
+    do {                                                                                           \
+        REFUSES_EACH(variable, int32_t, bad_enums, call, PDN_ERR_VALUE,                            \
+                     name ": expected ");                                                          \
+        REFUSES_OTHER_ROLES(variable, call, name ": expected ");                                   \
+    } while (0)
 
 static const int32_t bad_ids[] = {-1, -2, 99, INT32_MAX, INT32_MIN};
 static const int32_t bad_bodies[] = {-2, 99, INT32_MAX, INT32_MIN};

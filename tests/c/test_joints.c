@@ -132,7 +132,7 @@ static void driving_effort(int32_t coordinate, double *effort)
 
 static void reaction(double *wrench)
 {
-    CHECK_STATUS(pdn_solution_joint_reaction(rig.solution, rig.joint, PDN_AXES_SPACE, times, TIMES,
+    CHECK_STATUS(pdn_solution_joint_reaction(rig.solution, rig.joint, PDN_FRAME_SPACE, times, TIMES,
                                              wrench),
                  PDN_OK);
 }
@@ -536,7 +536,7 @@ static void a_strut_moves_a_slider(void)
     CHECK_STATUS(pdn_solution_joint_coordinate(rig.solution, slider, PDN_DISPLACEMENT, times,
                                                TIMES, x),
                  PDN_OK);
-    CHECK_STATUS(pdn_solution_joint_reaction(rig.solution, slider, PDN_AXES_SPACE, times, TIMES,
+    CHECK_STATUS(pdn_solution_joint_reaction(rig.solution, slider, PDN_FRAME_SPACE, times, TIMES,
                                              hold),
                  PDN_OK);
     for (i = 0; i < TIMES; i++) {
@@ -670,10 +670,10 @@ static void reactions_are_resolved_in_either_frame(void)
     prescribe(PDN_ROTATION, TURNING);
     solve();
     reaction(space);
-    CHECK_STATUS(pdn_solution_joint_reaction(rig.solution, rig.joint, PDN_AXES_FIRST, times, TIMES,
+    CHECK_STATUS(pdn_solution_joint_reaction(rig.solution, rig.joint, PDN_FRAME_FIRST, times, TIMES,
                                              first),
                  PDN_OK);
-    CHECK_STATUS(pdn_solution_joint_reaction(rig.solution, rig.joint, PDN_AXES_SECOND, times,
+    CHECK_STATUS(pdn_solution_joint_reaction(rig.solution, rig.joint, PDN_FRAME_SECOND, times,
                                              TIMES, second),
                  PDN_OK);
     for (i = 0; i < TIMES; i++)

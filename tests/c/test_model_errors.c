@@ -71,7 +71,11 @@ static const size_t bad_struct_sizes[] = {0, 7, 8, 80, 5000, (size_t)-1};
 #define REFUSES_IDS(variable, ids, call, name)                                                     \
     REFUSES_EACH(variable, int32_t, ids, call, PDN_ERR_ID, name ": expected ")
 #define REFUSES_ENUMS(variable, call, name)                                                        \
-    REFUSES_EACH(variable, int32_t, bad_enums, call, PDN_ERR_VALUE, name ": expected ")
+    do {                                                                                           \
+        REFUSES_EACH(variable, int32_t, bad_enums, call, PDN_ERR_VALUE,                            \
+                     name ": expected ");                                                          \
+        REFUSES_OTHER_ROLES(variable, call, name ": expected ");                                   \
+    } while (0)
 #define REFUSES_STRUCT_SIZES(variable, call, name)                                                 \
     REFUSES_EACH(variable.struct_size, size_t, bad_struct_sizes, call, PDN_ERR_STRUCT_SIZE,        \
                  name ": expected struct_size ")
@@ -582,8 +586,8 @@ static void forces(void)
 #undef CALL
 
 #define CALL pdn_model_add_load(in.model, in.node, in.load_frame, in.component, &in.signal)
-    REFUSES_NULL(pdn_model_add_load(NULL, 0, in.load_frame, 0, &in.signal), "model");
-    REFUSES_NULL(pdn_model_add_load(model, 0, in.load_frame, 0, NULL), "signal");
+    REFUSES_NULL(pdn_model_add_load(NULL, 0, in.load_frame, in.component, &in.signal), "model");
+    REFUSES_NULL(pdn_model_add_load(model, 0, in.load_frame, in.component, NULL), "signal");
     REFUSES_IDS(in.node, bad_ids, CALL, "node");
     REFUSES_ENUMS(in.load_frame, CALL, "frame");
     REFUSES_ENUMS(in.component, CALL, "component");

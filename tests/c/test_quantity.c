@@ -82,9 +82,9 @@ static void values_are_those_of_each_function(void)
     check_values(quantity, 1, expected);
 
     quantity = quantity_of(PDN_QUANTITY_REACTION, parts.hinge);
-    quantity.frame = PDN_AXES_FIRST;
+    quantity.frame = PDN_FRAME_FIRST;
     CHECK_STATUS(
-        pdn_solution_joint_reaction(solution, parts.hinge, PDN_AXES_FIRST, times, TIMES, expected),
+        pdn_solution_joint_reaction(solution, parts.hinge, PDN_FRAME_FIRST, times, TIMES, expected),
         PDN_OK);
     check_values(quantity, 6, expected);
 
@@ -176,7 +176,7 @@ static void bad_input(void)
     quantity = good;
     quantity.component = 3;
     CHECK(pdn_quantity_components(&quantity) == PDN_ERR_VALUE);
-    quantity.component = -2;
+    quantity.component = -1;
     CHECK(pdn_quantity_components(&quantity) == PDN_ERR_ID);
     quantity = good;
     quantity.object = 999;

@@ -310,6 +310,7 @@ int main(void)
     in.count = 2;
     in.second = 1;
     in.frame = frame;
+    in.angles = PDN_ANGLES_ROTATION_VECTOR;
     in.stiffness[0] = in.damping[0] = 1;
     CHECK_STATUS(pdn_model_add_relation(in.model, in.joints, in.coordinates, in.coefficients,
                                         in.count, NULL, NULL),

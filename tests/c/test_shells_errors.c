@@ -76,7 +76,11 @@ static const int32_t one[] = {1};
     REFUSES_EACH(variable.struct_size, size_t, bad_struct_sizes, call, PDN_ERR_STRUCT_SIZE,        \
                  name ": expected struct_size ")
 #define REFUSES_ENUMS(variable, call, name)                                                        \
-    REFUSES_EACH(variable, int32_t, bad_enums, call, PDN_ERR_VALUE, name ": expected ")
+    do {                                                                                           \
+        REFUSES_EACH(variable, int32_t, bad_enums, call, PDN_ERR_VALUE,                            \
+                     name ": expected ");                                                          \
+        REFUSES_OTHER_ROLES(variable, call, name ": expected ");                                   \
+    } while (0)
 
 /* A model with a shell of 2 x 1 elements of 3 x 3 nodes, at x = 5, and four nodes. */
 static void set_up(void)
@@ -105,6 +109,9 @@ static void set_up(void)
     in.elements_v = 1;
     in.degree_u = in.degree_v = 2;
     in.loaded = 2;
+    in.place = PDN_SHELL_SURFACE;
+    in.frame = PDN_FRAME_SPACE;
+    in.component = PDN_FORCE_1;
     in.n_xi = 2;
     in.points_of_cell = 4;
     in.count = 4;
@@ -263,7 +270,8 @@ static void shells_over_surfaces(void)
     REFUSES_EACH(in.placement.reserved, int32_t, one, ADD, PDN_ERR_VALUE, "placement: reserved: ");
     REFUSES_NOT_FINITE(in.placement.offset, ADD, "placement: offset");
     REFUSES_NOT_FINITE_ENTRIES(in.placement.direction, 3, ADD, "placement: direction");
-    REFUSES_ENUMS(in.join, ADD, "join");
+    REFUSES_EACH(in.join, int32_t, bad_enums, ADD, PDN_ERR_VALUE, "join: expected ");
+    REFUSES_EACH(in.join, int32_t, all_constants, ADD, PDN_ERR_VALUE, "join: expected ");
     REFUSES_EACH(in.elements_u, size_t, bad_elements, ADD, PDN_ERR_SIZE, "elements: expected 1 to");
     REFUSES_EACH(in.elements_v, size_t, bad_elements, ADD, PDN_ERR_SIZE, "elements: expected 1 to");
     REFUSES_EACH(in.degree_u, size_t, bad_degrees, ADD, PDN_ERR_SIZE, "degrees: expected 1 to 15");
@@ -319,7 +327,8 @@ static void shells_over_points(void)
     REFUSES_EACH(in.points[3][0], double, moved, CALL, PDN_ERR_VALUE, "element at 0, 0: ");
     REFUSES_STRUCT_SIZES(in.section, CALL, "section");
     REFUSES_STRUCT_SIZES(in.placement, CALL, "placement");
-    REFUSES_ENUMS(in.join, CALL, "join");
+    REFUSES_EACH(in.join, int32_t, bad_enums, CALL, PDN_ERR_VALUE, "join: expected ");
+    REFUSES_EACH(in.join, int32_t, all_constants, CALL, PDN_ERR_VALUE, "join: expected ");
 #undef CALL
     in.degree_u = 1;
 #define CELLS(model, points, cells, section, id)                                                   \

@@ -341,7 +341,8 @@ static void times_may_be_any(void)
     CHECK_STATUS(pdn_solution_node_position(solution, rotor, grid, 0, &canary), PDN_OK);
     CHECK_STATUS(pdn_solution_joint_coordinate(solution, motor, PDN_ROTATION, NULL, 0, NULL),
                  PDN_OK);
-    CHECK_STATUS(pdn_solution_joint_reaction(solution, motor, 0, NULL, 0, NULL), PDN_OK);
+    CHECK_STATUS(pdn_solution_joint_reaction(solution, motor, PDN_FRAME_SPACE, NULL, 0, NULL),
+                 PDN_OK);
     CHECK_STATUS(pdn_solution_beam_force(solution, 0, 0.0, NULL, 0, NULL), PDN_OK);
     CHECK(canary == 7);
 }
@@ -429,12 +430,12 @@ static void reactions_are_those_of_newton(void)
     int i, k;
     joint_axes(axes);
     CHECK_STATUS(pdn_solution_node_rotation(solution, rotor, times, TIMES, rotation), PDN_OK);
-    CHECK_STATUS(pdn_solution_joint_reaction(solution, motor, PDN_AXES_SPACE, times, TIMES, space),
+    CHECK_STATUS(pdn_solution_joint_reaction(solution, motor, PDN_FRAME_SPACE, times, TIMES, space),
                  PDN_OK);
-    CHECK_STATUS(pdn_solution_joint_reaction(solution, motor, PDN_AXES_FIRST, times, TIMES, first),
+    CHECK_STATUS(pdn_solution_joint_reaction(solution, motor, PDN_FRAME_FIRST, times, TIMES, first),
                  PDN_OK);
     CHECK_STATUS(
-        pdn_solution_joint_reaction(solution, motor, PDN_AXES_SECOND, times, TIMES, second),
+        pdn_solution_joint_reaction(solution, motor, PDN_FRAME_SECOND, times, TIMES, second),
         PDN_OK);
     for (i = 0; i < TIMES; i++) {
         const double c = cos(turn(times[i])), d = sin(turn(times[i]));
@@ -463,9 +464,9 @@ static void reactions_are_those_of_newton(void)
 
     /* The ball carries the weight, and no moment. The clamp carries the moment on the beam's end.
      */
-    CHECK_STATUS(pdn_solution_joint_reaction(solution, ball, PDN_AXES_SPACE, times, TIMES, space),
+    CHECK_STATUS(pdn_solution_joint_reaction(solution, ball, PDN_FRAME_SPACE, times, TIMES, space),
                  PDN_OK);
-    CHECK_STATUS(pdn_solution_joint_reaction(solution, clamp, PDN_AXES_FIRST, times, TIMES, first),
+    CHECK_STATUS(pdn_solution_joint_reaction(solution, clamp, PDN_FRAME_FIRST, times, TIMES, first),
                  PDN_OK);
     for (i = 0; i < TIMES; i++) {
         const double weight[6] = {0, 0, TOP_MASS * GRAVITY, 0, 0, 0};
@@ -676,7 +677,7 @@ static void joint_harmonics_are_those_of_the_samples(void)
         {PDN_JOINT_ACCELERATION, pdn_solution_joint_acceleration, 1, PDN_ROTATION, PDN_ROTATION_3},
         {PDN_JOINT_DRIVING_EFFORT, pdn_solution_joint_driving_effort, 1, PDN_ROTATION,
          PDN_ROTATION_3},
-        {PDN_JOINT_REACTION, pdn_solution_joint_reaction, 6, PDN_AXES_SPACE, PDN_AXES_SECOND},
+        {PDN_JOINT_REACTION, pdn_solution_joint_reaction, 6, PDN_FRAME_SPACE, PDN_FRAME_SECOND},
     };
     const int32_t joints[] = {motor, clamp, ball};
     double samples[6 * TIMES];
@@ -685,7 +686,8 @@ static void joint_harmonics_are_those_of_the_samples(void)
         const int32_t joint = joints[n];
         for (c = 0; c < sizeof cases / sizeof *cases; c++) {
             int32_t detail;
-            for (detail = cases[c].first_detail; detail <= cases[c].last_detail; detail++) {
+            for (detail = cases[c].first_detail; detail <= cases[c].last_detail;
+                 detail = detail == PDN_FRAME_SPACE ? PDN_FRAME_FIRST : detail + 1) {
                 const int32_t quantity = cases[c].quantity;
                 const int exists = quantity == PDN_JOINT_REACTION || joint == ball ||
                                    (joint == motor && detail == PDN_ROTATION);

@@ -45,7 +45,11 @@ static const size_t bad_struct_sizes[] = {0, 1, 7, 8, 72, 5000, (size_t)-1};
 #define REFUSES_IDS(variable, call, name)                                                          \
     REFUSES_EACH(variable, int32_t, bad_ids, call, PDN_ERR_ID, name ": expected ")
 #define REFUSES_ENUMS(variable, call, name)                                                        \
-    REFUSES_EACH(variable, int32_t, bad_enums, call, PDN_ERR_VALUE, name ": expected PDN_")
+    do {                                                                                           \
+        REFUSES_EACH(variable, int32_t, bad_enums, call, PDN_ERR_VALUE,                            \
+                     name ": expected PDN_");                                                      \
+        REFUSES_OTHER_ROLES(variable, call, name ": expected PDN_");                               \
+    } while (0)
 #define REFUSES_SIZES(variable, sizes, call, name)                                                 \
     REFUSES_EACH(variable, size_t, sizes, call, PDN_ERR_SIZE, name ": expected ")
 #define REFUSES_STRUCT_SIZES(variable, call, name)                                                 \
@@ -114,6 +118,9 @@ static void set_up(void)
     in.decay_count = (POINTS + 1) / 2;
     in.harmonics = (POINTS - 1) / 2;
     in.coordinate = in.detail = PDN_ROTATION;
+    in.frame = in.axes = PDN_FRAME_SPACE;
+    in.node_quantity = PDN_NODE_POSITION;
+    in.beam_quantity = PDN_BEAM_STRAIN;
     for (i = 0; i < TIMES; i++)
         in.times[i] = 0.3 * (double)i;
     for (i = 0; i < LENGTH(in.rotations); i += 9)
@@ -482,7 +489,7 @@ static void harmonics(void)
     solution = in.solution;
     for (in.joint_quantity = PDN_JOINT_COORDINATE; in.joint_quantity <= PDN_JOINT_REACTION;
          in.joint_quantity++) {
-        in.detail = in.joint_quantity == PDN_JOINT_REACTION ? PDN_AXES_SECOND : PDN_ROTATION;
+        in.detail = in.joint_quantity == PDN_JOINT_REACTION ? PDN_FRAME_SECOND : PDN_ROTATION;
         in.joint = 1;
         REFUSES_IDS(in.joint, CALL, "joint");
         REFUSES_ENUMS(in.joint_quantity, CALL, "quantity");

@@ -272,9 +272,29 @@ static void everything()
                                   [](double, double q, double rate) { return q + rate; }),
              m.add_user_force({a, b}, pdn::Frame::space, pdn::Tangents::differenced,
                               [](const pdn::ForceState &, pdn::ForceValues &) {}),
+             m.add_controller({6, 8}, {Coordinate::rotation_2, Coordinate::rotation}, {6},
+                              {Coordinate::rotation_2}, {0.5}, {2}, pdn::Tangents::given,
+                              [](const pdn::ControllerState &at, pdn::ControllerValues &out) {
+                                  out.effort(0) = -at.state(0) * at.input(1);
+                                  out.state_rate(0) = at.input_rate(0) - at.state(0);
+                                  if (out.tangents_wanted()) {
+                                      out.by_input(0, 1) = -at.state(0);
+                                      out.by_state(0, 0) = -at.input(1);
+                                      out.by_input_rate(1, 0) = 1;
+                                      out.by_state(1, 0) = -1;
+                                  }
+                              }),
          }) {
         CHECK(force == forces++);
     }
+    const std::int32_t controller = forces - 1;
+    CHECK(m.controller_counts(controller) == (std::array<std::int32_t, 3>{2, 1, 1}));
+    CHECK(m.controller_coordinate(controller, 1).second == Coordinate::rotation);
+    CHECK(m.controller_coordinate(controller, 2).first == 6);
+    CHECK(m.controller_state(controller, 0) == (std::pair<double, double>{0.5, 2}));
+    CHECK(m.check_tangents(controller, 2).error < 1e-7);
+    m.bind_controller(controller, pdn::Tangents::differenced,
+                      [](const pdn::ControllerState &, pdn::ControllerValues &) {});
     CHECK(m.add_relation({6, 8}, {Coordinate::rotation_2, Coordinate::rotation}, {1, -2}) == 0);
     CHECK(m.add_relation({6, 8}, {Coordinate::rotation_3, Coordinate::rotation}, {1, 3}, 0.5) == 1);
     CHECK(m.relation_count() == 2);

@@ -55,7 +55,7 @@ contains
         call table%add(solution, turn, 'turn')
 
         call table%add_node(solution, body, PDN_NODE_POSITION)
-        call table%add_joint(solution, hinge, PDN_JOINT_REACTION, PDN_AXES_SPACE, 'reaction')
+        call table%add_joint(solution, hinge, PDN_JOINT_REACTION, PDN_FRAME_SPACE, 'reaction')
         call table%add_force(solution, spring, PDN_FORCE_ON_NODE, body, 'pull')
         call cantilever%new()
         call cantilever%add_straight_beam(origin, axis_1, axis_2, steel(), 2, 1, beam)

@@ -14,6 +14,32 @@ program test_model
 
 contains
 
+    ! The first effort is -x times the second input, and x lags behind the rate of the first.
+    integer(c_int32_t) function govern(state, values, user_data) bind(C)
+        type(pdn_controller_state), intent(in) :: state
+        type(pdn_controller_values), intent(inout) :: values
+        type(c_ptr), value :: user_data
+        real(dp), pointer :: inputs(:), rates(:), states(:), efforts(:), state_rates(:)
+        real(dp), pointer :: by_inputs(:, :), by_rates(:, :), by_states(:, :)
+
+        call c_f_pointer(state%inputs, inputs, [2])
+        call c_f_pointer(state%input_rates, rates, [2])
+        call c_f_pointer(state%states, states, [1])
+        call c_f_pointer(values%efforts, efforts, [1])
+        call c_f_pointer(values%state_rates, state_rates, [1])
+        efforts(1) = -states(1)*inputs(2)
+        state_rates(1) = rates(1) - states(1)
+        if (c_associated(values%by_inputs)) then
+            call c_f_pointer(values%by_inputs, by_inputs, [2, 2])
+            call c_f_pointer(values%by_input_rates, by_rates, [2, 2])
+            call c_f_pointer(values%by_states, by_states, [2, 1])
+            by_inputs(1, 2) = -states(1)
+            by_rates(2, 1) = 1
+            by_states(:, 1) = [-inputs(2), -1.0_dp]
+        end if
+        govern = merge(1, 0, c_associated(user_data))
+    end function govern
+
     subroutine library()
         character(40) :: version
 
@@ -65,7 +91,7 @@ contains
         call solution%joint_coordinate(hinge, PDN_ROTATION, times, angle)
         call solution%joint_rate(hinge, PDN_ROTATION, times, rate)
         call solution%joint_acceleration(hinge, PDN_ROTATION, times, acceleration)
-        call solution%joint_reaction(hinge, PDN_AXES_FIRST, times, reaction)
+        call solution%joint_reaction(hinge, PDN_FRAME_FIRST, times, reaction)
         call solution%node_position(body, times, position)
         call solution%node_rotation(body, times, rotation)
         call solution%node_quaternion(body, times, quaternion)
@@ -238,6 +264,7 @@ contains
         type(pdn_summary) :: summary
         type(pdn_joint_info) :: pair
         type(pdn_force_info) :: force
+        type(pdn_tangent_check) :: tangents
         character(:), allocatable :: text
         real(dp) :: unit(6, 6), mass, centre(3), number
         integer :: a, b, id, joints, forces, nodes, i
@@ -283,6 +310,18 @@ contains
         call m%add_bushing(a, b, frame_at(origin), frame_at(axis_1), unit, unit, &
             PDN_ANGLES_ROTATION_VECTOR, id)
         call check(id == 6, 'bushing')
+        call m%add_controller([6, 8], [PDN_ROTATION_2, PDN_ROTATION], [6], [PDN_ROTATION_2], &
+            PDN_TANGENTS_GIVEN, govern, initial=[0.5_dp], sizes=[2.0_dp], force=id)
+        call check(id == 7, 'controller')
+        call m%controller_counts(7, inputs=forces, states=nodes)
+        call check(forces == 2 .and. nodes == 1, 'controller counts')
+        call m%controller_coordinate(7, 1, id, nodes)
+        call check(id == 8 .and. nodes == PDN_ROTATION, 'controller reads')
+        call m%controller_state(7, 0, size=number)
+        call near(number, 2.0_dp, 0.0_dp, 'controller state')
+        call m%check_tangents(7, 2.0_dp, tangents)
+        call check(tangents%error < 1e-7_dp, 'controller tangents')
+        call m%bind_controller(7, PDN_TANGENTS_DIFFERENCED, govern)
         call m%add_relation([6, 8], [PDN_ROTATION_2, PDN_ROTATION], [1.0_dp, -2.0_dp], relation=id)
         call check(id == 0, 'relation')
         call m%add_relation([6, 8], [PDN_ROTATION_3, PDN_ROTATION], [1.0_dp, 3.0_dp], &

@@ -3,15 +3,60 @@
 use super::parts::*;
 use nalgebra::{Matrix3, Matrix6, Vector3};
 use periodyn::elements::{
-    BeamLoadFrame, BushingAngles, Coordinate, JointKind, LoadFrame, MaxwellBranch, NodeForceLaw,
+    BeamLoadFrame, BushingAngles, ControllerInput, ControllerLaw, ControllerOutput,
+    ControllerState, Coordinate, JointKind, LoadFrame, MaxwellBranch, NodeForceLaw,
 };
 use periodyn::model::*;
 use periodyn::motion::{Motion, rotation_from_vector};
 use std::sync::Arc;
 
+/// A controller of three coordinates on two, with none or two states; its tangents are exact.
+fn observer(count: usize) -> ControllerLaw {
+    let function = move |input: &ControllerInput, output: &mut ControllerOutput| {
+        let (q, v, mut x) = (input.values, input.rates, [0.0; 2]);
+        x[..count].copy_from_slice(input.states);
+        output.efforts[0] = 0.7 * q[0] - 0.3 * v[2] + 0.2 * q[1] * v[0] + x[0];
+        output.efforts[1] = -0.4 * q[2] * q[2] + 0.1 * v[1] - 0.5 * x[1] * q[0];
+        let rates = [
+            q[1] - 2.0 * x[0] + 0.3 * v[0],
+            0.6 * v[2] * v[1] - x[1] + 0.2 * x[0],
+        ];
+        output.state_rates.copy_from_slice(&rates[..count]);
+        if let Some([by_value, by_rate, by_state]) = &mut output.tangents {
+            for (row, column, entry) in [
+                (0, 0, 0.7),
+                (0, 1, 0.2 * v[0]),
+                (1, 2, -0.8 * q[2]),
+                (1, 0, -0.5 * x[1]),
+            ] {
+                by_value[(row, column)] = entry;
+            }
+            by_rate[(0, 2)] = -0.3;
+            by_rate[(0, 0)] = 0.2 * q[1];
+            by_rate[(1, 1)] = 0.1;
+            if count > 0 {
+                by_state[(0, 0)] = 1.0;
+                by_state[(1, 1)] = -0.5 * q[0];
+                by_value[(2, 1)] = 1.0;
+                by_state[(2, 0)] = -2.0;
+                by_rate[(2, 0)] = 0.3;
+                by_rate[(3, 2)] = 0.6 * v[1];
+                by_rate[(3, 1)] = 0.6 * v[2];
+                by_state[(3, 1)] = -1.0;
+                by_state[(3, 0)] = 0.2;
+            }
+        }
+        Ok(())
+    };
+    ControllerLaw {
+        function: Arc::new(function),
+        gives_tangents: true,
+    }
+}
+
 /// Elements of each kind, which need not be able to move: bodies on all joints, a damped beam whose
 /// section changes, springs, dampers, internal states, a bushing, a relation between coordinates, a
-/// user's force and loads.
+/// user's force, controllers and loads.
 pub fn all_elements() -> (Model, f64) {
     let mut model = Model::new();
     let frame = |x: f64| {
@@ -106,6 +151,14 @@ pub fn all_elements() -> (Model, f64) {
         frame: LoadFrame::Follower,
     };
     model.add_node_forces(&bodies[6..8], law).unwrap();
+    let read = [rotation1(4), along, rotation1(2)];
+    let act = [along, rotation1(2)];
+    let state = |size| ControllerState { initial: 0.1, size };
+    model.add_controller(&read, &act, &[], observer(0)).unwrap();
+    let states = [state(0.5), state(2.0)];
+    model
+        .add_controller(&read, &act, &states, observer(2))
+        .unwrap();
     let components = || [0; 6].map(|_| Some(wave.clone()));
     model
         .add_load(bodies[8], LoadFrame::Follower, components())

@@ -20,6 +20,7 @@ use crate::fourier::{Slope, TimeGrid};
 use crate::motion::Motion;
 use crate::system::{Layout, System, Workspace};
 use crate::workers::{Workers, parts};
+use std::f64::consts::TAU;
 use std::sync::Arc;
 
 /// Scaled compliance of dependent constraints in the Jacobian. Newton's method loses this factor,
@@ -116,6 +117,10 @@ impl Collocation {
                             let (motion, effort) = scale(measure);
                             row_scale.push(1.0 / effort);
                             column_scale.push(motion);
+                        }
+                        Unknown::UserState => {
+                            row_scale.push(system.period() / TAU);
+                            column_scale.push(1.0);
                         }
                     }
                 }

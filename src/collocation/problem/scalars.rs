@@ -175,14 +175,17 @@ impl Collocation {
                     let mut rows = accelerations.fixed_rows_mut::<6>(6 * b);
                     rows.copy_from(&at.twist_rate);
                 }
-                let forces = &tangents.damping * rates + &tangents.mass * accelerations * 2.0;
+                let forces = &tangents.damping * &rates + &tangents.mass * accelerations * 2.0;
                 for (force, &node) in forces.as_slice().chunks_exact(6).zip(nodes) {
                     let rows = &mut out[self.layout.motion(node, k)];
                     rows.iter_mut().zip(force).for_each(|(row, f)| *row += f);
                 }
                 if placed.has_states {
                     let own = &self.instants.rates[placed.own_at(points, k)];
-                    let own = &tangents.own_rate * DVector::from_column_slice(own);
+                    let mut own = &tangents.own_rate * DVector::from_column_slice(own);
+                    if placed.has_feedback {
+                        own += &tangents.gradient_rate * &rates;
+                    }
                     out[self.layout.element_at(placed, k)].copy_from_slice(own.as_slice());
                 }
             }

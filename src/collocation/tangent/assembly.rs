@@ -178,7 +178,10 @@ impl Assembly<'_> {
             }
         }
         for &(index, local) in pattern.constrained(node) {
-            self.write_constraint(node, (index, local), values);
+            match self.equations.system().elements()[index].has_feedback {
+                true => self.write_feedback(node, (index, local), scratch, values),
+                false => self.write_constraint(node, (index, local), values),
+            }
         }
     }
 
@@ -248,6 +251,44 @@ impl Assembly<'_> {
         }
     }
 
+    /// Writes the rows of an element's states with feedback in the columns of its local node: `G`
+    /// on the diagonal in time, and what velocities add, times `Γ_v`.
+    fn write_feedback(
+        &self,
+        node: usize,
+        (index, local): (usize, usize),
+        scratch: &Scratch,
+        values: &mut [f64],
+    ) {
+        let (equations, first) = (self.equations, self.pattern.node_values(node).start);
+        let (system, points) = (equations.system(), self.tangent.points);
+        let placed = &system.elements()[index];
+        let count = placed.element.own_unknowns();
+        for k in 0..points {
+            for (l, [gamma_v, _]) in scratch.gammas[k * points..][..points].iter().enumerate() {
+                let gamma = gamma_v.to_twist_matrix();
+                let own = 6 * local * count..6 * (local + 1) * count;
+                let by_velocity = &self.tangent.gradient_rate(system, index, l)[own.clone()];
+                let by_motion = &self.tangent.gradient(system, index, l)[own];
+                let constant = self.constant * f64::from(l == k);
+                let [rows, _] = equations.own_scales(placed, l);
+                for component in 0..6 {
+                    let place = (self.pattern).constraint_value(index, local, node, k, component)
+                        + count * l
+                        - first;
+                    let column_scale = equations.column_scale()[component];
+                    for (row, scale) in rows.iter().enumerate() {
+                        let by_rate: f64 = (0..6)
+                            .map(|i| by_velocity[i * count + row] * gamma[(i, component)])
+                            .sum();
+                        let entry = by_rate + constant * by_motion[component * count + row];
+                        values[place + row] = entry * (scale * column_scale);
+                    }
+                }
+            }
+        }
+    }
+
     /// Writes the columns of an element's own unknowns.
     fn write_own(&self, index: usize, values: &mut [f64]) {
         let (equations, pattern) = (self.equations, self.pattern);
@@ -256,13 +297,13 @@ impl Assembly<'_> {
         let first = pattern.own_values(index).start;
         for k in 0..self.tangent.points {
             let [_, columns] = equations.own_scales(placed, k);
-            let gradient = self.tangent.gradient(equations.system(), index, k);
+            let effect = self.tangent.effect(equations.system(), index, k);
             for local in 0..placed.element.nodes().len() {
                 for (row, own_scale) in columns.iter().enumerate() {
                     let at = pattern.force_value(index, local, k, row, count) - first;
                     for component in 0..6 {
                         let scale = equations.row_scale()[component] * own_scale * self.constant;
-                        let entry = gradient[(6 * local + component) * count + row];
+                        let entry = effect[(6 * local + component) * count + row];
                         values[at + component] = entry * scale;
                     }
                 }

@@ -65,6 +65,10 @@ impl PairTangent<'_> {
 struct OwnTangent {
     /// `∂constraint/∂u`, column by column.
     gradients: Vec<f64>,
+    /// `(∂force/∂λ)ᵀ`, likewise, of elements with feedback.
+    effects: Vec<f64>,
+    /// `∂constraint/∂V`, likewise.
+    gradient_rates: Vec<f64>,
     /// `∂constraint/∂λ` and then `∂constraint/∂λ̇`, of internal states only.
     own: Vec<f64>,
 }
@@ -77,6 +81,8 @@ impl OwnTangent {
             false => list.extend_from_slice(values),
         };
         append(&mut self.gradients, out.gradient.as_slice());
+        append(&mut self.effects, out.effect.as_slice());
+        append(&mut self.gradient_rates, out.gradient_rate.as_slice());
         if has_states {
             append(&mut self.own, out.own.as_slice());
             self.own.extend_from_slice(out.own_rate.as_slice());
@@ -255,9 +261,21 @@ impl Tangent {
 
     /// `∂constraint/∂u` of element `index` at grid point `k`, column by column, not scaled.
     pub fn gradient(&self, system: &System, index: usize, k: usize) -> &[f64] {
-        let element = &system.elements()[index].element;
-        let length = 6 * element.nodes().len() * element.own_unknowns();
-        &self.own[index].gradients[length * k..][..length]
+        at_point(&self.own[index].gradients, system, index, k)
+    }
+
+    /// `(∂force/∂λ)ᵀ` of element `index` at grid point `k`, likewise.
+    pub fn effect(&self, system: &System, index: usize, k: usize) -> &[f64] {
+        let own = &self.own[index];
+        match system.elements()[index].has_feedback {
+            true => at_point(&own.effects, system, index, k),
+            false => at_point(&own.gradients, system, index, k),
+        }
+    }
+
+    /// `∂constraint/∂V` of element `index`, which has feedback, at grid point `k`, likewise.
+    pub fn gradient_rate(&self, system: &System, index: usize, k: usize) -> &[f64] {
+        at_point(&self.own[index].gradient_rates, system, index, k)
     }
 
     /// `∂constraint/∂λ` and `∂constraint/∂λ̇` of element `index`, which has internal states, at
@@ -272,7 +290,7 @@ impl Tangent {
         let own = self
             .own
             .iter()
-            .map(|own| own.gradients.len() + own.own.len());
+            .map(|own| own.gradients.len() + 2 * own.effects.len() + own.own.len());
         3 * size_of_val(&self.pairs[0][..])
             + size_of_val(&self.strains[..])
             + size_of_val(&self.stresses[..])
@@ -352,6 +370,13 @@ impl Tangent {
     }
 }
 
+/// What belongs to grid point `k` of a list of matrices `m × 6 n`.
+fn at_point<'a>(list: &'a [f64], system: &System, index: usize, k: usize) -> &'a [f64] {
+    let element = &system.elements()[index].element;
+    let length = 6 * element.nodes().len() * element.own_unknowns();
+    &list[length * k..][..length]
+}
+
 impl TangentLayout {
     /// Sums the tangents of the couplings of a share's columns; writes those of strains and of own
     /// unknowns of the elements that have these there.
@@ -376,6 +401,8 @@ impl TangentLayout {
             let held = placed.has_states && at.rule.holds_states();
             if let Some(((_, own), _)) = own {
                 own.gradients.clear();
+                own.effects.clear();
+                own.gradient_rates.clear();
                 own.own.clear();
             }
             for k in 0..points {

@@ -224,7 +224,8 @@ impl Tangent {
             }
         });
         y[size..].fill(0.0);
-        self.add_gradients(equations, &increment.x, y);
+        self.add_gradients(equations, &increment.x, y, false);
+        self.add_feedback(equations, increment, &mut y[size..]);
         self.add_states(equations, increment, &mut y[size..]);
         let scales = equations.row_scale().iter();
         y.iter_mut().zip(scales).for_each(|(y, scale)| *y *= scale);
@@ -243,9 +244,16 @@ impl Tangent {
         }
     }
 
-    /// Adds `Gᵀ λ` to the forces, and `G u` to the elements' own equations: for `x` and `y` with
-    /// motions or forces first and own unknowns or equations behind.
-    pub(super) fn add_gradients(&self, equations: &Collocation, x: &[f64], y: &mut [f64]) {
+    /// Adds what own unknowns `λ` change of the forces, `Gᵀ λ` without feedback, and `G u` to the
+    /// elements' own equations: for `x` and `y` with motions or forces first and own unknowns or
+    /// equations behind. `transposed`: of the transposed matrix.
+    pub(super) fn add_gradients(
+        &self,
+        equations: &Collocation,
+        x: &[f64],
+        y: &mut [f64],
+        transposed: bool,
+    ) {
         let (system, layout) = (equations.system(), equations.layout());
         let size = layout.motions().end;
         let (motions, own) = x.split_at(size);
@@ -256,18 +264,53 @@ impl Tangent {
             if count == 0 {
                 continue;
             }
-            let gradients = tangents.gradients.chunks_exact(6 * nodes.len() * count);
-            for (k, gradient) in gradients.enumerate() {
+            let (gradients, effects) = match (placed.has_feedback, transposed) {
+                (false, _) => (&tangents.gradients, &tangents.gradients),
+                (true, false) => (&tangents.gradients, &tangents.effects),
+                (true, true) => (&tangents.effects, &tangents.gradients),
+            };
+            let size = 6 * nodes.len() * count;
+            let both = gradients.chunks_exact(size).zip(effects.chunks_exact(size));
+            for (k, (gradient, effect)) in both.enumerate() {
                 let places = placed.own_at(self.points, k);
                 let (lambda, violation) = (&own[places.clone()], &mut constraints[places]);
-                let mut columns = gradient.chunks_exact(count);
+                let mut columns = gradient.chunks_exact(count).zip(effect.chunks_exact(count));
                 for &node in nodes {
                     let at = layout.motion(node, k).start;
-                    for (component, column) in columns.by_ref().take(6).enumerate() {
-                        for ((row, g), l) in violation.iter_mut().zip(column).zip(lambda) {
+                    for (component, (column, effect)) in columns.by_ref().take(6).enumerate() {
+                        let rows = violation
+                            .iter_mut()
+                            .zip(column)
+                            .zip(effect.iter().zip(lambda));
+                        for ((row, g), (e, l)) in rows {
                             *row += g * motions[at + component];
-                            forces[at + component] += g * l;
+                            forces[at + component] += e * l;
                         }
+                    }
+                }
+            }
+        }
+    }
+
+    /// Adds what velocities change of the equations of states with feedback.
+    fn add_feedback(
+        &self,
+        equations: &Collocation,
+        increment: &Increment,
+        constraints: &mut [f64],
+    ) {
+        let (system, points) = (equations.system(), self.points);
+        let elements = system.elements().iter().enumerate();
+        for (index, placed) in elements.filter(|(_, placed)| placed.has_feedback) {
+            let count = placed.element.own_unknowns();
+            for k in 0..points {
+                let rows = &mut constraints[placed.own_at(points, k)];
+                let mut columns = self.gradient_rate(system, index, k).chunks_exact(count);
+                for &node in placed.element.nodes() {
+                    let [velocity, _] = &increment.rates[node * points + k];
+                    for (column, v) in columns.by_ref().take(6).zip(velocity) {
+                        let pairs = rows.iter_mut().zip(column);
+                        pairs.for_each(|(row, g)| *row += g * v);
                     }
                 }
             }

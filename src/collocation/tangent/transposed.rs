@@ -37,7 +37,7 @@ impl Tangent {
             },
         );
         y[size..].fill(0.0);
-        self.add_gradients(equations, &forces, y);
+        self.add_gradients(equations, &forces, y, true);
         self.add_transposed_states(equations, &forces[size..], &mut y[size..]);
         let scales = equations.column_scale().iter();
         y.iter_mut().zip(scales).for_each(|(y, scale)| *y *= scale);
@@ -144,10 +144,43 @@ impl Tangent {
                 add(y, &sum.to_wrench());
             }
         }
+        moving |= self.add_feedback_by_rates(equations, node, forces, by_rates);
         if moving {
             self.rule(equations)
                 .vary_transposed(node, by_rates, rule, y);
         }
+    }
+
+    /// Adds what the equations of states with feedback multiply a node's velocity by. `false` if
+    /// there are none.
+    fn add_feedback_by_rates(
+        &self,
+        equations: &Collocation,
+        node: usize,
+        x: &[f64],
+        by_rates: &mut [[Vector6<f64>; 2]],
+    ) -> bool {
+        let (system, points) = (equations.system(), self.points);
+        let own = &x[equations.layout().own()];
+        let mut any = false;
+        for (index, placed) in system.elements().iter().enumerate() {
+            let nodes = placed.element.nodes();
+            let local = nodes.iter().position(|&other| other == node);
+            let (true, Some(local)) = (placed.has_feedback, local) else {
+                continue;
+            };
+            any = true;
+            let count = placed.element.own_unknowns();
+            for (k, by_rates) in by_rates.iter_mut().enumerate() {
+                let x = &own[placed.own_at(points, k)];
+                let all = self.gradient_rate(system, index, k).chunks_exact(count);
+                let columns = all.skip(6 * local).take(6);
+                for (sum, column) in by_rates[0].iter_mut().zip(columns) {
+                    *sum += column.iter().zip(x).map(|(g, x)| g * x).sum::<f64>();
+                }
+            }
+        }
+        any
     }
 
     /// Adds what internal states and their rates change in their own equations.

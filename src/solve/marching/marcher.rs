@@ -1,7 +1,6 @@
 //! A march, step by step.
 
 use crate::collocation::{AlphaStep, Conditions, GeneralizedAlpha, GridState, MotionState};
-use crate::elements::Unknown;
 use crate::error::ErrorKind;
 use crate::solve::marching::consistent::Initial;
 use crate::solve::marching::options::MarchOptions;
@@ -126,7 +125,7 @@ impl Marcher {
         }
         let node_states = self.newton.equations.node_states();
         self.step.advance(&self.next, node_states, |place| {
-            matches!(system.unknown(place), Unknown::State { .. })
+            system.unknown(place).is_state()
         });
         self.step.start.time = time;
         self.record.steps += 1;

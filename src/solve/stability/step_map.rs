@@ -69,6 +69,8 @@ pub(super) struct StepMap {
     starts: Vec<Mat<f64>>,
     /// The same of internal states.
     internal: Vec<Mat<f64>>,
+    /// The same of the internal states of an element and one of its nodes, by velocities.
+    feedback: Vec<(usize, usize, Mat<f64>)>,
     /// Velocities of the nodes at the end.
     twists: Vec<Vector6<f64>>,
 }
@@ -81,6 +83,7 @@ impl StepMap {
             values: Vec::new(),
             starts: Vec::new(),
             internal: Vec::new(),
+            feedback: Vec::new(),
             twists: Vec::new(),
         }
     }
@@ -121,6 +124,25 @@ impl StepMap {
                     let (_, by_rate) = tangent.own(system, *element, k);
                     -rows[i] * by_rate[j * count + row] * weights.start[k] * scales[j]
                 }));
+        }
+        self.feedback.clear();
+        for Internal { element, .. } in &common.internal {
+            let placed = &system.elements()[*element];
+            if !placed.has_feedback {
+                continue;
+            }
+            let count = placed.element.own_unknowns();
+            let rows = &rows[layout.element(placed)];
+            for (local, &node) in placed.element.nodes().iter().enumerate() {
+                let scales = &common.scales[12 * node..][..6];
+                let start = Mat::from_fn(STAGES * count, 6, |i, j| {
+                    let (k, row) = (i / count, i % count);
+                    let by_velocity = tangent.gradient_rate(system, *element, k);
+                    let entry = by_velocity[(6 * local + j) * count + row];
+                    -rows[i] * entry * weights.start[k] * scales[j]
+                });
+                self.feedback.push((*element, node, start));
+            }
         }
         let ends = (0..system.nodes()).map(|node| rule.nodes[(node + 1) * STAGES - 1].twist);
         self.twists.clear();
@@ -163,6 +185,11 @@ impl StepMap {
             let places = internal.places.clone();
             let from = columns.as_mut().subrows_mut(places.start, places.len());
             let row = layout.element(&system.elements()[internal.element]).start;
+            add(start, row, from, rhs);
+        }
+        for (element, node, start) in &self.feedback {
+            let from = columns.as_mut().subrows_mut(12 * node, 6);
+            let row = layout.element(&system.elements()[*element]).start;
             add(start, row, from, rhs);
         }
         if !self.solve(equations, memory)? {

@@ -41,6 +41,7 @@ impl VariationScales {
                     Measure::Length => (place, length),
                     Measure::Angle => (place, 1.0),
                 }),
+                Unknown::UserState => Some((place, 1.0)),
                 Unknown::Multiplier(_) => None,
             })
             .collect();

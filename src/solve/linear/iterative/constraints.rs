@@ -1,6 +1,7 @@
 //! Which constraints may be averaged over time, and which must stay exact.
 
 use crate::collocation::{Collocation, Tangent};
+use crate::motion::DualVector;
 use crate::system::System;
 use nalgebra::DMatrix;
 
@@ -38,8 +39,20 @@ impl Class {
 pub(super) struct Average {
     /// Scaled gradient, a row for each own unknown.
     pub gradient: DMatrix<f64>,
+    /// What their equations vary by with velocities, likewise, and the transpose of what the forces
+    /// do by them, where that is not the gradient.
+    pub feedback: Option<Feedback>,
     /// `Q_k⁻¹`, of steady constraints.
     pub inverse_rotations: Option<Vec<DMatrix<f64>>>,
+}
+
+/// Scaled tangents of states with feedback.
+#[derive(Clone)]
+pub(super) struct Feedback {
+    /// What their equations vary by with rates of increments, a row for each.
+    pub velocity: DMatrix<f64>,
+    /// The transpose of what forces vary by with them.
+    pub effect: DMatrix<f64>,
 }
 
 /// What becomes of the own unknowns of each element.
@@ -133,15 +146,20 @@ fn classify_alone(equations: &Collocation, tangent: &Tangent, joints: Joints) ->
                 let zero = DMatrix::zeros(gradients[0].nrows(), gradients[0].ncols());
                 gradients.iter().fold(zero, |sum, g| sum + g) / points as f64
             };
+            if placed.has_feedback {
+                return Class::Averaged(mean_feedback(equations, tangent, index));
+            }
             if placed.has_states || joints == Joints::Averaged {
                 return Class::Averaged(Average {
                     gradient: mean(),
+                    feedback: None,
                     inverse_rotations: None,
                 });
             }
             match inverse_rotations(&gradients) {
                 Some(inverse) => Class::Averaged(Average {
                     gradient: gradients[0].clone(),
+                    feedback: None,
                     inverse_rotations: Some(inverse),
                 }),
                 None => Class::Exact(gradients),
@@ -158,6 +176,10 @@ pub(super) fn classify_at(equations: &Collocation, tangent: &Tangent, k: usize) 
             0 => Class::None,
             _ => Class::Averaged(Average {
                 gradient: scaled_gradient(equations, tangent, index, k),
+                feedback: placed.has_feedback.then(|| Feedback {
+                    velocity: DMatrix::zeros(0, 0),
+                    effect: scaled_effect(equations, tangent, index, k),
+                }),
                 inverse_rotations: None,
             }),
         })
@@ -196,6 +218,67 @@ fn scaled_gradient(
         }
     }
     g
+}
+
+/// The transpose of what the forces of an element vary by with its own unknowns at grid point `k`,
+/// scaled.
+fn scaled_effect(
+    equations: &Collocation,
+    tangent: &Tangent,
+    index: usize,
+    k: usize,
+) -> DMatrix<f64> {
+    let system = equations.system();
+    let placed = &system.elements()[index];
+    let (layout, nodes) = (equations.layout(), placed.element.nodes());
+    let (own, first) = (placed.element.own_unknowns(), layout.element(placed).start);
+    let effect = tangent.effect(system, index, k);
+    DMatrix::from_fn(own, 6 * nodes.len(), |row, column| {
+        let node = layout.node(nodes[column / 6]).start + column % 6;
+        let scale = equations.row_scale()[node] * equations.column_scale()[first + row];
+        effect[column * own + row] * scale
+    })
+}
+
+/// Means over time of an element with feedback, with `ΔV = Δu̇ + Ṽ Δu`; on a mapped grid increments
+/// are differentiated by pseudo-time.
+fn mean_feedback(equations: &Collocation, tangent: &Tangent, index: usize) -> Average {
+    let (system, points) = (equations.system(), equations.grid().points());
+    let placed = &system.elements()[index];
+    let (layout, nodes) = (equations.layout(), placed.element.nodes());
+    let (own, first) = (placed.element.own_unknowns(), layout.element(placed).start);
+    let mut gradient = DMatrix::zeros(own, 6 * nodes.len());
+    let (mut velocity, mut effect) = (gradient.clone(), gradient.clone());
+    let slopes = equations.slopes();
+    for k in 0..points {
+        gradient += scaled_gradient(equations, tangent, index, k);
+        effect += scaled_effect(equations, tangent, index, k);
+        let rate = tangent.gradient_rate(system, index, k);
+        let by_velocity = DMatrix::from_column_slice(own, 6 * nodes.len(), rate);
+        let by_pseudo = slopes.get(k).map_or(1.0, |slope| slope.rate);
+        for (local, &node) in nodes.iter().enumerate() {
+            let twist = DualVector::from_twist(&equations.node_states()[node * points + k].twist);
+            let twist = twist.skew().to_twist_matrix();
+            let of_node = by_velocity.columns(6 * local, 6);
+            let carried = of_node * twist;
+            for (row, component) in (0..own).flat_map(|row| (0..6).map(move |i| (row, i))) {
+                let scale = equations.row_scale()[first + row]
+                    * equations.column_scale()[layout.node(node).start + component];
+                let at = (row, 6 * local + component);
+                gradient[at] += carried[(row, component)] * scale;
+                velocity[at] += of_node[(row, component)] * scale * by_pseudo;
+            }
+        }
+    }
+    let mean = |sum: DMatrix<f64>| sum / points as f64;
+    Average {
+        gradient: mean(gradient),
+        feedback: Some(Feedback {
+            velocity: mean(velocity),
+            effect: mean(effect),
+        }),
+        inverse_rotations: None,
+    }
 }
 
 /// `Q_k⁻¹` with `G_k = Q_k Ḡ` for all grid points, if there are such; the first is the identity.

@@ -313,9 +313,15 @@ impl Averages<'_> {
                 let beside = structure.block_at(node_at[node], own);
                 for row in 0..count {
                     for component in 0..6 {
-                        let g = Complex::from(average.gradient[(row, 6 * local + component)]);
-                        lanes.at(below.entry(row, component)).add(|_| g);
-                        lanes.at(beside.entry(component, row)).add(|_| g);
+                        let at = (row, 6 * local + component);
+                        let g = Complex::from(average.gradient[at]);
+                        let (by_rate, effect) = match &average.feedback {
+                            None => (0.0, g),
+                            Some(of) => (of.velocity[at], Complex::from(of.effect[at])),
+                        };
+                        let entry = lanes.at(below.entry(row, component));
+                        entry.add(|lane| g + Complex::new(0.0, rates[lane] * by_rate));
+                        lanes.at(beside.entry(component, row)).add(|_| effect);
                     }
                 }
             }

@@ -134,9 +134,11 @@ fn fill(
         for (local, &node) in placed.element.nodes().iter().enumerate() {
             for row in 0..own.gradient.nrows() {
                 for component in 0..6 {
-                    let g = own.gradient[(row, 6 * local + component)];
+                    let place = (row, 6 * local + component);
+                    let g = own.gradient[place];
+                    let effect = own.feedback.as_ref().map_or(g, |of| of.effect[place]);
                     add((at, layout.node_at[node]), (row, component), g);
-                    add((layout.node_at[node], at), (component, row), g);
+                    add((layout.node_at[node], at), (component, row), effect);
                 }
             }
         }

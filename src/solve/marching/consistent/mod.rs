@@ -69,8 +69,7 @@ impl<'a> Initial<'a> {
     }
 
     fn is_state(&self, place: usize) -> bool {
-        let unknown = self.newton.equations.system().unknown(place);
-        matches!(unknown, Unknown::State { .. })
+        self.newton.equations.system().unknown(place).is_state()
     }
 
     /// Largest displacement, relative to the characteristic length, or turn by these.
@@ -123,9 +122,11 @@ impl<'a> Initial<'a> {
         Err(Stop::Refused((Outcome::Inconsistent, why)))
     }
 
-    /// Internal states at which nothing flows.
+    /// Internal states at which nothing flows; those of the user's are given with the model.
     fn relax(&mut self, at: &mut MotionState) -> Result<()> {
-        if !(0..at.rates.len()).any(|i| self.is_state(i)) {
+        let system = self.newton.equations.system().clone();
+        let relaxes = |i: usize| matches!(system.unknown(i), Unknown::State { .. });
+        if !(0..at.rates.len()).any(relaxes) {
             return Ok(());
         }
         at.state.track(self.newton.equations.system());
@@ -136,7 +137,7 @@ impl<'a> Initial<'a> {
         let first = self.motions();
         let (before, scales) = (residual.clone(), self.newton.equations.column_scale());
         let units: Vec<f64> = scales[first..].to_vec();
-        let states: Vec<usize> = (0..units.len()).filter(|&i| self.is_state(i)).collect();
+        let states: Vec<usize> = (0..units.len()).filter(|&i| relaxes(i)).collect();
         let mut moved = at.state.clone();
         for &i in &states {
             moved.multipliers[i] += units[i];

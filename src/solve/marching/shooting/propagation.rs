@@ -103,6 +103,36 @@ impl Variations {
         Ok(true)
     }
 
+    /// Takes from the right sides what velocities at the end leave of the equations of the states
+    /// with feedback of an element.
+    fn write_feedback(
+        &mut self,
+        some: Range<usize>,
+        equations: &Collocation,
+        linear: &Assembled,
+        index: usize,
+    ) {
+        let system = equations.system();
+        let placed = &system.elements()[index];
+        let rows = equations.layout().element_at(placed, 0);
+        let units = &equations.row_scale()[rows.clone()];
+        let by_velocity = linear.tangent.gradient_rate(system, index, 0);
+        let count = rows.len();
+        for (moved, j) in some.enumerate() {
+            let column = self.columns.col_as_slice(j);
+            let to = &mut self.rhs.col_as_slice_mut(moved)[rows.clone()];
+            for (local, &node) in placed.element.nodes().iter().enumerate() {
+                let velocity = &column[24 * node + 6..][..6];
+                for (i, v) in velocity.iter().enumerate() {
+                    let of_component = &by_velocity[(6 * local + i) * count..][..count];
+                    for ((to, unit), by) in to.iter_mut().zip(units).zip(of_component) {
+                        *to -= unit * by * v;
+                    }
+                }
+            }
+        }
+    }
+
     /// Writes what the rates of some columns at the end leave of the scaled equations.
     fn write_rates(
         &mut self,
@@ -143,6 +173,9 @@ impl Variations {
                 continue;
             }
             let rows = layout.element_at(placed, 0);
+            if placed.has_feedback {
+                self.write_feedback(some.clone(), equations, linear, index);
+            }
             let (_, by_rate) = tangent.own(system, index, 0);
             for (column, unknown) in rows.clone().enumerate() {
                 let Ok(state) = states.binary_search(&(unknown - layout.own().start)) else {

@@ -1,0 +1,287 @@
+/* Calls with two of their integers exchanged: where one is a constant and the other an id, a number
+ * or a constant of another role, they are refused. */
+#include "near.h"
+#include <stdio.h>
+
+enum { MOST = 5 };
+
+static pdn_model *model;
+static pdn_solution *solution;
+static pdn_signal signal;
+static const double time_[1] = {0.3};
+static double values[16];
+
+static int32_t law(double time, double coordinate, double rate, double *effort, double *derivatives,
+                   void *user_data)
+{
+    (void)time, (void)rate, (void)derivatives, (void)user_data;
+    *effort = coordinate;
+    return 0;
+}
+
+static int32_t forces(const pdn_force_state *state, pdn_force_values *out, void *user_data)
+{
+    (void)state, (void)out, (void)user_data;
+    return 0;
+}
+
+static pdn_status prescribe(const int32_t *v)
+{
+    return pdn_model_prescribe(model, v[0], v[1], &signal);
+}
+
+static pdn_status add_joint(const int32_t *v)
+{
+    const pdn_frame at = {{1, 0, 0}, {1, 0, 0, 0, 1, 0, 0, 0, 1}};
+    int32_t joint;
+    return pdn_model_add_joint(model, v[0], v[1], v[2], &at, &at, &joint);
+}
+
+static pdn_status add_load(const int32_t *v)
+{
+    return pdn_model_add_load(model, v[0], v[1], v[2], &signal);
+}
+
+static pdn_status add_distributed_load(const int32_t *v)
+{
+    return pdn_model_add_distributed_load(model, v[0], v[1], v[2], v[3], &signal, NULL, NULL, 0);
+}
+
+static pdn_status add_shell_load(const int32_t *v)
+{
+    return pdn_model_add_shell_load(model, v[0], v[1], v[2], v[3], v[4], &signal);
+}
+
+static pdn_status add_spring_damper(const int32_t *v)
+{
+    return pdn_model_add_spring_damper(model, v[0], v[1], 1, 0, 0, NULL);
+}
+
+static pdn_status add_nonlinear(const int32_t *v)
+{
+    return pdn_model_add_nonlinear_spring_damper(model, v[0], v[1], time_, 1, NULL, 0, 0, NULL);
+}
+
+static pdn_status add_actuator(const int32_t *v)
+{
+    return pdn_model_add_actuator(model, v[0], v[1], &signal, NULL);
+}
+
+static pdn_status add_viscoelastic(const int32_t *v)
+{
+    return pdn_model_add_viscoelastic(model, v[0], v[1], 1, 0, time_, time_, 1, NULL);
+}
+
+static pdn_status add_bushing(const int32_t *v)
+{
+    const pdn_frame at = {{0, 0, 0}, {1, 0, 0, 0, 1, 0, 0, 0, 1}};
+    const double none[36] = {0};
+    return pdn_model_add_bushing(model, v[0], v[1], &at, &at, none, none, v[2], NULL);
+}
+
+static pdn_status add_coordinate_law(const int32_t *v)
+{
+    return pdn_model_add_coordinate_law(model, v[0], v[1], v[2], law, NULL, NULL, NULL);
+}
+
+static pdn_status add_user_force(const int32_t *v)
+{
+    const int32_t node = 0;
+    return pdn_model_add_user_force(model, &node, 1, v[0], v[1], forces, NULL, NULL, NULL);
+}
+
+static pdn_status set_label(const int32_t *v)
+{
+    return pdn_model_set_label(model, v[0], v[1], "a");
+}
+
+static pdn_status move_number(const int32_t *v)
+{
+    return pdn_model_move_number(model, v[0], v[1], v[2], v[3], 1);
+}
+
+static pdn_status move_signal(const int32_t *v)
+{
+    return pdn_model_move_signal(model, v[0], v[1], v[2], v[3], v[4], 1);
+}
+
+static pdn_status force_number(const int32_t *v)
+{
+    return pdn_model_force_number(model, v[0], v[1], v[2], values);
+}
+
+static pdn_status sample_signal(const int32_t *v)
+{
+    return pdn_model_sample_signal(model, v[0], v[1], v[2], 2, time_, 1, values);
+}
+
+#define OF_SOLUTION(name)                                                                          \
+    static pdn_status name(const int32_t *v)                                                       \
+    {                                                                                              \
+        return pdn_solution_##name(solution, v[0], v[1], time_, 1, values);                        \
+    }
+
+OF_SOLUTION(node_velocity)
+OF_SOLUTION(node_acceleration)
+OF_SOLUTION(joint_coordinate)
+OF_SOLUTION(joint_rate)
+OF_SOLUTION(joint_acceleration)
+OF_SOLUTION(joint_driving_effort)
+OF_SOLUTION(joint_reaction)
+
+static pdn_status force_on_node(const int32_t *v)
+{
+    return pdn_solution_force_on_node(solution, v[0], v[1], v[2], time_, 1, values);
+}
+
+static pdn_status node_harmonics(const int32_t *v)
+{
+    return pdn_solution_node_harmonics(solution, v[0], v[1], 0, values, NULL, NULL);
+}
+
+static pdn_status joint_harmonics(const int32_t *v)
+{
+    return pdn_solution_joint_harmonics(solution, v[0], v[1], v[2], 0, values, NULL, NULL, NULL);
+}
+
+static pdn_status beam_harmonics(const int32_t *v)
+{
+    return pdn_solution_beam_harmonics(solution, v[0], 0, v[1], 0, values, NULL, NULL);
+}
+
+static pdn_status force_harmonics(const int32_t *v)
+{
+    return pdn_solution_force_harmonics(solution, v[0], v[1], v[2], 0, values, NULL, NULL, NULL);
+}
+
+static const struct {
+    const char *name;
+    pdn_status (*call)(const int32_t *);
+    int count;
+    int32_t values[MOST];
+} cases[] = {
+    {"prescribe", prescribe, 2, {2, PDN_ROTATION}},
+    {"joint", add_joint, 3, {PDN_JOINT_FREE, 0, 1}},
+    {"load", add_load, 3, {0, PDN_FRAME_SPACE, PDN_FORCE_1}},
+    {"distributed", add_distributed_load, 4, {0, 1, PDN_FRAME_SPACE, PDN_FORCE_1}},
+    {"shell", add_shell_load, 5, {0, 1, PDN_SHELL_SURFACE, PDN_FRAME_SPACE, PDN_FORCE_1}},
+    {"spring", add_spring_damper, 2, {0, PDN_ROTATION}},
+    {"nonlinear", add_nonlinear, 2, {0, PDN_ROTATION}},
+    {"actuator", add_actuator, 2, {0, PDN_ROTATION}},
+    {"viscoelastic", add_viscoelastic, 2, {0, PDN_ROTATION}},
+    {"bushing", add_bushing, 3, {PDN_GROUND, 0, PDN_ANGLES_ROTATION_VECTOR}},
+    {"law", add_coordinate_law, 3, {0, PDN_ROTATION, PDN_TANGENTS_DIFFERENCED}},
+    {"user force", add_user_force, 2, {PDN_FRAME_SPACE, PDN_TANGENTS_DIFFERENCED}},
+    {"label", set_label, 2, {PDN_OBJECT_NODE, 0}},
+    {"number", move_number, 4, {0, PDN_NUMBER_STIFFNESS, 0, 1}},
+    {"signal", move_signal, 5, {0, PDN_SIGNAL_OF_LOAD, 0, PDN_FORCE_1, PDN_PART_MEAN}},
+    {"force number", force_number, 3, {0, PDN_NUMBER_STIFFNESS, 0}},
+    {"sample", sample_signal, 3, {PDN_SIGNAL_OF_LOAD, 0, PDN_FORCE_1}},
+    {"velocity", node_velocity, 2, {0, PDN_FRAME_SPACE}},
+    {"acceleration", node_acceleration, 2, {0, PDN_FRAME_MATERIAL}},
+    {"coordinate", joint_coordinate, 2, {0, PDN_ROTATION}},
+    {"rate", joint_rate, 2, {0, PDN_ROTATION}},
+    {"acceleration of a joint", joint_acceleration, 2, {0, PDN_ROTATION}},
+    {"driving effort", joint_driving_effort, 2, {1, PDN_ROTATION}},
+    {"reaction", joint_reaction, 2, {0, PDN_FRAME_FIRST}},
+    {"force on node", force_on_node, 3, {0, 0, PDN_FRAME_SPACE}},
+    {"node harmonics", node_harmonics, 2, {0, PDN_NODE_POSITION}},
+    {"joint harmonics", joint_harmonics, 3, {0, PDN_JOINT_COORDINATE, PDN_ROTATION}},
+    {"beam harmonics", beam_harmonics, 2, {0, PDN_BEAM_STRAIN}},
+    {"force harmonics", force_harmonics, 3, {0, PDN_FORCE_EFFORT, 0}},
+};
+
+/* A body on a hinge, another that is driven, a third on one, a beam, and a shell. */
+static pdn_model *made(void)
+{
+    const double x[3] = {1, 0, 0}, y[3] = {0, 1, 0}, z[3] = {0, 0, 1}, origin[3] = {0};
+    const double moments[9] = {1, 0, 0, 0, 1, 0, 0, 0, 1};
+    const double stiffness[6] = {1e4, 1e4, 1e4, 10, 10, 10}, mass[4] = {1, 1e-2, 1e-2, 1e-2};
+    int32_t body, i, id;
+    pdn_section section;
+    pdn_shell_section plate;
+    pdn_surface surface;
+    pdn_line line;
+    pdn_stations stations;
+    pdn_beam beam;
+    pdn_shell shell;
+    pdn_model *out;
+    CHECK_STATUS(pdn_model_new(&out), PDN_OK);
+    for (i = 0; i < 3; i++) {
+        CHECK_STATUS(pdn_model_add_rigid_body(out, 1, x, moments, &body), PDN_OK);
+        CHECK_STATUS(pdn_model_add_revolute(out, PDN_GROUND, body, origin, z, &id), PDN_OK);
+        CHECK_STATUS(pdn_model_add_spring_damper(out, id, PDN_ROTATION, 9, 1, 0, NULL), PDN_OK);
+    }
+    PDN_INIT(pdn_signal, &signal);
+    CHECK_STATUS(pdn_signal_set_constant(&signal, 0.1), PDN_OK);
+    CHECK_STATUS(pdn_model_prescribe(out, 1, PDN_ROTATION, &signal), PDN_OK);
+    CHECK_STATUS(pdn_model_add_load(out, 0, PDN_FRAME_SPACE, PDN_FORCE_1, &signal), PDN_OK);
+    PDN_INIT(pdn_section, &section);
+    for (i = 0; i < 6; i++)
+        section.stiffness[7 * i] = stiffness[i];
+    for (i = 0; i < 3; i++)
+        section.mass[7 * i] = mass[0];
+    for (i = 3; i < 6; i++)
+        section.mass[7 * i] = mass[i - 2];
+    PDN_INIT(pdn_line, &line);
+    CHECK_STATUS(pdn_line_set_straight(&line, y, z, x), PDN_OK);
+    PDN_INIT(pdn_stations, &stations);
+    stations.count = 1;
+    stations.fractions = origin;
+    stations.sections = &section;
+    CHECK_STATUS(pdn_model_add_beam(out, &line, &stations, 1, 2, &beam), PDN_OK);
+    CHECK_STATUS(pdn_model_add_rigid_joint(out, PDN_GROUND, beam.first, y, &id), PDN_OK);
+    PDN_INIT(pdn_surface, &surface);
+    CHECK_STATUS(pdn_surface_set_parallelogram(&surface, x, y, z), PDN_OK);
+    PDN_INIT(pdn_shell_section, &plate);
+    CHECK_STATUS(pdn_shell_section_set_isotropic(&plate, 0.1, 1e6, 0.3, 1000, 1, 0.1), PDN_OK);
+    CHECK_STATUS(pdn_model_add_shell(out, &surface, 1, 1, 1, 1, 0, &plate, NULL, &shell), PDN_OK);
+    CHECK_STATUS(pdn_model_shell_node(out, shell.first_element, 0, 0, &id), PDN_OK);
+    CHECK_STATUS(pdn_model_add_rigid_joint(out, PDN_GROUND, id, x, &id), PDN_OK);
+    CHECK_STATUS(pdn_model_add_parameter(out, "p", 1, 1, &id), PDN_OK);
+    return out;
+}
+
+int main(void)
+{
+    pdn_model *const whole = made();
+    pdn_periodic_options options;
+    size_t c;
+    int swaps = 0, i, j;
+    PDN_INIT(pdn_periodic_options, &options);
+    options.grid_points = 3;
+    CHECK_STATUS(pdn_solve_periodic(whole, 2, &options, &solution), PDN_OK);
+    CHECK(pdn_solution_outcome(solution) == PDN_CONVERGED);
+    for (c = 0; c < sizeof cases / sizeof *cases; c++) {
+        CHECK_STATUS(pdn_model_copy(whole, &model), PDN_OK);
+        if (cases[c].call(cases[c].values) != PDN_OK) {
+            char message[256];
+            pdn_last_error(message, sizeof message);
+            fprintf(stderr, "%s: %s\n", cases[c].name, message);
+            return 1;
+        }
+        pdn_model_free(model);
+        CHECK_STATUS(pdn_model_copy(whole, &model), PDN_OK);
+        for (i = 0; i < cases[c].count; i++) {
+            for (j = 0; j < i; j++) {
+                int32_t v[MOST];
+                memcpy(v, cases[c].values, sizeof v);
+                /* Two ids or numbers may well be meant so. */
+                if (v[i] < 100 && v[j] < 100)
+                    continue;
+                v[i] = cases[c].values[j];
+                v[j] = cases[c].values[i];
+                if (cases[c].call(v) >= 0) {
+                    fprintf(stderr, "%s: arguments %d and %d exchanged\n", cases[c].name, j, i);
+                    return 1;
+                }
+                swaps++;
+            }
+        }
+        pdn_model_free(model);
+    }
+    printf("%d exchanges refused\n", swaps);
+    pdn_solution_free(solution);
+    pdn_model_free(whole);
+    return 0;
+}
