@@ -188,12 +188,17 @@ module periodyn_c
     integer(c_int32_t), parameter :: PDN_NUMBER_BEAM_MASS = 5
     integer(c_int32_t), parameter :: PDN_NUMBER_BEAM_DAMPING = 6
     integer(c_int32_t), parameter :: PDN_NUMBER_MASS_DAMPING = 7
+    integer(c_int32_t), parameter :: PDN_NUMBER_SHELL_STIFFNESS = 8
+    integer(c_int32_t), parameter :: PDN_NUMBER_SHELL_MASS = 9
+    integer(c_int32_t), parameter :: PDN_NUMBER_SHELL_DAMPING = 10
+    integer(c_int32_t), parameter :: PDN_NUMBER_SHELL_THICKNESS = 11
     integer(c_int32_t), parameter :: PDN_SIGNAL_OF_ACTUATOR = 0
     integer(c_int32_t), parameter :: PDN_SIGNAL_OF_PRESCRIBED = 1
     integer(c_int32_t), parameter :: PDN_SIGNAL_OF_LOAD = 2
     integer(c_int32_t), parameter :: PDN_SIGNAL_OF_BEAM_LOAD = 3
     integer(c_int32_t), parameter :: PDN_SIGNAL_OF_GRAVITY = 4
     integer(c_int32_t), parameter :: PDN_SIGNAL_OF_RELATION = 5
+    integer(c_int32_t), parameter :: PDN_SIGNAL_OF_SHELL_LOAD = 6
     integer(c_int32_t), parameter :: PDN_PART_MEAN = 0
     integer(c_int32_t), parameter :: PDN_PART_RATE = 1
     integer(c_int32_t), parameter :: PDN_PART_AMPLITUDE = 2
@@ -206,6 +211,7 @@ module periodyn_c
     integer(c_int32_t), parameter :: PDN_FORCE_IS_VISCOUS_DAMPER = 1104
     integer(c_int32_t), parameter :: PDN_FORCE_IS_BUSHING = 1105
     integer(c_int32_t), parameter :: PDN_FORCE_IS_USER_FORCE = 1106
+    integer(c_int32_t), parameter :: PDN_FORCE_IS_SURFACE_FORCE = 1107
     integer(c_int32_t), parameter :: PDN_NUMBER_RELAXATION_TIME = 20
     integer(c_int32_t), parameter :: PDN_FEATURE_MEAN = 500
     integer(c_int32_t), parameter :: PDN_FEATURE_COSINE = 501
@@ -353,6 +359,26 @@ module periodyn_c
         integer(c_int32_t) :: column_component
         integer(c_int32_t) :: reserved
     end type pdn_tangent_check
+
+    type, bind(C) :: pdn_surface_state
+        integer(c_size_t) :: struct_size = 0
+        real(c_double) :: time
+        integer(c_int32_t) :: element
+        integer(c_int32_t) :: reserved
+        integer(c_size_t) :: point_count
+        type(c_ptr) :: places = c_null_ptr
+        type(c_ptr) :: sizes = c_null_ptr
+        type(c_ptr) :: positions = c_null_ptr
+        type(c_ptr) :: rotations = c_null_ptr
+        type(c_ptr) :: velocities = c_null_ptr
+    end type pdn_surface_state
+
+    type, bind(C) :: pdn_surface_values
+        integer(c_size_t) :: struct_size = 0
+        type(c_ptr) :: forces = c_null_ptr
+        type(c_ptr) :: by_motion = c_null_ptr
+        type(c_ptr) :: by_velocity = c_null_ptr
+    end type pdn_surface_values
 
     type, bind(C) :: pdn_diagnostics
         integer(c_size_t) :: struct_size = 0
@@ -506,6 +532,8 @@ module periodyn_c
         real(c_double) :: first_rotation(9)
         real(c_double) :: second_position(3)
         real(c_double) :: second_rotation(9)
+        integer(c_int32_t) :: shell_element
+        integer(c_int32_t) :: shell_place
     end type pdn_force_info
 
     type, bind(C) :: pdn_sensitivity_options
@@ -729,6 +757,15 @@ module periodyn_c
             type(c_ptr), value :: user_data
             integer(c_int32_t) :: pdn_user_force_fn
         end function pdn_user_force_fn
+
+        ! Forces on shells, to be computed by the caller, such as of a fluid: for all points of one element at once, ...
+        function pdn_surface_force_fn(state, values, user_data) bind(C)
+            import
+            type(pdn_surface_state), intent(in) :: state
+            type(pdn_surface_values), intent(inout) :: values
+            type(c_ptr), value :: user_data
+            integer(c_int32_t) :: pdn_surface_force_fn
+        end function pdn_surface_force_fn
 
         ! Called after each Newton iteration, or after each step of a march, and while one lasts about ten times a ...
         function pdn_progress_fn(progress, user_data) bind(C)
@@ -1591,6 +1628,32 @@ module periodyn_c
             integer(c_int32_t) :: pdn_model_set_shell_prestress
         end function pdn_model_set_shell_prestress
 
+        ! Fixes nodes to a body, by a rigid joint each as ::pdn_model_add_rigid_joint makes: such as the nodes along ...
+        function pdn_model_add_rigid_joints(model, body, nodes, count, first_joint, &
+            joints) bind(C, name="pdn_model_add_rigid_joints")
+            import
+            type(c_ptr), value :: model
+            integer(c_int32_t), value :: body
+            integer(c_int32_t), intent(in) :: nodes(*)
+            integer(c_size_t), value :: count
+            integer(c_int32_t), intent(inout) :: first_joint
+            integer(c_int32_t), intent(inout) :: joints
+            integer(c_int32_t) :: pdn_model_add_rigid_joints
+        end function pdn_model_add_rigid_joints
+
+        ! Fixes a whole edge of a shell over a surface or a grid to a body: ::pdn_model_add_rigid_joints with the ...
+        function pdn_model_add_rigid_edge(model, body, shell, edge, first_joint, &
+            joints) bind(C, name="pdn_model_add_rigid_edge")
+            import
+            type(c_ptr), value :: model
+            integer(c_int32_t), value :: body
+            type(pdn_shell), intent(in) :: shell
+            integer(c_int32_t), value :: edge
+            integer(c_int32_t), intent(inout) :: first_joint
+            integer(c_int32_t), intent(inout) :: joints
+            integer(c_int32_t) :: pdn_model_add_rigid_edge
+        end function pdn_model_add_rigid_edge
+
         ! Number of forces: springs, dampers, actuators and the like, but not loads; their ids are 0 ..
         function pdn_model_force_count(model, count) bind(C, name="pdn_model_force_count")
             import
@@ -1734,6 +1797,23 @@ module periodyn_c
             type(pdn_tangent_check), intent(inout) :: check
             integer(c_int32_t) :: pdn_model_check_tangents
         end function pdn_model_check_tangents
+
+        ! Adds forces on shell elements that a function of the caller computes at the points of a quadrature: a ...
+        function pdn_model_add_surface_force(model, first_element, elements, place, frame, tangents, &
+            function, user_data, destroy, first_force) bind(C, name="pdn_model_add_surface_force")
+            import
+            type(c_ptr), value :: model
+            integer(c_int32_t), value :: first_element
+            integer(c_int32_t), value :: elements
+            integer(c_int32_t), value :: place
+            integer(c_int32_t), value :: frame
+            integer(c_int32_t), value :: tangents
+            type(c_funptr), value :: function
+            type(c_ptr), value :: user_data
+            type(c_funptr), value :: destroy
+            integer(c_int32_t), intent(inout), optional :: first_force
+            integer(c_int32_t) :: pdn_model_add_surface_force
+        end function pdn_model_add_surface_force
 
         ! Gives a node, joint, element, force or relation a label, in place of the one that it has
         function pdn_model_set_label(model, kind, id, label) bind(C, name="pdn_model_set_label")
@@ -3605,6 +3685,8 @@ module periodyn
         procedure, public :: shell_element_count => model_shell_element_count
         procedure, public :: add_shell_load => model_add_shell_load
         procedure, public :: set_shell_prestress => model_set_shell_prestress
+        procedure, public :: add_rigid_joints => model_add_rigid_joints
+        procedure, public :: add_rigid_edge => model_add_rigid_edge
         procedure, public :: add_load => model_add_load
         procedure, public :: add_distributed_load => model_add_distributed_load
         procedure, public :: add_load_at_places => model_add_load_at_places
@@ -3617,6 +3699,7 @@ module periodyn
         procedure, public :: add_viscous_damper => model_add_viscous_damper
         procedure, public :: add_coordinate_law => model_add_coordinate_law
         procedure, public :: add_user_force => model_add_user_force
+        procedure, public :: add_surface_force => model_add_surface_force
         procedure, public :: check_tangents => model_check_tangents
         procedure, public :: add_parameter => model_add_parameter
         procedure, public :: set_parameter => model_set_parameter
@@ -5116,6 +5199,37 @@ contains
         call report(pdn_model_set_shell_prestress(self%c, first_element, elements, resultants), stat, errmsg)
     end subroutine model_set_shell_prestress
 
+    ! Fixes nodes to a body, by a rigid joint each; these follow each other from the first on.
+    subroutine model_add_rigid_joints(self, body, nodes, first_joint, joints, stat, errmsg)
+        class(pdn_model), intent(inout) :: self
+        integer(c_int32_t), intent(in) :: body, nodes(:)
+        integer(c_int32_t), intent(inout), optional :: first_joint, joints
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        integer(c_int32_t) :: first, count, status
+
+        status = pdn_model_add_rigid_joints(self%c, body, nodes, size(nodes, kind=c_size_t), first, count)
+        if (status == PDN_OK .and. present(first_joint)) first_joint = first
+        if (status == PDN_OK .and. present(joints)) joints = count
+        call report(status, stat, errmsg)
+    end subroutine model_add_rigid_joints
+
+    ! Fixes an edge of a shell over a surface or a grid to a body: rigid joints as of add_rigid_joints.
+    subroutine model_add_rigid_edge(self, body, shell, edge, first_joint, joints, stat, errmsg)
+        class(pdn_model), intent(inout) :: self
+        integer(c_int32_t), intent(in) :: body, edge
+        type(pdn_shell), intent(in) :: shell
+        integer(c_int32_t), intent(inout), optional :: first_joint, joints
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        integer(c_int32_t) :: first, count, status
+
+        status = pdn_model_add_rigid_edge(self%c, body, shell, edge, first, count)
+        if (status == PDN_OK .and. present(first_joint)) first_joint = first
+        if (status == PDN_OK .and. present(joints)) joints = count
+        call report(status, stat, errmsg)
+    end subroutine model_add_rigid_edge
+
     ! A component for each unit of area of shell elements, or of length of their edges.
     subroutine model_add_shell_load(self, first_element, elements, place, frame, component, signal, stat, errmsg)
         class(pdn_model), intent(inout) :: self
@@ -5328,6 +5442,28 @@ contains
         call report(pdn_model_add_user_force(self%c, nodes, size(nodes, kind=c_size_t), frame, tangents, &
             c_funloc(forces), data, dispose, force), stat, errmsg)
     end subroutine model_add_user_force
+
+    ! Forces on shell elements that the caller computes, one for each from first_force on.
+    subroutine model_add_surface_force(self, first_element, elements, place, frame, tangents, forces, user_data, &
+            destroy, first_force, stat, errmsg)
+        class(pdn_model), intent(inout) :: self
+        integer(c_int32_t), intent(in) :: first_element, elements, place, frame, tangents
+        procedure(pdn_surface_force_fn) :: forces
+        type(c_ptr), intent(in), optional :: user_data
+        procedure(pdn_destroy_fn), optional :: destroy
+        integer(c_int32_t), intent(inout), optional :: first_force
+        integer, intent(out), optional :: stat
+        character(*), intent(inout), optional :: errmsg
+        type(c_ptr) :: data
+        type(c_funptr) :: dispose
+
+        data = c_null_ptr
+        if (present(user_data)) data = user_data
+        dispose = c_null_funptr
+        if (present(destroy)) dispose = c_funloc(destroy)
+        call report(pdn_model_add_surface_force(self%c, first_element, elements, place, frame, tangents, &
+            c_funloc(forces), data, dispose, first_force), stat, errmsg)
+    end subroutine model_add_surface_force
 
     ! Compares the tangents of a law or user force with differences.
     subroutine model_check_tangents(self, force, period, check, stat, errmsg)

@@ -24,6 +24,9 @@ mod shape;
 mod shell;
 #[cfg(test)]
 mod shell_test;
+mod surface_force;
+#[cfg(test)]
+mod surface_force_test;
 #[cfg(test)]
 mod tangent_test;
 mod user_force;
@@ -52,6 +55,10 @@ pub use shape::{gauss_legendre, lobatto_points, shape_functions};
 pub use shell::{
     IsotropicShell, Matrix12, NodeGrid, Shell, ShellFrames, ShellLoadPlace, ShellPoint,
     ShellSection, ShellSide, Vector12, element_frames, surface_stress,
+};
+pub use surface_force::{
+    PointTangents, SurfaceForce, SurfaceForceFunction, SurfaceForceInput, SurfaceForceLaw,
+    SurfaceForceOutput,
 };
 pub use user_force::{
     NodeForceFunction, NodeForceInput, NodeForceLaw, NodeForceOutput, Tangent, TangentPairs,
@@ -209,6 +216,8 @@ pub struct Contribution {
     load: distributed_load::Scratch,
     /// Scratch of user's forces.
     user_force: user_force::Scratch,
+    /// The same on shells.
+    surface_force: surface_force::Scratch,
 }
 
 impl Contribution {
@@ -231,6 +240,7 @@ impl Contribution {
             shell: shell::Scratch::default(),
             load: distributed_load::Scratch::default(),
             user_force: user_force::Scratch::default(),
+            surface_force: surface_force::Scratch::default(),
         }
     }
 

@@ -4,6 +4,7 @@ use super::validation::{require_motion, require_positive, require_two_bodies};
 use super::{BushingDefinition, JointCoordinate, Model, Signal, UserFunction};
 use crate::elements::{
     Attachment, BushingAngles, CoordinateLaw, JointKind, MaxwellBranch, NodeForceLaw,
+    ShellLoadPlace, SurfaceForceLaw,
 };
 use crate::error::{Error, ErrorKind, Result, require_finite, require_id};
 use crate::motion::Motion;
@@ -88,6 +89,18 @@ pub enum ForceDefinition {
         #[serde(default)]
         cycles: usize,
     },
+    /// A user's forces on a shell element.
+    SurfaceForces {
+        /// The element.
+        element: usize,
+        /// Where on it.
+        place: ShellLoadPlace,
+        /// The law.
+        law: UserFunction<SurfaceForceLaw>,
+        /// Cycles of the phase that it is told in a period; 0 if it is told the time.
+        #[serde(default)]
+        cycles: usize,
+    },
 }
 
 impl ForceDefinition {
@@ -100,7 +113,8 @@ impl ForceDefinition {
             | ForceDefinition::Viscoelastic { at, .. } => Some(*at),
             ForceDefinition::ViscousDamper { .. }
             | ForceDefinition::Bushing(_)
-            | ForceDefinition::NodeForces { .. } => None,
+            | ForceDefinition::NodeForces { .. }
+            | ForceDefinition::SurfaceForces { .. } => None,
         }
     }
 
@@ -108,7 +122,9 @@ impl ForceDefinition {
     pub fn calls_function(&self) -> bool {
         matches!(
             self,
-            ForceDefinition::CoordinateLaw { .. } | ForceDefinition::NodeForces { .. }
+            ForceDefinition::CoordinateLaw { .. }
+                | ForceDefinition::NodeForces { .. }
+                | ForceDefinition::SurfaceForces { .. }
         )
     }
 }
@@ -161,6 +177,9 @@ impl Model {
             }
             ForceDefinition::Bushing(bushing) => bushing.require_valid()?,
             ForceDefinition::NodeForces { nodes, .. } => self.require_distinct_nodes(nodes)?,
+            ForceDefinition::SurfaceForces { element, place, .. } => {
+                self.require_shell_place((*element, 1), *place)?;
+            }
         }
         self.forces.push(force);
         Ok(self.forces.len() - 1)
@@ -322,6 +341,32 @@ impl Model {
         })
     }
 
+    /// Adds forces that a user's function computes at points of the surface, or an edge, of shell
+    /// elements: a force for each of `elements` from `first_element` on. Returns the id of the
+    /// first; the others follow.
+    ///
+    /// # Errors
+    /// If the elements or the edge do not exist.
+    pub fn add_surface_forces(
+        &mut self,
+        first_element: usize,
+        elements: usize,
+        place: ShellLoadPlace,
+        law: SurfaceForceLaw,
+    ) -> Result<usize> {
+        self.require_shell_place((first_element, elements), place)?;
+        let first = self.forces.len();
+        for element in first_element..first_element + elements {
+            self.forces.push(ForceDefinition::SurfaceForces {
+                element,
+                place,
+                law: UserFunction::new(law.clone()),
+                cycles: 0,
+            });
+        }
+        Ok(first)
+    }
+
     /// Declares the function of a force one of the phase `Ωt`, which it is then told, in radians,
     /// in place of the time; so it is one for any period, as that of a force that does not depend
     /// on time is, too.
@@ -329,7 +374,8 @@ impl Model {
         self.require_force("force", force)?;
         match &mut self.forces[force] {
             ForceDefinition::CoordinateLaw { cycles, .. }
-            | ForceDefinition::NodeForces { cycles, .. } => {
+            | ForceDefinition::NodeForces { cycles, .. }
+            | ForceDefinition::SurfaceForces { cycles, .. } => {
                 *cycles = 1;
                 Ok(())
             }

@@ -6,7 +6,7 @@ use super::{ElementRole, Placed, PlacedRelation, Regime, Scales, System};
 use crate::elements::{
     ActedCoordinate, CoordinateForce, CoordinateLaw, CoordinateState, Effort, Element, JointKind,
     Law, LoadFrame, MassDamping, NodalLoad, NodeForceInput, NodeForceLaw, Prescribed, Relation,
-    UserForce, Viscoelastic, ViscousDamper,
+    SurfaceForce, SurfaceForceInput, SurfaceForceLaw, UserForce, Viscoelastic, ViscousDamper,
 };
 use crate::error::{Error, ErrorKind, Result, require_positive_number};
 use crate::model::{
@@ -386,6 +386,17 @@ impl<'a> Builder<'a> {
                 let law = self.node_law(law, *cycles).map_err(within)?;
                 Arc::new(UserForce::new(nodes.clone(), law, length, frequency))
             }
+            ForceDefinition::SurfaceForces {
+                element,
+                place,
+                law,
+                cycles,
+            } => {
+                let law = self.surface_law(law, *cycles).map_err(within)?;
+                let shell = (*element, &*self.system.shells[*element]);
+                let sizes = [length, frequency];
+                Arc::new(SurfaceForce::new(shell, *place, law, sizes).map_err(within)?)
+            }
         })
     }
 
@@ -427,6 +438,28 @@ impl<'a> Builder<'a> {
             law.function = Arc::new(move |state, out| {
                 let time = state.time * unit;
                 function(&NodeForceInput { time, ..*state }, out)
+            });
+        }
+        Ok(law)
+    }
+
+    /// A user's law on a shell, that is told the time.
+    fn surface_law(
+        &mut self,
+        law: &UserFunction<SurfaceForceLaw>,
+        cycles: usize,
+    ) -> Result<SurfaceForceLaw> {
+        let zero = SurfaceForceLaw {
+            function: Arc::new(|_, _| Ok(())),
+            gives_tangents: true,
+            frame: LoadFrame::Space,
+        };
+        let mut law = self.function(law, zero)?;
+        if cycles > 0 {
+            let (unit, function) = (self.phase_unit()? * cycles as f64, law.function);
+            law.function = Arc::new(move |state, out| {
+                let time = state.time * unit;
+                function(&SurfaceForceInput { time, ..*state }, out)
             });
         }
         Ok(law)

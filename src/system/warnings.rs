@@ -79,7 +79,9 @@ fn holds(model: &Model, placed: &Placed) -> bool {
             ForceDefinition::Bushing(bushing) => bushing.stiffness.amax() > 0.0,
             ForceDefinition::Actuator { .. } | ForceDefinition::ViscousDamper { .. } => false,
             // What they do is not known.
-            ForceDefinition::CoordinateLaw { .. } | ForceDefinition::NodeForces { .. } => true,
+            ForceDefinition::CoordinateLaw { .. }
+            | ForceDefinition::NodeForces { .. }
+            | ForceDefinition::SurfaceForces { .. } => true,
         },
     }
 }
