@@ -229,8 +229,6 @@ fn a_slit_ring_converges_with_order_and_mesh() {
         (5, [1, 6], [13.400, 17.042]),
         (6, [1, 6], [13.705, 17.340]),
         (6, [2, 8], [13.764, 17.402]),
-        (8, [1, 6], [13.823, 17.461]),
-        (5, [2, 12], [13.800, 17.437]),
     ] {
         let (found, iterations) = slit_ring(nodes, elements);
         let what = format!("{nodes} nodes, {elements:?}, {iterations} iterations");
@@ -322,18 +320,6 @@ fn a_hemisphere_with_a_hole_converges_with_order_and_mesh() {
     }
     let (found, _) = hemisphere(6, 3, Parallel, 1.0);
     require_digits("6 nodes, 3²", &found, &[4.0573, 8.1160], 1e-4);
-    // Frames along the normals of the sphere itself.
-    for (nodes, elements, given) in [
-        (2, 8, [3.023, 5.878]),
-        (3, 4, [2.971, 5.179]),
-        (4, 4, [3.866, 7.660]),
-        (5, 2, [3.699, 7.166]),
-        (5, 3, [3.985, 7.939]),
-        (6, 2, [3.984, 7.905]),
-    ] {
-        let (found, _) = hemisphere(nodes, elements, ShellFrames::NodeAxes, 1.0);
-        println!("normals {nodes} {elements}: {found:?}, given {given:?}");
-    }
     // By default, with frames along normals, it is nearer to the limit.
     let (found, _) = hemisphere(4, 4, Normals, 1.0);
     assert!(found[0] > 3.92 && found[1] > 7.81, "{found:?}");

@@ -14,10 +14,13 @@ use periodyn::solve::*;
 use periodyn::system::check_tangents;
 use std::sync::Arc;
 
+type Input<'a> = SurfaceForceInput<'a>;
+type Output<'a> = SurfaceForceOutput<'a>;
+
 fn law(
     frame: LoadFrame,
     gives_tangents: bool,
-    function: impl Fn(&SurfaceForceInput, &mut SurfaceForceOutput) -> Result<()> + Send + Sync + 'static,
+    function: impl Fn(&Input, &mut Output) -> Result<()> + Send + Sync + 'static,
 ) -> SurfaceForceLaw {
     SurfaceForceLaw {
         function: Arc::new(function),
