@@ -145,9 +145,9 @@ fn a_fluid_that_resists_in_proportion_to_mass_damps_all_modes_alike() {
             let exact = [-0.5 * rate, (free[1] * free[1] - 0.25 * rate * rate).sqrt()];
             let error = (damped[0] - exact[0]).hypot(damped[1] - exact[1]) / free[1];
             println!("{damped:?} {exact:?}: {error:e}");
-            // As precise as eigenvalues are found, and as the differences.
-            let limit = if gives_tangents { 1e-10 } else { 1e-8 };
-            assert!(error < limit, "{error:e}");
+            // Inertia interpolates velocities, the force motions: these differ by what the mesh
+            // leaves.
+            assert!(error < 1e-6, "{error:e}");
         }
     }
 }
@@ -267,7 +267,7 @@ fn newton_converges_quadratically_with_drag() {
         let increments: Vec<f64> = iterations.iter().map(|i| i.increment).collect();
         println!("{increments:?}");
         for pair in increments.windows(2).rev().take(2) {
-            assert!(pair[1] <= pair[0] * pair[0] + 1e-11, "{increments:?}");
+            assert!(pair[1] <= 10.0 * pair[0] * pair[0] + 1e-11, "{increments:?}");
         }
         positions(&solution)
     });
