@@ -477,6 +477,7 @@ static void loads(void)
     REFUSES_STRUCT_SIZES(in.signal, CALL, "signal");
     REFUSES_NOT_FINITE(in.signal.mean, CALL, "signal: mean");
 #undef CALL
+#undef WITH
 #define CALL                                                                                       \
     pdn_model_set_shell_prestress(in.model, in.first_element, in.loaded, in.resultants)
     REFUSES_NULL(pdn_model_set_shell_prestress(NULL, 0, 1, in.resultants), "model");

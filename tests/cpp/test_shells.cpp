@@ -74,7 +74,7 @@ int main()
         const auto start = start_of(model, shell);
         {
             // The same by the edge, of which a corner is held already.
-            pdn::Model held = model;
+            pdn::Model held = model.copy();
             CHECK(held.add_rigid_joints(pdn::ground, {start[0]}) == std::vector<std::int32_t>{0});
             const auto joints = held.add_rigid_edge(pdn::ground, shell,
                                                     pdn::ShellPlace::edge_start_xi);
