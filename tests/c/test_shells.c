@@ -305,6 +305,7 @@ static void loads(void)
 struct wind {
     double pressure, drag, area;
     int32_t element, given, calls, destroyed;
+    size_t points;
 };
 
 /* Pressure, and drag in proportion to the normal velocity, along the axes of the points. */
@@ -315,7 +316,7 @@ static int32_t blow(const pdn_surface_state *state, pdn_surface_values *values, 
     wind->area = 0;
     wind->calls++;
     CHECK(state->struct_size == sizeof *state && values->struct_size == sizeof *values);
-    CHECK(state->element == wind->element && state->point_count == 9 && state->reserved == 0);
+    CHECK(state->element == wind->element && state->point_count == wind->points && state->reserved == 0);
     for (k = 0; k < state->point_count; k++) {
         CHECK(fabs(state->places[2 * k]) < 1 && fabs(state->places[2 * k + 1]) < 1);
         wind->area += state->sizes[k];
@@ -338,12 +339,12 @@ static void dispose(void *user_data)
 static void surface_forces(void)
 {
     const pdn_surface surface = strip(2, 0.5);
-    const double rate = 4, time = 0;
+    const double rate = 0.1, time = 0;
     pdn_shell_section section = section_of(0.3);
     double heights[2], position[3];
     int k;
     for (k = 0; k < 2; k++) {
-        struct wind wind = {0.05, 3, 0, 1, 0, 0, 0};
+        struct wind wind = {0.05, 3, 0, 1, 0, 0, 0, 9};
         pdn_model *model;
         pdn_shell shell;
         pdn_solution *solution;
@@ -390,7 +391,7 @@ static void surface_forces(void)
     /* Small motions: z'' + rate z' + w^2 z = 0 for all modes, but for rotary inertia, which is
        (h / L)^2 of the mass. */
     {
-        struct wind wind = {0, 0, 0, 0, 1, 0, 0};
+        struct wind wind = {0, 0, 0, 0, 1, 0, 0, 36};
         pdn_modes_options options;
         pdn_modes *modes;
         pdn_model *model;
@@ -401,7 +402,7 @@ static void surface_forces(void)
         for (k = 0; k < 2; k++) {
             CHECK_STATUS(pdn_model_new(&model), PDN_OK);
             CHECK_STATUS(
-                pdn_model_add_shell(model, &surface, 1, 1, 2, 2, 1, &section, NULL, &shell),
+                pdn_model_add_shell(model, &surface, 1, 1, 5, 5, 1, &section, NULL, &shell),
                 PDN_OK);
             clamp_start(model, &shell);
             if (k == 1)

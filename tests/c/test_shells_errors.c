@@ -411,7 +411,7 @@ static void nodes_of_shells(void)
 
 static void rigid_edges(void)
 {
-    static const int32_t off[] = {-2, 16, INT32_MAX, INT32_MIN};
+    static const int32_t off[] = {-2, 19, INT32_MAX, INT32_MIN};
     int32_t body = PDN_GROUND, edge = PDN_SHELL_EDGE_END_XI, saved;
     size_t count = 2;
 #define WITH(model, shell, first, joints)                                                          \
